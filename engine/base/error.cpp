@@ -1,0 +1,26 @@
+#include "base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace trilith {
+
+double require_finite(double value, std::string_view what) {
+  if (!std::isfinite(value)) throw InputError(fmt::format("{} is {}, must be a finite number", what, value));
+  return value;
+}
+
+double require_positive(double value, std::string_view what, std::string_view unit) {
+  if (!(std::isfinite(value) && value > 0))
+    throw InputError(fmt::format("{} is {:g} {}, must be finite and above 0", what, value, unit));
+  return value;
+}
+
+double require_not_negative(double value, std::string_view what, std::string_view unit) {
+  if (!(std::isfinite(value) && value >= 0))
+    throw InputError(fmt::format("{} is {:g} {}, must be finite and not below 0", what, value, unit));
+  return value;
+}
+
+}  // namespace trilith

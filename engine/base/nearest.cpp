@@ -1,0 +1,47 @@
+#include "base/nearest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace trilith {
+
+int edit_distance(std::string_view a, std::string_view b) {
+  const std::size_t n = b.size() + 1;
+  std::vector<int> before(n), last(n), row(n);
+  for (std::size_t j = 0; j < n; ++j) last[j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j < n; ++j) {
+      const int change = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, change});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(last);
+    last.swap(row);
+  }
+  return last[n - 1];
+}
+
+std::string nearest_name(std::string_view given, const std::vector<std::string>& known) {
+  std::string best;
+  int least = std::max(1, static_cast<int>(given.size()) / 3) + 1;
+  for (const std::string& name : known) {
+    const int distance = edit_distance(given, name);
+    if (distance < least) {
+      least = distance;
+      best = name;
+    }
+  }
+  return best;
+}
+
+std::string name_hint(std::string_view given, const std::vector<std::string>& known) {
+  const std::string best = nearest_name(given, known);
+  if (!best.empty()) return fmt::format("; did you mean '{}'?", best);
+  return fmt::format("; known: {}", fmt::join(known, ", "));
+}
+
+}  // namespace trilith

@@ -1,0 +1,16 @@
+#include "base/nearest.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace trilith;
+
+TEST_CASE("edit distance counts a swap of neighbours as one change") {
+  CHECK(edit_distance("tensoin", "tension") == 1);
+  CHECK(edit_distance("", "abc") == 3);
+  CHECK(edit_distance("height", "height") == 0);
+}
+
+TEST_CASE("the nearest name is offered only when it is near") {
+  CHECK(nearest_name("heigth", {"width", "height", "depth"}) == "height");
+  CHECK(nearest_name("zzzz", {"width", "height"}).empty());
+}
