@@ -1,0 +1,18 @@
+# What `cmake --install` puts down, so that find_package(Trilith) finds the engine as Trilith::trilith elsewhere.
+# Users write #include <trilith/base/error.hpp>; between themselves the headers write "base/error.hpp".
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(TRILITH_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Trilith)
+install(TARGETS trilith EXPORT TrilithTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${CMAKE_INSTALL_INCLUDEDIR}/trilith)
+install(EXPORT TrilithTargets NAMESPACE Trilith:: DESTINATION ${TRILITH_CONFIG_DIR})
+install(DIRECTORY engine/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/trilith FILES_MATCHING PATTERN "*.hpp")
+
+configure_package_config_file(cmake/TrilithConfig.cmake.in ${PROJECT_BINARY_DIR}/TrilithConfig.cmake
+  INSTALL_DESTINATION ${TRILITH_CONFIG_DIR} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/TrilithConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/TrilithConfig.cmake ${PROJECT_BINARY_DIR}/TrilithConfigVersion.cmake
+  DESTINATION ${TRILITH_CONFIG_DIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
