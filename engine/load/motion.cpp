@@ -1,0 +1,133 @@
+#include "load/motion.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.hpp"
+
+namespace trilith {
+
+namespace {
+
+// Wide bounds that keep every integral and rate finite.
+constexpr double least_step = 1e-9;     // [s]
+constexpr double largest_step = 1e6;    // [s]
+constexpr double largest_sample = 1e6;  // [m/s2]
+
+std::string name_of(const MotionSource& source) {
+  if (!source.file.empty()) return std::filesystem::path(source.file).filename().string();
+  return source.title.empty() ? "ground motion" : source.title;
+}
+
+/// Fills in velocity and displacement at the samples from those at the first.
+void integrate(std::vector<MotionAt>& samples, double dt) {
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    const MotionAt& now = samples[i];
+    MotionAt& next = samples[i + 1];
+    next.velocity = now.velocity + dt * (now.acceleration + next.acceleration) / 2;
+    next.displacement = now.displacement + dt * (now.velocity + dt * (now.acceleration / 3 + next.acceleration / 6));
+  }
+}
+
+double largest_acceleration(std::span<const MotionAt> samples) {
+  double peak = 0;
+  for (const MotionAt& sample : samples) peak = std::max(peak, std::abs(sample.acceleration));
+  return peak;
+}
+
+}  // namespace
+
+GroundMotion::GroundMotion(std::span<const double> acceleration, double step, MotionStart start, MotionSource source)
+    : step_(step), source_(std::move(source)), description_(name_of(source_)) {
+  const auto about = [this](const char* what) { return fmt::format("motion '{}': {}", description_, what); };
+  if (!(step >= least_step && step <= largest_step))
+    throw InputError(fmt::format("motion '{}': sample step is {:g} s, must be between {:g} and {:g} s", description_,
+                                 step, least_step, largest_step));
+  if (acceleration.size() < 2)
+    throw InputError(fmt::format("motion '{}': {} samples, at least 2 are needed", description_, acceleration.size()));
+  samples_.reserve(acceleration.size());
+  for (const double a : acceleration) {
+    if (!(std::abs(a) <= largest_sample))
+      throw InputError(fmt::format("motion '{}': acceleration of sample {} is {:g} m/s2, must be within +-{:g} m/s2",
+                                   description_, samples_.size() + 1, a, largest_sample));
+    samples_.push_back({a, 0, 0});
+  }
+  samples_.front().velocity = require_finite(start.velocity, about("start velocity"));
+  samples_.front().displacement = require_finite(start.displacement, about("start displacement"));
+  integrate(samples_, step_);
+  // An overflow on the way reaches the last sample as an infinity or NaN, for both are kept by sums.
+  require_finite(samples_.back().velocity, about("end velocity"));
+  require_finite(samples_.back().displacement, about("end displacement"));
+  duration_ = static_cast<double>(samples_.size() - 1) * step_;
+}
+
+GroundMotion GroundMotion::transformed(double amplitude, double time, MotionStart start,
+                                       const std::string& note) const {
+  std::vector<double> acceleration;
+  acceleration.reserve(samples_.size());
+  for (const MotionAt& sample : samples_) acceleration.push_back(sample.acceleration * amplitude);
+  GroundMotion result(acceleration, step_ * time, start, source_);
+  result.start_time_ = require_finite(start_time_ * time, "start time of '" + description_ + "'");
+  result.factor_ = factor_ * amplitude;
+  result.description_ = description_ + ", " + note;
+  return result;
+}
+
+GroundMotion GroundMotion::scaled(double factor) const {
+  if (!std::isfinite(factor) || factor == 0)
+    throw InputError(
+        fmt::format("scale factor of motion '{}' is {:g}, must be finite and not 0", description_, factor));
+  return transformed(factor, 1, {start().velocity * factor, start().displacement * factor},
+                     fmt::format("x {:.6g}", factor));
+}
+
+GroundMotion GroundMotion::scaled_to_peak(double peak) const {
+  require_positive(peak, "peak to which motion '" + description_ + "' is scaled", "m/s2");
+  const double present = largest_acceleration(samples_);
+  if (present == 0)
+    throw InputError(fmt::format("motion '{}' is zero everywhere and cannot be scaled to a peak", description_));
+  const double factor = peak / present;
+  return transformed(factor, 1, {start().velocity * factor, start().displacement * factor},
+                     fmt::format("scaled to PGA {:.6g} g", peak / standard_gravity));
+}
+
+GroundMotion GroundMotion::scaled_as(const GroundMotion& other) const {
+  const double factor = std::abs(other.factor_);
+  return transformed(factor, 1, {start().velocity * factor, start().displacement * factor},
+                     fmt::format("x {:.6g} as {}", factor, name_of(other.source_)));
+}
+
+GroundMotion GroundMotion::reversed() const {
+  return transformed(-1, 1, {-start().velocity, -start().displacement}, "reversed");
+}
+
+GroundMotion GroundMotion::time_scaled(double factor) const {
+  require_positive(factor, "time factor of motion '" + description_ + "'", "");
+  return transformed(1, factor, {start().velocity * factor, start().displacement * factor * factor},
+                     fmt::format("time x {:.6g}", factor));
+}
+
+GroundMotion GroundMotion::delayed(double delay) const {
+  require_finite(delay, "delay of motion '" + description_ + "'");
+  const double begin = start_time_ + delay;
+  if (!(begin >= 0) || !std::isfinite(begin))
+    throw InputError(fmt::format("motion '{}' delayed by {:g} s would begin at {:g} s, must not begin before 0",
+                                 description_, delay, begin));
+  GroundMotion result = *this;
+  result.start_time_ = begin;
+  result.description_ +=
+      delay < 0 ? fmt::format(", advanced {:.6g} s", -delay) : fmt::format(", delayed {:.6g} s", delay);
+  return result;
+}
+
+GroundMotion GroundMotion::with_start_velocity(double velocity) const {
+  return transformed(1, 1, {velocity, start().displacement}, fmt::format("from {:.6g} m/s", velocity));
+}
+
+GroundMotion GroundMotion::with_start_displacement(double displacement) const {
+  return transformed(1, 1, {start().velocity, displacement}, fmt::format("from {:.6g} m", displacement));
+}
+
+}  // namespace trilith

@@ -1,0 +1,62 @@
+#include "load/motion_check.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "load/motion_measures.hpp"
+
+namespace trilith {
+
+namespace {
+
+constexpr double end_velocity_limit = 0.10;       // of PGV, whatever the ground did before
+constexpr double end_velocity_negligible = 0.01;  // of PGV: the ground has come to rest
+constexpr double last_quarter_limit = 0.05;       // of PGV, for the mean velocity over the last quarter
+
+/// Mean velocity over the last quarter of the record [m/s].
+double last_quarter_velocity(const GroundMotion& motion) {
+  const auto samples = motion.samples();
+  const std::size_t last = samples.size() - 1;
+  const std::size_t from = std::min(3 * last / 4, last - 1);
+  const double time = static_cast<double>(last - from) * motion.step();
+  return (samples[last].displacement - samples[from].displacement) / time;
+}
+
+std::string drift_of(const GroundMotion& motion) {
+  const double pgv = std::abs(motion_peaks(motion).velocity.value);
+  const double end = motion.samples().back().velocity;
+  const double late = last_quarter_velocity(motion);
+  const bool moves_at_end = std::abs(end) > end_velocity_limit * pgv;
+  const bool travels = std::abs(end) > end_velocity_negligible * pgv && std::abs(late) > last_quarter_limit * pgv;
+  if (!moves_at_end && !travels) return "";
+  const double offset = motion.samples().back().displacement - motion.start().displacement;
+  return fmt::format(
+      "motion '{}' drifts: {:.3g} m in {:.4g} s, end velocity {:.3g} cm/s ({:.2g} % of PGV), mean of the last quarter "
+      "{:.3g} cm/s ({:.2g} %); start it from the velocity its source gives (zero mean velocity needs {:.4g} cm/s), use "
+      "a "
+      "version that begins and ends at rest, or allow drift",
+      motion.description(), offset, motion.duration(), end * 100, 100 * std::abs(end) / pgv, late * 100,
+      100 * std::abs(late) / pgv, 100 * balanced_start_velocity(motion));
+}
+
+}  // namespace
+
+double balanced_start_velocity(const GroundMotion& motion) {
+  const double offset = motion.samples().back().displacement - motion.start().displacement;
+  return motion.start().velocity - offset / motion.duration();
+}
+
+std::string why_not_usable(const GroundMotion& motion, Drift drift) {
+  if (motion_peaks(motion).acceleration.value == 0)
+    return fmt::format("motion '{}' is zero everywhere; check the file and its column", motion.description());
+  return drift == Drift::allow ? "" : drift_of(motion);
+}
+
+void check_usable(const GroundMotion& motion, Drift drift) {
+  const std::string why = why_not_usable(motion, drift);
+  if (!why.empty()) throw InputError(why);
+}
+
+}  // namespace trilith

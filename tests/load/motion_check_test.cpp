@@ -1,0 +1,93 @@
+#include "load/motion_check.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "load/motion_measures.hpp"
+#include "load/motion_read.hpp"
+#include "load/record_folder.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+using doctest::Approx;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  const bool found = text.find(part) != std::string::npos;
+  if (!found) MESSAGE("'", text, "' does not contain '", part, "'");
+  return found;
+}
+
+/// Rest to rest, ending offset by the area under a velocity half sine: a = cos(pi t / T) on 0..T.
+std::vector<double> fling(int n) {
+  std::vector<double> a;
+  for (int i = 0; i <= n; ++i) a.push_back(std::cos(std::numbers::pi * i / n));
+  return a;
+}
+
+}  // namespace
+
+TEST_CASE("a motion that is zero everywhere is refused, even where drift is allowed") {
+  const GroundMotion motion = GroundMotion(std::vector<double>{0, 0, 0}, 0.01).with_start_velocity(1);
+  CHECK_THROWS_AS(check_usable(motion), InputError);
+  CHECK(contains(why_not_usable(motion, Drift::allow), "zero everywhere"));
+}
+
+TEST_CASE("ground that still moves at the end is refused above 10 % of PGV, whatever it did before") {
+  // Up to 1 m/s and back to rest, 6 s of rest, and a last kick to the given part of the peak velocity.
+  const auto kicked_to = [](double part) {
+    std::vector<double> a(100, 1.0);
+    a.insert(a.end(), 100, -1.0);
+    a.insert(a.end(), 600, 0.0);
+    a.insert(a.end(), 10, part * 10);
+    return GroundMotion(a, 0.01);
+  };
+  CHECK(why_not_usable(kicked_to(0.09)) == "");
+  CHECK(why_not_usable(kicked_to(-0.09)) == "");
+  CHECK(contains(why_not_usable(kicked_to(0.11)), "drifts"));
+  CHECK(contains(why_not_usable(kicked_to(-0.11)), "drifts"));
+  CHECK_NOTHROW(check_usable(kicked_to(0.11), Drift::allow));
+}
+
+TEST_CASE("ground that travels one way is refused above 5 % of PGV") {
+  const auto travelling_at = [](double part) {
+    std::vector<double> a(100, 1.0);
+    a.insert(a.end(), 100, -(1 - part));
+    a.insert(a.end(), 2000, 0.0);
+    return GroundMotion(a, 0.01);
+  };
+  CHECK(why_not_usable(travelling_at(0.04)) == "");
+  CHECK(contains(why_not_usable(travelling_at(0.06)), "drifts"));
+}
+
+TEST_CASE("a permanent offset reached at rest is no drift") {
+  const GroundMotion motion(fling(200), 0.01);
+  CHECK(motion.samples().back().displacement > 0.2);
+  CHECK(why_not_usable(motion) == "");
+  CHECK(why_not_usable(motion.scaled(-7)) == "");
+}
+
+TEST_CASE("records integrated from rest that were moving at their start are refused, with what to try") {
+  const auto folder = record_folder();
+  if (!folder) return;
+  for (const std::string name : {"elcentro_1940_cit_ns.csv", "elcentro_1940_cit_ew.csv", "elcentro_1940_cit_up.csv"}) {
+    CAPTURE(name);
+    const GroundMotion motion = read_motion(*folder / name);
+    CHECK(why_not_usable(motion) == "");
+    const GroundMotion from_rest = motion.with_start_velocity(0).with_start_displacement(0);
+    CHECK_THROWS_AS(check_usable(from_rest), InputError);
+    CHECK_NOTHROW(check_usable(from_rest.with_start_velocity(balanced_start_velocity(from_rest))));
+    CHECK_NOTHROW(check_usable(from_rest, Drift::allow));
+    for (const double factor : {0.01, 3.0})
+      CHECK_THROWS_AS(check_usable(from_rest.scaled(factor).time_scaled(0.8)), InputError);
+  }
+  const GroundMotion ns = read_motion(*folder / "elcentro_1940_cit_ns.csv").with_start_velocity(0);
+  const std::string why = why_not_usable(ns);
+  CHECK(contains(why, "drifts: 2.51 m in 53.74 s"));
+  CHECK(contains(why, "zero mean velocity needs -4.6"));
+  CHECK(balanced_start_velocity(ns) == Approx(-0.0467).epsilon(0.005));
+}

@@ -1,0 +1,30 @@
+// Where the tests find ground motion records.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace trilith::testing {
+
+/// A record the project carries itself.
+inline std::filesystem::path own_record(const std::string& name) {
+  return std::filesystem::path(TRILITH_SOURCE_DIR) / "scripts" / "records" / name;
+}
+
+/// The folder of the larger set of records: $TRILITH_RECORDS, or beside the project. None, with a message, where
+/// absent.
+inline std::optional<std::filesystem::path> record_folder() {
+  const char* given = std::getenv("TRILITH_RECORDS");
+  const std::filesystem::path folder =
+      given != nullptr ? std::filesystem::path(given)
+                       : std::filesystem::path(TRILITH_SOURCE_DIR) / ".." / "shared" / "data" / "ground_motions";
+  if (std::filesystem::exists(folder / "manifest.csv")) return folder;
+  MESSAGE("skipped: no ground motion records in '", folder.string(), "'; set TRILITH_RECORDS to their folder");
+  return std::nullopt;
+}
+
+}  // namespace trilith::testing
