@@ -101,7 +101,7 @@ TEST_CASE("Arias intensity and CAV of a sine meet the closed forms") {
   CHECK(cumulative_absolute_velocity(motion) == Approx(4 / std::numbers::pi).epsilon(1e-5));
 }
 
-TEST_CASE("scaled by f, Arias grows as f^2 and CAV as f; with time times f both grow as f") {
+TEST_CASE("scaled by f, Arias grows as f^2 and CAV as f, and with time times f both grow as f") {
   const GroundMotion motion = read_motion(own_record("elcentro_1940_rest_ns.csv"));
   CHECK(arias_intensity(motion.scaled(3)) == Approx(9 * arias_intensity(motion)).epsilon(1e-12));
   CHECK(cumulative_absolute_velocity(motion.scaled(-3)) ==

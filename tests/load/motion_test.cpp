@@ -115,7 +115,7 @@ TEST_CASE("scaling multiplies acceleration, velocity and displacement, and the s
   check_same(motion.scaled(4).scaled(0.25).at(1.234), motion.at(1.234), 0);
 }
 
-TEST_CASE("scaled to a peak, the peak is that one; the vertical scaled as the horizontal keeps their ratio") {
+TEST_CASE("scaled to a peak, the peak is that one, and the vertical scaled as the horizontal keeps their ratio") {
   const GroundMotion horizontal = random_motion(4);
   const GroundMotion vertical = random_motion(5).scaled(0.3);
   const GroundMotion strong = horizontal.scaled_to_peak(0.8 * standard_gravity);
