@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "base/nearest.hpp"
+#include "load/motion_measures.hpp"
 #include "load/motion_samples.hpp"
 #include "load/text_lines.hpp"
 
@@ -94,6 +97,7 @@ constexpr std::array<Key, 11> keys{{
 /// A key we do not know is a remark, unless it looks like one of ours misspelt.
 void refuse_misspelt(const std::string& key, const TextLines& lines) {
   std::vector<std::string> known;
+  known.reserve(keys.size());
   for (const Key& k : keys) known.emplace_back(k.name);
   const std::string near = nearest_name(key, known);
   if (!near.empty()) lines.fail(fmt::format("unknown header key '{}'; did you mean '{}'?", shown(key), near));
@@ -136,10 +140,7 @@ double read_sample(std::string_view line, std::size_t index, double step, const 
 }
 
 void require_announced_peak(const GroundMotion& motion, double announced, const TextLines& lines) {
-  double peak = 0;
-  for (const MotionAt& sample : motion.samples())
-    if (std::abs(sample.acceleration) > std::abs(peak)) peak = sample.acceleration;
-  peak /= standard_gravity;
+  const double peak = motion_peaks(motion).acceleration.value / standard_gravity;
   if (std::abs(peak - announced) > 1e-3 * std::abs(peak))
     lines.fail_whole(fmt::format("header says pga {:g} g, the samples have {:g} g; damaged, or the header is stale",
                                  announced, peak));
@@ -168,8 +169,8 @@ GroundMotion parse_csv_motion(std::string_view text, const std::string& name) {
     acceleration.push_back(read_sample(line, acceleration.size(), *header.step, lines));
   }
   require_complete(header, lines);
-  const GroundMotion motion = motion_from_g(std::move(acceleration), *header.count, *header.step, header.start,
-                                            std::move(header.source), lines);
+  GroundMotion motion = motion_from_g(std::move(acceleration), *header.count, *header.step, header.start,
+                                      std::move(header.source), lines);
   if (header.peak) require_announced_peak(motion, *header.peak, lines);
   return motion;
 }

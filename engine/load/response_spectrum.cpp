@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -137,6 +138,7 @@ std::vector<double> spectrum_periods(double from, double to, int count) {
     throw InputError(fmt::format("{} periods from {:g} to {:g} s: must be at least 2, from above 0, to above from",
                                  count, from, to));
   std::vector<double> periods;
+  periods.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) periods.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
   periods.back() = to;
   return periods;

@@ -1,0 +1,46 @@
+// The sliding block of Newmark (Geotechnique 15, 1965) on the motions as read: reader, scaling and sign together.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "load/motion.hpp"
+#include "load/motion_read.hpp"
+#include "load/record_folder.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+using doctest::Approx;
+
+namespace {
+
+/// Slip [m] of a rigid block that slips one way only while the ground acceleration, or its slip, asks for it.
+/// `yield`: acceleration the block can follow [m/s2].
+double one_way_slip(const GroundMotion& motion, double yield) {
+  const double h = 1e-4;
+  double slip = 0;
+  double speed = 0;
+  for (double t = h / 2; t < motion.end_time(); t += h) {
+    const double next = std::max(0.0, speed + h * (motion.acceleration(t) - yield));
+    slip += h * (speed + next) / 2;
+    speed = next;
+  }
+  return slip;
+}
+
+}  // namespace
+
+TEST_CASE("S3: one-way slip of a rigid block under Takatori scaled to 0.4 g, both signs") {
+  const auto folder = record_folder();
+  if (!folder) return;
+  const GroundMotion motion =
+      read_motion(*folder / "kobe_1995_takatori_090.csv").scaled_to_peak(0.4 * standard_gravity);
+  const double slips[] = {
+      one_way_slip(motion, 0.1 * standard_gravity), one_way_slip(motion.reversed(), 0.1 * standard_gravity),
+      one_way_slip(motion, 0.2 * standard_gravity), one_way_slip(motion.reversed(), 0.2 * standard_gravity)};
+  MESSAGE("slips ", slips[0] * 100, " ", slips[1] * 100, " ", slips[2] * 100, " ", slips[3] * 100, " cm");
+  CHECK(slips[0] == Approx(0.72419).epsilon(0.015));
+  CHECK(slips[1] == Approx(0.62859).epsilon(0.015));
+  CHECK(slips[2] == Approx(0.12860).epsilon(0.015));
+  CHECK(slips[3] == Approx(0.06662).epsilon(0.015));
+}
