@@ -1,0 +1,127 @@
+// Charts to be looked at; the checks are that they are drawn and that their texts stay on the page.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "record/chart.hpp"
+#include "record/sample_pictures.hpp"
+
+using namespace trilith;
+
+namespace {
+
+/// A made-up ground acceleration [m/s²]: three sines under an envelope.
+std::vector<double> made_up_motion(std::size_t count, double dt) {
+  std::vector<double> a(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) * dt, envelope = t * std::exp(1 - t / 3) / 3 + 0.1 * std::exp(-t / 20);
+    a[i] = envelope * (2 * std::sin(11 * t) + 1.3 * std::sin(23.7 * t + 1) + 0.8 * std::sin(4.1 * t + 2));
+  }
+  return a;
+}
+
+std::vector<double> integral(const std::vector<double>& a, double dt) {
+  std::vector<double> v(a.size());
+  for (std::size_t i = 1; i < a.size(); ++i) v[i] = v[i - 1] + dt * (a[i - 1] + a[i]) / 2;
+  return v;
+}
+
+std::vector<double> times(std::size_t count, double dt) {
+  std::vector<double> t(count);
+  for (std::size_t i = 0; i < count; ++i) t[i] = static_cast<double>(i) * dt;
+  return t;
+}
+
+/// Greatest |acceleration| of a damped oscillator by small central difference steps.
+double spectral_acceleration(const std::vector<double>& a, double dt, double period, double damping) {
+  const double w = 2 * std::numbers::pi / period, h = std::min(dt, period / 40);
+  double u = 0, v = 0, most = 0;
+  for (double t = 0; t < dt * static_cast<double>(a.size() - 1); t += h) {
+    const double place = t / dt;
+    const auto i = std::min(static_cast<std::size_t>(place), a.size() - 2);
+    const double ground = std::lerp(a[i], a[i + 1], place - static_cast<double>(i));
+    v += h * (-ground - 2 * damping * w * v - w * w * u);
+    u += h * v;
+    most = std::max(most, std::abs(2 * damping * w * v + w * w * u));
+  }
+  return most;
+}
+
+Chart spectrum_chart(const std::vector<double>& a, double dt) {
+  ChartSeries series{"ground", {}, {}};
+  for (double period = 0.05; period < 10; period *= 1.06) {
+    series.x.push_back(period);
+    series.y.push_back(spectral_acceleration(a, dt, period, 0.05));
+  }
+  Chart chart;
+  chart.title = "Response spectrum, 5 % damping";
+  chart.x = {"Period", "s", AxisScale::logarithmic};
+  chart.panels = {{{"Spectral acceleration", "m/s2", AxisScale::logarithmic}, {series}, ""}};
+  chart.share = 0.62;
+  return chart;
+}
+
+void check_texts(const Canvas& canvas) {
+  for (const PageBox& box : canvas.text_boxes()) {
+    CHECK(box.x0 >= 0);
+    CHECK(box.y0 >= 0);
+    CHECK(box.x1 <= canvas.width());
+    CHECK(box.y1 <= canvas.height());
+  }
+  for (std::size_t i = 0; i < canvas.text_boxes().size(); ++i)
+    for (std::size_t j = i + 1; j < canvas.text_boxes().size(); ++j)
+      CHECK_FALSE(canvas.text_boxes()[i].overlaps(canvas.text_boxes()[j]));
+}
+
+void show(const std::vector<Chart>& charts, Arrangement arrangement, const char* name) {
+  const Canvas canvas = chart_canvas(charts, arrangement);
+  check_texts(canvas);
+  for (const char* ending : {".png", ".svg", ".pdf"})
+    draw_charts(charts, arrangement, sample::picture_path((std::string(name) + ending).c_str()));
+}
+
+}  // namespace
+
+TEST_CASE("sample picture: three traces of a motion and its spectrum beside them") {
+  const double dt = 0.005;
+  const std::vector<double> a = made_up_motion(6000, dt), v = integral(a, dt), u = integral(v, dt),
+                            t = times(a.size(), dt);
+  Chart traces;
+  traces.title = "Made-up motion";
+  traces.subtitle = "6,000 points at 0.005 s";
+  traces.x = {"Time", "s"};
+  traces.panels = {{{"Acceleration", "m/s2"}, {{"ground", t, a}}, "peak 4.1 m/s² at 3.1 s"},
+                   {{"Velocity", "m/s"}, {{"ground", t, v}}, "peak 0.23 m/s at 3.2 s"},
+                   {{"Displacement", "m"}, {{"ground", t, u}}, "peak 61 mm at 20.1 s"}};
+  show({traces, spectrum_chart(a, dt)}, Arrangement::beside, "motion_beside");
+  show({traces, spectrum_chart(a, dt)}, Arrangement::below, "motion_below");
+}
+
+TEST_CASE("sample picture: runs overlaid with event marks") {
+  const double dt = 0.01;
+  const std::vector<double> a = made_up_motion(3000, dt), t = times(a.size(), dt);
+  Chart chart;
+  chart.title = "Displacement of span 3 against its seat";
+  chart.subtitle = "bridge.lua, pga 0.8 g";
+  chart.x = {"Time", "s"};
+  std::vector<ChartSeries> runs;
+  for (const double factor : {1.0, 0.7, 0.45}) {
+    ChartSeries run{"pga " + std::to_string(factor * 0.8).substr(0, 4) + " g", t, {}};
+    for (const double x : a) run.y.push_back(0.03 * factor * x);
+    runs.push_back(run);
+  }
+  runs[1].dash = Dash::dashed;
+  chart.panels = {{{"Slip", "m"}, runs, ""}};
+  chart.marks = {{11.0, "span 3: fixed bearing fails"},
+                 {14.4, "span 3: seat lost"},
+                 {15.9, "span 3 hits ground"},
+                 {16.3, "span 3 hits pier 2"},
+                 {17.7, "span 1 falls"}};
+  show({chart}, Arrangement::below, "runs_marks");
+  for (int i = 0; i < 9; ++i)
+    chart.marks.push_back({18 + 0.4 * i, "a bearing of span " + std::to_string(i) + " fails"});
+  show({chart}, Arrangement::below, "runs_many_marks");
+}
