@@ -44,6 +44,10 @@ Box2 bounding_box(std::span<const Vec2> points) {
   return box;
 }
 
+Polygon rectangle(const Vec2& low, const Vec2& high) {
+  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
 double polygon_size(std::span<const Vec2> points) {
   const Box2 box = bounding_box(points);
   return (box.high - box.low).norm();

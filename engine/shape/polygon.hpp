@@ -47,6 +47,9 @@ struct Box2 {
 /// Smallest box around at least 1 point.
 Box2 bounding_box(std::span<const Vec2> points);
 
+/// Outline of an axis-parallel rectangle between two opposite corners (low below and left of high), low first.
+Polygon rectangle(const Vec2& low, const Vec2& high);
+
 /// Diagonal of the bounding box, m: the size that tolerances refer to.
 double polygon_size(std::span<const Vec2> points);
 

@@ -13,10 +13,14 @@ namespace trilith {
 using Vec2 = Eigen::Vector2d;
 
 /// z component of a x b: positive where b lies to the left of a.
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 /// `a` turned by +90 degrees (to the left), same length.
-inline Vec2 left_of(const Vec2& a) { return {-a.y(), a.x()}; }
+inline Vec2 left_of(const Vec2& a) {
+  return {-a.y(), a.x()};
+}
 
 }  // namespace trilith
 #endif

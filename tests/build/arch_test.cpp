@@ -1,0 +1,111 @@
+#include "build/arch.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "build/sound_parts.hpp"
+
+using namespace trilith;
+
+namespace {
+
+constexpr double kHalfCircle = std::numbers::pi / 2;
+
+double voussoir_area(const std::vector<Part>& parts) {
+  double area = 0;
+  for (const Part& part : parts)
+    if (part.groups[0] == "voussoirs") area += signed_area(part.outline);
+  return area;
+}
+
+}  // namespace
+
+TEST_CASE("an arch's voussoirs have the closed-form area of their straight or finely curved sides") {
+  for (const double half : {kHalfCircle, 1.0, 0.4})
+    for (const int n : {2, 7, 15, 21})
+      for (const int k : {1, 2, 8, 64}) {
+        const Arch arch{.voussoirs = n, .radius = 2, .thickness = 0.22, .half_angle = half, .sub_edges = k};
+        const std::vector<Part> parts = build_arch(arch);
+        REQUIRE(static_cast<int>(parts.size()) == n + 2);
+        const double d = 2 * half / (n * k), area = voussoir_area(parts), curved = 2 * half * 2 * 0.22;
+        CHECK(area == doctest::Approx(curved * std::sin(d) / d).epsilon(1e-12));
+        CHECK(std::abs(area / curved - 1) < d * d / 6);
+      }
+}
+
+TEST_CASE("with 40 sub-edges an arch of 11 has the curved weight to 1e-5 and each voussoir its curved centroid") {
+  const std::vector<Part> parts = build_arch({.voussoirs = 11, .radius = 1, .thickness = 0.1, .sub_edges = 40});
+  CHECK(voussoir_area(parts) == doctest::Approx(std::numbers::pi * 0.1).epsilon(1e-5));
+  const double b = kHalfCircle / 11, ro = 1.05, ri = 0.95;
+  const double r = 2 * std::sin(b) / (3 * b) * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri);
+  for (std::size_t i = 0; i < 11; ++i)
+    CHECK(polygon_moments(parts[i].outline).centroid.norm() == doctest::Approx(r).epsilon(1e-5));
+}
+
+TEST_CASE("neighbouring voussoirs share their joint's corners to the bit and overlap nowhere") {
+  for (const int k : {1, 5}) {
+    const std::vector<Part> parts = build_arch(
+        {.name = "A", .voussoirs = 15, .radius = 3, .thickness = 0.4, .sub_edges = k, .centre = {0.7, -0.2}});
+    check_sound(parts);
+    const auto s = static_cast<std::size_t>(k);
+    for (std::size_t i = 0; i + 1 < 15; ++i) {
+      const Polygon &left = parts[i].outline, &right = parts[i + 1].outline;
+      CHECK(left[s] == right[0]);
+      CHECK(left[s + 1] == right[2 * s + 1]);
+    }
+  }
+}
+
+TEST_CASE("an arch about x = 0 is its own mirror image to the bit") {
+  const std::vector<Part> parts = build_arch({.voussoirs = 8, .half_angle = 1.1, .sub_edges = 3});
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Polygon &left = parts[i].outline, &right = parts[7 - i].outline;
+    for (const Vec2& p : left) CHECK(std::count(right.begin(), right.end(), Vec2(-p.x(), p.y())) == 1);
+  }
+}
+
+TEST_CASE("abutments meet the springings: to the bit without a margin, in one straight face with one") {
+  for (const double half : {kHalfCircle, 0.8}) {
+    const std::vector<Part> flush = build_arch({.voussoirs = 9, .half_angle = half, .abutment_margin = 0});
+    check_sound(flush);
+    const Polygon &first = flush[0].outline, &last = flush[8].outline;
+    const Polygon &left = named(flush, "left").outline, &right = named(flush, "right").outline;
+    CHECK(left[3] == first[0]);
+    CHECK(left[0] == first[3]);
+    CHECK(right[0] == last[1]);
+    CHECK(right[3] == last[2]);
+
+    const std::vector<Part> wide = build_arch({.voussoirs = 9, .half_angle = half});
+    check_sound(wide);
+    for (const auto& [voussoir, side] : {std::pair("v1", "left"), std::pair("v9", "right")}) {
+      const Polygon &stone = named(wide, voussoir).outline, &block = named(wide, side).outline;
+      CHECK(std::abs(penetration(stone, block).separation) < 1e-15);
+      const auto corners = side == std::string("left") ? std::pair(stone[0], stone[3]) : std::pair(stone[1], stone[2]);
+      CHECK(boundary_point(block, corners.first).distance < 1e-15);
+      CHECK(boundary_point(block, corners.second).distance < 1e-15);
+      CHECK(signed_area(block) == doctest::Approx(0.3 * 0.15).epsilon(1e-13));
+    }
+  }
+}
+
+TEST_CASE("a voussoir with curved sides parts into few convex pieces") {
+  const std::vector<Part> parts = build_arch({.voussoirs = 7, .thickness = 0.1, .sub_edges = 8, .abutments = false});
+  CHECK(parts.size() == 7);
+  for (const Part& part : parts) CHECK(convex_parts(part.outline).size() <= 8);
+  for (const Part& part : build_arch({.voussoirs = 7, .abutments = false}))
+    CHECK(convex_parts(part.outline).size() == 1);
+}
+
+TEST_CASE("arches that cannot be built are refused") {
+  CHECK(says(refusal_of([] { build_arch({.name = "A", .voussoirs = 0}); }), "arch 'A': number of voussoirs is 0"));
+  CHECK(says(refusal_of([] { build_arch({.thickness = 2}); }), "thickness is 2 m, must be below twice the mid radius"));
+  CHECK(says(refusal_of([] { build_arch({.half_angle = 90}); }), "half opening angle is 90 rad"));
+  CHECK(says(refusal_of([] { build_arch({.half_angle = 0}); }), "half opening angle is 0 rad"));
+  CHECK(says(refusal_of([] { build_arch({.voussoirs = 1}); }), "one straight edge spans 3.14159 rad"));
+  CHECK(says(refusal_of([] { build_arch({.sub_edges = 2000}); }), "number of sub-edges is 2000"));
+  CHECK(says(refusal_of([] { build_arch({.abutment_depth = -1}); }), "abutment depth is -1 m"));
+  CHECK(says(refusal_of([] { build_arch({.abutment_margin = 1}); }), "abutment margin is 1 m"));
+  CHECK(says(refusal_of([] { build_arch({.radius = std::numeric_limits<double>::infinity()}); }), "radius is inf m"));
+}
