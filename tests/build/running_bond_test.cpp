@@ -46,7 +46,7 @@ std::string course_pattern(const std::vector<Part>& parts, int course, double wi
 
 }  // namespace
 
-TEST_CASE("panel W1 has odd courses h1111h, even ones 11111 and 33 blocks; W2 has 55") {
+TEST_CASE("panel W1 has odd courses h1111h, even ones 11111 and 33 blocks, panel W2 has 55") {
   const RunningBond w1{
       .columns = 5, .courses = 6, .unit_height = 0.175, .half_courses = HalfCourses::odd, .base_height = 0.3};
   const std::vector<Part> parts = build_running_bond(w1);
