@@ -1,0 +1,50 @@
+// Several doubles worked on at once, with the operations a kernel needs to be written once for one and for many.
+//
+// Every operation here is IEEE exact and none is contracted, so a lane gives the bits the plain double gives.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace trilith {
+
+inline constexpr int lane_count = 4;
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
+using LaneMask = std::int64_t __attribute__((vector_size(lane_count * sizeof(std::int64_t))));
+
+/// The result of comparing two T.
+template <class T>
+struct MaskOf {
+  using type = bool;
+};
+template <>
+struct MaskOf<Lanes> {
+  using type = LaneMask;
+};
+template <class T>
+using Mask = typename MaskOf<T>::type;
+
+#define TRILITH_INLINE [[gnu::always_inline]] inline
+
+TRILITH_INLINE double select(bool m, double a, double b) { return m ? a : b; }
+TRILITH_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) { return m ? a : b; }
+TRILITH_INLINE double root(double x) { return std::sqrt(x); }
+TRILITH_INLINE Lanes root(Lanes x) {
+  Lanes r;
+  for (int i = 0; i < lane_count; ++i) r[i] = __builtin_sqrt(x[i]);
+  return r;
+}
+template <class T>
+TRILITH_INLINE T larger(T a, T b) { return select(a > b, a, b); }
+template <class T>
+TRILITH_INLINE T smaller(T a, T b) { return select(a < b, a, b); }
+template <class T>
+TRILITH_INLINE T magnitude(T a) { return select(a < T{} , -a, a); }
+/// A mask that is true where `m` is false.
+TRILITH_INLINE bool flip(bool m) { return !m; }
+TRILITH_INLINE LaneMask flip(LaneMask m) { return ~m; }
+#pragma GCC diagnostic pop
+
+}  // namespace trilith

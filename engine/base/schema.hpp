@@ -1,0 +1,81 @@
+// A parameter is declared once: from that come its reading, its messages, its saving, its reference page.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace trilith {
+
+inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// One number of a law or material: where it lives, how it is called, what it may be.
+template <class Owner>
+struct Parameter {
+  double Owner::*member;
+  std::string_view name;
+  std::string_view unit;      ///< SI, "1" for none
+  double preset;              ///< the default, or `no_default` where it must be given
+  double least, most;         ///< allowed range; `least` itself is allowed only where `includes_least`
+  bool includes_least;
+  std::string_view sentence;  ///< what it is
+
+  [[nodiscard]] bool required() const { return std::isnan(preset); }
+  [[nodiscard]] bool allows(double v) const {
+    return std::isfinite(v) && (includes_least ? v >= least : v > least) && v <= most;
+  }
+  [[nodiscard]] std::string range() const {
+    const char* const low = includes_least ? "not below" : "above";
+    if (most < unbounded) return fmt::format("{} {:g} and at most {:g}", low, least, most);
+    return fmt::format("{} {:g}", low, least);
+  }
+};
+
+/// A type whose numbers are declared: `name`, `sentence`, and `parameters`, a std::array of Parameter<T>.
+template <class T>
+concept Declared = requires {
+  { T::name } -> std::convertible_to<std::string_view>;
+  { T::sentence } -> std::convertible_to<std::string_view>;
+  T::parameters()[0].member;
+};
+
+/// Throws InputError where a declared number of `value` is outside its range.
+template <Declared T>
+void check_parameters(const T& value) {
+  for (const Parameter<T>& p : T::parameters())
+    if (!p.allows(value.*(p.member)))
+      throw InputError(fmt::format("{}: {} is {:g} {}, must be {}", T::name, p.name, value.*(p.member), p.unit, p.range()));
+}
+
+/// "frictional{kn=1e+08 Pa/m, ...}": what was chosen, for results and messages.
+template <Declared T>
+std::string describe(const T& value) {
+  std::string text = fmt::format("{}{{", T::name);
+  std::string_view gap = "";
+  for (const Parameter<T>& p : T::parameters()) {
+    text += fmt::format("{}{}={:g} {}", gap, p.name, value.*(p.member), p.unit);
+    gap = ", ";
+  }
+  return text + "}";
+}
+
+/// A compile-time list of types: the one row per law that a room's list.hpp holds.
+template <class... Ts>
+struct TypeList {
+  static constexpr int size = sizeof...(Ts);
+  /// Calls f.template operator()<T>() for every T in order.
+  template <class F>
+  static void for_each(F&& f) {
+    (f.template operator()<Ts>(), ...);
+  }
+};
+
+}  // namespace trilith

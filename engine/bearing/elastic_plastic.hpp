@@ -1,0 +1,56 @@
+// Bilinear spring: elastic to `yield`, then hardening with `hardening` times the stiffness (kinematic), and a dashpot.
+//
+// f = k (d - p), |f - h p| <= f_y, with h = k r/(1 - r) for r = hardening. Return mapping: Simo and Hughes,
+// "Computational Inelasticity", 1998, box 1.5.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "base/schema.hpp"
+#include "bearing/direction.hpp"
+
+namespace trilith {
+
+struct ElasticPlastic {
+  double stiffness = 0;  ///< [N/m]
+  double yield = 0;      ///< [N]
+  double hardening = 0;  ///< [1]
+  double damping = 0;    ///< [N s/m]
+
+  static constexpr std::string_view name = "elastic_plastic";
+  static constexpr std::string_view sentence = "bilinear spring with kinematic hardening and a dashpot";
+  static constexpr auto parameters() {
+    using P = Parameter<ElasticPlastic>;
+    return std::array{
+        P{&ElasticPlastic::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "elastic force per displacement"},
+        P{&ElasticPlastic::yield, "yield", "N", no_default, 0, unbounded, false, "force at first yield"},
+        P{&ElasticPlastic::hardening, "hardening", "1", 0, 0, 0.99, true, "stiffness after yield over elastic stiffness"},
+        P{&ElasticPlastic::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
+  }
+  [[nodiscard]] double tangent() const { return stiffness; }
+  [[nodiscard]] double dashpot() const { return damping; }
+
+  [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
+    DirectionResponse out;
+    out.memory = before;
+    const double h = stiffness * hardening / (1 - hardening);
+    const double trial = stiffness * (m.displacement - before.inner);
+    const double beyond = std::abs(trial - h * before.inner) - yield;
+    if (beyond > 0) {
+      const double flow = std::copysign(beyond / (stiffness + h), trial - h * before.inner);
+      out.memory.inner += flow;
+      out.memory.travelled += std::abs(flow);
+      out.yielding = true;
+    }
+    out.memory.force = stiffness * (m.displacement - out.memory.inner);
+    const double moved = out.memory.inner - before.inner, middle = 0.5 * (out.memory.inner + before.inner);
+    out.lost_inner = (0.5 * (out.memory.force + before.force) - h * middle) * moved;
+    out.stored = 0.5 * stiffness * std::pow(m.displacement - out.memory.inner, 2) +
+                 0.5 * h * out.memory.inner * out.memory.inner;
+    add_dashpot(damping, m, before, out);
+    return out;
+  }
+};
+
+}  // namespace trilith

@@ -1,0 +1,34 @@
+// Linear spring and dashpot: f = k d + c dd/dt.
+#pragma once
+
+#include <array>
+
+#include "base/schema.hpp"
+#include "bearing/direction.hpp"
+
+namespace trilith {
+
+struct Linear {
+  double stiffness = 0;  ///< [N/m]
+  double damping = 0;    ///< [N s/m]
+
+  static constexpr std::string_view name = "linear";
+  static constexpr std::string_view sentence = "linear spring with a dashpot";
+  static constexpr auto parameters() {
+    using P = Parameter<Linear>;
+    return std::array{P{&Linear::stiffness, "stiffness", "N/m", no_default, 0, unbounded, true, "force per displacement"},
+                      P{&Linear::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
+  }
+  [[nodiscard]] double tangent() const { return stiffness; }
+  [[nodiscard]] double dashpot() const { return damping; }
+
+  [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
+    DirectionResponse out;
+    out.memory.force = stiffness * m.displacement;
+    out.stored = 0.5 * stiffness * m.displacement * m.displacement;
+    add_dashpot(damping, m, before, out);
+    return out;
+  }
+};
+
+}  // namespace trilith

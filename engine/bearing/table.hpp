@@ -1,0 +1,42 @@
+// Force given as a table over displacement, linear in between, held beyond its ends; elastic (same path back).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "base/schema.hpp"
+#include "bearing/direction.hpp"
+
+namespace trilith {
+
+struct Table {
+  std::vector<double> displacement;  ///< strictly rising [m]
+  std::vector<double> force;         ///< same length [N]
+  double damping = 0;                ///< [N s/m]
+
+  static constexpr std::string_view name = "table";
+  static constexpr std::string_view sentence = "elastic force given by points (displacement, force)";
+  static constexpr auto parameters() {
+    using P = Parameter<Table>;
+    return std::array{P{&Table::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
+  }
+  /// Throws InputError unless there are two points at least, finite, rising, one of them at displacement 0 or between.
+  void check() const;
+  [[nodiscard]] double tangent() const;
+  [[nodiscard]] double dashpot() const { return damping; }
+  /// Force at displacement d, and the integral of the force from 0 to d.
+  [[nodiscard]] double force_at(double d) const;
+  [[nodiscard]] double energy_at(double d) const;
+
+  [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
+    DirectionResponse out;
+    out.memory.force = force_at(m.displacement);
+    out.stored = energy_at(m.displacement);
+    add_dashpot(damping, m, before, out);
+    return out;
+  }
+};
+
+}  // namespace trilith

@@ -1,0 +1,45 @@
+// A rigid body: its one node carries all motion. Skin points turn with the node.
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include "base/space.hpp"
+
+namespace trilith {
+
+/// Motion of a node.
+struct NodeMotion {
+  Vec2 position;   ///< [m]
+  double rotation; ///< [rad]
+  Vec2 velocity;   ///< [m/s]
+  double spin;     ///< [rad/s]
+};
+
+/// place: skin points fixed in the body's axes to where they are and how fast they move.
+/// `Point` has x, y [m], u, v [m/s]. Returns the largest speed squared.
+template <class Point>
+double place_rigid(const NodeMotion& node, std::span<const Vec2> skin, std::span<Point> out) {
+  const Turn turn(node.rotation);
+  double fastest = 0;
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    const Vec2 arm = turn.apply(skin[i]);
+    const Vec2 velocity = node.velocity + cross(node.spin, arm);
+    out[i] = {node.position.x() + arm.x(), node.position.y() + arm.y(), velocity.x(), velocity.y()};
+    fastest = std::max(fastest, velocity.squaredNorm());
+  }
+  return fastest;
+}
+
+/// spread: forces at skin points to the force and moment at the node; the transpose of `place`.
+template <class Point>
+void spread_rigid(const Vec2& node_position, std::span<const Point> skin, std::span<const Vec2> skin_force,
+                  Vec2& force, double& moment) {
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    const Vec2& f = skin_force[i];
+    force += f;
+    moment += (skin[i].x - node_position.x()) * f.y() - (skin[i].y - node_position.y()) * f.x();
+  }
+}
+
+}  // namespace trilith

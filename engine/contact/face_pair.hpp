@@ -1,0 +1,274 @@
+// Stress spread over the overlap of two faces that look at each other: exact for a linear overlap.
+//
+// A's face runs from a.0 to a.1, B's from b.0 to b.1, each counter-clockwise around its own body, so they run
+// against each other. d is their common direction, n = -left_of(d) points from A to B. Over the shared length
+// [lo, hi] the gap g(s) is linear; where closed, sigma(s) = kn (-g - beta dg/dt), clipped at 0 where no bond holds.
+// The shared length is cut into two halves that keep their own shear history and bond (ContactMemory).
+// Forces at the face ends have the resultant, the moment and the power of the stresses (rigid or linear faces).
+//
+// Written over T = double or Lanes. Source: Barbosa, "Discontinuous structural analysis", eqs. 3 to 5.
+#pragma once
+
+#include "base/lanes.hpp"
+#include "contact/face_overlap.hpp"
+
+namespace trilith {
+
+/// A contact law's numbers times the thickness, and the step.
+struct FaceLaw {
+  double kn, ks;             ///< [N/m per m of length]
+  double mu, beta;           ///< [1], [s]
+  double cohesion, tension;  ///< [N per m of length]
+  double dt;                 ///< [s]
+  bool loss_by_point;
+};
+
+/// ContactMemory, lane by lane.
+template <class T>
+struct FaceMemory {
+  T shear_elastic[2], shear_total[2], damping_force[2], slip;
+  Mask<T> bonds[2];
+};
+
+template <class T>
+struct FaceResponse {
+  T ax0, ay0, ax1, ay1, bx0, by0, bx1, by1;  ///< forces at the face ends [N]
+  FaceMemory<T> memory;
+  T lost_damping, lost_friction, lost_fracture;  ///< energy given off in this step [J]
+  Mask<T> is_face_pair;                          ///< false: nothing above holds, the shape is general
+  Mask<T> touching;
+};
+
+/// Linear stress p over [l0, l1] of a half, in shares of the half: its integral and first moment.
+template <class T>
+struct LinearStress {
+  T sum, moment;
+  TRILITH_INLINE LinearStress(T p0, T p1, T l0, T l1) {
+    const T width = l1 - l0;
+    sum = 0.5 * width * (p0 + p1);
+    moment = width * (p0 * (2.0 * l0 + l1) + p1 * (l0 + 2.0 * l1)) * (1.0 / 6.0);
+  }
+};
+
+/// The part of [0, 1] where a linear function from f0 to f1 is positive; empty as from == to.
+template <class T>
+struct PositivePart {
+  T from, to;
+  TRILITH_INLINE PositivePart(T f0, T f1) {
+    const T zero{}, one = zero + 1.0;
+    const T fall = f0 - f1;
+    const T root_at = smaller(larger(f0 / select(fall == zero, one, fall), zero), one);
+    from = select(f0 > zero, zero, root_at);
+    to = select(f1 > zero, one, root_at);
+    to = larger(from, to);
+    const Mask<T> none = (f0 <= zero) & (f1 <= zero);
+    to = select(none, from, to);
+  }
+};
+
+/// What one half of the shared length carries.
+template <class T>
+struct HalfResponse {
+  T normal, normal_moment;      ///< N, and its first moment about the half's start [N], [N m]
+  T damping, damping_moment;    ///< the damping part of both
+  T shear_elastic, shear_total, slip;
+  T lost_damping, lost_friction;
+};
+
+template <class T>
+struct HalfState {
+  T g0, g1;        ///< gap at both ends [m], negative where overlapping
+  T r0, r1;        ///< gap rate at both ends [m/s]
+  T slip_rate;     ///< of B along d, at the middle [m/s]
+  T length;        ///< [m]
+  Mask<T> bonded;
+};
+
+/// True where a bonded half is beyond its tensile or shear limit (elastic stresses, trial shear).
+template <class T>
+TRILITH_INLINE Mask<T> bond_broken(const HalfState<T>& h, T shear_elastic, const FaceLaw& law) {
+  const T widest = larger(h.g0, h.g1);
+  const T trial = magnitude(shear_elastic + law.ks * h.length * h.slip_rate * law.dt);
+  const T strength = law.cohesion - law.mu * law.kn * widest;
+  return h.bonded & ((law.kn * widest > law.tension + T{}) | (trial > strength * h.length));
+}
+
+template <class T>
+TRILITH_INLINE void respond_normal(const HalfState<T>& h, const FaceLaw& law, T& active, HalfResponse<T>& out) {
+  const T zero{}, one = zero + 1.0;
+  const T c0 = -h.g0, c1 = -h.g1;
+  const T q0 = c0 - law.beta * h.r0, q1 = c1 - law.beta * h.r1;
+  PositivePart<T> closed(c0, c1);
+  closed.from = select(h.bonded, zero, closed.from);
+  closed.to = select(h.bonded, one, closed.to);
+  PositivePart<T> pressed(q0, q1);
+  pressed.from = select(h.bonded, zero, larger(pressed.from, closed.from));
+  pressed.to = select(h.bonded, one, larger(pressed.from, smaller(pressed.to, closed.to)));
+  const T dc = c1 - c0, dq = q1 - q0;
+  const LinearStress<T> elastic(c0 + dc * closed.from, c0 + dc * closed.to, closed.from, closed.to);
+  const LinearStress<T> total(q0 + dq * pressed.from, q0 + dq * pressed.to, pressed.from, pressed.to);
+  const T scale = law.kn * h.length;
+  active = closed.to - closed.from;
+  out.normal = scale * total.sum;
+  out.normal_moment = scale * h.length * total.moment;
+  out.damping = out.normal - scale * elastic.sum;
+  out.damping_moment = out.normal_moment - scale * h.length * elastic.moment;
+}
+
+/// Kelvin-Voigt spring in series with a Coulomb slider; the damping acts on the elastic part only.
+template <class T>
+TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T active, T elastic_before,
+                                  T total_before, HalfResponse<T>& out) {
+  const T zero{}, one = zero + 1.0;
+  const T stiffness = law.ks * active * h.length;
+  const T move = h.slip_rate * law.dt;
+  const T trial = elastic_before + stiffness * move;
+  const T trial_total = trial + law.beta * stiffness * h.slip_rate;
+  const T limit = select(h.bonded, zero + 1e300, law.mu * larger(out.normal, zero));
+  const Mask<T> slides = magnitude(trial_total) > limit;
+  const T held = select(trial_total < zero, -limit, limit);
+  const double share = law.dt / (law.dt + law.beta);
+  const T slid = elastic_before + (held - elastic_before) * share;
+  const Mask<T> open = active <= zero;
+  out.shear_elastic = select(open, zero, select(slides, slid, trial));
+  out.shear_total = select(open, zero, select(slides, held, trial_total));
+  const T compliance = select(stiffness > zero, one, zero) / select(stiffness > zero, stiffness, one);
+  const T stretch = select(slides, (out.shear_elastic - elastic_before) * compliance, move);
+  const T slip = select(open, zero, move - stretch);
+  const T mean_total = 0.5 * (out.shear_total + total_before);
+  const T mean_elastic = 0.5 * (out.shear_elastic + elastic_before);
+  out.slip = magnitude(slip);
+  out.lost_friction = mean_total * slip;
+  out.lost_damping = select(open, zero, (mean_total - mean_elastic) * stretch);
+}
+
+template <class T>
+TRILITH_INLINE T fracture_energy(const HalfState<T>& h, const FaceLaw& law, Mask<T> lost) {
+  const T zero{};
+  const T o0 = larger(h.g0, zero), o1 = larger(h.g1, zero);
+  const T stored = law.kn * h.length * (o0 * o0 + o0 * o1 + o1 * o1) * (1.0 / 6.0);
+  return select(lost, stored, zero);
+}
+
+/// Rates along the shared length: gap and slip of B against A at both of its ends [m/s].
+template <class T>
+struct FaceRates {
+  T gap_lo, gap_hi, slip_lo, slip_hi;
+  TRILITH_INLINE FaceRates(const FaceOverlap<T>& o, const FaceEnds<T>& a, const FaceEnds<T>& b) {
+    const T na0 = o.dy * a.u0 - o.dx * a.v0, na1 = o.dy * a.u1 - o.dx * a.v1;
+    const T nb0 = o.dy * b.u0 - o.dx * b.v0, nb1 = o.dy * b.u1 - o.dx * b.v1;
+    const T ta0 = o.dx * a.u0 + o.dy * a.v0, ta1 = o.dx * a.u1 + o.dy * a.v1;
+    const T tb0 = o.dx * b.u0 + o.dy * b.v0, tb1 = o.dx * b.u1 + o.dy * b.v1;
+    const T a_lo = o.lo * o.inv_a, a_hi = o.hi * o.inv_a;
+    const T b_lo = (o.lo - o.sb1) * o.inv_b, b_hi = (o.hi - o.sb1) * o.inv_b;
+    gap_lo = nb1 + (nb0 - nb1) * b_lo - na0 - (na1 - na0) * a_lo;
+    gap_hi = nb1 + (nb0 - nb1) * b_hi - na0 - (na1 - na0) * a_hi;
+    slip_lo = tb1 + (tb0 - tb1) * b_lo - ta0 - (ta1 - ta0) * a_lo;
+    slip_hi = tb1 + (tb0 - tb1) * b_hi - ta0 - (ta1 - ta0) * a_hi;
+  }
+};
+
+/// The two halves of the shared length.
+template <class T>
+struct FaceHalves {
+  HalfState<T> first, second;
+  TRILITH_INLINE FaceHalves(const FaceOverlap<T>& o, const FaceRates<T>& r, const FaceMemory<T>& m) {
+    const T gap = 0.5 * (o.gap_lo + o.gap_hi), rate = 0.5 * (r.gap_lo + r.gap_hi), half = 0.5 * o.shared;
+    first = {o.gap_lo, gap, r.gap_lo, rate, 0.75 * r.slip_lo + 0.25 * r.slip_hi, half, m.bonds[0]};
+    second = {gap, o.gap_hi, rate, r.gap_hi, 0.25 * r.slip_lo + 0.75 * r.slip_hi, half, m.bonds[1]};
+  }
+};
+
+/// Takes the bonds that are beyond their limit; returns the energy they gave off [J].
+template <class T>
+TRILITH_INLINE T lose_bonds(FaceHalves<T>& h, const FaceMemory<T>& before, const FaceLaw& law) {
+  Mask<T> lost0 = bond_broken(h.first, before.shear_elastic[0], law);
+  Mask<T> lost1 = bond_broken(h.second, before.shear_elastic[1], law);
+  if (!law.loss_by_point) {
+    const Mask<T> any = lost0 | lost1;
+    lost0 = h.first.bonded & any;
+    lost1 = h.second.bonded & any;
+  }
+  h.first.bonded = h.first.bonded & flip(lost0);
+  h.second.bonded = h.second.bonded & flip(lost1);
+  return fracture_energy(h.first, law, lost0) + fracture_energy(h.second, law, lost1);
+}
+
+/// Forces at the four face ends from the stresses of both halves: same resultant, moment and power. The couple
+/// moves the shear to mid-gap, so that both bodies feel it along one line and angular momentum is kept.
+template <class T>
+TRILITH_INLINE void spread_to_ends(const FaceOverlap<T>& o, const HalfResponse<T>& s0, const HalfResponse<T>& s1,
+                                   FaceResponse<T>& out) {
+  const T half = 0.5 * o.shared, gap_mid = 0.5 * (o.gap_lo + o.gap_hi);
+  const T normal = s0.normal + s1.normal;
+  const T normal_moment = s0.normal_moment + s1.normal_moment + o.lo * s0.normal + (o.lo + half) * s1.normal;
+  const T shear = s0.shear_total + s1.shear_total;
+  const T at0 = o.lo + 0.5 * half, at1 = at0 + half;
+  const T shear_moment = s0.shear_total * at0 + s1.shear_total * at1;
+  const T couple = 0.25 * (s0.shear_total * (o.gap_lo + gap_mid) + s1.shear_total * (gap_mid + o.gap_hi));
+  const T na1 = -(normal_moment + couple) * o.inv_a, na0 = -normal - na1;
+  const T ta1 = shear_moment * o.inv_a, ta0 = shear - ta1;
+  const T nb0 = (normal_moment - normal * o.sb1 - couple) * o.inv_b, nb1 = normal - nb0;
+  const T tb0 = -(shear_moment - shear * o.sb1) * o.inv_b, tb1 = -shear - tb0;
+  out.ax0 = na0 * o.dy + ta0 * o.dx;
+  out.ay0 = ta0 * o.dy - na0 * o.dx;
+  out.ax1 = na1 * o.dy + ta1 * o.dx;
+  out.ay1 = ta1 * o.dy - na1 * o.dx;
+  out.bx0 = nb0 * o.dy + tb0 * o.dx;
+  out.by0 = tb0 * o.dy - nb0 * o.dx;
+  out.bx1 = nb1 * o.dy + tb1 * o.dx;
+  out.by1 = tb1 * o.dy - nb1 * o.dx;
+}
+
+/// New memory and energy given off. The power of the damping force is taken with the mean of the forces before and
+/// after the step, which is what a leapfrog step does work with.
+template <class T>
+TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, const FaceMemory<T>& before, double dt,
+                             const HalfResponse<T>& s0, const HalfResponse<T>& s1, FaceResponse<T>& out) {
+  FaceMemory<T>& m = out.memory;
+  m.shear_elastic[0] = s0.shear_elastic;
+  m.shear_elastic[1] = s1.shear_elastic;
+  m.shear_total[0] = s0.shear_total;
+  m.shear_total[1] = s1.shear_total;
+  m.slip = before.slip + 0.5 * (s0.slip + s1.slip);
+  m.damping_force[0] = s0.damping + s1.damping;
+  m.damping_force[1] = s0.damping_moment - 0.5 * o.shared * s0.damping + s1.damping_moment;
+  const T zero{};
+  const T turning = (r.gap_hi - r.gap_lo) / select(o.shared > zero, o.shared, zero + 1.0);
+  const T power = (m.damping_force[0] + before.damping_force[0]) * 0.5 * (r.gap_lo + r.gap_hi) +
+                  (m.damping_force[1] + before.damping_force[1]) * turning;
+  out.lost_damping = s0.lost_damping + s1.lost_damping - 0.5 * dt * power;
+  out.lost_friction = s0.lost_friction + s1.lost_friction;
+}
+
+/// `corner`: at least 1; the largest cot of the turning angle at the four face ends (see detect/pairs).
+/// `CanBond` drops the bond arithmetic for laws without one.
+template <bool CanBond, class T>
+TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner,
+                                                 const FaceMemory<T>& before, const FaceLaw& law) {
+  const T zero{};
+  const FaceOverlap<T> overlap(a, b);
+  const FaceRates<T> rates(overlap, a, b);
+  FaceHalves<T> halves(overlap, rates, before);
+  FaceResponse<T> out;
+  out.is_face_pair = overlap.sane & overlap.is_flat(corner);
+  out.lost_fracture = zero;
+  if constexpr (CanBond) {
+    out.is_face_pair = overlap.sane & (overlap.is_flat(corner) | before.bonds[0] | before.bonds[1]);
+    out.lost_fracture = lose_bonds(halves, before, law);
+  }
+  HalfResponse<T> s0, s1;
+  T active0, active1;
+  respond_normal(halves.first, law, active0, s0);
+  respond_normal(halves.second, law, active1, s1);
+  respond_shear(halves.first, law, active0, before.shear_elastic[0], before.shear_total[0], s0);
+  respond_shear(halves.second, law, active1, before.shear_elastic[1], before.shear_total[1], s1);
+  out.touching = (active0 > zero) | (active1 > zero);
+  out.memory.bonds[0] = halves.first.bonded;
+  out.memory.bonds[1] = halves.second.bonded;
+  remember(overlap, rates, before, law.dt, s0, s1, out);
+  spread_to_ends(overlap, s0, s1, out);
+  return out;
+}
+
+}  // namespace trilith

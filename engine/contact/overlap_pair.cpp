@@ -1,0 +1,286 @@
+#include "contact/overlap_pair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace trilith {
+namespace {
+
+/// Unit outward normals of a piece's edges, and whether they count as surface.
+struct Edges {
+  int count = 0;
+  std::array<Vec2, max_piece_corners> normal;
+  std::array<double, max_piece_corners> length;
+  std::array<bool, max_piece_corners> surface;
+
+  explicit Edges(const PlacedPiece& piece) : count(static_cast<int>(piece.corner.size())) {
+    bool any = false;
+    for (int i = 0; i < count; ++i) {
+      const Vec2 along = piece.corner[(i + 1) % count] - piece.corner[i];
+      length[i] = along.norm();
+      normal[i] = Vec2(along.y(), -along.x()) / length[i];
+      surface[i] = piece.is_face[i] != 0;
+      any = any || surface[i];
+    }
+    // A piece cut out of the inside of a body has no surface of its own: then every edge pushes back.
+    if (!any) std::fill_n(surface.begin(), count, true);
+  }
+};
+
+/// depth(f, v): how far corner v of the other piece lies inside face f [m].
+struct Depths {
+  int corners = 0;
+  std::array<double, max_piece_corners * max_piece_corners> value;
+
+  /// Largest gap of a face that has all corners outside; 0 where there is none.
+  double fill(const PlacedPiece& owner, const Edges& edges, const PlacedPiece& other) {
+    corners = static_cast<int>(other.corner.size());
+    double separation = 0;
+    for (int f = 0; f < edges.count; ++f) {
+      double deepest = -std::numeric_limits<double>::infinity();
+      for (int v = 0; v < corners; ++v) {
+        const double depth = edges.normal[f].dot(owner.corner[f] - other.corner[v]);
+        value[static_cast<std::size_t>(f * corners + v)] = depth;
+        deepest = std::max(deepest, depth);
+      }
+      if (deepest <= 0) separation = std::max(separation, std::max(-deepest, std::numeric_limits<double>::min()));
+    }
+    return separation;
+  }
+  [[nodiscard]] double at(int f, int v) const { return value[static_cast<std::size_t>(f * corners + v)]; }
+};
+
+struct Span {
+  double from, to;
+};
+
+/// The part of edge (v, w) of the other piece that lies inside all edges of the owner, in shares of the edge.
+Span inside(const Depths& depths, int edges, int v, int w) {
+  Span span{0, 1};
+  for (int f = 0; f < edges; ++f) {
+    const double d0 = depths.at(f, v), d1 = depths.at(f, w);
+    if (d0 <= 0 && d1 <= 0) return {0, 0};
+    if (d0 < 0) span.from = std::max(span.from, d0 / (d0 - d1));
+    if (d1 < 0) span.to = std::min(span.to, d0 / (d0 - d1));
+  }
+  return span;
+}
+
+/// The surface face that is nearest at share `at` and stays so going up, and the share up to which it does.
+struct Nearest {
+  int face;
+  double until;
+};
+
+Nearest nearest_from(const Depths& depths, const Edges& edges, int v, int w, double at, double to) {
+  int best = -1;
+  double best_depth = 0, best_slope = 0;
+  for (int f = 0; f < edges.count; ++f) {
+    if (!edges.surface[f]) continue;
+    const double slope = depths.at(f, w) - depths.at(f, v);
+    const double depth = depths.at(f, v) + slope * at;
+    const bool nearer = best < 0 || depth < best_depth || (depth == best_depth && slope < best_slope);
+    if (nearer) best = f, best_depth = depth, best_slope = slope;
+  }
+  double until = to;
+  for (int f = 0; f < edges.count; ++f) {
+    if (f == best || !edges.surface[f]) continue;
+    const double slope = depths.at(f, w) - depths.at(f, v);
+    if (slope >= best_slope) continue;
+    const double depth = depths.at(f, v) + slope * at;
+    const double crossing = at + (depth - best_depth) / (best_slope - slope);
+    // A crossing at `at` itself is a tie already decided by slope up to rounding: step past it.
+    if (crossing > at && crossing < until) until = crossing;
+  }
+  return {best, until};
+}
+
+/// Adds `force` at point `x` to the two corners of edge e: same resultant, and same moment through a couple.
+void add_at(std::span<Vec2> on, const PlacedPiece& piece, int e, const Vec2& x, const Vec2& force) {
+  const int e1 = (e + 1) % static_cast<int>(piece.corner.size());
+  const Vec2 along = piece.corner[e1] - piece.corner[e];
+  const double length2 = along.squaredNorm();
+  const double share = along.dot(x - piece.corner[e]) / length2;
+  const Vec2 foot = piece.corner[e] + share * along;
+  const Vec2 couple = left_of(along) * (cross(Vec2(x - foot), force) / length2);
+  on[e] += (1 - share) * force - couple;
+  on[e1] += share * force + couple;
+}
+
+/// Sums over the pressed faces of both sides.
+struct Sums {
+  Vec2 force = Vec2::Zero(), damping = Vec2::Zero(), moment_arm = Vec2::Zero();
+  double pressure = 0, length = 0, damping_power = 0;
+  double most_a = 0, most_b = 0;  // largest share of the pressure on one edge, and which edge
+  int edge_a = 0, edge_b = 0;
+};
+
+/// One side's faces inside the other piece: the walker presses its edges against the owner's nearest faces.
+struct Walk {
+  const PlacedPiece& owner;
+  const Edges& owner_edges;
+  const PlacedPiece& walker;
+  const Edges& walker_edges;
+  const Depths& depths;  // of the walker's corners in the owner
+  const FaceLaw& law;
+  bool walker_is_b;
+  std::span<Vec2> on_owner, on_walker;
+
+  void press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0, double phi1, Sums& sums) const;
+  void run(Sums& sums) const;
+};
+
+void Walk::press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0, double phi1, Sums& sums) const {
+  const Vec2& n = walker_edges.normal[edge];  // out of the walker, into the owner
+  const double c0 = n.dot(walker.velocity_at(x0) - owner.velocity_at(x0));
+  const double c1 = n.dot(walker.velocity_at(x1) - owner.velocity_at(x1));
+  const double length = (x1 - x0).norm(), k = 0.5 * law.kn;
+  const double p0 = phi0 + law.beta * c0, p1 = phi1 + law.beta * c1;
+  const PositivePart<double> part(p0, p1);
+  const double q0 = p0 + (p1 - p0) * part.from, q1 = p0 + (p1 - p0) * part.to;
+  const LinearStress<double> stress(q0, q1, part.from, part.to);
+  sums.length += 0.5 * length;
+  const double total = k * length * stress.sum, elastic = k * length * 0.5 * (phi0 + phi1);
+  const double sign = walker_is_b ? 1.0 : -1.0;
+  const Vec2 damping_on_b = -sign * (total - elastic) * n;
+  sums.damping += damping_on_b;
+  sums.damping_power += (total - elastic) * 0.5 * (c0 + c1);
+  if (total <= 0) return;
+  const Vec2 x = x0 + (stress.moment / stress.sum) * (x1 - x0);
+  add_at(on_walker, walker, edge, x, -total * n);
+  add_at(on_owner, owner, face, x, total * n);
+  sums.force += -sign * total * n;
+  sums.pressure += total;
+  sums.moment_arm += total * x;
+  double& most_walker = walker_is_b ? sums.most_b : sums.most_a;
+  double& most_owner = walker_is_b ? sums.most_a : sums.most_b;
+  if (total > most_walker) most_walker = total, (walker_is_b ? sums.edge_b : sums.edge_a) = edge;
+  if (total > most_owner) most_owner = total, (walker_is_b ? sums.edge_a : sums.edge_b) = face;
+}
+
+void Walk::run(Sums& sums) const {
+  for (int e = 0; e < walker_edges.count; ++e) {
+    if (!walker_edges.surface[e]) continue;
+    const int w = (e + 1) % walker_edges.count;
+    const Span span = inside(depths, owner_edges.count, e, w);
+    if (span.from >= span.to) continue;
+    const Vec2 start = walker.corner[e], along = walker.corner[w] - start;
+    // At most one change of face per face: the lower envelope of lines visits each once.
+    double at = span.from;
+    for (int visits = 0; visits < owner_edges.count && at < span.to; ++visits) {
+      const Nearest nearest = nearest_from(depths, owner_edges, e, w, at, span.to);
+      const double d0 = depths.at(nearest.face, e), d1 = depths.at(nearest.face, w);
+      const double phi0 = std::max(0.0, d0 + (d1 - d0) * at), phi1 = std::max(0.0, d0 + (d1 - d0) * nearest.until);
+      press(e, nearest.face, start + at * along, start + nearest.until * along, phi0, phi1, sums);
+      at = nearest.until;
+    }
+  }
+}
+
+/// Friction on the resultant, along t = left_of(n), at the centre of pressure.
+void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const FaceLaw& law,
+                  const Sums& sums, std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
+  const double normal = sums.force.norm();
+  if (!(normal > 0)) return;
+  const Vec2 t = left_of(Vec2(sums.force / normal));
+  HalfState<double> state{};
+  state.length = sums.length;
+  state.slip_rate = t.dot(b.velocity_at(out.centre) - a.velocity_at(out.centre));
+  state.bonded = false;
+  HalfResponse<double> half{};
+  half.normal = normal;
+  respond_shear(state, law, 1.0, before.shear_elastic[0] + before.shear_elastic[1],
+                before.shear_total[0] + before.shear_total[1], half);
+  add_at(on_a, a, sums.edge_a, out.centre, half.shear_total * t);
+  add_at(on_b, b, sums.edge_b, out.centre, -half.shear_total * t);
+  for (const int h : {0, 1}) {
+    out.memory.shear_elastic[h] = 0.5 * half.shear_elastic;
+    out.memory.shear_total[h] = 0.5 * half.shear_total;
+  }
+  out.memory.slip += half.slip;
+  out.lost_damping += half.lost_damping;
+  out.lost_friction += half.lost_friction;
+}
+
+using Outline = std::vector<Vec2>;
+
+/// Keeps the part of `outline` where `inside_depth` (linear in x) is not negative.
+template <class Depth>
+Outline clip(const Outline& outline, Depth&& inside_depth) {
+  Outline kept;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &p = outline[i], &q = outline[(i + 1) % outline.size()];
+    const double dp = inside_depth(p), dq = inside_depth(q);
+    if (dp >= 0) kept.push_back(p);
+    if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) kept.push_back(p + (dp / (dp - dq)) * (q - p));
+  }
+  return kept;
+}
+
+/// Integral over `outline` of the distance to the nearest surface face of `piece`.
+double depth_integral(const Outline& outline, const PlacedPiece& piece, const Edges& edges) {
+  double sum = 0;
+  const auto depth = [&](int f, const Vec2& x) { return edges.normal[f].dot(piece.corner[f] - x); };
+  for (int f = 0; f < edges.count; ++f) {
+    if (!edges.surface[f]) continue;
+    Outline cell = outline;
+    for (int g = 0; g < edges.count && cell.size() > 2; ++g)
+      if (g != f && edges.surface[g]) cell = clip(cell, [&](const Vec2& x) { return depth(g, x) - depth(f, x); });
+    for (std::size_t i = 2; i < cell.size(); ++i) {
+      const double area = 0.5 * cross(Vec2(cell[i - 1] - cell[0]), Vec2(cell[i] - cell[0]));
+      sum += area * (depth(f, cell[0]) + depth(f, cell[i - 1]) + depth(f, cell[i])) / 3;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
+                                const FaceLaw& law, std::span<Vec2> on_a, std::span<Vec2> on_b) {
+  assert(a.corner.size() <= max_piece_corners && b.corner.size() <= max_piece_corners);
+  OverlapResponse out;
+  const Edges edges_a(a), edges_b(b);
+  static thread_local Depths b_in_a, a_in_b;  // large; filled anew at every call
+  out.separation = b_in_a.fill(a, edges_a, b);
+  if (out.separation > 0) return out;
+  out.separation = a_in_b.fill(b, edges_b, a);
+  if (out.separation > 0) return out;
+
+  Sums sums;
+  Walk{a, edges_a, b, edges_b, b_in_a, law, true, on_a, on_b}.run(sums);
+  Walk{b, edges_b, a, edges_a, a_in_b, law, false, on_b, on_a}.run(sums);
+  if (!(sums.length > 0)) return out;
+  out.touching = true;
+  out.force = sums.force;
+  out.length = sums.length;
+  out.memory.slip = before.slip;
+  out.memory.state = contact_touching | contact_general;
+  out.memory.damping_force[0] = sums.damping.x();
+  out.memory.damping_force[1] = sums.damping.y();
+  if (sums.pressure > 0) {
+    out.centre = sums.moment_arm / sums.pressure;
+    const Vec2 old_damping = (before.state & contact_general) != 0
+                                 ? Vec2(before.damping_force[0], before.damping_force[1])
+                                 : Vec2::Zero();
+    const Vec2 approach = b.velocity_at(out.centre) - a.velocity_at(out.centre);
+    out.lost_damping = 0.5 * law.dt * (sums.damping_power - old_damping.dot(approach));
+    add_friction(a, b, before, law, sums, on_a, on_b, out);
+  }
+  return out;
+}
+
+double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, double kn) {
+  const Edges edges_a(a), edges_b(b);
+  Outline common(b.corner.begin(), b.corner.end());
+  for (int f = 0; f < edges_a.count && common.size() > 2; ++f)
+    common = clip(common, [&](const Vec2& x) { return edges_a.normal[f].dot(a.corner[f] - x); });
+  if (common.size() < 3) return 0;
+  return 0.5 * kn * (depth_integral(common, a, edges_a) + depth_integral(common, b, edges_b));
+}
+
+}  // namespace trilith

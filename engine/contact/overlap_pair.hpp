@@ -1,0 +1,51 @@
+// Contact of two convex pieces of any shape and pose, from the overlap of their areas.
+//
+// The elastic energy is W = kn/2 ( integral of phi_A + integral of phi_B ) over the overlap, phi being the distance
+// to the nearest face of a piece. Its derivative is a pressure kn/2 phi_A on the faces of B inside A, along their own
+// normals, and the same for A's faces inside B. So energy is kept by construction, the normal never flips, and for
+// two parallel faces the sum of both pressures is kn times the overlap, the stress of contact/face_pair. (A
+// distance potential over the overlap area is used in the combined finite-discrete element method: Munjiza, "The
+// combined finite-discrete element method", 2004, ch. 2; Feng and Owen, Int. J. Numer. Meth. Engng 61, 2004.)
+// Damping acts on the closing speed along each face's normal, total pressure never below 0. Friction acts on the
+// resultant, at the centre of pressure.
+#pragma once
+
+#include <span>
+
+#include "base/space.hpp"
+#include "contact/face_pair.hpp"
+#include "contact/memory.hpp"
+
+namespace trilith {
+
+inline constexpr int max_piece_corners = 64;
+
+/// A convex piece where it stands. Corners counter-clockwise; edge i runs from corner i to i + 1.
+struct PlacedPiece {
+  std::span<const Vec2> corner;           ///< [m]
+  std::span<const std::uint8_t> is_face;  ///< 1: edge is part of the body's surface, 0: an inner cut
+  Vec2 origin, velocity;                  ///< a point of the piece and its velocity [m], [m/s]
+  double spin;                            ///< [rad/s]
+
+  [[nodiscard]] Vec2 velocity_at(const Vec2& x) const { return velocity + cross(spin, Vec2(x - origin)); }
+};
+
+/// What the general contact gives; forces on the corners of both pieces are added to `on_a` and `on_b`.
+struct OverlapResponse {
+  ContactMemory memory;
+  bool touching = false;
+  double separation = 0;        ///< lower bound of the distance where not touching [m]
+  Vec2 force = Vec2::Zero();    ///< normal resultant on b [N]
+  Vec2 centre = Vec2::Zero();   ///< centre of pressure [m]
+  double length = 0;            ///< length in contact [m]
+  double lost_damping = 0, lost_friction = 0;  ///< [J]
+};
+
+/// `on_a`, `on_b`: force per corner [N], same sizes as the pieces' corners, added to.
+OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
+                                const FaceLaw& law, std::span<Vec2> on_a, std::span<Vec2> on_b);
+
+/// Elastic energy W of the overlap [J]; `kn` times thickness [N/m2].
+double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, double kn);
+
+}  // namespace trilith

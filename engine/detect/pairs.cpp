@@ -1,0 +1,185 @@
+#include "detect/pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/face_overlap.hpp"
+#include "detect/grid.hpp"
+
+namespace trilith {
+namespace {
+
+/// One edge of a piece: its two skin points in counter-clockwise order.
+struct Edge {
+  int s0, s1;
+  double corner;
+};
+
+Edge edge_of(const Model<2>& model, int piece, int e) {
+  const int first = model.piece_first[piece], count = model.corners_of(piece);
+  return {model.corner_skin[first + e], model.corner_skin[first + (e + 1) % count], model.edge_corner[first + e]};
+}
+
+FaceEnds<double> ends(const Work<2>& work, int s0, int s1) {
+  const SkinMotion &p = work.skin[s0], &q = work.skin[s1];
+  return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
+}
+
+void set_faces(NearPair& pair, const Edge& a, const Edge& b) {
+  pair.a0 = a.s0, pair.a1 = a.s1, pair.b0 = b.s0, pair.b1 = b.s1;
+  pair.corner = std::max(a.corner, b.corner);
+}
+
+/// Calls visit(edge a, edge b) for every two surface edges of the pieces whose directions oppose within `angle`.
+template <class Visit>
+void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, int piece_b, double angle, Visit&& visit) {
+  const int na = model.corners_of(piece_a), nb = model.corners_of(piece_b);
+  for (int i = 0; i < na; ++i) {
+    if (!model.edge_is_face[model.piece_first[piece_a] + i]) continue;
+    const Edge a = edge_of(model, piece_a, i);
+    const double ax = work.skin[a.s1].x - work.skin[a.s0].x, ay = work.skin[a.s1].y - work.skin[a.s0].y;
+    for (int j = 0; j < nb; ++j) {
+      if (!model.edge_is_face[model.piece_first[piece_b] + j]) continue;
+      const Edge b = edge_of(model, piece_b, j);
+      const double bx = work.skin[b.s1].x - work.skin[b.s0].x, by = work.skin[b.s1].y - work.skin[b.s0].y;
+      const double cosine = ax * bx + ay * by, sine = ax * by - ay * bx;
+      if (cosine < 0 && std::abs(sine) <= -cosine * angle) visit(a, b);
+    }
+  }
+}
+
+/// Widened by the margin, do the faces share length at a gap at which they could come to touch flatly?
+bool may_touch(const FaceOverlap<double>& o, double margin) {
+  const double depth = -std::min(o.gap_lo, o.gap_hi), shared = o.shared + 2 * margin;
+  return shared > 0 && depth > -2 * margin && depth <= face_pair_max_depth * shared + 2 * margin;
+}
+
+void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
+  const auto turn = [&](int piece) {
+    return work.margin / std::max(model.body_radius[model.piece_body[piece]], work.margin);
+  };
+  const double angle = std::tan(std::min(1.0, face_pair_max_tilt + 0.5 * (turn(pair.piece_a) + turn(pair.piece_b))));
+  pair.facing = 0;
+  for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
+    const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
+    if (!may_touch(overlap, work.margin)) return;
+    if (pair.facing == 0) set_faces(pair, a, b);
+    pair.facing = std::min(pair.facing + 1, 2);
+  });
+}
+
+/// The law a bearing between the two bodies imposes: -1 while it holds contact off, else the one it became, else `law`.
+int law_beside_bearings(const Model<2>& model, const State<2>& state, int body_a, int body_b, int law) {
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    const Bearing<2>& b = model.bearings[i];
+    const bool same = (b.body_a == body_a && b.body_b == body_b) || (b.body_a == body_b && b.body_b == body_a);
+    if (!same || !b.holds_off_contact) continue;
+    if (is_live(state.bearing[i].status)) return -1;
+    if (b.contact_after >= 0) law = b.contact_after;
+  }
+  return law;
+}
+
+std::vector<Box> piece_boxes(const Model<2>& model, const Work<2>& work, double widen) {
+  std::vector<Box> boxes(static_cast<std::size_t>(model.pieces()));
+  for (int p = 0; p < model.pieces(); ++p) {
+    Box box{1e300, 1e300, -1e300, -1e300};
+    for (int c = model.piece_first[p]; c < model.piece_first[p + 1]; ++c) {
+      const SkinMotion& s = work.skin[model.corner_skin[c]];
+      box.x0 = std::min(box.x0, s.x), box.x1 = std::max(box.x1, s.x);
+      box.y0 = std::min(box.y0, s.y), box.y1 = std::max(box.y1, s.y);
+    }
+    boxes[p] = {box.x0 - widen, box.y0 - widen, box.x1 + widen, box.y1 + widen};
+  }
+  return boxes;
+}
+
+/// A twentieth of the median diameter of the bodies that move.
+double search_margin(const Model<2>& model) {
+  std::vector<double> radii;
+  for (const Body& b : model.bodies)
+    if (model.moves(b.first_node)) radii.push_back(model.body_radius[&b - model.bodies.data()]);
+  if (radii.empty()) return 1;
+  std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+  return 0.1 * radii[radii.size() / 2];
+}
+
+void sort_into_batches(const Model<2>& model, Work<2>& work) {
+  work.batches.assign(model.laws.size(), {});
+  work.general.clear();
+  for (std::size_t l = 0; l < model.laws.size(); ++l) work.batches[l].law = static_cast<int>(l);
+  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
+    const NearPair& pair = work.pairs[row];
+    if (pair.facing == 0)
+      work.general.push_back(row);
+    else
+      (pair.facing == 1 ? work.batches[pair.law].row : work.batches[pair.law].choice).push_back(row);
+  }
+}
+
+}  // namespace
+
+double corner_flatness(const Vec2& before, const Vec2& from, const Vec2& to, const Vec2& after, bool surface_before,
+                       bool surface_after) {
+  const auto flatness = [](const Vec2& in, const Vec2& out) {
+    const double turn = std::atan2(cross(in, out), in.dot(out));
+    return turn > 0.5 * M_PI ? 1.0 : std::max(1.0, 1.0 / std::tan(std::max(turn, 1e-9)));
+  };
+  const Vec2 in = from - before, along = to - from, out = after - to;
+  return std::max(surface_before ? flatness(in, along) : 1.0, surface_after ? flatness(along, out) : 1.0);
+}
+
+int contact_law(const Model<2>& model, int body_a, int body_b) {
+  return model.law_of[model.bodies[body_a].surface * model.surfaces + model.bodies[body_b].surface];
+}
+
+bool pairs_outdated(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+  if (!work.valid) return true;
+  const double most = 0.5 * work.margin;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const int node = model.bodies[b].first_node;
+    const double moved = (state.position[node] - work.found_position[node]).norm() +
+                         model.body_radius[b] * std::abs(state.rotation[node] - work.found_rotation[node]);
+    if (moved > most) return true;
+  }
+  return false;
+}
+
+void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  work.margin = search_margin(model);
+  work.travel = 0;
+  work.found_position = state.position;
+  work.found_rotation = state.rotation;
+  work.pairs.clear();
+  for (const auto& [p, q] : meeting_boxes(piece_boxes(model, work, 0.5 * work.margin))) {
+    const int body_p = model.piece_body[p], body_q = model.piece_body[q];
+    if (body_p == body_q) continue;
+    if (!model.moves(model.bodies[body_p].first_node) && !model.moves(model.bodies[body_q].first_node)) continue;
+    const int law = law_beside_bearings(model, state, body_p, body_q, contact_law(model, body_p, body_q));
+    if (law < 0) continue;
+    NearPair pair{p, q, law, 0, 0, 0, 0, 0, 1.0};
+    find_facing(model, work, pair);
+    work.pairs.push_back(pair);
+  }
+  work.asleep_until.assign(work.pairs.size(), -1.0);
+  sort_into_batches(model, work);
+  work.valid = true;
+}
+
+bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
+  int found = 0;
+  double nearest = unbounded;
+  const double angle = std::tan(face_pair_max_tilt);
+  for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
+    const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
+    if (!overlap.sane) return;
+    const double gap = 0.5 * std::abs(overlap.gap_lo + overlap.gap_hi);
+    const bool touches = std::min(overlap.gap_lo, overlap.gap_hi) < 0;
+    if (bonded ? gap >= nearest : !touches || !overlap.is_flat(std::max(a.corner, b.corner))) return;
+    nearest = gap;
+    if (found++ == 0 || bonded) set_faces(pair, a, b);
+  });
+  return bonded ? found > 0 : found == 1;
+}
+
+}  // namespace trilith

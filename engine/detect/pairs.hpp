@@ -1,0 +1,31 @@
+// Pairs of pieces that may touch before the next search, and the faces of theirs that look at each other.
+//
+// Three levels: boxes on a grid, widened by a margin; facing of faces; the exact overlap, which is the contact
+// kernel's own. The list holds until some body has moved half the margin.
+#pragma once
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+#include "world/work.hpp"
+
+namespace trilith {
+
+/// True where the list in `work` may miss a contact at the present pose.
+bool pairs_outdated(const Model<2>& model, const State<2>& state, const Work<2>& work);
+
+/// Finds the pairs at the present pose (work.skin must be placed). Writes the detect part of `work`.
+void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work);
+
+/// The one pair of faces of two pieces that touch flatly, if there is just one; where a bond holds, the pair at the
+/// smallest gap. Fills the face fields of `pair`. A function of the present pose alone.
+bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair);
+
+/// Flatness of the two ends of a face: the larger of 1 and the cot of the turning angle to the next surface face.
+double corner_flatness(const Vec2& before, const Vec2& from, const Vec2& to, const Vec2& after, bool surface_before,
+                       bool surface_after);
+
+/// Law between two bodies' surfaces, -1 for none. Bearings that hold off contact, and those that failed and became
+/// one, are looked up by find_pairs.
+int contact_law(const Model<2>& model, int body_a, int body_b);
+
+}  // namespace trilith

@@ -1,0 +1,29 @@
+// Explicit central differences (leapfrog), the ledger's snapshot, and the rule of one step.
+#pragma once
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+#include "world/work.hpp"
+
+namespace trilith {
+
+/// Damping that helps a structure to rest under its weight and belongs to no dynamics: a force against each node's
+/// velocity, `share` of its unbalanced force (Cundall 1987, "Distinct element models of rock and soil structure";
+/// here along the velocity vector, so that it does not depend on the axes).
+struct RestDamping {
+  double share = 0;  ///< 0 to below 1
+};
+
+struct StepOptions {
+  double dt = 0;        ///< length of this step [s]
+  RestDamping rest;
+};
+
+/// Takes one step from an evaluation at the present pose: commits the trial memories, raises events, advances.
+void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options);
+
+/// The ledger at the instant of the last evaluation (before `advance`): stored terms from the state, given-off terms
+/// from the running sums. Kinetic energy is that of the leapfrog scheme, half of m v(-) v(+).
+Energy energy_now(const Model<2>& model, const State<2>& state, const Work<2>& work, const StepOptions& options);
+
+}  // namespace trilith

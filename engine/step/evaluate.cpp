@@ -1,0 +1,107 @@
+#include "step/evaluate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "body/rigid.hpp"
+#include "detect/pairs.hpp"
+
+namespace trilith {
+
+void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt) {
+  place(model, state, work);
+  find(model, state, work);
+  work.given = state.given;
+  work.turned.clear();
+  std::fill(work.skin_force.begin(), work.skin_force.end(), Vec2::Zero());
+  respond_faces(model, state, work, dt);
+  respond_general(model, state, work, dt);
+  respond_bearings(model, state, work, dt);
+  sum(model, state, work);
+}
+
+void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  work.skin.resize(model.skin_place.size());
+  work.skin_force.resize(model.skin_place.size());
+  double fastest = 0;
+  for (const Body& body : model.bodies) {
+    const int n = body.first_node;
+    const NodeMotion node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
+    const auto first = static_cast<std::size_t>(body.first_skin), count = static_cast<std::size_t>(body.skins);
+    fastest = std::max(fastest, place_rigid(node, std::span(model.skin_place).subspan(first, count),
+                                            std::span(work.skin).subspan(first, count)));
+  }
+  work.fastest = std::sqrt(fastest);
+  work.travel += work.fastest * state.last_dt;
+}
+
+namespace {
+
+/// Brings State::contact into step with the pairs just found: kept memories move, the rest start empty.
+void carry_memories(State<2>& state, const Work<2>& work) {
+  std::vector<ContactKey> keys(work.pairs.size());
+  std::vector<ContactMemory> memories(work.pairs.size());
+  std::size_t old = 0;
+  for (std::size_t row = 0; row < keys.size(); ++row) {
+    keys[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);
+    while (old < state.contact.size() && state.contact[old] < keys[row]) ++old;
+    if (old < state.contact.size() && state.contact[old] == keys[row]) memories[row] = state.memory[old];
+  }
+  state.contact = std::move(keys);
+  state.memory = std::move(memories);
+}
+
+}  // namespace
+
+void find(const Model<2>& model, State<2>& state, Work<2>& work) {
+  if (!pairs_outdated(model, state, work)) return;
+  find_pairs(model, state, work);
+  carry_memories(state, work);
+  work.memory.assign(work.pairs.size(), {});
+  work.general_now.reserve(work.pairs.size());
+  work.general_touching.reserve(work.pairs.size());
+  work.turned.reserve(work.pairs.size());
+}
+
+void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  const auto nodes = static_cast<std::size_t>(model.nodes());
+  work.force.resize(nodes);
+  work.moment.resize(nodes);
+  const Vec2 field = model.gravity.at(state.time);
+  double unbalanced = 0, carried = 0;
+  for (const Body& body : model.bodies) {
+    const int n = body.first_node;
+    const auto first = static_cast<std::size_t>(body.first_skin), count = static_cast<std::size_t>(body.skins);
+    Vec2 force = Vec2::Zero();
+    double moment = 0;
+    spread_rigid(state.position[n], std::span<const SkinMotion>(work.skin).subspan(first, count),
+                 std::span<const Vec2>(work.skin_force).subspan(first, count), force, moment);
+    work.force[n] = force;
+    work.moment[n] = moment;
+  }
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    const Bearing<2>& b = model.bearings[i];
+    const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
+    const Vec2 point = state.position[nb] + Turn(state.rotation[nb]).apply(b.point_b);
+    const Vec2& f = work.bearing_force[i];
+    work.force[nb] += f;
+    work.force[na] -= f;
+    work.moment[nb] += cross(Vec2(point - state.position[nb]), f) + work.bearing_moment[i];
+    work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
+  }
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const Vec2 steady = model.mass[n] * field + model.load[n];
+    const double reacts = work.force[n].norm();
+    work.force[n] += steady;
+    if (!model.moves(static_cast<int>(n))) continue;
+    carried = std::max({carried, reacts, steady.norm()});
+    Vec2 left = work.force[n];
+    for (const int k : {0, 1})
+      if (model.support[n][k] != Support::free) left[k] = 0;
+    unbalanced = std::max(unbalanced, left.norm());
+  }
+  work.unbalanced = unbalanced;
+  work.carried = carried;
+}
+
+}  // namespace trilith

@@ -1,0 +1,23 @@
+// M a = load + respond(contacts) + respond(bearings): one evaluation, shared by every integrator, writes only Work.
+#pragma once
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+#include "world/work.hpp"
+
+namespace trilith {
+
+/// place -> find -> respond (contacts, bearings) -> spread -> sum, at the present pose and velocity, over a step `dt` [s]
+/// since the last evaluation. Re-indexes State::contact where the list of near pairs had to be found anew (empty
+/// contacts come and go; no memory is lost).
+void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt);
+
+// The stages, each the only writer of its part of Work.
+void place(const Model<2>& model, const State<2>& state, Work<2>& work);
+void find(const Model<2>& model, State<2>& state, Work<2>& work);
+void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
+void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
+void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
+void sum(const Model<2>& model, const State<2>& state, Work<2>& work);
+
+}  // namespace trilith

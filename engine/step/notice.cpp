@@ -1,0 +1,144 @@
+#include "step/notice.hpp"
+
+#include <cmath>
+
+namespace trilith {
+namespace {
+
+Event event_now(const State<2>& state, EventType type, int body_a, int body_b) {
+  Event e;
+  e.type = type;
+  e.time = state.time;
+  e.step = state.step;
+  e.body_a = body_a;
+  e.body_b = body_b;
+  return e;
+}
+
+/// Where two pieces touch and how fast they close there. For faces: the middle of the four face ends' shared length.
+struct Meeting {
+  Vec2 at;
+  double closing;
+};
+
+Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
+  const NearPair& p = work.pairs[row];
+  const int na = model.bodies[model.piece_body[p.piece_a]].first_node, nb = model.bodies[model.piece_body[p.piece_b]].first_node;
+  const auto velocity = [&](int n, const Vec2& x) { return Vec2(state.velocity[n] + cross(state.spin[n], Vec2(x - state.position[n]))); };
+  for (const GeneralContact& g : work.general_touching) {
+    if (g.row != row) continue;
+    const double size = g.force.norm();
+    const Vec2 n = size > 0 ? Vec2(g.force / size) : Vec2::Zero();
+    return {g.centre, -n.dot(velocity(nb, g.centre) - velocity(na, g.centre))};
+  }
+  const SkinMotion &a0 = work.skin[p.a0], &a1 = work.skin[p.a1], &b0 = work.skin[p.b0], &b1 = work.skin[p.b1];
+  const Vec2 along = Vec2(a1.x - a0.x, a1.y - a0.y).normalized(), n(along.y(), -along.x()), origin(a0.x, a0.y);
+  const auto s = [&](const SkinMotion& q) { return along.dot(Vec2(q.x, q.y) - origin); };
+  const double middle = 0.5 * (std::max(0.0, s(b1)) + std::min(s(a1), s(b0)));
+  const Vec2 at = origin + middle * along;
+  return {at, -n.dot(velocity(nb, at) - velocity(na, at))};
+}
+
+void notice_contact(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
+  const ContactMemory &before = state.memory[row], &after = work.memory[row];
+  const NearPair& p = work.pairs[row];
+  const int a = model.piece_body[p.piece_a], b = model.piece_body[p.piece_b];
+  const bool was = (before.state & contact_touching) != 0, is = (after.state & contact_touching) != 0;
+  if (before.bonds != after.bonds) {
+    Event e = event_now(state, EventType::bond_broken, a, b);
+    e.value = after.slip;
+    work.events.push_back(e);
+  }
+  if (was == is) return;
+  Event e = event_now(state, is ? EventType::contact_made : EventType::contact_lost, a, b);
+  if (is) {
+    const Meeting m = meeting(model, state, work, row);
+    e.x = m.at.x(), e.y = m.at.y();
+    e.value = m.closing;
+    if (m.closing > model.impact_speed) e.type = EventType::impact;
+  }
+  work.events.push_back(e);
+}
+
+void push_bearing_event(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i, EventType type) {
+  const Bearing<2>& b = model.bearings[i];
+  Event e = event_now(state, type, b.body_a, b.body_b);
+  e.bearing = static_cast<int>(i);
+  const std::uint32_t k = work.bearing[i].failed_direction;
+  e.value = k == turning ? 0 : work.bearing_displacement[i][k];
+  const int n = model.bodies[b.body_a].first_node;
+  const Vec2 at = state.position[n] + Turn(state.rotation[n]).apply(b.point_a);
+  e.x = at.x(), e.y = at.y();
+  work.events.push_back(e);
+}
+
+void notice_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
+  const BearingStatus before = state.bearing[i].status;
+  BearingMemory& after = work.bearing[i];
+  if (before == after.status) return;
+  if (after.status == BearingStatus::yielded) push_bearing_event(model, state, work, i, EventType::bearing_yielded);
+  if (after.status != BearingStatus::failed) return;
+  push_bearing_event(model, state, work, i, EventType::bearing_failed);
+  const Bearing<2>& b = model.bearings[i];
+  if (b.becomes_bearing < 0 && !b.holds_off_contact) return;
+  after.status = BearingStatus::changed;
+  push_bearing_event(model, state, work, i, EventType::bearing_changed);
+  if (b.becomes_bearing >= 0) work.bearing[b.becomes_bearing].status = BearingStatus::intact;
+  if (b.holds_off_contact) work.valid = false;  // the two bodies may touch from now on
+}
+
+/// A bearing that ends gives its elastic energy off at once.
+void account_failed(const State<2>& state, Work<2>& work, std::size_t i) {
+  if (!is_live(state.bearing[i].status) || is_live(work.bearing[i].status)) return;
+  work.given[EnergyTerm::bearing_failure] += work.bearing_energy[i];
+}
+
+void notice_seat(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t i) {
+  if (state.seat_lost[i] != 0) return;
+  const Seat& seat = model.seats[i];
+  if (seat_length(model, state, seat) > 0) return;
+  state.seat_lost[i] = 1;
+  Event e = event_now(state, EventType::seat_lost, seat.body, seat.support);
+  const int n = model.bodies[seat.body].first_node;
+  const Vec2 arm = Turn(state.rotation[n]).apply(seat.end);
+  e.value = state.velocity[n].norm();
+  e.x = state.position[n].x() + arm.x(), e.y = state.position[n].y() + arm.y();
+  e.text = seat.name;
+  work.events.push_back(e);
+}
+
+void notice_rest(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t b) {
+  const int n = model.bodies[b].first_node;
+  if (!model.moves(n)) return;
+  const double speed = state.velocity[n].norm() + std::abs(state.spin[n]) * model.body_radius[b];
+  if (speed > model.still_speed) {
+    state.moved_at[b] = state.time;
+    state.resting[b] = 0;
+  } else if (state.resting[b] == 0 && state.time - state.moved_at[b] >= model.still_time) {
+    state.resting[b] = 1;
+    work.events.push_back(event_now(state, EventType::body_at_rest, static_cast<int>(b), -1));
+  }
+}
+
+}  // namespace
+
+double seat_length(const Model<2>& model, const State<2>& state, const Seat& seat) {
+  const int nb = model.bodies[seat.body].first_node, ns = model.bodies[seat.support].first_node;
+  const Turn support(state.rotation[ns]);
+  const Vec2 end = state.position[nb] + Turn(state.rotation[nb]).apply(seat.end);
+  const Vec2 edge = state.position[ns] + support.apply(seat.edge);
+  return support.apply(seat.inward).dot(end - edge);
+}
+
+void notice(const Model<2>& model, State<2>& state, Work<2>& work) {
+  work.events.clear();
+  for (const int row : work.turned) notice_contact(model, state, work, row);
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    notice_bearing(model, state, work, i);
+    account_failed(state, work, i);
+  }
+  for (std::size_t i = 0; i < model.seats.size(); ++i) notice_seat(model, state, work, i);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) notice_rest(model, state, work, b);
+}
+
+}  // namespace trilith

@@ -1,0 +1,90 @@
+// Bearings: relative motion of two points in the axes of the first body, one law per direction.
+#include <algorithm>
+
+#include "step/evaluate.hpp"
+
+namespace trilith {
+namespace {
+
+/// Displacement and rate of b's point against a's, in the bearing's axes.
+struct RelativeMotion {
+  Turn axes;
+  Vec2 displacement, rate;
+  double angle, spin;
+};
+
+RelativeMotion relative_motion(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
+  const Turn axes(state.rotation[na] + b.angle);
+  const Vec2 arm_b = Turn(state.rotation[nb]).apply(b.point_b);
+  const Vec2 from_a = state.position[nb] + arm_b - state.position[na];
+  const Vec2 anchor = Turn(state.rotation[na]).apply(b.point_a);
+  const Vec2 rate = state.velocity[nb] + cross(state.spin[nb], arm_b) - state.velocity[na] - cross(state.spin[na], from_a);
+  return {axes, axes.undo(Vec2(from_a - anchor)) - b.rest, axes.undo(rate),
+          state.rotation[nb] - state.rotation[na] - b.rest_angle, state.spin[nb] - state.spin[na]};
+}
+
+DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion, const DirectionMemory& before) {
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(l)>, std::monostate>)
+          return DirectionResponse{};
+        else
+          return l.respond(motion, before);
+      },
+      law);
+}
+
+/// The first direction beyond its limit, or -1.
+int direction_beyond(const Bearing<2>& b, const std::array<double, 3>& displacement) {
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(displacement[k]) > b.limit[k]) return k;
+  return -1;
+}
+
+void respond_live(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i, double dt) {
+  const Bearing<2>& b = model.bearings[i];
+  const BearingMemory& before = state.bearing[i];
+  BearingMemory& after = work.bearing[i];
+  const RelativeMotion m = relative_motion(model, state, b);
+  const std::array<double, 3> displacement{m.displacement.x(), m.displacement.y(), m.angle};
+  const std::array<double, 3> rate{m.rate.x(), m.rate.y(), m.spin};
+  std::array<double, 3> force{};
+  double compression = 0;
+  for (const int k : {axial, along, turning}) {  // friction along the seat needs the axial force first
+    const DirectionResponse r = respond(b.law[k], {displacement[k], rate[k], dt, compression}, before.direction[k]);
+    after.direction[k] = r.memory;
+    force[k] = r.force();
+    if (k == axial) compression = std::max(0.0, -r.memory.force);
+    if (r.yielding && after.status == BearingStatus::intact) after.status = BearingStatus::yielded;
+    work.bearing_energy[i] += r.stored;
+    work.given[EnergyTerm::bearing_inner] += r.lost_inner;
+    work.given[EnergyTerm::bearing_damping] += r.lost_damping;
+  }
+  work.bearing_stored += work.bearing_energy[i];
+  work.bearing_force[i] = -m.axes.apply(Vec2(force[along], force[axial]));
+  work.bearing_moment[i] = -force[turning];
+  work.bearing_displacement[i] = m.displacement;
+  const int beyond = direction_beyond(b, displacement);
+  if (beyond < 0) return;
+  after.status = BearingStatus::failed;
+  after.failed_direction = static_cast<std::uint32_t>(beyond);
+}
+
+}  // namespace
+
+void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
+  const std::size_t count = model.bearings.size();
+  work.bearing.resize(count);
+  work.bearing_force.assign(count, Vec2::Zero());
+  work.bearing_moment.assign(count, 0.0);
+  work.bearing_displacement.resize(count, Vec2::Zero());
+  work.bearing_energy.assign(count, 0.0);
+  work.bearing_stored = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    work.bearing[i] = state.bearing[i];
+    if (is_live(state.bearing[i].status)) respond_live(model, state, work, i, dt);
+  }
+}
+
+}  // namespace trilith

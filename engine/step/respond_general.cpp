@@ -1,0 +1,68 @@
+// Contacts of general shape: corners, deep overlap, pieces that tumble.
+#include <algorithm>
+#include <array>
+
+#include "step/contact_rows.hpp"
+#include "step/evaluate.hpp"
+
+namespace trilith {
+
+PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
+                         std::span<Vec2> corners) {
+  const int first = model.piece_first[piece], count = model.corners_of(piece);
+  for (int c = 0; c < count; ++c) {
+    const SkinMotion& s = work.skin[model.corner_skin[first + c]];
+    corners[c] = {s.x, s.y};
+  }
+  const int node = model.bodies[model.piece_body[piece]].first_node;
+  return {corners.first(static_cast<std::size_t>(count)),
+          std::span(model.edge_is_face).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)),
+          state.position[node], state.velocity[node], state.spin[node]};
+}
+
+namespace {
+
+using Corners = std::array<Vec2, max_piece_corners>;
+
+void add_to_skin(const Model<2>& model, int piece, const Corners& force, Work<2>& work) {
+  const int first = model.piece_first[piece];
+  for (int c = 0; c < model.corners_of(piece); ++c) work.skin_force[model.corner_skin[first + c]] += force[c];
+}
+
+void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, int row, double dt) {
+  const ContactMemory& before = state.memory[row];
+  ContactMemory& after = work.memory[row];
+  const bool was = (before.state & contact_touching) != 0;
+  after = {};
+  if (!was && work.travel < work.asleep_until[row]) return;
+  const NearPair& pair = work.pairs[row];
+  Corners corners_a, corners_b, on_a, on_b;
+  const PlacedPiece a = placed_piece(model, state, work, pair.piece_a, corners_a);
+  const PlacedPiece b = placed_piece(model, state, work, pair.piece_b, corners_b);
+  std::fill_n(on_a.begin(), a.corner.size(), Vec2::Zero());
+  std::fill_n(on_b.begin(), b.corner.size(), Vec2::Zero());
+  const OverlapResponse r = respond_overlap(a, b, before, face_law(model, pair.law, dt), on_a, on_b);
+  if (was != r.touching || before.bonds != 0) work.turned.push_back(row);
+  if (!r.touching) {
+    // Each of the two may come nearer by the path of the fastest point.
+    work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * r.separation;
+    return;
+  }
+  after = r.memory;
+  add_to_skin(model, pair.piece_a, on_a, work);
+  add_to_skin(model, pair.piece_b, on_b, work);
+  work.given[EnergyTerm::contact_damping] += r.lost_damping;
+  work.given[EnergyTerm::contact_friction] += r.lost_friction;
+  work.general_touching.push_back({row, r.length, r.centre, r.force});
+}
+
+}  // namespace
+
+void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
+  work.general_touching.clear();
+  work.general_now.insert(work.general_now.end(), work.general.begin(), work.general.end());
+  std::sort(work.general_now.begin(), work.general_now.end());
+  for (const int row : work.general_now) respond_row(model, state, work, row, dt);
+}
+
+}  // namespace trilith

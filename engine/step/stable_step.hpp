@@ -1,0 +1,35 @@
+// The longest stable step of explicit central differences, from the stiffness in contact, damping included.
+//
+// For every body: the 3 x 3 stiffness and damping of its contacts and bearings about its node, scaled by mass and
+// inertia, doubled where the other side moves too (for two bodies and one spring, (a - b)^2 <= 2 a^2 + 2 b^2, so the
+// largest eigenvalue of the whole is bounded by the largest of these). With lambda_K and lambda_C their bounds by row
+// sums, dt <= (sqrt(4 lambda_K + lambda_C^2) - lambda_C) / lambda_K (central differences with lagged damping;
+// Belytschko, Liu and Moran, "Nonlinear finite elements", 2000, sec. 6.2.3). A body in no contact counts as lying on
+// its stiffest face, so that a contact that forms before the next estimate finds a safe step.
+#pragma once
+
+#include <string>
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+#include "world/work.hpp"
+
+namespace trilith {
+
+struct StableStep {
+  double dt = 0;         ///< [s]; a tenth of a second where nothing is stiff
+  int body = -1;         ///< the body that governs
+  double stiffness = 0;  ///< its lambda_K [1/s2]
+  double damping = 0;    ///< its lambda_C [1/s]
+};
+
+/// From the last evaluation (faces and general contacts that touch, live bearings).
+StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<2>& work);
+
+/// `step` times a safety, rounded down to a ladder of eight rungs per doubling, so that it rarely changes.
+double settled_step(double stable, double safety);
+
+/// In words: which body and contacts govern, and what the step would be without damping.
+std::string explain_step(const Model<2>& model, const State<2>& state, const Work<2>& work);
+
+}  // namespace trilith

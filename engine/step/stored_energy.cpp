@@ -1,0 +1,65 @@
+#include "step/stored_energy.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "step/contact_rows.hpp"
+
+namespace trilith {
+namespace {
+
+/// kn/2 of the integral of g^2 over one half with linear gap, where closed or bonded; and the length that counts.
+struct HalfStore {
+  double energy, active;
+};
+
+HalfStore half_store(double g0, double g1, double length, bool bonded, double kn) {
+  if (bonded) return {kn * length * (g0 * g0 + g0 * g1 + g1 * g1) / 6, length};
+  const PositivePart<double> part(-g0, -g1);
+  const double d0 = -g0 - (g1 - g0) * part.from, d1 = -g0 - (g1 - g0) * part.to, active = (part.to - part.from) * length;
+  return {kn * active * (d0 * d0 + d0 * d1 + d1 * d1) / 6, active};
+}
+
+double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law) {
+  const auto ends = [&](int i, int j) {
+    const SkinMotion &a = work.skin[i], &b = work.skin[j];
+    return FaceEnds<double>{a.x, a.y, b.x, b.y, a.u, a.v, b.u, b.v};
+  };
+  const FaceOverlap<double> o(ends(p.a0, p.a1), ends(p.b0, p.b1));
+  const double mid = 0.5 * (o.gap_lo + o.gap_hi), half = 0.5 * o.shared;
+  const std::array stores{half_store(o.gap_lo, mid, half, (m.bonds & 1U) != 0, law.kn),
+                          half_store(mid, o.gap_hi, half, (m.bonds & 2U) != 0, law.kn)};
+  double sum = 0;
+  for (const int h : {0, 1}) {
+    sum += stores[h].energy;
+    if (stores[h].active > 0 && law.ks > 0)
+      sum += 0.5 * m.shear_elastic[h] * m.shear_elastic[h] / (law.ks * stores[h].active);
+  }
+  return sum;
+}
+
+double general_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, const GeneralContact& g) {
+  const NearPair& p = work.pairs[g.row];
+  const FaceLaw law = face_law(model, p.law, 0);
+  std::array<Vec2, max_piece_corners> corners_a, corners_b;
+  const double normal = overlap_energy(placed_piece(model, state, work, p.piece_a, corners_a),
+                                       placed_piece(model, state, work, p.piece_b, corners_b), law.kn);
+  const ContactMemory& m = work.memory[g.row];
+  const double shear = m.shear_elastic[0] + m.shear_elastic[1], stiffness = law.ks * g.length;
+  return normal + (stiffness > 0 ? 0.5 * shear * shear / stiffness : 0);
+}
+
+}  // namespace
+
+double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+  double sum = 0;
+  for (std::size_t row = 0; row < work.pairs.size(); ++row) {
+    const ContactMemory& m = work.memory[row];
+    const bool face = (m.state & contact_touching) != 0 && (m.state & contact_general) == 0;
+    if (face) sum += face_energy(work, work.pairs[row], m, face_law(model, work.pairs[row].law, 0));
+  }
+  for (const GeneralContact& g : work.general_touching) sum += general_energy(model, state, work, g);
+  return sum;
+}
+
+}  // namespace trilith

@@ -1,0 +1,63 @@
+// The energy ledger: every term, and what is left over.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace trilith {
+
+/// Terms of the ledger [J]. Elastic and kinetic terms are found from the state; the others are summed step by step,
+/// each from its own law, so that the residual is a check and not an identity.
+enum class EnergyTerm : int {
+  kinetic,
+  gravity,            ///< work against the weight
+  contact_elastic,
+  bearing_elastic,
+  contact_damping,
+  contact_friction,
+  contact_fracture,   ///< elastic energy of a bond at its loss
+  bearing_damping,
+  bearing_inner,      ///< plastic and frictional
+  bearing_failure,    ///< elastic energy of a bearing at its failure
+  mass_damping,
+  rest_damping,       ///< the damping of consolidation
+  support,            ///< put in by moving supports
+  load,               ///< put in by steady forces
+};
+inline constexpr int energy_terms = 14;
+
+struct EnergyTermInfo {
+  std::string_view name, sentence;
+  int sign;  ///< +1: has taken energy up, -1: has put it in
+};
+
+inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
+    {"kinetic", "kinetic energy", +1},
+    {"gravity", "work against the weight: potential energy, from the start", +1},
+    {"contact_elastic", "elastic energy in contacts", +1},
+    {"bearing_elastic", "elastic energy in bearings", +1},
+    {"contact_damping", "given off by contact damping", +1},
+    {"contact_friction", "given off by sliding friction", +1},
+    {"contact_fracture", "given off by bonds at their loss", +1},
+    {"bearing_damping", "given off by the dashpots of bearings", +1},
+    {"bearing_inner", "given off by yielding or sliding bearings", +1},
+    {"bearing_failure", "given off by bearings at their failure", +1},
+    {"mass_damping", "given off by mass-proportional damping", +1},
+    {"rest_damping", "given off by the damping of consolidation", +1},
+    {"support", "put in by moving supports", -1},
+    {"load", "put in by steady forces", -1},
+}};
+
+struct Energy {
+  std::array<double, energy_terms> value{};
+  [[nodiscard]] double& operator[](EnergyTerm t) { return value[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] double operator[](EnergyTerm t) const { return value[static_cast<std::size_t>(t)]; }
+  /// Sum of what was taken up less what was put in: 0 but for the errors of the scheme.
+  [[nodiscard]] double balance() const {
+    double sum = 0;
+    for (int i = 0; i < energy_terms; ++i) sum += energy_term_info[i].sign * value[i];
+    return sum;
+  }
+};
+
+}  // namespace trilith

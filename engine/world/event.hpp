@@ -1,0 +1,58 @@
+// What happens in a run: typed, in a fixed order, each with its cause.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace trilith {
+
+enum class EventType : int {
+  stage_begun,
+  stage_ended,
+  bond_broken,
+  bearing_yielded,
+  bearing_failed,
+  bearing_changed,
+  contact_made,
+  contact_lost,
+  seat_lost,
+  impact,
+  body_at_rest,
+};
+inline constexpr int event_types = 11;
+
+struct EventTypeInfo {
+  std::string_view name;        ///< as in scripts and results
+  std::string_view value_name;  ///< what Event::value is
+  std::string_view value_unit;
+};
+
+inline constexpr std::array<EventTypeInfo, event_types> event_type_info{{
+    {"stage.begun", "", ""},
+    {"stage.ended", "", ""},
+    {"bond.broken", "slip", "m"},
+    {"bearing.yielded", "displacement", "m"},
+    {"bearing.failed", "displacement", "m"},
+    {"bearing.changed", "displacement", "m"},
+    {"contact.made", "closing speed", "m/s"},
+    {"contact.lost", "", ""},
+    {"seat.lost", "speed", "m/s"},
+    {"impact", "closing speed", "m/s"},
+    {"body.rest", "", ""},
+}};
+
+struct Event {
+  EventType type{};
+  std::int64_t id = -1;     ///< rising from 0 within a run
+  std::int64_t cause = -1;  ///< id of the event that led to this one, or -1
+  double time = 0;          ///< [s]
+  std::int64_t step = 0;
+  int body_a = -1, body_b = -1, bearing = -1;
+  double value = 0;         ///< see EventTypeInfo
+  double x = 0, y = 0;      ///< where [m]
+  std::string text;         ///< the rest in words
+};
+
+}  // namespace trilith

@@ -1,0 +1,69 @@
+#include "world/state.hpp"
+
+#include "base/hash.hpp"
+
+namespace trilith {
+
+template <>
+State<2> initial_state(const Model<2>& model) {
+  State<2> state;
+  state.position = model.start_position;
+  state.rotation = model.start_rotation;
+  state.velocity = model.start_velocity;
+  state.spin = model.start_spin;
+  state.bearing.resize(model.bearings.size());
+  for (std::size_t i = 0; i < model.bearings.size(); ++i)
+    if (model.bearings[i].starts_waiting) state.bearing[i].status = BearingStatus::waiting;
+  state.seat_lost.resize(model.seats.size());
+  state.moved_at.assign(model.bodies.size(), 0);
+  state.resting.assign(model.bodies.size(), 1);
+  return state;
+}
+
+namespace {
+
+void add(Hash& hash, const ContactMemory& m) {
+  for (const int h : {0, 1}) {
+    hash.add(m.shear_elastic[h]);
+    hash.add(m.shear_total[h]);
+    hash.add(m.damping_force[h]);
+  }
+  hash.add(m.slip);
+  hash.add(static_cast<std::uint64_t>(m.bonds) << 32 | m.state);
+}
+
+void add(Hash& hash, const BearingMemory& m) {
+  hash.add(static_cast<std::uint64_t>(m.status) << 32 | m.failed_direction);
+  for (const DirectionMemory& d : m.direction)
+    for (const double v : {d.inner, d.force, d.damping, d.travelled}) hash.add(v);
+}
+
+}  // namespace
+
+template <>
+std::uint64_t state_hash(const State<2>& state) {
+  Hash hash;
+  hash.add(state.time);
+  hash.add(static_cast<std::uint64_t>(state.step));
+  hash.add(state.dt);
+  hash.add(state.last_dt);
+  for (std::size_t i = 0; i < state.position.size(); ++i)
+    for (const double v : {state.position[i].x(), state.position[i].y(), state.rotation[i], state.velocity[i].x(),
+                           state.velocity[i].y(), state.spin[i]})
+      hash.add(v);
+  for (std::size_t i = 0; i < state.contact.size(); ++i) {
+    if (state.memory[i].empty()) continue;
+    hash.add(state.contact[i]);
+    add(hash, state.memory[i]);
+  }
+  for (const BearingMemory& m : state.bearing) add(hash, m);
+  for (const std::uint8_t lost : state.seat_lost) hash.add(std::uint64_t{lost});
+  for (std::size_t i = 0; i < state.moved_at.size(); ++i) {
+    hash.add(state.moved_at[i]);
+    hash.add(std::uint64_t{state.resting[i]});
+  }
+  for (const double v : state.given.value) hash.add(v);
+  return hash.value();
+}
+
+}  // namespace trilith

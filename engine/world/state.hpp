@@ -1,0 +1,55 @@
+// What survives a step. A copy is a checkpoint; its digest is the run's hash.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/space.hpp"
+#include "bearing/bearing.hpp"
+#include "contact/memory.hpp"
+#include "world/energy.hpp"
+#include "world/model.hpp"
+
+namespace trilith {
+
+/// The two pieces of a contact, lower index first, in one sortable number.
+using ContactKey = std::uint64_t;
+constexpr ContactKey contact_key(int piece_a, int piece_b) {
+  return static_cast<ContactKey>(static_cast<std::uint32_t>(piece_a)) << 32 | static_cast<std::uint32_t>(piece_b);
+}
+constexpr int first_piece(ContactKey key) { return static_cast<int>(key >> 32); }
+constexpr int second_piece(ContactKey key) { return static_cast<int>(key & 0xffffffffU); }
+
+template <int D>
+struct State {
+  double time = 0;        ///< [s]
+  std::int64_t step = 0;  ///< steps taken
+  double dt = 0;          ///< length of the step last found stable [s]; 0: not found yet
+  double last_dt = 0;     ///< length of the last step [s]
+
+  // Motion of the nodes [node]. Velocities are those of the last half step (leapfrog).
+  std::vector<Vec<D>> position;                          ///< m
+  std::vector<typename Space<D>::Rotation> rotation;     ///< rad
+  std::vector<Vec<D>> velocity;                          ///< m/s
+  std::vector<typename Space<D>::Spin> spin;             ///< rad/s
+
+  // Contacts, sorted by key; every one that remembers something, and any number of empty ones.
+  std::vector<ContactKey> contact;        ///< [contact]
+  std::vector<ContactMemory> memory;      ///< [contact]
+  std::vector<BearingMemory> bearing;     ///< [bearing]
+  std::vector<std::uint8_t> seat_lost;    ///< [seat]
+  std::vector<double> moved_at;           ///< [body] when it was last faster than Model::still_speed s
+  std::vector<std::uint8_t> resting;      ///< [body] 1: has been still for Model::still_time
+
+  Energy given;  ///< running sums of the ledger (the terms that are not found from the state)
+};
+
+/// The state at the model's start: at rest or with the start velocities, bonds made where bonded faces meet.
+template <int D>
+State<D> initial_state(const Model<D>& model);
+
+/// Digest of everything above but empty contacts.
+template <int D>
+std::uint64_t state_hash(const State<D>& state);
+
+}  // namespace trilith

@@ -1,0 +1,85 @@
+// Everything computed from Model and State. Dropping it between two steps changes no bit of the result.
+#pragma once
+
+#include <vector>
+
+#include "base/space.hpp"
+#include "bearing/bearing.hpp"
+#include "contact/memory.hpp"
+#include "world/event.hpp"
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+/// Two pieces near each other. Row i belongs to row i of State::contact.
+struct NearPair {
+  int piece_a, piece_b;
+  int law;             ///< index into Model::laws
+  int facing;          ///< number of pairs of faces that look at each other: 0, 1, 2 (more counts as 2)
+  int a0, a1, b0, b1;  ///< skin points of the two faces, where facing > 0
+  double corner;       ///< see FaceOverlap::is_flat, where facing > 0
+};
+
+/// Rows of `pairs` that are handled alike: one contact law, faces that look at each other.
+struct FaceBatch {
+  int law;
+  std::vector<int> row;     ///< one pair of facing faces
+  std::vector<int> choice;  ///< several: one of them may be chosen at each step
+  std::vector<int> now;     ///< rows of this step, where `choice` is not empty. Writer: respond
+};
+
+/// A skin point's position [m] and velocity [m/s], in the order the contact kernel loads them.
+struct alignas(32) SkinMotion {
+  double x, y, u, v;
+};
+
+/// What the general contact of one row came to, for the step estimate, events and recording.
+struct GeneralContact {
+  int row;
+  double length;   ///< length in contact [m]
+  Vec2 centre;     ///< centre of pressure [m]
+  Vec2 force;      ///< on the second body [N]
+};
+
+template <int D>
+struct Work {
+  bool valid = false;                     ///< false: pairs must be found anew. Writer: detect
+
+  // Writer: place
+  std::vector<SkinMotion> skin;           ///< [skin]
+  double fastest = 0;                     ///< largest speed of any skin point m/s
+
+  // Writer: detect
+  std::vector<NearPair> pairs;            ///< [contact]
+  std::vector<FaceBatch> batches;         ///< by law
+  std::vector<int> general;               ///< rows that have no single pair of facing faces
+  std::vector<double> asleep_until;       ///< [contact] not touching while `travel` is below this m
+  std::vector<Vec<D>> found_position;     ///< [node] pose at which the pairs were found m
+  std::vector<double> found_rotation;     ///< [node] rad
+  double margin = 0;                      ///< boxes are widened by this m
+  double travel = 0;                      ///< path of the fastest skin point since then, an upper bound m
+
+  // Writer: respond
+  std::vector<ContactMemory> memory;      ///< [contact] trial
+  std::vector<BearingMemory> bearing;     ///< [bearing] trial
+  std::vector<int> general_now;           ///< rows whose shape is general at this step
+  std::vector<GeneralContact> general_touching;  ///< those of them that touch
+  std::vector<int> turned;                ///< rows that began or ceased to touch, or lost a bond
+  std::vector<Vec<D>> skin_force;         ///< [skin] N
+  std::vector<Vec<D>> bearing_force;      ///< [bearing] on body b, in world axes N
+  std::vector<double> bearing_moment;     ///< [bearing] on body b N m
+  std::vector<Vec<D>> bearing_displacement;  ///< [bearing] in its axes m
+  Energy given;                           ///< trial: energy given off and put in up to this instant J
+  std::vector<double> bearing_energy;     ///< [bearing] elastic energy J
+  double bearing_stored = 0;              ///< their sum J
+
+  // Writer: sum
+  std::vector<Vec<D>> force;              ///< [node] N
+  std::vector<double> moment;             ///< [node] N m
+  double unbalanced = 0, carried = 0;     ///< largest unbalanced and largest carried force of a moving node N
+
+  std::vector<Event> events;              ///< of this step. Writer: commit
+};
+
+}  // namespace trilith
