@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "shape/vec2.hpp"
+#include "base/space.hpp"
 
 namespace trilith {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shape/vec2.hpp"
+#include "base/space.hpp"
 
 namespace trilith {
 
