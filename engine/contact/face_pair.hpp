@@ -127,7 +127,7 @@ TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T a
   const T limit = select(h.bonded, zero + 1e300, law.mu * larger(out.normal, zero));
   const Mask<T> slides = magnitude(trial_total) > limit;
   const T held = select(trial_total < zero, -limit, limit);
-  const double share = law.dt / (law.dt + law.beta);
+  const double share = law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0;
   const T slid = elastic_before + (held - elastic_before) * share;
   const Mask<T> open = active <= zero;
   out.shear_elastic = select(open, zero, select(slides, slid, trial));
@@ -241,7 +241,7 @@ TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, con
   out.lost_friction = s0.lost_friction + s1.lost_friction;
 }
 
-/// `corner`: at least 1; the largest cot of the turning angle at the four face ends (see detect/pairs).
+/// `corner`: at least 1; the largest cot of the turning angle at the four face ends (see world/flatness.hpp).
 /// `CanBond` drops the bond arithmetic for laws without one.
 template <bool CanBond, class T>
 TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner,

@@ -119,16 +119,6 @@ void sort_into_batches(const Model<2>& model, Work<2>& work) {
 
 }  // namespace
 
-double corner_flatness(const Vec2& before, const Vec2& from, const Vec2& to, const Vec2& after, bool surface_before,
-                       bool surface_after) {
-  const auto flatness = [](const Vec2& in, const Vec2& out) {
-    const double turn = std::atan2(cross(in, out), in.dot(out));
-    return turn > 0.5 * M_PI ? 1.0 : std::max(1.0, 1.0 / std::tan(std::max(turn, 1e-9)));
-  };
-  const Vec2 in = from - before, along = to - from, out = after - to;
-  return std::max(surface_before ? flatness(in, along) : 1.0, surface_after ? flatness(along, out) : 1.0);
-}
-
 int contact_law(const Model<2>& model, int body_a, int body_b) {
   return model.law_of[model.bodies[body_a].surface * model.surfaces + model.bodies[body_b].surface];
 }

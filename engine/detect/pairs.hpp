@@ -20,10 +20,6 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// smallest gap. Fills the face fields of `pair`. A function of the present pose alone.
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair);
 
-/// Flatness of the two ends of a face: the larger of 1 and the cot of the turning angle to the next surface face.
-double corner_flatness(const Vec2& before, const Vec2& from, const Vec2& to, const Vec2& after, bool surface_before,
-                       bool surface_after);
-
 /// Law between two bodies' surfaces, -1 for none. Bearings that hold off contact, and those that failed and became
 /// one, are looked up by find_pairs.
 int contact_law(const Model<2>& model, int body_a, int body_b);

@@ -88,7 +88,7 @@ struct Model {
   std::vector<int> piece_first;         ///< [piece + 1] first corner
   std::vector<int> corner_skin;         ///< [corner] counter-clockwise
   std::vector<std::uint8_t> edge_is_face;  ///< [corner] edge from this corner to the next: 1 surface, 0 inner cut
-  std::vector<double> edge_corner;      ///< [corner] flatness of the edge's two ends, see detect/pairs.hpp [1]
+  std::vector<double> edge_corner;      ///< [corner] flatness of the edge's two ends, see world/flatness.hpp [1]
 
   // Contact laws: which one holds between two surfaces.
   std::vector<ContactLaw> laws;

@@ -1,0 +1,298 @@
+#include "world/builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/nearest.hpp"
+#include "contact/overlap_pair.hpp"
+#include "shape/convex_parts.hpp"
+#include "world/check.hpp"
+#include "world/flatness.hpp"
+
+namespace trilith {
+namespace {
+
+void require_name(const std::string& name, std::string_view kind) {
+  if (name.empty()) throw InputError(fmt::format("{} without a name; give each one of its own", kind));
+}
+
+template <class Rows, class Name>
+void require_new(const Rows& rows, const std::string& name, std::string_view kind, Name&& name_of) {
+  for (const auto& row : rows)
+    if (name_of(row) == name) throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
+}
+
+double body_mass(const BodySpec& spec, double area, double thickness, const std::vector<Material>& materials) {
+  const std::string owner = fmt::format("body '{}'", spec.name);
+  const int given = int(spec.density.has_value()) + int(spec.mass.has_value()) + int(spec.weight.has_value());
+  if (given > 1) throw InputError(owner + ": more than one of density, mass and weight is given; keep one");
+  const double volume = area * require_positive(spec.thickness.value_or(thickness), owner + ": thickness", "m");
+  if (spec.mass) return require_positive(*spec.mass, owner + ": mass", "kg");
+  if (spec.weight) return require_positive(*spec.weight, owner + ": weight", "N") / standard_gravity;
+  if (spec.density) return require_positive(*spec.density, owner + ": density", "kg/m3") * volume;
+  for (const Material& m : materials)
+    if (m.name == spec.material) return m.density * volume;
+  throw InputError(fmt::format("{}: give a density, mass or weight, or a material that has a density", owner));
+}
+
+}  // namespace
+
+std::vector<std::string> ModelBuilder::body_names() const {
+  std::vector<std::string> names;
+  for (const BodySpec& b : bodies_) names.push_back(b.name);
+  return names;
+}
+
+std::vector<std::string> ModelBuilder::law_names() const {
+  std::vector<std::string> names;
+  for (const auto& l : laws_) names.push_back(l.first);
+  return names;
+}
+
+void ModelBuilder::add_material(const Material& material) {
+  require_name(material.name, "material");
+  require_new(materials_, material.name, "material", [](const Material& m) { return m.name; });
+  require_positive(material.density, fmt::format("material '{}': density", material.name), "kg/m3");
+  materials_.push_back(material);
+}
+
+void ModelBuilder::add_body(BodySpec spec) {
+  require_name(spec.name, "body");
+  require_new(bodies_, spec.name, "body", [](const BodySpec& b) { return b.name; });
+  const std::string owner = fmt::format("body '{}'", spec.name);
+  CheckedPolygon checked = check_polygon(std::move(spec.outline), owner);
+  spec.outline = std::move(checked.outline);
+  for (const double v : {spec.velocity.x(), spec.velocity.y(), spec.spin, spec.load.x(), spec.load.y()})
+    require_finite(v, owner + ": velocity, spin or load");
+  if (spec.inertia) require_positive(*spec.inertia, owner + ": inertia", "kg m2");
+  if (!spec.material.empty()) {
+    std::vector<std::string> known;
+    for (const Material& m : materials_) known.push_back(m.name);
+    if (std::find(known.begin(), known.end(), spec.material) == known.end())
+      throw InputError(fmt::format("{}: there is no material '{}'{}", owner, spec.material, name_hint(spec.material, known)));
+  }
+  body_mass(spec, 1.0, thickness, materials_);
+  notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
+  bodies_.push_back(std::move(spec));
+}
+
+void ModelBuilder::add_law(const std::string& name, const ContactLaw& law) {
+  require_name(name, "contact law");
+  require_new(laws_, name, "contact law", [](const auto& l) { return l.first; });
+  std::visit([](const auto& l) { check_parameters(l); }, law);
+  if (const auto* b = std::get_if<Bonded>(&law); b != nullptr && b->mu > 0 && b->tension > b->cohesion / b->mu)
+    notes_.push_back(fmt::format(
+        "contact law '{}': tension {:g} Pa is above cohesion/mu = {:g} Pa; under pure tension the shear limit governs first",
+        name, b->tension, b->cohesion / b->mu));
+  laws_.emplace_back(name, law);
+}
+
+void ModelBuilder::set_contact(const std::string& a, const std::string& b, const std::string& law) {
+  std::vector<std::string> known = law_names();
+  known.emplace_back("none");
+  if (std::find(known.begin(), known.end(), law) == known.end())
+    throw InputError(fmt::format("contact of '{}' and '{}': there is no law '{}'{}", a, b, law, name_hint(law, known)));
+  contacts_.push_back({a, b, law});
+}
+
+void ModelBuilder::add_bearing(const BearingSpec& spec) {
+  require_name(spec.name, "bearing");
+  require_new(bearings_, spec.name, "bearing", [](const BearingSpec& b) { return b.name; });
+  const std::string owner = fmt::format("bearing '{}'", spec.name);
+  if (require_body(spec.body_a, owner) == require_body(spec.body_b, owner))
+    throw InputError(fmt::format("{}: links body '{}' to itself; name two bodies", owner, spec.body_a));
+  for (const double limit : spec.limit)
+    if (!(limit > 0)) throw InputError(fmt::format("{}: limit displacement is {:g}, must be above 0", owner, limit));
+  for (const DirectionLaw& law : spec.law)
+    std::visit(
+        [](const auto& l) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(l)>, std::monostate>) check_parameters(l);
+          if constexpr (std::is_same_v<std::decay_t<decltype(l)>, Table>) l.check();
+        },
+        law);
+  bearings_.push_back(spec);
+}
+
+void ModelBuilder::add_seat(const SeatSpec& spec) {
+  const std::string owner = fmt::format("seat '{}'", spec.name);
+  require_name(spec.name, "seat");
+  require_body(spec.body, owner);
+  require_body(spec.support, owner);
+  require_positive(spec.inward.norm(), owner + ": length of the inward direction", "");
+  seats_.push_back(spec);
+}
+
+int ModelBuilder::require_body(const std::string& name, const std::string& owner) const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    if (bodies_[i].name == name) return static_cast<int>(i);
+  throw InputError(fmt::format("{}: there is no body '{}'{}", owner, name, name_hint(name, body_names())));
+}
+
+Model<2> ModelBuilder::build() {
+  Model<2> model;
+  model.thickness = require_positive(thickness, "model: thickness", "m");
+  model.gravity.field = gravity;
+  model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s");
+  model.impact_speed = impact_speed;
+  model.still_speed = still_speed;
+  model.still_time = still_time;
+  if (bodies_.empty()) throw InputError("model: there is no body; add one at least");
+  for (const BodySpec& spec : bodies_) append_body(spec, model);
+  model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
+  model.drive_of.assign(model.mass.size(), {-1, -1, -1});
+  fill_contact_table(model);
+  for (const BearingSpec& spec : bearings_) append_bearing(spec, model);
+  for (const SeatSpec& spec : seats_) append_seat(spec, model);
+  check_overlaps(model, overlap_allowed, notes_);
+  std::vector<std::uint8_t> floating;
+  for (const BodySpec& b : bodies_) floating.push_back(b.floating ? 1 : 0);
+  check_held_up(model, floating);
+  return model;
+}
+
+void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
+  const PolygonMoments moments = polygon_moments(spec.outline);
+  const double mass = body_mass(spec, moments.area, thickness, materials_);
+  Body body;
+  body.name = spec.name;
+  body.kind = "rigid";
+  body.material = spec.material;
+  body.groups = spec.groups;
+  body.area = moments.area;
+  body.first_node = model.nodes();
+  body.first_skin = static_cast<int>(model.skin_place.size());
+  body.skins = static_cast<int>(spec.outline.size());
+  body.first_piece = model.pieces();
+  model.mass.push_back(mass);
+  model.inertia.push_back(spec.inertia.value_or(mass * moments.second_moment / moments.area));
+  model.support.push_back(spec.support);
+  model.start_position.push_back(moments.centroid);
+  model.start_rotation.push_back(0);
+  model.start_velocity.push_back(spec.velocity);
+  model.start_spin.push_back(spec.spin);
+  model.load.push_back(spec.load);
+  double radius = 0;
+  for (const Vec2& p : spec.outline) {
+    model.skin_place.emplace_back(p - moments.centroid);
+    model.skin_node.push_back(body.first_node);
+    radius = std::max(radius, (p - moments.centroid).norm());
+  }
+  model.body_radius.push_back(radius);
+  append_pieces(spec.outline, static_cast<int>(model.bodies.size()), model);
+  body.pieces = model.pieces() - body.first_piece;
+  model.bodies.push_back(std::move(body));
+}
+
+void ModelBuilder::append_pieces(const Polygon& outline, int body, Model<2>& model) const {
+  const int first_skin = static_cast<int>(model.skin_place.size()) - static_cast<int>(outline.size());
+  for (const ConvexPiece& piece : convex_parts(outline)) {
+    const PieceEdges edges = piece_edges(outline, piece);
+    if (edges.corner.size() > max_piece_corners)
+      throw InputError(fmt::format("body '{}': a convex part has {} corners, at most {} are allowed; use fewer points",
+                                   bodies_[body].name, edges.corner.size(), max_piece_corners));
+    model.piece_body.push_back(body);
+    model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
+    for (std::size_t c = 0; c < edges.corner.size(); ++c) {
+      model.corner_skin.push_back(first_skin + edges.corner[c]);
+      model.edge_is_face.push_back(edges.is_face[c]);
+      model.edge_corner.push_back(edges.flatness[c]);
+    }
+  }
+}
+
+void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) const {
+  Bearing<2> b;
+  b.name = spec.name;
+  b.body_a = require_body(spec.body_a, spec.name);
+  b.body_b = require_body(spec.body_b, spec.name);
+  b.point_a = spec.point_a - model.start_position[model.bodies[b.body_a].first_node];
+  b.point_b = spec.point_b - model.start_position[model.bodies[b.body_b].first_node];
+  b.angle = spec.angle;
+  b.law = spec.law;
+  b.limit = spec.limit;
+  b.rest = Turn(spec.angle).undo(Vec2(spec.point_b - spec.point_a));
+  b.holds_off_contact = spec.holds_off_contact;
+  b.starts_waiting = spec.starts_waiting;
+  if (!spec.contact_after.empty()) {
+    const std::vector<std::string> known = law_names();
+    const auto it = std::find(known.begin(), known.end(), spec.contact_after);
+    if (it == known.end())
+      throw InputError(fmt::format("bearing '{}': becomes contact law '{}', which is not there{}", spec.name,
+                                   spec.contact_after, name_hint(spec.contact_after, known)));
+    b.contact_after = static_cast<int>(it - known.begin());
+    b.holds_off_contact = true;
+  }
+  if (!spec.becomes_bearing.empty()) {
+    std::vector<std::string> known;
+    for (const BearingSpec& other : bearings_) known.push_back(other.name);
+    const auto it = std::find(known.begin(), known.end(), spec.becomes_bearing);
+    if (it == known.end())
+      throw InputError(fmt::format("bearing '{}': becomes bearing '{}', which is not there{}", spec.name,
+                                   spec.becomes_bearing, name_hint(spec.becomes_bearing, known)));
+    b.becomes_bearing = static_cast<int>(it - known.begin());
+  }
+  model.bearings.push_back(std::move(b));
+}
+
+void ModelBuilder::append_seat(const SeatSpec& spec, Model<2>& model) const {
+  Seat seat;
+  seat.name = spec.name;
+  seat.body = require_body(spec.body, spec.name);
+  seat.support = require_body(spec.support, spec.name);
+  seat.end = spec.end - model.start_position[model.bodies[seat.body].first_node];
+  seat.edge = spec.edge - model.start_position[model.bodies[seat.support].first_node];
+  seat.inward = spec.inward.normalized();
+  model.seats.push_back(std::move(seat));
+}
+
+void ModelBuilder::fill_contact_table(Model<2>& model) const {
+  for (const auto& [name, law] : laws_) {
+    model.laws.push_back(law);
+    model.law_names.push_back(name);
+  }
+  // Bodies of one material and one set of groups share a surface, unless a statement names one of them.
+  std::map<std::pair<std::string, std::vector<std::string>>, int> surface;
+  std::vector<const Body*> example;
+  for (Body& body : model.bodies) {
+    std::vector<std::string> key = body.groups;
+    for (const Contact& c : contacts_)
+      if (c.a == body.name || c.b == body.name) key.push_back(body.name);
+    const auto [it, fresh] = surface.try_emplace({body.material, key}, static_cast<int>(surface.size()));
+    body.surface = it->second;
+    if (fresh) example.push_back(&body);
+  }
+  const auto fits = [](const Body& body, const std::string& name) {
+    return name == "*" || body.material == name || body.name == name ||
+           std::find(body.groups.begin(), body.groups.end(), name) != body.groups.end();
+  };
+  model.surfaces = static_cast<int>(surface.size());
+  model.law_of.assign(surface.size() * surface.size(), -1);
+  for (const Contact& c : contacts_) {
+    const auto law = std::find(model.law_names.begin(), model.law_names.end(), c.law);
+    const int index = c.law == "none" ? -1 : static_cast<int>(law - model.law_names.begin());
+    for (std::size_t i = 0; i < example.size(); ++i)
+      for (std::size_t j = 0; j < example.size(); ++j)
+        if ((fits(*example[i], c.a) && fits(*example[j], c.b)) || (fits(*example[i], c.b) && fits(*example[j], c.a)))
+          model.law_of[i * surface.size() + j] = index;
+  }
+}
+
+void set_support(Model<2>& model, int body, int dof, Support support) {
+  const int node = model.bodies[body].first_node;
+  model.support[node][dof] = support;
+  if (support != Support::driven) model.drive_of[node][dof] = -1;
+}
+
+void set_drive(Model<2>& model, int body, int dof, std::shared_ptr<const GroundMotion> motion, double start,
+               double origin) {
+  const int node = model.bodies[body].first_node;
+  model.support[node][dof] = Support::driven;
+  model.drive_of[node][dof] = static_cast<int>(model.drives.size());
+  // The motion's own start displacement is not a jump of the ground.
+  const double from = origin - motion->displacement(0);
+  model.drives.push_back({node, dof, from, start, std::move(motion)});
+}
+
+}  // namespace trilith

@@ -1,0 +1,117 @@
+// Makes a Model of bodies, materials, laws, bearings and motions, and checks it once.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "load/motion.hpp"
+#include "shape/polygon.hpp"
+#include "world/model.hpp"
+
+namespace trilith {
+
+struct Material {
+  std::string name;
+  double density = 0;  ///< [kg/m3], above 0
+};
+
+/// A rigid body to be. Give at most one of density, mass, weight; without any, the material's density counts.
+struct BodySpec {
+  std::string name;                     ///< unique
+  Polygon outline;                      ///< world coordinates [m]; clockwise ones are turned round, with a note
+  std::string material;
+  std::vector<std::string> groups;
+  std::optional<double> density;        ///< [kg/m3]
+  std::optional<double> mass;           ///< [kg]
+  std::optional<double> weight;         ///< [N], at standard gravity
+  std::optional<double> inertia;        ///< about the centroid [kg m2]; without it, from the shape
+  std::optional<double> thickness;      ///< for the mass only; without it, the model's [m]
+  std::array<Support, 3> support{};     ///< x, y, rotation
+  Vec2 velocity = Vec2::Zero();         ///< at the start [m/s]
+  double spin = 0;                      ///< at the start [rad/s]
+  Vec2 load = Vec2::Zero();             ///< steady force at the centroid [N]
+  bool floating = false;                ///< may start with nothing that holds it up
+};
+
+/// A bearing to be; points in world coordinates where the bodies stand at the start.
+struct BearingSpec {
+  std::string name;
+  std::string body_a, body_b;
+  Vec2 point_a = Vec2::Zero(), point_b = Vec2::Zero();  ///< [m]
+  double angle = 0;                                     ///< of direction `along` to the x axis [rad]
+  std::array<DirectionLaw, 3> law;
+  std::array<double, 3> limit{unbounded, unbounded, unbounded};
+  bool holds_off_contact = false;
+  std::string contact_after;   ///< name of the contact law after failure; "": the one of the surfaces
+  std::string becomes_bearing; ///< name of the bearing that follows; "": none
+  bool starts_waiting = false;
+};
+
+/// A seat to be; points in world coordinates at the start.
+struct SeatSpec {
+  std::string name;
+  std::string body, support;
+  Vec2 end = Vec2::Zero(), edge = Vec2::Zero();  ///< [m]
+  Vec2 inward = Vec2::UnitX();                   ///< from the edge over the seat; made a unit vector
+};
+
+class ModelBuilder {
+ public:
+  double thickness = 1;                    ///< [m]
+  Vec2 gravity{0, -standard_gravity};      ///< [m/s2]
+  double mass_damping = 0;                 ///< [1/s]
+  double impact_speed = 0.5;               ///< [m/s]
+  double still_speed = 2.54e-7;            ///< [m/s]
+  double still_time = 0.5;                 ///< [s]
+  double overlap_allowed = 1e-6;           ///< deepest overlap at the start, share of the smaller body's size
+
+  // Each throws InputError, and leaves the builder as it was.
+  void add_material(const Material& material);
+  void add_body(BodySpec spec);
+  void add_law(const std::string& name, const ContactLaw& law);
+  /// Which law holds between two materials or groups ("*": any). The last statement that fits a pair of bodies wins.
+  /// `law` "none": they never touch.
+  void set_contact(const std::string& a, const std::string& b, const std::string& law);
+  void add_bearing(const BearingSpec& spec);
+  void add_seat(const SeatSpec& spec);
+
+  /// Checks everything and makes the model. Throws InputError: overlapping bodies, bodies on nothing, ...
+  Model<2> build();
+
+  /// What was repaired or is worth knowing; complete after build().
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const std::vector<BodySpec>& bodies() const { return bodies_; }
+  [[nodiscard]] std::vector<std::string> body_names() const;
+  [[nodiscard]] std::vector<std::string> law_names() const;
+
+ private:
+  struct Contact {
+    std::string a, b, law;
+  };
+  void append_body(const BodySpec& spec, Model<2>& model) const;
+  void append_pieces(const Polygon& outline, int body, Model<2>& model) const;
+  void append_bearing(const BearingSpec& spec, Model<2>& model) const;
+  void append_seat(const SeatSpec& spec, Model<2>& model) const;
+  void fill_contact_table(Model<2>& model) const;
+  int require_body(const std::string& name, const std::string& owner) const;
+
+  std::vector<Material> materials_;
+  std::vector<BodySpec> bodies_;
+  std::vector<std::pair<std::string, ContactLaw>> laws_;
+  std::vector<Contact> contacts_;
+  std::vector<BearingSpec> bearings_;
+  std::vector<SeatSpec> seats_;
+  std::vector<std::string> notes_;
+};
+
+/// Fixes or frees one degree of freedom of a body (0 x, 1 y, 2 rotation), for the next stage.
+void set_support(Model<2>& model, int body, int dof, Support support);
+
+/// Lets one degree of freedom of a body follow `motion` from time `start` [s] and position `origin` on.
+void set_drive(Model<2>& model, int body, int dof, std::shared_ptr<const GroundMotion> motion, double start,
+               double origin);
+
+}  // namespace trilith

@@ -1,0 +1,107 @@
+#include "world/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "shape/overlap.hpp"
+#include "shape/polygon.hpp"
+
+namespace trilith {
+namespace {
+
+std::vector<Vec2> piece_outline(const Model<2>& model, int piece) {
+  std::vector<Vec2> outline;
+  const Vec2& node = model.start_position[model.bodies[model.piece_body[piece]].first_node];
+  for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c)
+    outline.push_back(node + model.skin_place[model.corner_skin[c]]);
+  return outline;
+}
+
+bool may_touch(const Model<2>& model, int a, int b) {
+  if (model.law_of[model.bodies[a].surface * model.surfaces + model.bodies[b].surface] < 0) return false;
+  return std::none_of(model.bearings.begin(), model.bearings.end(), [&](const Bearing<2>& link) {
+    return link.holds_off_contact && ((link.body_a == a && link.body_b == b) || (link.body_a == b && link.body_b == a));
+  });
+}
+
+/// Calls visit(piece, piece, separation) for pieces of two bodies whose boxes come within `reach` of each other.
+/// Sorted by the lower edge of the boxes along x, so that only neighbours are compared.
+template <class Visit>
+void for_near_pieces(const Model<2>& model, double reach, Visit&& visit) {
+  const auto count = static_cast<std::size_t>(model.pieces());
+  std::vector<std::vector<Vec2>> outline(count);
+  std::vector<Box2> box(count);
+  for (std::size_t p = 0; p < count; ++p) {
+    outline[p] = piece_outline(model, static_cast<int>(p));
+    box[p] = bounding_box(outline[p]);
+  }
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int i, int j) {
+    return std::pair(box[i].low.x(), i) < std::pair(box[j].low.x(), j);
+  });
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count && box[order[j]].low.x() <= box[order[i]].high.x() + reach; ++j) {
+      const int p = std::min(order[i], order[j]), q = std::max(order[i], order[j]);
+      if (model.piece_body[p] == model.piece_body[q]) continue;
+      if (box[p].low.y() > box[q].high.y() + reach || box[q].low.y() > box[p].high.y() + reach) continue;
+      visit(p, q, penetration(outline[p], outline[q]).separation);
+    }
+}
+
+int root_of(std::vector<int>& parent, int i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+}  // namespace
+
+void check_overlaps(const Model<2>& model, double allowed, std::vector<std::string>& notes) {
+  double worst = 0, deepest = 0;
+  int body_a = -1, body_b = -1;
+  for_near_pieces(model, 0, [&](int p, int q, double separation) {
+    const int a = model.piece_body[p], b = model.piece_body[q];
+    if (separation >= 0 || !may_touch(model, a, b)) return;
+    const double share = -separation / (2 * std::min(model.body_radius[a], model.body_radius[b]));
+    if (share <= worst) return;
+    worst = share, deepest = -separation, body_a = a, body_b = b;
+  });
+  if (body_a < 0 || worst < 1e-12) return;
+  const std::string what = fmt::format("bodies '{}' and '{}' overlap by {:.4g} m at the start", model.bodies[body_a].name,
+                                       model.bodies[body_b].name, deepest);
+  if (worst > allowed)
+    throw InputError(fmt::format("{} ({:.2g} of the smaller one's size, at most {:g} is allowed); move one of them, or raise overlap_allowed",
+                                 what, worst, allowed));
+  notes.push_back(what + "; within what is allowed");
+}
+
+void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& floating) {
+  if (model.gravity.field.isZero()) return;
+  const auto bodies = static_cast<int>(model.bodies.size());
+  std::vector<int> parent(static_cast<std::size_t>(bodies + 1));
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto join = [&](int a, int b) { parent[root_of(parent, a)] = root_of(parent, b); };
+  double size = 0;
+  for (const double r : model.body_radius) size = std::max(size, r);
+  for (int b = 0; b < bodies; ++b) {
+    const auto& support = model.support[model.bodies[b].first_node];
+    const bool held = std::any_of(support.begin(), support.begin() + 2, [](Support s) { return s != Support::free; });
+    if (held) join(b, bodies);
+  }
+  for (const Bearing<2>& link : model.bearings) join(link.body_a, link.body_b);
+  for_near_pieces(model, 1e-3 * size, [&](int p, int q, double separation) {
+    const int a = model.piece_body[p], b = model.piece_body[q];
+    const double near = 0.02 * std::min(model.body_radius[a], model.body_radius[b]);
+    if (separation < near && may_touch(model, a, b)) join(a, b);
+  });
+  for (int b = 0; b < bodies; ++b)
+    if (floating[b] == 0 && root_of(parent, b) != root_of(parent, bodies))
+      throw InputError(fmt::format("body '{}' stands on nothing: no contact or bearing leads from it to a fixed or driven body; "
+                                   "set it on something, give a contact law for its material, or say floating = true",
+                                   model.bodies[b].name));
+}
+
+}  // namespace trilith
