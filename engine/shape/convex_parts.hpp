@@ -20,7 +20,7 @@ struct ConvexPiece {
 /// own corners. A piece's corner may turn right by up to kStraightAngle; collinear corners stay corners of the piece
 /// their edges belong to. A convex outline is returned as one piece. Every right-turning corner is cut off by at most
 /// two cuts, and cuts that are not needed are taken out again, so the number of pieces is at most four times the least
-/// possible (Hertel and Mehlhorn 1983); random outlines of up to 14 corners come out with the least in 19 of 20 cases.
+/// possible (Hertel and Mehlhorn 1983); random outlines of up to 14 corners come out with the least in 93 of 100 cases.
 /// The same outline gives the same pieces.
 std::vector<ConvexPiece> convex_parts(std::span<const Vec2> outline);
 
