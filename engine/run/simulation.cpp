@@ -62,17 +62,7 @@ Model<2>& Simulation::edit_model() {
 void Simulation::refresh() { evaluate(model_, state_, work_, state_.last_dt); }
 void Simulation::drop_work() { work_ = Work<2>{}; }
 
-double Simulation::moving_speed() const {
-  double fastest = 0;
-  for (const Body& b : model_.bodies) {
-    if (!model_.moves(b.first_node)) continue;
-    for (int s = b.first_skin; s < b.first_skin + b.skins; ++s)
-      fastest = std::max(fastest, std::hypot(work_.skin[s].u, work_.skin[s].v));
-  }
-  return fastest;
-}
-
-void Simulation::choose_step(const StageOptions& options, double end) {
+void Simulation::choose_step(const StageOptions& options) {
   const bool look = state_.dt == 0 || state_.step % steps_between_estimates == 0;
   if (look && options.dt == 0) state_.dt = settled_step(stable_step(model_, state_, work_).dt, options.safety);
   if (look && options.dt > 0) {
@@ -82,7 +72,6 @@ void Simulation::choose_step(const StageOptions& options, double end) {
                                    options.name, options.dt, s.dt, state_.time, explain_step(model_, state_, work_)));
     state_.dt = options.dt;
   }
-  (void)end;
 }
 
 void Simulation::tell(EventType type, const std::string& text, const RunListener& listener, const Instant& now) {
@@ -120,10 +109,10 @@ StageReport Simulation::run(const StageOptions& options, const RunListener& list
   bool first = true;
   for (;; first = false) {
     evaluate(model_, state_, work_, state_.last_dt);
-    choose_step(options, end);
+    choose_step(options);
     const bool last = state_.time >= end - 1e-9 * options.duration;
     const double dt = last ? state_.dt : std::min(state_.dt, end - state_.time);
-    const Instant now{model_, state_, work_, options, report.begun, dt, moving_speed(),
+    const Instant now{model_, state_, work_, options, report.begun, dt, work_.fastest_moving,
                       work_.carried > 0 ? work_.unbalanced / work_.carried : 0};
     report.speed = now.speed;
     report.ratio = now.ratio;

@@ -38,11 +38,9 @@ class Simulation {
   void drop_work();
 
  private:
-  struct Sampling;
-  void choose_step(const StageOptions& options, double end);
+  void choose_step(const StageOptions& options);
   void tell_events(const RunListener& listener, const Instant& now);
   void tell(EventType type, const std::string& text, const RunListener& listener, const Instant& now);
-  [[nodiscard]] double moving_speed() const;
 
   Model<2> model_;
   State<2> state_;

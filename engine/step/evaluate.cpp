@@ -5,6 +5,7 @@
 
 #include "body/rigid.hpp"
 #include "detect/pairs.hpp"
+#include "step/stable_step.hpp"
 
 namespace trilith {
 
@@ -23,15 +24,18 @@ void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt) 
 void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.skin.resize(model.skin_place.size());
   work.skin_force.resize(model.skin_place.size());
-  double fastest = 0;
+  double fastest = 0, fastest_moving = 0;
   for (const Body& body : model.bodies) {
     const int n = body.first_node;
     const NodeMotion node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
     const auto first = static_cast<std::size_t>(body.first_skin), count = static_cast<std::size_t>(body.skins);
-    fastest = std::max(fastest, place_rigid(node, std::span(model.skin_place).subspan(first, count),
-                                            std::span(work.skin).subspan(first, count)));
+    const double speed2 = place_rigid(node, std::span(model.skin_place).subspan(first, count),
+                                      std::span(work.skin).subspan(first, count));
+    fastest = std::max(fastest, speed2);
+    if (model.moves(n)) fastest_moving = std::max(fastest_moving, speed2);
   }
   work.fastest = std::sqrt(fastest);
+  work.fastest_moving = std::sqrt(fastest_moving);
   work.travel += work.fastest * state.last_dt;
 }
 
@@ -55,6 +59,7 @@ void carry_memories(State<2>& state, const Work<2>& work) {
 
 void find(const Model<2>& model, State<2>& state, Work<2>& work) {
   if (!pairs_outdated(model, state, work)) return;
+  if (!work.valid) bound_faces(model, work);
   find_pairs(model, state, work);
   carry_memories(state, work);
   work.memory.assign(work.pairs.size(), {});

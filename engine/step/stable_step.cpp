@@ -92,30 +92,6 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
   }
 }
 
-/// The stiffest face of a body under the stiffest law its surface has, as if in full contact with something fixed.
-Local on_stiffest_face(const Model<2>& model, const State<2>& state, const Work<2>& work, int body) {
-  Local stiffest;
-  const Body& b = model.bodies[body];
-  for (int other = 0; other < model.surfaces; ++other) {
-    const int law = model.law_of[b.surface * model.surfaces + other];
-    if (law < 0) continue;
-    const FaceLaw numbers = face_law(model, law, 0);
-    for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
-      for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
-        if (!model.edge_is_face[first + c]) continue;
-        const SkinMotion &p = work.skin[model.corner_skin[first + c]], &q = work.skin[model.corner_skin[first + (c + 1) % count]];
-        const Vec2 along(q.x - p.x, q.y - p.y), middle(0.5 * (p.x + q.x), 0.5 * (p.y + q.y));
-        const double length = along.norm();
-        const Vec2 t = along / length, n(t.y(), -t.x()), arm = middle - state.position[b.first_node];
-        Local local;
-        add_spring(local, n, arm, numbers.kn * length, numbers.beta, length, t, 1);
-        add_spring(local, t, arm, numbers.ks * length, numbers.beta, length, t, 1);
-        if (local.k.trace() > stiffest.k.trace()) stiffest = local;
-      }
-  }
-  return stiffest;
-}
-
 /// Largest row sum of the free degrees of freedom, scaled by mass and inertia: at least the largest eigenvalue.
 double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
   const double scale[3] = {1 / std::sqrt(model.mass[node]), 1 / std::sqrt(model.mass[node]),
@@ -131,12 +107,46 @@ double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
   return most;
 }
 
+/// The stiffest face of a body under the stiffest law its surface has, as if in full contact with something fixed. In the
+/// body's own axes.
+Local on_stiffest_face(const Model<2>& model, int body) {
+  Local stiffest;
+  const Body& b = model.bodies[body];
+  for (int other = 0; other < model.surfaces; ++other) {
+    const int law = model.law_of[b.surface * model.surfaces + other];
+    if (law < 0) continue;
+    const FaceLaw numbers = face_law(model, law, 0);
+    for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
+      for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
+        if (!model.edge_is_face[first + c]) continue;
+        const Vec2 &p = model.skin_place[model.corner_skin[first + c]], &q = model.skin_place[model.corner_skin[first + (c + 1) % count]];
+        const double length = (q - p).norm();
+        const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);
+        Local local;
+        add_spring(local, n, arm, numbers.kn * length, numbers.beta, length, t, 1);
+        add_spring(local, t, arm, numbers.ks * length, numbers.beta, length, t, 1);
+        if (local.k.trace() > stiffest.k.trace()) stiffest = local;
+      }
+  }
+  return stiffest;
+}
+
 double step_for(double stiffness, double damping) {
   if (!(stiffness > 0)) return damping > 0 ? std::min(longest_step, 2 / damping) : longest_step;
   return std::min(longest_step, (std::sqrt(4 * stiffness + damping * damping) - damping) / stiffness);
 }
 
 }  // namespace
+
+void bound_faces(const Model<2>& model, Work<2>& work) {
+  work.face_bound.resize(model.bodies.size());
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const int node = model.bodies[b].first_node;
+    if (!model.moves(node)) continue;
+    const Local local = on_stiffest_face(model, static_cast<int>(b));
+    work.face_bound[b] = {bound(model, node, local.k), bound(model, node, local.c)};
+  }
+}
 
 StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   std::vector<Local> locals(static_cast<std::size_t>(model.nodes()));
@@ -147,9 +157,8 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const int node = model.bodies[b].first_node;
     if (!model.moves(node)) continue;
-    const Local face = on_stiffest_face(model, state, work, static_cast<int>(b));
-    const double k = std::max(bound(model, node, locals[node].k), bound(model, node, face.k));
-    const double c = std::max(bound(model, node, locals[node].c), bound(model, node, face.c)) + model.mass_damping;
+    const double k = std::max(bound(model, node, locals[node].k), work.face_bound[b].stiffness);
+    const double c = std::max(bound(model, node, locals[node].c), work.face_bound[b].damping) + model.mass_damping;
     const double dt = step_for(k, c);
     if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
   }

@@ -23,6 +23,9 @@ struct StableStep {
   double damping = 0;    ///< its lambda_C [1/s]
 };
 
+/// Fills work.face_bound: every body on its stiffest face.
+void bound_faces(const Model<2>& model, Work<2>& work);
+
 /// From the last evaluation (faces and general contacts that touch, live bearings).
 StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<2>& work);
 

@@ -42,6 +42,12 @@ struct GeneralContact {
   Vec2 force;      ///< on the second body [N]
 };
 
+/// Bounds of a body's highest frequency squared and damping rate: see step/stable_step.hpp.
+struct RateBound {
+  double stiffness = 0;  ///< [1/s2]
+  double damping = 0;    ///< [1/s]
+};
+
 template <int D>
 struct Work {
   bool valid = false;                     ///< false: pairs must be found anew. Writer: detect
@@ -49,6 +55,7 @@ struct Work {
   // Writer: place
   std::vector<SkinMotion> skin;           ///< [skin]
   double fastest = 0;                     ///< largest speed of any skin point m/s
+  double fastest_moving = 0;              ///< ... of a body that is free to move m/s
 
   // Writer: detect
   std::vector<NearPair> pairs;            ///< [contact]
@@ -57,6 +64,7 @@ struct Work {
   std::vector<double> asleep_until;       ///< [contact] not touching while `travel` is below this m
   std::vector<Vec<D>> found_position;     ///< [node] pose at which the pairs were found m
   std::vector<double> found_rotation;     ///< [node] rad
+  std::vector<RateBound> face_bound;      ///< [body] lying on its stiffest face
   double margin = 0;                      ///< boxes are widened by this m
   double travel = 0;                      ///< path of the fastest skin point since then, an upper bound m
 

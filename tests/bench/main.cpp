@@ -1,0 +1,123 @@
+// How long a step takes: the running-bond walls of 444 and 1,752 rigid units, shaken at 2 Hz and 0.5 g.
+//
+// Prints, for each: seconds of processor per simulated second, nanoseconds per touching pair and step, step length, peak
+// memory, and the share of each stage of the step. Figures on shared machines are noisy: compare runs made in turn.
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <ctime>
+#include <map>
+
+#include "build/running_bond.hpp"
+#include "run/simulation.hpp"
+#include "step/central_difference.hpp"
+#include "step/evaluate.hpp"
+#include "step/stable_step.hpp"
+#include "world/builder.hpp"
+
+using namespace trilith;
+
+namespace {
+
+/// Processor time of this thread [s].
+double now() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+Model<2> bench_model(int courses) {
+  ModelBuilder builder;
+  builder.add_material({"stone", 2000});
+  const double kn = 1e10, frequency = 1e4;
+  builder.add_law("joint", Frictional{kn, 0.4 * kn, std::tan(35 * M_PI / 180), 2 * 0.1 / frequency});
+  builder.set_contact("*", "*", "joint");
+  for (Part& part : build_bench_wall(courses)) {
+    BodySpec spec;
+    spec.name = part.name;
+    spec.outline = std::move(part.outline);
+    spec.groups = part.groups;
+    spec.material = "stone";
+    if (part.name == "base") spec.support = {Support::fixed, Support::fixed, Support::fixed};
+    builder.add_body(std::move(spec));
+  }
+  return builder.build();
+}
+
+void shake_base(Model<2>& model, double start) {
+  const double dt = 0.005, peak = 0.5 * standard_gravity;
+  std::vector<double> samples;
+  for (int i = 0; i <= 2000; ++i) samples.push_back(peak * std::sin(2 * M_PI * 2 * dt * i));
+  const double v0 = -peak / (2 * M_PI * 2);  // no drift
+  const int base = model.find_body("base");
+  set_drive(model, base, 0, std::make_shared<GroundMotion>(samples, dt, MotionStart{v0, 0}), start,
+            model.start_position[model.bodies[base].first_node].x());
+}
+
+int touching(const Work<2>& work) {
+  int count = 0;
+  for (const ContactMemory& m : work.memory) count += (m.state & contact_touching) != 0 ? 1 : 0;
+  return count;
+}
+
+void bench_wall(int courses, double dt, double seconds) {
+  Simulation settle(bench_model(courses));
+  StageOptions rest;
+  rest.name = "settle";
+  rest.duration = 1;
+  rest.dt = dt;
+  rest.rest_share = 0.8;
+  settle.run(rest);
+  Model<2> model = settle.model();
+  State<2> state = settle.state();
+  shake_base(model, state.time);
+  Work<2> work;
+  const auto steps = static_cast<int>(seconds / dt);
+  double pairs = 0, general = 0;
+  std::map<std::string, double> stage;
+  const double begin = now();
+  for (int i = 0; i < steps; ++i) {
+    evaluate(model, state, work, state.last_dt);
+    if (i % 32 == 0) stable_step(model, state, work);
+    if (i % 100 == 0) pairs += touching(work), general += static_cast<double>(work.general_touching.size());
+    advance(model, state, work, {dt, {}});
+  }
+  const double spent = now() - begin;
+  const double mean_pairs = pairs / (steps / 100), per_pair = spent / steps / mean_pairs * 1e9;
+  // Stages apart, at the state reached: the same work over and over.
+  const auto time_stage = [&](const char* name, auto&& f) {
+    constexpr int rounds = 2000;
+    const double from = now();
+    for (int i = 0; i < rounds; ++i) f();
+    stage[name] = (now() - from) / rounds / mean_pairs * 1e9;
+  };
+  evaluate(model, state, work, dt);
+  time_stage("1 place", [&] { place(model, state, work); });
+  time_stage("2 find", [&] { find(model, state, work); });
+  time_stage("3 respond faces", [&] { respond_faces(model, state, work, dt); });
+  time_stage("4 respond general", [&] { respond_faces(model, state, work, dt); respond_general(model, state, work, dt); });
+  time_stage("5 sum", [&] { sum(model, state, work); });
+  stage["4 respond general"] -= stage["3 respond faces"];
+  State<2> copy = state;
+  const double whole = spent / steps / mean_pairs * 1e9;
+  double rest_of = whole;
+  for (const auto& [name, ns] : stage) rest_of -= ns;
+  stage["6 advance, notice, step estimate"] = rest_of;
+  fmt::print("wall of {} units, {:.0f} touching pairs ({:.1f} general), dt {:g} s\n", model.bodies.size() - 1, mean_pairs, general / (steps / 100), dt);
+  fmt::print("  {:.3f} s per simulated second, {:.1f} ns per touching pair and step, peak memory {:.0f} MB\n", spent / seconds, per_pair, peak_megabytes());
+  for (const auto& [name, ns] : stage) fmt::print("    {:34s} {:6.1f} ns per pair\n", name, ns);
+}
+
+}  // namespace
+
+int main() {
+  bench_wall(24, 1e-4, 1.0);
+  bench_wall(48, 1e-4, 0.5);
+}
