@@ -7,6 +7,7 @@
 #include <string>
 
 #include "record/chart.hpp"
+#include "record/energy_chart.hpp"
 #include "record/sample_pictures.hpp"
 
 using namespace trilith;
@@ -124,4 +125,22 @@ TEST_CASE("sample picture: runs overlaid with event marks") {
   for (int i = 0; i < 9; ++i)
     chart.marks.push_back({18 + 0.4 * i, "a bearing of span " + std::to_string(i) + " fails"});
   show({chart}, Arrangement::below, "runs_many_marks");
+}
+
+TEST_CASE("sample picture: energy, stacked and as lines") {
+  const double dt = 0.01;
+  const std::vector<double> t = times(2000, dt);
+  std::vector<double> kinetic(t.size()), stored(t.size()), friction(t.size()), damping(t.size()), input(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double envelope = t[i] * std::exp(-t[i] / 4);
+    kinetic[i] = 4e5 * envelope * std::pow(std::sin(3 * t[i]), 2);
+    stored[i] = 4e5 * envelope * std::pow(std::cos(3 * t[i]), 2);
+    friction[i] = 2e6 * (1 - std::exp(-t[i] / 5));
+    damping[i] = 0.8e6 * (1 - std::exp(-t[i] / 7));
+    input[i] = kinetic[i] + stored[i] + friction[i] + damping[i];
+  }
+  const std::vector<EnergyTerm> terms = {
+      {"friction", friction}, {"damping", damping}, {"stored", stored}, {"kinetic", kinetic}, {"input", input, true}};
+  show({energy_chart(t, terms, EnergyView::stacked)}, Arrangement::below, "energy_stacked");
+  show({energy_chart(t, terms, EnergyView::lines)}, Arrangement::below, "energy_lines");
 }
