@@ -22,7 +22,7 @@ struct ChartAxis {
 };
 
 /// One line through (x[i], y[i]). Points that are not finite, or not above zero on a logarithmic axis, are gaps. Series
-/// of one name have one colour and one entry in the legend.
+/// of one name have one colour and one entry in the legend; those without a name have the first colour and no entry.
 struct ChartSeries {
   std::string name;
   std::vector<double> x, y;

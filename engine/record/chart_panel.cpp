@@ -11,7 +11,7 @@
 namespace trilith {
 namespace {
 
-constexpr double tick_length = 2.5, line_width = 0.7, column = 0.4;
+constexpr double tick_length = 2.5, line_width = 0.8, dense_width = 0.55, column = 0.4;
 
 std::string series_name(const std::string& where, const ChartSeries& series, std::size_t number) {
   return fmt::format("{}, series {}", where,
@@ -57,7 +57,9 @@ void draw_line(Canvas& canvas, const std::vector<PagePoint>& run, const ChartSer
   // A lone point between gaps has no length; a dot keeps it visible.
   if (run.size() == 1 && !series.points) canvas.circle(run[0], stroke.width, stroke.colour, std::nullopt);
   const std::vector<PagePoint> kept = decimate(run, column);
-  if (kept.size() > 1) canvas.polyline(kept, stroke);
+  // A shaking line needs a thinner pen than a smooth or short one.
+  const bool dense = static_cast<double>(kept.size()) > 2 * std::abs(run.back().x() - run.front().x());
+  if (kept.size() > 1) canvas.polyline(kept, {stroke.colour, dense ? dense_width : stroke.width, stroke.dash});
   if (!series.points) return;
   for (const PagePoint& p : run) canvas.circle(p, 1.7, palette().paper, Stroke{stroke.colour, 0.8});
 }
@@ -141,10 +143,11 @@ SeriesLooks::SeriesLooks(const std::vector<Chart>& charts) {
   for (const Chart& chart : charts)
     for (const ChartPanel& panel : chart.panels)
       for (const ChartSeries& series : panel.series)
-        if (index(series.name) == names_.size()) names_.push_back(series.name);
+        if (!series.name.empty() && index(series.name) == names_.size()) names_.push_back(series.name);
 }
 
 std::size_t SeriesLooks::index(const std::string& name) const {
+  if (name.empty()) return 0;
   return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
 }
 

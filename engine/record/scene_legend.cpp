@@ -70,8 +70,7 @@ LegendItem force_item(const SceneView& view, double scale, LengthUnits units) {
 LegendItem colour_bar(const SceneView& view, const Scene& scene, const PictureStyle& style) {
   const ShownUnit unit = engineering_unit(std::max(std::abs(view.low), std::abs(view.high)), scene.value_unit);
   const TextStyle text{style.font_size - 0.5};
-  const std::string low = fmt::format("{:.3g}", view.low / unit.size),
-                    high = fmt::format("{:.3g}", view.high / unit.size);
+  const std::string low = quantity_text(view.low / unit.size, ""), high = quantity_text(view.high / unit.size, "");
   const double left = text_width(low, text) + 3, bar = 80, width = left + bar + 3 + text_width(high, text);
   const bool both = view.low < 0 && view.high > 0;
   return {width,

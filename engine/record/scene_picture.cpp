@@ -52,8 +52,14 @@ struct Layout {
   double inner_width() const { return columns * panel_width + (columns - 1) * column_gap; }
 };
 
+bool has_labels(const Scene& scene, const PictureStyle& style) {
+  const auto named =
+      std::count_if(scene.bodies.begin(), scene.bodies.end(), [](const SceneBody& body) { return !body.name.empty(); });
+  return named > 0 && named <= style.label_limit;
+}
+
 /// One scale for all panels: as large as the page's width, and its height, allow.
-void fit_scale(Layout& out, const SceneView& view, const PictureStyle& style) {
+void fit_scale(Layout& out, const SceneView& view, bool labels, const PictureStyle& style) {
   const double column = (style.width - 2 * page_margin - (out.columns - 1) * column_gap) / out.columns;
   if (column < 60)
     throw InputError(fmt::format("{} columns leave {:.0f} pt for a panel, needs 60; use fewer or widen the picture",
@@ -65,7 +71,7 @@ void fit_scale(Layout& out, const SceneView& view, const PictureStyle& style) {
   out.scale = std::min(column / view.world.width(), tallest / view.world.height());
   out.plot_width = out.scale * view.world.width();
   out.plot_height = std::max(out.scale * view.world.height(), std::min(least_plot_height, tallest));
-  if (!style.view) {  // room for names above the structure
+  if (labels && !style.view) {  // room for names above the structure
     out.plot_height += 1.3 * style.font_size;
     out.world.y1 += 1.3 * style.font_size / out.scale;
   }
@@ -94,7 +100,8 @@ Layout make_layout(const std::vector<Scene>& scenes, const SceneView& view, int 
   out.columns = std::min(columns, count);
   out.rows = (count + out.columns - 1) / out.columns;
   out.single = count == 1;
-  fit_scale(out, view, style);
+  const bool labels = std::any_of(scenes.begin(), scenes.end(), [&](const Scene& s) { return has_labels(s, style); });
+  fit_scale(out, view, labels, style);
   set_heads(out, scenes, style);
   return out;
 }
@@ -117,9 +124,7 @@ void draw_panel(Canvas& canvas, const Scene& scene, const SceneView& view, const
   const PageView page{
       layout.world, {x, corner.y(), x + layout.plot_width, corner.y() + layout.plot_height}, layout.scale};
   std::vector<PageBox> marks = draw_scene_content(canvas, scene, view, page);
-  const auto named =
-      std::count_if(scene.bodies.begin(), scene.bodies.end(), [](const SceneBody& body) { return !body.name.empty(); });
-  if (named <= style.label_limit)
+  if (has_labels(scene, style))
     draw_labels(canvas, scene, view, page, std::move(marks), {style.font_size - 1.5, false, palette().quiet_ink});
 }
 

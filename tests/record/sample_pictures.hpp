@@ -5,9 +5,9 @@
 
 namespace trilith::sample {
 
-/// build/.../tests/pictures below the directory the tests run in.
+/// A file in the folder `pictures` beside the test program, in the build tree wherever the tests are started from.
 inline std::filesystem::path picture_path(const char* name) {
-  const std::filesystem::path folder = std::filesystem::current_path() / "pictures";
+  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "pictures";
   std::filesystem::create_directories(folder);
   return folder / name;
 }
