@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/space.hpp"
 #include "record/canvas.hpp"
-#include "shape/vec2.hpp"
 
 namespace trilith {
 
