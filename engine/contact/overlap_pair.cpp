@@ -70,33 +70,33 @@ Span inside(const Depths& depths, int edges, int v, int w) {
   return span;
 }
 
-/// The surface face that is nearest at share `at` and stays so going up, and the share up to which it does.
+/// The surface face that is nearest from some share of the edge on, and the share up to which it stays so.
 struct Nearest {
   int face;
-  double until;
+  double slope, until;
 };
 
-Nearest nearest_from(const Depths& depths, const Edges& edges, int v, int w, double at, double to) {
-  int best = -1;
-  double best_depth = 0, best_slope = 0;
+/// Next face of the lower envelope of depths at share `at`. Going up, the slopes of an envelope of lines only fall: only
+/// faces that fall faster than `steeper_than` count, so that rounding at a crossing cannot choose the last face again.
+Nearest nearest_from(const Depths& depths, const Edges& edges, int v, int w, double at, double to, double steeper_than) {
+  const auto slope_of = [&](int f) { return depths.at(f, w) - depths.at(f, v); };
+  const auto depth_of = [&](int f) { return depths.at(f, v) + slope_of(f) * at; };
+  Nearest best{-1, 0, to};
+  double best_depth = 0;
   for (int f = 0; f < edges.count; ++f) {
-    if (!edges.surface[f]) continue;
-    const double slope = depths.at(f, w) - depths.at(f, v);
-    const double depth = depths.at(f, v) + slope * at;
-    const bool nearer = best < 0 || depth < best_depth || (depth == best_depth && slope < best_slope);
-    if (nearer) best = f, best_depth = depth, best_slope = slope;
+    const double slope = slope_of(f);
+    if (!edges.surface[f] || slope >= steeper_than) continue;
+    const double depth = depth_of(f);
+    if (best.face >= 0 && (depth > best_depth || (depth == best_depth && slope >= best.slope))) continue;
+    best.face = f, best.slope = slope;
+    best_depth = depth;
   }
-  double until = to;
-  for (int f = 0; f < edges.count; ++f) {
-    if (f == best || !edges.surface[f]) continue;
-    const double slope = depths.at(f, w) - depths.at(f, v);
-    if (slope >= best_slope) continue;
-    const double depth = depths.at(f, v) + slope * at;
-    const double crossing = at + (depth - best_depth) / (best_slope - slope);
-    // A crossing at `at` itself is a tie already decided by slope up to rounding: step past it.
-    if (crossing > at && crossing < until) until = crossing;
+  for (int f = 0; f < edges.count && best.face >= 0; ++f) {
+    const double slope = slope_of(f);
+    if (!edges.surface[f] || slope >= best.slope) continue;
+    best.until = std::min(best.until, std::max(at, at + (depth_of(f) - best_depth) / (best.slope - slope)));
   }
-  return {best, until};
+  return best;
 }
 
 /// Adds `force` at point `x` to the two corners of edge e: same resultant, and same moment through a couple.
@@ -169,14 +169,15 @@ void Walk::run(Sums& sums) const {
     const Span span = inside(depths, owner_edges.count, e, w);
     if (span.from >= span.to) continue;
     const Vec2 start = walker.corner[e], along = walker.corner[w] - start;
-    // At most one change of face per face: the lower envelope of lines visits each once.
-    double at = span.from;
-    for (int visits = 0; visits < owner_edges.count && at < span.to; ++visits) {
-      const Nearest nearest = nearest_from(depths, owner_edges, e, w, at, span.to);
+    double at = span.from, slope = std::numeric_limits<double>::infinity();
+    while (at < span.to) {
+      const Nearest nearest = nearest_from(depths, owner_edges, e, w, at, span.to, slope);
+      if (nearest.face < 0) break;  // the last face of the envelope has been passed, up to rounding
       const double d0 = depths.at(nearest.face, e), d1 = depths.at(nearest.face, w);
       const double phi0 = std::max(0.0, d0 + (d1 - d0) * at), phi1 = std::max(0.0, d0 + (d1 - d0) * nearest.until);
       press(e, nearest.face, start + at * along, start + nearest.until * along, phi0, phi1, sums);
       at = nearest.until;
+      slope = nearest.slope;
     }
   }
 }
