@@ -20,7 +20,8 @@ struct StageOptions {
   std::string name = "run";
   double duration = 0;          ///< longest time the stage may last [s], above 0
   double dt = 0;                ///< fixed step [s]; 0: found and kept stable by itself
-  double safety = 0.9;          ///< of the automatic step, 0 to 1
+  double safety = 0.5;          ///< share of the longest stable step that is taken, 0 to 1. At 0.5 a bounce keeps its
+                                ///< energy to some percent, at 0.1 to a tenth of one
   double rest_share = 0;        ///< damping of consolidation (RestDamping), 0 to below 1
 
   bool until_rest = false;      ///< end when all is at rest

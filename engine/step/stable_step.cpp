@@ -107,7 +107,7 @@ double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
   return most;
 }
 
-/// The stiffest face of a body under the stiffest law its surface has, as if in full contact with something fixed. In the
+/// The stiffest face of a body under the stiffest law its surface has, as if in full contact with a body like it. In the
 /// body's own axes.
 Local on_stiffest_face(const Model<2>& model, int body) {
   Local stiffest;
@@ -123,8 +123,8 @@ Local on_stiffest_face(const Model<2>& model, int body) {
         const double length = (q - p).norm();
         const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);
         Local local;
-        add_spring(local, n, arm, numbers.kn * length, numbers.beta, length, t, 1);
-        add_spring(local, t, arm, numbers.ks * length, numbers.beta, length, t, 1);
+        add_spring(local, n, arm, numbers.kn * length, numbers.beta, length, t, 2);
+        add_spring(local, t, arm, numbers.ks * length, numbers.beta, length, t, 2);
         if (local.k.trace() > stiffest.k.trace()) stiffest = local;
       }
   }
