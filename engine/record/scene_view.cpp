@@ -48,7 +48,7 @@ void check_scene(const Scene& scene, const std::string& where) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const SceneBody& body = scene.bodies[i];
     const std::string name = body.name.empty() ? fmt::format("body {}", i + 1) : fmt::format("body '{}'", body.name);
-    check_outline(body.outline, where + ", " + name);
+    check_outline(body.outline, fmt::format("{}, {}", where, name));
     if (body.value) require_finite(*body.value, fmt::format("{}, {}: value", where, name));
   }
   for (const auto& ghost : scene.ghosts) check_outline(ghost, where + ", outline of an earlier configuration");
