@@ -1,0 +1,25 @@
+// Private to record/: copies the committed rows of a results file into a clean one that every HDF5 reader opens.
+#pragma once
+
+#include <filesystem>
+
+#include "record/hdf5_handle.hpp"
+#include "record/record_rows.hpp"
+
+namespace trilith::record {
+
+/// The counters of an open results file; throws Failure where they are missing or make no sense.
+Committed read_committed(hid_t file);
+
+/// Creates the counters' data set.
+h5::Handle create_committed(hid_t file);
+void write_committed(hid_t dataset, const Committed& committed);
+
+/// The counter of the given name, e.g. "frames"; throws Failure where there is none.
+std::int64_t counter(const Committed& committed, const std::string& name);
+
+/// Writes `to` anew: every object of `from`, growing data sets cut to their committed rows and compressed, attribute
+/// `finished` as given. The bytes depend on the rows alone, not on when they were flushed. Throws Failure.
+void write_clean_copy(hid_t from, const std::filesystem::path& to, bool finished);
+
+}  // namespace trilith::record
