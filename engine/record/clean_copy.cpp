@@ -7,6 +7,7 @@
 #include <functional>
 #include <numeric>
 
+#include "record/file_driver.hpp"
 #include "record/growing_set.hpp"
 
 namespace trilith::record {
@@ -31,10 +32,7 @@ void copy_attribute(hid_t from, hid_t to, const std::string& name) {
   const auto count = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space.get())));
   std::vector<std::byte> values(count * H5Tget_size(type.get()));
   h5::check(H5Aread(source.get(), type.get(), values.data()), "cannot read attribute " + name);
-  const herr_t written = H5Awrite(target.get(), type.get(), values.data());
-  if (H5Tdetect_class(type.get(), H5T_VLEN) > 0 || H5Tis_variable_str(type.get()) > 0)
-    H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, values.data());
-  h5::check(written, "cannot write attribute " + name);
+  h5::check(H5Awrite(target.get(), type.get(), values.data()), "cannot write attribute " + name);
 }
 
 void copy_attributes(hid_t from, hid_t to, const std::vector<std::string>& but) {
@@ -49,7 +47,7 @@ h5::Handle make_target(hid_t to, const std::string& name, hid_t type, const std:
                        std::size_t row_bytes) {
   const h5::Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "cannot make a property list");
   H5Pset_obj_track_times(list.get(), false);
-  if (extent[0] * row_bytes >= least_compressed) {
+  if (!extent.empty() && extent[0] * row_bytes >= least_compressed) {
     std::vector<hsize_t> chunk = extent;
     chunk[0] = std::clamp<hsize_t>(chunk_bytes / row_bytes, 1, extent[0]);
     if (row_bytes > block_bytes && chunk.size() > 1)
@@ -57,6 +55,7 @@ h5::Handle make_target(hid_t to, const std::string& name, hid_t type, const std:
     H5Pset_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data());
     H5Pset_shuffle(list.get());
     H5Pset_deflate(list.get(), deflate_level);
+    H5Pset_fletcher32(list.get());
   }
   return h5::Handle(H5Dcreate2(to, name.c_str(), type, h5::space(extent).get(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
                     H5Dclose, "cannot create " + name);
@@ -98,6 +97,15 @@ void copy_rows(hid_t source, hid_t to, const std::string& name, std::int64_t row
   }
 }
 
+void copy_scalar(hid_t source, hid_t to, const std::string& name) {
+  const h5::Handle type(H5Dget_type(source), H5Tclose, "cannot read the type of " + name);
+  const h5::Handle target = make_target(to, name, type.get(), {}, 0);
+  copy_attributes(source, target.get(), {});
+  std::vector<std::byte> value(H5Tget_size(type.get()));
+  h5::check(H5Dread(source, type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()), "cannot read " + name);
+  h5::check(H5Dwrite(target.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()), "cannot write " + name);
+}
+
 void copy_group(hid_t from, hid_t to, const Committed& committed);
 
 void copy_member(hid_t from, hid_t to, const std::string& name, const Committed& committed) {
@@ -108,9 +116,13 @@ void copy_member(hid_t from, hid_t to, const std::string& name, const Committed&
     copy_attributes(source.get(), target.get(), {"description"});
     return copy_group(source.get(), target.get(), committed);
   }
-  if (H5Iget_type(source.get()) == H5I_DATASET && h5::has_attribute(source.get(), rows_attribute))
-    return copy_rows(source.get(), to, name, counter(committed, h5::read_text(source.get(), rows_attribute)));
-  h5::check(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "cannot copy " + name);
+  if (H5Iget_type(source.get()) != H5I_DATASET) throw h5::Failure(name + " is neither a group nor a data set");
+  const std::vector<hsize_t> extent = h5::extents(source.get());
+  if (extent.empty()) return copy_scalar(source.get(), to, name);
+  const bool grows = h5::has_attribute(source.get(), rows_attribute);
+  const auto rows =
+      grows ? counter(committed, h5::read_text(source.get(), rows_attribute)) : static_cast<std::int64_t>(extent[0]);
+  copy_rows(source.get(), to, name, rows);
 }
 
 void copy_group(hid_t from, hid_t to, const Committed& committed) {
@@ -174,22 +186,23 @@ std::int64_t counter(const Committed& committed, const std::string& name) {
   throw h5::Failure(fmt::format("there is no row counter '{}'", name));
 }
 
+// In the format of HDF5 1.8: every program of the last fifteen years opens it, and its headers carry checksums.
 void write_clean_copy(hid_t from, const std::filesystem::path& to, bool finished) {
   const h5::Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "cannot make a property list");
+  const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a property list");
+  h5::FileStatus status;
+  h5::use_driver(access.get(), status);
+  h5::check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "cannot set the format");
   H5Pset_obj_track_times(creation.get(), false);
   H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
-  h5::Handle target(H5Fcreate(to.c_str(), H5F_ACC_TRUNC, creation.get(), H5P_DEFAULT), H5Fclose,
-                    "cannot create the file");
-  try {
-    copy_attributes(from, target.get(), {"finished"});
-    copy_group(from, target.get(), read_committed(from));
-    h5::write_attribute(target.get(), "finished", finished ? 1 : 0);
-    h5::check(H5Fflush(target.get(), H5F_SCOPE_LOCAL), "cannot flush the file");
-    target.close("cannot close the file");
-  } catch (const h5::Failure&) {
-    if (target) h5::divert(target.get());
-    throw;
-  }
+  const hid_t id = H5Fcreate(to.c_str(), H5F_ACC_TRUNC, creation.get(), access.get());
+  h5::require_written(status, "cannot create the file");
+  h5::Handle target(id, H5Fclose, "cannot create the file");
+  copy_attributes(from, target.get(), {"finished"});
+  copy_group(from, target.get(), read_committed(from));
+  h5::write_attribute(target.get(), "finished", finished ? 1 : 0);
+  target.close("cannot close the file");
+  h5::require_written(status, "cannot write the file");
 }
 
 }  // namespace trilith::record

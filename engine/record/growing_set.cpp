@@ -52,25 +52,19 @@ void write_numbers(hid_t file, const SetText& text, Kind kind, const std::vector
   h5::check(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "cannot write " + text.path);
 }
 
-void write_script(hid_t file, const SetText& text, const std::string& script) {
+void write_text(hid_t file, const SetText& text, const std::string& value) {
   const h5::Handle list = timeless(H5P_DATASET_CREATE);
-  const h5::Handle type = h5::text_type(H5T_VARIABLE);
+  const std::string cleaned = h5::clean(value);
+  const h5::Handle type = h5::text_type(std::max<std::size_t>(1, cleaned.size()));
   const h5::Handle dataset = make_dataset(file, text.path, type.get(), h5::space({}).get(), list.get());
   write_text_attributes(dataset.get(), text);
-  const std::string cleaned = h5::clean(script);
-  const char* pointer = cleaned.c_str();
-  h5::check(H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer), "cannot write " + text.path);
+  h5::check(H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, cleaned.c_str()),
+            "cannot write " + text.path);
 }
 
 void write_texts(hid_t file, const SetText& text, const std::vector<std::string>& texts) {
   std::size_t length = 1;
-  for (const std::string& entry : texts) length = std::max(length, entry.size());
-  std::string packed;
-  for (const std::string& entry : texts) {
-    std::string cleaned = h5::clean(entry);
-    cleaned.resize(length, '\0');
-    packed += cleaned;
-  }
+  const std::string packed = h5::pack_texts(texts, length);
   const h5::Handle list = timeless(H5P_DATASET_CREATE);
   const h5::Handle type = h5::text_type(length);
   const h5::Handle dataset = make_dataset(file, text.path, type.get(), h5::space({texts.size()}).get(), list.get());
@@ -136,16 +130,6 @@ void GrowingSet::replace(std::int64_t row, const std::byte* record) {
   assert(row >= 0 && row < rows());
   if (row < written_) return transfer(row, 1, record);
   std::copy_n(record, row_bytes_, buffer_.data() + static_cast<std::size_t>(row - written_) * row_bytes_);
-}
-
-// Whole chunks for the new rows, one for the rows' begin, and the growing index: blocks of it double.
-std::size_t GrowingSet::space_needed() const {
-  if (buffer_.empty()) return 0;
-  const std::size_t chunk_rows = static_cast<std::size_t>(chunk_[0]);
-  const std::size_t chunk_bytes = chunk_rows * row_bytes_;
-  const std::size_t chunks = buffer_.size() / chunk_bytes + 2;
-  const std::size_t all_chunks = static_cast<std::size_t>(written_) / chunk_rows + chunks;
-  return chunks * chunk_bytes + all_chunks * 32 + 8192;
 }
 
 void GrowingSet::write() {

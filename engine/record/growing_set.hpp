@@ -25,8 +25,8 @@ void make_group(hid_t file, const std::string& path, const std::string& descript
 /// Creates a data set of `extents` numbers and writes `values` (none where an extent is 0).
 void write_numbers(hid_t file, const SetText& text, Kind kind, const std::vector<hsize_t>& extents, const void* values);
 
-/// Creates a scalar data set of text of any length.
-void write_script(hid_t file, const SetText& text, const std::string& script);
+/// Creates a scalar data set of one text.
+void write_text(hid_t file, const SetText& text, const std::string& value);
 
 /// Creates a data set of one text per entry.
 void write_texts(hid_t file, const SetText& text, const std::vector<std::string>& texts);
@@ -55,8 +55,6 @@ class GrowingSet {
   /// Rows appended so far, buffered ones included.
   std::int64_t rows() const { return written_ + static_cast<std::int64_t>(buffer_.size() / row_bytes_); }
   std::size_t buffered_bytes() const { return buffer_.size(); }
-  /// Upper bound of the file space `write` may take.
-  std::size_t space_needed() const;
   /// Extends, writes the buffered rows and flushes this data set.
   void write();
 

@@ -1,14 +1,14 @@
 #include "record/hdf5_handle.hpp"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
 
 namespace trilith::record::h5 {
 namespace {
+
+constexpr std::size_t most_attribute = 60000;  // bytes; HDF5 holds 64 KiB
 
 // HDF5 names the system's own reason inside its description: "... error message = 'No space left on device', ...".
 herr_t take_reason(unsigned, const H5E_error2_t* error, void* data) {
@@ -70,20 +70,11 @@ void fail(std::string_view what) {
   throw Failure(fmt::format("{}: {}", what, reason()));
 }
 
-void divert(hid_t file) {
-  void* descriptor = nullptr;
-  if (H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor) < 0 || !descriptor) return;
-  const int memory = ::memfd_create("trilith-diverted", MFD_CLOEXEC);
-  if (memory < 0) return;
-  ::dup2(memory, *static_cast<int*>(descriptor));
-  ::close(memory);
-}
-
 Handle text_type(std::size_t length) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "cannot make a text type");
   check(H5Tset_size(type.get(), length), "cannot set a text length");
   check(H5Tset_cset(type.get(), H5T_CSET_UTF8), "cannot set UTF-8");
-  if (length != H5T_VARIABLE) check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "cannot set padding");
+  check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "cannot set padding");
   return type;
 }
 
@@ -107,23 +98,33 @@ std::string clean(std::string_view text) {
   return result;
 }
 
-// Attributes hold text of variable length, which h5py gives back as str rather than bytes.
 void write_attribute(hid_t object, const char* name, std::string_view text) {
-  const Handle type = text_type(H5T_VARIABLE);
+  std::string cleaned = clean(text);
+  if (cleaned.size() > most_attribute) cleaned.resize(most_attribute);
+  cleaned = clean(cleaned);
+  const Handle type = text_type(std::max<std::size_t>(1, cleaned.size()));
   const Handle attribute = new_attribute(object, name, type.get(), space({}).get());
-  const std::string cleaned = clean(text);
-  const char* pointer = cleaned.c_str();
-  check(H5Awrite(attribute.get(), type.get(), &pointer), fmt::format("cannot write attribute '{}'", name));
+  check(H5Awrite(attribute.get(), type.get(), cleaned.c_str()), fmt::format("cannot write attribute '{}'", name));
 }
 
 void write_attribute(hid_t object, const char* name, const std::vector<std::string>& texts) {
-  const Handle type = text_type(H5T_VARIABLE);
+  std::size_t length = 1;
+  const std::string packed = pack_texts(texts, length);
+  const Handle type = text_type(length);
   const Handle attribute = new_attribute(object, name, type.get(), space({texts.size()}).get());
-  std::vector<std::string> cleaned;
-  for (const std::string& text : texts) cleaned.push_back(clean(text));
-  std::vector<const char*> pointers;
-  for (const std::string& text : cleaned) pointers.push_back(text.c_str());
-  check(H5Awrite(attribute.get(), type.get(), pointers.data()), fmt::format("cannot write attribute '{}'", name));
+  check(H5Awrite(attribute.get(), type.get(), packed.data()), fmt::format("cannot write attribute '{}'", name));
+}
+
+std::string pack_texts(const std::vector<std::string>& texts, std::size_t& length) {
+  length = 1;
+  for (const std::string& text : texts) length = std::max(length, text.size());
+  std::string packed;
+  for (const std::string& text : texts) {
+    std::string cleaned = clean(text);
+    cleaned.resize(length, '\0');
+    packed += cleaned;
+  }
+  return packed;
 }
 
 void write_attribute(hid_t object, const char* name, int value) {
@@ -139,14 +140,13 @@ std::string read_text(hid_t object, const char* name) {
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, fmt::format("no attribute '{}'", name));
   const Handle stored(H5Aget_type(attribute.get()), H5Tclose, "unreadable attribute type");
   const Handle extent(H5Aget_space(attribute.get()), H5Sclose, "unreadable attribute space");
-  const bool one_text = H5Tget_class(stored.get()) == H5T_STRING && H5Tis_variable_str(stored.get()) > 0 &&
+  const bool one_text = H5Tget_class(stored.get()) == H5T_STRING && H5Tis_variable_str(stored.get()) == 0 &&
                         H5Sget_simple_extent_npoints(extent.get()) == 1;
-  if (!one_text) throw Failure(fmt::format("attribute '{}' is not text", name));
-  const Handle type = text_type(H5T_VARIABLE);
-  char* pointer = nullptr;
-  check(H5Aread(attribute.get(), type.get(), &pointer), fmt::format("cannot read attribute '{}'", name));
-  std::string text = pointer ? pointer : "";
-  H5Dvlen_reclaim(type.get(), extent.get(), H5P_DEFAULT, &pointer);
+  const std::size_t length = one_text ? H5Tget_size(stored.get()) : 0;
+  if (length == 0 || length > most_attribute) throw Failure(fmt::format("attribute '{}' is not text", name));
+  std::string text(length, '\0');
+  check(H5Aread(attribute.get(), stored.get(), text.data()), fmt::format("cannot read attribute '{}'", name));
+  text.resize(std::min(text.find('\0'), length));
   return text;
 }
 

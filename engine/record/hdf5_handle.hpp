@@ -80,11 +80,8 @@ class Quiet {
   void* data_ = nullptr;
 };
 
-/// Points the descriptor of an open file at memory, so that what HDF5 still writes to it goes nowhere and closing
-/// succeeds. After a failed write only: HDF5 would try again on close and at exit, and fail again.
-void divert(hid_t file);
-
-/// UTF-8 string type of `length` bytes padded with zeros, or of variable length for H5T_VARIABLE.
+/// UTF-8 string type of `length` bytes, padded with zeros. Text of variable length is used nowhere: HDF5 keeps it
+/// without a checksum and crashes where it is damaged.
 Handle text_type(std::size_t length);
 
 /// Simple data space of the given extents; no extents: a scalar.
@@ -93,6 +90,10 @@ Handle space(const std::vector<hsize_t>& extents);
 /// `text` as valid UTF-8 without zero bytes: offending bytes become '?'.
 std::string clean(std::string_view text);
 
+/// The texts cleaned and padded with zeros to `length`, which is set to the longest (at least 1), one after the other.
+std::string pack_texts(const std::vector<std::string>& texts, std::size_t& length);
+
+/// Text beyond 60,000 bytes is cut.
 void write_attribute(hid_t object, const char* name, std::string_view text);
 void write_attribute(hid_t object, const char* name, const std::vector<std::string>& texts);
 void write_attribute(hid_t object, const char* name, int value);

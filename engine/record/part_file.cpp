@@ -2,8 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,7 +15,6 @@ namespace trilith::record {
 namespace {
 
 constexpr hsize_t memory_page = 4096;
-constexpr std::size_t slack = 256 * 1024;  // closing the file takes a little room too
 
 std::string quoted(const std::filesystem::path& path) {
   return fmt::format("'{}'", path.string());
@@ -98,11 +95,14 @@ PartFile::PartFile(const std::filesystem::path& path) : path_(path) {
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0)
     throw RecordError(fmt::format("results file {}: cannot be written: {}", quoted(path_), std::strerror(errno)));
+  bool is_replaced = false;
   try {
     lock();
     require_replaceable();
+    is_replaced = true;
     const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a property list");
     const h5::Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "cannot make a property list");
+    h5::use_driver(access.get(), status_);
     H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
     H5Pset_obj_track_times(creation.get(), false);
     // A kill can cut a write between two memory pages. With paged space no piece of metadata up to that size crosses
@@ -113,6 +113,7 @@ PartFile::PartFile(const std::filesystem::path& path) : path_(path) {
     file_ = h5::Handle(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose,
                        fmt::format("results file {}: cannot be created", quoted(path_)));
   } catch (const std::runtime_error& failure) {
+    if (is_replaced) ::unlink(path_.c_str());
     ::close(descriptor_);
     throw RecordError(failure.what());
   }
@@ -149,22 +150,8 @@ void PartFile::start_swmr() {
   h5::check(H5Fstart_swmr_write(file_.get()), "cannot open the file to readers");
 }
 
-void PartFile::reserve(std::size_t bytes) {
-  struct stat status {};
-  if (::fstat(descriptor_, &status) != 0) return;
-  hsize_t used = 0;
-  h5::check(H5Fget_filesize(file_.get(), &used), "cannot get the file's size");
-  const auto begin = std::max<off_t>(status.st_size, static_cast<off_t>(used));
-  const off_t end = begin + static_cast<off_t>(bytes + slack);
-  struct rlimit limit {};
-  if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
-      static_cast<rlim_t>(end) > limit.rlim_cur)
-    throw h5::Failure(fmt::format("the limit on file size (ulimit -f, {} bytes) is reached", limit.rlim_cur));
-  int code = 0;
-  do {
-    code = ::fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, begin, end - begin) == 0 ? 0 : errno;
-  } while (code == EINTR);
-  if (code == ENOSPC || code == EDQUOT || code == EFBIG) throw h5::Failure(std::strerror(code));
+void PartFile::require_written() const {
+  h5::require_written(status_, "cannot be written");
 }
 
 void PartFile::sync() {

@@ -1,9 +1,9 @@
 // Private to record/: the file a running writer fills, `<name>.part`, and what may stand at `<name>`.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 
+#include "record/file_driver.hpp"
 #include "record/hdf5_handle.hpp"
 
 namespace trilith::record {
@@ -34,9 +34,8 @@ class PartFile {
   hid_t file() const { return file_.get(); }
   /// Switches to single-writer-multiple-reader mode: from here on no new objects.
   void start_swmr();
-  /// Makes sure that `bytes` more fit on the disk, before HDF5 is asked to write them: HDF5 cannot go on after a
-  /// write that failed. Throws Failure. Does nothing where the file system cannot reserve.
-  void reserve(std::size_t bytes);
+  /// Throws Failure where a write has failed; the file on the disk is then as it was before that write.
+  void require_written() const;
   /// Hands the written bytes to the disk, against loss of power.
   void sync();
   /// Closes the file in order; all its objects must be closed. Throws Failure.
@@ -52,6 +51,7 @@ class PartFile {
 
   std::filesystem::path path_;
   int descriptor_ = -1;
+  h5::FileStatus status_;
   h5::Handle file_;
 };
 

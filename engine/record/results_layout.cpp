@@ -52,7 +52,7 @@ void write_provenance(hid_t file, const Provenance& from) {
   make_group(file, "/provenance", "how this file came about");
   const h5::Handle group(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose, "cannot open /provenance");
   for (const ProvenanceText& entry : provenance_texts) h5::write_attribute(group.get(), entry.name, from.*entry.member);
-  write_script(file, {"/provenance/script", "", "full text of the script"}, from.script);
+  write_text(file, {"/provenance/script", "", "full text of the script"}, from.script);
   write_rows(file, {"/provenance/parameters", "", "parameters of the script, as text"}, from.parameters, 2);
   write_texts(file, {"/provenance/motions", "", "ground motions used"}, from.motions);
 }

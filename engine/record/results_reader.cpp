@@ -94,6 +94,10 @@ class ResultsReader::Body {
       return action();
     } catch (const h5::Failure& failure) {
       throw RecordError(fmt::format("results file '{}': {}", path.string(), failure.what()));
+    } catch (const std::bad_alloc&) {
+      throw RecordError(fmt::format("results file '{}': is damaged or too large for the memory", path.string()));
+    } catch (const std::length_error&) {
+      throw RecordError(fmt::format("results file '{}': is damaged or too large for the memory", path.string()));
     }
   }
 

@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::size_t most_buffered = 4 * 1024 * 1024;  // bytes, then a flush comes by itself
 
-// Room for what creating the file writes: generous, since it is claimed but not kept.
-std::size_t header_bytes(const Header& header) {
-  const std::size_t objects = 64 + header.histories.size() + header.energy_terms.size();
-  const std::size_t names = 4 * (header.bodies.size() + header.laws.size() + header.bearings.size()) * 1024;
-  return objects * 24 * 1024 + names + header.provenance.script.size() +
-         16 * (header.vertices.size() + header.node_position.size() + 4 * header.node_mass.size());
-}
-
 void copy(GrowingSet& set, const void* data, std::size_t bytes) {
   assert(bytes == set.row_bytes());
   std::memcpy(set.add(), data, bytes);
@@ -63,7 +55,7 @@ class ResultsWriter::Body {
   template <class Action>
   void guarded(Action action);
   void create(const Header& header);
-  void discard();
+  void discard();  // closes everything
   void check_sizes(const FrameRow& frame) const;
   void check_numbers(const FrameRow& frame) const;
   void flush_if_full();
@@ -111,13 +103,13 @@ ResultsWriter::Body::Body(std::filesystem::path name, const Header& header, Writ
 }
 
 void ResultsWriter::Body::create(const Header& header) {
-  if (options_.reserve) file_->reserve(header_bytes(header));
   write_header(file_->file(), header);
   layout_.emplace(file_->file(), header);
   sets_ = layout_->sets();
   committed_ = create_committed(file_->file());
   h5::check(H5Fflush(file_->file(), H5F_SCOPE_LOCAL), "cannot flush the file");
   file_->start_swmr();
+  file_->require_written();
 }
 
 ResultsWriter::Body::~Body() {
@@ -133,9 +125,7 @@ ResultsWriter::Body::~Body() {
   }
 }
 
-// Closes everything after a failed write; nothing more reaches the disk.
 void ResultsWriter::Body::discard() {
-  h5::divert(file_->file());
   committed_.reset();
   sets_.clear();
   layout_.reset();
@@ -321,14 +311,13 @@ void ResultsWriter::Body::flush() {
 
 // The order is the guarantee: rows first, on the disk where asked, and only then the counters that vouch for them.
 void ResultsWriter::Body::write_rows() {
-  std::size_t bytes = 0;
-  for (const GrowingSet* set : sets_) bytes += set->space_needed();
-  if (options_.reserve) file_->reserve(bytes);
   for (GrowingSet* set : sets_) set->write();
   h5::check(H5Fflush(file_->file(), H5F_SCOPE_LOCAL), "cannot flush the file");
+  file_->require_written();
   if (options_.sync) file_->sync();
   write_committed(committed_.get(), counts());
   h5::check(H5Fflush(file_->file(), H5F_SCOPE_LOCAL), "cannot flush the file");
+  file_->require_written();
 }
 
 void ResultsWriter::Body::finish() {

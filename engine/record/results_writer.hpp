@@ -13,8 +13,7 @@
 namespace trilith::record {
 
 struct WriterOptions {
-  bool sync = true;     ///< flush() also brings the rows to the disk, against loss of power
-  bool reserve = true;  ///< room is claimed before it is written, so that a full disk does no harm
+  bool sync = true;  ///< flush() also brings the rows to the disk, against loss of power
 };
 
 /// While it runs, rows go to `<path>.part` (finished = 0), which any number of readers may follow. finish() copies

@@ -9,6 +9,11 @@ h5::Handle open_set(hid_t file, const std::string& path) {
   return h5::Handle(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "there is no readable " + path);
 }
 
+// A damaged size must not ask for absurd memory: an uncompressed set holds its bytes.
+void require_stored(hid_t dataset, std::size_t bytes, const std::string& path) {
+  if (H5Dget_storage_size(dataset) < bytes) throw h5::Failure(path + " is damaged");
+}
+
 h5::Handle stored(const h5::Handle& dataset, const std::string& path) {
   return h5::Handle(H5Dget_type(dataset.get()), H5Tclose, "unreadable type of " + path);
 }
@@ -58,17 +63,17 @@ void match_stored(hid_t file, const std::string& path, RecordType& type) {
   type.place();
 }
 
-std::string read_script(hid_t file, const std::string& path) {
+std::string read_text_set(hid_t file, const std::string& path) {
   const h5::Handle dataset = open_set(file, path);
-  const h5::Handle held = stored(dataset, path);
-  if (H5Tis_variable_str(held.get()) <= 0 || !h5::extents(dataset.get()).empty())
+  const h5::Handle type = stored(dataset, path);
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 ||
+      !h5::extents(dataset.get()).empty())
     throw h5::Failure(path + " is no text");
-  const h5::Handle type = h5::text_type(H5T_VARIABLE);
-  const h5::Handle space = h5::space({});
-  char* pointer = nullptr;
-  h5::check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer), "cannot read " + path);
-  std::string text = pointer ? pointer : "";
-  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, &pointer);
+  const std::size_t length = H5Tget_size(type.get());
+  require_stored(dataset.get(), length, path);
+  std::string text(length, '\0');
+  h5::check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "cannot read " + path);
+  text.resize(std::min(text.find('\0'), length));
   return text;
 }
 

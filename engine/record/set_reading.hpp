@@ -22,7 +22,9 @@ std::int64_t row_count(hid_t file, const std::string& path);
 /// Narrows `type` to the columns table `path` has, text columns to the widths stored there.
 void match_stored(hid_t file, const std::string& path, RecordType& type);
 
-std::string read_script(hid_t file, const std::string& path);
+/// The text of a scalar data set.
+std::string read_text_set(hid_t file, const std::string& path);
+/// The entries of a data set of texts.
 std::vector<std::string> read_texts(hid_t file, const std::string& path);
 
 template <class T>

@@ -101,7 +101,7 @@ TEST_CASE("a run killed at any moment keeps every row its last flush reported") 
   const int kills = trials ? std::atoi(trials) : 30;
   std::size_t rows = 0;
   for (int trial = 0; trial < kills; ++trial) {
-    const WriterOptions options = {.sync = trial % 3 == 0, .reserve = trial % 2 == 0};
+    const WriterOptions options = {.sync = trial % 3 == 0};
     const Killed killed =
         write_and_kill(folder / "run.h5", std::chrono::microseconds(microseconds(random)), options, 1 + trial % 5);
     const ResultsReader reader(folder / "run.h5");
@@ -146,12 +146,15 @@ TEST_CASE("readers follow a run while it is written, and see it finish") {
     writer.finish();
     return 0;
   });
+  ::close(ends[1]);
   int first = 0;
   REQUIRE(::read(ends[0], &first, sizeof first) == sizeof first);
   ResultsReader reader(folder / "run.h5");
   std::size_t seen = 0, grown = 0;
   bool was_running = false;
-  while (::waitpid(child, nullptr, WNOHANG) == 0) {
+  int status = 0;
+  bool ended = false;
+  while (!(ended = ::waitpid(child, &status, WNOHANG) == child)) {
     const bool running = reader.running();
     try {
       reader.refresh();
@@ -168,10 +171,11 @@ TEST_CASE("readers follow a run while it is written, and see it finish") {
     CHECK(reader.events().size() >= seen);
   }
   ::close(ends[0]);
-  ::close(ends[1]);
+  if (!ended) status = wait_for(child);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
   CHECK(was_running);
   CHECK(grown > 3);
-  while (!std::filesystem::exists(folder / "run.h5")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   CHECK(has_all_rows(ResultsReader(folder / "run.h5"), rows));
 }
 
