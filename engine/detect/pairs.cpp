@@ -68,12 +68,11 @@ void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
   });
 }
 
-/// The law a bearing between the two bodies imposes: -1 while it holds contact off, else the one it became, else `law`.
-int law_beside_bearings(const Model<2>& model, const State<2>& state, int body_a, int body_b, int law) {
+/// The law a bearing between the two pieces imposes: -1 while it holds contact off, else the one it became, else `law`.
+int law_beside_bearings(const Model<2>& model, const State<2>& state, int piece_a, int piece_b, int law) {
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     const Bearing<2>& b = model.bearings[i];
-    const bool same = (b.body_a == body_a && b.body_b == body_b) || (b.body_a == body_b && b.body_b == body_a);
-    if (!same || !b.holds_off_contact) continue;
+    if (!b.sits_between(piece_a, piece_b)) continue;
     if (is_live(state.bearing[i].status)) return -1;
     if (b.contact_after >= 0) law = b.contact_after;
   }
@@ -145,7 +144,7 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
     const int body_p = model.piece_body[p], body_q = model.piece_body[q];
     if (body_p == body_q) continue;
     if (!model.moves(model.bodies[body_p].first_node) && !model.moves(model.bodies[body_q].first_node)) continue;
-    const int law = law_beside_bearings(model, state, body_p, body_q, contact_law(model, body_p, body_q));
+    const int law = law_beside_bearings(model, state, p, q, contact_law(model, body_p, body_q));
     if (law < 0) continue;
     NearPair pair{p, q, law, 0, 0, 0, 0, 0, 1.0};
     find_facing(model, work, pair);

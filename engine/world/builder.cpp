@@ -8,6 +8,7 @@
 #include "base/nearest.hpp"
 #include "contact/overlap_pair.hpp"
 #include "shape/convex_parts.hpp"
+#include "shape/overlap.hpp"
 #include "world/check.hpp"
 #include "world/flatness.hpp"
 
@@ -35,6 +36,21 @@ double body_mass(const BodySpec& spec, double area, double thickness, const std:
   for (const Material& m : materials)
     if (m.name == spec.material) return m.density * volume;
   throw InputError(fmt::format("{}: give a density, mass or weight, or a material that has a density", owner));
+}
+
+/// The piece of a body whose surface faces come nearest to a point (in the axes of its node).
+int piece_at(const Model<2>& model, int body, const Vec2& point) {
+  const Body& b = model.bodies[body];
+  int best = b.first_piece;
+  double least = unbounded;
+  for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
+    for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
+      if (model.edge_is_face[first + c] == 0) continue;
+      const std::array face{model.skin_place[model.corner_skin[first + c]], model.skin_place[model.corner_skin[first + (c + 1) % count]]};
+      const double distance = boundary_point(face, point).distance;
+      if (distance < least) least = distance, best = piece;
+    }
+  return best;
 }
 
 }  // namespace
@@ -223,6 +239,10 @@ void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) cons
                                    spec.contact_after, name_hint(spec.contact_after, known)));
     b.contact_after = static_cast<int>(it - known.begin());
     b.holds_off_contact = true;
+  }
+  if (b.holds_off_contact) {
+    b.piece_a = piece_at(model, b.body_a, b.point_a);
+    b.piece_b = piece_at(model, b.body_b, b.point_b);
   }
   if (!spec.becomes_bearing.empty()) {
     std::vector<std::string> known;

@@ -20,11 +20,11 @@ std::vector<Vec2> piece_outline(const Model<2>& model, int piece) {
   return outline;
 }
 
-bool may_touch(const Model<2>& model, int a, int b) {
-  if (model.law_of[model.bodies[a].surface * model.surfaces + model.bodies[b].surface] < 0) return false;
-  return std::none_of(model.bearings.begin(), model.bearings.end(), [&](const Bearing<2>& link) {
-    return link.holds_off_contact && ((link.body_a == a && link.body_b == b) || (link.body_a == b && link.body_b == a));
-  });
+bool may_touch(const Model<2>& model, int p, int q) {
+  const Body &a = model.bodies[model.piece_body[p]], &b = model.bodies[model.piece_body[q]];
+  if (model.law_of[a.surface * model.surfaces + b.surface] < 0) return false;
+  return std::none_of(model.bearings.begin(), model.bearings.end(),
+                      [&](const Bearing<2>& link) { return link.sits_between(p, q); });
 }
 
 /// Calls visit(piece, piece, separation) for pieces of two bodies whose boxes come within `reach` of each other.
@@ -64,7 +64,7 @@ void check_overlaps(const Model<2>& model, double allowed, std::vector<std::stri
   int body_a = -1, body_b = -1;
   for_near_pieces(model, 0, [&](int p, int q, double separation) {
     const int a = model.piece_body[p], b = model.piece_body[q];
-    if (separation >= 0 || !may_touch(model, a, b)) return;
+    if (separation >= 0 || !may_touch(model, p, q)) return;
     const double share = -separation / (2 * std::min(model.body_radius[a], model.body_radius[b]));
     if (share <= worst) return;
     worst = share, deepest = -separation, body_a = a, body_b = b;
@@ -95,7 +95,7 @@ void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& float
   for_near_pieces(model, 1e-3 * size, [&](int p, int q, double separation) {
     const int a = model.piece_body[p], b = model.piece_body[q];
     const double near = 0.02 * std::min(model.body_radius[a], model.body_radius[b]);
-    if (separation < near && may_touch(model, a, b)) join(a, b);
+    if (separation < near && may_touch(model, p, q)) join(a, b);
   });
   for (int b = 0; b < bodies; ++b)
     if (floating[b] == 0 && root_of(parent, b) != root_of(parent, bodies))
