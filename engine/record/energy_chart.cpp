@@ -8,12 +8,12 @@
 
 namespace trilith {
 
-Chart energy_chart(const std::vector<double>& time, const std::vector<EnergyTerm>& terms, EnergyView view) {
+Chart energy_chart(const std::vector<double>& time, const std::vector<EnergyCurve>& terms, EnergyView view) {
   Chart chart;
   chart.title = "Energy";
   chart.x = {"Time", "s"};
   chart.panels = {{{"Energy", "J"}, {}}};
-  for (const EnergyTerm& term : terms) {
+  for (const EnergyCurve& term : terms) {
     if (term.name.empty()) throw InputError("energy chart: a term has no name");
     if (term.energy.size() != time.size())
       throw InputError(fmt::format("energy chart, term '{}': {} values at {} times, must be as many", term.name,

@@ -139,7 +139,7 @@ TEST_CASE("sample picture: energy, stacked and as lines") {
     damping[i] = 0.8e6 * (1 - std::exp(-t[i] / 7));
     input[i] = kinetic[i] + stored[i] + friction[i] + damping[i];
   }
-  const std::vector<EnergyTerm> terms = {
+  const std::vector<EnergyCurve> terms = {
       {"friction", friction}, {"damping", damping}, {"stored", stored}, {"kinetic", kinetic}, {"input", input, true}};
   show({energy_chart(t, terms, EnergyView::stacked)}, Arrangement::below, "energy_stacked");
   show({energy_chart(t, terms, EnergyView::lines)}, Arrangement::below, "energy_lines");

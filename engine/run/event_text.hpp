@@ -1,0 +1,21 @@
+// Events in plain words, for the terminal, the results file and pictures alike.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "world/event.hpp"
+#include "world/model.hpp"
+
+namespace trilith {
+
+/// "bearing S3.left failed, 50.8 mm", "S3 lost its seat S3.right on P3", "S3 hit P3 at 4.2 m/s", "shaking ended: rest".
+std::string event_text(const Event& event, const Model<2>& model);
+
+/// "seat lost", "bearing failed", ...: an event type as a short heading.
+std::string_view event_heading(EventType type);
+
+/// True for what a reader of a run wants to see at once: everything but contacts made and lost, and bodies at rest.
+bool is_important(EventType type);
+
+}  // namespace trilith

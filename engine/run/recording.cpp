@@ -1,0 +1,236 @@
+#include "run/recording.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cassert>
+
+#include "run/event_text.hpp"
+
+namespace trilith {
+namespace {
+
+record::ContactState state_of(ContactHold hold) {
+  switch (hold) {
+    case ContactHold::bonded:
+      return record::ContactState::bonded;
+    case ContactHold::sticking:
+      return record::ContactState::sticking;
+    case ContactHold::sliding:
+      break;
+  }
+  return record::ContactState::sliding;
+}
+
+record::BearingState state_of(BearingStatus status) {
+  switch (status) {
+    case BearingStatus::waiting:
+    case BearingStatus::intact:
+      return record::BearingState::intact;
+    case BearingStatus::yielded:
+      return record::BearingState::yielded;
+    case BearingStatus::failed:
+      return record::BearingState::failed;
+    case BearingStatus::changed:
+      break;
+  }
+  return record::BearingState::changed;
+}
+
+/// Displacement of b's point against a's since the bearing was placed, in its axes; holds for failed ones too.
+Vec2 displacement_of(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
+  const Turn turn_a(state.rotation[na]);
+  const Vec2 a = state.position[na] + turn_a.apply(b.point_a);
+  const Vec2 at_b = state.position[nb] + Turn(state.rotation[nb]).apply(b.point_b);
+  return Turn(state.rotation[na] + b.angle).undo(Vec2(at_b - a)) - b.rest;
+}
+
+bool has_place(EventType type) {
+  switch (type) {
+    case EventType::bearing_yielded:
+    case EventType::bearing_failed:
+    case EventType::bearing_changed:
+    case EventType::contact_made:
+    case EventType::seat_lost:
+    case EventType::impact:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Vectors of two numbers lie in a row, as the file wants them.
+std::span<const double> numbers(const std::vector<Vec2>& vectors) {
+  static_assert(sizeof(Vec2) == 2 * sizeof(double));
+  return {vectors.empty() ? nullptr : vectors.front().data(), 2 * vectors.size()};
+}
+
+}  // namespace
+
+Recording::Recording(std::filesystem::path path, const Model<2>& model, const State<2>& state, RecordingOptions options)
+    : writer_(std::move(path), recording_header(model, state, options), {options.sync}),
+      histories_(std::move(options.histories)),
+      with_velocity_(options.with_velocity),
+      flush_frames_(options.flush_frames),
+      flush_interval_(options.flush_seconds),
+      flushed_(std::chrono::steady_clock::now()),
+      drives_known_(model.drives.size()),
+      time_(state.time) {}
+
+RunListener Recording::listener() {
+  RunListener out;
+  out.on_frame = [this](const Instant& now) { frame(now); };
+  if (!histories_.empty()) out.on_history = [this](const Instant& now) { history(now); };
+  out.on_energy = [this](const Instant& now, const Energy& e) { energy(now, e); };
+  out.on_event = [this](const Event& e, const Instant& now) { event(e, now); };
+  return out;
+}
+
+void Recording::frame(const Instant& now) {
+  assert(stage_ >= 0);
+  take_contacts(now);
+  take_bearings(now);
+  record::FrameRow row;
+  row.time = time_ = now.state.time;
+  row.step = now.state.step;
+  row.stage = stage_;
+  row.position = numbers(now.state.position);
+  row.rotation = now.state.rotation;
+  if (with_velocity_) {
+    row.velocity = numbers(now.state.velocity);
+    row.spin = now.state.spin;
+  }
+  row.contacts = contacts_;
+  row.bearing_state = bearing_state_;
+  row.bearing_force = bearing_force_;
+  row.bearing_displacement = bearing_displacement_;
+  writer_.append_frame(row);
+  ++frames_since_;
+  flush_when_due();
+}
+
+void Recording::take_contacts(const Instant& now) {
+  contact_resultants(now.model, now.work, touching_);
+  contacts_.clear();
+  for (const TouchingContact& c : touching_) {
+    record::ContactForce out;
+    for (const int k : {0, 1}) out.point[k] = c.resultant.point[k], out.force[k] = -c.resultant.force[k];
+    out.body_a = c.body_a;
+    out.body_b = c.body_b;
+    out.state = state_of(c.hold);
+    contacts_.push_back(out);
+  }
+}
+
+void Recording::take_bearings(const Instant& now) {
+  bearing_state_.clear();
+  bearing_force_.clear();
+  bearing_displacement_.clear();
+  for (std::size_t i = 0; i < now.model.bearings.size(); ++i) {
+    const BearingStatus status = now.state.bearing[i].status;
+    const Vec2 force = is_live(status) ? now.work.bearing_force[i] : Vec2(Vec2::Zero());
+    const Vec2 displacement = displacement_of(now.model, now.state, now.model.bearings[i]);
+    bearing_state_.push_back(state_of(status));
+    bearing_force_.insert(bearing_force_.end(), {force.x(), force.y()});
+    bearing_displacement_.insert(bearing_displacement_.end(), {displacement.x(), displacement.y()});
+  }
+}
+
+void Recording::history(const Instant& now) {
+  values_.clear();
+  for (const RecordedHistory& h : histories_) values_.push_back(h.sample(now));
+  history(now.state.time, values_);
+}
+
+void Recording::history(double time, std::span<const double> values) {
+  time_ = time;
+  writer_.append_history(time, values);
+  flush_when_due();
+}
+
+void Recording::energy(const Instant& now, const Energy& energy) {
+  const double balance = energy.balance();
+  if (!has_balance_) first_balance_ = balance;
+  has_balance_ = true;
+  const double residual = balance - first_balance_;
+  check_.add(energy, residual);
+  time_ = now.state.time;
+  writer_.append_energy(time_, energy.value, residual);
+  flush_when_due();
+}
+
+void Recording::event(const Event& event, const Instant& now) {
+  time_ = event.time;
+  if (event.type == EventType::stage_begun) begin_stage(event, now);
+  const EventTypeInfo& info = event_type_info[static_cast<std::size_t>(event.type)];
+  record::EventRow row;
+  row.id = event.id;
+  row.time = event.time;
+  row.step = event.step;
+  row.stage = stage_;
+  row.type = info.name;
+  row.body_a = event.body_a;
+  row.body_b = event.body_b;
+  row.bearing = event.bearing;
+  row.has_place = has_place(event.type);
+  if (row.has_place) row.place[0] = event.x, row.place[1] = event.y;
+  if (!info.value_name.empty()) row.first = {std::string(info.value_name), std::string(info.value_unit), event.value};
+  row.cause = event.cause;
+  row.text = event_text(event, now.model);
+  writer_.append_event(std::move(row));
+  if (event.type == EventType::stage_ended) {
+    note_drives(now.model);
+    const std::string prefix = now.stage.name + ": ";
+    const std::string_view text = event.text;
+    end_stage(event.time, text.starts_with(prefix) ? text.substr(prefix.size()) : text);
+  }
+  flush_when_due();
+}
+
+void Recording::begin_stage(const Event& event, const Instant& now) {
+  if (stage_open_) end_stage(event.time, "broken off");
+  stage_ = writer_.begin_stage(now.stage.name, now.stage.rest_share > 0 ? "consolidation" : "dynamic", event.time);
+  stage_open_ = true;
+  note_drives(now.model);
+}
+
+void Recording::end_stage(double time, std::string_view why) {
+  if (!stage_open_) return;
+  stage_open_ = false;
+  writer_.end_stage(time, why);
+}
+
+void Recording::note_drives(const Model<2>& model) {
+  for (; drives_known_ < model.drives.size(); ++drives_known_)
+    note("ground motion: " + drive_text(model, model.drives[drives_known_]));
+}
+
+void Recording::note(std::string_view text) {
+  writer_.append_note(time_, text);
+}
+
+void Recording::flush_when_due() {
+  const auto now = std::chrono::steady_clock::now();
+  if (frames_since_ < flush_frames_ && now - flushed_ < flush_interval_) return;
+  writer_.flush();
+  frames_since_ = 0;
+  flushed_ = std::chrono::steady_clock::now();
+}
+
+void Recording::finish() {
+  end_stage(time_, "broken off");
+  writer_.finish();
+}
+
+void Recording::abandon(std::string_view why) noexcept {
+  try {
+    note(fmt::format("the run ended early: {}", why));
+    end_stage(time_, "broken off");
+    writer_.flush();
+  } catch (const std::exception&) {  // the writer has said it before; what was flushed stays
+    stage_open_ = false;
+  }
+}
+
+}  // namespace trilith

@@ -1,0 +1,86 @@
+// Turns a running simulation into a results file. Reads Instant, writes nothing back.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/results_writer.hpp"
+#include "run/recording_header.hpp"
+#include "step/contact_resultants.hpp"
+#include "world/energy_check.hpp"
+
+namespace trilith {
+
+class Recording {
+ public:
+  /// Opens `<path>.part` and writes what does not change during a run. Throws RecordError (unwritable, full disk, ...)
+  /// and InputError for names of histories that cannot be used (see record::ResultsWriter).
+  Recording(std::filesystem::path path, const Model<2>& model, const State<2>& state, RecordingOptions options = {});
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+  Recording(Recording&&) = delete;
+  Recording& operator=(Recording&&) = delete;
+  /// Leaves the file unfinished, readable up to its last row, unless finish() was called.
+  ~Recording() = default;
+
+  /// Records all a run tells; valid as long as this lives. Stages are known by their events.
+  RunListener listener();
+
+  // What the listener does, for callers with a listener of their own. All throw RecordError.
+  void frame(const Instant& now);
+  /// One sample of every history, from their `sample`.
+  void history(const Instant& now);
+  /// The same from values known elsewhere, in the order of the histories; time [s].
+  void history(double time, std::span<const double> values);
+  /// The residual is the balance less that of the first sample.
+  void energy(const Instant& now, const Energy& energy);
+  /// Events "stage.begun" and "stage.ended" open and close rows of the table of stages.
+  void event(const Event& event, const Instant& now);
+  /// A line of text that belongs to the run; time of the last row.
+  void note(std::string_view text);
+
+  /// Completes the file under its own name. Nothing may be recorded afterwards.
+  void finish();
+  /// The run ended early: says why in the file, which stays `<path>.part`, unfinished. Throws nothing.
+  void abandon(std::string_view why) noexcept;
+
+  [[nodiscard]] const EnergyCheck& energy_check() const { return check_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return writer_.path(); }
+  /// Where the rows are until finish().
+  [[nodiscard]] const std::filesystem::path& part() const { return writer_.part(); }
+
+ private:
+  void begin_stage(const Event& event, const Instant& now);
+  void end_stage(double time, std::string_view why);
+  void note_drives(const Model<2>& model);
+  void take_contacts(const Instant& now);
+  void take_bearings(const Instant& now);
+  void flush_when_due();
+
+  record::ResultsWriter writer_;
+  std::vector<RecordedHistory> histories_;
+  bool with_velocity_;
+  int flush_frames_;
+  std::chrono::duration<double> flush_interval_;
+  std::chrono::steady_clock::time_point flushed_;
+  int frames_since_ = 0;
+  std::int32_t stage_ = -1;
+  bool stage_open_ = false;
+  std::size_t drives_known_;
+  double time_;
+  bool has_balance_ = false;
+  double first_balance_ = 0;
+  EnergyCheck check_;
+
+  // Rows under way; kept for their memory.
+  std::vector<TouchingContact> touching_;
+  std::vector<record::ContactForce> contacts_;
+  std::vector<record::BearingState> bearing_state_;
+  std::vector<double> bearing_force_, bearing_displacement_, values_;
+};
+
+}  // namespace trilith

@@ -1,0 +1,50 @@
+// What a results file says of a model before its first row.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "record/results.hpp"
+#include "run/stage.hpp"
+#include "world/builder.hpp"
+
+namespace trilith {
+
+/// A quantity followed over time. `sample` must give a finite number and write nothing.
+struct RecordedHistory {
+  std::string name, unit, description;
+  std::function<double(const Instant&)> sample;
+};
+
+/// What the caller knows and the model does not.
+struct RecordingOptions {
+  /// What is left empty of version, compiler, platform and start time is filled in; motions come from the model's
+  /// drives where none are given.
+  record::Provenance provenance;
+  std::vector<Material> materials;  ///< for the table of laws
+  std::vector<RecordedHistory> histories;
+  bool with_velocity = false;
+  int flush_frames = 50;     ///< bring rows to the disk after so many frames ...
+  double flush_seconds = 2;  ///< ... or so many seconds of wall clock, whichever comes first
+  bool sync = true;          ///< against loss of power too
+};
+
+/// Header of a results file of `model` that starts at `state`. Energy terms are those of world/energy.hpp.
+record::Header recording_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options);
+
+/// "fixed", "moved", "free", or each degree of freedom for itself: "x moved, y free, rotation free".
+std::string support_text(const std::array<Support, 3>& support);
+
+/// The ground motion that moves one degree of freedom: "El Centro ... on 'left ground' (x), from t = 3.2 s".
+std::string drive_text(const Model<2>& model, const Drive& drive);
+
+/// A bearing's laws by direction, its limits and what it becomes.
+std::string bearing_text(const Model<2>& model, const Bearing<2>& bearing);
+
+/// UTC now, ISO 8601, e.g. "2025-11-21T09:30:00Z"; the compiler and the platform this was built with and runs on.
+std::string clock_text();
+std::string compiler_text();
+std::string platform_text();
+
+}  // namespace trilith

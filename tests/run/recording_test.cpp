@@ -1,0 +1,195 @@
+#include "run/recording.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <numeric>
+
+#include "base/error.hpp"
+#include "record/results_reader.hpp"
+#include "record/sample_run.hpp"
+#include "run/dropped_block.hpp"
+
+using namespace trilith;
+using testing::dropped_block;
+using testing::fall_stage;
+
+namespace {
+
+RecordingOptions options() {
+  RecordingOptions o;
+  o.provenance.start_time = "2025-11-21T09:30:00Z";
+  o.sync = false;
+  o.histories = {
+      {"block.y", "m", "height of the block's centre", [](const Instant& now) { return now.state.position[1].y(); }}};
+  return o;
+}
+
+/// Runs the fall and records it to `path`; gives the hash of the last state.
+std::uint64_t record_fall(const std::filesystem::path& path, double height, double duration = 1.5) {
+  Simulation simulation(dropped_block(height));
+  Recording recording(path, simulation.model(), simulation.state(), options());
+  simulation.run(fall_stage(duration), recording.listener());
+  recording.finish();
+  CHECK(recording.energy_check().input() > 0);
+  return state_hash(simulation.state());
+}
+
+}  // namespace
+
+TEST_CASE("a recorded fall reads back: model, frames, histories, events, stages and energy") {
+  const record::Folder folder;
+  record_fall(folder / "fall.h5", 0.3);
+  const record::ResultsReader reader(folder / "fall.h5");
+  CHECK(reader.finished());
+  const record::Header& header = reader.header();
+  REQUIRE(header.bodies.size() == 2);
+  CHECK(header.bodies[0].support == "fixed");
+  CHECK(header.bodies[1].support == "free");
+  CHECK(header.bodies[1].groups == "stones");
+  CHECK(header.energy_terms.size() == energy_terms);
+  CHECK(header.energy_terms[0].name == "kinetic");
+  REQUIRE(header.laws.size() == 3);
+  CHECK(header.laws[0].text.find("kn=1e+08 Pa/m") != std::string::npos);
+
+  CHECK(reader.frame_count() == 76);
+  const record::Frame half = reader.frame(5);  // still falling
+  CHECK(half.time == doctest::Approx(0.1).epsilon(0.01));
+  CHECK(half.contacts.empty());
+  CHECK(half.position[3] == doctest::Approx(0.55 - 0.5 * standard_gravity * half.time * half.time).epsilon(1e-3));
+  CHECK(reader.history("block.y").size() == reader.history_times().size());
+
+  const std::vector<record::EventRow> events = reader.events();
+  REQUIRE(events.size() >= 3);
+  CHECK(events.front().type == "stage.begun");
+  CHECK(events.back().type == "stage.ended");
+  CHECK(events[1].type == "impact");
+  CHECK(events[1].time == doctest::Approx(std::sqrt(2 * 0.3 / standard_gravity)).epsilon(0.01));
+  CHECK(events[1].first.value == doctest::Approx(std::sqrt(2 * 0.3 * standard_gravity)).epsilon(0.01));
+  CHECK(events[1].text.find("hit") != std::string::npos);
+  CHECK(events[1].has_place);
+  CHECK(events[1].cause == events[0].id);
+  const std::vector<record::StageRow> stages = reader.stages();
+  REQUIRE(stages.size() == 1);
+  CHECK(stages[0].name == "fall");
+  CHECK(stages[0].ended);
+  CHECK(stages[0].why == "time");
+  CHECK(stages[0].end == doctest::Approx(1.5));
+
+  const record::EnergyTable energy = reader.energy();
+  REQUIRE(energy.time.size() == 76);
+  CHECK(energy.residual[0] == 0);
+  for (const double r : energy.residual) CHECK(std::abs(r) < 0.01 * testing::block_weight * 0.3);
+}
+
+TEST_CASE("the recorded contact forces on a block at rest sum to its weight") {
+  const record::Folder folder;
+  record_fall(folder / "rest.h5", 0.001, 2.0);
+  const record::ResultsReader reader(folder / "rest.h5");
+  const record::Frame last = reader.frame(reader.frame_count() - 1);
+  REQUIRE(last.contacts.size() == 1);
+  const record::ContactForce& c = last.contacts[0];
+  const double sign = c.body_a == 1 ? 1 : -1;  // `force` acts on body a
+  CHECK(sign * c.force[1] == doctest::Approx(testing::block_weight).epsilon(1e-6));
+  CHECK(std::abs(c.force[0]) < 1e-6 * testing::block_weight);
+  CHECK(std::abs(c.point[0]) < 1e-6);
+  CHECK(std::abs(c.point[1]) < 1e-3);
+  CHECK(c.state == record::ContactState::sticking);
+}
+
+TEST_CASE("recording does not change a run") {
+  const record::Folder folder;
+  const std::uint64_t recorded = record_fall(folder / "fall.h5", 0.3);
+  Simulation alone(dropped_block(0.3));
+  alone.run(fall_stage());
+  CHECK(state_hash(alone.state()) == recorded);
+}
+
+TEST_CASE("two runs write the same bytes") {
+  const record::Folder folder;
+  record_fall(folder / "one.h5", 0.3);
+  record_fall(folder / "two.h5", 0.3);
+  const std::string one = record::bytes_of(folder / "one.h5");
+  CHECK(one.size() > 1000);
+  CHECK(one == record::bytes_of(folder / "two.h5"));
+}
+
+TEST_CASE("a killed run can be read up to its last flush") {
+  const record::Folder folder;
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    Simulation simulation(dropped_block(0.3));
+    RecordingOptions o = options();
+    o.flush_frames = 10;
+    Recording recording(folder / "killed.h5", simulation.model(), simulation.state(), std::move(o));
+    RunListener listener = recording.listener();
+    listener.on_step = [](const Instant& now) {
+      if (now.state.time > 0.5) ::raise(SIGKILL);
+    };
+    simulation.run(fall_stage(), listener);
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(WIFSIGNALED(status));
+  const record::ResultsReader reader(folder / "killed.h5");
+  CHECK_FALSE(reader.finished());
+  CHECK_FALSE(reader.running());
+  CHECK(reader.frame_count() >= 20);
+  REQUIRE(reader.stages().size() == 1);
+  CHECK_FALSE(reader.stages()[0].ended);
+  CHECK(reader.events().size() >= 2);
+}
+
+TEST_CASE("an abandoned recording says why and stays unfinished") {
+  const record::Folder folder;
+  {
+    Simulation simulation(dropped_block(0.3));
+    Recording recording(folder / "early.h5", simulation.model(), simulation.state(), options());
+    RunListener listener = recording.listener();
+    listener.on_step = [](const Instant& now) {
+      if (now.state.time > 0.2) throw InputError("script.lua:3: no such body");
+    };
+    CHECK_THROWS_AS(simulation.run(fall_stage(), listener), InputError);
+    recording.abandon("script.lua:3: no such body");
+  }
+  CHECK_FALSE(std::filesystem::exists(folder / "early.h5"));
+  const record::ResultsReader reader(folder / "early.h5");
+  CHECK_FALSE(reader.finished());
+  CHECK(reader.stages()[0].why == "broken off");
+  REQUIRE(reader.notes().size() == 1);
+  CHECK(reader.notes()[0].text.find("no such body") != std::string::npos);
+}
+
+TEST_CASE("a history that gives no number is refused, with its name") {
+  const record::Folder folder;
+  Simulation simulation(dropped_block(0.3));
+  RecordingOptions o = options();
+  o.histories[0].sample = [](const Instant&) { return std::nan(""); };
+  Recording recording(folder / "nan.h5", simulation.model(), simulation.state(), std::move(o));
+  CHECK_THROWS_AS(simulation.run(fall_stage(), recording.listener()), record::RecordError);
+}
+
+TEST_CASE("a motion that starts with a later stage is noted") {
+  const record::Folder folder;
+  Simulation simulation(dropped_block(0.001));
+  Recording recording(folder / "shaken.h5", simulation.model(), simulation.state(), options());
+  StageOptions o = fall_stage(0.1);
+  o.name = "consolidation";
+  o.rest_share = 0.8;
+  simulation.run(o, recording.listener());
+  const std::vector<double> samples{0, 1, -1, -1, 1, 0};
+  set_drive(simulation.edit_model(), 0, 0, std::make_shared<GroundMotion>(samples, 0.02), 0.1, 0);
+  simulation.run(fall_stage(0.1), recording.listener());
+  recording.finish();
+  const record::ResultsReader reader(folder / "shaken.h5");
+  REQUIRE(reader.notes().size() == 1);
+  CHECK(reader.notes()[0].text.find("'ground' (x)") != std::string::npos);
+  REQUIRE(reader.stages().size() == 2);
+  CHECK(reader.stages()[0].kind == "consolidation");
+  CHECK(reader.stages()[1].kind == "dynamic");
+}
