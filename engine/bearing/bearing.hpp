@@ -40,16 +40,15 @@ struct Bearing<2> {
   std::array<double, 3> limit = {unbounded, unbounded, unbounded};  ///< displacement that ends it [m], [m], [rad]
   Vec2 rest = Vec2::Zero();                ///< b's point from a's when placed, in the bearing's axes [m]
   double rest_angle = 0;                   ///< of b against a when placed [rad]
-  bool holds_off_contact = false;          ///< while live, the two pieces it sits between do not touch each other
-  int piece_a = -1, piece_b = -1;          ///< those pieces, where it holds off contact
+  bool holds_off_contact = false;          ///< while live, it stands for the flat contact of the pieces it sits between
+  int piece_a = -1, piece_b = -1;          ///< those pieces: the ones whose faces are nearest to its points
   int contact_after = -1;                  ///< index into Model::laws of the contact of the two pieces after
                                            ///< failure, or -1 for the one their surfaces have
   int becomes_bearing = -1;                ///< the bearing that goes live after failure, or -1
   bool starts_waiting = false;             ///< goes live only as another bearing's successor
 
-  /// True where it holds off the contact of these two pieces, in either order.
   [[nodiscard]] bool sits_between(int p, int q) const {
-    return holds_off_contact && ((piece_a == p && piece_b == q) || (piece_a == q && piece_b == p));
+    return (piece_a == p && piece_b == q) || (piece_a == q && piece_b == p);
   }
 };
 

@@ -68,15 +68,17 @@ void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
   });
 }
 
-/// The law a bearing between the two pieces imposes: -1 while it holds contact off, else the one it became, else `law`.
-int law_beside_bearings(const Model<2>& model, const State<2>& state, int piece_a, int piece_b, int law) {
+/// What the bearings between two pieces make of their contact: held off while one of them lives; after its failure, the
+/// law it became.
+void apply_bearings(const Model<2>& model, const State<2>& state, NearPair& pair) {
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     const Bearing<2>& b = model.bearings[i];
-    if (!b.sits_between(piece_a, piece_b)) continue;
-    if (is_live(state.bearing[i].status)) return -1;
-    if (b.contact_after >= 0) law = b.contact_after;
+    if (!b.sits_between(pair.piece_a, pair.piece_b)) continue;
+    if (is_live(state.bearing[i].status))
+      pair.held_off = pair.held_off || b.holds_off_contact;
+    else if (b.contact_after >= 0)
+      pair.law = b.contact_after;
   }
-  return law;
 }
 
 std::vector<Box> piece_boxes(const Model<2>& model, const Work<2>& work, double widen) {
@@ -109,7 +111,7 @@ void sort_into_batches(const Model<2>& model, Work<2>& work) {
   for (std::size_t l = 0; l < model.laws.size(); ++l) work.batches[l].law = static_cast<int>(l);
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
     const NearPair& pair = work.pairs[row];
-    if (pair.facing == 0)
+    if (pair.facing == 0 || pair.held_off)
       work.general.push_back(row);
     else
       (pair.facing == 1 ? work.batches[pair.law].row : work.batches[pair.law].choice).push_back(row);
@@ -144,9 +146,9 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
     const int body_p = model.piece_body[p], body_q = model.piece_body[q];
     if (body_p == body_q) continue;
     if (!model.moves(model.bodies[body_p].first_node) && !model.moves(model.bodies[body_q].first_node)) continue;
-    const int law = law_beside_bearings(model, state, p, q, contact_law(model, body_p, body_q));
-    if (law < 0) continue;
-    NearPair pair{p, q, law, 0, 0, 0, 0, 0, 1.0};
+    NearPair pair{p, q, contact_law(model, body_p, body_q), 0, 0, 0, 0, 0, 1.0, false};
+    if (pair.law < 0) continue;
+    apply_bearings(model, state, pair);
     find_facing(model, work, pair);
     work.pairs.push_back(pair);
   }

@@ -20,8 +20,7 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// smallest gap. Fills the face fields of `pair`. A function of the present pose alone.
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair);
 
-/// Law between two bodies' surfaces, -1 for none. Bearings that hold off contact, and those that failed and became
-/// one, are looked up by find_pairs.
+/// Law between two bodies' surfaces, -1 for none.
 int contact_law(const Model<2>& model, int body_a, int body_b);
 
 }  // namespace trilith

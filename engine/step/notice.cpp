@@ -80,11 +80,12 @@ void notice_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
   if (after.status != BearingStatus::failed) return;
   push_bearing_event(model, state, work, i, EventType::bearing_failed);
   const Bearing<2>& b = model.bearings[i];
-  if (b.becomes_bearing < 0 && !b.holds_off_contact) return;
+  const bool alters_contact = b.holds_off_contact || b.contact_after >= 0;
+  if (b.becomes_bearing < 0 && !alters_contact) return;
   after.status = BearingStatus::changed;
   push_bearing_event(model, state, work, i, EventType::bearing_changed);
   if (b.becomes_bearing >= 0) work.bearing[b.becomes_bearing].status = BearingStatus::intact;
-  if (b.holds_off_contact) work.valid = false;  // the two bodies may touch from now on
+  if (alters_contact) work.valid = false;  // another rule holds for the contact of its two pieces from now on
 }
 
 /// A bearing that ends gives its elastic energy off at once.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
 
@@ -36,6 +37,10 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   after = {};
   if (!was && work.travel < work.asleep_until[row]) return;
   const NearPair& pair = work.pairs[row];
+  if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) {
+    if (was) work.turned.push_back(row);
+    return;
+  }
   Corners corners_a, corners_b, on_a, on_b;
   const PlacedPiece a = placed_piece(model, state, work, pair.piece_a, corners_a);
   const PlacedPiece b = placed_piece(model, state, work, pair.piece_b, corners_b);

@@ -238,12 +238,9 @@ void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) cons
       throw InputError(fmt::format("bearing '{}': becomes contact law '{}', which is not there{}", spec.name,
                                    spec.contact_after, name_hint(spec.contact_after, known)));
     b.contact_after = static_cast<int>(it - known.begin());
-    b.holds_off_contact = true;
   }
-  if (b.holds_off_contact) {
-    b.piece_a = piece_at(model, b.body_a, b.point_a);
-    b.piece_b = piece_at(model, b.body_b, b.point_b);
-  }
+  b.piece_a = piece_at(model, b.body_a, b.point_a);
+  b.piece_b = piece_at(model, b.body_b, b.point_b);
   if (!spec.becomes_bearing.empty()) {
     std::vector<std::string> known;
     for (const BearingSpec& other : bearings_) known.push_back(other.name);

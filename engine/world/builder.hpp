@@ -44,7 +44,8 @@ struct BearingSpec {
   double angle = 0;                                     ///< of direction `along` to the x axis [rad]
   std::array<DirectionLaw, 3> law;
   std::array<double, 3> limit{unbounded, unbounded, unbounded};
-  bool holds_off_contact = false;  ///< of the two convex pieces whose faces are nearest to its points
+  bool holds_off_contact = false;  ///< while live, stands for the flat contact of the pieces whose faces are nearest
+                                   ///< to its points; their corners still touch
   std::string contact_after;   ///< name of the contact law after failure; "": the one of the surfaces
   std::string becomes_bearing; ///< name of the bearing that follows; "": none
   bool starts_waiting = false;

@@ -22,9 +22,7 @@ std::vector<Vec2> piece_outline(const Model<2>& model, int piece) {
 
 bool may_touch(const Model<2>& model, int p, int q) {
   const Body &a = model.bodies[model.piece_body[p]], &b = model.bodies[model.piece_body[q]];
-  if (model.law_of[a.surface * model.surfaces + b.surface] < 0) return false;
-  return std::none_of(model.bearings.begin(), model.bearings.end(),
-                      [&](const Bearing<2>& link) { return link.sits_between(p, q); });
+  return model.law_of[a.surface * model.surfaces + b.surface] >= 0;
 }
 
 /// Calls visit(piece, piece, separation) for pieces of two bodies whose boxes come within `reach` of each other.

@@ -19,6 +19,7 @@ struct NearPair {
   int facing;          ///< number of pairs of faces that look at each other: 0, 1, 2 (more counts as 2)
   int a0, a1, b0, b1;  ///< skin points of the two faces, where facing > 0
   double corner;       ///< see FaceOverlap::is_flat, where facing > 0
+  bool held_off;       ///< a live bearing stands for the flat contact of these pieces; corners still touch
 };
 
 /// Rows of `pairs` that are handled alike: one contact law, faces that look at each other.
