@@ -11,7 +11,10 @@ namespace trilith {
 /// FNV-1a, 64 bit (Fowler, Noll and Vo), fed eight bytes at a time. Not for secrets.
 class Hash {
  public:
-  void add(std::uint64_t word) { value_ = (value_ ^ word) * 0x100000001b3ULL; value_ ^= value_ >> 29; }
+  void add(std::uint64_t word) {
+    value_ = (value_ ^ word) * 0x100000001b3ULL;
+    value_ ^= value_ >> 29;
+  }
   /// -0.0 and 0.0 are told apart: a digest is of bits.
   void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
   void add(std::string_view text) {

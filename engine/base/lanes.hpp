@@ -28,23 +28,39 @@ using Mask = typename MaskOf<T>::type;
 
 #define TRILITH_INLINE [[gnu::always_inline]] inline
 
-TRILITH_INLINE double select(bool m, double a, double b) { return m ? a : b; }
-TRILITH_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) { return m ? a : b; }
-TRILITH_INLINE double root(double x) { return std::sqrt(x); }
+TRILITH_INLINE double select(bool m, double a, double b) {
+  return m ? a : b;
+}
+TRILITH_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) {
+  return m ? a : b;
+}
+TRILITH_INLINE double root(double x) {
+  return std::sqrt(x);
+}
 TRILITH_INLINE Lanes root(Lanes x) {
   Lanes r;
   for (int i = 0; i < lane_count; ++i) r[i] = __builtin_sqrt(x[i]);
   return r;
 }
 template <class T>
-TRILITH_INLINE T larger(T a, T b) { return select(a > b, a, b); }
+TRILITH_INLINE T larger(T a, T b) {
+  return select(a > b, a, b);
+}
 template <class T>
-TRILITH_INLINE T smaller(T a, T b) { return select(a < b, a, b); }
+TRILITH_INLINE T smaller(T a, T b) {
+  return select(a < b, a, b);
+}
 template <class T>
-TRILITH_INLINE T magnitude(T a) { return select(a < T{} , -a, a); }
+TRILITH_INLINE T magnitude(T a) {
+  return select(a < T{}, -a, a);
+}
 /// A mask that is true where `m` is false.
-TRILITH_INLINE bool flip(bool m) { return !m; }
-TRILITH_INLINE LaneMask flip(LaneMask m) { return ~m; }
+TRILITH_INLINE bool flip(bool m) {
+  return !m;
+}
+TRILITH_INLINE LaneMask flip(LaneMask m) {
+  return ~m;
+}
 #pragma GCC diagnostic pop
 
 }  // namespace trilith

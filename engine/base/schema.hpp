@@ -22,9 +22,9 @@ template <class Owner>
 struct Parameter {
   double Owner::*member;
   std::string_view name;
-  std::string_view unit;      ///< SI, "1" for none
-  double preset;              ///< the default, or `no_default` where it must be given
-  double least, most;         ///< allowed range; `least` itself is allowed only where `includes_least`
+  std::string_view unit;  ///< SI, "1" for none
+  double preset;          ///< the default, or `no_default` where it must be given
+  double least, most;     ///< allowed range; `least` itself is allowed only where `includes_least`
   bool includes_least;
   std::string_view sentence;  ///< what it is
 
@@ -52,7 +52,8 @@ template <Declared T>
 void check_parameters(const T& value) {
   for (const Parameter<T>& p : T::parameters())
     if (!p.allows(value.*(p.member)))
-      throw InputError(fmt::format("{}: {} is {:g} {}, must be {}", T::name, p.name, value.*(p.member), p.unit, p.range()));
+      throw InputError(
+          fmt::format("{}: {} is {:g} {}, must be {}", T::name, p.name, value.*(p.member), p.unit, p.range()));
 }
 
 /// "frictional{kn=1e+08 Pa/m, ...}": what was chosen, for results and messages.

@@ -26,11 +26,17 @@ using Vec = typename Space<D>::Vec;
 using Vec2 = Vec<2>;
 
 /// z component of a x b.
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 /// spin x arm: velocity of the tip of `arm` that turns with `spin`.
-inline Vec2 cross(double spin, const Vec2& arm) { return {-spin * arm.y(), spin * arm.x()}; }
+inline Vec2 cross(double spin, const Vec2& arm) {
+  return {-spin * arm.y(), spin * arm.x()};
+}
 /// `v` turned by +90 degrees.
-inline Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
+inline Vec2 left_of(const Vec2& v) {
+  return {-v.y(), v.x()};
+}
 
 /// Turns vectors by one angle; the cosine and sine are found once.
 struct Turn {

@@ -25,7 +25,9 @@ constexpr const char* name_of(BearingStatus s) {
   return names[static_cast<std::size_t>(s)];
 }
 /// True where the bearing carries load.
-constexpr bool is_live(BearingStatus s) { return s == BearingStatus::intact || s == BearingStatus::yielded; }
+constexpr bool is_live(BearingStatus s) {
+  return s == BearingStatus::intact || s == BearingStatus::yielded;
+}
 
 template <int D>
 struct Bearing;
@@ -38,14 +40,14 @@ struct Bearing<2> {
   double angle = 0;                                     ///< of direction `along`, in the axes of body a [rad]
   std::array<DirectionLaw, 3> law;                      ///< along, axial (vertical), turning
   std::array<double, 3> limit = {unbounded, unbounded, unbounded};  ///< displacement that ends it [m], [m], [rad]
-  Vec2 rest = Vec2::Zero();                ///< b's point from a's when placed, in the bearing's axes [m]
-  double rest_angle = 0;                   ///< of b against a when placed [rad]
-  bool holds_off_contact = false;          ///< while live, it stands for the flat contact of the pieces it sits between
-  int piece_a = -1, piece_b = -1;          ///< those pieces: the ones whose faces are nearest to its points
-  int contact_after = -1;                  ///< index into Model::laws of the contact of the two pieces after
-                                           ///< failure, or -1 for the one their surfaces have
-  int becomes_bearing = -1;                ///< the bearing that goes live after failure, or -1
-  bool starts_waiting = false;             ///< goes live only as another bearing's successor
+  Vec2 rest = Vec2::Zero();        ///< b's point from a's when placed, in the bearing's axes [m]
+  double rest_angle = 0;           ///< of b against a when placed [rad]
+  bool holds_off_contact = false;  ///< while live, it stands for the flat contact of the pieces it sits between
+  int piece_a = -1, piece_b = -1;  ///< those pieces: the ones whose faces are nearest to its points
+  int contact_after = -1;          ///< index into Model::laws of the contact of the two pieces after
+                                   ///< failure, or -1 for the one their surfaces have
+  int becomes_bearing = -1;        ///< the bearing that goes live after failure, or -1
+  bool starts_waiting = false;     ///< goes live only as another bearing's successor
 
   [[nodiscard]] bool sits_between(int p, int q) const {
     return (piece_a == p && piece_b == q) || (piece_a == q && piece_b == p);

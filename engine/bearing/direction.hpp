@@ -8,10 +8,10 @@ namespace trilith {
 
 /// What one direction remembers from step to step.
 struct DirectionMemory {
-  double inner = 0;     ///< plastic displacement or place of the slider [m] or [rad]
-  double force = 0;     ///< elastic or frictional part of the last force [N] or [N m]
-  double damping = 0;   ///< dashpot part of the last force
-  double travelled = 0; ///< accumulated plastic or sliding distance
+  double inner = 0;      ///< plastic displacement or place of the slider [m] or [rad]
+  double force = 0;      ///< elastic or frictional part of the last force [N] or [N m]
+  double damping = 0;    ///< dashpot part of the last force
+  double travelled = 0;  ///< accumulated plastic or sliding distance
 };
 
 struct DirectionMotion {
@@ -23,16 +23,17 @@ struct DirectionMotion {
 
 struct DirectionResponse {
   DirectionMemory memory;
-  double stored = 0;         ///< elastic energy [J]
-  double lost_inner = 0;     ///< plastic or frictional energy given off in this step [J]
-  double lost_damping = 0;   ///< [J]
+  double stored = 0;        ///< elastic energy [J]
+  double lost_inner = 0;    ///< plastic or frictional energy given off in this step [J]
+  double lost_damping = 0;  ///< [J]
   bool yielding = false;
 
   [[nodiscard]] double force() const { return memory.force + memory.damping; }
 };
 
 /// Adds a dashpot; its power is taken with the mean force of the step.
-inline void add_dashpot(double damping, const DirectionMotion& m, const DirectionMemory& before, DirectionResponse& out) {
+inline void add_dashpot(double damping, const DirectionMotion& m, const DirectionMemory& before,
+                        DirectionResponse& out) {
   out.memory.damping = damping * m.rate;
   out.lost_damping = 0.5 * (out.memory.damping + before.damping) * m.rate * m.dt;
 }

@@ -22,11 +22,12 @@ struct ElasticPlastic {
   static constexpr std::string_view sentence = "bilinear spring with kinematic hardening and a dashpot";
   static constexpr auto parameters() {
     using P = Parameter<ElasticPlastic>;
-    return std::array{
-        P{&ElasticPlastic::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "elastic force per displacement"},
-        P{&ElasticPlastic::yield, "yield", "N", no_default, 0, unbounded, false, "force at first yield"},
-        P{&ElasticPlastic::hardening, "hardening", "1", 0, 0, 0.99, true, "stiffness after yield over elastic stiffness"},
-        P{&ElasticPlastic::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
+    return std::array{P{&ElasticPlastic::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false,
+                        "elastic force per displacement"},
+                      P{&ElasticPlastic::yield, "yield", "N", no_default, 0, unbounded, false, "force at first yield"},
+                      P{&ElasticPlastic::hardening, "hardening", "1", 0, 0, 0.99, true,
+                        "stiffness after yield over elastic stiffness"},
+                      P{&ElasticPlastic::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
   }
   [[nodiscard]] double tangent() const { return stiffness; }
   [[nodiscard]] double dashpot() const { return damping; }

@@ -21,7 +21,8 @@ struct Gap {
   static constexpr auto parameters() {
     using P = Parameter<Gap>;
     return std::array{
-        P{&Gap::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "force per displacement beyond the gap"},
+        P{&Gap::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false,
+          "force per displacement beyond the gap"},
         P{&Gap::opening, "opening", "m", no_default, 0, unbounded, true, "displacement at which the gap closes"},
         P{&Gap::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity while closed"},
         P{&Gap::side, "side", "1", 0, -1, 1, true, "+1 or -1: closes in that direction only; 0: in both"}};

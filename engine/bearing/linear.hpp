@@ -16,8 +16,9 @@ struct Linear {
   static constexpr std::string_view sentence = "linear spring with a dashpot";
   static constexpr auto parameters() {
     using P = Parameter<Linear>;
-    return std::array{P{&Linear::stiffness, "stiffness", "N/m", no_default, 0, unbounded, true, "force per displacement"},
-                      P{&Linear::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
+    return std::array{
+        P{&Linear::stiffness, "stiffness", "N/m", no_default, 0, unbounded, true, "force per displacement"},
+        P{&Linear::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
   }
   [[nodiscard]] double tangent() const { return stiffness; }
   [[nodiscard]] double dashpot() const { return damping; }

@@ -6,8 +6,9 @@ namespace trilith {
 
 void Table::check() const {
   if (displacement.size() < 2 || displacement.size() != force.size())
-    throw InputError(fmt::format("table: {} displacements and {} forces; give at least 2 points {{displacement, force}}",
-                                 displacement.size(), force.size()));
+    throw InputError(
+        fmt::format("table: {} displacements and {} forces; give at least 2 points {{displacement, force}}",
+                    displacement.size(), force.size()));
   for (std::size_t i = 0; i < displacement.size(); ++i) {
     require_finite(displacement[i], fmt::format("table: displacement of point {}", i + 1));
     require_finite(force[i], fmt::format("table: force of point {}", i + 1));

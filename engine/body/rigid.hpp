@@ -11,10 +11,10 @@ namespace trilith {
 
 /// Motion of a node.
 struct NodeMotion {
-  Vec2 position;   ///< [m]
-  double rotation; ///< [rad]
-  Vec2 velocity;   ///< [m/s]
-  double spin;     ///< [rad/s]
+  Vec2 position;    ///< [m]
+  double rotation;  ///< [rad]
+  Vec2 velocity;    ///< [m/s]
+  double spin;      ///< [rad/s]
 };
 
 /// place: skin points fixed in the body's axes to where they are and how fast they move.
@@ -41,8 +41,8 @@ double place_rigid(const NodeMotion& node, std::span<const Vec2> skin, std::span
 
 /// spread: forces at skin points to the force and moment at the node; the transpose of `place`.
 template <class Point>
-void spread_rigid(const Vec2& node_position, std::span<const Point> skin, std::span<const Vec2> skin_force,
-                  Vec2& force, double& moment) {
+void spread_rigid(const Vec2& node_position, std::span<const Point> skin, std::span<const Vec2> skin_force, Vec2& force,
+                  double& moment) {
   for (std::size_t i = 0; i < skin.size(); ++i) {
     const Vec2& f = skin_force[i];
     force += f;

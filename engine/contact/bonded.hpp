@@ -32,7 +32,8 @@ struct Bonded {
         P{&Bonded::beta, "beta", "s", 0, 0, 1, true, "damping stress per stiffness and velocity"},
         P{&Bonded::cohesion, "cohesion", "Pa", no_default, 0, unbounded, true, "shear strength at no normal stress"},
         P{&Bonded::tension, "tension", "Pa", no_default, 0, unbounded, true, "tensile strength of the bond"},
-        P{&Bonded::loss_by_point, "loss_by_point", "1", 0, 0, 1, true, "0: the whole face fails at once, 1: each half for itself"}};
+        P{&Bonded::loss_by_point, "loss_by_point", "1", 0, 0, 1, true,
+          "0: the whole face fails at once, 1: each half for itself"}};
   }
 };
 

@@ -69,18 +69,18 @@ struct PositivePart {
 /// What one half of the shared length carries.
 template <class T>
 struct HalfResponse {
-  T normal, normal_moment;      ///< N, and its first moment about the half's start [N], [N m]
-  T damping, damping_moment;    ///< the damping part of both
+  T normal, normal_moment;    ///< N, and its first moment about the half's start [N], [N m]
+  T damping, damping_moment;  ///< the damping part of both
   T shear_elastic, shear_total, slip;
   T lost_damping, lost_friction;
 };
 
 template <class T>
 struct HalfState {
-  T g0, g1;        ///< gap at both ends [m], negative where overlapping
-  T r0, r1;        ///< gap rate at both ends [m/s]
-  T slip_rate;     ///< of B along d, at the middle [m/s]
-  T length;        ///< [m]
+  T g0, g1;     ///< gap at both ends [m], negative where overlapping
+  T r0, r1;     ///< gap rate at both ends [m/s]
+  T slip_rate;  ///< of B along d, at the middle [m/s]
+  T length;     ///< [m]
   Mask<T> bonded;
 };
 
@@ -117,8 +117,8 @@ TRILITH_INLINE void respond_normal(const HalfState<T>& h, const FaceLaw& law, T&
 
 /// Kelvin-Voigt spring in series with a Coulomb slider; the damping acts on the elastic part only.
 template <class T>
-TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T active, T elastic_before,
-                                  T total_before, HalfResponse<T>& out) {
+TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T active, T elastic_before, T total_before,
+                                  HalfResponse<T>& out) {
   const T zero{}, one = zero + 1.0;
   const T stiffness = law.ks * active * h.length;
   const T move = h.slip_rate * law.dt;

@@ -76,9 +76,11 @@ struct Nearest {
   double slope, until;
 };
 
-/// Next face of the lower envelope of depths at share `at`. Going up, the slopes of an envelope of lines only fall: only
-/// faces that fall faster than `steeper_than` count, so that rounding at a crossing cannot choose the last face again.
-Nearest nearest_from(const Depths& depths, const Edges& edges, int v, int w, double at, double to, double steeper_than) {
+/// Next face of the lower envelope of depths at share `at`. Going up, the slopes of an envelope of lines only fall:
+/// only faces that fall faster than `steeper_than` count, so that rounding at a crossing cannot choose the last face
+/// again.
+Nearest nearest_from(const Depths& depths, const Edges& edges, int v, int w, double at, double to,
+                     double steeper_than) {
   const auto slope_of = [&](int f) { return depths.at(f, w) - depths.at(f, v); };
   const auto depth_of = [&](int f) { return depths.at(f, v) + slope_of(f) * at; };
   Nearest best{-1, 0, to};
@@ -265,9 +267,8 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   out.memory.damping_force[1] = sums.damping.y();
   if (sums.pressure > 0) {
     out.centre = sums.moment_arm / sums.pressure;
-    const Vec2 old_damping = (before.state & contact_general) != 0
-                                 ? Vec2(before.damping_force[0], before.damping_force[1])
-                                 : Vec2::Zero();
+    const Vec2 old_damping =
+        (before.state & contact_general) != 0 ? Vec2(before.damping_force[0], before.damping_force[1]) : Vec2::Zero();
     const Vec2 approach = b.velocity_at(out.centre) - a.velocity_at(out.centre);
     out.lost_damping = 0.5 * law.dt * (sums.damping_power - old_damping.dot(approach));
     add_friction(a, b, before, law, sums, on_a, on_b, out);

@@ -34,10 +34,10 @@ struct PlacedPiece {
 struct OverlapResponse {
   ContactMemory memory;
   bool touching = false;
-  double separation = 0;        ///< lower bound of the distance where not touching [m]
-  Vec2 force = Vec2::Zero();    ///< normal resultant on b [N]
-  Vec2 centre = Vec2::Zero();   ///< centre of pressure [m]
-  double length = 0;            ///< length in contact [m]
+  double separation = 0;                       ///< lower bound of the distance where not touching [m]
+  Vec2 force = Vec2::Zero();                   ///< normal resultant on b [N]
+  Vec2 centre = Vec2::Zero();                  ///< centre of pressure [m]
+  double length = 0;                           ///< length in contact [m]
   double lost_damping = 0, lost_friction = 0;  ///< [J]
 };
 

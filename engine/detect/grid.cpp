@@ -18,13 +18,17 @@ struct Grid {
     [[nodiscard]] std::int64_t cells() const { return (i1 - i0 + 1) * (j1 - j0 + 1); }
   };
   [[nodiscard]] Range range(const Box& b) const {
-    const auto column = [&](double x) { return std::clamp<std::int64_t>(std::int64_t((x - x0) / cell), 0, columns - 1); };
+    const auto column = [&](double x) {
+      return std::clamp<std::int64_t>(std::int64_t((x - x0) / cell), 0, columns - 1);
+    };
     const auto row = [&](double y) { return std::clamp<std::int64_t>(std::int64_t((y - y0) / cell), 0, rows - 1); };
     return {column(b.x0), column(b.x1), row(b.y0), row(b.y1)};
   }
 };
 
-double size_of(const Box& b) { return std::max(b.x1 - b.x0, b.y1 - b.y0); }
+double size_of(const Box& b) {
+  return std::max(b.x1 - b.x0, b.y1 - b.y0);
+}
 
 double median_size(const std::vector<Box>& boxes) {
   std::vector<double> sizes(boxes.size());
@@ -68,8 +72,7 @@ std::vector<std::pair<int, int>> meeting_boxes(const std::vector<Box>& boxes) {
   if (boxes.size() < 2) return pairs;
   const double cell = 2 * median_size(boxes);
   std::vector<int> small, large;
-  for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
-    (size_of(boxes[i]) > 8 * cell ? large : small).push_back(i);
+  for (int i = 0; i < static_cast<int>(boxes.size()); ++i) (size_of(boxes[i]) > 8 * cell ? large : small).push_back(i);
   for (const int l : large)
     for (int i = 0; i < static_cast<int>(boxes.size()); ++i) {
       const bool once = size_of(boxes[i]) <= 8 * cell || l < i;  // two large boxes are met from the lower one

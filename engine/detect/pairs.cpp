@@ -32,7 +32,8 @@ void set_faces(NearPair& pair, const Edge& a, const Edge& b) {
 
 /// Calls visit(edge a, edge b) for every two surface edges of the pieces whose directions oppose within `angle`.
 template <class Visit>
-void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, int piece_b, double angle, Visit&& visit) {
+void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, int piece_b, double angle,
+                      Visit&& visit) {
   const int na = model.corners_of(piece_a), nb = model.corners_of(piece_b);
   for (int i = 0; i < na; ++i) {
     if (!model.edge_is_face[model.piece_first[piece_a] + i]) continue;

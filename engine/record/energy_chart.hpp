@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// One term of the ledger as a line [J] over the ledger's times. `supplied`: work put in (ground motion, weight), which the sum
-/// of the others should reach.
+/// One term of the ledger as a line [J] over the ledger's times. `supplied`: work put in (ground motion, weight), which
+/// the sum of the others should reach.
 struct EnergyCurve {
   std::string name;
   std::vector<double> energy;

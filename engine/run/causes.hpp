@@ -8,7 +8,8 @@
 namespace trilith {
 
 /// Numbers events and names their causes: the latest event that loaded or loosened one of the bodies concerned (failure
-/// or change of a bearing, lost seat, impact, broken bond), else the stage. Contacts made and lost, and rest, cause nothing.
+/// or change of a bearing, lost seat, impact, broken bond), else the stage. Contacts made and lost, and rest, cause
+/// nothing.
 class Causes {
  public:
   explicit Causes(int bodies) : last_(static_cast<std::size_t>(bodies), -1) {}

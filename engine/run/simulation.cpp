@@ -22,10 +22,12 @@ void check(const StageOptions& o) {
   const std::string owner = fmt::format("stage '{}'", o.name);
   require_positive(o.duration, owner + ": duration", "s");
   require_not_negative(o.dt, owner + ": dt", "s");
-  if (!(o.safety > 0 && o.safety <= 1)) throw InputError(fmt::format("{}: safety is {:g}, must be above 0 and at most 1", owner, o.safety));
+  if (!(o.safety > 0 && o.safety <= 1))
+    throw InputError(fmt::format("{}: safety is {:g}, must be above 0 and at most 1", owner, o.safety));
   if (!(o.rest_share >= 0 && o.rest_share < 1))
     throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
-  for (const double v : {o.frame_interval, o.history_interval, o.energy_interval}) require_not_negative(v, owner + ": interval", "s");
+  for (const double v : {o.frame_interval, o.history_interval, o.energy_interval})
+    require_not_negative(v, owner + ": interval", "s");
   if (o.until_rest) {
     require_positive(o.still_speed, owner + ": speed at rest", "m/s");
     require_positive(o.still_ratio, owner + ": unbalanced ratio at rest", "1");
@@ -46,7 +48,8 @@ struct Clock {
 
 }  // namespace
 
-Simulation::Simulation(Model<2> model) : model_(std::move(model)), state_(start_state(model_)), causes_(static_cast<int>(model_.bodies.size())) {}
+Simulation::Simulation(Model<2> model)
+    : model_(std::move(model)), state_(start_state(model_)), causes_(static_cast<int>(model_.bodies.size())) {}
 
 Simulation::Simulation(Model<2> model, State<2> state)
     : model_(std::move(model)), state_(std::move(state)), causes_(static_cast<int>(model_.bodies.size())) {
@@ -59,8 +62,12 @@ Model<2>& Simulation::edit_model() {
   return model_;
 }
 
-void Simulation::refresh() { evaluate(model_, state_, work_, state_.last_dt); }
-void Simulation::drop_work() { work_ = Work<2>{}; }
+void Simulation::refresh() {
+  evaluate(model_, state_, work_, state_.last_dt);
+}
+void Simulation::drop_work() {
+  work_ = Work<2>{};
+}
 
 void Simulation::choose_step(const StageOptions& options) {
   const bool look = state_.dt == 0 || state_.step % steps_between_estimates == 0;
@@ -68,8 +75,9 @@ void Simulation::choose_step(const StageOptions& options) {
   if (look && options.dt > 0) {
     const StableStep s = stable_step(model_, state_, work_);
     if (options.dt > s.dt)
-      throw InputError(fmt::format("stage '{}': dt is {:g} s, the longest stable step is {:.4g} s at t = {:.4g} s; leave dt out, or: {}",
-                                   options.name, options.dt, s.dt, state_.time, explain_step(model_, state_, work_)));
+      throw InputError(fmt::format(
+          "stage '{}': dt is {:g} s, the longest stable step is {:.4g} s at t = {:.4g} s; leave dt out, or: {}",
+          options.name, options.dt, s.dt, state_.time, explain_step(model_, state_, work_)));
     state_.dt = options.dt;
   }
 }
@@ -112,7 +120,13 @@ StageReport Simulation::run(const StageOptions& options, const RunListener& list
     choose_step(options);
     const bool last = state_.time >= end - 1e-9 * options.duration;
     const double dt = last ? state_.dt : std::min(state_.dt, end - state_.time);
-    const Instant now{model_, state_, work_, options, report.begun, dt, work_.fastest_moving,
+    const Instant now{model_,
+                      state_,
+                      work_,
+                      options,
+                      report.begun,
+                      dt,
+                      work_.fastest_moving,
                       work_.carried > 0 ? work_.unbalanced / work_.carried : 0};
     report.speed = now.speed;
     report.ratio = now.ratio;
@@ -124,14 +138,19 @@ StageReport Simulation::run(const StageOptions& options, const RunListener& list
     const bool broken = !std::isfinite(now.speed) || !std::isfinite(work_.unbalanced);
     const bool ends = last || rests || stopped || broken;
     if (!broken) {
-      if ((frames.due(state_.time, dt) || (ends && options.frame_interval > 0)) && listener.on_frame) listener.on_frame(now);
-      if ((histories.due(state_.time, dt) || (ends && options.history_interval > 0)) && listener.on_history) listener.on_history(now);
+      if ((frames.due(state_.time, dt) || (ends && options.frame_interval > 0)) && listener.on_frame)
+        listener.on_frame(now);
+      if ((histories.due(state_.time, dt) || (ends && options.history_interval > 0)) && listener.on_history)
+        listener.on_history(now);
       if ((energies.due(state_.time, dt) || (ends && options.energy_interval > 0)) && listener.on_energy)
         listener.on_energy(now, energy_now(model_, state_, work_, {dt, {options.rest_share}}));
     }
     if (ends) {
-      report.end = broken ? StageEnd::diverged : rests ? StageEnd::rest : stopped ? StageEnd::stopped
-                   : options.until_rest ? StageEnd::not_at_rest : StageEnd::time;
+      report.end = broken               ? StageEnd::diverged
+                   : rests              ? StageEnd::rest
+                   : stopped            ? StageEnd::stopped
+                   : options.until_rest ? StageEnd::not_at_rest
+                                        : StageEnd::time;
       report.ended = state_.time;
       tell(EventType::stage_ended, fmt::format("{}: {}", options.name, name_of(report.end)), listener, now);
       return report;

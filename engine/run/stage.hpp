@@ -18,17 +18,17 @@ constexpr const char* name_of(StageEnd e) {
 
 struct StageOptions {
   std::string name = "run";
-  double duration = 0;          ///< longest time the stage may last [s], above 0
-  double dt = 0;                ///< fixed step [s]; 0: found and kept stable by itself
-  double safety = 0.5;          ///< share of the longest stable step that is taken, 0 to 1. At 0.5 a bounce keeps its
-                                ///< energy to some percent, at 0.1 to a tenth of one
-  double rest_share = 0;        ///< damping of consolidation (RestDamping), 0 to below 1
+  double duration = 0;    ///< longest time the stage may last [s], above 0
+  double dt = 0;          ///< fixed step [s]; 0: found and kept stable by itself
+  double safety = 0.5;    ///< share of the longest stable step that is taken, 0 to 1. At 0.5 a bounce keeps its
+                          ///< energy to some percent, at 0.1 to a tenth of one
+  double rest_share = 0;  ///< damping of consolidation (RestDamping), 0 to below 1
 
-  bool until_rest = false;      ///< end when all is at rest
-  double still_from = 0;        ///< rest is looked for from this time after the stage's start [s]
-  double still_speed = 2.54e-7; ///< every skin point of every moving body slower than this ... [m/s]
-  double still_ratio = 1;       ///< ... and the unbalanced force at most this share of the largest carried one ...
-  double still_hold = 0.5;      ///< ... for this long [s]
+  bool until_rest = false;       ///< end when all is at rest
+  double still_from = 0;         ///< rest is looked for from this time after the stage's start [s]
+  double still_speed = 2.54e-7;  ///< every skin point of every moving body slower than this ... [m/s]
+  double still_ratio = 1;        ///< ... and the unbalanced force at most this share of the largest carried one ...
+  double still_hold = 0.5;       ///< ... for this long [s]
 
   double frame_interval = 0;    ///< [s]; 0: none
   double history_interval = 0;  ///< [s]; 0: none
@@ -38,11 +38,11 @@ struct StageOptions {
 struct StageReport {
   std::string name;
   StageEnd end = StageEnd::time;
-  double begun = 0, ended = 0;    ///< [s]
+  double begun = 0, ended = 0;  ///< [s]
   std::int64_t steps = 0;
   double shortest_dt = 0, longest_dt = 0;  ///< [s]
-  double speed = 0, ratio = 0;    ///< fastest skin point and unbalanced ratio at the end
-  std::string reason;             ///< in words, where it did not end as asked: what, where, what to try
+  double speed = 0, ratio = 0;             ///< fastest skin point and unbalanced ratio at the end
+  std::string reason;                      ///< in words, where it did not end as asked: what, where, what to try
 };
 
 /// What a running stage looks like at one instant.
@@ -51,17 +51,17 @@ struct Instant {
   const State<2>& state;
   const Work<2>& work;
   const StageOptions& stage;
-  double begun;   ///< time at which the stage began [s]
-  double dt;      ///< step about to be taken [s]
-  double speed;   ///< fastest skin point of a moving body [m/s]
-  double ratio;   ///< unbalanced force over largest carried force
+  double begun;  ///< time at which the stage began [s]
+  double dt;     ///< step about to be taken [s]
+  double speed;  ///< fastest skin point of a moving body [m/s]
+  double ratio;  ///< unbalanced force over largest carried force
 };
 
 /// Who listens to a run. All are called between evaluations, in this order; none may write State, Model or Work.
 struct RunListener {
   std::function<void(const Instant&)> on_frame, on_history;
   std::function<void(const Instant&, const Energy&)> on_energy;
-  std::function<void(const Instant&)> on_step;          ///< after each step; leave empty where it is not needed
+  std::function<void(const Instant&)> on_step;  ///< after each step; leave empty where it is not needed
   std::function<void(const Event&, const Instant&)> on_event;
 };
 

@@ -54,7 +54,8 @@ struct NodeSpeed {
 };
 
 /// Half a step or so on: free degrees of freedom by their forces, driven ones by their motion, fixed ones still.
-NodeSpeed speed_ahead(const Model<2>& model, const State<2>& state, int n, const NodeForces& f, double span, double dt) {
+NodeSpeed speed_ahead(const Model<2>& model, const State<2>& state, int n, const NodeForces& f, double span,
+                      double dt) {
   NodeSpeed next{state.velocity[n], state.spin[n]};
   const auto& support = model.support[n];
   const auto driven = [&](int k, double now) {

@@ -15,7 +15,7 @@ struct RestDamping {
 };
 
 struct StepOptions {
-  double dt = 0;        ///< length of this step [s]
+  double dt = 0;  ///< length of this step [s]
   RestDamping rest;
 };
 

@@ -7,8 +7,8 @@
 
 namespace trilith {
 
-/// place -> find -> respond (contacts, bearings) -> spread -> sum, at the present pose and velocity, over a step `dt` [s]
-/// since the last evaluation. Re-indexes State::contact where the list of near pairs had to be found anew (empty
+/// place -> find -> respond (contacts, bearings) -> spread -> sum, at the present pose and velocity, over a step `dt`
+/// [s] since the last evaluation. Re-indexes State::contact where the list of near pairs had to be found anew (empty
 /// contacts come and go; no memory is lost).
 void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt);
 

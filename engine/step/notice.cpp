@@ -23,8 +23,11 @@ struct Meeting {
 
 Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
-  const int na = model.bodies[model.piece_body[p.piece_a]].first_node, nb = model.bodies[model.piece_body[p.piece_b]].first_node;
-  const auto velocity = [&](int n, const Vec2& x) { return Vec2(state.velocity[n] + cross(state.spin[n], Vec2(x - state.position[n]))); };
+  const int na = model.bodies[model.piece_body[p.piece_a]].first_node,
+            nb = model.bodies[model.piece_body[p.piece_b]].first_node;
+  const auto velocity = [&](int n, const Vec2& x) {
+    return Vec2(state.velocity[n] + cross(state.spin[n], Vec2(x - state.position[n])));
+  };
   for (const GeneralContact& g : work.general_touching) {
     if (g.row != row) continue;
     const double size = g.force.norm();

@@ -19,7 +19,8 @@ RelativeMotion relative_motion(const Model<2>& model, const State<2>& state, con
   const Vec2 arm_b = Turn(state.rotation[nb]).apply(b.point_b);
   const Vec2 from_a = state.position[nb] + arm_b - state.position[na];
   const Vec2 anchor = Turn(state.rotation[na]).apply(b.point_a);
-  const Vec2 rate = state.velocity[nb] + cross(state.spin[nb], arm_b) - state.velocity[na] - cross(state.spin[na], from_a);
+  const Vec2 rate =
+      state.velocity[nb] + cross(state.spin[nb], arm_b) - state.velocity[na] - cross(state.spin[na], from_a);
   return {axes, axes.undo(Vec2(from_a - anchor)) - b.rest, axes.undo(rate),
           state.rotation[nb] - state.rotation[na] - b.rest_angle, state.spin[nb] - state.spin[na]};
 }

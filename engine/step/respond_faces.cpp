@@ -14,12 +14,12 @@ static_assert(lane_count == 4, "transpose_in and the loaders are written for fou
 /// Four rows of four numbers to four columns: one row of each lane becomes one number of all lanes.
 TRILITH_INLINE void transpose(const Lanes& r0, const Lanes& r1, const Lanes& r2, const Lanes& r3, Lanes& c0, Lanes& c1,
                               Lanes& c2, Lanes& c3) {
-  const Lanes t0 = __builtin_shuffle(r0, r1, LaneMask{0, 4, 2, 6}), t1 = __builtin_shuffle(r0, r1, LaneMask{1, 5, 3, 7});
-  const Lanes t2 = __builtin_shuffle(r2, r3, LaneMask{0, 4, 2, 6}), t3 = __builtin_shuffle(r2, r3, LaneMask{1, 5, 3, 7});
-  c0 = __builtin_shuffle(t0, t2, LaneMask{0, 1, 4, 5});
-  c1 = __builtin_shuffle(t1, t3, LaneMask{0, 1, 4, 5});
-  c2 = __builtin_shuffle(t0, t2, LaneMask{2, 3, 6, 7});
-  c3 = __builtin_shuffle(t1, t3, LaneMask{2, 3, 6, 7});
+  const Lanes t0 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6), t1 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
+  const Lanes t2 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6), t3 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
+  c0 = __builtin_shufflevector(t0, t2, 0, 1, 4, 5);
+  c1 = __builtin_shufflevector(t1, t3, 0, 1, 4, 5);
+  c2 = __builtin_shufflevector(t0, t2, 2, 3, 6, 7);
+  c3 = __builtin_shufflevector(t1, t3, 2, 3, 6, 7);
 }
 
 TRILITH_INLINE Lanes load(const double* four) {
@@ -40,8 +40,11 @@ struct Loader<double> {
   }
   TRILITH_INLINE static void memory(const ContactMemory* const* p, FaceMemory<double>& m) {
     const ContactMemory& c = *p[0];
-    m = {{c.shear_elastic[0], c.shear_elastic[1]}, {c.shear_total[0], c.shear_total[1]},
-         {c.damping_force[0], c.damping_force[1]}, c.slip, {(c.bonds & 1U) != 0, (c.bonds & 2U) != 0}};
+    m = {{c.shear_elastic[0], c.shear_elastic[1]},
+         {c.shear_total[0], c.shear_total[1]},
+         {c.damping_force[0], c.damping_force[1]},
+         c.slip,
+         {(c.bonds & 1U) != 0, (c.bonds & 2U) != 0}};
     if ((c.state & contact_general) != 0) m.damping_force[0] = m.damping_force[1] = 0;
   }
   TRILITH_INLINE static double number(const double* v) { return v[0]; }
@@ -202,7 +205,8 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
     const std::vector<int>& rows = rows_now(model, state, work, batch);
     if (rows.empty()) continue;
     const Pass pass{model, state, work, face_law(model, batch.law, dt)};
-    const bool bonding = std::visit([](const auto& l) { return std::decay_t<decltype(l)>::can_bond; }, model.laws[batch.law]);
+    const bool bonding =
+        std::visit([](const auto& l) { return std::decay_t<decltype(l)>::can_bond; }, model.laws[batch.law]);
     bonding ? respond_bonding(pass, rows) : respond_plain(pass, rows);
   }
 }

@@ -107,8 +107,8 @@ double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
   return most;
 }
 
-/// The stiffest face of a body under the stiffest law its surface has, as if in full contact with a body like it. In the
-/// body's own axes.
+/// The stiffest face of a body under the stiffest law its surface has, as if in full contact with a body like it. In
+/// the body's own axes.
 Local on_stiffest_face(const Model<2>& model, int body) {
   Local stiffest;
   const Body& b = model.bodies[body];
@@ -119,7 +119,8 @@ Local on_stiffest_face(const Model<2>& model, int body) {
     for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
       for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
         if (!model.edge_is_face[first + c]) continue;
-        const Vec2 &p = model.skin_place[model.corner_skin[first + c]], &q = model.skin_place[model.corner_skin[first + (c + 1) % count]];
+        const Vec2 &p = model.skin_place[model.corner_skin[first + c]],
+                   &q = model.skin_place[model.corner_skin[first + (c + 1) % count]];
         const double length = (q - p).norm();
         const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);
         Local local;

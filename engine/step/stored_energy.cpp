@@ -16,7 +16,8 @@ struct HalfStore {
 HalfStore half_store(double g0, double g1, double length, bool bonded, double kn) {
   if (bonded) return {kn * length * (g0 * g0 + g0 * g1 + g1 * g1) / 6, length};
   const PositivePart<double> part(-g0, -g1);
-  const double d0 = -g0 - (g1 - g0) * part.from, d1 = -g0 - (g1 - g0) * part.to, active = (part.to - part.from) * length;
+  const double d0 = -g0 - (g1 - g0) * part.from, d1 = -g0 - (g1 - g0) * part.to,
+               active = (part.to - part.from) * length;
   return {kn * active * (d0 * d0 + d0 * d1 + d1 * d1) / 6, active};
 }
 

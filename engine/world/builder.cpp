@@ -22,7 +22,8 @@ void require_name(const std::string& name, std::string_view kind) {
 template <class Rows, class Name>
 void require_new(const Rows& rows, const std::string& name, std::string_view kind, Name&& name_of) {
   for (const auto& row : rows)
-    if (name_of(row) == name) throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
+    if (name_of(row) == name)
+      throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
 }
 
 double body_mass(const BodySpec& spec, double area, double thickness, const std::vector<Material>& materials) {
@@ -46,7 +47,8 @@ int piece_at(const Model<2>& model, int body, const Vec2& point) {
   for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
     for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
       if (model.edge_is_face[first + c] == 0) continue;
-      const std::array face{model.skin_place[model.corner_skin[first + c]], model.skin_place[model.corner_skin[first + (c + 1) % count]]};
+      const std::array face{model.skin_place[model.corner_skin[first + c]],
+                            model.skin_place[model.corner_skin[first + (c + 1) % count]]};
       const double distance = boundary_point(face, point).distance;
       if (distance < least) least = distance, best = piece;
     }
@@ -87,7 +89,8 @@ void ModelBuilder::add_body(BodySpec spec) {
     std::vector<std::string> known;
     for (const Material& m : materials_) known.push_back(m.name);
     if (std::find(known.begin(), known.end(), spec.material) == known.end())
-      throw InputError(fmt::format("{}: there is no material '{}'{}", owner, spec.material, name_hint(spec.material, known)));
+      throw InputError(
+          fmt::format("{}: there is no material '{}'{}", owner, spec.material, name_hint(spec.material, known)));
   }
   body_mass(spec, 1.0, thickness, materials_);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
@@ -99,9 +102,10 @@ void ModelBuilder::add_law(const std::string& name, const ContactLaw& law) {
   require_new(laws_, name, "contact law", [](const auto& l) { return l.first; });
   std::visit([](const auto& l) { check_parameters(l); }, law);
   if (const auto* b = std::get_if<Bonded>(&law); b != nullptr && b->mu > 0 && b->tension > b->cohesion / b->mu)
-    notes_.push_back(fmt::format(
-        "contact law '{}': tension {:g} Pa is above cohesion/mu = {:g} Pa; under pure tension the shear limit governs first",
-        name, b->tension, b->cohesion / b->mu));
+    notes_.push_back(
+        fmt::format("contact law '{}': tension {:g} Pa is above cohesion/mu = {:g} Pa; under pure tension the shear "
+                    "limit governs first",
+                    name, b->tension, b->cohesion / b->mu));
   laws_.emplace_back(name, law);
 }
 

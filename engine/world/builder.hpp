@@ -20,20 +20,20 @@ struct Material {
 
 /// A rigid body to be. Give at most one of density, mass, weight; without any, the material's density counts.
 struct BodySpec {
-  std::string name;                     ///< unique
-  Polygon outline;                      ///< world coordinates [m]; clockwise ones are turned round, with a note
+  std::string name;  ///< unique
+  Polygon outline;   ///< world coordinates [m]; clockwise ones are turned round, with a note
   std::string material;
   std::vector<std::string> groups;
-  std::optional<double> density;        ///< [kg/m3]
-  std::optional<double> mass;           ///< [kg]
-  std::optional<double> weight;         ///< [N], at standard gravity
-  std::optional<double> inertia;        ///< about the centroid [kg m2]; without it, from the shape
-  std::optional<double> thickness;      ///< for the mass only; without it, the model's [m]
-  std::array<Support, 3> support{};     ///< x, y, rotation
-  Vec2 velocity = Vec2::Zero();         ///< at the start [m/s]
-  double spin = 0;                      ///< at the start [rad/s]
-  Vec2 load = Vec2::Zero();             ///< steady force at the centroid [N]
-  bool floating = false;                ///< may start with nothing that holds it up
+  std::optional<double> density;     ///< [kg/m3]
+  std::optional<double> mass;        ///< [kg]
+  std::optional<double> weight;      ///< [N], at standard gravity
+  std::optional<double> inertia;     ///< about the centroid [kg m2]; without it, from the shape
+  std::optional<double> thickness;   ///< for the mass only; without it, the model's [m]
+  std::array<Support, 3> support{};  ///< x, y, rotation
+  Vec2 velocity = Vec2::Zero();      ///< at the start [m/s]
+  double spin = 0;                   ///< at the start [rad/s]
+  Vec2 load = Vec2::Zero();          ///< steady force at the centroid [N]
+  bool floating = false;             ///< may start with nothing that holds it up
 };
 
 /// A bearing to be; points in world coordinates where the bodies stand at the start.
@@ -46,8 +46,8 @@ struct BearingSpec {
   std::array<double, 3> limit{unbounded, unbounded, unbounded};
   bool holds_off_contact = false;  ///< while live, stands for the flat contact of the pieces whose faces are nearest
                                    ///< to its points; their corners still touch
-  std::string contact_after;   ///< name of the contact law after failure; "": the one of the surfaces
-  std::string becomes_bearing; ///< name of the bearing that follows; "": none
+  std::string contact_after;       ///< name of the contact law after failure; "": the one of the surfaces
+  std::string becomes_bearing;     ///< name of the bearing that follows; "": none
   bool starts_waiting = false;
 };
 
@@ -61,13 +61,13 @@ struct SeatSpec {
 
 class ModelBuilder {
  public:
-  double thickness = 1;                    ///< [m]
-  Vec2 gravity{0, -standard_gravity};      ///< [m/s2]
-  double mass_damping = 0;                 ///< [1/s]
-  double impact_speed = 0.5;               ///< [m/s]
-  double still_speed = 2.54e-7;            ///< [m/s]
-  double still_time = 0.5;                 ///< [s]
-  double overlap_allowed = 1e-6;           ///< deepest overlap at the start, share of the smaller body's size
+  double thickness = 1;                ///< [m]
+  Vec2 gravity{0, -standard_gravity};  ///< [m/s2]
+  double mass_damping = 0;             ///< [1/s]
+  double impact_speed = 0.5;           ///< [m/s]
+  double still_speed = 2.54e-7;        ///< [m/s]
+  double still_time = 0.5;             ///< [s]
+  double overlap_allowed = 1e-6;       ///< deepest overlap at the start, share of the smaller body's size
 
   // Each throws InputError, and leaves the builder as it was.
   void add_material(const Material& material);

@@ -38,9 +38,8 @@ void for_near_pieces(const Model<2>& model, double reach, Visit&& visit) {
   }
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int i, int j) {
-    return std::pair(box[i].low.x(), i) < std::pair(box[j].low.x(), j);
-  });
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return std::pair(box[i].low.x(), i) < std::pair(box[j].low.x(), j); });
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count && box[order[j]].low.x() <= box[order[i]].high.x() + reach; ++j) {
       const int p = std::min(order[i], order[j]), q = std::max(order[i], order[j]);
@@ -68,11 +67,12 @@ void check_overlaps(const Model<2>& model, double allowed, std::vector<std::stri
     worst = share, deepest = -separation, body_a = a, body_b = b;
   });
   if (body_a < 0 || worst < 1e-12) return;
-  const std::string what = fmt::format("bodies '{}' and '{}' overlap by {:.4g} m at the start", model.bodies[body_a].name,
-                                       model.bodies[body_b].name, deepest);
+  const std::string what = fmt::format("bodies '{}' and '{}' overlap by {:.4g} m at the start",
+                                       model.bodies[body_a].name, model.bodies[body_b].name, deepest);
   if (worst > allowed)
-    throw InputError(fmt::format("{} ({:.2g} of the smaller one's size, at most {:g} is allowed); move one of them, or raise overlap_allowed",
-                                 what, worst, allowed));
+    throw InputError(fmt::format(
+        "{} ({:.2g} of the smaller one's size, at most {:g} is allowed); move one of them, or raise overlap_allowed",
+        what, worst, allowed));
   notes.push_back(what + "; within what is allowed");
 }
 
@@ -97,9 +97,10 @@ void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& float
   });
   for (int b = 0; b < bodies; ++b)
     if (floating[b] == 0 && root_of(parent, b) != root_of(parent, bodies))
-      throw InputError(fmt::format("body '{}' stands on nothing: no contact or bearing leads from it to a fixed or driven body; "
-                                   "set it on something, give a contact law for its material, or say floating = true",
-                                   model.bodies[b].name));
+      throw InputError(
+          fmt::format("body '{}' stands on nothing: no contact or bearing leads from it to a fixed or driven body; "
+                      "set it on something, give a contact law for its material, or say floating = true",
+                      model.bodies[b].name));
 }
 
 }  // namespace trilith

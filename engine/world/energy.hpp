@@ -10,19 +10,19 @@ namespace trilith {
 /// each from its own law, so that the residual is a check and not an identity.
 enum class EnergyTerm : int {
   kinetic,
-  gravity,            ///< work against the weight
+  gravity,  ///< work against the weight
   contact_elastic,
   bearing_elastic,
   contact_damping,
   contact_friction,
-  contact_fracture,   ///< elastic energy of a bond at its loss
+  contact_fracture,  ///< elastic energy of a bond at its loss
   bearing_damping,
-  bearing_inner,      ///< plastic and frictional
-  bearing_failure,    ///< elastic energy of a bearing at its failure
+  bearing_inner,    ///< plastic and frictional
+  bearing_failure,  ///< elastic energy of a bearing at its failure
   mass_damping,
-  rest_damping,       ///< the damping of consolidation
-  support,            ///< put in by moving supports
-  load,               ///< put in by steady forces
+  rest_damping,  ///< the damping of consolidation
+  support,       ///< put in by moving supports
+  load,          ///< put in by steady forces
 };
 inline constexpr int energy_terms = 14;
 

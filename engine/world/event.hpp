@@ -50,9 +50,9 @@ struct Event {
   double time = 0;          ///< [s]
   std::int64_t step = 0;
   int body_a = -1, body_b = -1, bearing = -1;
-  double value = 0;         ///< see EventTypeInfo
-  double x = 0, y = 0;      ///< where [m]
-  std::string text;         ///< the rest in words
+  double value = 0;     ///< see EventTypeInfo
+  double x = 0, y = 0;  ///< where [m]
+  std::string text;     ///< the rest in words
 };
 
 }  // namespace trilith

@@ -6,7 +6,9 @@
 namespace trilith {
 namespace {
 
-double turn_between(const Vec2& in, const Vec2& out) { return std::atan2(cross(in, out), in.dot(out)); }
+double turn_between(const Vec2& in, const Vec2& out) {
+  return std::atan2(cross(in, out), in.dot(out));
+}
 
 double flatness_of(double turn) {
   return turn > 0.25 * M_PI ? 1.0 : 1.0 / std::tan(std::max(turn, kStraightAngle));
@@ -32,7 +34,8 @@ PieceEdges piece_edges(const Polygon& outline, const ConvexPiece& piece) {
     const auto at = [&](std::size_t k) -> const Vec2& { return outline[edges.corner[k % kept]]; };
     const Vec2 before = at(c) - at(c + kept - 1), along = at(c + 1) - at(c), after = at(c + 2) - at(c + 1);
     double flatness = 1;
-    if (edges.is_face[(c + kept - 1) % kept] != 0) flatness = std::max(flatness, flatness_of(turn_between(before, along)));
+    if (edges.is_face[(c + kept - 1) % kept] != 0)
+      flatness = std::max(flatness, flatness_of(turn_between(before, along)));
     if (edges.is_face[(c + 1) % kept] != 0) flatness = std::max(flatness, flatness_of(turn_between(along, after)));
     edges.flatness.push_back(flatness);
   }

@@ -22,21 +22,21 @@ enum class Support : std::uint8_t { free, fixed, driven };
 /// A body: who it is, and where its rows are.
 struct Body {
   std::string name;
-  std::string kind;      ///< row of body/list.hpp
+  std::string kind;  ///< row of body/list.hpp
   std::string material;
   std::vector<std::string> groups;
   int first_node = 0, nodes = 1;
   int first_skin = 0, skins = 0;
   int first_piece = 0, pieces = 0;
-  int surface = 0;       ///< index into the table of contact laws
-  double area = 0;       ///< [m2]
+  int surface = 0;  ///< index into the table of contact laws
+  double area = 0;  ///< [m2]
 };
 
 /// One degree of freedom of one node follows a ground motion.
 struct Drive {
   int node, dof;
-  double origin;      ///< position at the start of the motion [m] or [rad]
-  double start;       ///< time at which the motion's clock is 0 [s]
+  double origin;  ///< position at the start of the motion [m] or [rad]
+  double start;   ///< time at which the motion's clock is 0 [s]
   std::shared_ptr<const GroundMotion> motion;
 };
 
@@ -64,45 +64,45 @@ struct Seat {
 
 template <int D>
 struct Model {
-  double thickness = 1;     ///< out of plane, of every contact [m]
+  double thickness = 1;  ///< out of plane, of every contact [m]
   Gravity gravity;
   double mass_damping = 0;  ///< C = mass_damping * M, on velocities relative to rest [1/s]
 
   // Nodes: one row per node.
-  std::vector<double> mass;                                         ///< [node] kg
-  std::vector<typename Space<D>::Inertia> inertia;                  ///< [node] kg m2
-  std::vector<std::array<Support, Space<D>::dofs>> support;         ///< [node]
-  std::vector<Vec<D>> start_position;                               ///< [node] m
-  std::vector<typename Space<D>::Rotation> start_rotation;          ///< [node] rad
-  std::vector<Vec<D>> start_velocity;                               ///< [node] m/s
-  std::vector<typename Space<D>::Spin> start_spin;                  ///< [node] rad/s
-  std::vector<Vec<D>> load;                                         ///< [node] steady force N
+  std::vector<double> mass;                                  ///< [node] kg
+  std::vector<typename Space<D>::Inertia> inertia;           ///< [node] kg m2
+  std::vector<std::array<Support, Space<D>::dofs>> support;  ///< [node]
+  std::vector<Vec<D>> start_position;                        ///< [node] m
+  std::vector<typename Space<D>::Rotation> start_rotation;   ///< [node] rad
+  std::vector<Vec<D>> start_velocity;                        ///< [node] m/s
+  std::vector<typename Space<D>::Spin> start_spin;           ///< [node] rad/s
+  std::vector<Vec<D>> load;                                  ///< [node] steady force N
 
-  std::vector<Body> bodies;             ///< [body]
-  std::vector<double> body_radius;      ///< [body] farthest skin point from the node m
-  std::vector<Vec<D>> skin_place;       ///< [skin] in the axes of the node m
-  std::vector<int> skin_node;           ///< [skin]
+  std::vector<Body> bodies;         ///< [body]
+  std::vector<double> body_radius;  ///< [body] farthest skin point from the node m
+  std::vector<Vec<D>> skin_place;   ///< [skin] in the axes of the node m
+  std::vector<int> skin_node;       ///< [skin]
 
   // Convex pieces of the bodies' skins.
-  std::vector<int> piece_body;          ///< [piece]
-  std::vector<int> piece_first;         ///< [piece + 1] first corner
-  std::vector<int> corner_skin;         ///< [corner] counter-clockwise
+  std::vector<int> piece_body;             ///< [piece]
+  std::vector<int> piece_first;            ///< [piece + 1] first corner
+  std::vector<int> corner_skin;            ///< [corner] counter-clockwise
   std::vector<std::uint8_t> edge_is_face;  ///< [corner] edge from this corner to the next: 1 surface, 0 inner cut
-  std::vector<double> edge_corner;      ///< [corner] flatness of the edge's two ends, see world/flatness.hpp [1]
+  std::vector<double> edge_corner;         ///< [corner] flatness of the edge's two ends, see world/flatness.hpp [1]
 
   // Contact laws: which one holds between two surfaces.
   std::vector<ContactLaw> laws;
   std::vector<std::string> law_names;
   int surfaces = 0;
-  std::vector<int> law_of;              ///< [surface * surfaces] index into laws, or -1 for no contact
+  std::vector<int> law_of;  ///< [surface * surfaces] index into laws, or -1 for no contact
 
   std::vector<Bearing<D>> bearings;
   std::vector<Seat> seats;
   std::vector<Drive> drives;
   std::vector<std::array<int, Space<D>::dofs>> drive_of;  ///< [node] index into drives, or -1
-  double impact_speed = 0.5;            ///< a contact made faster than this is an impact [m/s]
-  double still_speed = 2.54e-7;         ///< a body slower than this for still_time is at rest [m/s]
-  double still_time = 0.5;              ///< [s]
+  double impact_speed = 0.5;                              ///< a contact made faster than this is an impact [m/s]
+  double still_speed = 2.54e-7;                           ///< a body slower than this for still_time is at rest [m/s]
+  double still_time = 0.5;                                ///< [s]
 
   [[nodiscard]] int nodes() const { return static_cast<int>(mass.size()); }
   [[nodiscard]] int pieces() const { return static_cast<int>(piece_body.size()); }

@@ -17,8 +17,12 @@ using ContactKey = std::uint64_t;
 constexpr ContactKey contact_key(int piece_a, int piece_b) {
   return static_cast<ContactKey>(static_cast<std::uint32_t>(piece_a)) << 32 | static_cast<std::uint32_t>(piece_b);
 }
-constexpr int first_piece(ContactKey key) { return static_cast<int>(key >> 32); }
-constexpr int second_piece(ContactKey key) { return static_cast<int>(key & 0xffffffffU); }
+constexpr int first_piece(ContactKey key) {
+  return static_cast<int>(key >> 32);
+}
+constexpr int second_piece(ContactKey key) {
+  return static_cast<int>(key & 0xffffffffU);
+}
 
 template <int D>
 struct State {
@@ -28,18 +32,18 @@ struct State {
   double last_dt = 0;     ///< length of the last step [s]
 
   // Motion of the nodes [node]. Velocities are those of the last half step (leapfrog).
-  std::vector<Vec<D>> position;                          ///< m
-  std::vector<typename Space<D>::Rotation> rotation;     ///< rad
-  std::vector<Vec<D>> velocity;                          ///< m/s
-  std::vector<typename Space<D>::Spin> spin;             ///< rad/s
+  std::vector<Vec<D>> position;                       ///< m
+  std::vector<typename Space<D>::Rotation> rotation;  ///< rad
+  std::vector<Vec<D>> velocity;                       ///< m/s
+  std::vector<typename Space<D>::Spin> spin;          ///< rad/s
 
   // Contacts, sorted by key; every one that remembers something, and any number of empty ones.
-  std::vector<ContactKey> contact;        ///< [contact]
-  std::vector<ContactMemory> memory;      ///< [contact]
-  std::vector<BearingMemory> bearing;     ///< [bearing]
-  std::vector<std::uint8_t> seat_lost;    ///< [seat]
-  std::vector<double> moved_at;           ///< [body] when it was last faster than Model::still_speed s
-  std::vector<std::uint8_t> resting;      ///< [body] 1: has been still for Model::still_time
+  std::vector<ContactKey> contact;      ///< [contact]
+  std::vector<ContactMemory> memory;    ///< [contact]
+  std::vector<BearingMemory> bearing;   ///< [bearing]
+  std::vector<std::uint8_t> seat_lost;  ///< [seat]
+  std::vector<double> moved_at;         ///< [body] when it was last faster than Model::still_speed s
+  std::vector<std::uint8_t> resting;    ///< [body] 1: has been still for Model::still_time
 
   Energy given;  ///< running sums of the ledger (the terms that are not found from the state)
 };

@@ -38,9 +38,9 @@ struct alignas(32) SkinMotion {
 /// What the general contact of one row came to, for the step estimate, events and recording.
 struct GeneralContact {
   int row;
-  double length;   ///< length in contact [m]
-  Vec2 centre;     ///< centre of pressure [m]
-  Vec2 force;      ///< on the second body [N]
+  double length;  ///< length in contact [m]
+  Vec2 centre;    ///< centre of pressure [m]
+  Vec2 force;     ///< on the second body [N]
 };
 
 /// Bounds of a body's highest frequency squared and damping rate: see step/stable_step.hpp.
@@ -51,44 +51,44 @@ struct RateBound {
 
 template <int D>
 struct Work {
-  bool valid = false;                     ///< false: pairs must be found anew. Writer: detect
+  bool valid = false;  ///< false: pairs must be found anew. Writer: detect
 
   // Writer: place
-  std::vector<SkinMotion> skin;           ///< [skin]
-  double fastest = 0;                     ///< largest speed of any skin point m/s
-  double fastest_moving = 0;              ///< ... of a body that is free to move m/s
+  std::vector<SkinMotion> skin;  ///< [skin]
+  double fastest = 0;            ///< largest speed of any skin point m/s
+  double fastest_moving = 0;     ///< ... of a body that is free to move m/s
 
   // Writer: detect
-  std::vector<NearPair> pairs;            ///< [contact]
-  std::vector<FaceBatch> batches;         ///< by law
-  std::vector<int> general;               ///< rows that have no single pair of facing faces
-  std::vector<double> asleep_until;       ///< [contact] not touching while `travel` is below this m
-  std::vector<Vec<D>> found_position;     ///< [node] pose at which the pairs were found m
-  std::vector<double> found_rotation;     ///< [node] rad
-  std::vector<RateBound> face_bound;      ///< [body] lying on its stiffest face
-  double margin = 0;                      ///< boxes are widened by this m
-  double travel = 0;                      ///< path of the fastest skin point since then, an upper bound m
+  std::vector<NearPair> pairs;         ///< [contact]
+  std::vector<FaceBatch> batches;      ///< by law
+  std::vector<int> general;            ///< rows that have no single pair of facing faces
+  std::vector<double> asleep_until;    ///< [contact] not touching while `travel` is below this m
+  std::vector<Vec<D>> found_position;  ///< [node] pose at which the pairs were found m
+  std::vector<double> found_rotation;  ///< [node] rad
+  std::vector<RateBound> face_bound;   ///< [body] lying on its stiffest face
+  double margin = 0;                   ///< boxes are widened by this m
+  double travel = 0;                   ///< path of the fastest skin point since then, an upper bound m
 
   // Writer: respond
-  std::vector<ContactMemory> memory;      ///< [contact] trial
-  std::vector<BearingMemory> bearing;     ///< [bearing] trial
-  std::vector<int> general_now;           ///< rows whose shape is general at this step
+  std::vector<ContactMemory> memory;             ///< [contact] trial
+  std::vector<BearingMemory> bearing;            ///< [bearing] trial
+  std::vector<int> general_now;                  ///< rows whose shape is general at this step
   std::vector<GeneralContact> general_touching;  ///< those of them that touch
-  std::vector<int> turned;                ///< rows that began or ceased to touch, or lost a bond
-  std::vector<Vec<D>> skin_force;         ///< [skin] N
-  std::vector<Vec<D>> bearing_force;      ///< [bearing] on body b, in world axes N
-  std::vector<double> bearing_moment;     ///< [bearing] on body b N m
-  std::vector<Vec<D>> bearing_displacement;  ///< [bearing] in its axes m
-  Energy given;                           ///< trial: energy given off and put in up to this instant J
-  std::vector<double> bearing_energy;     ///< [bearing] elastic energy J
-  double bearing_stored = 0;              ///< their sum J
+  std::vector<int> turned;                       ///< rows that began or ceased to touch, or lost a bond
+  std::vector<Vec<D>> skin_force;                ///< [skin] N
+  std::vector<Vec<D>> bearing_force;             ///< [bearing] on body b, in world axes N
+  std::vector<double> bearing_moment;            ///< [bearing] on body b N m
+  std::vector<Vec<D>> bearing_displacement;      ///< [bearing] in its axes m
+  Energy given;                                  ///< trial: energy given off and put in up to this instant J
+  std::vector<double> bearing_energy;            ///< [bearing] elastic energy J
+  double bearing_stored = 0;                     ///< their sum J
 
   // Writer: sum
-  std::vector<Vec<D>> force;              ///< [node] N
-  std::vector<double> moment;             ///< [node] N m
-  double unbalanced = 0, carried = 0;     ///< largest unbalanced and largest carried force of a moving node N
+  std::vector<Vec<D>> force;           ///< [node] N
+  std::vector<double> moment;          ///< [node] N m
+  double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
 
-  std::vector<Event> events;              ///< of this step. Writer: commit
+  std::vector<Event> events;  ///< of this step. Writer: commit
 };
 
 }  // namespace trilith

@@ -1,7 +1,8 @@
 // How long a step takes: the running-bond walls of 444 and 1,752 rigid units, shaken at 2 Hz and 0.5 g.
 //
-// Prints, for each: seconds of processor per simulated second, nanoseconds per touching pair and step, step length, peak
-// memory, and the share of each stage of the step. Figures on shared machines are noisy: compare runs made in turn.
+// Prints, for each: seconds of processor per simulated second, nanoseconds per touching pair and step, step length,
+// peak memory, and the share of each stage of the step. Figures on shared machines are noisy: compare runs made in
+// turn.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -102,7 +103,10 @@ void bench_wall(int courses, double dt, double seconds) {
   time_stage("1 place", [&] { place(model, state, work); });
   time_stage("2 find", [&] { find(model, state, work); });
   time_stage("3 respond faces", [&] { respond_faces(model, state, work, dt); });
-  time_stage("4 respond general", [&] { respond_faces(model, state, work, dt); respond_general(model, state, work, dt); });
+  time_stage("4 respond general", [&] {
+    respond_faces(model, state, work, dt);
+    respond_general(model, state, work, dt);
+  });
   time_stage("5 sum", [&] { sum(model, state, work); });
   stage["4 respond general"] -= stage["3 respond faces"];
   State<2> copy = state;
@@ -110,8 +114,10 @@ void bench_wall(int courses, double dt, double seconds) {
   double rest_of = whole;
   for (const auto& [name, ns] : stage) rest_of -= ns;
   stage["6 advance, notice, step estimate"] = rest_of;
-  fmt::print("wall of {} units, {:.0f} touching pairs ({:.1f} general), dt {:g} s\n", model.bodies.size() - 1, mean_pairs, general / (steps / 100), dt);
-  fmt::print("  {:.3f} s per simulated second, {:.1f} ns per touching pair and step, peak memory {:.0f} MB\n", spent / seconds, per_pair, peak_megabytes());
+  fmt::print("wall of {} units, {:.0f} touching pairs ({:.1f} general), dt {:g} s\n", model.bodies.size() - 1,
+             mean_pairs, general / (steps / 100), dt);
+  fmt::print("  {:.3f} s per simulated second, {:.1f} ns per touching pair and step, peak memory {:.0f} MB\n",
+             spent / seconds, per_pair, peak_megabytes());
   for (const auto& [name, ns] : stage) fmt::print("    {:34s} {:6.1f} ns per pair\n", name, ns);
 }
 
