@@ -5,6 +5,7 @@
 
 #include "contact/face_overlap.hpp"
 #include "detect/grid.hpp"
+#include "shape/polygon.hpp"
 
 namespace trilith {
 namespace {
@@ -96,14 +97,20 @@ std::vector<Box> piece_boxes(const Model<2>& model, const Work<2>& work, double 
   return boxes;
 }
 
-/// A twentieth of the median diameter of the bodies that move.
+/// A tenth of the median thickness (smaller side of the box in its own axes) of the bodies that move.
 double search_margin(const Model<2>& model) {
-  std::vector<double> radii;
-  for (const Body& b : model.bodies)
-    if (model.moves(b.first_node)) radii.push_back(model.body_radius[&b - model.bodies.data()]);
-  if (radii.empty()) return 1;
-  std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
-  return 0.1 * radii[radii.size() / 2];
+  std::vector<double> thickness;
+  for (const Body& b : model.bodies) {
+    if (!model.moves(b.first_node)) continue;
+    const auto skin =
+        std::span(model.skin_place).subspan(static_cast<std::size_t>(b.first_skin), static_cast<std::size_t>(b.skins));
+    const Box2 box = bounding_box(skin);
+    thickness.push_back((box.high - box.low).minCoeff());
+  }
+  if (thickness.empty()) return 1;
+  const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
+  std::nth_element(thickness.begin(), middle, thickness.end());
+  return 0.1 * *middle;
 }
 
 void sort_into_batches(const Model<2>& model, Work<2>& work) {
