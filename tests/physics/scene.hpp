@@ -2,6 +2,8 @@
 // turned.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -11,6 +13,11 @@
 #include "world/builder.hpp"
 
 namespace trilith::testing {
+
+/// Equal to `expected` within `share` of it, however small it is (Approx by itself adds 1 to the size).
+inline doctest::Approx near(double expected, double share) {
+  return doctest::Approx(expected).epsilon(share).scale(0);
+}
 
 inline constexpr double degree = M_PI / 180;
 inline constexpr std::array<Support, 3> held{Support::fixed, Support::fixed, Support::fixed};
