@@ -26,7 +26,7 @@ struct FaceLaw {
 /// ContactMemory, lane by lane.
 template <class T>
 struct FaceMemory {
-  T shear_elastic[2], shear_total[2], damping_force[2], slip;
+  T shear_elastic[2], shear_total[2], damping_force[2], active[2], slip;
   Mask<T> bonds[2];
 };
 
@@ -71,7 +71,7 @@ template <class T>
 struct HalfResponse {
   T normal, normal_moment;    ///< N, and its first moment about the half's start [N], [N m]
   T damping, damping_moment;  ///< the damping part of both
-  T shear_elastic, shear_total, slip;
+  T shear_elastic, shear_total, slip, active;
   T lost_damping, lost_friction;
 };
 
@@ -115,30 +115,54 @@ TRILITH_INLINE void respond_normal(const HalfState<T>& h, const FaceLaw& law, T&
   out.damping_moment = out.normal_moment - scale * h.length * elastic.moment;
 }
 
-/// Kelvin-Voigt spring in series with a Coulomb slider; the damping acts on the elastic part only.
+/// What a half remembered of its shear.
 template <class T>
-TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T active, T elastic_before, T total_before,
+struct ShearBefore {
+  T elastic, total, active;  ///< [N], [N], [m]
+};
+
+/// Elastic shear energy let go because the length in contact changed from `before` to `now`: length that parts takes
+/// its share of the force along, new length carries none. `kept`: the force left. Never negative.
+template <class T>
+TRILITH_INLINE T let_go(const ShearBefore<T>& before, T now, double ks, T& kept) {
+  const T zero{}, one = zero + 1.0;
+  const T was = select(before.active > zero, before.active, one);
+  const T share = select(before.active > zero, smaller(one, now / was), one);
+  kept = before.elastic * share;
+  const T stiffness = ks * now;
+  const T inverse = select(stiffness > zero, one, zero) / select(stiffness > zero, stiffness, one);
+  const T inverse_was = select(ks * before.active > zero, one, zero) / select(ks * was > zero, ks * was, one);
+  return 0.5 * (before.elastic * before.elastic * inverse_was - kept * kept * inverse);
+}
+
+/// Kelvin-Voigt spring in series with a Coulomb slider; the damping acts on the elastic part only. `active`: length
+/// that carries shear [m].
+template <class T>
+TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T active, const ShearBefore<T>& before,
                                   HalfResponse<T>& out) {
   const T zero{}, one = zero + 1.0;
-  const T stiffness = law.ks * active * h.length;
+  T kept;
+  const T relaxed = let_go(before, active, law.ks, kept);
+  const T stiffness = law.ks * active;
   const T move = h.slip_rate * law.dt;
-  const T trial = elastic_before + stiffness * move;
+  const T trial = kept + stiffness * move;
   const T trial_total = trial + law.beta * stiffness * h.slip_rate;
   const T limit = select(h.bonded, zero + 1e300, law.mu * larger(out.normal, zero));
   const Mask<T> slides = magnitude(trial_total) > limit;
   const T held = select(trial_total < zero, -limit, limit);
   const double share = law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0;
-  const T slid = elastic_before + (held - elastic_before) * share;
+  const T slid = kept + (held - kept) * share;
   const Mask<T> open = active <= zero;
   out.shear_elastic = select(open, zero, select(slides, slid, trial));
   out.shear_total = select(open, zero, select(slides, held, trial_total));
   const T compliance = select(stiffness > zero, one, zero) / select(stiffness > zero, stiffness, one);
-  const T stretch = select(slides, (out.shear_elastic - elastic_before) * compliance, move);
+  const T stretch = select(slides, (out.shear_elastic - kept) * compliance, move);
   const T slip = select(open, zero, move - stretch);
-  const T mean_total = 0.5 * (out.shear_total + total_before);
-  const T mean_elastic = 0.5 * (out.shear_elastic + elastic_before);
+  const T mean_total = 0.5 * (out.shear_total + before.total);
+  const T mean_elastic = 0.5 * (out.shear_elastic + kept);
   out.slip = magnitude(slip);
-  out.lost_friction = mean_total * slip;
+  out.active = active;
+  out.lost_friction = mean_total * slip + relaxed;
   out.lost_damping = select(open, zero, (mean_total - mean_elastic) * stretch);
 }
 
@@ -220,6 +244,11 @@ TRILITH_INLINE void spread_to_ends(const FaceOverlap<T>& o, const HalfResponse<T
   out.by1 = tb1 * o.dy - nb1 * o.dx;
 }
 
+template <class T>
+TRILITH_INLINE ShearBefore<T> shear_before(const FaceMemory<T>& m, int half) {
+  return {m.shear_elastic[half], m.shear_total[half], m.active[half]};
+}
+
 /// New memory and energy given off. The power of the damping force is taken with the mean of the forces before and
 /// after the step, which is what a leapfrog step does work with.
 template <class T>
@@ -230,6 +259,8 @@ TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, con
   m.shear_elastic[1] = s1.shear_elastic;
   m.shear_total[0] = s0.shear_total;
   m.shear_total[1] = s1.shear_total;
+  m.active[0] = s0.active;
+  m.active[1] = s1.active;
   m.slip = before.slip + 0.5 * (s0.slip + s1.slip);
   m.damping_force[0] = s0.damping + s1.damping;
   m.damping_force[1] = s0.damping_moment - 0.5 * o.shared * s0.damping + s1.damping_moment;
@@ -261,8 +292,8 @@ TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const Fac
   T active0, active1;
   respond_normal(halves.first, law, active0, s0);
   respond_normal(halves.second, law, active1, s1);
-  respond_shear(halves.first, law, active0, before.shear_elastic[0], before.shear_total[0], s0);
-  respond_shear(halves.second, law, active1, before.shear_elastic[1], before.shear_total[1], s1);
+  respond_shear(halves.first, law, active0 * halves.first.length, shear_before(before, 0), s0);
+  respond_shear(halves.second, law, active1 * halves.second.length, shear_before(before, 1), s1);
   out.touching = (active0 > zero) | (active1 > zero);
   out.memory.bonds[0] = halves.first.bonded;
   out.memory.bonds[1] = halves.second.bonded;

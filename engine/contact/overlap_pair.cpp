@@ -184,11 +184,19 @@ void Walk::run(Sums& sums) const {
   }
 }
 
+ShearBefore<double> both_halves(const ContactMemory& m) {
+  return {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]};
+}
+
 /// Friction on the resultant, along t = left_of(n), at the centre of pressure.
 void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const FaceLaw& law,
                   const Sums& sums, std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
   const double normal = sums.force.norm();
-  if (!(normal > 0)) return;
+  if (!(normal > 0)) {
+    double kept = 0;
+    out.lost_friction += let_go(both_halves(before), 0.0, law.ks, kept);
+    return;
+  }
   const Vec2 t = left_of(Vec2(sums.force / normal));
   HalfState<double> state{};
   state.length = sums.length;
@@ -196,13 +204,13 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   state.bonded = false;
   HalfResponse<double> half{};
   half.normal = normal;
-  respond_shear(state, law, 1.0, before.shear_elastic[0] + before.shear_elastic[1],
-                before.shear_total[0] + before.shear_total[1], half);
+  respond_shear(state, law, sums.length, both_halves(before), half);
   add_at(on_a, a, sums.edge_a, out.centre, half.shear_total * t);
   add_at(on_b, b, sums.edge_b, out.centre, -half.shear_total * t);
   for (const int h : {0, 1}) {
     out.memory.shear_elastic[h] = 0.5 * half.shear_elastic;
     out.memory.shear_total[h] = 0.5 * half.shear_total;
+    out.memory.active[h] = 0.5 * sums.length;
   }
   out.memory.slip += half.slip;
   out.lost_damping += half.lost_damping;
@@ -249,6 +257,8 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   OverlapResponse out;
   const Edges edges_a(a), edges_b(b);
   static thread_local Depths b_in_a, a_in_b;  // large; filled anew at every call
+  double kept = 0;                            // where the two part, their elastic shear is let go
+  out.lost_friction = let_go(both_halves(before), 0.0, law.ks, kept);
   out.separation = b_in_a.fill(a, edges_a, b);
   if (out.separation > 0) return out;
   out.separation = a_in_b.fill(b, edges_b, a);
@@ -271,6 +281,7 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
         (before.state & contact_general) != 0 ? Vec2(before.damping_force[0], before.damping_force[1]) : Vec2::Zero();
     const Vec2 approach = b.velocity_at(out.centre) - a.velocity_at(out.centre);
     out.lost_damping = 0.5 * law.dt * (sums.damping_power - old_damping.dot(approach));
+    out.lost_friction = 0;
     add_friction(a, b, before, law, sums, on_a, on_b, out);
   }
   return out;

@@ -43,6 +43,7 @@ struct Loader<double> {
     m = {{c.shear_elastic[0], c.shear_elastic[1]},
          {c.shear_total[0], c.shear_total[1]},
          {c.damping_force[0], c.damping_force[1]},
+         {c.active[0], c.active[1]},
          c.slip,
          {(c.bonds & 1U) != 0, (c.bonds & 2U) != 0}};
     if ((c.state & contact_general) != 0) m.damping_force[0] = m.damping_force[1] = 0;
@@ -59,11 +60,12 @@ struct Loader<Lanes> {
     transpose(load(&p[0]->x), load(&p[1]->x), load(&p[2]->x), load(&p[3]->x), x, y, u, v);
   }
   TRILITH_INLINE static void memory(const ContactMemory* const* p, FaceMemory<Lanes>& m) {
-    Lanes bits;
+    Lanes bits, unused;
     transpose(load(p[0]->shear_elastic), load(p[1]->shear_elastic), load(p[2]->shear_elastic),
               load(p[3]->shear_elastic), m.shear_elastic[0], m.shear_elastic[1], m.shear_total[0], m.shear_total[1]);
     transpose(load(p[0]->damping_force), load(p[1]->damping_force), load(p[2]->damping_force),
-              load(p[3]->damping_force), m.damping_force[0], m.damping_force[1], m.slip, bits);
+              load(p[3]->damping_force), m.damping_force[0], m.damping_force[1], m.active[0], m.active[1]);
+    transpose(load(&p[0]->slip), load(&p[1]->slip), load(&p[2]->slip), load(&p[3]->slip), m.slip, bits, unused, unused);
     LaneMask word;
     __builtin_memcpy(&word, &bits, sizeof word);
     const LaneMask none{};
@@ -86,6 +88,14 @@ struct Pass {
   FaceLaw law;
 };
 
+template <class T>
+TRILITH_INLINE void give_off(Work<2>& work, const FaceResponse<T>& r, int i) {
+  using L = Loader<T>;
+  work.given[EnergyTerm::contact_damping] += L::lane(r.lost_damping, i);
+  work.given[EnergyTerm::contact_friction] += L::lane(r.lost_friction, i);
+  work.given[EnergyTerm::contact_fracture] += L::lane(r.lost_fracture, i);
+}
+
 /// Writes lane `i` of a response to its row: forces, memory, losses.
 template <class T>
 TRILITH_INLINE void store(const Pass& pass, int row, const FaceResponse<T>& r, int i) {
@@ -96,7 +106,9 @@ TRILITH_INLINE void store(const Pass& pass, int row, const FaceResponse<T>& r, i
   const bool was = (before.state & contact_touching) != 0;
   if (!L::lane(r.touching, i)) {
     after = {};
-    if (was) work.turned.push_back(row);
+    if (!was) return;
+    work.turned.push_back(row);
+    give_off(work, r, i);
     return;
   }
   const FaceMemory<T>& m = r.memory;
@@ -104,6 +116,7 @@ TRILITH_INLINE void store(const Pass& pass, int row, const FaceResponse<T>& r, i
     after.shear_elastic[h] = L::lane(m.shear_elastic[h], i);
     after.shear_total[h] = L::lane(m.shear_total[h], i);
     after.damping_force[h] = L::lane(m.damping_force[h], i);
+    after.active[h] = L::lane(m.active[h], i);
   }
   after.slip = L::lane(m.slip, i);
   after.bonds = (L::lane(m.bonds[0], i) ? 1U : 0U) | (L::lane(m.bonds[1], i) ? 2U : 0U);
@@ -115,10 +128,7 @@ TRILITH_INLINE void store(const Pass& pass, int row, const FaceResponse<T>& r, i
   on[p.a1] += Vec2(L::lane(r.ax1, i), L::lane(r.ay1, i));
   on[p.b0] += Vec2(L::lane(r.bx0, i), L::lane(r.by0, i));
   on[p.b1] += Vec2(L::lane(r.bx1, i), L::lane(r.by1, i));
-  Energy& given = work.given;
-  given[EnergyTerm::contact_damping] += L::lane(r.lost_damping, i);
-  given[EnergyTerm::contact_friction] += L::lane(r.lost_friction, i);
-  given[EnergyTerm::contact_fracture] += L::lane(r.lost_fracture, i);
+  give_off(work, r, i);
 }
 
 template <bool CanBond, class T>

@@ -48,6 +48,8 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   std::fill_n(on_b.begin(), b.corner.size(), Vec2::Zero());
   const OverlapResponse r = respond_overlap(a, b, before, face_law(model, pair.law, dt), on_a, on_b);
   if (was != r.touching || before.bonds != 0) work.turned.push_back(row);
+  work.given[EnergyTerm::contact_damping] += r.lost_damping;
+  work.given[EnergyTerm::contact_friction] += r.lost_friction;
   if (!r.touching) {
     // Each of the two may come nearer by the path of the fastest point.
     work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * r.separation;
@@ -56,8 +58,6 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   after = r.memory;
   add_to_skin(model, pair.piece_a, on_a, work);
   add_to_skin(model, pair.piece_b, on_b, work);
-  work.given[EnergyTerm::contact_damping] += r.lost_damping;
-  work.given[EnergyTerm::contact_friction] += r.lost_friction;
   work.general_touching.push_back({row, r.length, r.centre, r.force});
 }
 

@@ -8,17 +8,12 @@
 namespace trilith {
 namespace {
 
-/// kn/2 of the integral of g^2 over one half with linear gap, where closed or bonded; and the length that counts.
-struct HalfStore {
-  double energy, active;
-};
-
-HalfStore half_store(double g0, double g1, double length, bool bonded, double kn) {
-  if (bonded) return {kn * length * (g0 * g0 + g0 * g1 + g1 * g1) / 6, length};
+/// kn/2 of the integral of g^2 over one half with linear gap, where closed or bonded [J].
+double half_store(double g0, double g1, double length, bool bonded, double kn) {
+  if (bonded) return kn * length * (g0 * g0 + g0 * g1 + g1 * g1) / 6;
   const PositivePart<double> part(-g0, -g1);
-  const double d0 = -g0 - (g1 - g0) * part.from, d1 = -g0 - (g1 - g0) * part.to,
-               active = (part.to - part.from) * length;
-  return {kn * active * (d0 * d0 + d0 * d1 + d1 * d1) / 6, active};
+  const double d0 = -g0 - (g1 - g0) * part.from, d1 = -g0 - (g1 - g0) * part.to;
+  return kn * (part.to - part.from) * length * (d0 * d0 + d0 * d1 + d1 * d1) / 6;
 }
 
 double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law) {
@@ -32,9 +27,8 @@ double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& 
                           half_store(mid, o.gap_hi, half, (m.bonds & 2U) != 0, law.kn)};
   double sum = 0;
   for (const int h : {0, 1}) {
-    sum += stores[h].energy;
-    if (stores[h].active > 0 && law.ks > 0)
-      sum += 0.5 * m.shear_elastic[h] * m.shear_elastic[h] / (law.ks * stores[h].active);
+    sum += stores[h];
+    if (m.active[h] > 0 && law.ks > 0) sum += 0.5 * m.shear_elastic[h] * m.shear_elastic[h] / (law.ks * m.active[h]);
   }
   return sum;
 }
@@ -46,7 +40,7 @@ double general_energy(const Model<2>& model, const State<2>& state, const Work<2
   const double normal = overlap_energy(placed_piece(model, state, work, p.piece_a, corners_a),
                                        placed_piece(model, state, work, p.piece_b, corners_b), law.kn);
   const ContactMemory& m = work.memory[g.row];
-  const double shear = m.shear_elastic[0] + m.shear_elastic[1], stiffness = law.ks * g.length;
+  const double shear = m.shear_elastic[0] + m.shear_elastic[1], stiffness = law.ks * (m.active[0] + m.active[1]);
   return normal + (stiffness > 0 ? 0.5 * shear * shear / stiffness : 0);
 }
 

@@ -37,7 +37,7 @@ inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
     {"contact_elastic", "elastic energy in contacts", +1},
     {"bearing_elastic", "elastic energy in bearings", +1},
     {"contact_damping", "given off by contact damping", +1},
-    {"contact_friction", "given off by sliding friction", +1},
+    {"contact_friction", "given off by sliding friction, and elastic shear let go by length that parts", +1},
     {"contact_fracture", "given off by bonds at their loss", +1},
     {"bearing_damping", "given off by the dashpots of bearings", +1},
     {"bearing_inner", "given off by yielding or sliding bearings", +1},

@@ -27,6 +27,7 @@ void add(Hash& hash, const ContactMemory& m) {
     hash.add(m.shear_elastic[h]);
     hash.add(m.shear_total[h]);
     hash.add(m.damping_force[h]);
+    hash.add(m.active[h]);
   }
   hash.add(m.slip);
   hash.add(static_cast<std::uint64_t>(m.bonds) << 32 | m.state);
