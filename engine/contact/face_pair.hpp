@@ -121,18 +121,23 @@ struct ShearBefore {
   T elastic, total, active;  ///< [N], [N], [m]
 };
 
-/// Elastic shear energy let go because the length in contact changed from `before` to `now`: length that parts takes
-/// its share of the force along, new length carries none. `kept`: the force left. Never negative.
+/// 1/v where v is above 0, else 0.
 template <class T>
-TRILITH_INLINE T let_go(const ShearBefore<T>& before, T now, double ks, T& kept) {
+TRILITH_INLINE T inverse_or_zero(T v) {
   const T zero{}, one = zero + 1.0;
-  const T was = select(before.active > zero, before.active, one);
-  const T share = select(before.active > zero, smaller(one, now / was), one);
+  const Mask<T> positive = v > zero;
+  return select(positive, one / select(positive, v, one), zero);
+}
+
+/// Elastic shear energy let go because the length in contact changed to one of the given stiffness: length that parts
+/// takes its share of the force along, new length carries none. `kept`: the force left. Never negative.
+template <class T>
+TRILITH_INLINE T let_go(const ShearBefore<T>& before, T stiffness, T compliance, double ks, T& kept) {
+  const T one = T{} + 1.0;
+  const T compliance_before = inverse_or_zero(ks * before.active);
+  const T share = smaller(one, stiffness * compliance_before);
   kept = before.elastic * share;
-  const T stiffness = ks * now;
-  const T inverse = select(stiffness > zero, one, zero) / select(stiffness > zero, stiffness, one);
-  const T inverse_was = select(ks * before.active > zero, one, zero) / select(ks * was > zero, ks * was, one);
-  return 0.5 * (before.elastic * before.elastic * inverse_was - kept * kept * inverse);
+  return 0.5 * (before.elastic * before.elastic * compliance_before - kept * kept * compliance);
 }
 
 /// Kelvin-Voigt spring in series with a Coulomb slider; the damping acts on the elastic part only. `active`: length
@@ -140,10 +145,10 @@ TRILITH_INLINE T let_go(const ShearBefore<T>& before, T now, double ks, T& kept)
 template <class T>
 TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T active, const ShearBefore<T>& before,
                                   HalfResponse<T>& out) {
-  const T zero{}, one = zero + 1.0;
+  const T zero{};
+  const T stiffness = law.ks * active, compliance = inverse_or_zero(stiffness);
   T kept;
-  const T relaxed = let_go(before, active, law.ks, kept);
-  const T stiffness = law.ks * active;
+  const T relaxed = let_go(before, stiffness, compliance, law.ks, kept);
   const T move = h.slip_rate * law.dt;
   const T trial = kept + stiffness * move;
   const T trial_total = trial + law.beta * stiffness * h.slip_rate;
@@ -155,7 +160,6 @@ TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T a
   const Mask<T> open = active <= zero;
   out.shear_elastic = select(open, zero, select(slides, slid, trial));
   out.shear_total = select(open, zero, select(slides, held, trial_total));
-  const T compliance = select(stiffness > zero, one, zero) / select(stiffness > zero, stiffness, one);
   const T stretch = select(slides, (out.shear_elastic - kept) * compliance, move);
   const T slip = select(open, zero, move - stretch);
   const T mean_total = 0.5 * (out.shear_total + before.total);

@@ -194,7 +194,7 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   const double normal = sums.force.norm();
   if (!(normal > 0)) {
     double kept = 0;
-    out.lost_friction += let_go(both_halves(before), 0.0, law.ks, kept);
+    out.lost_friction += let_go(both_halves(before), 0.0, 0.0, law.ks, kept);
     return;
   }
   const Vec2 t = left_of(Vec2(sums.force / normal));
@@ -258,7 +258,7 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   const Edges edges_a(a), edges_b(b);
   static thread_local Depths b_in_a, a_in_b;  // large; filled anew at every call
   double kept = 0;                            // where the two part, their elastic shear is let go
-  out.lost_friction = let_go(both_halves(before), 0.0, law.ks, kept);
+  out.lost_friction = let_go(both_halves(before), 0.0, 0.0, law.ks, kept);
   out.separation = b_in_a.fill(a, edges_a, b);
   if (out.separation > 0) return out;
   out.separation = a_in_b.fill(b, edges_b, a);

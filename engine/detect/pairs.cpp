@@ -97,7 +97,7 @@ std::vector<Box> piece_boxes(const Model<2>& model, const Work<2>& work, double 
   return boxes;
 }
 
-/// A tenth of the median thickness (smaller side of the box in its own axes) of the bodies that move.
+/// A twentieth of the median thickness (smaller side of the box in its own axes) of the bodies that move.
 double search_margin(const Model<2>& model) {
   std::vector<double> thickness;
   for (const Body& b : model.bodies) {
@@ -110,7 +110,7 @@ double search_margin(const Model<2>& model) {
   if (thickness.empty()) return 1;
   const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
   std::nth_element(thickness.begin(), middle, thickness.end());
-  return 0.1 * *middle;
+  return 0.05 * *middle;
 }
 
 void sort_into_batches(const Model<2>& model, Work<2>& work) {
