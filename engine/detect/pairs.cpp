@@ -50,10 +50,10 @@ void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, i
   }
 }
 
-/// Widened by the margin, do the faces share length at a gap at which they could come to touch flatly?
+/// Could the faces come to touch flatly before the next search? Until then no two points come nearer than the margin.
 bool may_touch(const FaceOverlap<double>& o, double margin) {
-  const double depth = -std::min(o.gap_lo, o.gap_hi), shared = o.shared + 2 * margin;
-  return shared > 0 && depth > -2 * margin && depth <= face_pair_max_depth * shared + 2 * margin;
+  const double depth = -std::min(o.gap_lo, o.gap_hi), shared = o.shared + margin;
+  return shared > 0 && depth > -margin && depth <= face_pair_max_depth * shared + margin;
 }
 
 void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
