@@ -161,6 +161,7 @@ StageReport Simulation::run(const StageOptions& options, const RunListener& list
     advance(model_, state_, work_, {dt, {options.rest_share}});
     if (!work_.events.empty()) tell_events(listener, now);
     if (listener.on_step) listener.on_step(now);
+    if (listener.change_model && listener.change_model(model_)) work_.valid = false;
   }
 }
 

@@ -57,12 +57,15 @@ struct Instant {
   double ratio;  ///< unbalanced force over largest carried force
 };
 
-/// Who listens to a run. All are called between evaluations, in this order; none may write State, Model or Work.
+/// Who listens to a run. All are called between evaluations, in this order; none may write State, Model or Work, but for
+/// change_model, which is the step border: what it changes holds from the next evaluation on.
 struct RunListener {
   std::function<void(const Instant&)> on_frame, on_history;
   std::function<void(const Instant&, const Energy&)> on_energy;
   std::function<void(const Instant&)> on_step;  ///< after each step; leave empty where it is not needed
   std::function<void(const Event&, const Instant&)> on_event;
+  /// After on_step. Supports, drives, damping and gravity may be changed; true where something was.
+  std::function<bool(Model<2>&)> change_model;
 };
 
 }  // namespace trilith

@@ -1,0 +1,186 @@
+#include "base/units.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+
+namespace trilith {
+namespace {
+
+// Exact by definition: international foot and pound (1959), standard gravity (3rd CGPM, 1901).
+constexpr double foot = 0.3048, inch = 0.0254, pound = 0.45359237, gravity = 9.80665;
+constexpr double pound_force = pound * gravity;
+
+constexpr Dimension none{}, length{1, 0, 0}, time_{0, 1, 0}, mass{0, 0, 1}, frequency{0, -1, 0}, acceleration{1, -2, 0},
+    force{1, -2, 1}, stress{-1, -2, 1}, energy{2, -2, 1}, unit_weight{-2, -2, 1};
+
+constexpr std::array units{
+    Unit{"m", 1, length, "metre"},
+    Unit{"mm", 1e-3, length, "millimetre"},
+    Unit{"cm", 1e-2, length, "centimetre"},
+    Unit{"km", 1e3, length, "kilometre"},
+    Unit{"inch", inch, length, "inch, 25.4 mm"},
+    Unit{"ft", foot, length, "foot, 12 inch"},
+    Unit{"yd", 3 * foot, length, "yard, 3 ft"},
+    Unit{"s", 1, time_, "second"},
+    Unit{"ms", 1e-3, time_, "millisecond"},
+    Unit{"min", 60, time_, "minute"},
+    Unit{"Hz", 1, frequency, "hertz, one in a second"},
+    Unit{"kg", 1, mass, "kilogram"},
+    Unit{"t", 1e3, mass, "tonne, 1000 kg"},
+    Unit{"lbm", pound, mass, "pound as a mass"},
+    Unit{"slug", pound_force / foot, mass, "slug, lbf s2/ft"},
+    Unit{"N", 1, force, "newton"},
+    Unit{"kN", 1e3, force, "kilonewton"},
+    Unit{"MN", 1e6, force, "meganewton"},
+    Unit{"lbf", pound_force, force, "pound as a force"},
+    Unit{"kip", 1e3 * pound_force, force, "1000 lbf"},
+    Unit{"Pa", 1, stress, "pascal"},
+    Unit{"kPa", 1e3, stress, "kilopascal"},
+    Unit{"MPa", 1e6, stress, "megapascal"},
+    Unit{"GPa", 1e9, stress, "gigapascal"},
+    Unit{"psi", pound_force / (inch * inch), stress, "lbf/inch2"},
+    Unit{"psf", pound_force / (foot * foot), stress, "lbf/ft2"},
+    Unit{"ksi", 1e3 * pound_force / (inch * inch), stress, "kip/inch2"},
+    Unit{"ksf", 1e3 * pound_force / (foot * foot), stress, "kip/ft2"},
+    Unit{"pcf", pound_force / (foot * foot * foot), unit_weight, "lbf/ft3: a unit weight, not a density"},
+    Unit{"kcf", 1e3 * pound_force / (foot * foot * foot), unit_weight, "kip/ft3: a unit weight, not a density"},
+    Unit{"g", gravity, acceleration, "standard gravity, 9.80665 m/s2 (not the gram)"},
+    Unit{"J", 1, energy, "joule"},
+    Unit{"kJ", 1e3, energy, "kilojoule"},
+    Unit{"rad", 1, none, "radian"},
+    Unit{"deg", std::numbers::pi / 180, none, "degree"},
+    Unit{"percent", 1e-2, none, "one in a hundred"},
+};
+
+const Unit& find_unit(std::string_view name, std::string_view expression) {
+  for (const Unit& u : units)
+    if (u.name == name) return u;
+  const std::string where = name == expression ? "" : fmt::format(" in '{}'", expression);
+  if (name == "lb")
+    throw InputError(fmt::format("there is no unit 'lb'{}; say lbf for a force, lbm for a mass", where));
+  throw InputError(fmt::format("there is no unit '{}'{}{}", name, where, name_hint(name, unit_names())));
+}
+
+double whole_power(double base, int exponent) {
+  double result = 1;
+  for (int i = 0; i < std::abs(exponent); ++i) result *= base;
+  return exponent < 0 ? 1 / result : result;
+}
+
+void multiply(UnitProduct& product, const Unit& unit, int exponent) {
+  product.factor *= whole_power(unit.factor, exponent);
+  product.dimension.length += exponent * unit.dimension.length;
+  product.dimension.time += exponent * unit.dimension.time;
+  product.dimension.mass += exponent * unit.dimension.mass;
+}
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+std::span<const Unit> unit_table() {
+  return units;
+}
+
+std::vector<std::string> unit_names() {
+  std::vector<std::string> names;
+  for (const Unit& u : units) names.emplace_back(u.name);
+  return names;
+}
+
+std::vector<std::string> unit_names(const Dimension& dimension) {
+  std::vector<std::string> names;
+  for (const Unit& u : units)
+    if (u.dimension == dimension) names.emplace_back(u.name);
+  return names;
+}
+
+UnitProduct parse_unit(std::string_view expression) {
+  const std::string_view text = trimmed(expression);
+  if (text.empty()) throw InputError("an empty unit; say 1 for a pure number");
+  UnitProduct product;
+  int sign = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    if (is_blank(text[i]) || text[i] == '*') {
+      ++i;
+    } else if (text[i] == '/') {
+      sign = -1;
+      ++i;
+    } else if (text[i] == '1' && (i + 1 == text.size() || !is_digit(text[i + 1]))) {
+      ++i;
+    } else if (is_letter(text[i])) {
+      const std::size_t begin = i;
+      while (i < text.size() && is_letter(text[i])) ++i;
+      const Unit& unit = find_unit(text.substr(begin, i - begin), text);
+      int exponent = 1;
+      if (i < text.size() && text[i] == '^') ++i;
+      if (i < text.size() && is_digit(text[i])) exponent = text[i++] - '0';
+      multiply(product, unit, sign * exponent);
+    } else {
+      throw InputError(
+          fmt::format("unit '{}' cannot be read at '{}'; write it as in kip/ft, m/s2 or N s/m", text, text.substr(i)));
+    }
+  }
+  return product;
+}
+
+double parse_quantity(std::string_view text, std::string_view unit, std::string_view what) {
+  const std::string_view given = trimmed(text);
+  const char* const begin = given.data();
+  const char* const end = begin + given.size();
+  double value = 0;
+  const auto [rest, error] = std::from_chars(begin != end && *begin == '+' ? begin + 1 : begin, end, value);
+  if (error != std::errc{} || !std::isfinite(value))
+    throw InputError(fmt::format("{} is '{}', must be a number, with or without a unit (as in 0.6 or 0.6{})", what,
+                                 text, unit == "1" ? "deg" : unit));
+  const UnitProduct wanted = parse_unit(unit);
+  const std::string_view own = trimmed(std::string_view(rest, static_cast<std::size_t>(end - rest)));
+  if (own.empty()) return value * wanted.factor;
+  const UnitProduct product = parse_unit(own);
+  if (!(product.dimension == wanted.dimension))
+    throw InputError(fmt::format("{} is '{}', which is in {}; must be in {} or another unit of {}", what, text,
+                                 si_unit(product.dimension), unit, si_unit(wanted.dimension)));
+  return value * product.factor;
+}
+
+std::string si_unit(const Dimension& d) {
+  for (const std::string_view named : {"N", "Pa", "J"})
+    if (find_unit(named, named).dimension == d) return std::string(named);
+  std::string above, below;
+  const auto add = [&](std::string_view name, int exponent) {
+    if (exponent == 0) return;
+    std::string& side = exponent > 0 ? above : below;
+    if (!side.empty()) side += ' ';
+    side += name;
+    if (std::abs(exponent) != 1) side += std::to_string(std::abs(exponent));
+  };
+  add("kg", d.mass);
+  add("m", d.length);
+  add("s", d.time);
+  if (above.empty()) above.push_back('1');
+  return below.empty() ? above : fmt::format("{}/{}", above, below);
+}
+
+}  // namespace trilith

@@ -1,0 +1,261 @@
+// Bodies: their properties, and sets of them.
+#include <algorithm>
+#include <cmath>
+
+#include "body_reading.hpp"
+#include "handles.hpp"
+
+namespace trilith::script {
+namespace {
+
+const BodySpec& spec(const BodyHandle& b) {
+  return b.model().builder.bodies()[b.index];
+}
+int node(const BodyHandle& b) {
+  return b.model().if_built()->model().bodies[b.index].first_node;
+}
+Vec2 start_place(const BodyHandle& b) {
+  return polygon_moments(spec(b).outline).centroid;
+}
+Vec2 place(const BodyHandle& b) {
+  const Simulation* s = b.model().if_built();
+  return s != nullptr ? s->state().position[node(b)] : start_place(b);
+}
+Vec2 velocity(const BodyHandle& b) {
+  const Simulation* s = b.model().if_built();
+  return s != nullptr ? s->state().velocity[node(b)] : spec(b).velocity;
+}
+double rotation(const BodyHandle& b) {
+  const Simulation* s = b.model().if_built();
+  return s != nullptr ? s->state().rotation[node(b)] : 0;
+}
+double spin(const BodyHandle& b) {
+  const Simulation* s = b.model().if_built();
+  return s != nullptr ? s->state().spin[node(b)] : spec(b).spin;
+}
+Vec2 moved(const BodyHandle& b) {
+  const Simulation* s = b.model().if_built();
+  return s != nullptr ? Vec2(s->state().position[node(b)] - s->model().start_position[node(b)]) : Vec2::Zero();
+}
+
+void push_text(lua_State* L, const std::string& text) {
+  lua_pushlstring(L, text.data(), text.size());
+}
+
+void push_outline(lua_State* L, const BodyHandle& b) {
+  const Vec2 start = start_place(b), now = place(b);
+  const Turn turn(rotation(b));
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const Vec2& p : spec(b).outline) {
+    const Vec2 at = now + turn.apply(Vec2(p - start));
+    lua_createtable(L, 2, 0);
+    for (int k = 0; k < 2; ++k) {
+      lua_pushnumber(L, at[k]);
+      lua_rawseti(L, -2, k + 1);
+    }
+    lua_rawseti(L, -2, ++i);
+  }
+}
+
+void push_groups(lua_State* L, const BodyHandle& b) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const std::string& g : spec(b).groups) {
+    push_text(L, g);
+    lua_rawseti(L, -2, ++i);
+  }
+}
+
+using P = Property<BodyHandle>;
+const std::array body_properties{
+    P{"name", "", "its name", nullptr, [](lua_State* L, const BodyHandle& b) { push_text(L, spec(b).name); }},
+    P{"material", "", "name of its material", nullptr,
+      [](lua_State* L, const BodyHandle& b) { push_text(L, spec(b).material); }},
+    P{"groups", "", "names of its groups", nullptr, push_groups},
+    P{"outline", "", "its corners {x, y} where they are now [m]", nullptr, push_outline},
+    P{"x", "m", "place of the centroid", [](const BodyHandle& b) { return place(b).x(); }},
+    P{"y", "m", "height of the centroid", [](const BodyHandle& b) { return place(b).y(); }},
+    P{"rotation", "rad", "counter-clockwise turn since the start", rotation},
+    P{"vx", "m/s", "velocity of the centroid along x", [](const BodyHandle& b) { return velocity(b).x(); }},
+    P{"vy", "m/s", "velocity of the centroid along y", [](const BodyHandle& b) { return velocity(b).y(); }},
+    P{"spin", "rad/s", "rate of rotation", spin},
+    P{"ux", "m", "displacement along x since the start", [](const BodyHandle& b) { return moved(b).x(); }},
+    P{"uy", "m", "displacement along y since the start", [](const BodyHandle& b) { return moved(b).y(); }},
+    P{"speed", "m/s", "speed of the centroid", [](const BodyHandle& b) { return velocity(b).norm(); }},
+    P{"mass", "kg", "mass", [](const BodyHandle& b) { return b.model().mass_of(b.index); }},
+    P{"inertia", "kg m2", "moment of inertia about the centroid",
+      [](const BodyHandle& b) { return b.model().inertia_of(b.index); }},
+    P{"area", "m2", "area of the outline", [](const BodyHandle& b) { return polygon_moments(spec(b).outline).area; }},
+    P{"resting", "", "true while it has been still for the model's still_time", nullptr,
+      [](lua_State* L, const BodyHandle& b) {
+        const Simulation* s = b.model().if_built();
+        lua_pushboolean(L, s != nullptr && s->state().resting[b.index] != 0 ? 1 : 0);
+      }},
+};
+
+/// body:point{x, y}: where a point that was there at the start is now.
+int body_point(lua_State* L) {
+  const auto& b = handle<BodyHandle>(L, 1);
+  const auto at = point_at(L, 2);
+  if (!at) throw InputError(fmt::format("point: takes {{x, y}}, two finite numbers; this is {}", what_is(L, 2)));
+  const Vec2 now = place(b) + Turn(rotation(b)).apply(Vec2(*at - start_place(b)));
+  lua_pushnumber(L, now.x());
+  lua_pushnumber(L, now.y());
+  return 2;
+}
+
+const std::array body_methods{
+    Method{"point", guarded<body_point>, "point{x, y}: x and y now of the point that was there at the start"},
+};
+
+BodyHandle member(const BodySet& set, std::size_t i) {
+  BodyHandle b;
+  b.box = set.box;
+  b.index = set.bodies[i];
+  return b;
+}
+
+template <class Value>
+double largest(const BodySet& set, Value&& value) {
+  double most = 0;
+  for (std::size_t i = 0; i < set.bodies.size(); ++i) most = std::max(most, value(member(set, i)));
+  return most;
+}
+
+void push_names(lua_State* L, const BodySet& set) {
+  lua_newtable(L);
+  for (std::size_t i = 0; i < set.bodies.size(); ++i) {
+    push_text(L, spec(member(set, i)).name);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+}
+
+using S = Property<BodySet>;
+const std::array set_properties{
+    S{"count", "1", "number of bodies", [](const BodySet& s) { return static_cast<double>(s.bodies.size()); }},
+    S{"names", "", "their names", nullptr, push_names},
+    S{"mass", "kg", "sum of the masses",
+      [](const BodySet& s) {
+        double sum = 0;
+        for (const int b : s.bodies) sum += s.model().mass_of(b);
+        return sum;
+      }},
+    S{"speed", "m/s", "of the fastest centroid",
+      [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return velocity(b).norm(); }); }},
+    S{"drift", "m", "largest displacement since the start",
+      [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return moved(b).norm(); }); }},
+};
+
+std::vector<int> other_side(lua_State* L, const BodySet& set) {
+  return bodies_at(L, 2, set.model(), "set");
+}
+
+/// The two operands of an operator as lists of one model; leaves the model on the stack.
+std::pair<std::vector<int>, std::vector<int>> operands(lua_State* L) {
+  const int owner = test_handle<BodySet>(L, 1) != nullptr || test_handle<BodyHandle>(L, 1) != nullptr ? 1 : 2;
+  push_model_of(L, owner);
+  const ScriptModel& model = static_cast<const ModelBox*>(lua_touserdata(L, -1))->get();
+  return {bodies_at(L, 1, model, "set"), bodies_at(L, 2, model, "set")};
+}
+
+int join_sets(lua_State* L) {
+  auto [a, b] = operands(L);
+  a.insert(a.end(), b.begin(), b.end());
+  push_set(L, -1, std::move(a));
+  return 1;
+}
+int subtract_sets(lua_State* L) {
+  const auto [a, b] = operands(L);
+  std::vector<int> rest;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
+  push_set(L, -1, std::move(rest));
+  return 1;
+}
+int intersect_sets(lua_State* L) {
+  const auto [a, b] = operands(L);
+  std::vector<int> both;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  push_set(L, -1, std::move(both));
+  return 1;
+}
+int set_length(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(handle<BodySet>(L, 1).bodies.size()));
+  return 1;
+}
+int sets_equal(lua_State* L) {
+  const auto *a = test_handle<BodySet>(L, 1), *b = test_handle<BodySet>(L, 2);
+  lua_pushboolean(L, a != nullptr && b != nullptr && a->box == b->box && a->bodies == b->bodies ? 1 : 0);
+  return 1;
+}
+/// Called by a generic for: `for body in set do`. The control value is the body before.
+int next_of_set(lua_State* L) {
+  const auto& set = handle<BodySet>(L, 1);
+  const auto* before = test_handle<BodyHandle>(L, 3);
+  const auto it =
+      before == nullptr ? set.bodies.begin() : std::upper_bound(set.bodies.begin(), set.bodies.end(), before->index);
+  if (it == set.bodies.end()) return 0;
+  lua_getiuservalue(L, 1, 1);
+  push_body(L, -1, *it);
+  return 1;
+}
+/// set:has(body)
+int set_has(lua_State* L) {
+  const auto& set = handle<BodySet>(L, 1);
+  const std::vector<int> other = other_side(L, set);
+  lua_pushboolean(L, std::includes(set.bodies.begin(), set.bodies.end(), other.begin(), other.end()) ? 1 : 0);
+  return 1;
+}
+
+const std::array set_methods{Method{"has", guarded<set_has>, "has(body or set): true where all of it is in this set"}};
+
+using M = std::pair<const char*, lua_CFunction>;
+constexpr std::array set_operators{
+    M{"__add", guarded<join_sets>},  M{"__sub", guarded<subtract_sets>}, M{"__mul", guarded<intersect_sets>},
+    M{"__len", guarded<set_length>}, M{"__eq", guarded<sets_equal>},     M{"__call", guarded<next_of_set>},
+};
+constexpr std::array body_operators{M{"__add", guarded<join_sets>}};
+
+}  // namespace
+
+std::span<const Property<BodyHandle>> Kind<BodyHandle>::properties() {
+  return body_properties;
+}
+std::span<const Method> Kind<BodyHandle>::methods() {
+  return body_methods;
+}
+std::string Kind<BodyHandle>::title(const BodyHandle& b) {
+  return b.box->model ? fmt::format("body '{}'", spec(b).name) : "body of a closed model";
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<BodyHandle>::metamethods() {
+  return body_operators;
+}
+bool Kind<BodyHandle>::read_item(lua_State*, const BodyHandle&) {
+  return false;
+}
+
+std::span<const Property<BodySet>> Kind<BodySet>::properties() {
+  return set_properties;
+}
+std::span<const Method> Kind<BodySet>::methods() {
+  return set_methods;
+}
+std::string Kind<BodySet>::title(const BodySet& s) {
+  return fmt::format("set of {} bodies", s.bodies.size());
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<BodySet>::metamethods() {
+  return set_operators;
+}
+bool Kind<BodySet>::read_item(lua_State* L, const BodySet& s) {
+  if (lua_isinteger(L, 2) == 0) return false;
+  const lua_Integer i = lua_tointeger(L, 2);
+  if (i < 1 || i > static_cast<lua_Integer>(s.bodies.size())) {
+    lua_pushnil(L);  // so that ipairs ends
+    return true;
+  }
+  lua_getiuservalue(L, 1, 1);
+  push_body(L, -1, s.bodies[static_cast<std::size_t>(i - 1)]);
+  return true;
+}
+
+}  // namespace trilith::script

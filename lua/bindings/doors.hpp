@@ -1,0 +1,29 @@
+// What each door file adds to the module table, in one list.
+#pragma once
+
+#include "handles.hpp"
+
+namespace trilith::script {
+
+Host& host(lua_State* L);
+
+// Each adds its functions to the table on top of the stack.
+void open_units(lua_State* L);    ///< units, params
+void open_laws(lua_State* L);     ///< frictional, bonded, linear, ...
+void open_motions(lua_State* L);  ///< motion
+void open_build(lua_State* L);    ///< build.block, build.arch, ...
+void open_core(lua_State* L);     ///< for the library only: model, wake, fail, ...
+
+// Methods of a model, file by file.
+std::span<const Method> parts_methods();    ///< material, contact, body, add, pier, span, ...
+std::span<const Method> bearing_methods();  ///< bearing, seat
+std::span<const Method> stage_methods();    ///< run, consolidate, shake, fix, free, drive, tilt, stop
+std::span<const Method> reading_methods();  ///< bodies, contacts, history, results, explain_dt
+
+/// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.
+void push_event(lua_State* L, int model_index, const Event& event);
+
+/// Name in `model` of a contact law value: its own or a new one; the builder knows it from now on.
+std::string require_law(ScriptModel& model, ContactLawValue& law, const std::string& name);
+
+}  // namespace trilith::script

@@ -1,0 +1,84 @@
+// Events as handlers get them.
+#include <algorithm>
+
+#include "doors.hpp"
+#include "event_line.hpp"
+
+namespace trilith::script {
+namespace {
+
+const EventTypeInfo& info_of(const Event& e) {
+  return event_type_info[static_cast<std::size_t>(e.type)];
+}
+
+void set_text(lua_State* L, const char* key, std::string_view text) {
+  lua_pushlstring(L, text.data(), text.size());
+  lua_setfield(L, -2, key);
+}
+void set_number(lua_State* L, const char* key, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, key);
+}
+void set_integer(lua_State* L, const char* key, std::int64_t value) {
+  lua_pushinteger(L, value);
+  lua_setfield(L, -2, key);
+}
+
+void set_bodies(lua_State* L, int model_index, const Event& e) {
+  lua_createtable(L, 2, 0);
+  int count = 0;
+  for (const int body : {e.body_a, e.body_b}) {
+    if (body < 0) continue;
+    push_body(L, model_index, body);
+    lua_rawseti(L, -2, ++count);
+  }
+  lua_setfield(L, -2, "bodies");
+  if (e.body_a < 0) return;
+  push_body(L, model_index, e.body_a);
+  lua_setfield(L, -2, "body");
+}
+
+}  // namespace
+
+std::string event_line(const Event& e, const Model<2>& model) {
+  const EventTypeInfo& info = info_of(e);
+  std::string line{info.name};
+  if (e.bearing >= 0) line += fmt::format(" '{}'", model.bearings[static_cast<std::size_t>(e.bearing)].name);
+  if (!e.text.empty()) line += fmt::format(" '{}'", e.text);
+  if (e.body_a >= 0) line += fmt::format(" {}", model.bodies[static_cast<std::size_t>(e.body_a)].name);
+  if (e.body_b >= 0) line += fmt::format(" - {}", model.bodies[static_cast<std::size_t>(e.body_b)].name);
+  if (!info.value_name.empty()) line += fmt::format(", {} {:.4g} {}", info.value_name, e.value, info.value_unit);
+  if (e.cause >= 0) line += fmt::format(" (#{} from #{})", e.id, e.cause);
+  return line;
+}
+
+void push_event(lua_State* L, int model_index, const Event& e) {
+  model_index = lua_absindex(L, model_index);
+  lua_checkstack(L, 10);
+  const ScriptModel& m = static_cast<const ModelBox*>(lua_touserdata(L, model_index))->get();
+  lua_createtable(L, 0, 14);
+  set_text(L, "type", info_of(e).name);
+  set_number(L, "time", e.time);
+  set_integer(L, "id", e.id);
+  if (e.cause >= 0) set_integer(L, "cause", e.cause);
+  set_integer(L, "step", e.step);
+  set_number(L, "value", e.value);
+  set_text(L, "value_name", info_of(e).value_name);
+  set_number(L, "x", e.x);
+  set_number(L, "y", e.y);
+  set_text(L, "text", e.text);
+  set_text(L, "line", event_line(e, m.if_built()->model()));
+  set_bodies(L, model_index, e);
+  if (e.bearing >= 0) {
+    push_bearing(L, model_index, e.bearing);
+    lua_setfield(L, -2, "bearing");
+  }
+  const auto seat = e.type == EventType::seat_lost ? std::find(m.seats.begin(), m.seats.end(), e.text) : m.seats.end();
+  if (seat != m.seats.end()) {
+    push_seat(L, model_index, static_cast<int>(seat - m.seats.begin()));
+    lua_setfield(L, -2, "seat");
+  }
+  luaL_setmetatable(L, "trilith.event");
+}
+
+}  // namespace trilith::script

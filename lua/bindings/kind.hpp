@@ -1,0 +1,162 @@
+// What the handles that scripts hold are made of: one table of properties and methods for each kind, from which come
+// reading, writing, messages, tostring, histories, help and completion.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <new>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "guard.hpp"
+
+namespace trilith::script {
+
+/// A named value of a handle. Just one of `number` and `push` is given; a number can be followed as a history.
+template <class H>
+struct Property {
+  std::string_view name, unit, doc;  ///< unit "" where it is no number
+  double (*number)(const H&) = nullptr;
+  void (*push)(lua_State*, const H&) = nullptr;      ///< pushes one value; the handle is at stack index 1
+  void (*set)(lua_State*, H&, int index) = nullptr;  ///< nullptr: cannot be set
+};
+
+struct Method {
+  std::string_view name;
+  lua_CFunction call;  ///< guarded<...>
+  std::string_view doc;
+};
+
+/// Specialised for each kind of handle: name (for messages), key (of the metatable), properties(), methods(),
+/// title(handle) for tostring, and optionally further metamethods.
+template <class H>
+struct Kind;
+
+template <class H>
+H* test_handle(lua_State* L, int index) {
+  return static_cast<H*>(luaL_testudata(L, index, Kind<H>::key));
+}
+
+/// The handle at `index`, or InputError: "method must be called on a body, with ':'".
+template <class H>
+H& handle(lua_State* L, int index) {
+  H* h = test_handle<H>(L, index);
+  if (h == nullptr)
+    throw InputError(fmt::format("argument {} is a {}, must be a {}; call methods with ':'", index,
+                                 luaL_typename(L, index), Kind<H>::name));
+  return *h;
+}
+
+template <class H>
+std::vector<std::string> member_names(lua_State* L, int lookup) {
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, lookup) != 0; lua_pop(L, 1)) names.emplace_back(lua_tostring(L, -2));
+  return names;
+}
+
+template <class H>
+const Property<H>* find_property(std::string_view name) {
+  for (const Property<H>& p : Kind<H>::properties())
+    if (p.name == name) return &p;
+  return nullptr;
+}
+
+template <class H>
+void push_property(lua_State* L, const Property<H>& p, const H& h) {
+  if (p.number != nullptr)
+    lua_pushnumber(L, p.number(h));
+  else
+    p.push(L, h);
+}
+
+/// __index: upvalue 1 holds name -> light userdata of the property, or the method.
+template <class H>
+int read_member(lua_State* L) {
+  H& h = handle<H>(L, 1);
+  lua_pushvalue(L, 2);
+  const int found = lua_rawget(L, lua_upvalueindex(1));
+  if (found == LUA_TLIGHTUSERDATA) {
+    push_property(L, *static_cast<const Property<H>*>(lua_touserdata(L, -1)), h);
+    return 1;
+  }
+  if (found == LUA_TFUNCTION) return 1;
+  if constexpr (requires { Kind<H>::read_item(L, h); })
+    if (Kind<H>::read_item(L, h)) return 1;
+  if (lua_type(L, 2) != LUA_TSTRING)
+    throw InputError(fmt::format("a {} has no members by {}", Kind<H>::name, luaL_typename(L, 2)));
+  const std::string name = lua_tostring(L, 2);
+  throw InputError(fmt::format("{} has no '{}'{}", Kind<H>::title(h), name,
+                               name_hint(name, member_names<H>(L, lua_upvalueindex(1)))));
+}
+
+template <class H>
+int write_member(lua_State* L) {
+  H& h = handle<H>(L, 1);
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
+  const Property<H>* p = find_property<H>(name);
+  if (p == nullptr) throw InputError(fmt::format("{} has no '{}' that could be set", Kind<H>::title(h), name));
+  if (p->set == nullptr) throw InputError(fmt::format("'{}' of {} can be read, not set", name, Kind<H>::title(h)));
+  p->set(L, h, 3);
+  return 0;
+}
+
+template <class H>
+int describe_handle(lua_State* L) {
+  const std::string title = Kind<H>::title(handle<H>(L, 1));
+  lua_pushlstring(L, title.data(), title.size());
+  return 1;
+}
+
+template <class H>
+int destroy_handle(lua_State* L) {
+  static_cast<H*>(lua_touserdata(L, 1))->~H();
+  return 0;
+}
+
+/// Pushes a new handle that holds `value`.
+template <class H>
+H& push_handle(lua_State* L, H value, int uservalues = 0) {
+  H* h = new (lua_newuserdatauv(L, sizeof(H), uservalues)) H(std::move(value));
+  luaL_setmetatable(L, Kind<H>::key);
+  return *h;
+}
+
+inline void set_function(lua_State* L, const char* name, lua_CFunction f) {
+  lua_pushcfunction(L, f);
+  lua_setfield(L, -2, name);
+}
+
+/// Makes the metatable of a kind. Its lookup table stays in the metatable as "members", for the library to add to.
+template <class H>
+void register_kind(lua_State* L) {
+  if (luaL_newmetatable(L, Kind<H>::key) == 0) {
+    lua_pop(L, 1);
+    return;
+  }
+  lua_newtable(L);
+  for (const Property<H>& p : Kind<H>::properties()) {
+    lua_pushlightuserdata(L, const_cast<Property<H>*>(&p));
+    lua_setfield(L, -2, std::string(p.name).c_str());
+  }
+  for (const Method& m : Kind<H>::methods()) set_function(L, std::string(m.name).c_str(), m.call);
+  lua_pushvalue(L, -1);
+  lua_setfield(L, -3, "members");
+  lua_pushcclosure(L, guarded<read_member<H>>, 1);
+  lua_setfield(L, -2, "__index");
+  set_function(L, "__newindex", guarded<write_member<H>>);
+  set_function(L, "__tostring", guarded<describe_handle<H>>);
+  if constexpr (!std::is_trivially_destructible_v<H>) set_function(L, "__gc", destroy_handle<H>);
+  if constexpr (requires { Kind<H>::metamethods(); })
+    for (const auto& [name, f] : Kind<H>::metamethods()) set_function(L, name, f);
+  lua_pushstring(L, Kind<H>::name);
+  lua_setfield(L, -2, "__metatable");  // getmetatable gives the kind's name, and nobody can change it
+  lua_pop(L, 1);
+}
+
+}  // namespace trilith::script

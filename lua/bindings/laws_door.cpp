@@ -1,0 +1,152 @@
+// Contact laws and direction laws as values: constructors made from their declarations.
+#include "doors.hpp"
+
+namespace trilith::script {
+namespace {
+
+template <class L>
+int make_contact_law(lua_State* lua) {
+  Keys keys(lua, 1, std::string(L::name));
+  L law;
+  ContactLawValue value;
+  value.name = keys.text("name", "");
+  keys.declared(law);
+  keys.finish();
+  value.law = law;
+  push_handle(lua, std::move(value));
+  return 1;
+}
+
+/// Numbers that are no declared parameter: the points of a table.
+template <class L>
+void read_points(Keys&, L&) {}
+void read_points(Keys& keys, Table& table) {
+  for (const Vec2& p : keys.points("points")) {
+    table.displacement.push_back(p.x());
+    table.force.push_back(p.y());
+  }
+}
+
+template <class L>
+int make_direction_law(lua_State* lua) {
+  Keys keys(lua, 1, std::string(L::name));
+  L law;
+  read_points(keys, law);
+  keys.declared(law);
+  keys.finish();
+  if constexpr (requires { law.check(); }) law.check();
+  push_handle(lua, DirectionLawValue{law});
+  return 1;
+}
+
+struct AddContactLaw {
+  lua_State* lua;
+  template <class L>
+  void operator()() const {
+    set_function(lua, std::string(L::name).c_str(), guarded<make_contact_law<L>>);
+  }
+};
+struct AddDirectionLaw {
+  lua_State* lua;
+  template <class L>
+  void operator()() const {
+    set_function(lua, std::string(L::name).c_str(), guarded<make_direction_law<L>>);
+  }
+};
+
+/// A declared number of a law, looked up by name: law.kn.
+template <class Law>
+bool push_declared(lua_State* L, const Law& law, std::string_view key) {
+  bool found = false;
+  std::visit(
+      [&](const auto& l) {
+        using T = std::decay_t<decltype(l)>;
+        if constexpr (Declared<T>)
+          for (const Parameter<T>& p : T::parameters())
+            if (p.name == key) {
+              lua_pushnumber(L, l.*(p.member));
+              found = true;
+            }
+      },
+      law);
+  return found;
+}
+
+template <class Law>
+std::string law_text(const Law& law) {
+  std::string text;
+  std::visit(
+      [&](const auto& l) {
+        if constexpr (Declared<std::decay_t<decltype(l)>>) text = describe(l);
+      },
+      law);
+  return text;
+}
+
+const std::array contact_properties{
+    Property<ContactLawValue>{"name", "", "its name, \"\" until it is used", nullptr,
+                              [](lua_State* L, const ContactLawValue& v) { lua_pushstring(L, v.name.c_str()); }},
+};
+
+}  // namespace
+
+void open_laws(lua_State* L) {
+  register_kind<ContactLawValue>(L);
+  register_kind<DirectionLawValue>(L);
+  ContactLaws::for_each(AddContactLaw{L});
+  DirectionLaws::for_each(AddDirectionLaw{L});
+}
+
+std::string require_law(ScriptModel& model, ContactLawValue& law, const std::string& name) {
+  const auto known = model.builder.law_names();
+  const auto is_known = [&](const std::string& n) { return std::find(known.begin(), known.end(), n) != known.end(); };
+  std::string use = name.empty() ? law.name : name;
+  if (use.empty()) {
+    const std::string kind =
+        std::visit([](const auto& l) { return std::string(std::decay_t<decltype(l)>::name); }, law.law);
+    do use = fmt::format("{} {}", kind, ++model.laws_named);
+    while (is_known(use));
+  }
+  if (law.name.empty()) law.name = use;
+  if (is_known(use)) {
+    if (!name.empty() && name != law.name)
+      throw InputError(fmt::format("contact law '{}' is there already; give each one of its own name", use));
+    return use;  // the same value again
+  }
+  model.builder.add_law(use, law.law);
+  return use;
+}
+
+std::span<const Property<ContactLawValue>> Kind<ContactLawValue>::properties() {
+  return contact_properties;
+}
+std::span<const Method> Kind<ContactLawValue>::methods() {
+  return {};
+}
+std::string Kind<ContactLawValue>::title(const ContactLawValue& v) {
+  return law_text(v.law);
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<ContactLawValue>::metamethods() {
+  return {};
+}
+bool Kind<ContactLawValue>::read_item(lua_State* L, const ContactLawValue& v) {
+  return lua_type(L, 2) == LUA_TSTRING && push_declared(L, v.law, lua_tostring(L, 2));
+}
+
+std::span<const Property<DirectionLawValue>> Kind<DirectionLawValue>::properties() {
+  return {};
+}
+std::span<const Method> Kind<DirectionLawValue>::methods() {
+  return {};
+}
+std::string Kind<DirectionLawValue>::title(const DirectionLawValue& v) {
+  return law_text(v.law);
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<DirectionLawValue>::metamethods() {
+  return {};
+}
+bool Kind<DirectionLawValue>::read_item(lua_State* L, const DirectionLawValue& v) {
+  return lua_type(L, 2) == LUA_TSTRING && push_declared(L, v.law, lua_tostring(L, 2));
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,194 @@
+// Models: making them, and what can be read of them.
+#include <cmath>
+
+#include "doors.hpp"
+#include "model_door.hpp"
+#include "step/central_difference.hpp"
+#include "step/stable_step.hpp"
+
+namespace trilith::script {
+namespace {
+
+void push_text(lua_State* L, const std::string& text) {
+  lua_pushlstring(L, text.data(), text.size());
+}
+
+const Simulation* simulation_of(const ModelBox& m) {
+  return m.get().if_built();
+}
+
+double ratio_of(const ModelBox& m) {
+  if (simulation_of(m) == nullptr) return 0;
+  const Work<2>& w = m.get().evaluated().work();
+  return w.carried > 0 ? w.unbalanced / w.carried : 0;
+}
+
+Energy energy_of(ScriptModel& m) {
+  const Simulation& s = m.evaluated();
+  return energy_now(s.model(), s.state(), s.work(), {s.state().last_dt, {m.rest_share()}});
+}
+
+/// All terms of the ledger [J] by name, and their residual.
+void push_energy(lua_State* L, const ModelBox& box) {
+  const Energy e = energy_of(box.get());
+  lua_newtable(L);
+  for (int i = 0; i < energy_terms; ++i) {
+    lua_pushnumber(L, e.value[static_cast<std::size_t>(i)]);
+    lua_setfield(L, -2, std::string(energy_term_info[static_cast<std::size_t>(i)].name).c_str());
+  }
+  lua_pushnumber(L, e.balance());
+  lua_setfield(L, -2, "residual");
+}
+
+void push_notes(lua_State* L, const ModelBox& box) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const std::string& note : box.get().builder.notes()) {
+    push_text(L, note);
+    lua_rawseti(L, -2, ++i);
+  }
+}
+
+void push_events(lua_State* L, const ModelBox& box) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const Event& e : box.get().events) {
+    push_event(L, 1, e);
+    lua_rawseti(L, -2, ++i);
+  }
+}
+
+void push_hash(lua_State* L, const ModelBox& box) {
+  push_text(L, fmt::format("{:016x}", state_hash(box.get().simulation().state())));
+}
+
+/// A list of the model that the library made, by name: bearings, seats.
+template <const char* const& field>
+void push_own(lua_State* L, const ModelBox&) {
+  lua_getiuservalue(L, 1, 1);
+  lua_pushstring(L, field);
+  lua_rawget(L, -2);
+}
+const char* const bearings_field = "bearings";
+const char* const seats_field = "seats";
+
+using P = Property<ModelBox>;
+const std::array model_properties{
+    P{"name", "", "its name", nullptr, [](lua_State* L, const ModelBox& m) { push_text(L, m.get().name); }},
+    P{"time", "s", "time of the simulation", [](const ModelBox& m) { return m.get().time(); }},
+    P{"dt", "s", "length of the last step, 0 before the first",
+      [](const ModelBox& m) { return simulation_of(m) != nullptr ? simulation_of(m)->state().last_dt : 0; }},
+    P{"step", "1", "steps taken",
+      [](const ModelBox& m) {
+        return simulation_of(m) != nullptr ? static_cast<double>(simulation_of(m)->state().step) : 0;
+      }},
+    P{"speed", "m/s", "fastest point of all moving bodies",
+      [](const ModelBox& m) { return simulation_of(m) != nullptr ? m.get().evaluated().work().fastest_moving : 0; }},
+    P{"ratio", "1", "unbalanced force over the largest carried one", ratio_of},
+    P{"residual", "J", "of the energy ledger", [](const ModelBox& m) { return energy_of(m.get()).balance(); }},
+    P{"energy", "", "all terms of the energy ledger [J], and their residual", nullptr, push_energy},
+    P{"bearings", "", "bearings by name: m.bearings[\"S3.left\"]", nullptr, push_own<bearings_field>},
+    P{"seats", "", "seats by name", nullptr, push_own<seats_field>},
+    P{"events", "", "all events so far", nullptr, push_events},
+    P{"hash", "", "sixteen digits of the state's bits", nullptr, push_hash},
+    P{"notes", "", "what was repaired or is worth knowing", nullptr, push_notes},
+};
+
+int explain_dt(lua_State* L) {
+  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  const Simulation& s = m.evaluated();
+  push_text(L, explain_step(s.model(), s.state(), s.work()));
+  return 1;
+}
+
+int close_model(lua_State* L) {
+  auto& box = handle<ModelBox>(L, 1);
+  if (box.get().running()) throw InputError(fmt::format("{}: cannot be closed while a stage runs", box.model->title()));
+  box.model->finish("");
+  box.model.reset();
+  return 0;
+}
+
+std::vector<Method> all_methods() {
+  std::vector<Method> methods{
+      {"explain_dt", guarded<explain_dt>, "explain_dt(): which body and contacts govern the step"},
+      {"close", guarded<close_model>, "close(): ends the recording and frees the model"},
+  };
+  for (const auto part : {parts_methods(), bearing_methods(), stage_methods(), reading_methods()})
+    methods.insert(methods.end(), part.begin(), part.end());
+  return methods;
+}
+
+Vec2 read_gravity(Keys& keys) {
+  lua_State* L = keys.lua();
+  Vec2 gravity{0, -standard_gravity};
+  const int type = keys.push("gravity");
+  if (type == LUA_TNUMBER) {
+    gravity = {0, -lua_tonumber(L, -1)};
+    if (!gravity.allFinite()) keys.wrong("gravity", "finite");
+  } else if (type != LUA_TNIL) {
+    const auto given = point_at(L, -1);
+    if (!given) keys.wrong("gravity", "a number (downwards) or {x, y}, in m/s2");
+    gravity = given.value_or(gravity);
+  }
+  lua_pop(L, 1);
+  return gravity;
+}
+
+void require_above(Keys& keys, std::string_view key, double value, std::string_view unit) {
+  if (!(value > 0)) keys.problem(fmt::format("'{}' is {:g} {}, must be above 0", key, value, unit));
+}
+
+}  // namespace
+
+int make_model(lua_State* L) {
+  lua_settop(L, 1);
+  if (lua_isnil(L, 1)) {
+    lua_newtable(L);
+    lua_replace(L, 1);
+  }
+  Keys keys(L, 1, "model");
+  auto model = std::make_shared<ScriptModel>(keys.text("name", ""));
+  keys.name_owner(model->name);
+  ModelBuilder& b = model->builder;
+  b.thickness = keys.number("thickness", "m", b.thickness);
+  b.gravity = read_gravity(keys);
+  b.mass_damping = keys.number("mass_damping", "1/s", b.mass_damping);
+  b.impact_speed = keys.number("impact_speed", "m/s", b.impact_speed);
+  b.still_speed = keys.number("still_speed", "m/s", b.still_speed);
+  b.still_time = keys.number("still_time", "s", b.still_time);
+  b.overlap_allowed = keys.number("overlap_allowed", "1", b.overlap_allowed);
+  require_above(keys, "thickness", b.thickness, "m");
+  require_above(keys, "impact_speed", b.impact_speed, "m/s");
+  require_above(keys, "still_speed", b.still_speed, "m/s");
+  if (!(b.mass_damping >= 0))
+    keys.problem(fmt::format("'mass_damping' is {:g} 1/s, must not be below 0", b.mass_damping));
+  if (!(b.still_time >= 0)) keys.problem(fmt::format("'still_time' is {:g} s, must not be below 0", b.still_time));
+  if (!(b.overlap_allowed >= 0))
+    keys.problem(fmt::format("'overlap_allowed' is {:g}, must not be below 0", b.overlap_allowed));
+  keys.finish();
+  host(L).models.push_back(model);
+  push_handle(L, ModelBox{std::move(model)}, 1);
+  lua_newtable(L);
+  lua_setiuservalue(L, -2, 1);
+  return 1;
+}
+
+std::span<const Property<ModelBox>> Kind<ModelBox>::properties() {
+  return model_properties;
+}
+std::span<const Method> Kind<ModelBox>::methods() {
+  static const std::vector<Method> methods = all_methods();
+  return methods;
+}
+std::string Kind<ModelBox>::title(const ModelBox& m) {
+  return m.model ? m.model->title() : "closed model";
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<ModelBox>::metamethods() {
+  return {};
+}
+bool Kind<ModelBox>::read_item(lua_State*, const ModelBox&) {
+  return false;
+}
+
+}  // namespace trilith::script

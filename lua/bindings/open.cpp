@@ -1,0 +1,64 @@
+#include "open.hpp"
+
+#include <cstring>
+
+#include "doors.hpp"
+
+namespace trilith::script {
+namespace {
+
+const char host_key = 'h';
+
+void add_version(lua_State* L) {
+  lua_pushstring(L, TRILITH_VERSION);
+  lua_setfield(L, -2, "version");
+}
+
+/// Runs each file of the library with (module, core); no C++ object lives here, so a Lua error may pass.
+void run_library(lua_State* L, int module, int core) {
+  for (const LibraryFile* file = library_files(); file->name != nullptr; ++file) {
+    lua_pushfstring(L, "=trilith/%s.lua", file->name);
+    if (luaL_loadbufferx(L, file->text, std::strlen(file->text), lua_tostring(L, -1), "t") != LUA_OK) lua_error(L);
+    lua_pushvalue(L, module);
+    lua_pushvalue(L, core);
+    lua_call(L, 2, 0);
+    lua_pop(L, 1);
+  }
+}
+
+int fill(lua_State* L) {
+  lua_newtable(L);
+  add_version(L);
+  open_units(L);
+  open_laws(L);
+  open_motions(L);
+  open_build(L);
+  lua_newtable(L);
+  open_core(L);
+  return 2;
+}
+
+}  // namespace
+
+void set_host(lua_State* L, Host& h) {
+  lua_pushlightuserdata(L, &h);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &host_key);
+}
+
+Host& host(lua_State* L) {
+  lua_rawgetp(L, LUA_REGISTRYINDEX, &host_key);
+  auto* h = static_cast<Host*>(lua_touserdata(L, -1));
+  lua_pop(L, 1);
+  if (h == nullptr) throw InputError("trilith was not opened in this Lua state");
+  return *h;
+}
+
+int open_trilith(lua_State* L) {
+  run_guarded(L, fill);
+  const int core = lua_gettop(L), module = core - 1;
+  run_library(L, module, core);
+  lua_settop(L, module);
+  return 1;
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,23 @@
+// Opens the door: makes the module table in a Lua state.
+#pragma once
+
+#include "host.hpp"
+#include "lua_api.hpp"
+
+namespace trilith::script {
+
+/// Makes `host` known to the state; it must outlive it.
+void set_host(lua_State* L, Host& host);
+
+/// Pushes the module table, made anew; set_host comes first. Raises a Lua error where the library does not load.
+int open_trilith(lua_State* L);
+
+/// A file of the Lua library that is compiled in.
+struct LibraryFile {
+  const char* name;  ///< "story"
+  const char* text;
+};
+/// All of them in the order to be run; the last is nullptr.
+const LibraryFile* library_files();
+
+}  // namespace trilith::script

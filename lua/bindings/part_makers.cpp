@@ -1,0 +1,231 @@
+#include "part_makers.hpp"
+
+#include "build/arch.hpp"
+#include "build/block.hpp"
+#include "build/bridge.hpp"
+#include "build/ground.hpp"
+#include "build/running_bond.hpp"
+#include "build/stack.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// Calls item(keys, i) for every table of the list under `key`; `owner` names one of them.
+template <class Item>
+void read_list(Keys& keys, std::string_view key, const std::string& owner, Item&& item) {
+  lua_State* L = keys.lua();
+  const int type = keys.push(key);
+  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong(key, "a list of tables");
+  const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    try {
+      Keys own(L, -1, fmt::format("{} {}", owner, i));
+      item(own);
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+}
+
+std::string read_name(Keys& keys, const std::string& preset) {
+  std::string name = keys.text("name", preset);
+  keys.name_owner(name);
+  return name;
+}
+
+MakeParts read_block(Keys& k) {
+  Block b;
+  b.name = read_name(k, "");
+  b.width = k.number("width", "m");
+  b.height = k.number("height", "m");
+  b.at = k.point("at", b.at);
+  b.anchor = k.choice("anchor", {"lower_left", "centre"}, 0) == 0 ? BlockAnchor::lower_left : BlockAnchor::centre;
+  b.angle = k.number("angle", "rad", b.angle);
+  return [b] { return MadeParts{{build_block(b)}}; };
+}
+
+MakeParts read_polygon(Keys& k) {
+  const std::string name = read_name(k, "");
+  const Polygon outline = k.points("outline");
+  return [name, outline] {
+    PolygonPart made = build_polygon(name, outline);
+    return MadeParts{{std::move(made.part)}, std::move(made.notes)};
+  };
+}
+
+MakeParts read_stack(Keys& k) {
+  Stack s;
+  s.name = read_name(k, "");
+  s.at = k.point("at", s.at);
+  read_list(k, "blocks", "block", [&](Keys& own) {
+    s.blocks.push_back({own.number("width", "m"), own.number("height", "m"), own.number("offset", "m", 0)});
+  });
+  return [s] { return MadeParts{build_stack(s)}; };
+}
+
+MakeParts read_harmonic_stack(Keys& k) {
+  HarmonicStack s;
+  s.name = read_name(k, "");
+  s.count = k.count("count", s.count);
+  s.length = k.number("length", "m", s.length);
+  s.height = k.number("height", "m", s.height);
+  s.factor = k.number("factor", "1", s.factor);
+  s.at = k.point("at", s.at);
+  s.table_height = k.number("table_height", "m", s.table_height);
+  return [s] { return MadeParts{build_harmonic_stack(s)}; };
+}
+
+MakeParts read_arch(Keys& k) {
+  Arch a;
+  a.name = read_name(k, "");
+  a.voussoirs = k.count("voussoirs", a.voussoirs);
+  a.radius = k.number("radius", "m", a.radius);
+  a.thickness = k.number("thickness", "m", a.thickness);
+  a.half_angle = k.number("half_angle", "rad", a.half_angle);
+  a.sub_edges = k.count("sub_edges", a.sub_edges);
+  a.centre = k.point("centre", a.centre);
+  a.abutments = k.flag("abutments", a.abutments);
+  a.abutment_depth = k.number("abutment_depth", "m", a.abutment_depth);
+  a.abutment_margin = k.number("abutment_margin", "m", a.abutment_margin);
+  return [a] { return MadeParts{build_arch(a)}; };
+}
+
+PanelField read_field(Keys& own) {
+  PanelField f;
+  f.from = own.number("from", "m");
+  f.to = own.number("to", "m");
+  f.first_course = own.count("first_course", f.first_course);
+  f.last_course = own.count("last_course", f.first_course);
+  return f;
+}
+
+MakeParts read_running_bond(Keys& k) {
+  RunningBond w;
+  w.name = read_name(k, "");
+  w.columns = k.count("columns", w.columns);
+  w.courses = k.count("courses", w.courses);
+  w.unit_width = k.number("unit_width", "m", w.unit_width);
+  w.unit_height = k.number("unit_height", "m", w.unit_height);
+  w.half_courses = k.choice("half_courses", {"odd", "even"}, 1) == 0 ? HalfCourses::odd : HalfCourses::even;
+  w.at = k.point("at", w.at);
+  w.base_height = k.number("base_height", "m", w.base_height);
+  w.base_margin = k.number("base_margin", "m", w.base_margin);
+  read_list(k, "openings", "opening", [&](Keys& own) { w.openings.push_back(read_field(own)); });
+  read_list(k, "lintels", "lintel", [&](Keys& own) { w.lintels.push_back(read_field(own)); });
+  return [w] { return MadeParts{build_running_bond(w)}; };
+}
+
+MakeParts read_bench_wall(Keys& k) {
+  const int courses = k.count("courses", 24);
+  return [courses] { return MadeParts{build_bench_wall(courses)}; };
+}
+
+MakeParts read_ground(Keys& k) {
+  GroundProfile g;
+  g.name = read_name(k, g.name);
+  std::vector<GroundStep> steps;
+  read_list(k, "steps", "step", [&](Keys& own) {
+    steps.push_back({own.number("from", "m"), own.number("level", "m")});
+  });
+  double end = 0;
+  if (k.has("steps")) {
+    end = k.number("to", "m");
+    if (k.has("surface")) k.problem("both surface and steps are given; keep one");
+  } else {
+    g.surface = k.points("surface");
+  }
+  g.base_level = k.number("base_level", "m");
+  return [g, steps, end]() mutable {
+    if (!steps.empty()) g.surface = stepped_surface(steps, end);
+    PolygonPart made = build_ground_profile(g);
+    return MadeParts{{std::move(made.part)}, std::move(made.notes)};
+  };
+}
+
+MakeParts read_pier(Keys& k) {
+  Pier p;
+  p.name = read_name(k, p.name);
+  p.x = k.number("x", "m");
+  p.ground_level = k.number("ground_level", "m", p.ground_level);
+  p.height = k.number("height", "m");
+  p.stem_width = k.number("stem_width", "m");
+  p.top_width = k.number("top_width", "m", p.top_width);
+  p.cap_thickness = k.number("cap_thickness", "m", p.cap_thickness);
+  p.footing_width = k.number("footing_width", "m", p.footing_width);
+  p.footing_thickness = k.number("footing_thickness", "m", p.footing_thickness);
+  return [p] { return MadeParts{{build_pier(p)}}; };
+}
+
+MakeParts read_abutment(Keys& k) {
+  Abutment a;
+  a.name = read_name(k, a.name);
+  a.side = k.choice("side", {"left", "right"}, 0) == 0 ? AbutmentSide::left : AbutmentSide::right;
+  a.x = k.number("x", "m");
+  a.ground_level = k.number("ground_level", "m", a.ground_level);
+  a.height = k.number("height", "m");
+  a.width = k.number("width", "m");
+  a.back_wall_height = k.number("back_wall_height", "m", a.back_wall_height);
+  a.back_wall_width = k.number("back_wall_width", "m", a.back_wall_width);
+  return [a] { return MadeParts{{build_abutment(a)}}; };
+}
+
+MakeParts read_span(Keys& k) {
+  Span s;
+  s.name = read_name(k, s.name);
+  s.x0 = k.number("x0", "m");
+  s.x1 = k.number("x1", "m");
+  s.end_gap = k.number("end_gap", "m", s.end_gap);
+  s.soffit_level = k.number("soffit_level", "m");
+  s.depth = k.number("depth", "m");
+  return [s] { return MadeParts{{build_span(s)}}; };
+}
+
+constexpr std::array<PartMaker, part_maker_count> makers{
+    PartMaker{"block", true, read_block, "a rectangle in any pose"},
+    PartMaker{"polygon", true, read_polygon, "a polygon of given points"},
+    PartMaker{"stack", false, read_stack, "blocks on top of each other"},
+    PartMaker{"harmonic_stack", false, read_harmonic_stack, "equal blocks that reach out over an edge"},
+    PartMaker{"arch", false, read_arch, "a circular arch of voussoirs"},
+    PartMaker{"running_bond", false, read_running_bond, "a wall panel in running bond"},
+    PartMaker{"bench_wall", false, read_bench_wall, "the wall that run times are measured on"},
+    PartMaker{"ground", true, read_ground, "ground under a surface line"},
+    PartMaker{"pier", true, read_pier, "a pier of footing, stem and cap"},
+    PartMaker{"abutment", true, read_abutment, "a stub abutment"},
+    PartMaker{"span", true, read_span, "a deck between two supports"},
+};
+
+}  // namespace
+
+std::span<const PartMaker, part_maker_count> part_makers() {
+  return makers;
+}
+
+void push_part(lua_State* L, const Part& part) {
+  lua_createtable(L, 0, 3);
+  lua_pushstring(L, part.name.c_str());
+  lua_setfield(L, -2, "name");
+  lua_createtable(L, static_cast<int>(part.outline.size()), 0);
+  lua_Integer i = 0;
+  for (const Vec2& p : part.outline) {
+    lua_createtable(L, 2, 0);
+    lua_pushnumber(L, p.x());
+    lua_rawseti(L, -2, 1);
+    lua_pushnumber(L, p.y());
+    lua_rawseti(L, -2, 2);
+    lua_rawseti(L, -2, ++i);
+  }
+  lua_setfield(L, -2, "outline");
+  lua_newtable(L);
+  i = 0;
+  for (const std::string& g : part.groups) {
+    lua_pushstring(L, g.c_str());
+    lua_rawseti(L, -2, ++i);
+  }
+  lua_setfield(L, -2, "groups");
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,36 @@
+// The geometry builders of engine/build as scripts call them: one row each, read from one table.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "build/part.hpp"
+#include "handles.hpp"
+
+namespace trilith::script {
+
+/// Parts, and what had to be repaired.
+struct MadeParts {
+  std::vector<Part> parts;
+  std::vector<std::string> notes = {};
+};
+
+/// Makes the parts; to be called after Keys::finish.
+using MakeParts = std::function<MadeParts()>;
+
+struct PartMaker {
+  std::string_view name;  ///< in trilith.build
+  bool single;            ///< one part, always
+  MakeParts (*read)(Keys&);
+  std::string_view doc;
+};
+
+inline constexpr std::size_t part_maker_count = 11;
+std::span<const PartMaker, part_maker_count> part_makers();
+
+/// Pushes a part as {name =, outline =, groups =}.
+void push_part(lua_State* L, const Part& part);
+
+}  // namespace trilith::script

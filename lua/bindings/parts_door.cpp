@@ -1,0 +1,247 @@
+// Materials, contact laws and bodies of a model; the geometry builders.
+#include <algorithm>
+
+#include "body_reading.hpp"
+#include "doors.hpp"
+#include "part_makers.hpp"
+
+namespace trilith::script {
+namespace {
+
+ScriptModel& self(lua_State* L) {
+  return handle<ModelBox>(L, 1).get();
+}
+
+/// m:material{ name =, density = | unit_weight = }
+int add_material(lua_State* L) {
+  ScriptModel& m = self(L);
+  m.require_open("material");
+  Keys keys(L, 2, "material");
+  Material material;
+  material.name = keys.text("name");
+  keys.name_owner(material.name);
+  const auto density = keys.maybe_number("density", "kg/m3"), weight = keys.maybe_number("unit_weight", "N/m3");
+  if (density.has_value() == weight.has_value()) keys.problem("give either density (kg/m3) or unit_weight (N/m3)");
+  if (density) check_density(keys, *density);
+  keys.finish();
+  material.density = density ? *density : *weight / standard_gravity;
+  m.builder.add_material(material);
+  m.materials.push_back(material);
+  lua_pushstring(L, material.name.c_str());
+  return 1;
+}
+
+/// The law under `law`: a value (made known to the builder), or a name. "" with a problem noted where it is neither.
+std::string law_name(Keys& keys, ScriptModel& m, const std::string& name) {
+  lua_State* L = keys.lua();
+  std::string law;
+  if (keys.push("law") == LUA_TNIL)
+    keys.missing("law", "a contact law such as trilith.frictional{...}, the name of one, or \"none\"");
+  else if (auto* value = test_handle<ContactLawValue>(L, -1)) {
+    keys.finish();
+    law = require_law(m, *value, name);
+  } else if (lua_type(L, -1) == LUA_TSTRING)
+    law = lua_tostring(L, -1);
+  else
+    keys.wrong("law", "a contact law, the name of one, or \"none\"");
+  lua_pop(L, 1);
+  return law;
+}
+
+void check_side(Keys& keys, const ScriptModel& m, const std::string& side) {
+  std::vector<std::string> known{"*"};
+  const auto add = [&](const std::string& n) {
+    if (std::find(known.begin(), known.end(), n) == known.end()) known.push_back(n);
+  };
+  for (const Material& material : m.materials) add(material.name);
+  for (const BodySpec& b : m.builder.bodies()) {
+    for (const std::string& g : b.groups) add(g);
+    if (b.name == side) return;
+  }
+  // Groups and bodies may be added later, so only a name close to a known one is refused here.
+  if (std::find(known.begin(), known.end(), side) != known.end() || nearest_name(side, known).empty()) return;
+  keys.problem(fmt::format("there is no material, group or body '{}'{}", side, name_hint(side, known)));
+}
+
+/// m:contact{ between = {"a", "b"}, law =, name = }
+int add_contact(lua_State* L) {
+  ScriptModel& m = self(L);
+  m.require_open("contact");
+  Keys keys(L, 2, "contact");
+  const std::vector<std::string> between = keys.names("between");
+  const std::string name = keys.text("name", "");
+  if (!keys.has("between"))
+    keys.missing("between", "two names of materials, groups or bodies, \"*\" for any");
+  else if (between.size() != 2)
+    keys.problem(fmt::format("'between' holds {} names, must hold two", between.size()));
+  for (const std::string& side : between) check_side(keys, m, side);
+  const std::string law = law_name(keys, m, name);
+  keys.finish();
+  m.builder.set_contact(between[0], between[1], law);
+  return 0;
+}
+
+/// Outline under `outline`, or that of the part under `shape` with its groups.
+Polygon read_outline(Keys& keys, std::vector<std::string>& groups) {
+  lua_State* L = keys.lua();
+  if (!keys.has("shape")) return keys.points("outline");
+  if (keys.has("outline")) keys.problem("both outline and shape are given; keep one");
+  Polygon outline;
+  if (keys.push("shape") == LUA_TTABLE) {
+    Keys part(L, -1, "shape");
+    outline = part.points("outline");
+    const auto own = part.names("groups");
+    groups.insert(groups.end(), own.begin(), own.end());
+    part.text("name", "");
+    try {
+      part.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else {
+    keys.wrong("shape", "a part such as trilith.block{...}");
+  }
+  lua_pop(L, 1);
+  return outline;
+}
+
+/// m:body{ name =, outline = | shape =, ... } makes one; m:body "name" finds one.
+int body(lua_State* L) {
+  ScriptModel& m = self(L);
+  if (lua_type(L, 2) == LUA_TSTRING) {
+    push_body(L, 1, m.require_body(lua_tostring(L, 2), "body"));
+    return 1;
+  }
+  m.require_open("body");
+  Keys keys(L, 2, "body");
+  const std::string name = keys.text("name");
+  keys.name_owner(name);
+  std::vector<std::string> groups;
+  const Polygon outline = read_outline(keys, groups);
+  const BodyOptions options = read_body_options(keys, false);
+  keys.finish();
+  add_part(m, outline, name, groups, options);
+  push_body(L, 1, m.body_count() - 1);
+  return 1;
+}
+
+/// Pushes what was added from body `first` on: a body where just one can be, else a set.
+void push_added(lua_State* L, const ScriptModel& m, int first, bool single) {
+  if (single) {
+    push_body(L, 1, first);
+    return;
+  }
+  std::vector<int> added;
+  for (int b = first; b < m.body_count(); ++b) added.push_back(b);
+  push_set(L, 1, std::move(added));
+}
+
+/// m:add(parts, { material =, ... })
+int add_parts(lua_State* L) {
+  ScriptModel& m = self(L);
+  m.require_open("add");
+  if (lua_type(L, 2) != LUA_TTABLE)
+    throw InputError(fmt::format("add: takes a list of parts, as from trilith.build; this is {}", what_is(L, 2)));
+  if (lua_isnoneornil(L, 3)) {
+    lua_settop(L, 2);
+    lua_newtable(L);
+  }
+  Keys keys(L, 3, "add");
+  const BodyOptions options = read_body_options(keys, true);
+  keys.finish();
+  const int first = m.body_count();
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, 2));
+  if (count == 0) throw InputError("add: the list of parts is empty; give a list, as from trilith.build");
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, 2, i);
+    Keys part(L, -1, fmt::format("add: part {}", i));
+    const std::string name = part.text("name");
+    const Polygon outline = part.points("outline");
+    const std::vector<std::string> groups = part.names("groups");
+    part.finish();
+    add_part(m, outline, name, groups, options);
+    lua_pop(L, 1);
+  }
+  push_added(L, m, first, false);
+  return 1;
+}
+
+/// trilith.build.NAME{...}: a list of parts. trilith.NAME{...} for single parts: the part.
+template <std::size_t row>
+int make_parts(lua_State* L) {
+  const PartMaker& maker = part_makers()[row];
+  Keys keys(L, 1, std::string(maker.name));
+  const MakeParts make = maker.read(keys);
+  keys.finish();
+  const MadeParts made = make();
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const Part& part : made.parts) {
+    push_part(L, part);
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+template <std::size_t row>
+int make_part(lua_State* L) {
+  make_parts<row>(L);
+  lua_rawgeti(L, -1, 1);
+  return 1;
+}
+
+/// m:NAME{...}: makes the parts and adds them in one call.
+template <std::size_t row>
+int add_made(lua_State* L) {
+  const PartMaker& maker = part_makers()[row];
+  ScriptModel& m = self(L);
+  m.require_open(std::string(maker.name));
+  Keys keys(L, 2, std::string(maker.name));
+  const MakeParts make = maker.read(keys);
+  const BodyOptions options = read_body_options(keys, !maker.single);
+  keys.finish();
+  const MadeParts made = make();
+  const int first = m.body_count();
+  for (const Part& part : made.parts) add_part(m, part.outline, part.name, part.groups, options);
+  push_added(L, m, first, maker.single);
+  return 1;
+}
+
+struct MakerFunctions {
+  lua_CFunction parts, part, add;
+};
+template <std::size_t... row>
+constexpr std::array<MakerFunctions, part_maker_count> functions_of(std::index_sequence<row...>) {
+  return {MakerFunctions{guarded<make_parts<row>>, guarded<make_part<row>>, guarded<add_made<row>>}...};
+}
+constexpr auto maker_functions = functions_of(std::make_index_sequence<part_maker_count>{});
+
+std::vector<Method> all_methods() {
+  std::vector<Method> methods{
+      {"material", guarded<add_material>, "material{name=, density= | unit_weight=}"},
+      {"contact", guarded<add_contact>,
+       "contact{between={a, b}, law=}: which law holds between materials, groups or bodies"},
+      {"body", guarded<body>, "body{name=, outline= | shape=, ...} makes a body; body \"name\" finds one"},
+      {"add", guarded<add_parts>, "add(parts, {material=, ...}): parts as from trilith.build become bodies"},
+  };
+  for (std::size_t i = 0; i < part_maker_count; ++i)
+    methods.push_back({part_makers()[i].name, maker_functions[i].add, part_makers()[i].doc});
+  return methods;
+}
+
+}  // namespace
+
+std::span<const Method> parts_methods() {
+  static const std::vector<Method> methods = all_methods();
+  return methods;
+}
+
+void open_build(lua_State* L) {
+  lua_newtable(L);
+  for (std::size_t i = 0; i < part_maker_count; ++i)
+    set_function(L, std::string(part_makers()[i].name).c_str(), maker_functions[i].parts);
+  lua_setfield(L, -2, "build");
+  for (std::size_t i = 0; i < part_maker_count; ++i)
+    if (part_makers()[i].single) set_function(L, std::string(part_makers()[i].name).c_str(), maker_functions[i].part);
+}
+
+}  // namespace trilith::script

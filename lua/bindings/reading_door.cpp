@@ -1,0 +1,314 @@
+// Reading a model: sets of bodies, contacts, histories; what is written to a results file.
+#include <algorithm>
+#include <cmath>
+
+#include "doors.hpp"
+
+namespace trilith::script {
+namespace {
+
+ScriptModel& self(lua_State* L) {
+  return handle<ModelBox>(L, 1).get();
+}
+
+bool any_matches(const std::vector<std::string>& patterns, const std::string& name) {
+  return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return matches(p, name); });
+}
+
+/// m:bodies{ group =, material =, name = }: those that fit all that is given; '*' and '?' stand for letters.
+int bodies(lua_State* L) {
+  const ScriptModel& m = self(L);
+  lua_settop(L, 2);
+  if (lua_isnil(L, 2)) {
+    lua_newtable(L);
+    lua_replace(L, 2);
+  }
+  Keys keys(L, 2, "bodies");
+  const auto group = keys.names("group"), material = keys.names("material"), name = keys.names("name");
+  keys.finish();
+  std::vector<int> found;
+  for (int i = 0; i < m.body_count(); ++i) {
+    const BodySpec& b = m.builder.bodies()[static_cast<std::size_t>(i)];
+    const bool in_group = group.empty() || std::any_of(b.groups.begin(), b.groups.end(),
+                                                       [&](const auto& g) { return any_matches(group, g); });
+    if (in_group && (material.empty() || any_matches(material, b.material)) &&
+        (name.empty() || any_matches(name, b.name)))
+      found.push_back(i);
+  }
+  push_set(L, 1, std::move(found));
+  return 1;
+}
+
+void push_contact(lua_State* L, const Simulation& s, std::size_t row) {
+  const NearPair& p = s.work().pairs[row];
+  const ContactMemory& memory = s.work().memory[row];
+  lua_createtable(L, 0, 7);
+  push_body(L, 1, s.model().piece_body[p.piece_a]);
+  lua_setfield(L, -2, "a");
+  push_body(L, 1, s.model().piece_body[p.piece_b]);
+  lua_setfield(L, -2, "b");
+  lua_pushstring(L, s.model().law_names[static_cast<std::size_t>(p.law)].c_str());
+  lua_setfield(L, -2, "law");
+  lua_pushboolean(L, (memory.state & contact_touching) != 0 ? 1 : 0);
+  lua_setfield(L, -2, "touching");
+  lua_pushboolean(L, memory.bonds != 0 ? 1 : 0);
+  lua_setfield(L, -2, "bonded");
+  lua_pushnumber(L, memory.slip);
+  lua_setfield(L, -2, "slip");
+  lua_pushnumber(L, memory.shear_total[0] + memory.shear_total[1]);
+  lua_setfield(L, -2, "shear");
+}
+
+/// m:contacts{ between = {a, b}, body = }: those that touch or hold a bond.
+int contacts(lua_State* L) {
+  ScriptModel& m = self(L);
+  lua_settop(L, 2);
+  if (lua_isnil(L, 2)) {
+    lua_newtable(L);
+    lua_replace(L, 2);
+  }
+  Keys keys(L, 2, "contacts");
+  std::array<std::vector<int>, 2> side;
+  if (keys.push("between") == LUA_TTABLE && lua_rawlen(L, -1) == 2) {
+    for (int i = 0; i < 2; ++i) {
+      lua_rawgeti(L, -1, i + 1);
+      side[static_cast<std::size_t>(i)] = bodies_at(L, -1, m, "contacts");
+      lua_pop(L, 1);
+    }
+  } else if (!lua_isnil(L, -1)) {
+    keys.wrong("between", "two bodies, sets, or names of bodies or groups");
+  }
+  const bool given = !lua_isnil(L, -1);
+  lua_pop(L, 1);
+  keys.finish();
+  const Simulation& s = m.evaluated();
+  const auto has = [](const std::vector<int>& list, int b) { return std::binary_search(list.begin(), list.end(), b); };
+  lua_newtable(L);
+  lua_Integer count = 0;
+  for (std::size_t row = 0; row < s.work().pairs.size(); ++row) {
+    const ContactMemory& memory = s.work().memory[row];
+    if (memory.bonds == 0 && (memory.state & contact_touching) == 0) continue;
+    const int a = s.model().piece_body[s.work().pairs[row].piece_a],
+              b = s.model().piece_body[s.work().pairs[row].piece_b];
+    if (given && !(has(side[0], a) && has(side[1], b)) && !(has(side[0], b) && has(side[1], a))) continue;
+    push_contact(L, s, row);
+    lua_rawseti(L, -2, ++count);
+  }
+  return 1;
+}
+
+template <class H>
+std::vector<std::string> number_names() {
+  std::vector<std::string> names;
+  for (const Property<H>& p : Kind<H>::properties())
+    if (p.number != nullptr) names.emplace_back(p.name);
+  return names;
+}
+
+/// Follows the number `what` of the handle on top of the stack.
+template <class H>
+bool follow(Keys& keys, History& history, const std::string& what) {
+  const H* h = test_handle<H>(keys.lua(), -1);
+  if (h == nullptr) return false;
+  const Property<H>* p = find_property<H>(what);
+  if (p == nullptr || p->number == nullptr) {
+    keys.problem(fmt::format("'what' is '{}', which is no number of a {}{}", what, Kind<H>::name,
+                             name_hint(what, number_names<H>())));
+    return true;
+  }
+  history.sample = [copy = *h, p] { return p->number(copy); };
+  history.info.unit = p->unit;
+  history.info.sentence = fmt::format("{} of {}", p->doc, Kind<H>::title(*h));
+  return true;
+}
+
+/// The thing a history is of, or a text that names one.
+template <class H, class Find>
+bool follow_key(Keys& keys, std::string_view key, History& history, const std::string& what, Find&& find) {
+  lua_State* L = keys.lua();
+  const int type = keys.push(key);
+  if (type == LUA_TNIL) {
+    lua_pop(L, 1);
+    return false;
+  }
+  if (type == LUA_TSTRING) {
+    const std::string name = lua_tostring(L, -1);
+    lua_pop(L, 1);
+    try {
+      find(name);
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+      return true;
+    }
+  }
+  if (!follow<H>(keys, history, what)) keys.wrong(key, fmt::format("a {} or its name", Kind<H>::name));
+  lua_pop(L, 1);
+  return true;
+}
+
+int row_named(const std::vector<std::string>& names, const std::string& name, const char* kind) {
+  const auto it = std::find(names.begin(), names.end(), name);
+  if (it == names.end()) throw InputError(fmt::format("there is no {} '{}'{}", kind, name, name_hint(name, names)));
+  return static_cast<int>(it - names.begin());
+}
+
+/// A number of the model itself.
+void follow_model(Keys& keys, History& h, const std::string& what) {
+  const Property<ModelBox>* p = find_property<ModelBox>(what);
+  if (p == nullptr || p->number == nullptr) {
+    if (!what.empty())
+      keys.problem(
+          fmt::format("'what' is '{}', which is no number of a model{}; for those of others give body, bearing or seat",
+                      what, name_hint(what, number_names<ModelBox>())));
+    return;
+  }
+  const auto* box = static_cast<const ModelBox*>(lua_touserdata(keys.lua(), 1));
+  h.sample = [box, p] { return p->number(*box); };
+  h.info.unit = p->unit;
+  h.info.sentence = p->doc;
+}
+
+void read_followed(Keys& keys, History& h, const ScriptModel& m) {
+  lua_State* L = keys.lua();
+  const std::string what = keys.text("what");
+  const bool owned =
+      follow_key<BodyHandle>(keys, "body", h, what,
+                             [&](const std::string& n) { push_body(L, 1, m.require_body(n, "body")); }) ||
+      follow_key<BearingHandle>(
+          keys, "bearing", h, what,
+          [&](const std::string& n) { push_bearing(L, 1, row_named(m.bearings, n, "bearing")); }) ||
+      follow_key<SeatHandle>(keys, "seat", h, what,
+                             [&](const std::string& n) { push_seat(L, 1, row_named(m.seats, n, "seat")); });
+  if (!owned) follow_model(keys, h, what);
+  keys.know({"body", "bearing", "seat", "every"});
+}
+
+/// m:history{ name =, body = | bearing = | seat = , what = } or { name =, unit =, of = function }; without an owner
+/// `what` is a number of the model. The function, if any, is kept by the library.
+int history(lua_State* L) {
+  ScriptModel& m = self(L);
+  if (m.running()) throw InputError("history: cannot be added while a stage runs");
+  if (!m.history_times.empty())
+    throw InputError("history: cannot be added once histories have been taken; add it before the first stage");
+  Keys keys(L, 2, "history");
+  History h;
+  h.info.name = keys.text("name");
+  keys.name_owner(h.info.name);
+  for (const History& other : m.histories)
+    if (other.info.name == h.info.name) keys.problem("is there already; give each one of its own name");
+  const bool function = keys.push("of") == LUA_TFUNCTION;
+  if (!function && !lua_isnil(L, -1)) keys.wrong("of", "a function");
+  lua_pop(L, 1);
+  if (function) {
+    h.info.unit = keys.text("unit", "1");
+    h.info.sentence = keys.text("doc", "of a function of the script");
+  } else {
+    read_followed(keys, h, m);
+  }
+  if (const auto every = keys.maybe_number("every", "s")) {
+    if (!(*every > 0)) keys.problem(fmt::format("'every' is {:g} s, must be above 0", *every));
+    m.history_interval = *every;
+  }
+  keys.finish();
+  m.histories.push_back(std::move(h));
+  push_history(L, 1, static_cast<int>(m.histories.size()) - 1);
+  return 1;
+}
+
+/// m:results{ file =, frames =, histories =, energy =, velocities = }
+int results(lua_State* L) {
+  ScriptModel& m = self(L);
+  if (m.running() || m.time() > 0) throw InputError("results: must be asked for before the first stage");
+  Keys keys(L, 2, "results");
+  ResultsOptions r;
+  r.file = keys.text("file");
+  r.frames = keys.number("frames", "s", r.frames);
+  r.histories = keys.number("histories", "s", r.histories);
+  r.energy = keys.number("energy", "s", r.energy);
+  r.with_velocity = keys.flag("velocities", r.with_velocity);
+  for (const auto& [key, value] : {std::pair{"frames", r.frames}, {"histories", r.histories}, {"energy", r.energy}})
+    if (!(value > 0)) keys.problem(fmt::format("'{}' is {:g} s, must be above 0", key, value));
+  keys.finish();
+  m.results = r;
+  return 0;
+}
+
+const std::array door_methods{
+    Method{"bodies", guarded<bodies>, "bodies{group=, material=, name=}: a set; '*' and '?' stand for letters"},
+    Method{"contacts", guarded<contacts>, "contacts{between={a, b}}: those that touch or hold a bond"},
+    Method{"history", guarded<history>,
+           "history{name=, body= | bearing= | seat=, what=} or {name=, of=function}: follows a number over time"},
+    Method{"results", guarded<results>, "results{file=, frames=, histories=, energy=}: what is written, and how often"},
+};
+
+const History& row(const HistoryHandle& h) {
+  return h.model().histories[static_cast<std::size_t>(h.index)];
+}
+
+void push_array(lua_State* L, const std::vector<double>& values) {
+  lua_createtable(L, static_cast<int>(values.size()), 0);
+  lua_Integer i = 0;
+  for (const double v : values) {
+    lua_pushnumber(L, v);
+    lua_rawseti(L, -2, ++i);
+  }
+}
+
+double extreme(const HistoryHandle& h, double sign) {
+  double most = -unbounded;
+  for (const double v : row(h).values) most = std::max(most, sign * v);
+  return row(h).values.empty() ? 0 : sign * most;
+}
+
+using P = Property<HistoryHandle>;
+const std::array history_properties{
+    P{"name", "", "its name", nullptr,
+      [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).info.name.c_str()); }},
+    P{"unit", "", "SI unit of its values", nullptr,
+      [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).info.unit.c_str()); }},
+    P{"t", "", "times [s]", nullptr,
+      [](lua_State* L, const HistoryHandle& h) { push_array(L, h.model().history_times); }},
+    P{"values", "", "values, one for each time", nullptr,
+      [](lua_State* L, const HistoryHandle& h) { push_array(L, row(h).values); }},
+    P{"last", "", "latest value, 0 before the first",
+      [](const HistoryHandle& h) { return row(h).values.empty() ? 0 : row(h).values.back(); }},
+    P{"max", "", "largest value", [](const HistoryHandle& h) { return extreme(h, 1); }},
+    P{"min", "", "smallest value", [](const HistoryHandle& h) { return extreme(h, -1); }},
+};
+
+int history_length(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(row(handle<HistoryHandle>(L, 1)).values.size()));
+  return 1;
+}
+
+constexpr std::array history_operators{std::pair<const char*, lua_CFunction>{"__len", guarded<history_length>}};
+
+}  // namespace
+
+std::span<const Method> reading_methods() {
+  return door_methods;
+}
+
+std::span<const Property<HistoryHandle>> Kind<HistoryHandle>::properties() {
+  return history_properties;
+}
+std::span<const Method> Kind<HistoryHandle>::methods() {
+  return {};
+}
+std::string Kind<HistoryHandle>::title(const HistoryHandle& h) {
+  return h.box->model ? fmt::format("history '{}'", row(h).info.name) : "history of a closed model";
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<HistoryHandle>::metamethods() {
+  return history_operators;
+}
+bool Kind<HistoryHandle>::read_item(lua_State* L, const HistoryHandle& h) {
+  if (lua_isinteger(L, 2) == 0) return false;
+  const lua_Integer i = lua_tointeger(L, 2);
+  if (i < 1 || i > static_cast<lua_Integer>(row(h).values.size()))
+    lua_pushnil(L);
+  else
+    lua_pushnumber(L, row(h).values[static_cast<std::size_t>(i - 1)]);
+  return true;
+}
+
+}  // namespace trilith::script

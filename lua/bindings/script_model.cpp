@@ -1,0 +1,182 @@
+#include "script_model.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+
+namespace trilith::script {
+
+std::filesystem::path Host::folder() const {
+  const std::filesystem::path parent = std::filesystem::path(script).parent_path();
+  return parent.empty() ? "." : parent;
+}
+
+std::vector<std::filesystem::path> record_folders() {
+  return {TRILITH_INSTALLED_RECORDS, TRILITH_SOURCE_RECORDS};
+}
+
+void Host::finish(const std::string& error) {
+  for (const auto& weak : models)
+    if (const auto model = weak.lock()) model->finish(error);
+}
+
+void ScriptModel::require_open(const std::string& what) const {
+  if (running_)
+    throw InputError(fmt::format("{}: cannot be added while a stage runs; add it before the first stage", what));
+  if (simulation_)
+    throw InputError(
+        fmt::format("{}: cannot be added any more, as the model was built at its first stage; add it before", what));
+}
+
+Simulation& ScriptModel::simulation() {
+  if (!simulation_) {
+    simulation_ = std::make_unique<Simulation>(builder.build());
+    stale_ = true;
+  }
+  return *simulation_;
+}
+
+const Simulation& ScriptModel::evaluated() {
+  Simulation& s = simulation();
+  if (!running_ && stale_) s.refresh();
+  stale_ = false;
+  return s;
+}
+
+void ScriptModel::change(std::function<void(Model<2>&)> what) {
+  if (running_) {
+    changes_.push_back(std::move(what));
+    return;
+  }
+  what(simulation().edit_model());
+  stale_ = true;
+}
+
+Model<2> ScriptModel::lone_body(int body) const {
+  ModelBuilder alone;
+  alone.thickness = builder.thickness;
+  alone.gravity = Vec2::Zero();
+  for (const Material& m : materials) alone.add_material(m);
+  alone.add_body(builder.bodies()[body]);
+  return alone.build();
+}
+
+double ScriptModel::mass_of(int body) {
+  return simulation_ ? simulation_->model().mass[simulation_->model().bodies[body].first_node]
+                     : lone_body(body).mass[0];
+}
+double ScriptModel::inertia_of(int body) {
+  return simulation_ ? simulation_->model().inertia[simulation_->model().bodies[body].first_node]
+                     : lone_body(body).inertia[0];
+}
+
+int ScriptModel::require_body(const std::string& body, const std::string& owner) const {
+  const auto& all = builder.bodies();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].name == body) return static_cast<int>(i);
+  throw InputError(fmt::format("{}: there is no body '{}'{}", owner, body, name_hint(body, builder.body_names())));
+}
+
+void ScriptModel::begin_recording(Host& host) {
+  if (recording_begun_) return;
+  recording_begun_ = true;
+  if (!host.results_file.empty()) {
+    if (!results) results.emplace();
+    results->file = std::exchange(host.results_file, "");
+  }
+  if (!results) return;
+  if (!host.make_recorder) throw InputError(fmt::format("{}: results cannot be recorded here", title()));
+  RecorderOrder order{
+      results->file,    simulation_->model(), simulation_->state(),  {}, host.parameters, motions, host.script,
+      host.script_text, host.command_line,    results->with_velocity};
+  for (const History& h : histories) order.histories.push_back(h.info);
+  recorder_ = host.make_recorder(order);
+}
+
+RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* observer) {
+  Recorder* const recorder = recorder_.get();
+  RunListener all;
+  if (recorder != nullptr) {
+    all.on_frame = [recorder](const Instant& now) { recorder->frame(now); };
+    all.on_energy = [recorder](const Instant& now, const Energy& e) { recorder->energy(now, e); };
+  }
+  if (!histories.empty()) {
+    all.on_history = [this, recorder, &script](const Instant& now) {
+      script.on_history(now);  // the Lua functions' values come first
+      take_histories(now.state.time, recorder);
+    };
+  }
+  all.on_event = [this, recorder, observer, &script](const Event& e, const Instant& now) {
+    events.push_back(e);
+    if (recorder != nullptr) recorder->event(e, now);
+    if (observer != nullptr) observer->event(e, now);
+    script.on_event(e, now);
+  };
+  all.on_step = [observer, &script](const Instant& now) {
+    if (observer != nullptr) observer->step(now);
+    script.on_step(now);
+  };
+  all.change_model = [this](Model<2>& model) { return apply_changes(model); };
+  return all;
+}
+
+void ScriptModel::take_histories(double time, Recorder* recorder) {
+  std::vector<double> row;
+  row.reserve(histories.size());
+  for (History& h : histories) {
+    if (h.sample) h.values.push_back(h.sample());
+    row.push_back(h.values.back());
+  }
+  history_times.push_back(time);
+  if (recorder != nullptr) recorder->history(time, row);
+}
+
+bool ScriptModel::apply_changes(Model<2>& model) {
+  if (changes_.empty()) return false;
+  std::vector<std::function<void(Model<2>&)>> now;
+  now.swap(changes_);
+  for (const auto& what : now) what(model);
+  return true;
+}
+
+StageReport ScriptModel::run(const StageOptions& asked, const RunListener& listener, Host& host) {
+  if (running_)
+    throw InputError(fmt::format("{}: a stage runs already; begin the next one when it has ended", title()));
+  Simulation& s = simulation();
+  const auto& notes = builder.notes();
+  for (; host.observer != nullptr && notes_shown_ < notes.size(); ++notes_shown_)
+    host.observer->note(notes[notes_shown_]);
+  begin_recording(host);
+  StageOptions options = asked;
+  if (!histories.empty()) options.history_interval = results ? results->histories : history_interval;
+  if (recorder_) {
+    options.frame_interval = results->frames;
+    options.energy_interval = results->energy;
+    recorder_->stage_begun(options, s.state().time);
+  }
+  struct Scope {
+    ScriptModel& model;
+    explicit Scope(ScriptModel& m) : model(m) { model.running_ = true; }
+    ~Scope() {
+      model.running_ = false;
+      model.stale_ = true;
+      model.changes_.clear();
+    }
+  } scope(*this);
+  rest_share_ = options.rest_share;
+  const StageReport report = s.run(options, listen_with(listener, host.observer));
+  if (recorder_) recorder_->stage_ended(report);
+  if (host.observer != nullptr) host.observer->stage_ended(report);
+  return report;
+}
+
+void ScriptModel::finish(const std::string& error) {
+  if (!recorder_) return;
+  const std::unique_ptr<Recorder> recorder = std::move(recorder_);
+  recorder->finish(error);
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,103 @@
+// A model as scripts hold it: first a builder, from the first stage on a simulation. No Lua here.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host.hpp"
+#include "run/simulation.hpp"
+#include "world/builder.hpp"
+
+namespace trilith::script {
+
+/// A quantity followed over time, kept in memory and recorded.
+struct History {
+  HistoryInfo info;
+  std::function<double()> sample;  ///< empty: a Lua function gives it
+  std::vector<double> values;
+};
+
+struct ResultsOptions {
+  std::string file;
+  double frames = 0.05, histories = 0.01, energy = 0.05;  ///< [s]
+  bool with_velocity = false;
+};
+
+/// A call that falls due again and again, counted from its start so that no rounding adds up.
+struct Timer {
+  double start = 0, interval = 0;
+  std::int64_t next = 1;
+  [[nodiscard]] double due() const { return start + static_cast<double>(next) * interval; }
+};
+
+class ScriptModel {
+ public:
+  explicit ScriptModel(std::string model_name) : name(std::move(model_name)) {}
+
+  std::string name;
+  ModelBuilder builder;
+  std::vector<Material> materials;           ///< as given to the builder
+  std::vector<std::string> bearings, seats;  ///< names, in order
+  std::vector<History> histories;
+  std::vector<double> history_times;  ///< [s]
+  double history_interval = 0.01;     ///< [s], without results
+  std::optional<ResultsOptions> results;
+  std::vector<std::string> motions;  ///< one line for each motion used
+  std::vector<Event> events;         ///< of all stages
+  std::vector<Timer> timers;
+  double wake_at = unbounded;  ///< a story wants to be woken then [s]
+  bool has_step_handler = false;
+  std::uint32_t wanted_events = 0;  ///< bit of each EventType that some handler wants
+  int laws_named = 0;
+
+  [[nodiscard]] std::string title() const { return name.empty() ? "model" : "model '" + name + "'"; }
+  [[nodiscard]] bool built() const { return simulation_ != nullptr; }
+  [[nodiscard]] bool running() const { return running_; }
+
+  /// Throws InputError where the model was built or is running: bodies, laws and bearings come before.
+  void require_open(const std::string& what) const;
+  /// Builds where that was not done. Throws InputError as ModelBuilder::build does.
+  Simulation& simulation();
+  /// The simulation with its forces up to date, for reading.
+  const Simulation& evaluated();
+  [[nodiscard]] const Simulation* if_built() const { return simulation_.get(); }
+  /// Does `change` now, or at the next step border where a stage runs.
+  void change(std::function<void(Model<2>&)> what);
+  void stop() {
+    if (simulation_) simulation_->stop();
+  }
+
+  /// Mass and inertia of a body, before and after building.
+  [[nodiscard]] double mass_of(int body);
+  [[nodiscard]] double inertia_of(int body);
+  [[nodiscard]] int body_count() const { return static_cast<int>(builder.bodies().size()); }
+  /// Index of the body called `body`, or InputError with the nearest name; `owner` begins it.
+  [[nodiscard]] int require_body(const std::string& body, const std::string& owner) const;
+  [[nodiscard]] double time() const { return simulation_ ? simulation_->state().time : 0; }
+
+  /// Runs a stage with `listener` wrapped by recording and observing.
+  StageReport run(const StageOptions& options, const RunListener& listener, Host& host);
+  /// Ends the recording. Once.
+  void finish(const std::string& error);
+  /// Damping of consolidation in the last stage, for the ledger.
+  [[nodiscard]] double rest_share() const { return rest_share_; }
+
+ private:
+  void begin_recording(Host& host);
+  RunListener listen_with(const RunListener& script, RunObserver* observer);
+  void take_histories(double time, Recorder* recorder);
+  bool apply_changes(Model<2>& model);
+  Model<2> lone_body(int body) const;
+
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<Recorder> recorder_;
+  bool running_ = false, stale_ = true, recording_begun_ = false;
+  double rest_share_ = 0;
+  std::size_t notes_shown_ = 0;
+  std::vector<std::function<void(Model<2>&)>> changes_;  // wait for the step border
+};
+
+}  // namespace trilith::script

@@ -1,0 +1,309 @@
+// Stages, and what changes between them: supports, drives, gravity.
+#include <algorithm>
+#include <cmath>
+
+#include "doors.hpp"
+#include "load/motion_check.hpp"
+#include "stage_run.hpp"
+
+namespace trilith::script {
+namespace {
+
+ScriptModel& self(lua_State* L) {
+  return handle<ModelBox>(L, 1).get();
+}
+
+void push_report(lua_State* L, const StageReport& r) {
+  const auto number = [&](const char* key, double value) {
+    lua_pushnumber(L, value);
+    lua_setfield(L, -2, key);
+  };
+  lua_createtable(L, 0, 12);
+  lua_pushstring(L, r.name.c_str());
+  lua_setfield(L, -2, "name");
+  lua_pushstring(L, name_of(r.end));
+  lua_setfield(L, -2, "ending");
+  lua_pushboolean(L, r.end == StageEnd::rest ? 1 : 0);
+  lua_setfield(L, -2, "rests");
+  lua_pushstring(L, r.reason.c_str());
+  lua_setfield(L, -2, "reason");
+  lua_pushinteger(L, r.steps);
+  lua_setfield(L, -2, "steps");
+  number("begun", r.begun);
+  number("ended", r.ended);
+  number("shortest_dt", r.shortest_dt);
+  number("longest_dt", r.longest_dt);
+  number("speed", r.speed);
+  number("ratio", r.ratio);
+}
+
+/// An optional table of the rest criterion: { speed =, ratio =, hold =, from = }. True where it is there.
+void read_rest(Keys& keys, StageOptions& o) {
+  o.still_speed = keys.number("speed", "m/s", o.still_speed);
+  o.still_ratio = keys.number("ratio", "1", o.still_ratio);
+  o.still_hold = keys.number("hold", "s", o.still_hold);
+}
+
+bool read_rest_table(Keys& keys, std::string_view key, StageOptions& o) {
+  lua_State* L = keys.lua();
+  const int type = keys.push(key);
+  bool wanted = type == LUA_TBOOLEAN && lua_toboolean(L, -1) != 0;
+  if (type == LUA_TTABLE) {
+    wanted = true;
+    Keys own(L, -1, std::string(key));
+    read_rest(own, o);
+    o.still_from = own.number("from", "s", o.still_from);
+    try {
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL && type != LUA_TBOOLEAN) {
+    keys.wrong(key, "true, false or a table { speed = , ratio = , hold = , from = }");
+  }
+  lua_pop(L, 1);
+  return wanted;
+}
+
+void read_step(Keys& keys, StageOptions& o) {
+  o.dt = keys.number("dt", "s", 0);
+  o.safety = keys.number("safety", "1", o.safety);
+}
+
+int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o) {
+  const StageReport report = run_stage(L, m, o);
+  push_report(L, report);
+  return 1;
+}
+
+void read_nothing_for_nil(lua_State* L) {
+  lua_settop(L, 2);
+  if (!lua_isnil(L, 2)) return;
+  lua_newtable(L);
+  lua_replace(L, 2);
+}
+
+int run(lua_State* L) {
+  ScriptModel& m = self(L);
+  Keys keys(L, 2, "run");
+  StageOptions o;
+  o.name = keys.text("name", "run");
+  o.duration = keys.number("duration", "s");
+  o.rest_share = keys.number("damping", "1", 0);
+  read_step(keys, o);
+  o.until_rest = read_rest_table(keys, "until_rest", o);
+  keys.finish();
+  return finish_stage(L, m, o);
+}
+
+int consolidate(lua_State* L) {
+  ScriptModel& m = self(L);
+  read_nothing_for_nil(L);
+  Keys keys(L, 2, "consolidate");
+  StageOptions o;
+  o.still_ratio = 1e-5;
+  o.name = keys.text("name", "consolidation");
+  o.duration = keys.number("duration", "s", 60);
+  o.rest_share = keys.number("damping", "1", 0.8);
+  o.until_rest = true;
+  read_rest(keys, o);
+  read_step(keys, o);
+  keys.finish();
+  return finish_stage(L, m, o);
+}
+
+/// What is to follow which motion.
+struct DriveOrder {
+  std::vector<int> bodies;
+  std::array<std::shared_ptr<const GroundMotion>, 3> motion;
+};
+
+DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
+  lua_State* L = keys.lua();
+  DriveOrder order;
+  if (keys.push("body") == LUA_TNIL) {
+    keys.missing("body", "a body, a set or a name");
+  } else {
+    try {
+      order.bodies = bodies_at(L, -1, m, "body");
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  }
+  lua_pop(L, 1);
+  const std::array names{"x", "y", "rotation"};
+  bool any = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto* motion = keys.maybe_handle<MotionValue>(names[k]);
+    if (motion == nullptr) continue;
+    any = true;
+    order.motion[k] = motion->motion;
+    const std::string why = motion->steady ? "" : why_not_usable(*motion->motion);
+    if (!why.empty()) keys.problem(fmt::format("'{}': {}", names[k], why));
+  }
+  if (!any) keys.problem("no motion is given; give x, y or rotation = trilith.motion ...");
+  return order;
+}
+
+void apply_drive(ScriptModel& m, const DriveOrder& order) {
+  const std::array names{"x", "y", "rotation"};
+  for (const int body : order.bodies)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (order.motion[k])
+        m.motions.push_back(fmt::format("{} {}: {}", m.builder.bodies()[static_cast<std::size_t>(body)].name, names[k],
+                                        order.motion[k]->description()));
+  const ScriptModel* const self_model = &m;
+  m.change([order, self_model](Model<2>& model) {
+    const State<2>& state = self_model->if_built()->state();
+    for (const int body : order.bodies) {
+      const int node = model.bodies[static_cast<std::size_t>(body)].first_node;
+      for (int k = 0; k < 3; ++k) {
+        const double now = k == 2 ? state.rotation[node] : state.position[node][k];
+        if (order.motion[static_cast<std::size_t>(k)])
+          set_drive(model, body, k, order.motion[static_cast<std::size_t>(k)], state.time, now);
+      }
+    }
+  });
+}
+
+double last_end(const std::vector<DriveOrder>& orders) {
+  double end = 0;
+  for (const DriveOrder& o : orders)
+    for (const auto& motion : o.motion)
+      if (motion) end = std::max(end, motion->end_time());
+  return end;
+}
+
+std::vector<DriveOrder> read_drives(Keys& keys, const ScriptModel& m) {
+  lua_State* L = keys.lua();
+  std::vector<DriveOrder> orders;
+  const int type = keys.push("motions");
+  if (type == LUA_TTABLE) {
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    if (count == 0) keys.problem("'motions' is empty; give { {body = , x = }, ... }");
+    for (lua_Integer i = 1; i <= count; ++i) {
+      lua_rawgeti(L, -1, i);
+      try {
+        Keys own(L, -1, fmt::format("motion {}", i));
+        orders.push_back(read_drive(own, m));
+        own.finish();
+      } catch (const InputError& e) {
+        keys.problem(e.what());
+      }
+      lua_pop(L, 1);
+    }
+  } else if (type == LUA_TNIL) {
+    orders.push_back(read_drive(keys, m));
+  } else {
+    keys.wrong("motions", "a list { {body = , x = , y = }, ... }");
+  }
+  lua_pop(L, 1);
+  return orders;
+}
+
+int shake(lua_State* L) {
+  ScriptModel& m = self(L);
+  Keys keys(L, 2, "shake");
+  StageOptions o;
+  o.name = keys.text("name", "shake");
+  const std::vector<DriveOrder> orders = read_drives(keys, m);
+  const double end = last_end(orders);
+  o.still_from = end;
+  o.until_rest = read_rest_table(keys, "still", o);
+  o.duration = keys.number("duration", "s", o.until_rest ? end + 60 : end);
+  read_step(keys, o);
+  keys.finish();
+  if (m.running()) throw InputError("shake: a stage runs already; use m:drive to move a body while it runs");
+  m.simulation();
+  for (const DriveOrder& order : orders) apply_drive(m, order);
+  return finish_stage(L, m, o);
+}
+
+int drive(lua_State* L) {
+  ScriptModel& m = self(L);
+  Keys keys(L, 2, "drive");
+  const std::vector<DriveOrder> orders = read_drives(keys, m);
+  keys.finish();
+  m.simulation();
+  for (const DriveOrder& order : orders) apply_drive(m, order);
+  return 0;
+}
+
+/// "x y r" (all where nothing is given) to degrees of freedom.
+std::array<bool, 3> directions_at(lua_State* L, int index, const char* owner) {
+  if (lua_isnoneornil(L, index)) return {true, true, true};
+  std::array<bool, 3> on{};
+  const std::string text = lua_type(L, index) == LUA_TSTRING ? lua_tostring(L, index) : "?";
+  for (const char c : text) {
+    const std::size_t k = std::string_view("xyr").find(c);
+    if (k != std::string_view::npos)
+      on[k] = true;
+    else if (c != ' ' && c != ',')
+      throw InputError(
+          fmt::format("{}: directions are {}, must be a text of x, y and r, as in \"xy\"", owner, what_is(L, index)));
+  }
+  return on;
+}
+
+int set_supports(lua_State* L, const char* owner, Support support) {
+  ScriptModel& m = self(L);
+  const std::vector<int> bodies = bodies_at(L, 2, m, owner);
+  const std::array<bool, 3> on = directions_at(L, 3, owner);
+  m.change([bodies, on, support](Model<2>& model) {
+    for (const int body : bodies)
+      for (int k = 0; k < 3; ++k)
+        if (on[static_cast<std::size_t>(k)]) set_support(model, body, k, support);
+  });
+  return 0;
+}
+int fix(lua_State* L) {
+  return set_supports(L, "fix", Support::fixed);
+}
+int free_bodies(lua_State* L) {
+  return set_supports(L, "free", Support::free);
+}
+
+/// m:tilt{ rate =, by = }: from now on gravity turns; `by` is where it stops.
+int tilt(lua_State* L) {
+  ScriptModel& m = self(L);
+  Keys keys(L, 2, "tilt");
+  const double rate = keys.number("rate", "rad/s"), by = keys.number("by", "rad", unbounded);
+  if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate has the sign", by));
+  keys.finish();
+  const ScriptModel* const self_model = &m;
+  m.change([rate, by, self_model](Model<2>& model) {
+    const double now = self_model->if_built()->state().time;
+    Gravity& g = model.gravity;
+    g.field = g.at(now);
+    g.tilt_rate = rate;
+    g.tilt_start = now;
+    g.tilt_end = rate == 0 ? unbounded : now + by / std::abs(rate);
+  });
+  return 0;
+}
+
+int stop(lua_State* L) {
+  self(L).stop();
+  return 0;
+}
+
+const std::array door_methods{
+    Method{"run", guarded<run>, "run{duration=, name=, dt=, until_rest=}: a stage"},
+    Method{"consolidate", guarded<consolidate>,
+           "consolidate{duration=, ratio=, speed=, hold=, damping=}: to rest under dead load"},
+    Method{"shake", guarded<shake>,
+           "shake{motions={{body=, x=, y=}, ...}, duration=, still={speed=, hold=}}: bodies follow ground motions"},
+    Method{"drive", guarded<drive>, "drive{body=, x=, y=, rotation=}: a body follows a motion from now on"},
+    Method{"fix", guarded<fix>, "fix(bodies, \"xyr\"): holds these directions"},
+    Method{"free", guarded<free_bodies>, "free(bodies, \"xyr\"): frees these directions"},
+    Method{"tilt", guarded<tilt>, "tilt{rate=, by=}: gravity turns from now on"},
+    Method{"stop", guarded<stop>, "stop(): ends the running stage at the next step border"},
+};
+
+}  // namespace
+
+std::span<const Method> stage_methods() {
+  return door_methods;
+}
+
+}  // namespace trilith::script

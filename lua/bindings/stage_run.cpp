@@ -1,0 +1,105 @@
+#include "stage_run.hpp"
+
+#include <cmath>
+
+#include "doors.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// The library's functions in the model's own table, at fixed places of the stack while the stage runs.
+class Handlers {
+ public:
+  Handlers(lua_State* L, ScriptModel& model) : L_(L), model_(model), first_(lua_gettop(L) + 1) {
+    lua_checkstack(L, 40);
+    lua_getiuservalue(L, 1, 1);
+    const int own = lua_gettop(L);
+    for (const char* name : {"dispatch", "tick", "wake", "stepped", "sample"}) {
+      lua_pushstring(L, name);
+      lua_rawget(L, own);
+    }
+    lua_remove(L, own);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_MAINTHREAD);
+    main_ = lua_tothread(L, -1);
+    lua_pop(L, 1);
+    hook_ = lua_gethook(main_);
+  }
+  Handlers(const Handlers&) = delete;
+  Handlers& operator=(const Handlers&) = delete;
+  ~Handlers() { lua_settop(L_, first_ - 1); }
+
+  void event(const Event& e) {
+    if ((model_.wanted_events >> static_cast<unsigned>(e.type) & 1U) == 0) return;
+    begin(dispatch);
+    push_event(L_, 1, e);
+    call(L_, 1, 0);
+  }
+
+  void step(double time, double dt) {
+    // An interrupt (of the program or of stock lua) sets a hook that raises once Lua code runs: go there.
+    if (lua_gethook(main_) != hook_) model_.stop();
+    for (std::size_t i = 0; i < model_.timers.size(); ++i) {
+      if (model_.timers[i].due() > time + 0.5 * dt) continue;
+      model_.timers[i].next =
+          static_cast<std::int64_t>((time + 0.5 * dt - model_.timers[i].start) / model_.timers[i].interval) + 1;
+      begin(tick);
+      lua_pushinteger(L_, static_cast<lua_Integer>(i) + 1);
+      call(L_, 1, 0);
+    }
+    if (model_.wake_at <= time + 1e-12) {
+      model_.wake_at = unbounded;
+      begin(wake);
+      call(L_, 0, 0);
+    }
+    if (model_.has_step_handler) {
+      begin(stepped);
+      call(L_, 0, 0);
+    }
+  }
+
+  /// Values of the histories that Lua functions give.
+  void sample_functions() {
+    for (std::size_t i = 0; i < model_.histories.size(); ++i) {
+      History& h = model_.histories[i];
+      if (h.sample) continue;
+      begin(sample);
+      lua_pushinteger(L_, static_cast<lua_Integer>(i) + 1);
+      call(L_, 1, 1);
+      const bool good = lua_type(L_, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L_, -1));
+      const std::string given = good ? "" : what_is(L_, -1);
+      if (good) h.values.push_back(lua_tonumber(L_, -1));
+      lua_pop(L_, 1);
+      if (!good)
+        throw InputError(
+            fmt::format("history '{}': its function gave {}, must give a finite number", h.info.name, given));
+    }
+  }
+
+ private:
+  enum Function { dispatch, tick, wake, stepped, sample };
+  void begin(Function f) { lua_pushvalue(L_, first_ + f); }
+
+  lua_State* L_;
+  ScriptModel& model_;
+  int first_;
+  lua_State* main_ = nullptr;
+  lua_Hook hook_ = nullptr;
+};
+
+}  // namespace
+
+StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options) {
+  Host& h = host(L);
+  if (h.list_parameters) throw InputError(parameters_listed);
+  if (!h.given_used && !h.given.empty())
+    throw InputError(
+        fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", h.given.front()));
+  Handlers handlers(L, model);
+  RunListener listener;
+  listener.on_event = [&](const Event& e, const Instant&) { handlers.event(e); };
+  listener.on_step = [&](const Instant& now) { handlers.step(now.state.time, now.dt); };
+  listener.on_history = [&](const Instant&) { handlers.sample_functions(); };
+  return model.run(options, listener, h);
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,12 @@
+// Runs a stage of a model with the script's handlers listening.
+#pragma once
+
+#include "handles.hpp"
+
+namespace trilith::script {
+
+/// Runs a stage of the model at stack index 1. Handlers are called through the model's own table: dispatch(event),
+/// tick(index), wake(), stepped(), sample(index). What they raise ends the stage and is thrown as ScriptError.
+StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options);
+
+}  // namespace trilith::script

@@ -1,0 +1,173 @@
+// Units, and the parameters that a script declares.
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.hpp"
+#include "doors.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// units "ft inch kip": one SI factor for each.
+int units(lua_State* L) {
+  if (lua_type(L, 1) != LUA_TSTRING)
+    throw InputError(fmt::format("units: takes one text, as in units \"ft inch kip\"; this is {}", what_is(L, 1)));
+  const std::string_view text = lua_tostring(L, 1);
+  int count = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == ' ' || text[i] == ',' || text[i] == '\n') {
+      ++i;
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_of(" ,\n", i), text.size());
+    if (lua_checkstack(L, 2) == 0) throw InputError("units: too many units in one call");
+    lua_pushnumber(L, parse_unit(text.substr(i, end - i)).factor);
+    ++count;
+    i = end;
+  }
+  return count;
+}
+
+/// A parameter as declared: {default, unit =, choices =, sentence}, or just a default.
+struct Declaration {
+  std::string name, unit, sentence;
+  std::vector<std::string> choices;
+  int type = LUA_TNIL;
+  double number = 0;  ///< in `unit`
+  bool flag = false;
+  std::string text;
+
+  [[nodiscard]] std::string preset() const {
+    if (type == LUA_TNUMBER) return fmt::format("{}", number);
+    return type == LUA_TBOOLEAN ? (flag ? "true" : "false") : text;
+  }
+};
+
+void read_preset(lua_State* L, Declaration& d, Keys* keys) {
+  d.type = lua_type(L, -1);
+  if (d.type == LUA_TNUMBER)
+    d.number = lua_tonumber(L, -1);
+  else if (d.type == LUA_TSTRING)
+    d.text = lua_tostring(L, -1);
+  else if (d.type == LUA_TBOOLEAN)
+    d.flag = lua_toboolean(L, -1) != 0;
+  else if (keys != nullptr)
+    keys->problem(fmt::format("the default (entry 1) is {}, must be a number, a text, true or false", what_is(L, -1)));
+}
+
+Declaration read_declaration(lua_State* L, const std::string& name) {
+  Declaration d;
+  d.name = name;
+  if (lua_type(L, -1) != LUA_TTABLE) {
+    read_preset(L, d, nullptr);
+    if (d.type != LUA_TNUMBER && d.type != LUA_TSTRING && d.type != LUA_TBOOLEAN)
+      throw InputError(fmt::format("params: '{}' is {}, must be {{default, unit = , choices = , \"sentence\"}}", name,
+                                   what_is(L, -1)));
+    return d;
+  }
+  Keys keys(L, -1, fmt::format("params: '{}'", name));
+  keys.allow_list();
+  lua_rawgeti(L, -1, 1);
+  read_preset(L, d, &keys);
+  lua_pop(L, 1);
+  if (lua_rawgeti(L, -1, 2) == LUA_TSTRING) d.sentence = lua_tostring(L, -1);
+  lua_pop(L, 1);
+  d.unit = keys.text("unit", "");
+  d.choices = keys.names("choices");
+  if (d.type == LUA_TNUMBER && !std::isfinite(d.number))
+    keys.problem(fmt::format("the default is {}, must be finite", d.number));
+  if (!d.unit.empty() && d.type != LUA_TNUMBER) keys.problem("has a unit, but its default is no number");
+  if (!d.choices.empty() &&
+      (d.type != LUA_TSTRING || std::find(d.choices.begin(), d.choices.end(), d.text) == d.choices.end()))
+    keys.problem(fmt::format("the default must be one of {}", fmt::join(d.choices, ", ")));
+  keys.finish();
+  return d;
+}
+
+/// Takes the value given on the command line.
+void take_given(Declaration& d, const std::string& given) {
+  const std::string what = fmt::format("parameter '{}'", d.name);
+  if (d.type == LUA_TNUMBER) {
+    const std::string unit = d.unit.empty() ? "1" : d.unit;
+    const double si = parse_quantity(given, unit, what);
+    const bool plain = given.find_first_not_of("0123456789+-.eE") == std::string::npos;
+    d.number =
+        plain ? parse_quantity(given, "1", what) : si / parse_unit(unit).factor;  // no rounding where none is needed
+  } else if (d.type == LUA_TBOOLEAN) {
+    if (given != "true" && given != "false")
+      throw InputError(fmt::format("{} is '{}', must be true or false", what, given));
+    d.flag = given == "true";
+  } else {
+    if (!d.choices.empty() && std::find(d.choices.begin(), d.choices.end(), given) == d.choices.end())
+      throw InputError(fmt::format("{} is '{}', must be one of {}", what, given, fmt::join(d.choices, ", ")));
+    d.text = given;
+  }
+}
+
+void push_value(lua_State* L, const Declaration& d) {
+  if (d.type == LUA_TNUMBER)
+    lua_pushnumber(L, d.unit.empty() ? d.number : d.number * parse_unit(d.unit).factor);
+  else if (d.type == LUA_TBOOLEAN)
+    lua_pushboolean(L, d.flag ? 1 : 0);
+  else
+    lua_pushstring(L, d.text.c_str());
+}
+
+std::vector<std::string> sorted_keys(lua_State* L, int table) {
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING)
+      throw InputError(fmt::format("params: {} stands there without a name", what_is(L, -1)));
+    names.emplace_back(lua_tostring(L, -2));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Takes what the command line gives for `d`; removes it from the list.
+void take_from_host(Host& host, Declaration& d) {
+  for (auto it = host.given.begin(); it != host.given.end();) {
+    if (it->substr(0, it->find('=')) != d.name) {
+      ++it;
+      continue;
+    }
+    take_given(d, it->substr(it->find('=') + 1));
+    it = host.given.erase(it);
+  }
+}
+
+int params(lua_State* L) {
+  Host& h = host(L);
+  if (h.given_used) throw InputError("params: called a second time; declare all parameters in one table");
+  if (lua_type(L, 1) != LUA_TTABLE) throw InputError(fmt::format("params: takes one table; this is {}", what_is(L, 1)));
+  lua_settop(L, 1);
+  const std::vector<std::string> names = sorted_keys(L, 1);
+  h.given_used = true;
+  lua_newtable(L);
+  for (const std::string& name : names) {
+    lua_getfield(L, 1, name.c_str());
+    Declaration d = read_declaration(L, name);
+    lua_pop(L, 1);
+    if (!d.unit.empty()) parse_unit(d.unit);
+    const std::string preset = d.preset();
+    take_from_host(h, d);
+    h.parameters.push_back({name, d.preset(), d.unit, preset, d.sentence});
+    push_value(L, d);
+    lua_setfield(L, 2, name.c_str());
+  }
+  if (h.list_parameters) throw InputError(parameters_listed);
+  if (!h.given.empty()) {
+    const std::string name = h.given.front().substr(0, h.given.front().find('='));
+    throw InputError(fmt::format("there is no parameter '{}'{}", name, name_hint(name, names)));
+  }
+  return 1;
+}
+
+}  // namespace
+
+void open_units(lua_State* L) {
+  set_function(L, "units", guarded<units>);
+  set_function(L, "params", guarded<params>);
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,45 @@
+-- The module table: its constructor of models, and errors for names that are not there.
+local trilith, core = ...
+
+-- A list of a model's rows by name or number; # counts them, ipairs goes through them.
+local function rows(model, one, count)
+  return setmetatable({}, {
+    __index = function(_, key) return one(model, key) end,
+    __newindex = function() core.fail("bearings and seats are added with m:bearing{...} and m:seat{...}") end,
+    __len = function() return count(model) end,
+    __metatable = "rows",
+  })
+end
+
+core.made = {} -- functions called with each new model
+
+function trilith.model(options)
+  local model = core.model(options)
+  local own = core.own(model)
+  own.bearings = rows(model, core.bearing, core.bearing_count)
+  own.seats = rows(model, core.seat, core.seat_count)
+  for _, prepare in ipairs(core.made) do prepare(model, own) end
+  return model
+end
+
+local model_methods = core.members "model"
+model_methods.wall = model_methods.running_bond
+
+core.event.__tostring = function(event) return ("%.4f s  %s"):format(event.time, event.line) end
+
+local function names_of(t)
+  local names = {}
+  for name in pairs(t) do names[#names + 1] = name end
+  table.sort(names)
+  return names
+end
+
+local function strict(t, title)
+  return setmetatable(t, {
+    __index = function(_, key)
+      core.fail(("%s has no '%s'%s"):format(title, tostring(key), core.hint(tostring(key), names_of(t))))
+    end,
+  })
+end
+strict(trilith, "trilith")
+strict(trilith.build, "trilith.build")

@@ -1,0 +1,55 @@
+// trilith run SCRIPT [NAME=VALUE ...]
+#include <memory>
+
+#include "progress.hpp"
+#include "script_run.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct Options {
+  std::string script, results;
+  std::vector<std::string> given;
+  bool quiet = false, list = false;
+};
+
+std::string is_assignment(const std::string& text) {
+  const std::size_t at = text.find('=');
+  return at == std::string::npos || at == 0 ? "'" + text + "' is not NAME=VALUE" : "";
+}
+
+int run(const Options& options) {
+  Progress progress(options.quiet);
+  script::Host host;
+  host.script = options.script;
+  host.given = options.given;
+  host.list_parameters = options.list;
+  host.results_file = options.results;
+  host.records = script::record_folders();
+  host.observer = options.list ? nullptr : &progress;
+  host.command_line = "trilith run " + options.script;
+  for (const std::string& g : options.given) host.command_line += " " + g;
+  const int code = run_script(host);
+  progress.clear();
+  return code;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("run", "Run a Lua script");
+  verb->add_option("script", options->script, "the script")->required()->type_name("SCRIPT");
+  verb->add_option("parameters", options->given,
+                   "parameters that the script declares, in their declared unit or one given, as in pga=0.6g")
+      ->type_name("NAME=VALUE")
+      ->check(CLI::Validator(is_assignment, "", ""));
+  verb->add_option("--results", options->results, "write the results to FILE instead of the script's own")
+      ->type_name("FILE");
+  verb->add_flag("--quiet,-q", options->quiet, "show neither events nor status");
+  verb->add_flag("--params", options->list, "list the script's parameters and end");
+  verb->callback([options, &code] { code = run(*options); });
+}
+
+}  // namespace trilith::program

@@ -1,0 +1,13 @@
+// A Lua state for one script: libraries, module, strict globals, interrupt.
+#pragma once
+
+#include <string>
+
+#include "host.hpp"
+
+namespace trilith::program {
+
+/// Runs host.script to its end. Returns the program's exit code; messages go to stderr.
+int run_script(script::Host& host);
+
+}  // namespace trilith::program

@@ -1,0 +1,14 @@
+// The verbs of the program: each adds itself to the command line, in a file of its own.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace trilith::program {
+
+/// How the program ends.
+enum ExitCode : int { ended_well = 0, wrong_input = 1, wrong_usage = 2, interrupted = 130 };
+
+/// A verb sets `code` when it has run.
+void add_run(CLI::App& app, int& code);
+
+}  // namespace trilith::program
