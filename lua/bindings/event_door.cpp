@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "doors.hpp"
-#include "event_line.hpp"
+#include "run/event_text.hpp"
 
 namespace trilith::script {
 namespace {
@@ -40,18 +40,6 @@ void set_bodies(lua_State* L, int model_index, const Event& e) {
 
 }  // namespace
 
-std::string event_line(const Event& e, const Model<2>& model) {
-  const EventTypeInfo& info = info_of(e);
-  std::string line{info.name};
-  if (e.bearing >= 0) line += fmt::format(" '{}'", model.bearings[static_cast<std::size_t>(e.bearing)].name);
-  if (!e.text.empty()) line += fmt::format(" '{}'", e.text);
-  if (e.body_a >= 0) line += fmt::format(" {}", model.bodies[static_cast<std::size_t>(e.body_a)].name);
-  if (e.body_b >= 0) line += fmt::format(" - {}", model.bodies[static_cast<std::size_t>(e.body_b)].name);
-  if (!info.value_name.empty()) line += fmt::format(", {} {:.4g} {}", info.value_name, e.value, info.value_unit);
-  if (e.cause >= 0) line += fmt::format(" (#{} from #{})", e.id, e.cause);
-  return line;
-}
-
 void push_event(lua_State* L, int model_index, const Event& e) {
   model_index = lua_absindex(L, model_index);
   lua_checkstack(L, 10);
@@ -66,8 +54,7 @@ void push_event(lua_State* L, int model_index, const Event& e) {
   set_text(L, "value_name", info_of(e).value_name);
   set_number(L, "x", e.x);
   set_number(L, "y", e.y);
-  set_text(L, "text", e.text);
-  set_text(L, "line", event_line(e, m.if_built()->model()));
+  set_text(L, "text", event_text(e, m.if_built()->model()));
   set_bodies(L, model_index, e);
   if (e.bearing >= 0) {
     push_bearing(L, model_index, e.bearing);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "doors.hpp"
+#include "step/contact_resultants.hpp"
 
 namespace trilith::script {
 namespace {
@@ -39,27 +40,38 @@ int bodies(lua_State* L) {
   return 1;
 }
 
-void push_contact(lua_State* L, const Simulation& s, std::size_t row) {
-  const NearPair& p = s.work().pairs[row];
-  const ContactMemory& memory = s.work().memory[row];
-  lua_createtable(L, 0, 7);
-  push_body(L, 1, s.model().piece_body[p.piece_a]);
-  lua_setfield(L, -2, "a");
-  push_body(L, 1, s.model().piece_body[p.piece_b]);
-  lua_setfield(L, -2, "b");
-  lua_pushstring(L, s.model().law_names[static_cast<std::size_t>(p.law)].c_str());
-  lua_setfield(L, -2, "law");
-  lua_pushboolean(L, (memory.state & contact_touching) != 0 ? 1 : 0);
-  lua_setfield(L, -2, "touching");
-  lua_pushboolean(L, memory.bonds != 0 ? 1 : 0);
-  lua_setfield(L, -2, "bonded");
-  lua_pushnumber(L, memory.slip);
-  lua_setfield(L, -2, "slip");
-  lua_pushnumber(L, memory.shear_total[0] + memory.shear_total[1]);
-  lua_setfield(L, -2, "shear");
+void set_vector(lua_State* L, const char* key, const Vec2& v) {
+  lua_createtable(L, 2, 0);
+  for (int k = 0; k < 2; ++k) {
+    lua_pushnumber(L, v[k]);
+    lua_rawseti(L, -2, k + 1);
+  }
+  lua_setfield(L, -2, key);
 }
 
-/// m:contacts{ between = {a, b}, body = }: those that touch or hold a bond.
+void push_contact(lua_State* L, const Simulation& s, const TouchingContact& c) {
+  const auto row = static_cast<std::size_t>(c.row);
+  constexpr std::array holds{"bonded", "sticking", "sliding"};
+  lua_createtable(L, 0, 9);
+  push_body(L, 1, c.body_a);
+  lua_setfield(L, -2, "a");
+  push_body(L, 1, c.body_b);
+  lua_setfield(L, -2, "b");
+  lua_pushstring(L, s.model().law_names[static_cast<std::size_t>(s.work().pairs[row].law)].c_str());
+  lua_setfield(L, -2, "law");
+  lua_pushstring(L, holds[static_cast<std::size_t>(c.hold)]);
+  lua_setfield(L, -2, "hold");
+  lua_pushnumber(L, s.work().memory[row].slip);
+  lua_setfield(L, -2, "slip");
+  lua_pushnumber(L, c.resultant.normal);
+  lua_setfield(L, -2, "normal");
+  lua_pushnumber(L, c.resultant.shear);
+  lua_setfield(L, -2, "shear");
+  set_vector(L, "point", c.resultant.point);
+  set_vector(L, "force", c.resultant.force);
+}
+
+/// m:contacts{ between = {a, b} }: those that carry force, with the force on b.
 int contacts(lua_State* L) {
   ScriptModel& m = self(L);
   lua_settop(L, 2);
@@ -85,13 +97,12 @@ int contacts(lua_State* L) {
   const auto has = [](const std::vector<int>& list, int b) { return std::binary_search(list.begin(), list.end(), b); };
   lua_newtable(L);
   lua_Integer count = 0;
-  for (std::size_t row = 0; row < s.work().pairs.size(); ++row) {
-    const ContactMemory& memory = s.work().memory[row];
-    if (memory.bonds == 0 && (memory.state & contact_touching) == 0) continue;
-    const int a = s.model().piece_body[s.work().pairs[row].piece_a],
-              b = s.model().piece_body[s.work().pairs[row].piece_b];
+  std::vector<TouchingContact> touching;
+  contact_resultants(s.model(), s.work(), touching);
+  for (const TouchingContact& c : touching) {
+    const int a = c.body_a, b = c.body_b;
     if (given && !(has(side[0], a) && has(side[1], b)) && !(has(side[0], b) && has(side[1], a))) continue;
-    push_contact(L, s, row);
+    push_contact(L, s, c);
     lua_rawseti(L, -2, ++count);
   }
   return 1;
@@ -117,8 +128,8 @@ bool follow(Keys& keys, History& history, const std::string& what) {
     return true;
   }
   history.sample = [copy = *h, p] { return p->number(copy); };
-  history.info.unit = p->unit;
-  history.info.sentence = fmt::format("{} of {}", p->doc, Kind<H>::title(*h));
+  history.unit = p->unit;
+  history.sentence = fmt::format("{} of {}", p->doc, Kind<H>::title(*h));
   return true;
 }
 
@@ -164,8 +175,8 @@ void follow_model(Keys& keys, History& h, const std::string& what) {
   }
   const auto* box = static_cast<const ModelBox*>(lua_touserdata(keys.lua(), 1));
   h.sample = [box, p] { return p->number(*box); };
-  h.info.unit = p->unit;
-  h.info.sentence = p->doc;
+  h.unit = p->unit;
+  h.sentence = p->doc;
 }
 
 void read_followed(Keys& keys, History& h, const ScriptModel& m) {
@@ -192,16 +203,16 @@ int history(lua_State* L) {
     throw InputError("history: cannot be added once histories have been taken; add it before the first stage");
   Keys keys(L, 2, "history");
   History h;
-  h.info.name = keys.text("name");
-  keys.name_owner(h.info.name);
+  h.name = keys.text("name");
+  keys.name_owner(h.name);
   for (const History& other : m.histories)
-    if (other.info.name == h.info.name) keys.problem("is there already; give each one of its own name");
+    if (other.name == h.name) keys.problem("is there already; give each one of its own name");
   const bool function = keys.push("of") == LUA_TFUNCTION;
   if (!function && !lua_isnil(L, -1)) keys.wrong("of", "a function");
   lua_pop(L, 1);
   if (function) {
-    h.info.unit = keys.text("unit", "1");
-    h.info.sentence = keys.text("doc", "of a function of the script");
+    h.unit = keys.text("unit", "1");
+    h.sentence = keys.text("doc", "of a function of the script");
   } else {
     read_followed(keys, h, m);
   }
@@ -235,7 +246,7 @@ int results(lua_State* L) {
 
 const std::array door_methods{
     Method{"bodies", guarded<bodies>, "bodies{group=, material=, name=}: a set; '*' and '?' stand for letters"},
-    Method{"contacts", guarded<contacts>, "contacts{between={a, b}}: those that touch or hold a bond"},
+    Method{"contacts", guarded<contacts>, "contacts{between={a, b}}: those that carry force"},
     Method{"history", guarded<history>,
            "history{name=, body= | bearing= | seat=, what=} or {name=, of=function}: follows a number over time"},
     Method{"results", guarded<results>, "results{file=, frames=, histories=, energy=}: what is written, and how often"},
@@ -263,9 +274,9 @@ double extreme(const HistoryHandle& h, double sign) {
 using P = Property<HistoryHandle>;
 const std::array history_properties{
     P{"name", "", "its name", nullptr,
-      [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).info.name.c_str()); }},
+      [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).name.c_str()); }},
     P{"unit", "", "SI unit of its values", nullptr,
-      [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).info.unit.c_str()); }},
+      [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).unit.c_str()); }},
     P{"t", "", "times [s]", nullptr,
       [](lua_State* L, const HistoryHandle& h) { push_array(L, h.model().history_times); }},
     P{"values", "", "values, one for each time", nullptr,
@@ -296,7 +307,7 @@ std::span<const Method> Kind<HistoryHandle>::methods() {
   return {};
 }
 std::string Kind<HistoryHandle>::title(const HistoryHandle& h) {
-  return h.box->model ? fmt::format("history '{}'", row(h).info.name) : "history of a closed model";
+  return h.box->model ? fmt::format("history '{}'", row(h).name) : "history of a closed model";
 }
 std::span<const std::pair<const char*, lua_CFunction>> Kind<HistoryHandle>::metamethods() {
   return history_operators;

@@ -18,6 +18,17 @@ std::vector<std::filesystem::path> record_folders() {
   return {TRILITH_INSTALLED_RECORDS, TRILITH_SOURCE_RECORDS};
 }
 
+record::Provenance Host::provenance(const std::vector<std::string>& motions) const {
+  record::Provenance p;
+  p.script = script_text;
+  p.script_path = script;
+  p.program_version = TRILITH_VERSION;
+  p.command_line = command_line;
+  p.parameters = parameters;
+  p.motions = motions;
+  return p;
+}
+
 void Host::finish(const std::string& error) {
   for (const auto& weak : models)
     if (const auto model = weak.lock()) model->finish(error);
@@ -88,30 +99,32 @@ void ScriptModel::begin_recording(Host& host) {
     results->file = std::exchange(host.results_file, "");
   }
   if (!results) return;
-  if (!host.make_recorder) throw InputError(fmt::format("{}: results cannot be recorded here", title()));
-  RecorderOrder order{
-      results->file,    simulation_->model(), simulation_->state(),  {}, host.parameters, motions, host.script,
-      host.script_text, host.command_line,    results->with_velocity};
-  for (const History& h : histories) order.histories.push_back(h.info);
-  recorder_ = host.make_recorder(order);
+  RecordingOptions options;
+  options.provenance = host.provenance(motions);
+  options.materials = materials;
+  for (const History& h : histories) options.histories.push_back({h.name, h.unit, h.sentence, {}});
+  options.with_velocity = results->with_velocity;
+  recording_ =
+      std::make_unique<Recording>(results->file, simulation_->model(), simulation_->state(), std::move(options));
+  for (const std::string& note : builder.notes()) recording_->note(note);
 }
 
 RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* observer) {
-  Recorder* const recorder = recorder_.get();
+  Recording* const recording = recording_.get();
   RunListener all;
-  if (recorder != nullptr) {
-    all.on_frame = [recorder](const Instant& now) { recorder->frame(now); };
-    all.on_energy = [recorder](const Instant& now, const Energy& e) { recorder->energy(now, e); };
+  if (recording != nullptr) {
+    all.on_frame = [recording](const Instant& now) { recording->frame(now); };
+    all.on_energy = [recording](const Instant& now, const Energy& e) { recording->energy(now, e); };
   }
   if (!histories.empty()) {
-    all.on_history = [this, recorder, &script](const Instant& now) {
+    all.on_history = [this, recording, &script](const Instant& now) {
       script.on_history(now);  // the Lua functions' values come first
-      take_histories(now.state.time, recorder);
+      take_histories(now.state.time, recording);
     };
   }
-  all.on_event = [this, recorder, observer, &script](const Event& e, const Instant& now) {
+  all.on_event = [this, recording, observer, &script](const Event& e, const Instant& now) {
     events.push_back(e);
-    if (recorder != nullptr) recorder->event(e, now);
+    if (recording != nullptr) recording->event(e, now);
     if (observer != nullptr) observer->event(e, now);
     script.on_event(e, now);
   };
@@ -123,7 +136,7 @@ RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* obs
   return all;
 }
 
-void ScriptModel::take_histories(double time, Recorder* recorder) {
+void ScriptModel::take_histories(double time, Recording* recording) {
   std::vector<double> row;
   row.reserve(histories.size());
   for (History& h : histories) {
@@ -131,7 +144,7 @@ void ScriptModel::take_histories(double time, Recorder* recorder) {
     row.push_back(h.values.back());
   }
   history_times.push_back(time);
-  if (recorder != nullptr) recorder->history(time, row);
+  if (recording != nullptr) recording->history(time, row);
 }
 
 bool ScriptModel::apply_changes(Model<2>& model) {
@@ -152,10 +165,9 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
   begin_recording(host);
   StageOptions options = asked;
   if (!histories.empty()) options.history_interval = results ? results->histories : history_interval;
-  if (recorder_) {
+  if (recording_) {
     options.frame_interval = results->frames;
     options.energy_interval = results->energy;
-    recorder_->stage_begun(options, s.state().time);
   }
   struct Scope {
     ScriptModel& model;
@@ -168,15 +180,17 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
   } scope(*this);
   rest_share_ = options.rest_share;
   const StageReport report = s.run(options, listen_with(listener, host.observer));
-  if (recorder_) recorder_->stage_ended(report);
   if (host.observer != nullptr) host.observer->stage_ended(report);
   return report;
 }
 
 void ScriptModel::finish(const std::string& error) {
-  if (!recorder_) return;
-  const std::unique_ptr<Recorder> recorder = std::move(recorder_);
-  recorder->finish(error);
+  if (!recording_) return;
+  const std::unique_ptr<Recording> recording = std::move(recording_);
+  if (error.empty())
+    recording->finish();
+  else
+    recording->abandon(error);
 }
 
 }  // namespace trilith::script

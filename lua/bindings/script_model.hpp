@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host.hpp"
+#include "run/recording.hpp"
 #include "run/simulation.hpp"
 #include "world/builder.hpp"
 
@@ -15,7 +16,7 @@ namespace trilith::script {
 
 /// A quantity followed over time, kept in memory and recorded.
 struct History {
-  HistoryInfo info;
+  std::string name, unit, sentence;
   std::function<double()> sample;  ///< empty: a Lua function gives it
   std::vector<double> values;
 };
@@ -80,7 +81,7 @@ class ScriptModel {
 
   /// Runs a stage with `listener` wrapped by recording and observing.
   StageReport run(const StageOptions& options, const RunListener& listener, Host& host);
-  /// Ends the recording. Once.
+  /// Ends the recording, if any; see Host::finish.
   void finish(const std::string& error);
   /// Damping of consolidation in the last stage, for the ledger.
   [[nodiscard]] double rest_share() const { return rest_share_; }
@@ -88,12 +89,12 @@ class ScriptModel {
  private:
   void begin_recording(Host& host);
   RunListener listen_with(const RunListener& script, RunObserver* observer);
-  void take_histories(double time, Recorder* recorder);
+  void take_histories(double time, Recording* recording);
   bool apply_changes(Model<2>& model);
   Model<2> lone_body(int body) const;
 
   std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<Recording> recording_;
   bool running_ = false, stale_ = true, recording_begun_ = false;
   double rest_share_ = 0;
   std::size_t notes_shown_ = 0;

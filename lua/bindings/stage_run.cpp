@@ -70,8 +70,7 @@ class Handlers {
       if (good) h.values.push_back(lua_tonumber(L_, -1));
       lua_pop(L_, 1);
       if (!good)
-        throw InputError(
-            fmt::format("history '{}': its function gave {}, must give a finite number", h.info.name, given));
+        throw InputError(fmt::format("history '{}': its function gave {}, must give a finite number", h.name, given));
     }
   }
 

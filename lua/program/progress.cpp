@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "event_line.hpp"
+#include "run/event_text.hpp"
 
 namespace trilith::program {
 namespace {
@@ -16,11 +16,6 @@ constexpr double seconds_between_lines = 0.1;
 
 double seconds_since(std::chrono::steady_clock::time_point t) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
-}
-
-/// Contacts come and go by the thousand; they are in the results, not on the terminal.
-bool is_shown(EventType type) {
-  return type != EventType::contact_made && type != EventType::contact_lost;
 }
 
 }  // namespace
@@ -47,9 +42,9 @@ void Progress::event(const Event& event, const Instant& now) {
     stage_begun_ = last_ = Clock::now();
     steps_since_ = 0;
   }
-  if (quiet_ || !is_shown(event.type) || event.type == EventType::stage_ended) return;
+  if (quiet_ || !is_important(event.type) || event.type == EventType::stage_ended) return;
   clear();
-  fmt::print("{:10.4f} s  {}\n", event.time, script::event_line(event, now.model));
+  fmt::print("{:10.4f} s  {}\n", event.time, event_text(event, now.model));
 }
 
 void Progress::step(const Instant& now) {

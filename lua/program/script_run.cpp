@@ -91,7 +91,7 @@ int report_error(script::Host& host, const std::string& message) {
 }
 
 void list_parameters(const script::Host& host) {
-  for (const auto& p : host.parameters) fmt::print("{:<16} {:>10} {:<6} {}\n", p.name, p.value, p.unit, p.sentence);
+  for (const auto& p : host.parameters) fmt::print("{:<16} {:>10} {:<6} {}\n", p.name, p.value, p.unit, p.text);
   if (host.parameters.empty()) fmt::print("{} declares no parameters\n", host.script);
 }
 
