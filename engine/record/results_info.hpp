@@ -1,0 +1,14 @@
+// What a results file holds, in a page of plain text: the output of `trilith info RESULT`.
+#pragma once
+
+#include <string>
+
+#include "record/results_reader.hpp"
+
+namespace trilith::record {
+
+/// State (finished, still running, ended before its end), provenance, model counts, stages, frames, histories, events
+/// by type, energy and notes, as lines ending in '\n'. Throws RecordError where the file cannot be read to its end.
+std::string info_text(const ResultsReader& reader);
+
+}  // namespace trilith::record
