@@ -75,6 +75,29 @@ int write_until_full(const std::filesystem::path& path, WriterOptions options) {
   return 3;
 }
 
+// How many of 150 damaged copies of `whole` are refused.
+int read_damaged(const std::filesystem::path& path, const std::string& whole) {
+  std::mt19937 random(11);
+  int refused = 0;
+  for (int trial = 0; trial < 150; ++trial) {
+    std::string damaged = whole;
+    for (int i = 0; i < 5; ++i) damaged[random() % damaged.size()] = static_cast<char>(random());
+    write_text(path, damaged);
+    try {
+      const ResultsReader reader(path);
+      for (std::size_t i = 0; i < reader.frame_count(); ++i) reader.frame(i);
+      reader.events();
+      reader.energy();
+      reader.stages();
+      reader.notes();
+      reader.history("top.x");
+    } catch (const std::runtime_error&) {
+      ++refused;
+    }
+  }
+  return refused;
+}
+
 }  // namespace
 
 TEST_CASE("a full disk gives one clear error, no crash at exit, and keeps what was flushed") {
@@ -199,23 +222,12 @@ TEST_CASE("a results file with damaged bytes is read or refused, never a crash")
   const Folder folder;
   write_rows(folder / "run.h5", 20);
   const std::string whole = bytes_of(folder / "run.h5");
-  std::mt19937 random(11);
-  int refused = 0;
-  for (int trial = 0; trial < 150; ++trial) {
-    std::string damaged = whole;
-    for (int i = 0; i < 5; ++i) damaged[random() % damaged.size()] = static_cast<char>(random());
-    write_text(folder / "damaged.h5", damaged);
-    try {
-      const ResultsReader reader(folder / "damaged.h5");
-      for (std::size_t i = 0; i < reader.frame_count(); ++i) reader.frame(i);
-      reader.events();
-      reader.energy();
-      reader.stages();
-      reader.notes();
-      reader.history("top.x");
-    } catch (const std::runtime_error&) {
-      ++refused;
-    }
-  }
-  CHECK(refused > 0);
+  // In a process of its own, which leaves without HDF5's clean-up: the library does not let go of objects it could not
+  // open, and says so at exit.
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(read_damaged(folder / "damaged.h5", whole) > 0 ? 0 : 1);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
 }
