@@ -178,7 +178,7 @@ TRILITH_INLINE T fracture_energy(const HalfState<T>& h, const FaceLaw& law, Mask
   return select(lost, stored, zero);
 }
 
-/// Rates along the shared length: gap and slip of B against A at both of its ends [m/s].
+/// Rates along the shared length: gap, and slip of B against A, at both of its ends [m/s].
 template <class T>
 struct FaceRates {
   T gap_lo, gap_hi, slip_lo, slip_hi;
@@ -191,8 +191,10 @@ struct FaceRates {
     const T b_lo = (o.lo - o.sb1) * o.inv_b, b_hi = (o.hi - o.sb1) * o.inv_b;
     gap_lo = nb1 + (nb0 - nb1) * b_lo - na0 - (na1 - na0) * a_lo;
     gap_hi = nb1 + (nb0 - nb1) * b_hi - na0 - (na1 - na0) * a_hi;
-    slip_lo = tb1 + (tb0 - tb1) * b_lo - ta0 - (ta1 - ta0) * a_lo;
-    slip_hi = tb1 + (tb0 - tb1) * b_hi - ta0 - (ta1 - ta0) * a_hi;
+    // At mid-gap, where the shear acts: so a spin that both share slips nothing.
+    const T spin = 0.5 * ((na1 - na0) * o.inv_a + (nb0 - nb1) * o.inv_b);
+    slip_lo = tb1 + (tb0 - tb1) * b_lo - ta0 - (ta1 - ta0) * a_lo + spin * o.gap_lo;
+    slip_hi = tb1 + (tb0 - tb1) * b_hi - ta0 - (ta1 - ta0) * a_hi + spin * o.gap_hi;
   }
 };
 

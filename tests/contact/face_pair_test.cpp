@@ -1,0 +1,338 @@
+// Properties of the contact of two faces, whatever their pose and motion.
+#include "contact/face_pair.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "contact/face_scene.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+constexpr FaceLaw frictional{1e8, 6e7, 0.5, 1e-3, 0, 0, 1e-4, false};
+constexpr FaceLaw elastic{1e8, 0, 0, 0, 0, 0, 1e-4, false};
+constexpr FaceLaw bonded{1e8, 6e7, 0.5, 1e-3, 2e5, 1e5, 1e-4, true};
+
+FaceResponse<double> respond(const Faces& f, const FaceMemory<double>& before, const FaceLaw& law) {
+  return respond_face_pair<true>(f.a, f.b, 1.0, before, law);
+}
+
+double size_of(const FaceResponse<double>& r) {
+  return std::max({on_a0(r).norm(), on_a1(r).norm(), on_b0(r).norm(), on_b1(r).norm()});
+}
+
+/// Calls f(faces, memory) for many random pairs that overlap at least in part.
+template <class F>
+void for_random(F&& f) {
+  std::mt19937_64 bits(5);
+  int touching = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Faces faces = random_faces(bits, -5e-3, 1e-3, 0.015);
+    const FaceMemory<double> memory = random_memory(bits, 1e4);
+    touching += respond(faces, memory, frictional).touching ? 1 : 0;
+    f(faces, memory);
+  }
+  REQUIRE(touching > 1000);
+}
+
+}  // namespace
+
+TEST_CASE("faces apart feel nothing and remember nothing") {
+  std::mt19937_64 bits(3);
+  for (int i = 0; i < 500; ++i) {
+    const FaceResponse<double> r = respond(random_faces(bits, 0.05, 0.2, 0.01), no_memory(), frictional);
+    CHECK(size_of(r) == 0.0);
+    CHECK_FALSE(r.touching);
+    CHECK(r.memory.shear_elastic[0] == 0.0);
+    CHECK(r.lost_damping == 0.0);
+    CHECK(r.lost_friction == 0.0);
+  }
+}
+
+TEST_CASE("bonded faces that have not moved feel nothing") {
+  const Faces f{rigid_face({1, 0}, {0, 0}, Vec2::Zero(), 0), rigid_face({0, 0}, {1, 0}, Vec2::Zero(), 0)};
+  const FaceResponse<double> r = respond(f, no_memory(true), bonded);
+  CHECK(size_of(r) == 0.0);
+  CHECK(r.memory.bonds[0]);
+  CHECK(r.memory.bonds[1]);
+}
+
+TEST_CASE("the forces on two faces are equal and opposite, in sum and in moment") {
+  for (const FaceLaw& law : {frictional, bonded})
+    for_random([&](const Faces& f, const FaceMemory<double>& memory) {
+      const FaceResponse<double> r = respond(f, memory, law);
+      const Vec2 sum = on_a0(r) + on_a1(r) + on_b0(r) + on_b1(r);
+      const double moment = cross(start_of(f.a), on_a0(r)) + cross(end_of(f.a), on_a1(r)) +
+                            cross(start_of(f.b), on_b0(r)) + cross(end_of(f.b), on_b1(r));
+      const double arm = start_of(f.a).norm() + end_of(f.a).norm() + start_of(f.b).norm() + end_of(f.b).norm();
+      CHECK(sum.norm() <= 1e-12 * size_of(r));
+      CHECK(std::abs(moment) <= 1e-12 * size_of(r) * arm);
+    });
+}
+
+TEST_CASE("which of two faces is called the first makes no difference") {
+  for_random([](const Faces& f, const FaceMemory<double>& memory) {
+    FaceMemory<double> swapped = memory;  // the halves are counted from the first face's start
+    for (const int h : {0, 1}) {
+      swapped.shear_elastic[h] = memory.shear_elastic[1 - h];
+      swapped.shear_total[h] = memory.shear_total[1 - h];
+      swapped.active[h] = memory.active[1 - h];
+      swapped.bonds[h] = memory.bonds[1 - h];
+    }
+    swapped.damping_force[1] = -memory.damping_force[1];
+    const FaceResponse<double> r = respond(f, memory, bonded), s = respond({f.b, f.a}, swapped, bonded);
+    const double close = 1e-11 * (size_of(r) + 1);
+    CHECK((on_a0(r) - on_b0(s)).norm() < close);
+    CHECK((on_a1(r) - on_b1(s)).norm() < close);
+    CHECK((on_b0(r) - on_a0(s)).norm() < close);
+    CHECK((on_b1(r) - on_a1(s)).norm() < close);
+    CHECK(std::abs(r.lost_friction - s.lost_friction) < 1e-11 * (1 + std::abs(r.lost_friction)));
+    CHECK(std::abs(r.lost_damping - s.lost_damping) < 1e-11 * (1 + std::abs(r.lost_damping)));
+    CHECK(r.is_face_pair == s.is_face_pair);
+  });
+}
+
+TEST_CASE("contact does not depend on the axes: turned faces feel turned forces") {
+  std::mt19937_64 bits(8);
+  for_random([&](const Faces& f, const FaceMemory<double>& memory) {
+    const Turn turn(random_between(bits, -M_PI, M_PI));
+    const FaceResponse<double> r = respond(f, memory, frictional), s = respond(turned(f, turn), memory, frictional);
+    const double close = 1e-10 * (size_of(r) + 1);
+    CHECK((turn.apply(on_a0(r)) - on_a0(s)).norm() < close);
+    CHECK((turn.apply(on_a1(r)) - on_a1(s)).norm() < close);
+    CHECK((turn.apply(on_b0(r)) - on_b0(s)).norm() < close);
+    CHECK((turn.apply(on_b1(r)) - on_b1(s)).norm() < close);
+  });
+}
+
+TEST_CASE("a velocity and a spin that both faces share make no damping and no friction") {
+  for_random([](const Faces& f, const FaceMemory<double>&) {
+    const auto with = [](const Faces& g, const Vec2& velocity, double spin) {
+      return Faces{rigid_face(start_of(g.a), end_of(g.a), velocity, spin),
+                   rigid_face(start_of(g.b), end_of(g.b), velocity, spin)};
+    };
+    const FaceResponse<double> still = respond(with(f, Vec2::Zero(), 0), no_memory(), frictional);
+    const FaceResponse<double> moving = respond(with(f, {3, -2}, 0.7), no_memory(), frictional);
+    CHECK((on_b0(still) - on_b0(moving)).norm() <= 1e-9 * size_of(still));
+    CHECK((on_b1(still) - on_b1(moving)).norm() <= 1e-9 * size_of(still));
+    CHECK(std::abs(moving.lost_friction + moving.lost_damping) <= 1e-12 * size_of(still));
+  });
+}
+
+namespace {
+
+Lanes pack(const double (&v)[lane_count]) {
+  return Lanes{v[0], v[1], v[2], v[3]};
+}
+
+FaceEnds<Lanes> pack(const std::array<Faces, lane_count>& f, bool second) {
+  const auto each = [&](double FaceEnds<double>::*member) {
+    double v[lane_count];
+    for (int i = 0; i < lane_count; ++i) v[i] = second ? f[i].b.*member : f[i].a.*member;
+    return pack(v);
+  };
+  using E = FaceEnds<double>;
+  return {each(&E::x0), each(&E::y0), each(&E::x1), each(&E::y1),
+          each(&E::u0), each(&E::v0), each(&E::u1), each(&E::v1)};
+}
+
+FaceMemory<Lanes> pack(const std::array<FaceMemory<double>, lane_count>& m) {
+  FaceMemory<Lanes> out{};
+  for (int i = 0; i < lane_count; ++i) {
+    for (const int h : {0, 1}) {
+      out.shear_elastic[h][i] = m[i].shear_elastic[h];
+      out.shear_total[h][i] = m[i].shear_total[h];
+      out.damping_force[h][i] = m[i].damping_force[h];
+      out.active[h][i] = m[i].active[h];
+      out.bonds[h][i] = m[i].bonds[h] ? -1 : 0;
+    }
+    out.slip[i] = m[i].slip;
+  }
+  return out;
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+void check_lane(const FaceResponse<Lanes>& many, const FaceResponse<double>& one, int i) {
+  CHECK((many.is_face_pair[i] != 0) == one.is_face_pair);
+  CHECK((many.touching[i] != 0) == one.touching);
+  using R = FaceResponse<double>;
+  const std::pair<double R::*, Lanes FaceResponse<Lanes>::*> numbers[] = {
+      {&R::ax0, &FaceResponse<Lanes>::ax0},
+      {&R::ay0, &FaceResponse<Lanes>::ay0},
+      {&R::ax1, &FaceResponse<Lanes>::ax1},
+      {&R::ay1, &FaceResponse<Lanes>::ay1},
+      {&R::bx0, &FaceResponse<Lanes>::bx0},
+      {&R::by0, &FaceResponse<Lanes>::by0},
+      {&R::bx1, &FaceResponse<Lanes>::bx1},
+      {&R::by1, &FaceResponse<Lanes>::by1},
+      {&R::lost_damping, &FaceResponse<Lanes>::lost_damping},
+      {&R::lost_friction, &FaceResponse<Lanes>::lost_friction},
+      {&R::lost_fracture, &FaceResponse<Lanes>::lost_fracture}};
+  for (const auto& [single, lanes] : numbers) CHECK(same_bits(one.*single, (many.*lanes)[i]));
+  for (const int h : {0, 1}) {
+    CHECK(same_bits(one.memory.shear_elastic[h], many.memory.shear_elastic[h][i]));
+    CHECK(same_bits(one.memory.shear_total[h], many.memory.shear_total[h][i]));
+    CHECK(same_bits(one.memory.damping_force[h], many.memory.damping_force[h][i]));
+    CHECK(same_bits(one.memory.active[h], many.memory.active[h][i]));
+    CHECK(one.memory.bonds[h] == (many.memory.bonds[h][i] != 0));
+  }
+  CHECK(same_bits(one.memory.slip, many.memory.slip[i]));
+}
+
+}  // namespace
+
+TEST_CASE("four faces at once give the bits of one at a time") {
+  std::mt19937_64 bits(11);
+  for (int round = 0; round < 500; ++round) {
+    std::array<Faces, lane_count> faces;
+    std::array<FaceMemory<double>, lane_count> memory;
+    for (int i = 0; i < lane_count; ++i) {
+      faces[i] = random_faces(bits, -5e-3, 1e-3, 0.03);
+      memory[i] = random_memory(bits, 1e4);
+    }
+    const Lanes corner = Lanes{} + 1.0;
+    const auto with = [&](const FaceLaw& law, auto can_bond) {
+      constexpr bool bonds = decltype(can_bond)::value;
+      const FaceResponse<Lanes> many =
+          respond_face_pair<bonds>(pack(faces, false), pack(faces, true), corner, pack(memory), law);
+      for (int i = 0; i < lane_count; ++i)
+        check_lane(many, respond_face_pair<bonds>(faces[i].a, faces[i].b, 1.0, memory[i], law), i);
+    };
+    with(bonded, std::true_type{});
+    FaceLaw whole = bonded;
+    whole.loss_by_point = false;
+    with(whole, std::true_type{});
+    for (FaceMemory<double>& m : memory) m.bonds[0] = m.bonds[1] = false;
+    with(frictional, std::false_type{});
+  }
+}
+
+TEST_CASE("the power of the forces at the face ends is the power of the stresses") {
+  for_random([](const Faces& f, const FaceMemory<double>&) {
+    const FaceResponse<double> r = respond(f, no_memory(), frictional);
+    const double power = on_a0(r).dot(start_speed(f.a)) + on_a1(r).dot(end_speed(f.a)) +
+                         on_b0(r).dot(start_speed(f.b)) + on_b1(r).dot(end_speed(f.b));
+    // The stresses between the places where gap or stress pass zero, each stretch by Simpson's rule, which is exact
+    // here.
+    const FaceOverlap<double> o(f.a, f.b);
+    const FaceRates<double> rates(o, f.a, f.b);
+    const auto gap_at = [&](double x) { return o.gap_lo + x * (o.gap_hi - o.gap_lo); };
+    const auto rate_at = [&](double x) { return rates.gap_lo + x * (rates.gap_hi - rates.gap_lo); };
+    const auto stress_at = [&](double x) { return -gap_at(x) - frictional.beta * rate_at(x); };
+    std::vector<double> cuts{0, 1};
+    for (const double cut : {gap_at(0) / (gap_at(0) - gap_at(1)), stress_at(0) / (stress_at(0) - stress_at(1))})
+      if (cut > 0 && cut < 1) cuts.push_back(cut);
+    std::sort(cuts.begin(), cuts.end());
+    double expected = 0;
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      const double x0 = cuts[i - 1], x1 = cuts[i], mid = 0.5 * (x0 + x1);
+      if (!(gap_at(mid) < 0 && stress_at(mid) > 0)) continue;
+      const auto power_at = [&](double x) { return stress_at(x) * rate_at(x) * frictional.kn * o.shared; };
+      expected += (x1 - x0) / 6 * (power_at(x0) + 4 * power_at(mid) + power_at(x1));
+    }
+    for (const int h : {0, 1})
+      expected -= r.memory.shear_total[h] * (rates.slip_lo + (h == 0 ? 0.25 : 0.75) * (rates.slip_hi - rates.slip_lo));
+    if (r.touching) CHECK(std::abs(power - expected) <= 1e-10 * size_of(r));
+  });
+}
+
+namespace {
+
+/// Where B is on a closed path, and how fast.
+struct Path {
+  double size[3][4], phase[3][4];
+  explicit Path(std::mt19937_64& bits) {
+    const double most[3] = {3e-3, 1e-3, 2e-3};  // along, across, turn
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 4; ++j)
+        size[k][j] = random_between(bits, 0, most[k] / (j + 1)), phase[k][j] = random_between(bits, 0, 2 * M_PI);
+  }
+  [[nodiscard]] std::array<double, 6> at(double t) const {
+    std::array<double, 6> out{};
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 4; ++j) {
+        const double w = 2 * M_PI * (j + 1);
+        out[k] += size[k][j] * std::sin(w * t + phase[k][j]);
+        out[k + 3] += size[k][j] * w * std::cos(w * t + phase[k][j]);
+      }
+    return out;
+  }
+};
+
+struct Lap {
+  double work, lost;     // put in on the way round; given off by the law's own account [J]
+  double pressed, path;  // largest normal force [N], and way slid [m]
+};
+
+/// Work put in by leading face B round a closed path over face A, in the second lap.
+Lap lead_round(const Path& path, const FaceLaw& law) {
+  constexpr int steps = 20000;
+  FaceLaw stepped = law;
+  stepped.dt = 1.0 / steps;
+  FaceMemory<double> memory = no_memory();
+  Lap lap{0, 0, 0, 0};
+  for (int i = 0; i <= 2 * steps; ++i) {
+    const std::array<double, 6> now = path.at(i * stepped.dt);
+    const Turn turn(now[2]);
+    const Vec2 place(now[0], now[1] - 5e-4), speed(now[3], now[4]);
+    const auto point = [&](double x) { return turn.apply(Vec2(x, 0)); };
+    const auto corner_speed = [&](double x) { return Vec2(speed + cross(now[5], point(x))); };
+    const Faces f{rigid_face({0.6, 0}, {-0.6, 0}, Vec2::Zero(), 0),
+                  face(place + point(-0.5), place + point(0.5), corner_speed(-0.5), corner_speed(0.5))};
+    const FaceResponse<double> r = respond_face_pair<false>(f.a, f.b, 1.0, memory, stepped);
+    memory = r.memory;
+    const Vec2 force = on_b0(r) + on_b1(r);
+    const double power = force.dot(speed) + (cross(point(-0.5), on_b0(r)) + cross(point(0.5), on_b1(r))) * now[5];
+    if (i > steps) {
+      lap.work -= power * stepped.dt;
+      lap.lost += r.lost_damping + r.lost_friction;
+      lap.pressed = std::max(lap.pressed, force.y());
+      lap.path += std::abs(speed.x()) * stepped.dt;
+    }
+  }
+  return lap;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a closed path of two faces gives off what the law accounts to damping and friction, never less than nothing") {
+  std::mt19937_64 bits(17);
+  for (int i = 0; i < 20; ++i) {
+    const Path path(bits);
+    const Lap kept = lead_round(path, elastic), lost = lead_round(path, frictional);
+    FaceLaw only_damping = frictional;
+    only_damping.ks = only_damping.mu = 0;
+    const Lap damped = lead_round(path, only_damping);
+    // The pressure acts across the mean of both faces, not of the one that ends: right but for their tilt.
+    CHECK(std::abs(kept.work) < 0.5 * face_pair_max_tilt * kept.pressed * kept.path);
+    CHECK(kept.lost == 0.0);
+    CHECK(damped.work > 0);
+    CHECK(lost.work > 0);
+    CHECK(damped.lost == doctest::Approx(damped.work - kept.work).epsilon(0.001).scale(0));
+    CHECK(lost.lost == doctest::Approx(lost.work).epsilon(0.02).scale(0));
+  }
+}
+
+TEST_CASE("faces that reach their limits of tilt or depth are left to the general contact") {
+  const auto faces = [](double tilt, double depth) {
+    return Faces{rigid_face({1, 0}, {0, 0}, Vec2::Zero(), 0),
+                 rigid_face({0, -depth}, {1, -depth + tilt}, Vec2::Zero(), 0)};
+  };
+  const auto is_pair = [&](double tilt, double depth) {
+    return respond(faces(tilt, depth), no_memory(), frictional).is_face_pair;
+  };
+  CHECK(is_pair(0.98 * face_pair_max_tilt, 1e-6));
+  CHECK_FALSE(is_pair(1.02 * face_pair_max_tilt, 1e-6));
+  CHECK(is_pair(0, 0.98 * face_pair_max_depth));
+  CHECK_FALSE(is_pair(0, 1.02 * face_pair_max_depth));
+  CHECK(
+      respond(faces(2 * face_pair_max_tilt, 1e-6), no_memory(true), bonded).is_face_pair);  // a bond is always of faces
+}

@@ -1,0 +1,115 @@
+// The contact laws: what their declarations refuse, and how bonds are lost.
+#include <doctest/doctest.h>
+
+#include "contact/face_scene.hpp"
+#include "contact/list.hpp"
+#include "world/builder.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+template <class L>
+L sound_law() {
+  L law;
+  for (const Parameter<L>& p : L::parameters()) law.*(p.member) = std::min(1.0, p.most);
+  return law;
+}
+
+std::string message_of(const ContactLaw& law) {
+  ModelBuilder builder;
+  try {
+    builder.add_law("joint", law);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a contact law outside its declared ranges is refused with its name, its number and the range") {
+  ContactLaws::for_each([]<class L>() {
+    CHECK(message_of(sound_law<L>()).empty());
+    for (const Parameter<L>& p : L::parameters()) {
+      const double nan = std::numeric_limits<double>::quiet_NaN();
+      std::vector<double> bad{p.least - 1, -unbounded, unbounded, nan};
+      if (!p.includes_least) bad.push_back(p.least);
+      if (p.most < unbounded) bad.push_back(p.most * (1 + 1e-9) + 1e-9);
+      for (const double value : bad) {
+        L law = sound_law<L>();
+        law.*(p.member) = value;
+        const std::string message = message_of(law);
+        CAPTURE(p.name);
+        CAPTURE(value);
+        CHECK(message.find(p.name) != std::string::npos);
+        CHECK(message.find(L::name) != std::string::npos);
+        CHECK(message.find(p.range()) != std::string::npos);
+      }
+      L law = sound_law<L>();
+      if (p.includes_least) law.*(p.member) = p.least;
+      CHECK(message_of(law).empty());
+      if (p.most < unbounded) law.*(p.member) = p.most;
+      CHECK(message_of(law).empty());
+    }
+  });
+}
+
+TEST_CASE("a bond stronger in tension than its shear limit allows is accepted with a note") {
+  ModelBuilder builder;
+  builder.add_law("wall", Bonded{1e8, 4e7, 0.7, 0, 9768, 19150, 0});
+  REQUIRE(builder.notes().size() == 1);
+  CHECK(builder.notes()[0].find("shear limit governs") != std::string::npos);
+}
+
+namespace {
+
+/// A bonded joint of 1 m, opened by `gap` at its middle and turned by `slope`.
+FaceResponse<double> opened(double gap, double slope, double slip, bool by_point, const FaceMemory<double>& before) {
+  const FaceLaw law{1e8, 5e7, 0.5, 0, 1e6, 2e4, 1e-3, by_point};
+  const Vec2 speed(slip / law.dt, 0);
+  const Faces f{rigid_face({1, 0}, {0, 0}, Vec2::Zero(), 0),
+                rigid_face({0, gap - 0.5 * slope}, {1, gap + 0.5 * slope}, speed, 0)};
+  return respond_face_pair<true>(f.a, f.b, 1.0, before, law);
+}
+
+}  // namespace
+
+TEST_CASE("C7: below its strength a bond pulls with kn times the gap, above it with nothing") {
+  const FaceResponse<double> below = opened(1.99e-4, 0, 0, false, no_memory(true)),
+                             above = opened(2.01e-4, 0, 0, false, no_memory(true));
+  CHECK((on_b0(below) + on_b1(below)).y() == doctest::Approx(-1.99e4).epsilon(1e-12).scale(0));
+  CHECK(below.memory.bonds[0]);
+  CHECK((on_b0(above) + on_b1(above)).norm() == 0.0);
+  CHECK_FALSE(above.memory.bonds[0]);
+  CHECK_FALSE(above.touching);
+  CHECK(above.lost_fracture == doctest::Approx(0.5 * 1e8 * 2.01e-4 * 2.01e-4).epsilon(1e-12).scale(0));
+}
+
+TEST_CASE("C7: where one end is pulled beyond its strength, the whole face is lost or half of it, as chosen") {
+  // Right end at 3e-4, middle at 1e-4, left end pressed.
+  const FaceResponse<double> whole = opened(1e-4, 4e-4, 0, false, no_memory(true)),
+                             half = opened(1e-4, 4e-4, 0, true, no_memory(true));
+  CHECK_FALSE((whole.memory.bonds[0] || whole.memory.bonds[1]));
+  // Halves are counted from the start of the first face, which is at the right.
+  CHECK_FALSE(half.memory.bonds[0]);
+  CHECK(half.memory.bonds[1]);
+  CHECK(whole.lost_fracture > half.lost_fracture);
+  // Pressed where closed: x from 0 to 0.25, depth 1e-4 at the left.
+  const double pressed = 0.5 * 1e8 * 1e-4 * 0.25;
+  CHECK((on_b0(whole) + on_b1(whole)).y() == doctest::Approx(pressed).epsilon(1e-6).scale(0));
+  // The half that holds carries its tension as well: the mean gap over it is 0.
+  CHECK((on_b0(half) + on_b1(half)).y() == doctest::Approx(0).scale(1e4).epsilon(1e-9));
+}
+
+TEST_CASE("C7: a lost bond does not come back, and slides by friction alone") {
+  FaceMemory<double> memory = opened(2.01e-4, 0, 0, false, no_memory(true)).memory;
+  memory = opened(-1e-4, 0, 0, false, memory).memory;
+  CHECK_FALSE(memory.bonds[0]);
+  const FaceResponse<double> pulled = opened(1e-5, 0, 0, false, memory);
+  CHECK_FALSE(pulled.touching);
+  const FaceResponse<double> slid = opened(-1e-4, 0, 1e-3, false, memory);
+  CHECK(std::abs((on_b0(slid) + on_b1(slid)).x()) == doctest::Approx(0.5 * 1e4).epsilon(1e-12).scale(0));
+  CHECK(slid.lost_friction > 0);
+}
