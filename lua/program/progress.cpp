@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "run/event_text.hpp"
+#include "world/event_text.hpp"
 
 namespace trilith::program {
 namespace {

@@ -1,0 +1,30 @@
+#include "run/listeners.hpp"
+
+#include <utility>
+
+namespace trilith {
+namespace {
+
+template <class... Told>
+std::function<void(Told...)> after(std::function<void(Told...)> first, std::function<void(Told...)> second) {
+  if (!first) return second;
+  if (!second) return first;
+  return [one = std::move(first), two = std::move(second)](Told... told) {
+    one(told...);
+    two(told...);
+  };
+}
+
+}  // namespace
+
+RunListener both(RunListener first, RunListener second) {
+  RunListener out;
+  out.on_frame = after(std::move(first.on_frame), std::move(second.on_frame));
+  out.on_history = after(std::move(first.on_history), std::move(second.on_history));
+  out.on_energy = after(std::move(first.on_energy), std::move(second.on_energy));
+  out.on_step = after(std::move(first.on_step), std::move(second.on_step));
+  out.on_event = after(std::move(first.on_event), std::move(second.on_event));
+  return out;
+}
+
+}  // namespace trilith
