@@ -24,6 +24,13 @@ RunListener both(RunListener first, RunListener second) {
   out.on_energy = after(std::move(first.on_energy), std::move(second.on_energy));
   out.on_step = after(std::move(first.on_step), std::move(second.on_step));
   out.on_event = after(std::move(first.on_event), std::move(second.on_event));
+  if (first.change_model && second.change_model)
+    out.change_model = [one = std::move(first.change_model), two = std::move(second.change_model)](Model<2>& model) {
+      const bool changed = one(model);
+      return two(model) || changed;
+    };
+  else
+    out.change_model = first.change_model ? std::move(first.change_model) : std::move(second.change_model);
   return out;
 }
 

@@ -59,11 +59,4 @@ void Live::stage_ended(const StageReport& report) {
   if (!report.reason.empty()) screen_.line(fmt::format("{:14}{}", "", report.reason));
 }
 
-RunListener Live::listener() {
-  RunListener out;
-  out.on_event = [this](const Event& e, const Instant& now) { event(e, now); };
-  if (!quiet_) out.on_step = [this](const Instant& now) { step(now); };
-  return out;
-}
-
 }  // namespace trilith::program

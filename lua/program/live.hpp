@@ -4,25 +4,23 @@
 #include <chrono>
 #include <string>
 
+#include "host.hpp"
 #include "run/progress.hpp"
 #include "screen.hpp"
 
 namespace trilith::program {
 
-class Live {
+class Live : public script::RunObserver {
  public:
   /// `quiet`: shows nothing at all but what goes wrong.
   Live(std::FILE* out, EventShow events, bool quiet = false);
 
-  void note(const std::string& text);
-  void event(const Event& event, const Instant& now);
+  void note(const std::string& text) override;
+  void event(const Event& event, const Instant& now) override;
   /// Called after every step; looks at the clock only every so many of them.
-  void step(const Instant& now);
-  void stage_ended(const StageReport& report);
-  /// Takes the status line away, before something else is written.
-  void clear() { screen_.clear(); }
-  /// The same for a run without a script; valid as long as this lives.
-  RunListener listener();
+  void step(const Instant& now) override;
+  void stage_ended(const StageReport& report) override;
+  void clear() override { screen_.clear(); }
 
  private:
   using Clock = std::chrono::steady_clock;
