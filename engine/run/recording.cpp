@@ -5,7 +5,7 @@
 #include <array>
 #include <cassert>
 
-#include "run/event_text.hpp"
+#include "world/event_text.hpp"
 
 namespace trilith {
 namespace {
@@ -25,6 +25,7 @@ record::ContactState state_of(ContactHold hold) {
 record::BearingState state_of(BearingStatus status) {
   switch (status) {
     case BearingStatus::waiting:
+      return record::BearingState::waiting;
     case BearingStatus::intact:
       return record::BearingState::intact;
     case BearingStatus::yielded:

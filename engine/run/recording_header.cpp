@@ -12,9 +12,14 @@
 namespace trilith {
 namespace {
 
-std::string joined(const std::vector<std::string>& words, const char* gap) {
+/// Names separated by blanks; a blank within a name becomes '_'.
+std::string joined(const std::vector<std::string>& names) {
   std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : gap) + word;
+  for (std::string name : names) {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    if (!out.empty()) out += ' ';
+    out += name;
+  }
   return out;
 }
 
@@ -35,7 +40,7 @@ void add_bodies(const Model<2>& model, const State<2>& state, record::Header& he
     row.name = body.name;
     row.kind = body.kind;
     row.material = body.material;
-    row.groups = joined(body.groups, " ");
+    row.groups = joined(body.groups);
     row.support = support_text(model.support[n]);
     const std::array position{state.position[n].x(), state.position[n].y()};
     header.add_rigid_body(std::move(row), position, std::span(&state.rotation[n], 1), model.mass[n],
@@ -46,7 +51,7 @@ void add_bodies(const Model<2>& model, const State<2>& state, record::Header& he
 /// What the bodies of a surface have in common: material and groups.
 std::string surface_label(const Body& body) {
   if (body.groups.empty()) return body.material.empty() ? body.name : body.material;
-  const std::string groups = joined(body.groups, " ");
+  const std::string groups = joined(body.groups);
   return body.material.empty() ? fmt::format("({})", groups) : fmt::format("{} ({})", body.material, groups);
 }
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "doors.hpp"
-#include "run/event_text.hpp"
+#include "world/event_text.hpp"
 
 namespace trilith::script {
 namespace {

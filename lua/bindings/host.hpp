@@ -24,6 +24,8 @@ class RunObserver {
   virtual void event(const Event& event, const Instant& now) = 0;
   virtual void step(const Instant& now) = 0;  ///< after every step: be quick
   virtual void stage_ended(const StageReport& report) = 0;
+  /// Others are about to write where this one shows the run.
+  virtual void clear() = 0;
 };
 
 struct Host {

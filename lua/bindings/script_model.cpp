@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "record/axis_ticks.hpp"
 
 namespace trilith::script {
 
@@ -30,8 +31,11 @@ record::Provenance Host::provenance(const std::vector<std::string>& motions) con
 }
 
 void Host::finish(const std::string& error) {
-  for (const auto& weak : models)
-    if (const auto model = weak.lock()) model->finish(error);
+  for (const auto& weak : models) {
+    const auto model = weak.lock();
+    const std::string said = model ? model->finish(error) : "";
+    if (observer != nullptr && !said.empty()) observer->note(said);
+  }
 }
 
 void ScriptModel::require_open(const std::string& what) const {
@@ -184,13 +188,17 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
   return report;
 }
 
-void ScriptModel::finish(const std::string& error) {
-  if (!recording_) return;
+std::string ScriptModel::finish(const std::string& error) {
+  if (!recording_) return "";
   const std::unique_ptr<Recording> recording = std::move(recording_);
-  if (error.empty())
-    recording->finish();
-  else
+  if (!error.empty()) {
     recording->abandon(error);
+    return fmt::format("results so far, unfinished, are in {}", recording->part().string());
+  }
+  recording->finish();
+  const EnergyCheck& check = recording->energy_check();
+  return fmt::format("results are in {}; the energy ledger closes to {:.2g} % of {} put in", recording->path().string(),
+                     100 * check.share(), quantity_text(check.input(), "J"));
 }
 
 }  // namespace trilith::script

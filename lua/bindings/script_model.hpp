@@ -81,8 +81,8 @@ class ScriptModel {
 
   /// Runs a stage with `listener` wrapped by recording and observing.
   StageReport run(const StageOptions& options, const RunListener& listener, Host& host);
-  /// Ends the recording, if any; see Host::finish.
-  void finish(const std::string& error);
+  /// Ends the recording, if any; see Host::finish. What became of it, in words; "" where there is none.
+  std::string finish(const std::string& error);
   /// Damping of consolidation in the last stage, for the ledger.
   [[nodiscard]] double rest_share() const { return rest_share_; }
 

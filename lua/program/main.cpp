@@ -13,6 +13,11 @@ int main(int argc, char** argv) {
   int code = ended_well;
   try {
     add_run(app, code);
+    add_draw(app, code);
+    add_plot(app, code);
+    add_motion(app, code);
+    add_info(app, code);
+    add_repair(app, code);
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {
     return app.exit(e);

@@ -1,7 +1,8 @@
 // trilith run SCRIPT [NAME=VALUE ...]
+#include <map>
 #include <memory>
 
-#include "progress.hpp"
+#include "live.hpp"
 #include "script_run.hpp"
 #include "verbs.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 struct Options {
   std::string script, results;
   std::vector<std::string> given;
+  EventShow events = EventShow::important;
   bool quiet = false, list = false;
 };
 
@@ -20,18 +22,18 @@ std::string is_assignment(const std::string& text) {
 }
 
 int run(const Options& options) {
-  Progress progress(options.quiet);
+  Live live(stdout, options.events, options.quiet);
   script::Host host;
   host.script = options.script;
   host.given = options.given;
   host.list_parameters = options.list;
   host.results_file = options.results;
   host.records = script::record_folders();
-  host.observer = options.list ? nullptr : &progress;
+  host.observer = options.list ? nullptr : &live;
   host.command_line = "trilith run " + options.script;
   for (const std::string& g : options.given) host.command_line += " " + g;
   const int code = run_script(host);
-  progress.clear();
+  live.clear();
   return code;
 }
 
@@ -47,6 +49,13 @@ void add_run(CLI::App& app, int& code) {
       ->check(CLI::Validator(is_assignment, "", ""));
   verb->add_option("--results", options->results, "write the results to FILE instead of the script's own")
       ->type_name("FILE");
+  static const std::map<std::string, EventShow> shows{
+      {"all", EventShow::all}, {"important", EventShow::important}, {"none", EventShow::none}};
+  verb->add_option(
+          "--events", options->events,
+          "which events to show: all, important (no contacts made and lost, crowds of impacts counted) or none")
+      ->transform(CLI::CheckedTransformer(shows).description(""))
+      ->type_name("all|important|none");
   verb->add_flag("--quiet,-q", options->quiet, "show neither events nor status");
   verb->add_flag("--params", options->list, "list the script's parameters and end");
   verb->callback([options, &code] { code = run(*options); });

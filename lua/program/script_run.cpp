@@ -66,9 +66,23 @@ setmetatable(_G, {
 })
 )lua";
 
+/// print(...), on lines of its own: the status goes first. Upvalues: the host, and Lua's print.
+int print_apart(lua_State* L) {
+  const auto& host = *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
+  if (host.observer != nullptr) host.observer->clear();
+  lua_pushvalue(L, lua_upvalueindex(2));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, 0);
+  return 0;
+}
+
 int set_up(lua_State* L) {
   auto& host = *static_cast<script::Host*>(lua_touserdata(L, 1));
   luaL_openlibs(L);
+  lua_pushlightuserdata(L, &host);
+  lua_getglobal(L, "print");
+  lua_pushcclosure(L, print_apart, 2);
+  lua_setglobal(L, "print");
   script::set_host(L, host);
   if (luaL_loadbufferx(L, prepare, std::char_traits<char>::length(prepare), "=trilith/prepare.lua", "t") != LUA_OK)
     return lua_error(L);
@@ -85,6 +99,7 @@ std::string message_at_top(lua_State* L) {
 
 int report_error(script::Host& host, const std::string& message) {
   const bool stopped = was_interrupted != 0;
+  if (host.observer != nullptr) host.observer->clear();
   host.finish(stopped ? "interrupted" : message);
   fmt::print(stderr, "{}\n", message);
   return stopped ? interrupted : wrong_input;

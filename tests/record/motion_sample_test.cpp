@@ -1,65 +1,17 @@
 // A recorded motion as it is drawn for a report: three traces and the 5 % spectrum.
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 
-#include "load/motion_measures.hpp"
 #include "load/motion_read.hpp"
 #include "load/record_folder.hpp"
-#include "load/response_spectrum.hpp"
-#include "record/axis_ticks.hpp"
-#include "record/chart.hpp"
+#include "record/motion_chart.hpp"
 #include "record/sample_pictures.hpp"
 
 using namespace trilith;
 
-namespace {
-
-std::string peak_note(const Peak& peak, double unit, const char* name) {
-  return fmt::format("peak {} at {:.2f} s", quantity_text(peak.value / unit, name), peak.time);
-}
-
-std::vector<double> in_units(std::vector<double> values, double unit) {
-  for (double& v : values) v /= unit;
-  return values;
-}
-
-Chart traces_chart(const GroundMotion& motion) {
-  const MotionTraces traces = motion_traces(motion);
-  const MotionPeaks peaks = motion_peaks(motion);
-  Chart chart;
-  chart.title = motion.source().title;
-  chart.subtitle = motion.source().component;
-  chart.x = {"Time", "s"};
-  chart.panels = {
-      {{"Acceleration", "g"},
-       {{"", traces.time, in_units(traces.acceleration, standard_gravity)}},
-       peak_note(peaks.acceleration, standard_gravity, "g")},
-      {{"Velocity", "m/s"}, {{"", traces.time, traces.velocity}}, peak_note(peaks.velocity, 1, "m/s")},
-      {{"Displacement", "m"}, {{"", traces.time, traces.displacement}}, peak_note(peaks.displacement, 1, "m")}};
-  return chart;
-}
-
-Chart spectrum_chart(const std::vector<GroundMotion>& motions) {
-  Chart chart;
-  chart.title = "Spectrum, 5 %";
-  chart.share = 0.55;
-  chart.x = {"Period", "s", AxisScale::logarithmic};
-  chart.panels = {{{"Pseudo-acceleration", "g", AxisScale::logarithmic}, {}}};
-  for (const GroundMotion& motion : motions) {
-    ChartSeries series{motion.source().component, spectrum_periods(0.05, 10), {}};
-    for (const OscillatorPeak& peak : response_spectrum(motion, series.x))
-      series.y.push_back(peak.pseudo_acceleration / standard_gravity);
-    chart.panels[0].series.push_back(series);
-  }
-  return chart;
-}
-
-}  // namespace
-
 TEST_CASE("sample picture: El Centro 1940, traces and spectrum") {
   const GroundMotion ns = read_motion(testing::own_record("elcentro_1940_rest_ns.csv"));
   const GroundMotion up = read_motion(testing::own_record("elcentro_1940_rest_up.csv"));
-  const std::vector<Chart> charts = {traces_chart(ns), spectrum_chart({ns})};
+  const std::vector<Chart> charts = {motion_chart(ns), spectrum_chart({ns})};
   for (const char* name : {"elcentro.png", "elcentro.svg", "elcentro.pdf"})
     draw_charts(charts, Arrangement::beside, sample::picture_path(name));
   CHECK(std::filesystem::file_size(sample::picture_path("elcentro.svg")) > 10000);

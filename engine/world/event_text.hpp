@@ -9,7 +9,8 @@
 
 namespace trilith {
 
-/// "bearing S3.left failed, 50.8 mm", "S3 lost its seat S3.right on P3", "S3 hit P3 at 4.2 m/s", "shaking ended: rest".
+/// "bearing S3.left failed at 50.8 mm", "S3 lost its seat on P3 (S3.right)", "S3 hit P3 at 4.2 m/s", "shaking ended
+/// (rest)".
 std::string event_text(const Event& event, const Model<2>& model);
 
 /// "seat lost", "bearing failed", ...: an event type as a short heading.

@@ -1,4 +1,4 @@
-#include "run/event_text.hpp"
+#include "world/event_text.hpp"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,10 @@
 namespace trilith {
 namespace {
 
-/// A length in the unit one reads it in.
-std::string length_text(double metres) {
+/// A displacement, without its sign, in the unit one reads it in.
+std::string size_text(double metres) {
   const double size = std::abs(metres);
-  if (size < 0.1) return fmt::format("{:.3g} mm", 1e3 * metres);
-  return fmt::format("{:.3g} m", metres);
+  return size < 0.1 ? fmt::format("{:.3g} mm", 1e3 * size) : fmt::format("{:.3g} m", size);
 }
 
 std::string body_name(const Model<2>& model, int body) {
@@ -21,7 +20,7 @@ std::string body_name(const Model<2>& model, int body) {
 
 std::string failed_text(const Event& e, const Model<2>& model, std::string_view what) {
   const std::string name = e.bearing >= 0 ? model.bearings[e.bearing].name : "?";
-  const std::string by = e.value != 0 ? ", " + length_text(e.value) : "";
+  const std::string by = e.value != 0 ? " at " + size_text(e.value) : "";
   return fmt::format("bearing {} {}{}", name, what, by);
 }
 
@@ -34,6 +33,13 @@ std::string changed_text(const Event& e, const Model<2>& model) {
                      body_name(model, b.body_b), how);
 }
 
+/// From "shaking: rest".
+std::string ended_text(const std::string& text) {
+  const std::size_t at = text.rfind(": ");
+  if (at == std::string::npos) return fmt::format("{} ended", text);
+  return fmt::format("{} ended ({})", text.substr(0, at), text.substr(at + 2));
+}
+
 }  // namespace
 
 std::string event_text(const Event& e, const Model<2>& model) {
@@ -42,7 +48,7 @@ std::string event_text(const Event& e, const Model<2>& model) {
     case EventType::stage_begun:
       return fmt::format("{} began", e.text);
     case EventType::stage_ended:
-      return fmt::format("{}", e.text);
+      return ended_text(e.text);
     case EventType::bond_broken:
       return fmt::format("bond of {} and {} broke", a, b);
     case EventType::bearing_yielded:
@@ -56,7 +62,7 @@ std::string event_text(const Event& e, const Model<2>& model) {
     case EventType::contact_lost:
       return fmt::format("{} left {}", a, b);
     case EventType::seat_lost:
-      return fmt::format("{} lost its seat {} on {}", a, e.text, b);
+      return fmt::format("{} lost its seat on {} ({})", a, b, e.text);
     case EventType::impact:
       return fmt::format("{} hit {} at {:.3g} m/s", a, b, e.value);
     case EventType::body_at_rest:

@@ -1,0 +1,37 @@
+#include "run/listeners.hpp"
+
+#include <utility>
+
+namespace trilith {
+namespace {
+
+template <class... Told>
+std::function<void(Told...)> after(std::function<void(Told...)> first, std::function<void(Told...)> second) {
+  if (!first) return second;
+  if (!second) return first;
+  return [one = std::move(first), two = std::move(second)](Told... told) {
+    one(told...);
+    two(told...);
+  };
+}
+
+}  // namespace
+
+RunListener both(RunListener first, RunListener second) {
+  RunListener out;
+  out.on_frame = after(std::move(first.on_frame), std::move(second.on_frame));
+  out.on_history = after(std::move(first.on_history), std::move(second.on_history));
+  out.on_energy = after(std::move(first.on_energy), std::move(second.on_energy));
+  out.on_step = after(std::move(first.on_step), std::move(second.on_step));
+  out.on_event = after(std::move(first.on_event), std::move(second.on_event));
+  if (first.change_model && second.change_model)
+    out.change_model = [one = std::move(first.change_model), two = std::move(second.change_model)](Model<2>& model) {
+      const bool changed = one(model);
+      return two(model) || changed;
+    };
+  else
+    out.change_model = first.change_model ? std::move(first.change_model) : std::move(second.change_model);
+  return out;
+}
+
+}  // namespace trilith

@@ -1,0 +1,132 @@
+#include "run/progress.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "record/axis_ticks.hpp"
+#include "world/event_text.hpp"
+
+namespace trilith {
+namespace {
+
+constexpr double pace_window = 5, pace_spacing = 0.2;  // wall clock [s]
+constexpr double crowd_window = 1;                     // simulated [s]
+constexpr int crowd_size = 12;
+
+std::string grouped(std::int64_t number) {
+  const std::string digits = std::to_string(number);
+  std::string out;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) out += ',';
+    out += digits[i];
+  }
+  return out;
+}
+
+std::string step_text(double shortest, double longest) {
+  const std::string low = quantity_text(shortest, "s"), high = quantity_text(longest, "s");
+  return low == high ? low : fmt::format("{} to {}", low, high);
+}
+
+bool comes_in_crowds(EventType type) {
+  return type == EventType::impact || type == EventType::bond_broken;
+}
+
+}  // namespace
+
+void Pace::add(double time, double wall) {
+  if (!samples_.empty() && wall - samples_.back().wall < pace_spacing) return;
+  samples_.push_back({time, wall});
+  while (samples_.size() > 2 && wall - samples_[1].wall > pace_window) samples_.pop_front();
+}
+
+double Pace::speed() const {
+  if (samples_.size() < 2) return 0;
+  const double wall = samples_.back().wall - samples_.front().wall;
+  return wall > 0 ? (samples_.back().time - samples_.front().time) / wall : 0;
+}
+
+std::optional<double> Pace::left(double end) const {
+  const double rate = speed();
+  if (!(rate > 0)) return std::nullopt;
+  return std::max(0.0, (end - samples_.back().time) / rate);
+}
+
+double kinetic_energy(const Model<2>& model, const State<2>& state) {
+  double sum = 0;
+  for (int n = 0; n < model.nodes(); ++n)
+    if (model.moves(n))
+      sum += 0.5 * (model.mass[n] * state.velocity[n].squaredNorm() + model.inertia[n] * state.spin[n] * state.spin[n]);
+  return sum;
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<std::int64_t>(std::clamp(std::ceil(seconds), 0.0, 1e9));
+  const std::int64_t h = whole / 3600, m = whole / 60 % 60, s = whole % 60;
+  return h > 0 ? fmt::format("{}:{:02}:{:02}", h, m, s) : fmt::format("{}:{:02}", m, s);
+}
+
+std::string status_text(const Instant& now, const Pace& pace) {
+  std::string out = fmt::format("{}  t {:.3f} s  step {}  dt {}", now.stage.name, now.state.time,
+                                grouped(now.state.step), quantity_text(now.dt, "s"));
+  if (pace.speed() > 0) out += fmt::format("  {:.3g} x real time", pace.speed());
+  out += fmt::format("  kinetic {}  unbalanced {:.1e}", quantity_text(kinetic_energy(now.model, now.state), "J"),
+                     now.ratio);
+  if (const auto left = pace.left(now.begun + now.stage.duration))
+    out += fmt::format("  {}{} left", now.stage.until_rest ? "at most " : "", duration_text(*left));
+  return out;
+}
+
+std::string stage_text(const StageReport& report, double wall) {
+  const double span = report.ended - report.begun;
+  std::string out = fmt::format("{} ended ({}) after {:.4g} s in {} steps of {}", report.name, name_of(report.end),
+                                span, grouped(report.steps), step_text(report.shortest_dt, report.longest_dt));
+  out += fmt::format(", {:.3g} s of wall clock", wall);
+  if (wall > 0 && span > 0) out += fmt::format(" ({:.3g} x real time)", span / wall);
+  return out;
+}
+
+bool EventLines::thins_out(const Event& event, std::vector<std::string>& lines) {
+  if (show_ == EventShow::all || !comes_in_crowds(event.type)) return false;
+  Crowd& crowd = crowd_[static_cast<std::size_t>(event.type)];
+  if (event.time >= crowd.since + crowd_window) {
+    if (crowd.hidden > 0)
+      lines.push_back(fmt::format("{:10}    ... and {} more: {}", "", crowd.hidden, event_heading(event.type)));
+    crowd = {event.time, 0, 0};
+  }
+  if (crowd.shown < crowd_size) {
+    ++crowd.shown;
+    return false;
+  }
+  ++crowd.hidden;
+  return true;
+}
+
+std::vector<std::string> EventLines::rest() {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < crowd_.size(); ++i)
+    if (crowd_[i].hidden > 0)
+      lines.push_back(
+          fmt::format("{:10}    ... and {} more: {}", "", crowd_[i].hidden, event_heading(static_cast<EventType>(i))));
+  crowd_ = {};
+  return lines;
+}
+
+std::vector<std::string> EventLines::tell(const Event& event, const Model<2>& model) {
+  std::vector<std::string> lines;
+  if (show_ == EventShow::none) return lines;
+  const std::string text = event_text(event, model);
+  const bool is_stage = event.type == EventType::stage_begun || event.type == EventType::stage_ended;
+  if (is_important(event.type) && !is_stage) causes_[event.id] = fmt::format("at {:.3f} s: {}", event.time, text);
+  if (show_ == EventShow::important && !is_important(event.type)) return lines;
+  if (thins_out(event, lines)) return lines;
+  std::string line = fmt::format("{:10.3f} s  {:<15}  {}", event.time, event_heading(event.type), text);
+  if (const auto cause = causes_.find(event.cause); cause != causes_.end())
+    line += fmt::format("  (because {})", cause->second);
+  lines.push_back(std::move(line));
+  return lines;
+}
+
+}  // namespace trilith

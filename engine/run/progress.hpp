@@ -1,0 +1,72 @@
+// A running simulation in words: one line of status, and events with their causes. Plain text, no terminal.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/stage.hpp"
+
+namespace trilith {
+
+/// How fast a stage goes, from the last few seconds of wall clock.
+class Pace {
+ public:
+  /// Simulated time and wall clock, both rising [s].
+  void add(double time, double wall);
+  /// Forgets the past, at the begin of a stage.
+  void reset() { samples_.clear(); }
+  /// Simulated seconds per second of wall clock; 0 where not yet known.
+  [[nodiscard]] double speed() const;
+  /// Wall clock until `end` is reached [s]; none where not yet known.
+  [[nodiscard]] std::optional<double> left(double end) const;
+
+ private:
+  struct Sample {
+    double time, wall;
+  };
+  std::deque<Sample> samples_;
+};
+
+/// Kinetic energy of all nodes [J].
+double kinetic_energy(const Model<2>& model, const State<2>& state);
+
+/// "shaking  t 12.431 s  step 124310  dt 0.1 ms  12.3 x real time  kinetic 1.23 MJ  unbalanced 3.2e-05  0:45 left".
+std::string status_text(const Instant& now, const Pace& pace);
+
+/// "0:45", "2:03:10": a duration in wall clock [s].
+std::string duration_text(double seconds);
+
+/// "shaking ended (rest) after 12.4 s in 124,310 steps of 0.1 to 0.2 ms, 8.1 s of wall clock (1.53 x real time)".
+std::string stage_text(const StageReport& report, double wall);
+
+enum class EventShow { none, important, all };
+
+/// Events as lines, most important ones only unless all are wanted; crowds of impacts and broken bonds are thinned out.
+class EventLines {
+ public:
+  explicit EventLines(EventShow show = EventShow::important) : show_(show) {}
+
+  /// The lines that `event` gives, mostly one or none: "   12.430 s  seat lost        S3 lost its seat on P3 (right)
+  /// (because at 11.020 s: bearing S3.left failed at 51 mm)".
+  std::vector<std::string> tell(const Event& event, const Model<2>& model);
+  /// What is still to be said at the end of a stage.
+  std::vector<std::string> rest();
+
+ private:
+  struct Crowd {
+    double since = 0;
+    int shown = 0, hidden = 0;
+  };
+  bool thins_out(const Event& event, std::vector<std::string>& lines);
+
+  EventShow show_;
+  std::map<std::int64_t, std::string> causes_;  // id: "at 11.02 s: ..."
+  std::array<Crowd, event_types> crowd_{};
+};
+
+}  // namespace trilith

@@ -1,0 +1,107 @@
+// trilith draw RESULT [--at T,...] [-o FILE]
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "comma_list.hpp"
+#include "record/results_picture.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct Options {
+  std::string result, at = "end", stage, out, view, units = "si";
+  bool forces = false, ghost = false;
+  int columns = 0;
+};
+
+/// Begin and end of what T counts in [s].
+struct Window {
+  double begin, end;
+};
+
+Window window_of(const record::ResultsReader& reader, const std::string& stage) {
+  const std::vector<double>& times = reader.frame_times();
+  if (times.empty())
+    throw record::RecordError(fmt::format("results file '{}': there is no frame to draw", reader.path().string()));
+  if (stage.empty()) return {0, times.back()};
+  const record::StageRow row = find_stage(reader, stage);
+  return {row.begin, row.ended ? row.end : times.back()};
+}
+
+/// A number of seconds, "start", "end", or the type of an event: the first one of it in the window.
+double time_of(const record::ResultsReader& reader, const Window& window, const std::string& text) {
+  if (text == "end") return window.end;
+  if (text == "start") return std::max(window.begin, reader.frame_times().front());
+  if (text.empty() || std::string("0123456789+-.").find(text[0]) != std::string::npos)
+    return window.begin + number_of(text, "--at");
+  std::vector<std::string> known{"start", "end"};
+  for (const record::EventRow& e : reader.events()) {
+    if (e.type == text && e.time >= window.begin && e.time <= window.end) return e.time;
+    if (std::find(known.begin(), known.end(), e.type) == known.end()) known.push_back(e.type);
+  }
+  throw InputError(fmt::format("--at: '{}' is no time and no event of this run{}", text, name_hint(text, known)));
+}
+
+PictureStyle style_of(const Options& options) {
+  PictureStyle style;
+  style.units = options.units == "us" ? LengthUnits::us : LengthUnits::si;
+  if (options.view.empty()) return style;
+  const std::vector<std::string> ends = comma_list(options.view);
+  if (ends.size() != 4)
+    throw InputError(fmt::format("--view: '{}' must be four numbers x0,y0,x1,y1 in metres", options.view));
+  const auto end = [&](std::size_t i) { return number_of(ends[i], "--view"); };
+  style.view = WorldBox{end(0), end(1), end(2), end(3)};
+  return style;
+}
+
+int draw(const Options& options) {
+  const std::filesystem::path out = options.out.empty()
+                                        ? std::filesystem::path(options.result).replace_extension(".png")
+                                        : std::filesystem::path(options.out);
+  picture_format(out);
+  const PictureStyle style = style_of(options);
+  const record::ResultsReader reader(options.result);
+  const Window window = window_of(reader, options.stage);
+  std::vector<Scene> scenes;
+  for (const std::string& at : comma_list(options.at))
+    scenes.push_back(results_scene(reader, time_of(reader, window, at), {options.forces, options.ghost}));
+  const std::string stem = std::filesystem::path(options.result).stem().string();
+  if (scenes.size() == 1) scenes[0].title = scenes[0].title.empty() ? stem : stem + ", " + scenes[0].title;
+  const int columns = options.columns > 0 ? options.columns : scenes.size() <= 3 ? 1 : 2;
+  draw_panels(scenes, columns, style, out);
+  fmt::print("{}\n", out.string());
+  return ended_well;
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, int& code) {
+  auto o = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("draw", "Draw the structure at one or more moments of a run");
+  verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
+      ->required()
+      ->type_name("RESULT");
+  verb->add_option("--at", o->at,
+                   "seconds from the start, 'start', 'end', or an event such as seat.lost (the first); several, "
+                   "separated by commas, become panels")
+      ->type_name("T[,T...]")
+      ->capture_default_str();
+  verb->add_option("--stage", o->stage, "count T from the beginning of this stage")->type_name("NAME");
+  verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; RESULT with .png where not given")
+      ->type_name("FILE");
+  verb->add_flag("--forces", o->forces, "contact forces");
+  verb->add_flag("--ghost", o->ghost, "where the bodies stood at the start");
+  verb->add_option("--view", o->view, "the part to show, in metres; write --view=-3,0,5,4 where it begins with a minus")
+      ->type_name("X0,Y0,X1,Y1");
+  verb->add_option("--units", o->units, "of the scales in the legend: si or us")
+      ->check(CLI::IsMember({"si", "us"}))
+      ->capture_default_str();
+  verb->add_option("--columns", o->columns, "columns of panels")->check(CLI::Range(1, 20));
+  verb->callback([o, &code] { code = draw(*o); });
+}
+
+}  // namespace trilith::program

@@ -1,0 +1,40 @@
+// trilith info RESULT [--events]
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "record/event_table.hpp"
+#include "record/results_info.hpp"
+#include "record/results_picture.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct Options {
+  std::string result;
+  bool events = false, of_note = false;
+};
+
+int show_info(const Options& options) {
+  const record::ResultsReader reader(options.result);
+  if (!options.events && !options.of_note) {
+    fmt::print("{}", record::info_text(reader));
+    return ended_well;
+  }
+  fmt::print("{}", record::event_table(options.of_note ? events_of_note(reader) : reader.events()));
+  return ended_well;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, int& code) {
+  auto o = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("info", "Tell what a results file holds, finished or not");
+  verb->add_option("result", o->result, "results file")->required()->type_name("RESULT");
+  verb->add_flag("--events", o->events, "all events, each below the one that led to it");
+  verb->add_flag("--of-note", o->of_note, "the same without contacts made and lost and bodies at rest");
+  verb->callback([o, &code] { code = show_info(*o); });
+}
+
+}  // namespace trilith::program

@@ -1,0 +1,62 @@
+#include "live.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace trilith::program {
+namespace {
+
+// Wall clock [s]: between redrawn lines on a terminal, between lines elsewhere, between looks at the clock.
+constexpr double redraw_interval = 0.15, line_interval = 5, look_interval = 0.02;
+
+}  // namespace
+
+Live::Live(std::FILE* out, EventShow events, bool quiet) : screen_(out), lines_(events), quiet_(quiet) {}
+
+void Live::note(const std::string& text) {
+  if (!quiet_) screen_.line("note: " + text);
+}
+
+void Live::event(const Event& event, const Instant& now) {
+  if (event.type == EventType::stage_begun) {
+    pace_.reset();
+    stage_began_ = shown_ = looked_ = wall();
+    pace_.add(now.state.time, stage_began_);
+  }
+  // The report of a stage says more than its last event.
+  if (quiet_ || event.type == EventType::stage_ended) return;
+  const bool strong = event.type == EventType::bearing_failed || event.type == EventType::seat_lost;
+  for (const std::string& line : lines_.tell(event, now.model)) screen_.line(line, strong);
+}
+
+void Live::step(const Instant& now) {
+  if (quiet_ || ++steps_ < stride_) return;
+  steps_ = 0;
+  const double at = wall();
+  // So many steps that the clock is looked at some fifty times a second.
+  if (at - looked_ < 0.5 * look_interval) stride_ = std::min(2 * stride_, 1 << 16);
+  if (at - looked_ > 2 * look_interval) stride_ = std::max(stride_ / 2, 1);
+  looked_ = at;
+  if (at - shown_ >= (screen_.is_terminal() ? redraw_interval : line_interval)) show(now, at);
+}
+
+void Live::show(const Instant& now, double at) {
+  shown_ = at;
+  pace_.add(now.state.time, at);
+  const std::string text = status_text(now, pace_);
+  if (screen_.is_terminal())
+    screen_.status(text);
+  else
+    screen_.line(text);
+}
+
+void Live::stage_ended(const StageReport& report) {
+  if (quiet_) return;
+  for (const std::string& line : lines_.rest()) screen_.line(line);
+  screen_.line(
+      fmt::format("{:10.3f} s  {:<15}  {}", report.ended, "stage ended", stage_text(report, wall() - stage_began_)));
+  if (!report.reason.empty()) screen_.line(fmt::format("{:14}{}", "", report.reason));
+}
+
+}  // namespace trilith::program

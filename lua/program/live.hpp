@@ -1,0 +1,39 @@
+// Shows a run while it goes on: events as they happen, below them one line of status.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "host.hpp"
+#include "run/progress.hpp"
+#include "screen.hpp"
+
+namespace trilith::program {
+
+class Live : public script::RunObserver {
+ public:
+  /// `quiet`: shows nothing at all but what goes wrong.
+  Live(std::FILE* out, EventShow events, bool quiet = false);
+
+  void note(const std::string& text) override;
+  void event(const Event& event, const Instant& now) override;
+  /// Called after every step; looks at the clock only every so many of them.
+  void step(const Instant& now) override;
+  void stage_ended(const StageReport& report) override;
+  void clear() override { screen_.clear(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] double wall() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
+  void show(const Instant& now, double at);
+
+  Screen screen_;
+  EventLines lines_;
+  Pace pace_;
+  bool quiet_;
+  Clock::time_point started_ = Clock::now();
+  double stage_began_ = 0, looked_ = 0, shown_ = 0;  // wall clock [s]
+  int steps_ = 0, stride_ = 1;
+};
+
+}  // namespace trilith::program

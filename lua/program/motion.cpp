@@ -1,0 +1,58 @@
+// trilith motion FILE [-o FILE]
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "load/motion_read.hpp"
+#include "load/motion_summary.hpp"
+#include "record/motion_chart.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct Options {
+  std::string file, out;
+  std::optional<double> scale, peak, time_scale;
+  bool reverse = false, no_picture = false;
+};
+
+GroundMotion read_scaled(const Options& options) {
+  GroundMotion motion = read_motion(options.file);
+  if (options.scale) motion = motion.scaled(*options.scale);
+  if (options.time_scale) motion = motion.time_scaled(*options.time_scale);
+  if (options.peak) motion = motion.scaled_to_peak(*options.peak * standard_gravity);
+  return options.reverse ? motion.reversed() : motion;
+}
+
+int show_motion(const Options& options) {
+  const std::filesystem::path out = options.out.empty()
+                                        ? std::filesystem::path(options.file).stem().replace_extension(".png")
+                                        : std::filesystem::path(options.out);
+  picture_format(out);
+  const GroundMotion motion = read_scaled(options);
+  fmt::print("{}", motion_summary(motion));
+  if (options.no_picture) return ended_well;
+  draw_charts({motion_chart(motion), spectrum_chart({motion})}, Arrangement::beside, out);
+  fmt::print("{}\n", out.string());
+  return ended_well;
+}
+
+}  // namespace
+
+void add_motion(CLI::App& app, int& code) {
+  auto o = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("motion", "Measure and draw a ground motion");
+  verb->add_option("file", o->file, "record: PEER .AT2 or CSV")->required()->type_name("FILE");
+  verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; FILE with .png, here, where not given")
+      ->type_name("FILE");
+  verb->add_option("--scale", o->scale, "factor on the amplitudes")->type_name("FACTOR");
+  verb->add_option("--peak", o->peak, "scale to this peak acceleration, in g")->type_name("PGA");
+  verb->add_option("--time-scale", o->time_scale, "factor on the time axis")->type_name("FACTOR");
+  verb->add_flag("--reverse", o->reverse, "the other sign");
+  verb->add_flag("--no-picture", o->no_picture, "print the figures only");
+  verb->callback([o, &code] { code = show_motion(*o); });
+}
+
+}  // namespace trilith::program

@@ -1,0 +1,108 @@
+// trilith plot RESULT [HISTORY ...] [-o FILE]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "base/error.hpp"
+#include "record/results_picture.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct Options {
+  std::string result, out;
+  std::vector<std::string> more, names;
+  bool list = false, events = false, lines = false;
+};
+
+constexpr const char* ledger = "energy";
+
+bool has_history(const record::ResultsReader& reader, const std::string& name) {
+  const auto& all = reader.header().histories;
+  return std::any_of(all.begin(), all.end(), [&](const record::Quantity& q) { return q.name == name; });
+}
+
+void list(const record::ResultsReader& reader) {
+  std::size_t widest = std::string(ledger).size();
+  for (const record::Quantity& q : reader.header().histories) widest = std::max(widest, q.name.size());
+  for (const record::Quantity& q : reader.header().histories)
+    fmt::print("{:<{}}  {:<8} {}\n", q.name, widest, q.unit, q.description);
+  fmt::print("{:<{}}  {:<8} the energy ledger: {} terms\n", ledger, widest, "J", reader.header().energy_terms.size());
+}
+
+/// File stems, or whole paths where two stems are the same.
+std::vector<std::string> short_names(const std::vector<std::string>& paths) {
+  if (paths.size() == 1) return {""};
+  std::vector<std::string> stems;
+  for (const std::string& p : paths) stems.push_back(std::filesystem::path(p).stem().string());
+  return std::set(stems.begin(), stems.end()).size() == stems.size() ? stems : paths;
+}
+
+std::vector<Chart> charts_of(const std::vector<NamedResults>& results, const Options& options) {
+  std::vector<std::string> names = options.names;
+  const auto wants_ledger = std::find(names.begin(), names.end(), ledger);
+  const bool energy = (wants_ledger != names.end() && !has_history(*results[0].reader, ledger)) ||
+                      (names.empty() && results[0].reader->header().histories.empty());
+  if (energy && wants_ledger != names.end()) names.erase(wants_ledger);
+  std::vector<Chart> charts;
+  if (!names.empty() || !energy) charts.push_back(history_chart(results, names));
+  for (const NamedResults& r : results)
+    if (energy) charts.push_back(results_energy_chart(r, options.lines ? EnergyView::lines : EnergyView::stacked));
+  if (results.size() == 1 && charts.size() == 2) {  // one time axis, one set of marks
+    charts[0].panels.push_back(std::move(charts[1].panels[0]));
+    charts.pop_back();
+  }
+  return charts;
+}
+
+int plot(const Options& options) {
+  const std::filesystem::path out = options.out.empty()
+                                        ? std::filesystem::path(options.result).replace_extension(".plot.png")
+                                        : std::filesystem::path(options.out);
+  picture_format(out);
+  std::vector<std::string> paths{options.result};
+  paths.insert(paths.end(), options.more.begin(), options.more.end());
+  std::vector<record::ResultsReader> readers;
+  for (const std::string& path : paths) readers.emplace_back(path);
+  if (options.list) {
+    list(readers[0]);
+    return ended_well;
+  }
+  const std::vector<std::string> names = short_names(paths);
+  std::vector<NamedResults> results;
+  for (std::size_t i = 0; i < readers.size(); ++i) results.push_back({&readers[i], names[i]});
+  std::vector<Chart> charts = charts_of(results, options);
+  const std::string stem = std::filesystem::path(options.result).stem().string();
+  if (charts[0].title.empty() && results.size() == 1) charts[0].title = stem;
+  if (options.events)
+    for (Chart& chart : charts) chart.marks = event_marks(readers[0]);
+  draw_charts(charts, Arrangement::below, out);
+  fmt::print("{}\n", out.string());
+  return ended_well;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app, int& code) {
+  auto o = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("plot", "Plot histories or the energy of one or more runs over time");
+  verb->add_option("result", o->result, "results file")->required()->type_name("RESULT");
+  verb->add_option("histories", o->names,
+                   "names of histories, or 'energy' for the ledger; all histories where not given")
+      ->type_name("HISTORY");
+  verb->add_option("-r,--result", o->more, "a further results file, drawn over the first; may be given again")
+      ->type_name("RESULT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; RESULT with .plot.png where not given")
+      ->type_name("FILE");
+  verb->add_flag("--events", o->events, "mark stages and events of the first run");
+  verb->add_flag("--lines", o->lines, "terms of the energy as lines, not on each other");
+  verb->add_flag("--list", o->list, "list the histories there are and end");
+  verb->callback([o, &code] { code = plot(*o); });
+}
+
+}  // namespace trilith::program

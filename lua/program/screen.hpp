@@ -1,0 +1,33 @@
+// Where output goes: a terminal with a last line that is redrawn, or plain lines.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace trilith::program {
+
+class Screen {
+ public:
+  /// `out` is a terminal unless the environment says TERM=dumb; colours unless NO_COLOR is set.
+  explicit Screen(std::FILE* out);
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+  ~Screen();
+
+  [[nodiscard]] bool is_terminal() const { return terminal_; }
+  /// A whole line, above the status where there is one; `strong`: in bold on a terminal with colours.
+  void line(const std::string& text, bool strong = false);
+  /// Redraws the status, cut to the terminal's width. Nothing where this is no terminal.
+  void status(const std::string& text);
+  /// Takes the status away, before others write.
+  void clear();
+
+ private:
+  std::FILE* out_;
+  bool terminal_, colours_, shown_ = false;
+};
+
+/// At most `columns` characters of UTF-8 text.
+std::string cut_text(const std::string& text, std::size_t columns);
+
+}  // namespace trilith::program

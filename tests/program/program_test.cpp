@@ -1,0 +1,141 @@
+// The program's verbs on a small recorded collapse.
+#include <algorithm>
+
+#include "program/verb.hpp"
+#include "run/falling_span.hpp"
+
+using namespace trilith;
+using testing::ask;
+using testing::check_refused;
+using testing::Said;
+
+namespace {
+
+/// The results all cases read, recorded once.
+const record::Folder& folder() {
+  static const record::Folder made;
+  static const bool recorded = [] {
+    testing::record_falling_span(made / "span.h5");
+    return true;
+  }();
+  REQUIRE(recorded);
+  return made;
+}
+
+bool is_picture(const std::filesystem::path& path, std::string_view head) {
+  return record::bytes_of(path).starts_with(head);
+}
+
+bool program_is_missing() {
+  if (!testing::program_path().empty()) return false;
+  MESSAGE("skipped: the program is not built");
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("trilith draw makes a picture of one moment or panels of several, in the format asked for") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  CHECK(ask(here, "draw span.h5").out == "span.png\n");
+  CHECK(is_picture(here / "span.png", "\x89PNG"));
+  CHECK(ask(here, "draw span.h5 --at 0,seat.lost,1.4,end --ghost --forces -o four.svg").code == 0);
+  const std::string four = record::bytes_of(here / "four.svg");
+  CHECK(four.find("<svg") != std::string::npos);
+  CHECK(ask(here, "draw span.h5 --at 0,1,end --stage shaking --columns 3 --units us -o three.pdf").code == 0);
+  CHECK(is_picture(here / "three.pdf", "%PDF"));
+  CHECK(ask(here, "draw span.h5 --view=-2,-1,4,7 -o view.svg").code == 0);
+}
+
+TEST_CASE("trilith draw refuses times, stages, views and files that are not there, in one line") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  check_refused(ask(here, "draw nowhere.h5"), "there is no such file");
+  check_refused(ask(here, "draw span.h5 --at 99"), "outside the frames of 'span.h5', 0 s to 3 s");
+  check_refused(ask(here, "draw span.h5 --at 1x"), "'1x' is not a number");
+  check_refused(ask(here, "draw span.h5 --at seat.lots"), "did you mean 'seat.lost'?");
+  check_refused(ask(here, "draw span.h5 --stage shakin"), "did you mean 'shaking'?");
+  check_refused(ask(here, "draw span.h5 --view 1,2,3"), "must be four numbers");
+  check_refused(ask(here, "draw span.h5 --view 1,2,0,5"), "must be above 0");
+  check_refused(ask(here, "draw span.h5 -o picture.gif"), "'.gif' names no picture format");
+  check_refused(ask(here, "draw span.h5 -o no/such/folder.png"), "no/such/folder.png");
+  CHECK_FALSE(std::filesystem::exists(here / "picture.gif"));
+}
+
+TEST_CASE("trilith plot draws histories and energy, of several runs too, and lists what there is") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  std::filesystem::copy_file(here / "span.h5", here / "other.h5", std::filesystem::copy_options::overwrite_existing);
+  CHECK(ask(here, "plot span.h5").out == "span.plot.png\n");
+  CHECK(ask(here, "plot span.h5 span.y energy --events -o y.svg").code == 0);
+  CHECK(ask(here, "plot span.h5 span.y left.force -r other.h5 -o both.pdf").code == 0);
+  CHECK(ask(here, "plot span.h5 energy --lines -r other.h5 -o energy.png").code == 0);
+  const Said list = ask(here, "plot span.h5 --list");
+  CHECK(list.says("span.y      m        height of the span\n"));
+  CHECK(list.says("energy "));
+  check_refused(ask(here, "plot span.h5 span.z"), "no history 'span.z'; did you mean 'span.x'?");
+}
+
+TEST_CASE("trilith info tells what a file holds and lists its events below their causes") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  const Said info = ask(here, "info span.h5");
+  CHECK(info.code == 0);
+  CHECK(info.says("span.h5: finished"));
+  CHECK(info.says("ground motion"));
+  const Said events = ask(here, "info span.h5 --of-note");
+  CHECK(events.says("  bearing.failed     bearing right failed at 0.3 m\n"));
+  CHECK(events.says("  seat.lost              span lost its seat on P2 (right seat)\n"));
+  CHECK_FALSE(events.says("contact.made"));
+  CHECK(ask(here, "info span.h5 --events").says("contact.made"));
+}
+
+TEST_CASE("unfinished results are told as such, drawn, and repaired to a clean file") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  {
+    Simulation simulation(testing::falling_span());
+    Recording recording(here / "early.h5", simulation.model(), simulation.state());
+    StageOptions o;
+    o.duration = 0.1;
+    o.frame_interval = 0.02;
+    simulation.run(o, recording.listener());
+    recording.abandon("the power went");
+  }
+  const Said info = ask(here, "info early.h5");
+  CHECK(info.says("NOT finished"));
+  CHECK(info.says("the power went"));
+  CHECK(ask(here, "draw early.h5").code == 0);
+  CHECK(ask(here, "repair early.h5 -o clean.h5").out == "clean.h5: 6 frames\n");
+  CHECK(ask(here, "info clean.h5").says("NOT finished"));
+  check_refused(ask(here, "repair early.h5 -o early.h5.part"), "cannot be repaired in place");
+}
+
+TEST_CASE("trilith motion prints the figures of a record and draws it") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  const std::string record = std::string("'") + TRILITH_SOURCE_DIR + "/scripts/records/elcentro_1940_rest_ns.csv'";
+  const Said said = ask(here, "motion " + record);
+  CHECK(said.code == 0);
+  CHECK(said.says("PGA                  0.34874 g"));
+  CHECK(is_picture(here / "elcentro_1940_rest_ns.png", "\x89PNG"));
+  const Said scaled = ask(here, "motion " + record + " --peak 0.8 --reverse --no-picture");
+  CHECK(scaled.says("PGA                  -0.80000 g"));
+  check_refused(ask(here, "motion nowhere.csv"), "nowhere.csv");
+  check_refused(ask(here, "motion " + record + " --scale 0 -o x.png"), "0");
+}
+
+TEST_CASE("wrong usage ends with code 2 and a word on stderr, help with 0") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  for (const char* wrong : {"", "daw span.h5", "draw", "draw span.h5 --unit si", "draw span.h5 --units mm",
+                            "draw span.h5 --columns 0", "repair span.h5", "plot span.h5 -r"}) {
+    const Said said = ask(here, wrong);
+    CHECK_MESSAGE(said.code == 2, wrong);
+    CHECK_FALSE(said.err.empty());
+  }
+  CHECK(ask(here, "--version").says("trilith "));
+  const Said help = ask(here, "--help");
+  CHECK(help.code == 0);
+  for (const char* verb : {"draw", "plot", "motion", "info", "repair"}) CHECK(help.says(verb));
+}

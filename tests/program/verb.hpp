@@ -1,0 +1,58 @@
+// Runs the program as a user would, and keeps what it says.
+#pragma once
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "record/sample_run.hpp"
+
+namespace trilith::testing {
+
+/// The program beside the tests in the build tree; "" where it was not built.
+inline std::filesystem::path program_path() {
+  const auto build = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
+  const auto path = build / "lua" / "trilith";
+  return std::filesystem::exists(path) ? path : std::filesystem::path();
+}
+
+struct Said {
+  int code = -1;         ///< exit code; -1 where it was ended by a signal
+  std::string out, err;  ///< what it wrote
+  [[nodiscard]] bool says(const std::string& part) const { return out.find(part) != std::string::npos; }
+};
+
+/// `trilith ARGUMENTS` as a shell reads them, in `folder`; output to pipes and files, so that nothing is a terminal.
+inline Said ask(const std::filesystem::path& folder, const std::string& arguments) {
+  const std::filesystem::path err = folder / "stderr.txt";
+  const std::string command =
+      "cd '" + folder.string() + "' && '" + program_path().string() + "' " + arguments + " 2> '" + err.string() + "'";
+  Said said;
+  std::FILE* const pipe = ::popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::array<char, 4096> buffer{};
+  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) said.out.append(buffer.data(), n);
+  const int status = ::pclose(pipe);
+  said.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  said.err = record::bytes_of(err);
+  CHECK(said.out.find('\033') == std::string::npos);  // no control codes where there is no terminal
+  CHECK(said.err.find('\033') == std::string::npos);
+  return said;
+}
+
+/// One line that names the program and tells what is wrong; exit code 1.
+inline void check_refused(const Said& said, const std::string& part) {
+  CHECK(said.code == 1);
+  CHECK_MESSAGE(said.err.starts_with("trilith: "), said.err);
+  CHECK_MESSAGE(said.err.find(part) != std::string::npos, said.err);
+  CHECK(std::count(said.err.begin(), said.err.end(), '\n') == 1);
+  CHECK(said.out.empty());
+}
+
+}  // namespace trilith::testing

@@ -1,0 +1,134 @@
+#include "run/progress.hpp"
+
+#include <doctest/doctest.h>
+
+#include "run/falling_span.hpp"
+#include "run/listeners.hpp"
+#include "world/event_text.hpp"
+
+using namespace trilith;
+
+namespace {
+
+Event event_of(EventType type, std::int64_t id, double time, std::int64_t cause = -1) {
+  Event e;
+  e.type = type;
+  e.id = id;
+  e.time = time;
+  e.cause = cause;
+  e.body_a = 4;
+  e.body_b = 3;
+  e.bearing = 1;
+  e.value = 0.051;
+  e.text = "right seat";
+  return e;
+}
+
+bool has(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the pace is that of the last seconds, and gives the time left") {
+  Pace pace;
+  CHECK(pace.speed() == 0);
+  CHECK_FALSE(pace.left(1));
+  for (int i = 0; i <= 100; ++i) pace.add(0.01 * i, 0.1 * i);  // a tenth of real time for ten seconds
+  CHECK(pace.speed() == doctest::Approx(0.1));
+  CHECK(*pace.left(2) == doctest::Approx(10).epsilon(0.02));
+  for (int i = 1; i <= 100; ++i) pace.add(1 + 0.1 * i, 10 + 0.1 * i);  // then as fast as real time
+  CHECK(pace.speed() == doctest::Approx(1).epsilon(0.01));
+  pace.reset();
+  CHECK(pace.speed() == 0);
+}
+
+TEST_CASE("durations of wall clock read as on a clock") {
+  CHECK(duration_text(0) == "0:00");
+  CHECK(duration_text(44.2) == "0:45");
+  CHECK(duration_text(125) == "2:05");
+  CHECK(duration_text(7390) == "2:03:10");
+  CHECK(duration_text(1e300) == "277777:46:40");
+}
+
+TEST_CASE("the status tells stage, time, step, energy and unbalanced ratio in one line") {
+  Simulation simulation(testing::falling_span());
+  std::string status;
+  StageOptions o;
+  o.name = "consolidation";
+  o.duration = 0.02;
+  RunListener listener;
+  Pace pace;
+  listener.on_step = [&](const Instant& now) {
+    pace.add(now.state.time, 10 * now.state.time + 0.1 * static_cast<double>(now.state.step));
+    status = status_text(now, pace);
+  };
+  simulation.run(o, listener);
+  for (const char* part : {"consolidation  t 0.0", "step ", "dt ", "x real time", "kinetic ", "unbalanced ", " left"})
+    CHECK_MESSAGE(has(status, part), status);
+  CHECK(status.find('\n') == std::string::npos);
+}
+
+TEST_CASE("an event's line names what led to it") {
+  const Model<2> model = testing::falling_span();
+  EventLines lines;
+  CHECK(lines.tell(event_of(EventType::bearing_failed, 1, 11.02), model).at(0) ==
+        "    11.020 s  bearing failed   bearing right failed at 51 mm");
+  CHECK(lines.tell(event_of(EventType::seat_lost, 2, 12.43, 1), model).at(0) ==
+        "    12.430 s  seat lost        span lost its seat on P2 (right seat)  "
+        "(because at 11.020 s: bearing right failed at 51 mm)");
+}
+
+TEST_CASE("contacts made and lost are told only where all events are wanted, none where none") {
+  const Model<2> model = testing::falling_span();
+  const Event made = event_of(EventType::contact_made, 1, 1), hit = event_of(EventType::impact, 2, 1);
+  EventLines important, all(EventShow::all), none(EventShow::none);
+  CHECK(important.tell(made, model).empty());
+  CHECK(important.tell(hit, model).size() == 1);
+  CHECK(all.tell(made, model).size() == 1);
+  CHECK(none.tell(hit, model).empty());
+}
+
+TEST_CASE("a crowd of impacts is counted, not listed") {
+  const Model<2> model = testing::falling_span();
+  EventLines lines;
+  std::size_t told = 0;
+  for (int i = 0; i < 100; ++i) told += lines.tell(event_of(EventType::impact, i, 1 + 0.001 * i), model).size();
+  CHECK(told == 12);
+  const std::vector<std::string> next = lines.tell(event_of(EventType::impact, 100, 3), model);
+  REQUIRE(next.size() == 2);
+  CHECK(has(next[0], "88 more: impact"));
+  CHECK(lines.rest().empty());
+}
+
+TEST_CASE("every type of event has words of its own") {
+  const Model<2> model = testing::falling_span();
+  std::vector<std::string> seen;
+  for (int t = 0; t < event_types; ++t) {
+    const Event e = event_of(static_cast<EventType>(t), t, 1);
+    const std::string text = event_text(e, model);
+    CHECK_FALSE(text.empty());
+    CHECK_FALSE(event_heading(e.type).empty());
+    CHECK(std::find(seen.begin(), seen.end(), text) == seen.end());
+    seen.push_back(text);
+  }
+  Event ended = event_of(EventType::stage_ended, 1, 1);
+  ended.text = "first: shaking: rest";
+  CHECK(event_text(ended, model) == "first: shaking ended (rest)");
+}
+
+TEST_CASE("two listeners both hear a run, the first one first") {
+  Simulation simulation(testing::falling_span());
+  std::string heard;
+  RunListener first, second;
+  first.on_event = [&](const Event&, const Instant&) { heard += "1"; };
+  second.on_event = [&](const Event&, const Instant&) { heard += "2"; };
+  int steps = 0;
+  second.on_step = [&](const Instant&) { ++steps; };
+  StageOptions o;
+  o.duration = 0.001;
+  simulation.run(o, both(first, second));
+  CHECK(heard.starts_with("12"));
+  CHECK(heard.ends_with("12"));
+  CHECK(steps > 0);
+}

@@ -1,0 +1,32 @@
+// A small collapse, recorded and drawn: to be looked at, and checked for what the pictures say.
+#include <doctest/doctest.h>
+
+#include "record/results_picture.hpp"
+#include "record/sample_pictures.hpp"
+#include "run/falling_span.hpp"
+
+using namespace trilith;
+
+TEST_CASE("sample picture: a recorded span that loses its seat, drawn from its results") {
+  const std::filesystem::path file = sample::picture_path("falling_span.h5");
+  testing::record_falling_span(file);
+  const record::ResultsReader reader(file);
+  std::vector<Scene> scenes;
+  for (const double t : {0.0, 0.9, 1.4, 3.0}) scenes.push_back(results_scene(reader, t, {false, true}));
+  draw_panels(scenes, 2, {}, sample::picture_path("falling_span.png"));
+  draw_scene(results_scene(reader, 0.5, {true, false}), {}, sample::picture_path("falling_span_forces.png"));
+  Chart chart = history_chart({{&reader, ""}}, {});
+  chart.marks = event_marks(reader);
+  draw_charts({chart, results_energy_chart({&reader, ""}, EnergyView::stacked)}, Arrangement::below,
+              sample::picture_path("falling_span_histories.png"));
+
+  CHECK(scenes[0].title == "consolidation");
+  CHECK(scenes[0].ghosts.empty());
+  REQUIRE(scenes[2].bearings.size() == 2);
+  CHECK(scenes[1].bearings[0].state == BearingMark::intact);
+  CHECK(scenes[2].bearings[1].state == BearingMark::failed);
+  CHECK_FALSE(scenes[3].ghosts.empty());
+  CHECK_FALSE(scenes[3].event.empty());
+  CHECK(scenes[0].bodies[0].role == BodyRole::fixed_ground);
+  CHECK(scenes[0].bodies[2].group == "piers");
+}
