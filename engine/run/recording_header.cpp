@@ -1,13 +1,13 @@
 #include "run/recording_header.hpp"
 
 #include <fmt/format.h>
-#include <sys/utsname.h>
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <set>
 #include <tuple>
+
+#include "record/provenance.hpp"
 
 namespace trilith {
 namespace {
@@ -100,9 +100,10 @@ void add_bearings(const Model<2>& model, record::Header& header) {
 }
 
 void complete(const Model<2>& model, record::Provenance& p) {
-  if (p.compiler.empty()) p.compiler = compiler_text();
-  if (p.platform.empty()) p.platform = platform_text();
-  if (p.start_time.empty()) p.start_time = clock_text();
+  const record::Provenance here = record::provenance_here();
+  for (const auto part : {&record::Provenance::compiler, &record::Provenance::platform, &record::Provenance::git_commit,
+                          &record::Provenance::start_time})
+    if ((p.*part).empty()) p.*part = here.*part;
   if (!p.motions.empty()) return;
   for (const Drive& drive : model.drives) p.motions.push_back(drive_text(model, drive));
 }
@@ -156,28 +157,6 @@ std::string bearing_text(const Model<2>& model, const Bearing<2>& bearing) {
   if (bearing.becomes_bearing >= 0)
     out += fmt::format("; becomes bearing {}", model.bearings[bearing.becomes_bearing].name);
   return out;
-}
-
-std::string clock_text() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  ::gmtime_r(&now, &utc);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text.data();
-}
-
-std::string compiler_text() {
-#if defined(__clang__)
-  return "clang " __clang_version__;
-#else
-  return "g++ " __VERSION__;
-#endif
-}
-
-std::string platform_text() {
-  utsname names{};
-  return ::uname(&names) == 0 ? fmt::format("{} {} {}", names.sysname, names.release, names.machine) : "";
 }
 
 }  // namespace trilith

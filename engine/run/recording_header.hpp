@@ -19,7 +19,7 @@ struct RecordedHistory {
 
 /// What the caller knows and the model does not.
 struct RecordingOptions {
-  /// What is left empty of version, compiler, platform and start time is filled in; motions come from the model's
+  /// What is left empty of compiler, platform, commit and start time is filled in; motions come from the model's
   /// drives where none are given.
   record::Provenance provenance;
   std::vector<Material> materials;  ///< for the table of laws
@@ -41,10 +41,5 @@ std::string drive_text(const Model<2>& model, const Drive& drive);
 
 /// A bearing's laws by direction, its limits and what it becomes.
 std::string bearing_text(const Model<2>& model, const Bearing<2>& bearing);
-
-/// UTC now, ISO 8601, e.g. "2025-11-21T09:30:00Z"; the compiler and the platform this was built with and runs on.
-std::string clock_text();
-std::string compiler_text();
-std::string platform_text();
 
 }  // namespace trilith
