@@ -205,7 +205,8 @@ Layout::Layout(hid_t file, const Header& h)
                  per_node(h, spin_width(h.dim)));
   }
   if (h.bearings.empty()) return;
-  bearing_state.emplace(file, SetText{"/frames/bearing_state", "1", "0 intact, 1 yielded, 2 failed, 3 changed, 4 waiting"},
+  bearing_state.emplace(file,
+                        SetText{"/frames/bearing_state", "1", "0 intact, 1 yielded, 2 failed, 3 changed, 4 waiting"},
                         "frames", Kind::int8, std::vector<hsize_t>{h.bearings.size()});
   bearing_force.emplace(file, SetText{"/frames/bearing_force", "N", "force on body b of each bearing, world axes"},
                         "frames", Kind::real, per_bearing(h));

@@ -57,8 +57,8 @@ struct Instant {
   double ratio;  ///< unbalanced force over largest carried force
 };
 
-/// Who listens to a run. All are called between evaluations, in this order; none may write State, Model or Work, but for
-/// change_model, which is the step border: what it changes holds from the next evaluation on.
+/// Who listens to a run. All are called between evaluations, in this order; none may write State, Model or Work, but
+/// for change_model, which is the step border: what it changes holds from the next evaluation on.
 struct RunListener {
   std::function<void(const Instant&)> on_frame, on_history;
   std::function<void(const Instant&, const Energy&)> on_energy;

@@ -74,7 +74,7 @@ Outcome collide(const Pair& pair, double kn, double safety, double time) {
   scene.set_gravity(Vec2::Zero());
   for (const bool second : {false, true}) {
     BodySpec spec;
-    spec.name = second ? "b" : "a";
+    spec.name = std::string(1, second ? 'b' : 'a');
     spec.outline = placed(second ? pair.b : pair.a, Vec2::UnitX(), second ? pair.place_b : Vec2::Zero());
     spec.velocity = second ? pair.velocity_b : pair.velocity_a;
     spec.spin = second ? pair.spin_b : pair.spin_a;
