@@ -88,6 +88,11 @@ std::string stage_text(const StageReport& report, double wall) {
   return out;
 }
 
+bool EventLines::leaves_out(const Event& event) const {
+  if (show_ != EventShow::important) return show_ == EventShow::none;
+  return !is_important(event.type) || (event.type == EventType::impact && event.value < least_impact_);
+}
+
 bool EventLines::thins_out(const Event& event, std::vector<std::string>& lines) {
   if (show_ == EventShow::all || !comes_in_crowds(event.type)) return false;
   Crowd& crowd = crowd_[static_cast<std::size_t>(event.type)];
@@ -120,10 +125,11 @@ std::vector<std::string> EventLines::tell(const Event& event, const Model<2>& mo
   const std::string text = event_text(event, model);
   const bool is_stage = event.type == EventType::stage_begun || event.type == EventType::stage_ended;
   if (is_important(event.type) && !is_stage) causes_[event.id] = fmt::format("at {:.3f} s: {}", event.time, text);
-  if (show_ == EventShow::important && !is_important(event.type)) return lines;
-  if (thins_out(event, lines)) return lines;
+  if (leaves_out(event) || thins_out(event, lines)) return lines;
   std::string line = fmt::format("{:10.3f} s  {:<15}  {}", event.time, event_heading(event.type), text);
-  if (const auto cause = causes_.find(event.cause); cause != causes_.end())
+  // A bearing changes as it fails, one line below.
+  const auto cause = causes_.find(event.cause);
+  if (cause != causes_.end() && event.type != EventType::bearing_changed)
     line += fmt::format("  (because {})", cause->second);
   lines.push_back(std::move(line));
   return lines;

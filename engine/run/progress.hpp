@@ -46,10 +46,13 @@ std::string stage_text(const StageReport& report, double wall);
 
 enum class EventShow { none, important, all };
 
-/// Events as lines, most important ones only unless all are wanted; crowds of impacts and broken bonds are thinned out.
+/// Events as lines. Unless all are wanted, contacts made and lost, bodies at rest and slow impacts are left out, and
+/// crowds of impacts and broken bonds are counted.
 class EventLines {
  public:
-  explicit EventLines(EventShow show = EventShow::important) : show_(show) {}
+  /// `least_impact`: slower impacts are left out [m/s].
+  explicit EventLines(EventShow show = EventShow::important, double least_impact = 2)
+      : show_(show), least_impact_(least_impact) {}
 
   /// The lines that `event` gives, mostly one or none: "   12.430 s  seat lost        S3 lost its seat on P3 (right)
   /// (because at 11.020 s: bearing S3.left failed at 51 mm)".
@@ -62,9 +65,11 @@ class EventLines {
     double since = 0;
     int shown = 0, hidden = 0;
   };
+  [[nodiscard]] bool leaves_out(const Event& event) const;
   bool thins_out(const Event& event, std::vector<std::string>& lines);
 
   EventShow show_;
+  double least_impact_;
   std::map<std::int64_t, std::string> causes_;  // id: "at 11.02 s: ..."
   std::array<Crowd, event_types> crowd_{};
 };

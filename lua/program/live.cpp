@@ -12,7 +12,7 @@ constexpr double redraw_interval = 0.15, line_interval = 5, look_interval = 0.02
 
 }  // namespace
 
-Live::Live(std::FILE* out, EventShow events, bool quiet) : screen_(out), lines_(events), quiet_(quiet) {}
+Live::Live(std::FILE* out, const EventLines& lines, bool quiet) : screen_(out), lines_(lines), quiet_(quiet) {}
 
 void Live::note(const std::string& text) {
   if (!quiet_) screen_.line("note: " + text);

@@ -13,7 +13,7 @@ namespace trilith::program {
 class Live : public script::RunObserver {
  public:
   /// `quiet`: shows nothing at all but what goes wrong.
-  Live(std::FILE* out, EventShow events, bool quiet = false);
+  Live(std::FILE* out, const EventLines& lines, bool quiet = false);
 
   void note(const std::string& text) override;
   void event(const Event& event, const Instant& now) override;

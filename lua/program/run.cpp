@@ -13,6 +13,7 @@ struct Options {
   std::string script, results;
   std::vector<std::string> given;
   EventShow events = EventShow::important;
+  double least_impact = 2;
   bool quiet = false, list = false;
 };
 
@@ -22,7 +23,7 @@ std::string is_assignment(const std::string& text) {
 }
 
 int run(const Options& options) {
-  Live live(stdout, options.events, options.quiet);
+  Live live(stdout, EventLines(options.events, options.least_impact), options.quiet);
   script::Host host;
   host.script = options.script;
   host.given = options.given;
@@ -53,9 +54,13 @@ void add_run(CLI::App& app, int& code) {
       {"all", EventShow::all}, {"important", EventShow::important}, {"none", EventShow::none}};
   verb->add_option(
           "--events", options->events,
-          "which events to show: all, important (no contacts made and lost, crowds of impacts counted) or none")
+          "which events to show: all, important (no contacts made and lost, slow impacts or bodies at rest) or none")
       ->transform(CLI::CheckedTransformer(shows).description(""))
       ->type_name("all|important|none");
+  verb->add_option("--impacts", options->least_impact,
+                   "leave out impacts slower than this [m/s], unless all events are shown")
+      ->type_name("SPEED")
+      ->capture_default_str();
   verb->add_flag("--quiet,-q", options->quiet, "show neither events nor status");
   verb->add_flag("--params", options->list, "list the script's parameters and end");
   verb->callback([options, &code] { code = run(*options); });

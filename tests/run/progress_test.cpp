@@ -19,7 +19,7 @@ Event event_of(EventType type, std::int64_t id, double time, std::int64_t cause 
   e.body_a = 4;
   e.body_b = 3;
   e.bearing = 1;
-  e.value = 0.051;
+  e.value = type == EventType::impact ? 3 : 0.051;
   e.text = "right seat";
   return e;
 }
@@ -79,7 +79,7 @@ TEST_CASE("an event's line names what led to it") {
         "(because at 11.020 s: bearing right failed at 51 mm)");
 }
 
-TEST_CASE("contacts made and lost are told only where all events are wanted, none where none") {
+TEST_CASE("contacts made and lost and slow impacts are told only where all events are wanted") {
   const Model<2> model = testing::falling_span();
   const Event made = event_of(EventType::contact_made, 1, 1), hit = event_of(EventType::impact, 2, 1);
   EventLines important, all(EventShow::all), none(EventShow::none);
@@ -87,6 +87,11 @@ TEST_CASE("contacts made and lost are told only where all events are wanted, non
   CHECK(important.tell(hit, model).size() == 1);
   CHECK(all.tell(made, model).size() == 1);
   CHECK(none.tell(hit, model).empty());
+  Event touch = hit;
+  touch.value = 0.7;
+  CHECK(important.tell(touch, model).empty());
+  CHECK(all.tell(touch, model).size() == 1);
+  CHECK(EventLines(EventShow::important, 0.5).tell(touch, model).size() == 1);
 }
 
 TEST_CASE("a crowd of impacts is counted, not listed") {
