@@ -9,6 +9,7 @@
 #include "base/nearest.hpp"
 #include "record/results_picture.hpp"
 #include "world/energy.hpp"
+#include "world/event.hpp"
 
 namespace trilith {
 
@@ -50,12 +51,14 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
+constexpr const char* small_terms = "the rest";
+
 /// Terms too small to be seen become one, the last; those that are zero throughout are left out.
 std::vector<EnergyCurve> without_small(std::vector<EnergyCurve> curves) {
   constexpr double least_share = 0.01;
   double most = 0;
   for (const EnergyCurve& c : curves) most = std::max(most, largest(c.energy));
-  EnergyCurve rest{"the rest", {}, false};
+  EnergyCurve rest{small_terms, {}, false};
   std::vector<EnergyCurve> out;
   for (EnergyCurve& c : curves) {
     if (rest.energy.empty()) rest.energy.assign(c.energy.size(), 0.0);
@@ -68,7 +71,7 @@ std::vector<EnergyCurve> without_small(std::vector<EnergyCurve> curves) {
   return out;
 }
 
-/// How events of one type are thinned out: too many marks say nothing.
+/// More marks than these of one type say nothing.
 constexpr std::size_t most_marks_of_a_type = 8;
 
 }  // namespace
@@ -120,22 +123,29 @@ Chart results_energy_chart(const NamedResults& result, EnergyView view) {
   curves = without_small(std::move(curves));
   curves.push_back(std::move(supplied));
   Chart chart = energy_chart(table.time, curves, view);
+  for (ChartSeries& s : chart.panels[0].series)
+    if (s.name == small_terms) s.colour = palette().no_value;
   if (!result.name.empty()) chart.title += ", " + result.name;
   return chart;
 }
 
 std::vector<ChartMark> event_marks(const ResultsReader& reader) {
-  const std::vector<record::EventRow> events = events_of_note(reader);
-  std::map<std::string, std::size_t> of_type;
-  for (const record::EventRow& e : events) ++of_type[e.type];
+  std::map<std::string, std::vector<record::EventRow>> by_type;
+  for (record::EventRow& e : events_of_note(reader)) by_type[e.type].push_back(std::move(e));
   std::vector<ChartMark> marks;
-  for (const record::EventRow& e : events) {
-    std::size_t& left = of_type[e.type];
-    if (left == 0) continue;
-    const bool crowd = left > most_marks_of_a_type;
-    marks.push_back({e.time, crowd ? fmt::format("{} (first of {})", e.text, left) : e.text});
-    if (crowd) left = 0;
+  for (const auto& [type, events] : by_type) {
+    if (events.size() <= most_marks_of_a_type) {
+      for (const record::EventRow& e : events) marks.push_back({e.time, e.text});
+      continue;
+    }
+    const bool impacts = type == event_type_info[static_cast<std::size_t>(EventType::impact)].name;
+    const auto slower = [](const record::EventRow& a, const record::EventRow& b) {
+      return a.first.value < b.first.value;
+    };
+    const record::EventRow& one = impacts ? *std::max_element(events.begin(), events.end(), slower) : events.front();
+    marks.push_back({one.time, fmt::format("{} ({} of {})", one.text, impacts ? "fastest" : "first", events.size())});
   }
+  std::stable_sort(marks.begin(), marks.end(), [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
   return marks;
 }
 

@@ -130,6 +130,15 @@ void require_time(const ResultsReader& reader, double time) {
                                  reader.path().string(), times.front(), times.back()));
 }
 
+/// Where one stage ends and the next begins there are two frames of one time: the later one counts.
+Frame frame_for(const ResultsReader& reader, double time, bool whole) {
+  const std::vector<double>& times = reader.frame_times();
+  std::size_t nearest = reader.nearest_frame(time);
+  if (!whole && times[nearest] != time) return reader.frame_at(time);
+  while (nearest + 1 < times.size() && times[nearest + 1] == times[nearest]) ++nearest;
+  return reader.frame(nearest);
+}
+
 /// Title and how long the stage had run, where the moment is not counted from the start of the file anyway.
 void add_stage(const ResultsReader& reader, const Frame& frame, Scene& scene) {
   const std::vector<record::StageRow> stages = reader.stages();
@@ -156,7 +165,8 @@ std::vector<record::EventRow> events_of_note(const ResultsReader& reader) {
     const auto info = std::find_if(event_type_info.begin(), event_type_info.end(),
                                    [&](const EventTypeInfo& known) { return known.name == e.type; });
     const auto type = static_cast<EventType>(info - event_type_info.begin());
-    if (info != event_type_info.end() && is_important(type) && type != EventType::stage_ended)
+    const bool slow = type == EventType::impact && e.first.value < slow_impact;
+    if (info != event_type_info.end() && is_important(type) && type != EventType::stage_ended && !slow)
       out.push_back(std::move(e));
   }
   return out;
@@ -177,7 +187,7 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
     throw InputError(
         fmt::format("'{}' is of a model in {} dimensions; only two can be drawn", reader.path().string(), header.dim));
   require_time(reader, time);
-  const Frame frame = choice.forces ? reader.frame(reader.nearest_frame(time)) : reader.frame_at(time);
+  const Frame frame = frame_for(reader, time, choice.forces);
   Scene scene;
   scene.time = frame.time;
   add_stage(reader, frame, scene);

@@ -24,8 +24,8 @@ Scene results_scene(const record::ResultsReader& reader, double time, const Scen
 /// Row of the first stage called `name`; throws InputError with the nearest name where there is none.
 record::StageRow find_stage(const record::ResultsReader& reader, std::string_view name);
 
-/// Events that a reader of a picture wants to hear of, in time: neither contacts made and lost, bodies at rest, nor
-/// the ends of stages.
+/// Events that a reader of a picture wants to hear of, in time: neither contacts made and lost, slow impacts, bodies
+/// at rest, nor the ends of stages.
 std::vector<record::EventRow> events_of_note(const record::ResultsReader& reader);
 
 /// A results file and the word for it in a legend; "" where it is the only one.
@@ -44,7 +44,7 @@ Chart history_chart(const std::vector<NamedResults>& results, const std::vector<
 Chart results_energy_chart(const NamedResults& result, EnergyView view);
 
 /// Stages and the events that change the structure (bearings and bonds lost, seats lost, impacts) as marks; where there
-/// are too many of one kind, the first of each kind.
+/// are too many of one kind, one of it: the fastest impact, else the first.
 std::vector<ChartMark> event_marks(const record::ResultsReader& reader);
 
 }  // namespace trilith

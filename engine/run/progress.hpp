@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "run/stage.hpp"
+#include "world/event_text.hpp"
 
 namespace trilith {
 
@@ -51,7 +52,7 @@ enum class EventShow { none, important, all };
 class EventLines {
  public:
   /// `least_impact`: slower impacts are left out [m/s].
-  explicit EventLines(EventShow show = EventShow::important, double least_impact = 2)
+  explicit EventLines(EventShow show = EventShow::important, double least_impact = slow_impact)
       : show_(show), least_impact_(least_impact) {}
 
   /// The lines that `event` gives, mostly one or none: "   12.430 s  seat lost        S3 lost its seat on P3 (right)

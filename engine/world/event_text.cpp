@@ -18,6 +18,11 @@ std::string body_name(const Model<2>& model, int body) {
   return body >= 0 ? model.bodies[body].name : "?";
 }
 
+/// Ground, fixed or moved: it is hit, it does not hit.
+bool stands(const Model<2>& model, int body) {
+  return body >= 0 && !model.moves(model.bodies[body].first_node);
+}
+
 std::string failed_text(const Event& e, const Model<2>& model, std::string_view what) {
   const std::string name = e.bearing >= 0 ? model.bearings[e.bearing].name : "?";
   const std::string by = e.value != 0 ? " at " + size_text(e.value) : "";
@@ -43,7 +48,9 @@ std::string ended_text(const std::string& text) {
 }  // namespace
 
 std::string event_text(const Event& e, const Model<2>& model) {
-  const std::string a = body_name(model, e.body_a), b = body_name(model, e.body_b);
+  const bool turned = e.type != EventType::seat_lost && stands(model, e.body_a) && !stands(model, e.body_b);
+  const std::string a = body_name(model, turned ? e.body_b : e.body_a);
+  const std::string b = body_name(model, turned ? e.body_a : e.body_b);
   switch (e.type) {
     case EventType::stage_begun:
       return fmt::format("{} began", e.text);

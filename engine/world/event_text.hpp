@@ -19,4 +19,7 @@ std::string_view event_heading(EventType type);
 /// True for what a reader of a run wants to see at once: everything but contacts made and lost, and bodies at rest.
 bool is_important(EventType type);
 
+/// Impacts slower than this are left out as well where there is a choice [m/s].
+inline constexpr double slow_impact = 2;
+
 }  // namespace trilith

@@ -13,7 +13,7 @@ struct Options {
   std::string script, results;
   std::vector<std::string> given;
   EventShow events = EventShow::important;
-  double least_impact = 2;
+  double least_impact = slow_impact;
   bool quiet = false, list = false;
 };
 

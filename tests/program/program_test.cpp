@@ -1,5 +1,6 @@
 // The program's verbs on a small recorded collapse.
 #include <algorithm>
+#include <cstdlib>
 
 #include "program/verb.hpp"
 #include "run/falling_span.hpp"
@@ -123,6 +124,89 @@ TEST_CASE("trilith motion prints the figures of a record and draws it") {
   CHECK(scaled.says("PGA                  -0.80000 g"));
   check_refused(ask(here, "motion nowhere.csv"), "nowhere.csv");
   check_refused(ask(here, "motion " + record + " --scale 0 -o x.png"), "0");
+}
+
+namespace {
+
+constexpr const char* drop_script = R"lua(
+local trilith = require "trilith"
+local p = trilith.params { height = { 0.2, "m", "of the fall" } }
+local m = trilith.model { name = "drop" }
+m:results { file = "drop.h5", frames = 0.02 }
+m:material { name = "stone", density = 2400 }
+m:contact { between = { "stone", "stone" }, law = trilith.frictional { kn = 6e7, ks = 3e7, mu = 0.6, beta = 2e-4 } }
+m:block { name = "base", width = 2, height = 0.2, at = { -1, -0.2 }, material = "stone", support = "fixed" }
+m:block { name = "block", width = 0.5, height = 0.3, at = { -0.25, p.height }, material = "stone", floating = true }
+m:on("impact", function(e) print("said by the script") end)
+m:run { name = "fall", duration = 1 }
+if os.getenv("FAIL") then error("on purpose") end
+)lua";
+
+void write_script(const std::filesystem::path& here) {
+  std::ofstream(here / "drop.lua") << drop_script;
+}
+
+}  // namespace
+
+TEST_CASE("trilith run tells events and stages in plain lines where there is no terminal, and leaves results") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  write_script(here.path);
+  const Said said = ask(here.path, "run drop.lua height=0.5");
+  CHECK_MESSAGE(said.code == 0, said.err);
+  CHECK(said.says("fall began"));
+  CHECK(said.says("block hit base at"));
+  CHECK(said.says("said by the script\n"));
+  CHECK(said.says("fall ended (time) after 1 s in "));
+  CHECK(said.says("results are in"));
+  CHECK(said.says("put in"));
+  CHECK(ask(here.path, "info drop.h5").says("height = 0.5"));
+  CHECK_FALSE(ask(here.path, "run drop.lua --impacts 100").says("hit base"));
+  CHECK_FALSE(ask(here.path, "run drop.lua --events none").says("began"));
+  CHECK(ask(here.path, "run drop.lua --events all").says("block left base"));
+  CHECK(ask(here.path, "run drop.lua --quiet").out.find("fall") == std::string::npos);
+  CHECK(ask(here.path, "run drop.lua --events some").code == 2);
+}
+
+TEST_CASE("a script that fails leaves what it had as unfinished results, and says where") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  write_script(here.path);
+  ::setenv("FAIL", "1", 1);
+  const Said said = ask(here.path, "run drop.lua");
+  ::unsetenv("FAIL");
+  CHECK(said.code == 1);
+  CHECK(said.err.find("drop.lua:12: on purpose") != std::string::npos);
+  CHECK(said.says("drop.h5.part"));
+  CHECK_FALSE(std::filesystem::exists(here / "drop.h5"));
+  CHECK(ask(here.path, "info drop.h5").says("on purpose"));
+}
+
+TEST_CASE("on a terminal the status is one line that is redrawn, in colours unless NO_COLOR is set") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  write_script(here.path);
+  if (std::system("command -v script > /dev/null") != 0) {
+    MESSAGE("skipped: there is no program `script` to make a terminal with");
+    return;
+  }
+  const auto in_terminal = [&](const std::string& environment) {
+    const std::string command = "cd '" + here.path.string() + "' && TERM=xterm " + environment + " script -qec \"'" +
+                                testing::program_path().string() +
+                                "' run slow.lua\" /dev/null > terminal.txt < /dev/null";
+    CHECK(std::system(command.c_str()) == 0);
+    return record::bytes_of(here / "terminal.txt");
+  };
+  std::string slow = drop_script;  // long enough for the status to be drawn
+  slow.insert(slow.find("m:run"),
+              "m:every(0.02, function() local t = os.clock() repeat until os.clock() > t + 0.02 end)\n");
+  std::ofstream(here / "slow.lua") << slow;
+  const std::string colours = in_terminal(""), plain = in_terminal("NO_COLOR=1"), dumb = in_terminal("TERM=dumb");
+  CHECK(colours.find("\rfall  t 0.") != std::string::npos);
+  CHECK(colours.find("\033[K") != std::string::npos);
+  CHECK(colours.find("\033[Ksaid by the script") != std::string::npos);  // the status was taken away for it
+  CHECK(plain.find("\033[1m") == std::string::npos);
+  CHECK(dumb.find('\033') == std::string::npos);
 }
 
 TEST_CASE("wrong usage ends with code 2 and a word on stderr, help with 0") {
