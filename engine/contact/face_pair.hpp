@@ -163,10 +163,11 @@ TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T a
   const T stretch = select(slides, (out.shear_elastic - kept) * compliance, move);
   const T slip = select(open, zero, move - stretch);
   const T mean_total = 0.5 * (out.shear_total + before.total);
-  const T mean_elastic = 0.5 * (out.shear_elastic + kept);
+  const T mean_elastic = 0.5 * (out.shear_elastic + before.elastic);
+  const T parted = select(open, zero, 0.5 * (before.elastic - kept) * stretch);
   out.slip = magnitude(slip);
   out.active = active;
-  out.lost_friction = mean_total * slip + relaxed;
+  out.lost_friction = mean_total * slip + relaxed + parted;
   out.lost_damping = select(open, zero, (mean_total - mean_elastic) * stretch);
 }
 

@@ -15,6 +15,7 @@ struct alignas(32) ContactMemory {
   double slip = 0;               ///< accumulated sliding distance [m]
   std::uint32_t bonds = 0;       ///< bit h: half h still holds its bond
   std::uint32_t state = 0;       ///< bits of ContactState
+  double damping_moment = 0;     ///< general contact: moment of that force about the first piece's origin [N m]
 
   [[nodiscard]] bool empty() const { return bonds == 0 && state == 0; }
 };

@@ -115,8 +115,10 @@ void add_at(std::span<Vec2> on, const PlacedPiece& piece, int e, const Vec2& x, 
 
 /// Sums over the pressed faces of both sides.
 struct Sums {
-  Vec2 force = Vec2::Zero(), damping = Vec2::Zero(), moment_arm = Vec2::Zero();
-  double pressure = 0, length = 0, damping_power = 0;
+  Vec2 force = Vec2::Zero(), moment_arm = Vec2::Zero();
+  Vec2 damping = Vec2::Zero();  // damping part of the force on b ...
+  double damping_moment = 0;    // ... and its moment about a's origin
+  double pressure = 0, length = 0;
   double most_a = 0, most_b = 0;  // largest share of the pressure on one edge, and which edge
   int edge_a = 0, edge_b = 0;
 };
@@ -146,11 +148,14 @@ void Walk::press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0
   const double q0 = p0 + (p1 - p0) * part.from, q1 = p0 + (p1 - p0) * part.to;
   const LinearStress<double> stress(q0, q1, part.from, part.to);
   sums.length += 0.5 * length;
-  const double total = k * length * stress.sum, elastic = k * length * 0.5 * (phi0 + phi1);
+  const LinearStress<double> spring(phi0, phi1, 0, 1);
+  const double total = k * length * stress.sum;
   const double sign = walker_is_b ? 1.0 : -1.0;
-  const Vec2 damping_on_b = -sign * (total - elastic) * n;
-  sums.damping += damping_on_b;
-  sums.damping_power += (total - elastic) * 0.5 * (c0 + c1);
+  const double damping = k * length * (stress.sum - spring.sum),
+               first_moment = k * length * (stress.moment - spring.moment);
+  sums.damping += -sign * damping * n;
+  const Vec2& about = walker_is_b ? owner.origin : walker.origin;
+  sums.damping_moment += -sign * (damping * cross(Vec2(x0 - about), n) + first_moment * cross(Vec2(x1 - x0), n));
   if (total <= 0) return;
   const Vec2 x = x0 + (stress.moment / stress.sum) * (x1 - x0);
   add_at(on_walker, walker, edge, x, -total * n);
@@ -186,6 +191,13 @@ void Walk::run(Sums& sums) const {
 
 ShearBefore<double> both_halves(const ContactMemory& m) {
   return {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]};
+}
+
+/// Power of a remembered damping force in the motion of b against a [W].
+double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& m) {
+  if ((m.state & contact_general) == 0) return 0;
+  const Vec2 rate = b.velocity_at(a.origin) - a.velocity;
+  return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.damping_moment * (b.spin - a.spin);
 }
 
 /// Friction on the resultant, along t = left_of(n), at the centre of pressure.
@@ -257,8 +269,10 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   OverlapResponse out;
   const Edges edges_a(a), edges_b(b);
   static thread_local Depths b_in_a, a_in_b;  // large; filled anew at every call
-  double kept = 0;                            // where the two part, their elastic shear is let go
+  // Where the two part, their elastic shear is let go, and the last damping force works for half a step more.
+  double kept = 0;
   out.lost_friction = let_go(both_halves(before), 0.0, 0.0, law.ks, kept);
+  out.lost_damping = -0.5 * law.dt * damping_power(a, b, before);
   out.separation = b_in_a.fill(a, edges_a, b);
   if (out.separation > 0) return out;
   out.separation = a_in_b.fill(b, edges_b, a);
@@ -275,12 +289,10 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   out.memory.state = contact_touching | contact_general;
   out.memory.damping_force[0] = sums.damping.x();
   out.memory.damping_force[1] = sums.damping.y();
+  out.memory.damping_moment = sums.damping_moment;
+  out.lost_damping = -0.5 * law.dt * (damping_power(a, b, out.memory) + damping_power(a, b, before));
   if (sums.pressure > 0) {
     out.centre = sums.moment_arm / sums.pressure;
-    const Vec2 old_damping =
-        (before.state & contact_general) != 0 ? Vec2(before.damping_force[0], before.damping_force[1]) : Vec2::Zero();
-    const Vec2 approach = b.velocity_at(out.centre) - a.velocity_at(out.centre);
-    out.lost_damping = 0.5 * law.dt * (sums.damping_power - old_damping.dot(approach));
     out.lost_friction = 0;
     add_friction(a, b, before, law, sums, on_a, on_b, out);
   }

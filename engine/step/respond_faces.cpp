@@ -118,6 +118,7 @@ TRILITH_INLINE void store(const Pass& pass, int row, const FaceResponse<T>& r, i
     after.damping_force[h] = L::lane(m.damping_force[h], i);
     after.active[h] = L::lane(m.active[h], i);
   }
+  after.damping_moment = 0;
   after.slip = L::lane(m.slip, i);
   after.bonds = (L::lane(m.bonds[0], i) ? 1U : 0U) | (L::lane(m.bonds[1], i) ? 2U : 0U);
   after.state = contact_touching;
