@@ -8,10 +8,11 @@ namespace trilith {
 
 /// What one direction remembers from step to step.
 struct DirectionMemory {
-  double inner = 0;      ///< plastic displacement or place of the slider [m] or [rad]
-  double force = 0;      ///< elastic or frictional part of the last force [N] or [N m]
-  double damping = 0;    ///< dashpot part of the last force
-  double travelled = 0;  ///< accumulated plastic or sliding distance
+  double inner = 0;        ///< plastic displacement or place of the slider [m] or [rad]
+  double force = 0;        ///< elastic or frictional part of the last force [N] or [N m]
+  double damping = 0;      ///< dashpot part of the last force
+  double travelled = 0;    ///< accumulated plastic or sliding distance
+  double compression = 0;  ///< of the last step, where the law's own force is in proportion to it [N]
 };
 
 struct DirectionMotion {

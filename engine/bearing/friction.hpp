@@ -26,6 +26,12 @@ struct Friction {
   }
   [[nodiscard]] double tangent() const { return stiffness; }
   [[nodiscard]] double dashpot() const { return damping; }
+  /// A slider that goes live late does so unstressed, where it stands.
+  [[nodiscard]] static DirectionMemory begin_at(double displacement) {
+    DirectionMemory memory;
+    memory.inner = displacement;
+    return memory;
+  }
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
     DirectionResponse out;

@@ -25,15 +25,20 @@ struct Pendulum {
   }
   [[nodiscard]] double tangent() const { return stiffness; }
   [[nodiscard]] double dashpot() const { return damping; }
+  [[nodiscard]] static DirectionMemory begin_at(double displacement) { return Friction::begin_at(displacement); }
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
-    // The slider's share alone must be known to take its loss; the dish's share follows from the displacement.
+    // The last force is taken apart: the slider's share is needed for its loss, the dish's for its work.
+    const double from = m.displacement - m.rate * m.dt;
+    const double dish_before = before.compression / radius, dish = m.compression / radius;
     DirectionMemory slider = before;
-    slider.force = before.force - m.compression / radius * (m.displacement - m.rate * m.dt);
+    slider.force = before.force - dish_before * from;
     DirectionResponse out = Friction{mu, stiffness, damping}.respond(m, slider);
-    const double rise = m.compression / radius;
-    out.memory.force += rise * m.displacement;
-    out.stored += 0.5 * rise * m.displacement * m.displacement;
+    out.memory.compression = m.compression;
+    out.memory.force += dish * m.displacement;
+    out.stored += 0.5 * dish * m.displacement * m.displacement;
+    // Where the compression changes, it does work on the rise of the dish, which the axial direction does not see.
+    out.lost_inner += 0.5 * (dish_before - dish) * from * m.displacement;
     return out;
   }
 };

@@ -16,6 +16,10 @@ void Table::check() const {
       throw InputError(fmt::format("table: displacement of point {} is {:g} m, must be above that of point {} ({:g} m)",
                                    i + 1, displacement[i], i, displacement[i - 1]));
   }
+  if (displacement.front() > 0 || displacement.back() < 0)
+    throw InputError(
+        fmt::format("table: displacements go from {:g} to {:g} m, must reach over 0; add a point for the force at rest",
+                    displacement.front(), displacement.back()));
 }
 
 double Table::tangent() const {

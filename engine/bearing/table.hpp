@@ -22,7 +22,7 @@ struct Table {
     using P = Parameter<Table>;
     return std::array{P{&Table::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
   }
-  /// Throws InputError unless there are two points at least, finite, rising, one of them at displacement 0 or between.
+  /// Throws InputError unless there are two points at least, finite, rising, from not above 0 to not below 0.
   void check() const;
   [[nodiscard]] double tangent() const;
   [[nodiscard]] double dashpot() const { return damping; }

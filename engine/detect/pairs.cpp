@@ -70,19 +70,6 @@ void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
   });
 }
 
-/// What the bearings between two pieces make of their contact: held off while one of them lives; after its failure, the
-/// law it became.
-void apply_bearings(const Model<2>& model, const State<2>& state, NearPair& pair) {
-  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    const Bearing<2>& b = model.bearings[i];
-    if (!b.sits_between(pair.piece_a, pair.piece_b)) continue;
-    if (is_live(state.bearing[i].status))
-      pair.held_off = pair.held_off || b.holds_off_contact;
-    else if (b.contact_after >= 0)
-      pair.law = b.contact_after;
-  }
-}
-
 std::vector<Box> piece_boxes(const Model<2>& model, const Work<2>& work, double widen) {
   std::vector<Box> boxes(static_cast<std::size_t>(model.pieces()));
   for (int p = 0; p < model.pieces(); ++p) {
@@ -132,6 +119,17 @@ int contact_law(const Model<2>& model, int body_a, int body_b) {
   return model.law_of[model.bodies[body_a].surface * model.surfaces + model.bodies[body_b].surface];
 }
 
+void apply_bearings(const Model<2>& model, std::span<const BearingMemory> bearings, NearPair& pair) {
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    const Bearing<2>& b = model.bearings[i];
+    if (!b.sits_between(pair.piece_a, pair.piece_b)) continue;
+    if (is_live(bearings[i].status))
+      pair.held_off = pair.held_off || b.holds_off_contact;
+    else if (b.contact_after >= 0)
+      pair.law = b.contact_after;
+  }
+}
+
 bool pairs_outdated(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   if (!work.valid) return true;
   const double most = 0.5 * work.margin;
@@ -156,7 +154,7 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
     if (!model.moves(model.bodies[body_p].first_node) && !model.moves(model.bodies[body_q].first_node)) continue;
     NearPair pair{p, q, contact_law(model, body_p, body_q), 0, 0, 0, 0, 0, 1.0, false};
     if (pair.law < 0) continue;
-    apply_bearings(model, state, pair);
+    apply_bearings(model, state.bearing, pair);
     find_facing(model, work, pair);
     work.pairs.push_back(pair);
   }

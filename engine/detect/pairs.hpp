@@ -4,6 +4,8 @@
 // kernel's own. The list holds until some body has moved half the margin.
 #pragma once
 
+#include <span>
+
 #include "world/model.hpp"
 #include "world/state.hpp"
 #include "world/work.hpp"
@@ -22,5 +24,9 @@ bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, N
 
 /// Law between two bodies' surfaces, -1 for none.
 int contact_law(const Model<2>& model, int body_a, int body_b);
+
+/// What the bearings between two pieces make of their contact: held off while one of them lives; after its failure, the
+/// law it became. `bearings`: [bearing] their memories.
+void apply_bearings(const Model<2>& model, std::span<const BearingMemory> bearings, NearPair& pair);
 
 }  // namespace trilith

@@ -70,16 +70,17 @@ void Simulation::drop_work() {
 }
 
 void Simulation::choose_step(const StageOptions& options) {
-  const bool look = state_.dt == 0 || state_.step % steps_between_estimates == 0;
-  if (look && options.dt == 0) state_.dt = settled_step(stable_step(model_, state_, work_).dt, options.safety);
-  if (look && options.dt > 0) {
-    const StableStep s = stable_step(model_, state_, work_);
-    if (options.dt > s.dt)
-      throw InputError(fmt::format(
-          "stage '{}': dt is {:g} s, the longest stable step is {:.4g} s at t = {:.4g} s; leave dt out, or: {}",
-          options.name, options.dt, s.dt, state_.time, explain_step(model_, state_, work_)));
-    state_.dt = options.dt;
-  }
+  // A stage that asks for another step than the one before is heard at once.
+  const double safety = options.dt > 0 ? 0 : options.safety;
+  const bool other = state_.safety != safety || (options.dt > 0 && state_.dt != options.dt);
+  if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return;
+  const StableStep s = stable_step(model_, state_, work_);
+  if (options.dt > s.dt)
+    throw InputError(fmt::format(
+        "stage '{}': dt is {:g} s, the longest stable step is {:.4g} s at t = {:.4g} s; leave dt out, or: {}",
+        options.name, options.dt, s.dt, state_.time, explain_step(model_, state_, work_)));
+  state_.dt = options.dt > 0 ? options.dt : settled_step(s.dt, options.safety);
+  state_.safety = safety;
 }
 
 void Simulation::tell(EventType type, const std::string& text, const RunListener& listener, const Instant& now) {

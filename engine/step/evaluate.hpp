@@ -18,6 +18,9 @@ void find(const Model<2>& model, State<2>& state, Work<2>& work);
 void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
 void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
+/// Makes the waiting bearing `i` live where it stands: sliders begin unstressed there, springs act from where the
+/// bearing was placed. Writes its trial memory. Returns the elastic energy it begins with [J].
+double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, int i);
 void sum(const Model<2>& model, const State<2>& state, Work<2>& work);
 
 }  // namespace trilith

@@ -1,6 +1,12 @@
 #include "step/notice.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "detect/pairs.hpp"
+#include "step/contact_rows.hpp"
+#include "step/evaluate.hpp"
 
 namespace trilith {
 namespace {
@@ -75,6 +81,45 @@ void push_bearing_event(const Model<2>& model, const State<2>& state, Work<2>& w
   work.events.push_back(e);
 }
 
+/// True where its failure changes the rule for the contact of the two pieces it sits between.
+bool alters_contact(const Bearing<2>& b) {
+  return b.holds_off_contact || b.contact_after >= 0;
+}
+
+/// Elastic energy that the contact of two pieces has while their bearings are as given [J].
+double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                     std::span<const BearingMemory> bearings, int p, int q) {
+  NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
+  if (pair.law < 0) return 0;
+  apply_bearings(model, bearings, pair);
+  if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) return 0;
+  std::array<Vec2, max_piece_corners> corners_p, corners_q;
+  return overlap_energy(placed_piece(model, state, work, p, corners_p), placed_piece(model, state, work, q, corners_q),
+                        face_law(model, pair.law, 0).kn);
+}
+
+/// Elastic energy that the contact beside bearing `i` has after its failure more than before [J].
+double released_contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t i) {
+  const Bearing<2>& b = model.bearings[i];
+  for (std::size_t j = 0; j < i; ++j)  // one that failed in the same step has counted it
+    if (is_live(state.bearing[j].status) && !is_live(work.bearing[j].status) && alters_contact(model.bearings[j]) &&
+        model.bearings[j].sits_between(b.piece_a, b.piece_b))
+      return 0;
+  return energy_beside(model, state, work, work.bearing, b.piece_a, b.piece_b) -
+         energy_beside(model, state, work, state.bearing, b.piece_a, b.piece_b);
+}
+
+/// Lets what follows a failed bearing begin. The elastic energy it begins with counts as not given off.
+void hand_on(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
+  const Bearing<2>& b = model.bearings[i];
+  double& given_off = work.given[EnergyTerm::bearing_failure];
+  if (b.becomes_bearing >= 0 && work.bearing[b.becomes_bearing].status == BearingStatus::waiting)
+    given_off -= begin_bearing(model, state, work, b.becomes_bearing);
+  if (!alters_contact(b)) return;
+  given_off -= released_contact_energy(model, state, work, i);
+  work.valid = false;  // another rule holds for the contact of its two pieces from now on
+}
+
 void notice_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
   const BearingStatus before = state.bearing[i].status;
   BearingMemory& after = work.bearing[i];
@@ -83,12 +128,10 @@ void notice_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
   if (after.status != BearingStatus::failed) return;
   push_bearing_event(model, state, work, i, EventType::bearing_failed);
   const Bearing<2>& b = model.bearings[i];
-  const bool alters_contact = b.holds_off_contact || b.contact_after >= 0;
-  if (b.becomes_bearing < 0 && !alters_contact) return;
+  if (b.becomes_bearing < 0 && !alters_contact(b)) return;
   after.status = BearingStatus::changed;
   push_bearing_event(model, state, work, i, EventType::bearing_changed);
-  if (b.becomes_bearing >= 0) work.bearing[b.becomes_bearing].status = BearingStatus::intact;
-  if (alters_contact) work.valid = false;  // another rule holds for the contact of its two pieces from now on
+  hand_on(model, state, work, i);
 }
 
 /// A bearing that ends gives its elastic energy off at once.
@@ -136,6 +179,7 @@ double seat_length(const Model<2>& model, const State<2>& state, const Seat& sea
 
 void notice(const Model<2>& model, State<2>& state, Work<2>& work) {
   work.events.clear();
+  std::sort(work.turned.begin(), work.turned.end());
   for (const int row : work.turned) notice_contact(model, state, work, row);
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     notice_bearing(model, state, work, i);

@@ -72,7 +72,35 @@ void respond_live(const Model<2>& model, const State<2>& state, Work<2>& work, s
   after.failed_direction = static_cast<std::uint32_t>(beyond);
 }
 
+DirectionMemory memory_at(const DirectionLaw& law, double displacement) {
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.begin_at(displacement); })
+          return l.begin_at(displacement);
+        else
+          return DirectionMemory{};
+      },
+      law);
+}
+
 }  // namespace
+
+double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, int i) {
+  const Bearing<2>& b = model.bearings[i];
+  BearingMemory& begun = work.bearing[i];
+  begun = {};
+  const RelativeMotion m = relative_motion(model, state, b);
+  const std::array<double, 3> displacement{m.displacement.x(), m.displacement.y(), m.angle};
+  double stored = 0, compression = 0;
+  for (const int k : {axial, along, turning}) {
+    const DirectionMotion at_rest{displacement[k], 0, 0, compression};
+    const DirectionResponse r = respond(b.law[k], at_rest, memory_at(b.law[k], displacement[k]));
+    begun.direction[k] = r.memory;
+    stored += r.stored;
+    if (k == axial) compression = std::max(0.0, -r.memory.force);
+  }
+  return stored;
+}
 
 void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
   const std::size_t count = model.bearings.size();

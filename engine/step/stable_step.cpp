@@ -67,7 +67,8 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
 
 void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& work, std::vector<Local>& locals) {
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    if (!is_live(work.bearing[i].status)) continue;
+    // One that waits counts already: it may go live between two estimates.
+    if (!is_live(work.bearing[i].status) && work.bearing[i].status != BearingStatus::waiting) continue;
     const Bearing<2>& b = model.bearings[i];
     const int node[2] = {model.bodies[b.body_a].first_node, model.bodies[b.body_b].first_node};
     const Vec2 at = state.position[node[1]] + Turn(state.rotation[node[1]]).apply(b.point_b);

@@ -123,6 +123,8 @@ void ModelBuilder::add_bearing(const BearingSpec& spec) {
   const std::string owner = fmt::format("bearing '{}'", spec.name);
   if (require_body(spec.body_a, owner) == require_body(spec.body_b, owner))
     throw InputError(fmt::format("{}: links body '{}' to itself; name two bodies", owner, spec.body_a));
+  for (const double v : {spec.point_a.x(), spec.point_a.y(), spec.point_b.x(), spec.point_b.y(), spec.angle})
+    require_finite(v, owner + ": point or angle");
   for (const double limit : spec.limit)
     if (!(limit > 0)) throw InputError(fmt::format("{}: limit displacement is {:g}, must be above 0", owner, limit));
   for (const DirectionLaw& law : spec.law)
@@ -140,6 +142,8 @@ void ModelBuilder::add_seat(const SeatSpec& spec) {
   require_name(spec.name, "seat");
   require_body(spec.body, owner);
   require_body(spec.support, owner);
+  for (const double v : {spec.end.x(), spec.end.y(), spec.edge.x(), spec.edge.y()})
+    require_finite(v, owner + ": end or edge");
   require_positive(spec.inward.norm(), owner + ": length of the inward direction", "");
   seats_.push_back(spec);
 }

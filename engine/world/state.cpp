@@ -37,7 +37,7 @@ void add(Hash& hash, const ContactMemory& m) {
 void add(Hash& hash, const BearingMemory& m) {
   hash.add(static_cast<std::uint64_t>(m.status) << 32 | m.failed_direction);
   for (const DirectionMemory& d : m.direction)
-    for (const double v : {d.inner, d.force, d.damping, d.travelled}) hash.add(v);
+    for (const double v : {d.inner, d.force, d.damping, d.travelled, d.compression}) hash.add(v);
 }
 
 }  // namespace
@@ -48,6 +48,7 @@ std::uint64_t state_hash(const State<2>& state) {
   hash.add(state.time);
   hash.add(static_cast<std::uint64_t>(state.step));
   hash.add(state.dt);
+  hash.add(state.safety);
   hash.add(state.last_dt);
   for (std::size_t i = 0; i < state.position.size(); ++i)
     for (const double v : {state.position[i].x(), state.position[i].y(), state.rotation[i], state.velocity[i].x(),

@@ -29,6 +29,7 @@ struct State {
   double time = 0;        ///< [s]
   std::int64_t step = 0;  ///< steps taken
   double dt = 0;          ///< length of the step last found stable [s]; 0: not found yet
+  double safety = 0;      ///< share of the longest stable step that `dt` was found with [1]; 0: it was given
   double last_dt = 0;     ///< length of the last step [s]
 
   // Motion of the nodes [node]. Velocities are those of the last half step (leapfrog).

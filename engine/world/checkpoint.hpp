@@ -1,0 +1,36 @@
+// A State in a file, so that a run can be continued: the continued run has the bits of one that was never broken off.
+//
+// The file is a row of 64-bit words in the byte order of the machine that wrote it:
+//   0       "TRILSTAT"
+//   1       byte order mark 0x0102030405060708
+//   2       version of this format (checkpoint_version)
+//   3, 4    fingerprint of the model: structure, conditions (world/fingerprint.hpp)
+//   5       number n of words of the state
+//   6 ..    the state: time, step, dt, safety, last_dt; then, each led by its count: nodes (x, y, rotation, u, v,
+//   spin), contacts
+//           that remember something (key, the 9 numbers of ContactMemory, bonds * 2^32 + state), bearings (status *
+//           2^32 + failed direction, 3 x 5 numbers of DirectionMemory), seats (lost), bodies (moved at, resting),
+//           terms of the energy ledger. Numbers are IEEE doubles.
+//   6 + n   digest of all words before (base/hash.hpp)
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+inline constexpr std::uint64_t checkpoint_version = 1;
+
+/// Writes `state` of `model` to `path`: first under the name `path`.part, which is then forced to the disk and renamed,
+/// so that at any time `path` is a whole checkpoint, the old or the new one. Throws InputError where it cannot be
+/// written; then nothing is left of the new one.
+void save_state(const State<2>& state, const Model<2>& model, const std::filesystem::path& path);
+
+/// Reads a state that save_state wrote. Throws InputError where the file is missing, no checkpoint, of another version
+/// or byte order, cut or damaged, or of another model than `model` (as it was when the state was saved).
+State<2> load_state(const Model<2>& model, const std::filesystem::path& path);
+
+}  // namespace trilith

@@ -1,0 +1,129 @@
+#include "world/fingerprint.hpp"
+
+#include "base/hash.hpp"
+
+namespace trilith {
+namespace {
+
+void add(Hash& hash, double v) {
+  hash.add(v);
+}
+void add(Hash& hash, int v) {
+  hash.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(v)));
+}
+void add(Hash& hash, bool v) {
+  hash.add(std::uint64_t{v});
+}
+void add(Hash& hash, std::uint8_t v) {
+  hash.add(std::uint64_t{v});
+}
+void add(Hash& hash, Support v) {
+  hash.add(static_cast<std::uint64_t>(v));
+}
+void add(Hash& hash, const std::string& v) {
+  hash.add(std::string_view(v));
+}
+void add(Hash& hash, const Vec2& v) {
+  hash.add(v.x()), hash.add(v.y());
+}
+
+// Declared ahead of the arrays of them.
+void add(Hash& hash, const ContactLaw& law);
+void add(Hash& hash, const DirectionLaw& law);
+void add(Hash& hash, const Body& b);
+void add(Hash& hash, const Bearing<2>& b);
+void add(Hash& hash, const Seat& s);
+void add(Hash& hash, const Drive& d);
+
+/// The length counts too, so that elements cannot slip from one array to the next.
+template <class T, std::size_t N>
+void add(Hash& hash, const std::array<T, N>& values) {
+  for (const T& v : values) add(hash, v);
+}
+template <class T>
+void add(Hash& hash, const std::vector<T>& values) {
+  hash.add(static_cast<std::uint64_t>(values.size()));
+  for (const T& v : values) add(hash, v);
+}
+
+template <Declared T>
+void add_law(Hash& hash, const T& law) {
+  hash.add(T::name);
+  for (const Parameter<T>& p : T::parameters()) hash.add(law.*(p.member));
+}
+
+void add(Hash& hash, const ContactLaw& law) {
+  std::visit([&](const auto& l) { add_law(hash, l); }, law);
+}
+
+void add(Hash& hash, const DirectionLaw& law) {
+  std::visit(
+      [&](const auto& l) {
+        using L = std::decay_t<decltype(l)>;
+        if constexpr (std::is_same_v<L, std::monostate>) {
+          hash.add(std::string_view("free"));
+        } else {
+          add_law(hash, l);
+          if constexpr (std::is_same_v<L, Table>) add(hash, l.displacement), add(hash, l.force);
+        }
+      },
+      law);
+}
+
+void add(Hash& hash, const Body& b) {
+  add(hash, b.name), add(hash, b.kind), add(hash, b.material), add(hash, b.groups);
+  for (const int v : {b.first_node, b.nodes, b.first_skin, b.skins, b.first_piece, b.pieces, b.surface}) add(hash, v);
+}
+
+void add(Hash& hash, const Bearing<2>& b) {
+  add(hash, b.name);
+  for (const int v : {b.body_a, b.body_b, b.piece_a, b.piece_b, b.contact_after, b.becomes_bearing}) add(hash, v);
+  for (const Vec2& v : {b.point_a, b.point_b, b.rest}) add(hash, v);
+  add(hash, b.angle), add(hash, b.rest_angle);
+  add(hash, b.law), add(hash, b.limit);
+  add(hash, b.holds_off_contact), add(hash, b.starts_waiting);
+}
+
+void add(Hash& hash, const Seat& s) {
+  add(hash, s.name), add(hash, s.body), add(hash, s.support);
+  for (const Vec2& v : {s.end, s.edge, s.inward}) add(hash, v);
+}
+
+void add(Hash& hash, const Drive& d) {
+  add(hash, d.node), add(hash, d.dof), add(hash, d.origin), add(hash, d.start);
+  add(hash, d.motion->step()), add(hash, d.motion->start_time());
+  add(hash, d.motion->start().velocity), add(hash, d.motion->start().displacement);
+  hash.add(static_cast<std::uint64_t>(d.motion->samples().size()));
+  for (const MotionAt& sample : d.motion->samples()) hash.add(sample.acceleration);
+}
+
+std::uint64_t structure_of(const Model<2>& m) {
+  Hash hash;
+  add(hash, m.thickness);
+  add(hash, m.mass), add(hash, m.inertia);
+  add(hash, m.start_position), add(hash, m.start_rotation), add(hash, m.start_velocity), add(hash, m.start_spin);
+  add(hash, m.bodies), add(hash, m.skin_place), add(hash, m.skin_node);
+  add(hash, m.piece_body), add(hash, m.piece_first), add(hash, m.corner_skin), add(hash, m.edge_is_face);
+  add(hash, m.edge_corner);
+  add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, m.law_of);
+  add(hash, m.bearings), add(hash, m.seats);
+  return hash.value();
+}
+
+std::uint64_t conditions_of(const Model<2>& m) {
+  Hash hash;
+  add(hash, m.gravity.field);
+  for (const double v : {m.gravity.tilt_rate, m.gravity.tilt_start, m.gravity.tilt_end, m.mass_damping, m.impact_speed,
+                         m.still_speed, m.still_time})
+    add(hash, v);
+  add(hash, m.support), add(hash, m.load), add(hash, m.drives), add(hash, m.drive_of);
+  return hash.value();
+}
+
+}  // namespace
+
+Fingerprint model_fingerprint(const Model<2>& model) {
+  return {structure_of(model), conditions_of(model)};
+}
+
+}  // namespace trilith

@@ -1,0 +1,341 @@
+// The laws of a bearing's directions: what all of them keep, and the closed form of each.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "bearing/list.hpp"
+#include "physics/scene.hpp"
+#include "shape/random_convex.hpp"
+
+namespace trilith {
+namespace {
+
+using testing::near;
+
+DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion, const DirectionMemory& before) {
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(l)>, std::monostate>)
+          return DirectionResponse{};
+        else
+          return l.respond(motion, before);
+      },
+      law);
+}
+
+/// A law led along a path of displacements in even steps of time, with the energy books kept.
+struct Led {
+  DirectionLaw law;
+  double dt = 1e-3, compression = 0;
+  double displacement = 0;
+  DirectionResponse last = {};
+  double work = 0, lost = 0, largest_force = 0;
+
+  void to(double d) {
+    const DirectionResponse next = respond(law, {d, (d - displacement) / dt, dt, compression}, last.memory);
+    work += 0.5 * (next.force() + last.force()) * (d - displacement);
+    lost += next.lost_inner + next.lost_damping;
+    largest_force = std::max(largest_force, std::abs(next.force()));
+    displacement = d;
+    last = next;
+  }
+  /// In `steps` even steps.
+  void along(double d, int steps = 200) {
+    const double from = displacement;
+    for (int i = 1; i <= steps; ++i) to(from + (d - from) * i / steps);
+  }
+};
+
+struct Named {
+  std::string name;
+  DirectionLaw law;
+  bool has_kinks;  // the elastic force bends within a step: books close as the steps get short
+};
+
+std::vector<Named> all_laws(double damping) {
+  return {{"linear", Linear{2e5, damping}, false},
+          {"elastic_plastic", ElasticPlastic{2e5, 3e3, 0, damping}, false},
+          {"elastic_plastic, hardening", ElasticPlastic{2e5, 3e3, 0.2, damping}, false},
+          {"gap, both sides", Gap{2e5, 0.01, damping, 0}, true},
+          {"gap, one side", Gap{2e5, 0.01, damping, 1}, true},
+          {"table", Table{{-0.05, -0.01, 0.02, 0.06}, {-4e3, -3e3, 1e3, 2e3}, damping}, true},
+          {"friction", Friction{0.3, 1e6, damping}, false},
+          {"pendulum", Pendulum{2, 0.05, 1e6, damping}, false}};
+}
+
+/// A smooth random walk between -0.05 and 0.05 m, back to where it began.
+std::vector<double> random_path(std::uint64_t seed, int cycles, int steps) {
+  std::mt19937_64 bits(seed);
+  std::vector<double> path;
+  double from = 0;
+  for (int c = 0; c < cycles; ++c) {
+    const double to = c + 1 == cycles ? 0 : random_between(bits, -0.05, 0.05);
+    for (int i = 1; i <= steps; ++i) path.push_back(from + (to - from) * 0.5 * (1 - std::cos(M_PI * i / steps)));
+    from = to;
+  }
+  return path;
+}
+
+TEST_CASE("no motion gives no force and no energy, whatever the law") {
+  for (const Named& n : all_laws(100)) {
+    if (n.name == "table") continue;  // its force at rest is given
+    Led led{n.law, 1e-3, 5e4};
+    for (int i = 0; i < 3; ++i) led.to(0);
+    INFO(n.name);
+    CHECK(led.last.force() == 0);
+    CHECK(led.last.stored == 0);
+    CHECK(led.lost == 0);
+  }
+}
+
+TEST_CASE("in random cyclic motion the work done is the energy stored and lost, and no law makes energy") {
+  for (const double damping : {0.0, 2e3})
+    for (const Named& n : all_laws(damping))
+      for (const std::uint64_t seed : {1, 2, 3}) {
+        Led led{n.law, 1e-3, 5e4};
+        INFO(n.name, ", damping ", damping, ", seed ", seed);
+        const double at_rest = respond(n.law, {0, 0, 1e-3, 5e4}, {}).stored;
+        led.last = respond(n.law, {0, 0, 0, 5e4}, {});
+        double most = 0, least_lost = 0, error = 0;
+        for (const double d : random_path(seed, 40, 400)) {
+          led.to(d);
+          most = std::max(most, std::abs(led.work) + led.lost);
+          least_lost = std::min(least_lost, led.lost);
+          error = std::max(error, std::abs(led.work - (led.last.stored - at_rest) - led.lost));
+        }
+        CHECK(error <= (n.has_kinks ? 1e-4 : 1e-12) * most);
+        CHECK(least_lost >= -1e-9 * most);
+      }
+}
+
+TEST_CASE("the books of a law with kinks close with the square of the step") {
+  for (const Named& n : all_laws(0)) {
+    if (!n.has_kinks) continue;
+    const auto error = [&](int steps) {
+      Led led{n.law, 1e-3, 0};
+      led.last = respond(n.law, {0, 0, 0, 0}, {});
+      double worst = 0;
+      for (const double d : random_path(5, 20, steps)) {
+        led.to(d);
+        worst = std::max(worst, std::abs(led.work - led.last.stored - led.lost));
+      }
+      return worst;
+    };
+    const double coarse = error(100), fine = error(1600);
+    INFO(n.name, ": ", coarse, " J and ", fine, " J");
+    CHECK(fine < coarse / 50);
+  }
+}
+
+TEST_CASE("the tangent of a law bounds its change of force") {
+  for (const Named& n : all_laws(0)) {
+    const double tangent = std::visit(
+        [](const auto& l) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(l)>, std::monostate>)
+            return 0.0;
+          else
+            return l.tangent();
+        },
+        n.law);
+    const double dish = n.name == "pendulum" ? 5e4 / 2 : 0;  // N / R, not known to the law alone
+    Led led{n.law, 1e-3, 5e4};
+    led.last = respond(n.law, {0, 0, 0, 5e4}, {});
+    for (const double d : random_path(9, 20, 300)) {
+      const double from = led.displacement, force = led.last.force();
+      led.to(d);
+      CHECK(std::abs(led.last.force() - force) <= (tangent + dish) * std::abs(d - from) * (1 + 1e-9) + 1e-9);
+    }
+  }
+}
+
+TEST_CASE("a linear spring with a dashpot gives k d + c v and loses c v^2 in time") {
+  Led led{Linear{1000, 50}, 0.01};
+  led.along(0.1, 100);  // at 0.1 m/s
+  CHECK(led.last.force() == near(1000 * 0.1 + 50 * 0.1, 1e-12));
+  CHECK(led.last.stored == near(5, 1e-12));
+  CHECK(led.lost == near(50 * 0.01 * 1.0, 0.006));  // less half a step at the start
+}
+
+TEST_CASE("a bilinear spring yields at its force, hardens with its share and yields back after twice the force") {
+  for (const double share : {0.0, 0.1, 0.35}) {
+    const double k = 1e6, fy = 2e4, dy = fy / k;
+    Led led{ElasticPlastic{k, fy, share, 0}};
+    led.along(dy * 0.999);
+    CHECK_FALSE(led.last.yielding);
+    led.along(5 * dy);
+    CHECK(led.last.yielding);
+    CHECK(led.last.force() == near(fy + share * k * 4 * dy, 1e-9));
+    const double top = led.last.force();
+    led.along(3.01 * dy);
+    CHECK_FALSE(led.last.yielding);
+    CHECK(led.last.force() == near(top - 1.99 * fy, 1e-9));
+    led.along(1 * dy);
+    CHECK(led.last.yielding);
+    CHECK(led.last.force() == near(top - 2 * fy - share * k * 2 * dy, 1e-9));
+    // A closed loop between -5 dy and 5 dy loses 4 fy (1 - share) (D - dy).
+    led.along(-5 * dy), led.along(5 * dy);
+    const double before = led.lost;
+    led.along(-5 * dy), led.along(5 * dy);
+    CHECK(led.lost - before == near(4 * fy * (1 - share) * 4 * dy, 1e-9));
+  }
+}
+
+TEST_CASE("a gap gives no force inside its opening, a spring beyond, and on one side only if asked") {
+  for (const double side : {0.0, 1.0, -1.0}) {
+    Led led{Gap{1e5, 0.02, 0, side}};
+    led.along(0.019);
+    CHECK(led.last.force() == 0);
+    led.along(0.05);
+    CHECK(std::abs(led.last.force() - (side >= 0 ? 3000 : 0)) < 1e-9);
+    CHECK(std::abs(led.last.stored - (side >= 0 ? 45 : 0)) < 1e-9);
+    led.along(-0.05);
+    CHECK(std::abs(led.last.force() + (side <= 0 ? 3000 : 0)) < 1e-9);
+  }
+}
+
+TEST_CASE("the dashpot of a gap never pulls") {
+  Led led{Gap{1e4, 0.01, 1e5, 0}, 1e-3};
+  led.along(0.03, 300);
+  for (int i = 0; i < 200; ++i) {
+    led.to(led.displacement - 2e-4);
+    CHECK(led.last.force() >= 0);
+  }
+}
+
+TEST_CASE("a table is linear between its points, held beyond its ends, and stores its integral") {
+  const Table table{{-0.05, -0.01, 0.02, 0.06}, {-4e3, -3e3, 1e3, 2e3}, 0};
+  for (std::size_t i = 0; i < table.force.size(); ++i) CHECK(table.force_at(table.displacement[i]) == table.force[i]);
+  CHECK(table.force_at(0.04) == near(1500, 1e-6));
+  CHECK(table.force_at(-0.03) == near(-3500, 1e-6));
+  CHECK(table.force_at(-1) == -4e3);
+  CHECK(table.force_at(1) == 2e3);
+  CHECK(table.energy_at(0) == 0);
+  for (const double d : {-0.2, -0.05, -0.02, -0.005, 0.013, 0.02, 0.05, 0.3}) {
+    const int n = 200000;
+    double sum = 0;
+    for (int i = 0; i < n; ++i) sum += table.force_at(d * (i + 0.5) / n) * d / n;
+    CHECK(table.energy_at(d) == near(sum, 1e-7));
+  }
+  CHECK(table.tangent() == near(4e3 / 0.03, 1e-6));
+}
+
+TEST_CASE("a rising table never falls, at and between its points and beyond its ends") {
+  std::mt19937_64 bits(3);
+  for (int round = 0; round < 50; ++round) {
+    Table table;
+    double d = random_between(bits, -0.2, -0.1), f = random_between(bits, -5, 0);
+    while (d < 0.1) {
+      table.displacement.push_back(d), table.force.push_back(f);
+      d += random_between(bits, 1e-4, 0.1), f += random_between(bits, 0, 3);
+    }
+    table.displacement.push_back(d), table.force.push_back(f);
+    CHECK_NOTHROW(table.check());
+    double last = table.force_at(-1);
+    for (int i = 0; i <= 4000; ++i) {
+      const double now = table.force_at(-0.5 + i * 2.5e-4);
+      CHECK(now >= last);
+      last = now;
+    }
+  }
+}
+
+TEST_CASE("a slider carries mu N at most, and a loop loses 4 mu N (D - mu N/k)") {
+  const double mu = 0.3, n = 5e4, k = 1e7, slack = mu * n / k, d = 0.05;
+  Led led{Friction{mu, k, 0}, 1e-3, n};
+  led.along(0.5 * slack);
+  CHECK(led.last.force() == near(0.5 * mu * n, 1e-9));
+  led.along(d), led.along(-d), led.along(d);
+  const double before = led.lost;
+  led.along(-d);
+  CHECK(led.last.force() == near(-mu * n, 1e-12));
+  led.along(d);
+  CHECK(led.largest_force == near(mu * n, 1e-12));
+  CHECK(led.lost - before == near(4 * mu * n * (d - slack), 1e-9));
+  led.compression = 0;  // lifted off
+  led.to(0.9 * d);
+  CHECK(led.last.force() == 0);
+}
+
+TEST_CASE("a slider that goes live late carries nothing until it is moved on") {
+  Led led{Friction{0.3, 1e7, 0}, 1e-3, 5e4, 0.25};
+  led.last.memory = Friction::begin_at(0.25);
+  led.to(0.25);
+  CHECK(led.last.force() == 0);
+  CHECK(led.lost == 0);
+  led.along(0.3);
+  CHECK(led.last.force() == near(0.3 * 5e4, 1e-12));
+}
+
+TEST_CASE("the books of slider and pendulum close under a changing compression") {
+  for (const DirectionLaw& law : {DirectionLaw(Friction{0.3, 1e6, 100}), DirectionLaw(Pendulum{2, 0.05, 1e6, 100})}) {
+    Led led{law, 1e-3, 5e4};
+    std::mt19937_64 bits(4);
+    double most = 0;
+    for (const double d : random_path(6, 30, 200)) {
+      led.compression = 5e4 * random_between(bits, 0, 2);
+      led.to(d);
+      most = std::max(most, std::abs(led.work) + std::abs(led.lost));
+      CHECK(std::abs(led.work - led.last.stored - led.lost) <= 1e-10 * most);
+    }
+  }
+}
+
+/// One sound value of each law.
+template <class L>
+L sound() {
+  L law{};
+  for (const Parameter<L>& p : L::parameters()) law.*(p.member) = p.required() ? 1.0 : p.preset;
+  return law;
+}
+
+TEST_CASE("every parameter of every law outside its range is refused, by name") {
+  int refused = 0;
+  DirectionLaws::for_each([&]<class L>() {
+    CHECK_NOTHROW(check_parameters(sound<L>()));
+    for (const Parameter<L>& p : L::parameters()) {
+      std::vector<double> bad{std::nan(""), unbounded, -unbounded, p.least - 0.5};
+      if (!p.includes_least) bad.push_back(p.least);
+      if (p.most < unbounded) bad.push_back(p.most * 1.01);
+      for (const double v : bad) {
+        L law = sound<L>();
+        law.*(p.member) = v;
+        try {
+          check_parameters(law);
+          FAIL_CHECK(L::name, ": ", p.name, " = ", v, " was taken");
+        } catch (const InputError& e) {
+          ++refused;
+          CHECK(std::string(e.what()).find(p.name) != std::string::npos);
+        }
+      }
+    }
+  });
+  MESSAGE(refused << " refused");
+}
+
+TEST_CASE("a table without two rising points about 0 is refused, with the point") {
+  const auto message = [](const Table& table) {
+    try {
+      table.check();
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  CHECK(message({{}, {}, 0}).find("at least 2 points") != std::string::npos);
+  CHECK(message({{0}, {0}, 0}).find("at least 2 points") != std::string::npos);
+  CHECK(message({{0, 1}, {0}, 0}).find("2 displacements and 1 forces") != std::string::npos);
+  CHECK(message({{0, 0}, {0, 1}, 0}).find("point 2") != std::string::npos);
+  CHECK(message({{0, 2, 1}, {0, 1, 2}, 0}).find("point 3") != std::string::npos);
+  CHECK(message({{0, std::nan("")}, {0, 1}, 0}).find("point 2") != std::string::npos);
+  CHECK(message({{0, 1}, {0, unbounded}, 0}).find("point 2") != std::string::npos);
+  CHECK(message({{0.1, 1}, {0, 1}, 0}).find("must reach over 0") != std::string::npos);
+  CHECK(message({{-1, -0.1}, {0, 1}, 0}).find("must reach over 0") != std::string::npos);
+  CHECK(message({{-1, 0}, {0, 1}, 0}).empty());
+}
+
+}  // namespace
+}  // namespace trilith
