@@ -54,22 +54,27 @@ struct AddDirectionLaw {
   }
 };
 
-/// A declared number of a law, looked up by name: law.kn.
+/// A declared number of a law, looked up by name: law.kn. False where the key is no text.
 template <class Law>
-bool push_declared(lua_State* L, const Law& law, std::string_view key) {
+bool push_declared(lua_State* L, const Law& law) {
+  if (lua_type(L, 2) != LUA_TSTRING) return false;
+  const std::string key = lua_tostring(L, 2);
+  std::vector<std::string> known;
   bool found = false;
   std::visit(
       [&](const auto& l) {
         using T = std::decay_t<decltype(l)>;
         if constexpr (Declared<T>)
-          for (const Parameter<T>& p : T::parameters())
-            if (p.name == key) {
-              lua_pushnumber(L, l.*(p.member));
-              found = true;
-            }
+          for (const Parameter<T>& p : T::parameters()) {
+            known.emplace_back(p.name);
+            if (p.name != key) continue;
+            lua_pushnumber(L, l.*(p.member));
+            found = true;
+          }
       },
       law);
-  return found;
+  if (!found) throw InputError(fmt::format("this law has no '{}'{}", key, name_hint(key, known)));
+  return true;
 }
 
 template <class Law>
@@ -130,7 +135,7 @@ std::span<const std::pair<const char*, lua_CFunction>> Kind<ContactLawValue>::me
   return {};
 }
 bool Kind<ContactLawValue>::read_item(lua_State* L, const ContactLawValue& v) {
-  return lua_type(L, 2) == LUA_TSTRING && push_declared(L, v.law, lua_tostring(L, 2));
+  return push_declared(L, v.law);
 }
 
 std::span<const Property<DirectionLawValue>> Kind<DirectionLawValue>::properties() {
@@ -146,7 +151,7 @@ std::span<const std::pair<const char*, lua_CFunction>> Kind<DirectionLawValue>::
   return {};
 }
 bool Kind<DirectionLawValue>::read_item(lua_State* L, const DirectionLawValue& v) {
-  return lua_type(L, 2) == LUA_TSTRING && push_declared(L, v.law, lua_tostring(L, 2));
+  return push_declared(L, v.law);
 }
 
 }  // namespace trilith::script
