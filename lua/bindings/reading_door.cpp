@@ -198,6 +198,8 @@ void read_followed(Keys& keys, History& h, const ScriptModel& m) {
 int history(lua_State* L) {
   ScriptModel& m = self(L);
   if (m.running()) throw InputError("history: cannot be added while a stage runs");
+  if (m.recording())
+    throw InputError("history: cannot be added once results are recorded; add it before the first stage");
   if (!m.history_times.empty())
     throw InputError("history: cannot be added once histories have been taken; add it before the first stage");
   Keys keys(L, 2, "history");

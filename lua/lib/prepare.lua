@@ -1,5 +1,6 @@
 -- What the program makes of a Lua state before the script runs: its folder to require from, text chunks alone, and
 -- errors for globals that nobody declared.
+-- luacheck: globals load loadfile dofile
 local trilith, folder = ...
 
 package.loaded.trilith = trilith
@@ -33,7 +34,7 @@ setmetatable(_G, {
   end,
   __newindex = function(globals, name, value)
     if not is_main_or_c(2) then
-      error(("global '%s' is set for the first time within a function; declare it with local"):format(tostring(name)), 2)
+      error(("global '%s' is set first within a function; declare it with local"):format(tostring(name)), 2)
     end
     rawset(globals, name, value)
   end,

@@ -217,7 +217,7 @@ for _, case in ipairs(cases) do
   local expected = ("messages.lua:%d: %s"):format(info.linedefined, pattern and case[2][1] or case[2])
   if good or not (pattern and message:find("^" .. expected .. "$") or message == expected) then
     wrong = wrong + 1
-    print(("line %d\n  expected: %s\n  was:      %s"):format(info.linedefined, expected, good and "no error" or message))
+    print(("line %d\n  expected: %s\n  was:      %s"):format(info.linedefined, expected, message or "no error"))
   end
 end
 assert(count >= 40 and wrong == 0, wrong .. " messages are not as they should be")

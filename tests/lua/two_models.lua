@@ -26,12 +26,25 @@ for _ = 1, 5 do
 end
 assert(a.hash == d.hash)
 
+-- a law may serve several models, whatever other laws they have: it is known by its numbers
+local rough = trilith.frictional { kn = 1e9, ks = 1e9, mu = 0.9 }
+local e, f = trilith.model {}, trilith.model {}
+e:contact { between = { "*", "*" }, law = rough }
+f:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 1e9, mu = 0.1 } }
+f:contact { between = { "left", "*" }, law = rough }
+for name, mass in pairs { left = 1, right = 2 } do
+  f:block { name = name, width = 1, height = 1, at = { mass, 0 }, mass = mass, support = "fixed" }
+end
+f:block { name = "top", width = 2, height = 1, at = { 1, 1 }, mass = 1, groups = "top" }
+f:run { duration = 0.01 }
+local laws = {}
+for _, contact in ipairs(f:contacts { between = { "top", "left" } }) do laws[#laws + 1] = contact.law end
+assert(laws[1] == "frictional 2", laws[1])
+
 -- handles outlive the name of their model; a closed model says so
 local body = c:body "block"
 c:close()
 local good, message = pcall(function() return body.x end)
 assert(not good and message:find "the model is closed")
 assert(tostring(body) == "body of a closed model")
-a, b, c, d = nil, nil, nil, nil
-collectgarbage()
 collectgarbage()
