@@ -45,7 +45,7 @@ void read_successor(Keys& keys, ScriptModel& m, BearingSpec& spec) {
     const std::string name = lua_tostring(L, -1);
     const auto laws = m.builder.law_names();
     (std::find(laws.begin(), laws.end(), name) != laws.end() ? spec.contact_after : spec.becomes_bearing) = name;
-  } else if (auto* law = type == LUA_TNIL ? nullptr : test_handle<ContactLawValue>(L, -1)) {
+  } else if (const auto* law = type == LUA_TNIL ? nullptr : test_handle<ContactLawValue>(L, -1)) {
     keys.finish();
     spec.contact_after = require_law(m, *law, "");
   } else if (const auto* bearing = type == LUA_TNIL ? nullptr : test_handle<BearingHandle>(L, -1)) {

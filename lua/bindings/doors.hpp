@@ -23,7 +23,8 @@ std::span<const Method> reading_methods();  ///< bodies, contacts, history, resu
 /// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.
 void push_event(lua_State* L, int model_index, const Event& event);
 
-/// Name in `model` of a contact law value: its own or a new one; the builder knows it from now on.
-std::string require_law(ScriptModel& model, ContactLawValue& law, const std::string& name);
+/// Name in `model` of a contact law: `name`, its own, that of a law with the same numbers, or a new one; the builder
+/// knows it from now on. Throws InputError where another law has that name.
+std::string require_law(ScriptModel& model, const ContactLawValue& law, const std::string& name);
 
 }  // namespace trilith::script

@@ -46,7 +46,7 @@ struct MotionValue {
 
 struct ContactLawValue {
   ContactLaw law;
-  std::string name;  ///< "" until the script or its first use gives one
+  std::string name;  ///< "" where the script gave none
 };
 
 struct DirectionLawValue {

@@ -38,7 +38,7 @@ struct Host {
   std::vector<std::filesystem::path> records;    ///< folders in which motions are looked for after the script's own
   std::string results_file;                      ///< where given, instead of the script's own; for the first model
   RunObserver* observer = nullptr;
-  std::vector<std::weak_ptr<ScriptModel>> models;  ///< in the order made
+  std::vector<std::shared_ptr<ScriptModel>> recorded;  ///< models that write results; they live until finish()
 
   /// Folder of the script, "." where it has none.
   [[nodiscard]] std::filesystem::path folder() const;

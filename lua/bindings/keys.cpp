@@ -4,11 +4,19 @@
 #include <cmath>
 
 namespace trilith::script {
+namespace {
+
+/// As a script would print it, but for the sign of NaN, which means nothing.
+std::string number_text(double value) {
+  return std::isnan(value) ? "nan" : fmt::format("{}", value);
+}
+
+}  // namespace
 
 std::string what_is(lua_State* L, int index) {
   switch (lua_type(L, index)) {
     case LUA_TNUMBER:
-      return fmt::format("{:.17g}", lua_tonumber(L, index));
+      return number_text(lua_tonumber(L, index));
     case LUA_TSTRING:
       return fmt::format("the text '{}'", lua_tostring(L, index));
     case LUA_TBOOLEAN:
@@ -89,7 +97,7 @@ double Keys::read_number(std::string_view key, std::string_view unit) {
   if (lua_type(L_, -1) == LUA_TNUMBER) {
     value = lua_tonumber(L_, -1);
     if (!std::isfinite(value))
-      problem(fmt::format("'{}' is {}, must be a finite number{}", key, value,
+      problem(fmt::format("'{}' is {}, must be a finite number{}", key, number_text(value),
                           unit == "1" ? "" : fmt::format(" in {}", unit)));
   } else {
     wrong(key, unit == "1" ? "a number" : fmt::format("a number in {}", unit));

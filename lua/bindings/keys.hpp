@@ -51,7 +51,7 @@ class Keys {
   H* maybe_handle(std::string_view key) {
     const int type = push(key);
     H* h = type == LUA_TNIL ? nullptr : test_handle<H>(L_, -1);
-    if (type != LUA_TNIL && h == nullptr) wrong(key, Kind<H>::name);
+    if (type != LUA_TNIL && h == nullptr) wrong(key, fmt::format("a {}", Kind<H>::name));
     lua_pop(L_, 1);
     return h;
   }
@@ -61,7 +61,8 @@ class Keys {
     for (const Parameter<T>& p : T::parameters()) {
       value.*(p.member) = p.required() ? number(p.name, p.unit) : number(p.name, p.unit, p.preset);
       if (!p.allows(value.*(p.member)))
-        problem(fmt::format("'{}' is {:g} {}, must be {}", p.name, value.*(p.member), p.unit, p.range()));
+        problem(fmt::format("'{}' is {:g}{}{}, must be {}", p.name, value.*(p.member), p.unit == "1" ? "" : " ",
+                            p.unit == "1" ? "" : p.unit, p.range()));
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <new>
 #include <span>
 #include <string>
@@ -57,6 +58,7 @@ template <class H>
 std::vector<std::string> member_names(lua_State* L, int lookup) {
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, lookup) != 0; lua_pop(L, 1)) names.emplace_back(lua_tostring(L, -2));
+  std::sort(names.begin(), names.end());
   return names;
 }
 

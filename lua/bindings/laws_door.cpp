@@ -1,4 +1,6 @@
 // Contact laws and direction laws as values: constructors made from their declarations.
+#include <algorithm>
+
 #include "doors.hpp"
 
 namespace trilith::script {
@@ -54,22 +56,27 @@ struct AddDirectionLaw {
   }
 };
 
-/// A declared number of a law, looked up by name: law.kn.
+/// A declared number of a law, looked up by name: law.kn. False where the key is no text.
 template <class Law>
-bool push_declared(lua_State* L, const Law& law, std::string_view key) {
+bool push_declared(lua_State* L, const Law& law) {
+  if (lua_type(L, 2) != LUA_TSTRING) return false;
+  const std::string key = lua_tostring(L, 2);
+  std::vector<std::string> known;
   bool found = false;
   std::visit(
       [&](const auto& l) {
         using T = std::decay_t<decltype(l)>;
         if constexpr (Declared<T>)
-          for (const Parameter<T>& p : T::parameters())
-            if (p.name == key) {
-              lua_pushnumber(L, l.*(p.member));
-              found = true;
-            }
+          for (const Parameter<T>& p : T::parameters()) {
+            known.emplace_back(p.name);
+            if (p.name != key) continue;
+            lua_pushnumber(L, l.*(p.member));
+            found = true;
+          }
       },
       law);
-  return found;
+  if (!found) throw InputError(fmt::format("this law has no '{}'{}", key, name_hint(key, known)));
+  return true;
 }
 
 template <class Law>
@@ -83,8 +90,21 @@ std::string law_text(const Law& law) {
   return text;
 }
 
+/// True where kind and all declared numbers agree.
+bool same_law(const ContactLaw& a, const ContactLaw& b) {
+  if (a.index() != b.index()) return false;
+  return std::visit(
+      [&](const auto& l) {
+        using T = std::decay_t<decltype(l)>;
+        const auto parameters = T::parameters();
+        return std::all_of(parameters.begin(), parameters.end(),
+                           [&](const Parameter<T>& p) { return l.*(p.member) == std::get<T>(b).*(p.member); });
+      },
+      a);
+}
+
 const std::array contact_properties{
-    Property<ContactLawValue>{"name", "", "its name, \"\" until it is used", nullptr,
+    Property<ContactLawValue>{"name", "", "its name, \"\" where it was given none", nullptr,
                               [](lua_State* L, const ContactLawValue& v) { lua_pushstring(L, v.name.c_str()); }},
 };
 
@@ -97,23 +117,23 @@ void open_laws(lua_State* L) {
   DirectionLaws::for_each(AddDirectionLaw{L});
 }
 
-std::string require_law(ScriptModel& model, ContactLawValue& law, const std::string& name) {
-  const auto known = model.builder.law_names();
-  const auto is_known = [&](const std::string& n) { return std::find(known.begin(), known.end(), n) != known.end(); };
+std::string require_law(ScriptModel& model, const ContactLawValue& law, const std::string& name) {
   std::string use = name.empty() ? law.name : name;
+  for (const auto& [known, other] : model.laws) {
+    if (use.empty() ? same_law(other, law.law) : known == use) {
+      if (same_law(other, law.law)) return known;
+      throw InputError(fmt::format("contact law '{}' is there already; give each one of its own name", use));
+    }
+  }
   if (use.empty()) {
     const std::string kind =
         std::visit([](const auto& l) { return std::string(std::decay_t<decltype(l)>::name); }, law.law);
-    do use = fmt::format("{} {}", kind, ++model.laws_named);
-    while (is_known(use));
-  }
-  if (law.name.empty()) law.name = use;
-  if (is_known(use)) {
-    if (!name.empty() && name != law.name)
-      throw InputError(fmt::format("contact law '{}' is there already; give each one of its own name", use));
-    return use;  // the same value again
+    const auto known = model.builder.law_names();
+    for (int i = 1; use.empty() || std::find(known.begin(), known.end(), use) != known.end(); ++i)
+      use = fmt::format("{} {}", kind, i);
   }
   model.builder.add_law(use, law.law);
+  model.laws.emplace_back(use, law.law);
   return use;
 }
 
@@ -130,7 +150,7 @@ std::span<const std::pair<const char*, lua_CFunction>> Kind<ContactLawValue>::me
   return {};
 }
 bool Kind<ContactLawValue>::read_item(lua_State* L, const ContactLawValue& v) {
-  return lua_type(L, 2) == LUA_TSTRING && push_declared(L, v.law, lua_tostring(L, 2));
+  return push_declared(L, v.law);
 }
 
 std::span<const Property<DirectionLawValue>> Kind<DirectionLawValue>::properties() {
@@ -146,7 +166,7 @@ std::span<const std::pair<const char*, lua_CFunction>> Kind<DirectionLawValue>::
   return {};
 }
 bool Kind<DirectionLawValue>::read_item(lua_State* L, const DirectionLawValue& v) {
-  return lua_type(L, 2) == LUA_TSTRING && push_declared(L, v.law, lua_tostring(L, 2));
+  return push_declared(L, v.law);
 }
 
 }  // namespace trilith::script

@@ -1,4 +1,5 @@
 // Models: making them, and what can be read of them.
+#include <algorithm>
 #include <cmath>
 
 #include "doors.hpp"
@@ -104,8 +105,11 @@ int explain_dt(lua_State* L) {
 int close_model(lua_State* L) {
   auto& box = handle<ModelBox>(L, 1);
   if (box.get().running()) throw InputError(fmt::format("{}: cannot be closed while a stage runs", box.model->title()));
-  box.model->finish("");
-  box.model.reset();
+  const std::shared_ptr<ScriptModel> model = std::move(box.model);
+  auto& recorded = host(L).recorded;
+  recorded.erase(std::remove(recorded.begin(), recorded.end(), model), recorded.end());
+  const std::string said = model->finish("");
+  if (host(L).observer != nullptr && !said.empty()) host(L).observer->note(said);
   return 0;
 }
 
@@ -167,7 +171,6 @@ int make_model(lua_State* L) {
   if (!(b.overlap_allowed >= 0))
     keys.problem(fmt::format("'overlap_allowed' is {:g}, must not be below 0", b.overlap_allowed));
   keys.finish();
-  host(L).models.push_back(model);
   push_handle(L, ModelBox{std::move(model)}, 1);
   lua_newtable(L);
   lua_setiuservalue(L, -2, 1);

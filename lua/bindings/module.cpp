@@ -1,4 +1,6 @@
 // The shared module: require "trilith" from a stock lua5.4.
+#include <fmt/format.h>
+
 #include <new>
 
 #include "open.hpp"
@@ -11,7 +13,8 @@ int end_host(lua_State* L) {
   auto* host = static_cast<Host*>(lua_touserdata(L, 1));
   try {
     host->finish("");
-  } catch (const std::exception&) {  // the state closes: nobody is left to be told
+  } catch (const std::exception& e) {  // the state closes: no script is left to be told
+    fmt::print(stderr, "trilith: {}\n", e.what());
   }
   host->~Host();
   return 0;

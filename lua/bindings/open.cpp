@@ -14,15 +14,21 @@ void add_version(lua_State* L) {
   lua_setfield(L, -2, "version");
 }
 
+void load_file(lua_State* L, const LibraryFile& file) {
+  lua_pushfstring(L, "=trilith/%s.lua", file.name);
+  if (luaL_loadbufferx(L, file.text, std::strlen(file.text), lua_tostring(L, -1), "t") != LUA_OK) lua_error(L);
+  lua_remove(L, -2);
+}
+
 /// Runs each file of the library with (module, core); no C++ object lives here, so a Lua error may pass.
 void run_library(lua_State* L, int module, int core) {
-  for (const LibraryFile* file = library_files(); file->name != nullptr; ++file) {
-    lua_pushfstring(L, "=trilith/%s.lua", file->name);
-    if (luaL_loadbufferx(L, file->text, std::strlen(file->text), lua_tostring(L, -1), "t") != LUA_OK) lua_error(L);
+  const LibraryFile* file = library_files();
+  while (std::strcmp(file->name, "module") != 0) ++file;
+  for (; file->name != nullptr; ++file) {
+    load_file(L, *file);
     lua_pushvalue(L, module);
     lua_pushvalue(L, core);
     lua_call(L, 2, 0);
-    lua_pop(L, 1);
   }
 }
 
@@ -39,6 +45,15 @@ int fill(lua_State* L) {
 }
 
 }  // namespace
+
+void load_library_file(lua_State* L, const char* name) {
+  for (const LibraryFile* file = library_files(); file->name != nullptr; ++file)
+    if (std::strcmp(file->name, name) == 0) {
+      load_file(L, *file);
+      return;
+    }
+  luaL_error(L, "there is no library file '%s'", name);
+}
 
 void set_host(lua_State* L, Host& h) {
   lua_pushlightuserdata(L, &h);

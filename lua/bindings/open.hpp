@@ -12,12 +12,15 @@ void set_host(lua_State* L, Host& host);
 /// Pushes the module table, made anew; set_host comes first. Raises a Lua error where the library does not load.
 int open_trilith(lua_State* L);
 
+/// Pushes a file of the library as a function; raises a Lua error where there is none.
+void load_library_file(lua_State* L, const char* name);
+
 /// A file of the Lua library that is compiled in.
 struct LibraryFile {
   const char* name;  ///< "story"
   const char* text;
 };
-/// All of them in the order to be run; the last is nullptr.
+/// All of them; the last is nullptr. Those from "module" on are run, in order, when the module is opened.
 const LibraryFile* library_files();
 
 }  // namespace trilith::script

@@ -37,7 +37,7 @@ std::string law_name(Keys& keys, ScriptModel& m, const std::string& name) {
   std::string law;
   if (keys.push("law") == LUA_TNIL)
     keys.missing("law", "a contact law such as trilith.frictional{...}, the name of one, or \"none\"");
-  else if (auto* value = test_handle<ContactLawValue>(L, -1)) {
+  else if (const auto* value = test_handle<ContactLawValue>(L, -1)) {
     keys.finish();
     law = require_law(m, *value, name);
   } else if (lua_type(L, -1) == LUA_TSTRING)

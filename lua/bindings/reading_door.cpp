@@ -123,8 +123,8 @@ bool follow(Keys& keys, History& history, const std::string& what) {
   if (h == nullptr) return false;
   const Property<H>* p = find_property<H>(what);
   if (p == nullptr || p->number == nullptr) {
-    keys.problem(fmt::format("'what' is '{}', which is no number of a {}{}", what, Kind<H>::name,
-                             name_hint(what, number_names<H>())));
+    keys.problem(
+        fmt::format("'what' is '{}', no number of a {}{}", what, Kind<H>::name, name_hint(what, number_names<H>())));
     return true;
   }
   history.sample = [copy = *h, p] { return p->number(copy); };
@@ -168,9 +168,8 @@ void follow_model(Keys& keys, History& h, const std::string& what) {
   const Property<ModelBox>* p = find_property<ModelBox>(what);
   if (p == nullptr || p->number == nullptr) {
     if (!what.empty())
-      keys.problem(
-          fmt::format("'what' is '{}', which is no number of a model{}; for those of others give body, bearing or seat",
-                      what, name_hint(what, number_names<ModelBox>())));
+      keys.problem(fmt::format("'what' is '{}', no number of the model (for others give body, bearing or seat){}", what,
+                               name_hint(what, number_names<ModelBox>())));
     return;
   }
   const auto* box = static_cast<const ModelBox*>(lua_touserdata(keys.lua(), 1));
@@ -199,6 +198,8 @@ void read_followed(Keys& keys, History& h, const ScriptModel& m) {
 int history(lua_State* L) {
   ScriptModel& m = self(L);
   if (m.running()) throw InputError("history: cannot be added while a stage runs");
+  if (m.recording())
+    throw InputError("history: cannot be added once results are recorded; add it before the first stage");
   if (!m.history_times.empty())
     throw InputError("history: cannot be added once histories have been taken; add it before the first stage");
   Keys keys(L, 2, "history");

@@ -31,9 +31,8 @@ record::Provenance Host::provenance(const std::vector<std::string>& motions) con
 }
 
 void Host::finish(const std::string& error) {
-  for (const auto& weak : models) {
-    const auto model = weak.lock();
-    const std::string said = model ? model->finish(error) : "";
+  for (const auto& model : std::exchange(recorded, {})) {
+    const std::string said = model->finish(error);
     if (observer != nullptr && !said.empty()) observer->note(said);
   }
 }
@@ -111,6 +110,7 @@ void ScriptModel::begin_recording(Host& host) {
   recording_ =
       std::make_unique<Recording>(results->file, simulation_->model(), simulation_->state(), std::move(options));
   for (const std::string& note : builder.notes()) recording_->note(note);
+  host.recorded.push_back(shared_from_this());
 }
 
 RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* observer) {
@@ -183,7 +183,14 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
     }
   } scope(*this);
   rest_share_ = options.rest_share;
-  const StageReport report = s.run(options, listen_with(listener, host.observer));
+  StageReport report;
+  try {
+    report = s.run(options, listen_with(listener, host.observer));
+    broken_.clear();
+  } catch (const std::exception& e) {
+    broken_ = e.what();
+    throw;
+  }
   if (host.observer != nullptr) host.observer->stage_ended(report);
   return report;
 }
@@ -191,8 +198,9 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
 std::string ScriptModel::finish(const std::string& error) {
   if (!recording_) return "";
   const std::unique_ptr<Recording> recording = std::move(recording_);
-  if (!error.empty()) {
-    recording->abandon(error);
+  const std::string& why = error.empty() ? broken_ : error;
+  if (!why.empty()) {
+    recording->abandon(why);
     return fmt::format("results so far, unfinished, are in {}", recording->part().string());
   }
   recording->finish();

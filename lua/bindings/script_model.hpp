@@ -34,14 +34,15 @@ struct Timer {
   [[nodiscard]] double due() const { return start + static_cast<double>(next) * interval; }
 };
 
-class ScriptModel {
+class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
  public:
   explicit ScriptModel(std::string model_name) : name(std::move(model_name)) {}
 
   std::string name;
   ModelBuilder builder;
-  std::vector<Material> materials;           ///< as given to the builder
-  std::vector<std::string> bearings, seats;  ///< names, in order
+  std::vector<std::pair<std::string, ContactLaw>> laws;  ///< as given to the builder
+  std::vector<Material> materials;                       ///< as given to the builder
+  std::vector<std::string> bearings, seats;              ///< names, in order
   std::vector<History> histories;
   std::vector<double> history_times;  ///< [s]
   double history_interval = 0.01;     ///< [s], without results
@@ -52,11 +53,11 @@ class ScriptModel {
   double wake_at = unbounded;  ///< a story wants to be woken then [s]
   bool has_step_handler = false;
   std::uint32_t wanted_events = 0;  ///< bit of each EventType that some handler wants
-  int laws_named = 0;
 
   [[nodiscard]] std::string title() const { return name.empty() ? "model" : "model '" + name + "'"; }
   [[nodiscard]] bool built() const { return simulation_ != nullptr; }
   [[nodiscard]] bool running() const { return running_; }
+  [[nodiscard]] bool recording() const { return recording_ != nullptr; }
 
   /// Throws InputError where the model was built or is running: bodies, laws and bearings come before.
   void require_open(const std::string& what) const;
@@ -98,6 +99,7 @@ class ScriptModel {
   bool running_ = false, stale_ = true, recording_begun_ = false;
   double rest_share_ = 0;
   std::size_t notes_shown_ = 0;
+  std::string broken_;                                   // why the last stage broke off, if it did
   std::vector<std::function<void(Model<2>&)>> changes_;  // wait for the step border
 };
 

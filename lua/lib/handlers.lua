@@ -3,8 +3,11 @@ local _, core = ...
 local model_methods = core.members "model"
 
 local function check_function(f, owner)
-  if type(f) ~= "function" then core.fail(("%s: needs a function; this is a %s"):format(owner, type(f))) end
+  if type(f) == "function" then return end
+  core.fail(("%s: needs a function; this is %s"):format(owner, f == nil and "nil" or "a " .. type(f)))
 end
+
+core.check_function = check_function
 
 core.made[#core.made + 1] = function(model, own)
   local by_event, clocks, steps, samples = {}, {}, {}, {}

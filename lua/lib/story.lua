@@ -95,7 +95,7 @@ end
 
 --- m:story(f): f(model) runs at once up to its first m:wait, then goes on when that happens.
 function model_methods.story(model, f)
-  if type(f) ~= "function" then core.fail(("story: needs a function; this is a %s"):format(type(f))) end
+  core.check_function(f, "story")
   core.own(model).begin_story(coroutine.create(f), model)
 end
 

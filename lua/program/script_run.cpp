@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -54,17 +55,14 @@ struct CloseState {
   void operator()(lua_State* L) const { lua_close(L); }
 };
 
-/// The script's folder is where it requires from; globals that were not set are errors.
-constexpr const char* prepare = R"lua(
-local trilith, folder = ...
-package.path = folder .. "/?.lua;" .. folder .. "/?/init.lua"
-package.loaded.trilith = trilith
-setmetatable(_G, {
-  __index = function(_, name)
-    error(("there is no global '%s'; declare it with local, or look at its spelling"):format(tostring(name)), 2)
-  end,
-})
-)lua";
+/// os.exit(code): as in Lua, but the results say how the run ended.
+int exit_script(lua_State* L) {
+  const bool good =
+      lua_isnoneornil(L, 1) || (lua_isboolean(L, 1) ? lua_toboolean(L, 1) != 0 : lua_tointeger(L, 1) == 0);
+  const int code = good ? ended_well : lua_isinteger(L, 1) != 0 ? static_cast<int>(lua_tointeger(L, 1)) : wrong_input;
+  static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)))->finish(good ? "" : "the script called os.exit");
+  std::exit(code);
+}
 
 /// print(...), on lines of its own: the status goes first. Upvalues: the host, and Lua's print.
 int print_apart(lua_State* L) {
@@ -84,9 +82,13 @@ int set_up(lua_State* L) {
   lua_pushcclosure(L, print_apart, 2);
   lua_setglobal(L, "print");
   script::set_host(L, host);
-  if (luaL_loadbufferx(L, prepare, std::char_traits<char>::length(prepare), "=trilith/prepare.lua", "t") != LUA_OK)
-    return lua_error(L);
+  lua_getglobal(L, "os");
+  lua_pushlightuserdata(L, &host);
+  lua_pushcclosure(L, script::guarded<exit_script>, 1);
+  lua_setfield(L, -2, "exit");
   script::open_trilith(L);
+  script::load_library_file(L, "prepare");
+  lua_insert(L, -2);
   lua_pushstring(L, host.folder().string().c_str());
   lua_call(L, 2, 0);
   return 0;

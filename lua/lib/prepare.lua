@@ -1,0 +1,41 @@
+-- What the program makes of a Lua state before the script runs: its folder to require from, text chunks alone, and
+-- errors for globals that nobody declared.
+-- luacheck: globals load loadfile dofile
+local trilith, folder = ...
+
+package.loaded.trilith = trilith
+package.path = folder .. "/?.lua;" .. folder .. "/?/init.lua"
+
+-- A binary chunk can break the interpreter, so only text is loaded.
+local load_chunk, load_file = load, loadfile
+function load(chunk, name, _, ...) return load_chunk(chunk, name, "t", ...) end
+function loadfile(file, _, ...) return load_file(file, "t", ...) end
+function dofile(file)
+  local chunk, message = load_file(file, "t")
+  if not chunk then error(message, 0) end
+  return chunk()
+end
+package.searchers[2] = function(name)
+  local file, tried = package.searchpath(name, package.path)
+  if not file then return tried end
+  local chunk, message = load_file(file, "t")
+  if not chunk then error(message, 0) end
+  return chunk, file
+end
+
+local function is_main_or_c(level)
+  local info = debug.getinfo(level + 1, "S")
+  return not info or info.what == "main" or info.what == "C"
+end
+
+setmetatable(_G, {
+  __index = function(_, name)
+    error(("there is no global '%s'; look at its spelling, or declare it with local"):format(tostring(name)), 2)
+  end,
+  __newindex = function(globals, name, value)
+    if not is_main_or_c(2) then
+      error(("global '%s' is set first within a function; declare it with local"):format(tostring(name)), 2)
+    end
+    rawset(globals, name, value)
+  end,
+})

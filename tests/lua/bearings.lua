@@ -1,0 +1,44 @@
+-- Bearings, seats, and what becomes of them; the events and their causes.
+local trilith = require "trilith"
+local m = trilith.model { name = "span" }
+m:material { name = "concrete", unit_weight = 24e3 }
+m:contact { between = { "concrete", "concrete" },
+  law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.3, beta = 1e-3 } }
+m:ground { name = "ground", surface = { { -10, 0 }, { 30, 0 } }, base_level = -2, material = "concrete",
+  support = "fixed" }
+local P1 = m:pier { name = "P1", x = 0, height = 5, stem_width = 2, material = "concrete" }
+local P2 = m:pier { name = "P2", x = 12, height = 5, stem_width = 2, material = "concrete" }
+local span = m:span { name = "S1", x0 = 0, x1 = 12, soffit_level = 5, depth = 1, material = "concrete" }
+local slide = trilith.frictional { name = "slide", kn = 1e9, ks = 5e8, mu = 0.05, beta = 1e-3 }
+local fixed = trilith.linear { stiffness = 5e7, damping = 1e5 }
+local left = m:bearing { name = "S1.left", between = { P1, span }, at = { 0.5, 5 }, along = fixed, axial = fixed,
+  limit = { along = 0.001 }, becomes = slide }
+local right = m:bearing { name = "S1.right", between = { "P2", "S1" }, at = { 11.5, 5 }, along = fixed, axial = fixed }
+local seat = m:seat { name = "S1.seat", body = span, support = P1, at_end = { 0, 5 }, edge = { 1, 5 },
+  inward = { -1, 0 } }
+assert(m.bearings["S1.left"] == left and m.bearings[2] == right and #m.bearings == 2 and m.seats[1] == seat)
+
+local report = m:consolidate { duration = 20 }
+assert(report.rests and left.status == "intact" and left.bodies[2] == span)
+local weight = 24e3 * 12
+local carried = -left.force_axial - right.force_axial
+for _, contact in ipairs(m:contacts { between = { span, P1 + P2 } }) do carried = carried + contact.normal end
+assert(math.abs(carried - weight) < 1e-3 * weight, carried)
+assert(math.abs(left.displacement.axial - left.displacement_axial) == 0 and left.force.along == left.force_along)
+assert(math.abs(seat.length - 1) < 0.01 and not seat.lost)
+
+local seen = {}
+m:on("bearing.failed", function(e)
+  seen.failed = e
+  assert(e.bearing == left and e.body == P1 and e.bodies[2] == span and math.abs(e.value) > 0.001)
+  assert(tostring(e):find "S1.left failed")
+end)
+m:on("bearing.changed", function(e) seen.changed = e end)
+m:on("*", function(e) seen[#seen + 1] = e.type end)
+local share = m:history { name = "share", bearing = "S1.left", what = "share" }
+m:drive { body = P1, x = trilith.motion { velocity = -0.5, duration = 1 } }
+m:run { duration = 1.5 }
+assert(left.status == "changed", left.status)
+assert(seen.failed and seen.changed and seen.changed.id > seen.failed.id and seen.changed.cause == seen.failed.id)
+assert(seen[1] == "stage.begun" and seen[#seen] == "stage.ended")
+assert(share.max > 0.9)

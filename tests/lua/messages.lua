@@ -1,0 +1,223 @@
+-- Wrong input: each case is one line of script and the one line of message it must give, at its own line. A message in
+-- a table is a pattern: it holds a path of this machine.
+local trilith = require "trilith"
+
+local huge, nan = math.huge, 0 / 0
+local stone = trilith.frictional { kn = 1e9, ks = 1e9, mu = 0.5 }
+local spring = trilith.linear { stiffness = 1e6 }
+local square = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }
+local quake = trilith.motion "elcentro_1940_rest_ns.csv"
+
+local function new()
+  local m = trilith.model { name = "wrong" }
+  m:material { name = "stone", density = 2000 }
+  m:contact { between = { "stone", "stone" }, law = stone }
+  m:block { name = "base", width = 4, height = 1, at = { -2, -1 }, material = "stone", support = "fixed" }
+  return m
+end
+local function built()
+  local m = new()
+  m:block { name = "block", width = 1, height = 1, material = "stone", groups = "top" }
+  m:block { name = "other", width = 1, height = 1, at = { 1.5, 0 }, material = "stone" }
+  m:bearing { name = "B1", between = { "block", "other" }, at = { 1.2, 0.5 }, along = spring }
+  return m
+end
+
+local function with_block(name, y)
+  local w = new()
+  w:block { name = name, width = 1, height = 1, at = { 0, y }, material = "stone" }
+  return w
+end
+local function late()
+  local w = built()
+  w:run { duration = 1e-3 }
+  return w
+end
+local function closed()
+  local w = new()
+  w:close()
+  return w
+end
+
+local m, b = new(), built()
+local cases = {
+  -- units and parameters
+  { function() return trilith.units "ft inhc" end, "there is no unit 'inhc'; did you mean 'inch'?" },
+  { function() return trilith.units "lb" end, "there is no unit 'lb'; say lbf for a force, lbm for a mass" },
+  { function() return trilith.units(3) end, 'units: takes one text, as in units "ft inch kip"; this is 3' },
+  { function() return trilith.modle {} end, "trilith has no 'modle'; did you mean 'model'?" },
+  -- model
+  { function() trilith.model { gravty = 9.81 } end, "model: unknown key 'gravty'; did you mean 'gravity'?" },
+  { function() trilith.model { name = "x", thickness = 0 } end, "model 'x': 'thickness' is 0 m, must be above 0" },
+  { function() trilith.model { gravity = "down" } end,
+    "model: 'gravity' is the text 'down', must be a number (downwards) or {x, y}, in m/s2" },
+  { function() trilith.model "x" end, "model: takes one table, as in model{ ... }; this is the text 'x'" },
+  -- materials and laws
+  { function() m:material { density = 2000 } end, "material: 'name' is missing; give a text" },
+  { function() m:material { name = "a", density = -1 } end,
+    "material 'a': density is -1 kg/m3, must be finite and above 0" },
+  { function() m:material { name = "a", density = nan } end,
+    "material 'a': 'density' is nan, must be a finite number in kg/m3" },
+  { function() m:material { name = "a", density = 150 * trilith.units "pcf" } end,
+    "material 'a': 'density' is 23563.1 kg/m3, more than any metal's; a weight by volume (pcf, kcf, N/m3) "
+      .. "is given as unit_weight" },
+  { function() m:material { name = "stone", density = 1 } end,
+    "material 'stone' is there already; give each one of its own name" },
+  { function() m:material { name = "a" } end, "material 'a': give either density (kg/m3) or unit_weight (N/m3)" },
+  { function() trilith.frictional { kn = 1e9, mu = 0.5 } end, "frictional: 'ks' is missing; give a number in Pa/m" },
+  { function() trilith.frictional { kn = 0, ks = 1, mu = 0.5 } end, "frictional: 'kn' is 0 Pa/m, must be above 0" },
+  { function() trilith.frictional { kn = 1, ks = 1, mu = "x" } end,
+    "frictional: 'mu' is the text 'x', must be a number" },
+  { function() trilith.bonded { kn = 1, ks = 1, mu = 1, cohesion = 1, tensoin = 1 } end,
+    "bonded: unknown key 'tensoin'; did you mean 'tension'?" },
+  { function() trilith.linear {} end, "linear: 'stiffness' is missing; give a number in N/m" },
+  { function() trilith.elastic_plastic { stiffness = 1, yield = 1, hardening = 1 } end,
+    "elastic_plastic: 'hardening' is 1, must be not below 0 and at most 0.99" },
+  { function() trilith.table { points = { { 0, 0 }, { 0, 1 } } } end,
+    "table: displacement of point 2 is 0 m, must be above that of point 1 (0 m)" },
+  { function() trilith.table { points = { { 0, 0 }, { 1 } } } end,
+    "table: point 2 of 'points' is a table, must be {x, y}, two finite numbers" },
+  { function() return stone.nk end, "this law has no 'nk'; did you mean 'kn'?" },
+  { function() m:contact { between = { "stone" }, law = stone } end,
+    "contact: 'between' holds 1 names, must hold two" },
+  { function() m:contact { between = { "stone", "stome" }, law = stone } end,
+    "contact: there is no material, group or body 'stome'; did you mean 'stone'?" },
+  { function() m:contact { between = { "stone", "*" }, law = "rough" } end,
+    "contact of 'stone' and '*': there is no law 'rough'; known: frictional 1, none" },
+  { function() m:contact { between = { "stone", "*" }, law = spring } end,
+    "contact: 'law' is a direction law, must be a contact law, the name of one, or \"none\"" },
+  -- bodies
+  { function() m:body { name = "a", outline = square, material = "stone", heigth = 2 } end,
+    "body 'a': unknown key 'heigth'; did you mean 'weight'?" },
+  { function() m:body { name = "a", outline = square, 3 } end,
+    "body 'a': 3 stands there without a key; write key = value" },
+  { function() m:body { name = "a", material = "stone" } end,
+    "body 'a': 'outline' is missing; give a list of points {{x, y}, ...}" },
+  { function() m:body { name = "a", outline = { { 0, 0 }, { 1, nan }, { 1, 1 } }, material = "stone" } end,
+    "body 'a': point 2 of 'outline' is a table, must be {x, y}, two finite numbers" },
+  { function() m:body { name = "a", outline = { { 0, 0 }, { 1, 1 } }, material = "stone" } end,
+    "body 'a': outline has 2 different points, needs at least 3" },
+  { function() m:body { name = "a", outline = { { 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 1 } }, material = "stone" } end,
+    "body 'a': outline crosses or touches itself at (0.5, 0.5): the edge from point 1 (0, 0) to point 2 "
+      .. "(1, 1) meets the edge from point 3 (1, 0) to point 4 (0, 1); give the points in order around the "
+      .. "outline" },
+  { function() m:body { name = "a", outline = square, material = "stome" } end,
+    "body 'a': there is no material 'stome'; did you mean 'stone'?" },
+  { function() m:body { name = "a", outline = square } end,
+    "body 'a': give a density, mass or weight, or a material that has a density" },
+  { function() m:body { name = "a", outline = square, mass = 0 } end,
+    "body 'a': mass is 0 kg, must be finite and above 0" },
+  { function() m:body { name = "a", outline = square, mass = -3 } end,
+    "body 'a': mass is -3 kg, must be finite and above 0" },
+  { function() m:body { name = "a", outline = square, mass = huge } end,
+    "body 'a': 'mass' is inf, must be a finite number in kg" },
+  { function() m:body { name = "a", outline = square, mass = 1, weight = 1 } end,
+    "body 'a': more than one of density, mass and weight is given; keep one" },
+  { function() m:body { name = "a", outline = square, mass = 1, support = "fixd" } end,
+    "body 'a': 'support' is 'fixd', must be \"fixed\" or \"free\"" },
+  { function() m:body { name = "a", outline = square, mass = 1, support = { z = "fixed" } } end,
+    "body 'a': support: unknown key 'z'; did you mean 'x'?" },
+  { function() m:body { name = "base", outline = square, mass = 1 } end,
+    "body 'base' is there already; give each one of its own name" },
+  { function() m:body { outline = square, mass = 1 } end, "body: 'name' is missing; give a text" },
+  { function() m:body "bse" end, "body: there is no body 'bse'; did you mean 'base'?" },
+  { function() m.body { name = "a" } end, "argument 1 is a table, must be a model; call methods with ':'" },
+  { function() m:pier { name = "P", x = 0, height = 3 } end, "pier 'P': 'stem_width' is missing; give a number in m" },
+  { function() m:pier { name = "P", x = 0, height = -3, stem_width = 1, material = "stone" } end,
+    "pier 'P': height is -3 m, must be finite and above 0" },
+  { function() m:arch { voussoirs = 2.5 } end, "arch: 'voussoirs' is 2.5, must be a whole number" },
+  { function() m:abutment { side = "top", x = 0, height = 1, width = 1 } end,
+    "abutment 'abutment': 'side' is 'top', must be one of left, right" },
+  { function() m:add {} end, "add: the list of parts is empty; give a list, as from trilith.build" },
+  { function() return m.bodys end, "model 'wrong' has no 'bodys'; did you mean 'body'?" },
+  { function() m.time = 3 end, "'time' of model 'wrong' can be read, not set" },
+  { function() return b:body("block").hight end,
+    "body 'block' has no 'hight'; known: area, groups, inertia, mass, material, name, outline, point, "
+      .. "resting, rotation, speed, spin, ux, uy, vx, vy, x, y" },
+  { function() return m:bodies { grup = "x" } end, "bodies: unknown key 'grup'; did you mean 'group'?" },
+  -- bearings and seats
+  { function() m:bearing { name = "B", between = { "base", "nobody" }, at = { 0, 0 } } end,
+    "bearing 'B': there is no body 'nobody'; known: base" },
+  { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 } } end,
+    "bearing 'B': links body 'base' to itself; name two bodies" },
+  { function() m:bearing { name = "B", between = { "base", "base" } } end,
+    "bearing 'B': its place is missing; give at = {x, y}, or from = {x, y} and to = {x, y}" },
+  { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 }, along = stone } end,
+    "bearing 'B': 'along' is a contact law, must be a direction law" },
+  { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 }, limit = { allong = 1 } } end,
+    "bearing 'B': limit: unknown key 'allong'; did you mean 'along'?" },
+  { function() return b.bearings.B2 end, "there is no bearing 'B2'; did you mean 'B1'?" },
+  { function() m:seat { name = "s", body = "base", support = "base", edge = { 0, 0 } } end,
+    "seat 's': 'at_end' is missing; give {x, y}" },
+  -- motions
+  { function() trilith.motion "elcentro_1940_rest_sn.csv" end,
+    { "motion: there is no file 'elcentro_1940_rest_sn.csv' in .*; did you mean 'elcentro_1940_rest_ns.csv'%?" } },
+  { function() trilith.motion { acceleration = { 0, 1, "x" }, dt = 0.01 } end,
+    "motion: sample 3 of 'acceleration' is the text 'x', must be a number in m/s2" },
+  { function() trilith.motion { acceleration = { 0, 1, 0 } } end, "motion: 'dt' is missing; give a number in s" },
+  { function() trilith.motion {} end,
+    "motion: 'acceleration' is missing; give a list of numbers in m/s2, or a file, or a velocity and a duration" },
+  { function() quake:scale { pga = 1, factor = 2 } end, "scale: give either pga (in m/s2) or factor" },
+  { function() quake:scale(2) end, "scale: takes one table, as in scale{ ... }; this is 2" },
+  { function() quake:time_scale "x" end, "time_scale: takes one finite number; this is the text 'x'" },
+  -- stages
+  { function() m:run {} end, "run: 'duration' is missing; give a number in s" },
+  { function() m:run { duration = -1 } end, "stage 'run': duration is -1 s, must be finite and above 0" },
+  { function() m:run { duration = 1, dt = 1 } end,
+    "stage 'run': dt is 1 s, the longest stable step is 0.1 s at t = 0 s; leave dt out, or: nothing "
+      .. "stiff governs; the step is held to 0.1 s" },
+  { function() b:shake { body = "bass", x = quake } end,
+    "shake: body: there is no body or group 'bass'; did you mean 'base'?" },
+  { function() b:shake { body = "base" } end, "shake: no motion is given; give x, y or rotation = trilith.motion ..." },
+  { function() b:shake { body = "base", x = trilith.motion { acceleration = { 0, 0, 0 }, dt = 1 } } end,
+    "shake: 'x': motion 'samples of the script' is zero everywhere; check the file and its column" },
+  { function() b:shake { body = "base", x = trilith.motion { acceleration = { 0, 1, 0 }, dt = 1 } } end,
+    "shake: 'x': motion 'samples of the script' drifts: 1 m in 2 s, end velocity 100 cm/s (1e+02 % of "
+      .. "PGV), mean of the last quarter 83.3 cm/s (83 %); start it from the velocity its source gives (zero "
+      .. "mean velocity needs -50 cm/s), use a version that begins and ends at rest, or allow drift" },
+  { function() b:fix("block", "xz") end,
+    "fix: directions are the text 'xz', must be a text of x, y and r, as in \"xy\"" },
+  { function() b:fix(7) end, "fix: 7 is no body; give a body, a set, a name, or a list of these" },
+  { function() b:fix(m:body "base") end, "fix: body 'base' belongs to another model" },
+  -- handlers and histories
+  { function() m:on("bearing.faild", print) end,
+    "on: there is no event 'bearing.faild'; did you mean 'bearing.failed'?" },
+  { function() m:on("impact") end, "on: needs a function; this is nil" },
+  { function() m:every(0, print) end, "every: the interval is 0, must be a number of seconds above 0" },
+  { function() m:on_step "x" end, "on_step: needs a function; this is a string" },
+  { function() m:wait "impact" end, "wait: only within a story, see m:story(function() ... end)" },
+  { function() m:wait { "impact", wihtin = 3 } end, "wait: unknown key 'wihtin'; did you mean 'within'?" },
+  { function() m:history { name = "h", body = "base", what = "z" } end,
+    "history 'h': 'what' is 'z', no number of a body; did you mean 'x'?" },
+  { function() m:history { name = "h", what = "sped" } end,
+    "history 'h': 'what' is 'sped', no number of the model (for others give body, bearing or seat); did "
+      .. "you mean 'speed'?" },
+  { function() m:history { name = "h", of = 3 } end, "history 'h': 'of' is 3, must be a function" },
+  { function() m:results { frames = 1 } end, "results: 'file' is missing; give a text" },
+  { function() m:results { file = "x.h5", frames = 0 } end, "results: 'frames' is 0 s, must be above 0" },
+  -- what is known only when the model is built
+  { function() trilith.model({}):run { duration = 1 } end, "model: there is no body; add one at least" },
+  { function() with_block("in", -0.5):run { duration = 1 } end,
+    "bodies 'base' and 'in' overlap by 0.5 m at the start (0.35 of the smaller one's size, at most 1e-06 "
+      .. "is allowed); move one of them, or raise overlap_allowed" },
+  { function() with_block("up", 5):run { duration = 1 } end,
+    "body 'up' stands on nothing: no contact or bearing leads from it to a fixed or driven body; set it "
+      .. "on something, give a contact law for its material, or say floating = true" },
+  { function() late():body { name = "late", outline = square, mass = 1 } end,
+    "body: cannot be added any more, as the model was built at its first stage; add it before" },
+  { function() return closed().time end, "the model is closed" },
+}
+
+local count, wrong = 0, 0
+for _, case in ipairs(cases) do
+  count = count + 1
+  local info = debug.getinfo(case[1], "S")
+  local good, message = pcall(case[1])
+  local pattern = type(case[2]) == "table"
+  local expected = ("messages.lua:%d: %s"):format(info.linedefined, pattern and case[2][1] or case[2])
+  if good or not (pattern and message:find("^" .. expected .. "$") or message == expected) then
+    wrong = wrong + 1
+    print(("line %d\n  expected: %s\n  was:      %s"):format(info.linedefined, expected, message or "no error"))
+  end
+end
+assert(count >= 40 and wrong == 0, wrong .. " messages are not as they should be")
