@@ -53,6 +53,7 @@ struct DirectionLawValue {
   DirectionLaw law;
 };
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type as a template argument takes none.
 #define TRILITH_KIND(Type, Name)                                                 \
   template <>                                                                    \
   struct Kind<Type> {                                                            \
@@ -64,6 +65,7 @@ struct DirectionLawValue {
     static std::span<const std::pair<const char*, lua_CFunction>> metamethods(); \
     static bool read_item(lua_State* L, const Type& h);                          \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 TRILITH_KIND(ModelBox, "model");
 TRILITH_KIND(BodyHandle, "body");
 TRILITH_KIND(BodySet, "set of bodies");
