@@ -82,6 +82,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
 
   /// Runs a stage with `listener` wrapped by recording and observing.
   StageReport run(const StageOptions& options, const RunListener& listener, Host& host);
+  /// The run did not come to its end: results are left as unfinished, unless a later stage goes through.
+  void break_off(const std::string& why) { broken_ = why; }
   /// Ends the recording, if any; see Host::finish. What became of it, in words; "" where there is none.
   std::string finish(const std::string& error);
   /// Damping of consolidation in the last stage, for the ledger.

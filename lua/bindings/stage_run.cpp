@@ -28,6 +28,9 @@ class Handlers {
   Handlers& operator=(const Handlers&) = delete;
   ~Handlers() { lua_settop(L_, first_ - 1); }
 
+  /// An interrupt (of the program or of stock lua) sets a hook that raises once Lua code runs.
+  [[nodiscard]] bool interrupted() const { return lua_gethook(main_) != hook_; }
+
   void event(const Event& e) {
     if ((model_.wanted_events >> static_cast<unsigned>(e.type) & 1U) == 0) return;
     begin(dispatch);
@@ -36,8 +39,7 @@ class Handlers {
   }
 
   void step(double time, double dt) {
-    // An interrupt (of the program or of stock lua) sets a hook that raises once Lua code runs: go there.
-    if (lua_gethook(main_) != hook_) model_.stop();
+    if (interrupted()) model_.stop();
     for (std::size_t i = 0; i < model_.timers.size(); ++i) {
       if (model_.timers[i].due() > time + 0.5 * dt) continue;
       model_.timers[i].next =
@@ -98,7 +100,9 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
   listener.on_event = [&](const Event& e, const Instant&) { handlers.event(e); };
   listener.on_step = [&](const Instant& now) { handlers.step(now.state.time, now.dt); };
   listener.on_history = [&](const Instant&) { handlers.sample_functions(); };
-  return model.run(options, listener, h);
+  const StageReport report = model.run(options, listener, h);
+  if (handlers.interrupted()) model.break_off("interrupted");
+  return report;
 }
 
 }  // namespace trilith::script
