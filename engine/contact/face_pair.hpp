@@ -28,6 +28,7 @@ template <class T>
 struct FaceMemory {
   T shear_elastic[2], shear_total[2], damping_force[2], active[2], slip;
   Mask<T> bonds[2];
+  Mask<T> general{};  ///< the last step found the contact by overlap: the halves share one shear force
 };
 
 template <class T>
@@ -251,9 +252,21 @@ TRILITH_INLINE void spread_to_ends(const FaceOverlap<T>& o, const HalfResponse<T
   out.by1 = tb1 * o.dy - nb1 * o.dx;
 }
 
+/// `length`: that carries shear now, of both halves [m]. What a contact of general shape hands over is spread by it.
 template <class T>
-TRILITH_INLINE ShearBefore<T> shear_before(const FaceMemory<T>& m, int half) {
-  return {m.shear_elastic[half], m.shear_total[half], m.active[half]};
+TRILITH_INLINE ShearBefore<T> shear_before(const FaceMemory<T>& m, int half, const T* length) {
+  const T zero{}, one = zero + 1.0;
+  const T sum = length[0] + length[1];
+  const T weight = select(m.general & (sum > zero), 2.0 * length[half] * inverse_or_zero(sum), one);
+  return {weight * m.shear_elastic[half], weight * m.shear_total[half], weight * m.active[half]};
+}
+
+/// The damping force a contact of general shape hands over, along the normal; its moment is not kept.
+template <class T>
+TRILITH_INLINE void take_over_damping(const FaceOverlap<T>& o, FaceMemory<T>& m) {
+  const T along_normal = m.damping_force[0] * o.dy - m.damping_force[1] * o.dx;
+  m.damping_force[0] = select(m.general, along_normal, m.damping_force[0]);
+  m.damping_force[1] = select(m.general, T{}, m.damping_force[1]);
 }
 
 /// New memory and energy given off. The power of the damping force is taken with the mean of the forces before and
@@ -283,10 +296,11 @@ TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, con
 /// `CanBond` drops the bond arithmetic for laws without one.
 template <bool CanBond, class T>
 TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner,
-                                                 const FaceMemory<T>& before, const FaceLaw& law) {
+                                                 FaceMemory<T> before, const FaceLaw& law) {
   const T zero{};
   const FaceOverlap<T> overlap(a, b);
   const FaceRates<T> rates(overlap, a, b);
+  take_over_damping(overlap, before);
   FaceHalves<T> halves(overlap, rates, before);
   FaceResponse<T> out;
   out.is_face_pair = overlap.sane & overlap.is_flat(corner);
@@ -299,8 +313,9 @@ TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const Fac
   T active0, active1;
   respond_normal(halves.first, law, active0, s0);
   respond_normal(halves.second, law, active1, s1);
-  respond_shear(halves.first, law, active0 * halves.first.length, shear_before(before, 0), s0);
-  respond_shear(halves.second, law, active1 * halves.second.length, shear_before(before, 1), s1);
+  const T length[2] = {active0 * halves.first.length, active1 * halves.second.length};
+  respond_shear(halves.first, law, length[0], shear_before(before, 0, length), s0);
+  respond_shear(halves.second, law, length[1], shear_before(before, 1, length), s1);
   out.touching = (active0 > zero) | (active1 > zero);
   out.memory.bonds[0] = halves.first.bonded;
   out.memory.bonds[1] = halves.second.bonded;

@@ -193,9 +193,22 @@ ShearBefore<double> both_halves(const ContactMemory& m) {
   return {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]};
 }
 
-/// Power of a remembered damping force in the motion of b against a [W].
-double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& m) {
-  if ((m.state & contact_general) == 0) return 0;
+/// Elastic shear energy let go where two halves of unlike stress become one contact; never negative.
+double merging_loss(const ContactMemory& m, double ks) {
+  double sum = 0;
+  for (const int h : {0, 1}) sum += 0.5 * m.shear_elastic[h] * m.shear_elastic[h] * inverse_or_zero(ks * m.active[h]);
+  const ShearBefore<double> both = both_halves(m);
+  return std::max(0.0, sum - 0.5 * both.elastic * both.elastic * inverse_or_zero(ks * both.active));
+}
+
+/// Power of a remembered damping force in the motion of b against a [W]. That of two faces acted along the normal,
+/// which is taken to be that of `force` on b, now at `centre`.
+double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& m, const Vec2& force,
+                     const Vec2& centre) {
+  if ((m.state & contact_general) == 0) {
+    const double size = force.norm();
+    return size > 0 ? m.damping_force[0] * force.dot(b.velocity_at(centre) - a.velocity_at(centre)) / size : 0;
+  }
   const Vec2 rate = b.velocity_at(a.origin) - a.velocity;
   return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.damping_moment * (b.spin - a.spin);
 }
@@ -271,8 +284,9 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   static thread_local Depths b_in_a, a_in_b;  // large; filled anew at every call
   // Where the two part, their elastic shear is let go, and the last damping force works for half a step more.
   double kept = 0;
-  out.lost_friction = let_go(both_halves(before), 0.0, 0.0, law.ks, kept);
-  out.lost_damping = -0.5 * law.dt * damping_power(a, b, before);
+  const double merged = merging_loss(before, law.ks);
+  out.lost_friction = merged + let_go(both_halves(before), 0.0, 0.0, law.ks, kept);
+  out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, out.force, out.centre);
   out.separation = b_in_a.fill(a, edges_a, b);
   if (out.separation > 0) return out;
   out.separation = a_in_b.fill(b, edges_b, a);
@@ -290,10 +304,12 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   out.memory.damping_force[0] = sums.damping.x();
   out.memory.damping_force[1] = sums.damping.y();
   out.memory.damping_moment = sums.damping_moment;
-  out.lost_damping = -0.5 * law.dt * (damping_power(a, b, out.memory) + damping_power(a, b, before));
+  if (sums.pressure > 0) out.centre = sums.moment_arm / sums.pressure;
+  out.lost_damping =
+      -0.5 * law.dt *
+      (damping_power(a, b, out.memory, out.force, out.centre) + damping_power(a, b, before, out.force, out.centre));
   if (sums.pressure > 0) {
-    out.centre = sums.moment_arm / sums.pressure;
-    out.lost_friction = 0;
+    out.lost_friction = merged;
     add_friction(a, b, before, law, sums, on_a, on_b, out);
   }
   return out;

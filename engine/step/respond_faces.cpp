@@ -45,8 +45,8 @@ struct Loader<double> {
          {c.damping_force[0], c.damping_force[1]},
          {c.active[0], c.active[1]},
          c.slip,
-         {(c.bonds & 1U) != 0, (c.bonds & 2U) != 0}};
-    if ((c.state & contact_general) != 0) m.damping_force[0] = m.damping_force[1] = 0;
+         {(c.bonds & 1U) != 0, (c.bonds & 2U) != 0},
+         (c.state & contact_general) != 0};
   }
   TRILITH_INLINE static double number(const double* v) { return v[0]; }
   TRILITH_INLINE static double lane(double v, int) { return v; }
@@ -71,10 +71,7 @@ struct Loader<Lanes> {
     const LaneMask none{};
     m.bonds[0] = (word & (none + 1)) != none;
     m.bonds[1] = (word & (none + 2)) != none;
-    // The general contact keeps another damping memory: not for faces.
-    const LaneMask general = (word & (none + (std::int64_t{contact_general} << 32))) != none;
-    m.damping_force[0] = select(general, Lanes{}, m.damping_force[0]);
-    m.damping_force[1] = select(general, Lanes{}, m.damping_force[1]);
+    m.general = (word & (none + (std::int64_t{contact_general} << 32))) != none;
   }
   TRILITH_INLINE static Lanes number(const double* v) { return Lanes{v[0], v[1], v[2], v[3]}; }
   TRILITH_INLINE static double lane(const Lanes& v, int i) { return v[i]; }
