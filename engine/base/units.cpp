@@ -123,12 +123,9 @@ UnitProduct parse_unit(std::string_view expression) {
   UnitProduct product;
   int sign = 1;
   for (std::size_t i = 0; i < text.size();) {
-    if (is_blank(text[i]) || text[i] == '*') {
-      ++i;
-    } else if (text[i] == '/') {
-      sign = -1;
-      ++i;
-    } else if (text[i] == '1' && (i + 1 == text.size() || !is_digit(text[i + 1]))) {
+    const bool one = text[i] == '1' && (i + 1 == text.size() || !is_digit(text[i + 1]));
+    if (is_blank(text[i]) || text[i] == '*' || text[i] == '/' || one) {
+      if (text[i] == '/') sign = -1;
       ++i;
     } else if (is_letter(text[i])) {
       const std::size_t begin = i;

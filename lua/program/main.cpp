@@ -1,12 +1,13 @@
 // The program: a thin layer over the engine and its door.
+#include <cstdio>
 #include <exception>
-
-#include <fmt/format.h>
 
 #include "verbs.hpp"
 
-int main(int argc, char** argv) {
-  using namespace trilith::program;
+namespace trilith::program {
+namespace {
+
+int run_program(int argc, char** argv) {
   CLI::App app{"Structures of separate bodies, through an earthquake to the last stone", "trilith"};
   app.set_version_flag("--version", "trilith " TRILITH_VERSION);
   app.require_subcommand(1);
@@ -24,9 +25,18 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     app.exit(e);
     return wrong_usage;
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "trilith: {}\n", e.what());
-    return wrong_input;
   }
   return code;
+}
+
+}  // namespace
+}  // namespace trilith::program
+
+int main(int argc, char** argv) {
+  try {
+    return trilith::program::run_program(argc, argv);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "trilith: %s\n", e.what());
+    return trilith::program::wrong_input;
+  }
 }
