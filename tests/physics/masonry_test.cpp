@@ -5,7 +5,7 @@
 
 #include "build/arch.hpp"
 #include "build/stack.hpp"
-#include "physics/scene.hpp"
+#include "physics/masonry_scene.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
@@ -17,23 +17,6 @@ constexpr double stiffness = 4e12;  // [Pa/m]
 
 Frictional joint(double mu) {
   return {stiffness, 0.5 * stiffness, mu, 5e-9};
-}
-
-/// Adds parts; those of the group `fixed` are held.
-void add_parts(Scene& scene, const std::vector<Part>& parts, const std::string& fixed) {
-  for (const Part& part : parts) {
-    BodySpec spec;
-    spec.name = part.name, spec.outline = part.outline, spec.groups = part.groups;
-    if (std::find(part.groups.begin(), part.groups.end(), fixed) != part.groups.end()) spec.support = held;
-    scene.add(std::move(spec));
-  }
-}
-
-/// Largest way any body has gone from its start [m].
-double farthest(const Model<2>& model, const State<2>& state) {
-  double most = 0;
-  for (int n = 0; n < model.nodes(); ++n) most = std::max(most, (state.position[n] - model.start_position[n]).norm());
-  return most;
 }
 
 /// Lays a structure down on its joints under the damping of consolidation (dropped at once, the weight would tip what
