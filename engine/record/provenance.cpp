@@ -36,9 +36,7 @@ std::string now() {
 
 Provenance provenance_here() {
   Provenance result;
-#ifdef TRILITH_GIT_COMMIT
-  result.git_commit = TRILITH_GIT_COMMIT;
-#endif
+  result.git_commit = built_from();
   result.compiler = compiler();
   result.platform = platform();
   result.start_time = now();

@@ -7,8 +7,12 @@
 
 namespace trilith::record {
 
-/// Compiler, platform, git commit (where the build defines TRILITH_GIT_COMMIT) and start time (now, UTC) filled in; the
-/// rest, script, program version and command line, is the caller's.
+/// The commit this was built from, "+" behind it where files had changed since; empty outside of git. Written by
+/// cmake/git_commit.cmake at each build.
+const char* built_from();
+
+/// Compiler, platform, git commit and start time (now, UTC) filled in; the rest, script, program version and command
+/// line, is the caller's.
 Provenance provenance_here();
 
 }  // namespace trilith::record
