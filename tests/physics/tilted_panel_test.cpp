@@ -61,7 +61,8 @@ RunningBond panel(int courses, double height, HalfCourses halves) {
 
 }  // namespace
 
-TEST_CASE("W1 to W3: a tilted dry wall panel comes down between the limits without and with dilatancy") {
+TEST_CASE("W1 to W3: a tilted dry wall panel comes down between the limits without and with dilatancy" *
+          doctest::test_suite("long")) {
   struct Case {
     const char* name;
     RunningBond bond;
@@ -81,7 +82,8 @@ TEST_CASE("W1 to W3: a tilted dry wall panel comes down between the limits witho
   }
 }
 
-TEST_CASE("W3: a panel with rough joints comes down below its associative limit and above the friction of one bed") {
+TEST_CASE("W3: a panel with rough joints comes down below its associative limit and above that of one column" *
+          doctest::test_suite("long")) {
   // Expected between .537 - 2 % and .5383 (mu .65), .570 - 2 % and .5886 (mu .77): not met, see the head of this file.
   for (const double mu : {0.65, 0.77}) {
     const double most = mu == 0.65 ? 0.5383 : 0.5886;
