@@ -49,7 +49,8 @@ bool arch_stands(int voussoirs, double share, double turn = 0) {
 
 }  // namespace
 
-TEST_CASE("A1: a harmonic stack of 1 to 5 blocks stands at 0.98 of the largest overhang and falls at 1.02") {
+TEST_CASE("A1: a harmonic stack of 1 to 5 blocks stands at 0.98 of the largest overhang and falls at 1.02" *
+          doctest::test_suite("long")) {
   for (int count = 1; count <= 5; ++count)
     for (const double factor : {0.98, 1.02}) {
       CAPTURE(count);
@@ -62,7 +63,8 @@ TEST_CASE("A1: a harmonic stack of 1 to 5 blocks stands at 0.98 of the largest o
     }
 }
 
-TEST_CASE("A3: a semicircular arch stands at 1.03 of its least thickness and falls at 0.97") {
+TEST_CASE("A3: a semicircular arch stands at 1.03 of its least thickness and falls at 0.97" *
+          doctest::test_suite("long")) {
   for (const int voussoirs : {7, 11, 15, 21}) {
     CAPTURE(voussoirs);
     CHECK(arch_stands(voussoirs, 1.03));
@@ -70,7 +72,8 @@ TEST_CASE("A3: a semicircular arch stands at 1.03 of its least thickness and fal
   }
 }
 
-TEST_CASE("A3: an arch stands and falls alike in a world turned by 17, 90 and 203 degrees") {
+TEST_CASE("A3: an arch stands and falls alike in a world turned by 17, 90 and 203 degrees" *
+          doctest::test_suite("long")) {
   for (const double turn : {17 * degree, 90 * degree, 203 * degree}) {
     CAPTURE(turn);
     CHECK(arch_stands(11, 1.03, turn));
