@@ -61,6 +61,14 @@ TRILITH_INLINE bool flip(bool m) {
 TRILITH_INLINE LaneMask flip(LaneMask m) {
   return ~m;
 }
+/// True where `m` is true in some lane.
+TRILITH_INLINE bool any(bool m) {
+  return m;
+}
+TRILITH_INLINE bool any(LaneMask m) {
+  const LaneMask pairs = m | __builtin_shufflevector(m, m, 2, 3, 0, 1);
+  return (pairs[0] | pairs[1]) != 0;
+}
 #pragma GCC diagnostic pop
 
 }  // namespace trilith

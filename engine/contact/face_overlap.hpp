@@ -45,8 +45,9 @@ struct FaceOverlap {
     const T sb0 = dx * rx0 + dy * ry0, hb0 = dy * rx0 - dx * ry0;
     const T hb1 = dy * rx1 - dx * ry1;
     sb1 = dx * rx1 + dy * ry1;
-    inv_a = one / sa1;
-    inv_b = one / (sb0 - sb1);
+    const T length_b = sb0 - sb1, inverse = one / (sa1 * length_b);  // one division for both
+    inv_a = length_b * inverse;
+    inv_b = sa1 * inverse;
     lo = larger(zero, sb1);
     hi = smaller(sa1, sb0);
     shared = hi - lo;

@@ -94,27 +94,47 @@ TRILITH_INLINE Mask<T> bond_broken(const HalfState<T>& h, T shear_elastic, const
   return h.bonded & ((law.kn * widest > law.tension + T{}) | (trial > strength * h.length));
 }
 
+/// The part of the shared length where a linear function is positive, as shares of both halves.
 template <class T>
-TRILITH_INLINE void respond_normal(const HalfState<T>& h, const FaceLaw& law, T& active, HalfResponse<T>& out) {
+struct PositiveHalves {
+  T from[2], to[2];
+  TRILITH_INLINE PositiveHalves(T f_lo, T f_hi) {
+    const T zero{}, one = zero + 1.0;
+    const PositivePart<T> whole(f_lo, f_hi);
+    const T from2 = whole.from + whole.from, to2 = whole.to + whole.to;
+    from[0] = smaller(from2, one), to[0] = smaller(to2, one);
+    from[1] = larger(from2 - one, zero), to[1] = larger(to2 - one, zero);
+  }
+};
+
+/// Normal stresses of both halves: where closed, or all along where bonded; never pulling without a bond. `active`:
+/// the share of each half that carries stress.
+template <class T>
+TRILITH_INLINE void respond_normal(const HalfState<T>* halves, const FaceLaw& law, T* active, HalfResponse<T>* out) {
   const T zero{}, one = zero + 1.0;
-  const T c0 = -h.g0, c1 = -h.g1;
-  const T q0 = c0 - law.beta * h.r0, q1 = c1 - law.beta * h.r1;
-  PositivePart<T> closed(c0, c1);
-  closed.from = select(h.bonded, zero, closed.from);
-  closed.to = select(h.bonded, one, closed.to);
-  PositivePart<T> pressed(q0, q1);
-  pressed.from = select(h.bonded, zero, larger(pressed.from, closed.from));
-  pressed.to = select(h.bonded, one, larger(pressed.from, smaller(pressed.to, closed.to)));
-  const T dc = c1 - c0, dq = q1 - q0;
-  const LinearStress<T> elastic(c0 + dc * closed.from, c0 + dc * closed.to, closed.from, closed.to);
-  const LinearStress<T> total(q0 + dq * pressed.from, q0 + dq * pressed.to, pressed.from, pressed.to);
-  const T scale = law.kn * h.length;
-  active = closed.to - closed.from;
-  out.normal = scale * total.sum;
-  out.normal_moment = scale * h.length * total.moment;
-  out.damping = out.normal - scale * elastic.sum;
-  out.damping_moment = out.normal_moment - scale * h.length * elastic.moment;
+  const HalfState<T>&first = halves[0], &second = halves[1];
+  PositiveHalves<T> closed(-first.g0, -second.g1);
+  PositiveHalves<T> pressed(-first.g0 - law.beta * first.r0, -second.g1 - law.beta * second.r1);
+  for (const int h : {0, 1}) {
+    const HalfState<T>& half = halves[h];
+    const T c0 = -half.g0, q0 = c0 - law.beta * half.r0, q1 = -half.g1 - law.beta * half.r1;
+    const T closed_from = select(half.bonded, zero, closed.from[h]), closed_to = select(half.bonded, one, closed.to[h]);
+    const T from = select(half.bonded, zero, larger(pressed.from[h], closed_from));
+    const T to = select(half.bonded, one, larger(from, smaller(pressed.to[h], closed_to)));
+    const T dc = half.g0 - half.g1, dq = q1 - q0;
+    const LinearStress<T> elastic(c0 + dc * closed_from, c0 + dc * closed_to, closed_from, closed_to);
+    const LinearStress<T> total(q0 + dq * from, q0 + dq * to, from, to);
+    const T scale = law.kn * half.length;
+    active[h] = closed_to - closed_from;
+    out[h].normal = scale * total.sum;
+    out[h].normal_moment = scale * half.length * total.moment;
+    out[h].damping = out[h].normal - scale * elastic.sum;
+    out[h].damping_moment = out[h].normal_moment - scale * half.length * elastic.moment;
+  }
 }
+
+/// Lengths up to this carry no shear: so short that their squares would vanish [m].
+inline constexpr double shortest_length = 1e-100;
 
 /// What a half remembered of its shear.
 template <class T>
@@ -130,15 +150,27 @@ TRILITH_INLINE T inverse_or_zero(T v) {
   return select(positive, one / select(positive, v, one), zero);
 }
 
+/// Compliances of the lengths that carry shear, before and now [m/N]; 0 where there is none.
+template <class T>
+struct ShearCompliance {
+  T before, now;
+  TRILITH_INLINE ShearCompliance(T length_before, T length, double ks) {
+    const T zero{}, one = zero + 1.0;
+    const Mask<T> had = length_before > shortest_length, has = length > shortest_length;
+    const T b = select(had, length_before, one), a = select(has, length, one);
+    const T inverse = (ks > 0 ? 1.0 / ks : 0.0) / (b * a);  // one division for both
+    before = select(had, a * inverse, zero);
+    now = select(has, b * inverse, zero);
+  }
+};
+
 /// Elastic shear energy let go because the length in contact changed to one of the given stiffness: length that parts
 /// takes its share of the force along, new length carries none. `kept`: the force left. Never negative.
 template <class T>
-TRILITH_INLINE T let_go(const ShearBefore<T>& before, T stiffness, T compliance, double ks, T& kept) {
+TRILITH_INLINE T let_go(const ShearBefore<T>& before, T stiffness, const ShearCompliance<T>& compliance, T& kept) {
   const T one = T{} + 1.0;
-  const T compliance_before = inverse_or_zero(ks * before.active);
-  const T share = smaller(one, stiffness * compliance_before);
-  kept = before.elastic * share;
-  return 0.5 * (before.elastic * before.elastic * compliance_before - kept * kept * compliance);
+  kept = before.elastic * smaller(one, stiffness * compliance.before);
+  return 0.5 * (before.elastic * before.elastic * compliance.before - kept * kept * compliance.now);
 }
 
 /// Kelvin-Voigt spring in series with a Coulomb slider; the damping acts on the elastic part only. `active`: length
@@ -147,9 +179,10 @@ template <class T>
 TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T active, const ShearBefore<T>& before,
                                   HalfResponse<T>& out) {
   const T zero{};
-  const T stiffness = law.ks * active, compliance = inverse_or_zero(stiffness);
+  const T stiffness = law.ks * active;
+  const ShearCompliance<T> compliance(before.active, active, law.ks);
   T kept;
-  const T relaxed = let_go(before, stiffness, compliance, law.ks, kept);
+  const T relaxed = let_go(before, stiffness, compliance, kept);
   const T move = h.slip_rate * law.dt;
   const T trial = kept + stiffness * move;
   const T trial_total = trial + law.beta * stiffness * h.slip_rate;
@@ -158,10 +191,10 @@ TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T a
   const T held = select(trial_total < zero, -limit, limit);
   const double share = law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0;
   const T slid = kept + (held - kept) * share;
-  const Mask<T> open = active <= zero;
+  const Mask<T> open = active <= shortest_length;
   out.shear_elastic = select(open, zero, select(slides, slid, trial));
   out.shear_total = select(open, zero, select(slides, held, trial_total));
-  const T stretch = select(slides, (out.shear_elastic - kept) * compliance, move);
+  const T stretch = select(slides, (out.shear_elastic - kept) * compliance.now, move);
   const T slip = select(open, zero, move - stretch);
   const T mean_total = 0.5 * (out.shear_total + before.total);
   const T mean_elastic = 0.5 * (out.shear_elastic + before.elastic);
@@ -184,46 +217,49 @@ TRILITH_INLINE T fracture_energy(const HalfState<T>& h, const FaceLaw& law, Mask
 template <class T>
 struct FaceRates {
   T gap_lo, gap_hi, slip_lo, slip_hi;
+  T turning;  ///< of B against A: slope of the gap rate [rad/s]
   TRILITH_INLINE FaceRates(const FaceOverlap<T>& o, const FaceEnds<T>& a, const FaceEnds<T>& b) {
     const T na0 = o.dy * a.u0 - o.dx * a.v0, na1 = o.dy * a.u1 - o.dx * a.v1;
     const T nb0 = o.dy * b.u0 - o.dx * b.v0, nb1 = o.dy * b.u1 - o.dx * b.v1;
     const T ta0 = o.dx * a.u0 + o.dy * a.v0, ta1 = o.dx * a.u1 + o.dy * a.v1;
     const T tb0 = o.dx * b.u0 + o.dy * b.v0, tb1 = o.dx * b.u1 + o.dy * b.v1;
-    const T a_lo = o.lo * o.inv_a, a_hi = o.hi * o.inv_a;
-    const T b_lo = (o.lo - o.sb1) * o.inv_b, b_hi = (o.hi - o.sb1) * o.inv_b;
-    gap_lo = nb1 + (nb0 - nb1) * b_lo - na0 - (na1 - na0) * a_lo;
-    gap_hi = nb1 + (nb0 - nb1) * b_hi - na0 - (na1 - na0) * a_hi;
+    const T spin_a = (na1 - na0) * o.inv_a, spin_b = (nb0 - nb1) * o.inv_b;
+    const T stretch_a = (ta1 - ta0) * o.inv_a, stretch_b = (tb0 - tb1) * o.inv_b;
+    const T lo_b = o.lo - o.sb1, hi_b = o.hi - o.sb1;
+    turning = spin_b - spin_a;
+    gap_lo = nb1 + spin_b * lo_b - na0 - spin_a * o.lo;
+    gap_hi = nb1 + spin_b * hi_b - na0 - spin_a * o.hi;
     // At mid-gap, where the shear acts: so a spin that both share slips nothing.
-    const T spin = 0.5 * ((na1 - na0) * o.inv_a + (nb0 - nb1) * o.inv_b);
-    slip_lo = tb1 + (tb0 - tb1) * b_lo - ta0 - (ta1 - ta0) * a_lo + spin * o.gap_lo;
-    slip_hi = tb1 + (tb0 - tb1) * b_hi - ta0 - (ta1 - ta0) * a_hi + spin * o.gap_hi;
+    const T spin = 0.5 * (spin_a + spin_b);
+    slip_lo = tb1 + stretch_b * lo_b - ta0 - stretch_a * o.lo + spin * o.gap_lo;
+    slip_hi = tb1 + stretch_b * hi_b - ta0 - stretch_a * o.hi + spin * o.gap_hi;
   }
 };
 
 /// The two halves of the shared length.
 template <class T>
 struct FaceHalves {
-  HalfState<T> first, second;
+  HalfState<T> half[2];
   TRILITH_INLINE FaceHalves(const FaceOverlap<T>& o, const FaceRates<T>& r, const FaceMemory<T>& m) {
-    const T gap = 0.5 * (o.gap_lo + o.gap_hi), rate = 0.5 * (r.gap_lo + r.gap_hi), half = 0.5 * o.shared;
-    first = {o.gap_lo, gap, r.gap_lo, rate, 0.75 * r.slip_lo + 0.25 * r.slip_hi, half, m.bonds[0]};
-    second = {gap, o.gap_hi, rate, r.gap_hi, 0.25 * r.slip_lo + 0.75 * r.slip_hi, half, m.bonds[1]};
+    const T gap = 0.5 * (o.gap_lo + o.gap_hi), rate = 0.5 * (r.gap_lo + r.gap_hi), length = 0.5 * o.shared;
+    half[0] = {o.gap_lo, gap, r.gap_lo, rate, 0.75 * r.slip_lo + 0.25 * r.slip_hi, length, m.bonds[0]};
+    half[1] = {gap, o.gap_hi, rate, r.gap_hi, 0.25 * r.slip_lo + 0.75 * r.slip_hi, length, m.bonds[1]};
   }
 };
 
 /// Takes the bonds that are beyond their limit; returns the energy they gave off [J].
 template <class T>
 TRILITH_INLINE T lose_bonds(FaceHalves<T>& h, const FaceMemory<T>& before, const FaceLaw& law) {
-  Mask<T> lost0 = bond_broken(h.first, before.shear_elastic[0], law);
-  Mask<T> lost1 = bond_broken(h.second, before.shear_elastic[1], law);
+  Mask<T> lost0 = bond_broken(h.half[0], before.shear_elastic[0], law);
+  Mask<T> lost1 = bond_broken(h.half[1], before.shear_elastic[1], law);
   if (!law.loss_by_point) {
     const Mask<T> any = lost0 | lost1;
-    lost0 = h.first.bonded & any;
-    lost1 = h.second.bonded & any;
+    lost0 = h.half[0].bonded & any;
+    lost1 = h.half[1].bonded & any;
   }
-  h.first.bonded = h.first.bonded & flip(lost0);
-  h.second.bonded = h.second.bonded & flip(lost1);
-  return fracture_energy(h.first, law, lost0) + fracture_energy(h.second, law, lost1);
+  h.half[0].bonded = h.half[0].bonded & flip(lost0);
+  h.half[1].bonded = h.half[1].bonded & flip(lost1);
+  return fracture_energy(h.half[0], law, lost0) + fracture_energy(h.half[1], law, lost1);
 }
 
 /// Forces at the four face ends from the stresses of both halves: same resultant, moment and power. The couple
@@ -252,21 +288,21 @@ TRILITH_INLINE void spread_to_ends(const FaceOverlap<T>& o, const HalfResponse<T
   out.by1 = tb1 * o.dy - nb1 * o.dx;
 }
 
-/// `length`: that carries shear now, of both halves [m]. What a contact of general shape hands over is spread by it.
+/// Takes over what a contact of general shape remembers: its shear and the length that carried it are spread by the
+/// `length` of both halves that carries shear now [m], its damping force counts along the normal; its moment is not
+/// kept.
 template <class T>
-TRILITH_INLINE ShearBefore<T> shear_before(const FaceMemory<T>& m, int half, const T* length) {
-  const T zero{}, one = zero + 1.0;
-  const T sum = length[0] + length[1];
-  const T weight = select(m.general & (sum > zero), 2.0 * length[half] * inverse_or_zero(sum), one);
-  return {weight * m.shear_elastic[half], weight * m.shear_total[half], weight * m.active[half]};
-}
-
-/// The damping force a contact of general shape hands over, along the normal; its moment is not kept.
-template <class T>
-TRILITH_INLINE void take_over_damping(const FaceOverlap<T>& o, FaceMemory<T>& m) {
+TRILITH_INLINE void take_over(const FaceOverlap<T>& o, const T* length, FaceMemory<T>& m) {
+  const T zero{}, one = zero + 1.0, sum = length[0] + length[1];
+  for (const int h : {0, 1}) {
+    const T weight = select(m.general & (sum > zero), 2.0 * length[h] * inverse_or_zero(sum), one);
+    m.shear_elastic[h] *= weight;
+    m.shear_total[h] *= weight;
+    m.active[h] *= weight;
+  }
   const T along_normal = m.damping_force[0] * o.dy - m.damping_force[1] * o.dx;
   m.damping_force[0] = select(m.general, along_normal, m.damping_force[0]);
-  m.damping_force[1] = select(m.general, T{}, m.damping_force[1]);
+  m.damping_force[1] = select(m.general, zero, m.damping_force[1]);
 }
 
 /// New memory and energy given off. The power of the damping force is taken with the mean of the forces before and
@@ -284,10 +320,8 @@ TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, con
   m.slip = before.slip + 0.5 * (s0.slip + s1.slip);
   m.damping_force[0] = s0.damping + s1.damping;
   m.damping_force[1] = s0.damping_moment - 0.5 * o.shared * s0.damping + s1.damping_moment;
-  const T zero{};
-  const T turning = (r.gap_hi - r.gap_lo) / select(o.shared > zero, o.shared, zero + 1.0);
   const T power = (m.damping_force[0] + before.damping_force[0]) * 0.5 * (r.gap_lo + r.gap_hi) +
-                  (m.damping_force[1] + before.damping_force[1]) * turning;
+                  (m.damping_force[1] + before.damping_force[1]) * r.turning;
   out.lost_damping = s0.lost_damping + s1.lost_damping - 0.5 * dt * power;
   out.lost_friction = s0.lost_friction + s1.lost_friction;
 }
@@ -300,7 +334,7 @@ TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const Fac
   const T zero{};
   const FaceOverlap<T> overlap(a, b);
   const FaceRates<T> rates(overlap, a, b);
-  take_over_damping(overlap, before);
+  if constexpr (!CanBond) before.bonds[0] = before.bonds[1] = Mask<T>{};
   FaceHalves<T> halves(overlap, rates, before);
   FaceResponse<T> out;
   out.is_face_pair = overlap.sane & overlap.is_flat(corner);
@@ -309,18 +343,19 @@ TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const Fac
     out.is_face_pair = overlap.sane & (overlap.is_flat(corner) | before.bonds[0] | before.bonds[1]);
     out.lost_fracture = lose_bonds(halves, before, law);
   }
-  HalfResponse<T> s0, s1;
-  T active0, active1;
-  respond_normal(halves.first, law, active0, s0);
-  respond_normal(halves.second, law, active1, s1);
-  const T length[2] = {active0 * halves.first.length, active1 * halves.second.length};
-  respond_shear(halves.first, law, length[0], shear_before(before, 0, length), s0);
-  respond_shear(halves.second, law, length[1], shear_before(before, 1, length), s1);
-  out.touching = (active0 > zero) | (active1 > zero);
-  out.memory.bonds[0] = halves.first.bonded;
-  out.memory.bonds[1] = halves.second.bonded;
-  remember(overlap, rates, before, law.dt, s0, s1, out);
-  spread_to_ends(overlap, s0, s1, out);
+  HalfResponse<T> s[2];
+  T active[2];
+  respond_normal(halves.half, law, active, s);
+  out.touching = (active[0] > zero) | (active[1] > zero);
+  const T length[2] = {active[0] * halves.half[0].length, active[1] * halves.half[1].length};
+  if (any(before.general)) take_over(overlap, length, before);
+  for (const int h : {0, 1})
+    respond_shear(halves.half[h], law, length[h], {before.shear_elastic[h], before.shear_total[h], before.active[h]},
+                  s[h]);
+  out.memory.bonds[0] = halves.half[0].bonded;
+  out.memory.bonds[1] = halves.half[1].bonded;
+  remember(overlap, rates, before, law.dt, s[0], s[1], out);
+  spread_to_ends(overlap, s[0], s[1], out);
   return out;
 }
 

@@ -193,6 +193,13 @@ ShearBefore<double> both_halves(const ContactMemory& m) {
   return {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]};
 }
 
+/// Elastic shear energy let go where a contact parts [J].
+double let_go_all(const ContactMemory& m, double ks) {
+  const ShearBefore<double> both = both_halves(m);
+  double kept = 0;
+  return let_go(both, 0.0, ShearCompliance<double>(both.active, 0.0, ks), kept);
+}
+
 /// Elastic shear energy let go where two halves of unlike stress become one contact; never negative.
 double merging_loss(const ContactMemory& m, double ks) {
   double sum = 0;
@@ -218,8 +225,7 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
                   const Sums& sums, std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
   const double normal = sums.force.norm();
   if (!(normal > 0)) {
-    double kept = 0;
-    out.lost_friction += let_go(both_halves(before), 0.0, 0.0, law.ks, kept);
+    out.lost_friction += let_go_all(before, law.ks);
     return;
   }
   const Vec2 t = left_of(Vec2(sums.force / normal));
@@ -283,9 +289,8 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   const Edges edges_a(a), edges_b(b);
   static thread_local Depths b_in_a, a_in_b;  // large; filled anew at every call
   // Where the two part, their elastic shear is let go, and the last damping force works for half a step more.
-  double kept = 0;
   const double merged = merging_loss(before, law.ks);
-  out.lost_friction = merged + let_go(both_halves(before), 0.0, 0.0, law.ks, kept);
+  out.lost_friction = merged + let_go_all(before, law.ks);
   out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, out.force, out.centre);
   out.separation = b_in_a.fill(a, edges_a, b);
   if (out.separation > 0) return out;

@@ -13,6 +13,8 @@ void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt) 
   place(model, state, work);
   find(model, state, work);
   work.given = state.given;
+  // Rows that are not worked on hold an empty memory, before and after: those that turned last are cleared here.
+  for (const int row : work.turned) work.memory[row] = {};
   work.turned.clear();
   std::fill(work.skin_force.begin(), work.skin_force.end(), Vec2::Zero());
   respond_faces(model, state, work, dt);
@@ -63,6 +65,7 @@ void find(const Model<2>& model, State<2>& state, Work<2>& work) {
   find_pairs(model, state, work);
   carry_memories(state, work);
   work.memory.assign(work.pairs.size(), {});
+  work.turned.clear();
   work.general_now.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());
   work.turned.reserve(work.pairs.size());

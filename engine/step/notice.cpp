@@ -157,8 +157,10 @@ void notice_seat(const Model<2>& model, State<2>& state, Work<2>& work, std::siz
 void notice_rest(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t b) {
   const int n = model.bodies[b].first_node;
   if (!model.moves(n)) return;
-  const double speed = state.velocity[n].norm() + std::abs(state.spin[n]) * model.body_radius[b];
-  if (speed > model.still_speed) {
+  const Vec2& v = state.velocity[n];
+  // Most bodies move, and most of them show it by one component.
+  const double least = std::max(std::abs(v.x()), std::abs(v.y()));
+  if (least > model.still_speed || v.norm() + std::abs(state.spin[n]) * model.body_radius[b] > model.still_speed) {
     state.moved_at[b] = state.time;
     state.resting[b] = 0;
   } else if (state.resting[b] == 0 && state.time - state.moved_at[b] >= model.still_time) {

@@ -1,5 +1,8 @@
 // Contacts of two faces, by law, several rows at once.
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
 
 #include "contact/face_pair.hpp"
 #include "detect/pairs.hpp"
@@ -9,167 +12,247 @@
 namespace trilith {
 namespace {
 
-static_assert(lane_count == 4, "transpose_in and the loaders are written for four lanes");
+static_assert(lane_count == 4, "columns and rows are written for four lanes");
+static_assert(offsetof(ContactMemory, bonds) == offsetof(ContactMemory, slip) + sizeof(double) &&
+                  offsetof(ContactMemory, state) == offsetof(ContactMemory, bonds) + sizeof(std::uint32_t),
+              "slip, bonds and state are moved as one pair");
+static_assert(std::endian::native == std::endian::little, "bonds and state are read as one number");
 
-/// Four rows of four numbers to four columns: one row of each lane becomes one number of all lanes.
-TRILITH_INLINE void transpose(const Lanes& r0, const Lanes& r1, const Lanes& r2, const Lanes& r3, Lanes& c0, Lanes& c1,
-                              Lanes& c2, Lanes& c3) {
-  const Lanes t0 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6), t1 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
-  const Lanes t2 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6), t3 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
-  c0 = __builtin_shufflevector(t0, t2, 0, 1, 4, 5);
-  c1 = __builtin_shufflevector(t1, t3, 0, 1, 4, 5);
-  c2 = __builtin_shufflevector(t0, t2, 2, 3, 6, 7);
-  c3 = __builtin_shufflevector(t1, t3, 2, 3, 6, 7);
-}
+using Four = std::array<Lanes, lane_count>;
+using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
-TRILITH_INLINE Lanes load(const double* four) {
-  Lanes v;
-  __builtin_memcpy(&v, __builtin_assume_aligned(four, 32), sizeof v);
+TRILITH_INLINE Pair load_pair(const double* two) {
+  Pair v;
+  __builtin_memcpy(&v, __builtin_assume_aligned(two, 16), sizeof v);
   return v;
 }
-
-/// How a T is filled from rows of Work and State: one row for double, four for Lanes.
-template <class T>
-struct Loader;
-
-template <>
-struct Loader<double> {
-  static constexpr int width = 1;
-  TRILITH_INLINE static void skin(const SkinMotion* const* p, double& x, double& y, double& u, double& v) {
-    x = p[0]->x, y = p[0]->y, u = p[0]->u, v = p[0]->v;
-  }
-  TRILITH_INLINE static void memory(const ContactMemory* const* p, FaceMemory<double>& m) {
-    const ContactMemory& c = *p[0];
-    m = {{c.shear_elastic[0], c.shear_elastic[1]},
-         {c.shear_total[0], c.shear_total[1]},
-         {c.damping_force[0], c.damping_force[1]},
-         {c.active[0], c.active[1]},
-         c.slip,
-         {(c.bonds & 1U) != 0, (c.bonds & 2U) != 0},
-         (c.state & contact_general) != 0};
-  }
-  TRILITH_INLINE static double number(const double* v) { return v[0]; }
-  TRILITH_INLINE static double lane(double v, int) { return v; }
-  TRILITH_INLINE static bool lane(bool m, int) { return m; }
-};
-
-template <>
-struct Loader<Lanes> {
-  static constexpr int width = lane_count;
-  TRILITH_INLINE static void skin(const SkinMotion* const* p, Lanes& x, Lanes& y, Lanes& u, Lanes& v) {
-    transpose(load(&p[0]->x), load(&p[1]->x), load(&p[2]->x), load(&p[3]->x), x, y, u, v);
-  }
-  TRILITH_INLINE static void memory(const ContactMemory* const* p, FaceMemory<Lanes>& m) {
-    Lanes bits, unused;
-    transpose(load(p[0]->shear_elastic), load(p[1]->shear_elastic), load(p[2]->shear_elastic),
-              load(p[3]->shear_elastic), m.shear_elastic[0], m.shear_elastic[1], m.shear_total[0], m.shear_total[1]);
-    transpose(load(p[0]->damping_force), load(p[1]->damping_force), load(p[2]->damping_force),
-              load(p[3]->damping_force), m.damping_force[0], m.damping_force[1], m.active[0], m.active[1]);
-    transpose(load(&p[0]->slip), load(&p[1]->slip), load(&p[2]->slip), load(&p[3]->slip), m.slip, bits, unused, unused);
-    LaneMask word;
-    __builtin_memcpy(&word, &bits, sizeof word);
-    const LaneMask none{};
-    m.bonds[0] = (word & (none + 1)) != none;
-    m.bonds[1] = (word & (none + 2)) != none;
-    m.general = (word & (none + (std::int64_t{contact_general} << 32))) != none;
-  }
-  TRILITH_INLINE static Lanes number(const double* v) { return Lanes{v[0], v[1], v[2], v[3]}; }
-  TRILITH_INLINE static double lane(const Lanes& v, int i) { return v[i]; }
-  TRILITH_INLINE static bool lane(const LaneMask& m, int i) { return m[i] != 0; }
-};
-
-struct Pass {
-  const Model<2>& model;
-  const State<2>& state;
-  Work<2>& work;
-  FaceLaw law;
-};
-
-template <class T>
-TRILITH_INLINE void give_off(Work<2>& work, const FaceResponse<T>& r, int i) {
-  using L = Loader<T>;
-  work.given[EnergyTerm::contact_damping] += L::lane(r.lost_damping, i);
-  work.given[EnergyTerm::contact_friction] += L::lane(r.lost_friction, i);
-  work.given[EnergyTerm::contact_fracture] += L::lane(r.lost_fracture, i);
+TRILITH_INLINE void store_pair(double* two, const Pair& v) {
+  __builtin_memcpy(__builtin_assume_aligned(two, 16), &v, sizeof v);
+}
+TRILITH_INLINE Lanes join(const Pair& low, const Pair& high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+}
+/// Numbers 0 and 2, or 1 and 3, of both in turn.
+TRILITH_INLINE Lanes even(const Lanes& a, const Lanes& b) {
+  return __builtin_shufflevector(a, b, 0, 4, 2, 6);
+}
+TRILITH_INLINE Lanes odd(const Lanes& a, const Lanes& b) {
+  return __builtin_shufflevector(a, b, 1, 5, 3, 7);
 }
 
-/// Writes lane `i` of a response to its row: forces, memory, losses.
-template <class T>
-TRILITH_INLINE void store(const Pass& pass, int row, const FaceResponse<T>& r, int i) {
-  using L = Loader<T>;
-  Work<2>& work = pass.work;
-  const ContactMemory& before = pass.state.memory[row];
-  ContactMemory& after = work.memory[row];
-  const bool was = (before.state & contact_touching) != 0;
-  if (!L::lane(r.touching, i)) {
-    after = {};
-    if (!was) return;
-    work.turned.push_back(row);
-    give_off(work, r, i);
+/// Two neighbouring numbers of four rows, as two columns.
+TRILITH_INLINE void load_columns(const double* const* row, Lanes& c0, Lanes& c1) {
+  const Lanes r02 = join(load_pair(row[0]), load_pair(row[2])), r13 = join(load_pair(row[1]), load_pair(row[3]));
+  c0 = even(r02, r13);
+  c1 = odd(r02, r13);
+}
+
+/// Two columns as a pair for each of four rows.
+struct RowPairs {
+  Lanes row02, row13;
+  TRILITH_INLINE RowPairs(const Lanes& c0, const Lanes& c1) {
+    const Lanes low = even(c0, c1), high = odd(c0, c1);
+    row02 = low, row13 = high;
+  }
+  TRILITH_INLINE Pair of(int row) const {
+    const Lanes& v = row % 2 == 0 ? row02 : row13;
+    return row < 2 ? Pair{v[0], v[1]} : Pair{v[2], v[3]};
+  }
+};
+
+TRILITH_INLINE LaneMask bits_of(const Lanes& v) {
+  LaneMask m;
+  __builtin_memcpy(&m, &v, sizeof m);
+  return m;
+}
+TRILITH_INLINE Lanes as_lanes(const LaneMask& m) {
+  Lanes v;
+  __builtin_memcpy(&v, &m, sizeof v);
+  return v;
+}
+TRILITH_INLINE LaneMask has_bit(const LaneMask& word, std::int64_t bit) {
+  const LaneMask none{};
+  return (word & (none + bit)) != none;
+}
+
+constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
+                       general_bit = std::int64_t{contact_general} << 32;
+
+/// Arrays of State and Work that the rows of a batch are read from and written to.
+struct Pass {
+  const SkinMotion* skin;
+  const NearPair* pairs;
+  const ContactMemory* before;
+  ContactMemory* after;
+  Vec2* skin_force;
+  FaceLaw law;
+  Work<2>& work;
+};
+
+/// Four rows at once; beyond the end of the list the last row again, not `valid`.
+struct Rows {
+  int row[lane_count];
+  LaneMask valid;
+  TRILITH_INLINE Rows(const int* list, std::size_t left) {
+    for (std::size_t i = 0; i < lane_count; ++i) {
+      row[i] = list[std::min(i, left - 1)];
+      valid[i] = i < left ? -1 : 0;
+    }
+  }
+};
+
+struct FacePlaces {
+  FaceEnds<Lanes> a, b;
+  Lanes corner;
+};
+
+TRILITH_INLINE FacePlaces load_places(const Pass& pass, const Rows& rows) {
+  const NearPair* p[lane_count];
+  for (int i = 0; i < lane_count; ++i) p[i] = &pass.pairs[rows.row[i]];
+  const auto ends = [&](int NearPair::*end, Lanes& x, Lanes& y, Lanes& u, Lanes& v) {
+    const double *place[lane_count], *velocity[lane_count];
+    for (int i = 0; i < lane_count; ++i) {
+      const SkinMotion& s = pass.skin[p[i]->*end];
+      place[i] = &s.x, velocity[i] = &s.u;
+    }
+    load_columns(place, x, y);
+    load_columns(velocity, u, v);
+  };
+  FacePlaces f;
+  ends(&NearPair::a0, f.a.x0, f.a.y0, f.a.u0, f.a.v0);
+  ends(&NearPair::a1, f.a.x1, f.a.y1, f.a.u1, f.a.v1);
+  ends(&NearPair::b0, f.b.x0, f.b.y0, f.b.u0, f.b.v0);
+  ends(&NearPair::b1, f.b.x1, f.b.y1, f.b.u1, f.b.v1);
+  f.corner = Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner};
+  return f;
+}
+
+struct LaneMemory {
+  FaceMemory<Lanes> face;
+  LaneMask touching;
+};
+
+TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
+  const auto load = [&](auto member, Lanes& c0, Lanes& c1) {
+    const double* row[lane_count];
+    for (int i = 0; i < lane_count; ++i) {
+      if constexpr (std::is_same_v<decltype(member), double ContactMemory::*>)
+        row[i] = &(pass.before[rows.row[i]].*member);
+      else
+        row[i] = pass.before[rows.row[i]].*member;
+    }
+    load_columns(row, c0, c1);
+  };
+  LaneMemory m;
+  Lanes bits;
+  load(&ContactMemory::shear_elastic, m.face.shear_elastic[0], m.face.shear_elastic[1]);
+  load(&ContactMemory::shear_total, m.face.shear_total[0], m.face.shear_total[1]);
+  load(&ContactMemory::damping_force, m.face.damping_force[0], m.face.damping_force[1]);
+  load(&ContactMemory::active, m.face.active[0], m.face.active[1]);
+  load(&ContactMemory::slip, m.face.slip, bits);
+  const LaneMask word = bits_of(bits);
+  m.face.bonds[0] = has_bit(word, 1);
+  m.face.bonds[1] = has_bit(word, 2);
+  m.face.general = has_bit(word, general_bit);
+  m.touching = has_bit(word, touching_bit);
+  return m;
+}
+
+/// A response as rows again, to be written where they belong.
+struct RowResponse {
+  RowPairs elastic, total, damping, active, slip_bits, a0, a1, b0, b1;
+  TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m) {
+    const LaneMask none{};
+    return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (none + touching_bit));
+  }
+  TRILITH_INLINE explicit RowResponse(const FaceResponse<Lanes>& r)
+      : elastic(r.memory.shear_elastic[0], r.memory.shear_elastic[1]),
+        total(r.memory.shear_total[0], r.memory.shear_total[1]),
+        damping(r.memory.damping_force[0], r.memory.damping_force[1]),
+        active(r.memory.active[0], r.memory.active[1]),
+        slip_bits(r.memory.slip, word_of(r.memory)),
+        a0(r.ax0, r.ay0),
+        a1(r.ax1, r.ay1),
+        b0(r.bx0, r.by0),
+        b1(r.bx1, r.by1) {}
+};
+
+TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse& r, int i) {
+  ContactMemory& after = pass.after[row];
+  store_pair(after.shear_elastic, r.elastic.of(i));
+  store_pair(after.shear_total, r.total.of(i));
+  store_pair(after.damping_force, r.damping.of(i));
+  store_pair(after.active, r.active.of(i));
+  store_pair(&after.slip, r.slip_bits.of(i));
+  after.damping_moment = 0;
+  const NearPair& p = pass.pairs[row];
+  const auto add = [&](int skin, const Pair& force) {
+    double* on = pass.skin_force[skin].data();
+    store_pair(on, load_pair(on) + force);
+  };
+  add(p.a0, r.a0.of(i));
+  add(p.a1, r.a1.of(i));
+  add(p.b0, r.b0.of(i));
+  add(p.b1, r.b1.of(i));
+}
+
+/// Energy given off, lane by lane.
+struct GivenOff {
+  Lanes damping{}, friction{}, fracture{};
+};
+
+template <bool CanBond>
+TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Rows& rows, GivenOff& given) {
+  const FacePlaces faces = load_places(pass, rows);
+  const LaneMemory memory = load_memory(pass, rows);
+  const FaceResponse<Lanes> r = respond_face_pair<CanBond>(faces.a, faces.b, faces.corner, memory.face, law);
+  const LaneMask found = rows.valid & r.is_face_pair, counts = found & (r.touching | memory.touching);
+  given.damping += select(counts, r.lost_damping, Lanes{});
+  given.friction += select(counts, r.lost_friction, Lanes{});
+  LaneMask turns = r.touching ^ memory.touching;
+  if constexpr (CanBond) {
+    given.fracture += select(counts, r.lost_fracture, Lanes{});
+    turns |= (memory.face.bonds[0] ^ r.memory.bonds[0]) | (memory.face.bonds[1] ^ r.memory.bonds[1]);
+  }
+  const RowResponse out(r);
+  if (!any(flip(found & r.touching) | turns)) {  // as nearly always
+    for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i);
     return;
   }
-  const FaceMemory<T>& m = r.memory;
-  for (const int h : {0, 1}) {
-    after.shear_elastic[h] = L::lane(m.shear_elastic[h], i);
-    after.shear_total[h] = L::lane(m.shear_total[h], i);
-    after.damping_force[h] = L::lane(m.damping_force[h], i);
-    after.active[h] = L::lane(m.active[h], i);
-  }
-  after.damping_moment = 0;
-  after.slip = L::lane(m.slip, i);
-  after.bonds = (L::lane(m.bonds[0], i) ? 1U : 0U) | (L::lane(m.bonds[1], i) ? 2U : 0U);
-  after.state = contact_touching;
-  if (!was || after.bonds != before.bonds) work.turned.push_back(row);
-  const NearPair& p = work.pairs[row];
-  std::vector<Vec2>& on = work.skin_force;
-  on[p.a0] += Vec2(L::lane(r.ax0, i), L::lane(r.ay0, i));
-  on[p.a1] += Vec2(L::lane(r.ax1, i), L::lane(r.ay1, i));
-  on[p.b0] += Vec2(L::lane(r.bx0, i), L::lane(r.by0, i));
-  on[p.b1] += Vec2(L::lane(r.bx1, i), L::lane(r.by1, i));
-  give_off(work, r, i);
-}
-
-template <bool CanBond, class T>
-TRILITH_INLINE void respond_rows(const Pass& pass, const int* rows) {
-  using L = Loader<T>;
-  const SkinMotion *a0[L::width], *a1[L::width], *b0[L::width], *b1[L::width];
-  const ContactMemory* before[L::width];
-  double corner[L::width];
-  for (int i = 0; i < L::width; ++i) {
-    const NearPair& p = pass.work.pairs[rows[i]];
-    a0[i] = &pass.work.skin[p.a0], a1[i] = &pass.work.skin[p.a1];
-    b0[i] = &pass.work.skin[p.b0], b1[i] = &pass.work.skin[p.b1];
-    before[i] = &pass.state.memory[rows[i]];
-    corner[i] = p.corner;
-  }
-  FaceEnds<T> a, b;
-  L::skin(a0, a.x0, a.y0, a.u0, a.v0);
-  L::skin(a1, a.x1, a.y1, a.u1, a.v1);
-  L::skin(b0, b.x0, b.y0, b.u0, b.v0);
-  L::skin(b1, b.x1, b.y1, b.u1, b.v1);
-  FaceMemory<T> memory;
-  L::memory(before, memory);
-  const FaceResponse<T> r = respond_face_pair<CanBond>(a, b, L::number(corner), memory, pass.law);
-  for (int i = 0; i < L::width; ++i) {
-    if (L::lane(r.is_face_pair, i))
-      store(pass, rows[i], r, i);
+  for (int i = 0; i < lane_count; ++i) {
+    if (rows.valid[i] == 0) continue;
+    const int row = rows.row[i];
+    if (r.is_face_pair[i] == 0) {
+      pass.work.general_now.push_back(row);
+      continue;
+    }
+    if (r.touching[i] != 0)
+      write_row(pass, row, out, i);
     else
-      pass.work.general_now.push_back(rows[i]);
+      pass.after[row] = {};
+    if (turns[i] != 0) pass.work.turned.push_back(row);
   }
 }
 
 template <bool CanBond>
 TRILITH_INLINE void respond_batch(const Pass& pass, const std::vector<int>& rows) {
-  std::size_t i = 0;
-  for (; i + lane_count <= rows.size(); i += lane_count) respond_rows<CanBond, Lanes>(pass, rows.data() + i);
-  for (; i < rows.size(); ++i) respond_rows<CanBond, double>(pass, rows.data() + i);
+  const FaceLaw law = pass.law;
+  GivenOff given;
+  for (std::size_t i = 0; i < rows.size(); i += lane_count)
+    respond_rows<CanBond>(pass, law, Rows(rows.data() + i, rows.size() - i), given);
+  const auto sum = [](const Lanes& v) { return (v[0] + v[1]) + (v[2] + v[3]); };
+  pass.work.given[EnergyTerm::contact_damping] += sum(given.damping);
+  pass.work.given[EnergyTerm::contact_friction] += sum(given.friction);
+  pass.work.given[EnergyTerm::contact_fracture] += sum(given.fracture);
 }
 
 // One copy for wide registers and one for any machine: the same operations, so the same bits.
-[[gnu::target_clones("avx2", "default")]] void respond_plain(const Pass& pass, const std::vector<int>& rows) {
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_plain(const Pass& pass,
+                                                                               const std::vector<int>& rows) {
   respond_batch<false>(pass, rows);
 }
-[[gnu::target_clones("avx2", "default")]] void respond_bonding(const Pass& pass, const std::vector<int>& rows) {
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_bonding(const Pass& pass,
+                                                                                 const std::vector<int>& rows) {
   respond_batch<true>(pass, rows);
 }
 
@@ -192,9 +275,9 @@ FaceLaw face_law(const Model<2>& model, int law, double dt) {
 
 namespace {
 
-/// Rows of a batch at this step: those with one pair of facing faces, and those of several of which one is chosen now.
-/// In the order of rows either way, so that sums do not depend on when the pairs were found.
-const std::vector<int>& rows_now(const Model<2>& model, const State<2>& state, Work<2>& work, FaceBatch& batch) {
+/// Rows of a batch: those with one pair of facing faces, and those of several of which one is chosen now. In the order
+/// of rows either way, so that sums do not depend on when the pairs were found.
+const std::vector<int>& facing_now(const Model<2>& model, const State<2>& state, Work<2>& work, FaceBatch& batch) {
   if (batch.choice.empty()) return batch.row;
   batch.now = batch.row;
   for (const int row : batch.choice) {
@@ -205,17 +288,60 @@ const std::vector<int>& rows_now(const Model<2>& model, const State<2>& state, W
   return batch.now;
 }
 
+/// True where the line along one of the two faces keeps the two pieces apart, for certain: both ends of the other face
+/// lie beyond it, and no corner next to them can reach back. What does not touch now remembers nothing and does
+/// nothing.
+bool clearly_apart(const SkinMotion* skin, const NearPair& p) {
+  constexpr double slack = 1e-12;  // of the face's length, far above the rounding of positions
+  const SkinMotion &a0 = skin[p.a0], &a1 = skin[p.a1], &b0 = skin[p.b0], &b1 = skin[p.b1];
+  const double ax = a1.x - a0.x, ay = a1.y - a0.y, bx = b1.x - b0.x, by = b1.y - b0.y;
+  const double x0 = b0.x - a0.x, y0 = b0.y - a0.y, x1 = b1.x - a0.x, y1 = b1.y - a0.y;
+  const double cosine = ax * bx + ay * by, sine = ax * by - ay * bx;
+  // Height of b's ends over a's face, and of a's ends over b's, times its length.
+  const double over_a = std::min(ay * x0 - ax * y0, ay * x1 - ax * y1);
+  const double over_b = std::min(bx * y0 - by * x0, bx * y0 - by * x0 + sine);
+  const bool parallel = (p.corner <= 1) & (std::abs(sine) < -0.5 * cosine);
+  return parallel & ((over_a > slack * (ax * ax + ay * ay)) | (over_b > slack * (bx * bx + by * by)));
+}
+
+/// Of the `facing` rows those that touched at the last step, and then those that may touch now: `rows`.
+void sort_out(const State<2>& state, const Work<2>& work, const std::vector<int>& facing, std::vector<int>& rows,
+              std::vector<int>& fresh) {
+  rows.resize(facing.size());
+  fresh.resize(facing.size());
+  std::size_t touched = 0, rest = 0, others = 0;
+  for (const int row : facing) {  // without branches: which rows touch is hard to guess
+    const bool was = (state.memory[row].state & contact_touching) != 0;
+    rows[touched] = fresh[rest] = row;
+    touched += was ? 1 : 0;
+    rest += was ? 0 : 1;
+  }
+  for (std::size_t i = 0; i < rest; ++i) {
+    const int row = fresh[i];
+    fresh[others] = row;
+    others += clearly_apart(work.skin.data(), work.pairs[row]) ? 0 : 1;
+  }
+  std::copy_n(fresh.begin(), others, rows.begin() + static_cast<std::ptrdiff_t>(touched));
+  rows.resize(touched + others);
+}
+
 }  // namespace
 
 void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
   work.general_now.clear();
   for (FaceBatch& batch : work.batches) {
-    const std::vector<int>& rows = rows_now(model, state, work, batch);
-    if (rows.empty()) continue;
-    const Pass pass{model, state, work, face_law(model, batch.law, dt)};
+    sort_out(state, work, facing_now(model, state, work, batch), work.face_rows, work.fresh_rows);
+    if (work.face_rows.empty()) continue;
+    const Pass pass{work.skin.data(),
+                    work.pairs.data(),
+                    state.memory.data(),
+                    work.memory.data(),
+                    work.skin_force.data(),
+                    face_law(model, batch.law, dt),
+                    work};
     const bool bonding =
         std::visit([](const auto& l) { return std::decay_t<decltype(l)>::can_bond; }, model.laws[batch.law]);
-    bonding ? respond_bonding(pass, rows) : respond_plain(pass, rows);
+    bonding ? respond_bonding(pass, work.face_rows) : respond_plain(pass, work.face_rows);
   }
 }
 

@@ -72,6 +72,7 @@ struct Work {
   // Writer: respond
   std::vector<ContactMemory> memory;             ///< [contact] trial
   std::vector<BearingMemory> bearing;            ///< [bearing] trial
+  std::vector<int> face_rows, fresh_rows;        ///< of a batch: rows that touched or may touch now; the latter alone
   std::vector<int> general_now;                  ///< rows whose shape is general at this step
   std::vector<GeneralContact> general_touching;  ///< those of them that touch
   std::vector<int> turned;                       ///< rows that began or ceased to touch, or lost a bond
