@@ -32,6 +32,7 @@ struct FaceOverlap {
   T tilt;            ///< difference of the slopes of the faces [1]
   Mask<T> sane;      ///< the faces look at each other and share some length
 
+  FaceOverlap() = default;
   TRILITH_INLINE FaceOverlap(const FaceEnds<T>& a, const FaceEnds<T>& b) {
     const T zero{}, one = zero + 1.0;
     const T dxa = a.x1 - a.x0, dya = a.y1 - a.y0;

@@ -218,6 +218,7 @@ template <class T>
 struct FaceRates {
   T gap_lo, gap_hi, slip_lo, slip_hi;
   T turning;  ///< of B against A: slope of the gap rate [rad/s]
+  FaceRates() = default;
   TRILITH_INLINE FaceRates(const FaceOverlap<T>& o, const FaceEnds<T>& a, const FaceEnds<T>& b) {
     const T na0 = o.dy * a.u0 - o.dx * a.v0, na1 = o.dy * a.u1 - o.dx * a.v1;
     const T nb0 = o.dy * b.u0 - o.dx * b.v0, nb1 = o.dy * b.u1 - o.dx * b.v1;
@@ -326,21 +327,31 @@ TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, con
   out.lost_friction = s0.lost_friction + s1.lost_friction;
 }
 
+/// Where two faces share length and how they move there: all that the stresses depend on but their memory.
 /// `corner`: at least 1; the largest cot of the turning angle at the four face ends (see world/flatness.hpp).
+template <class T>
+struct FaceMotion {
+  FaceOverlap<T> overlap;
+  FaceRates<T> rates;
+  Mask<T> flat;
+  FaceMotion() = default;
+  TRILITH_INLINE FaceMotion(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner)
+      : overlap(a, b), rates(overlap, a, b), flat(overlap.is_flat(corner)) {}
+};
+
 /// `CanBond` drops the bond arithmetic for laws without one.
 template <bool CanBond, class T>
-TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner,
-                                                 FaceMemory<T> before, const FaceLaw& law) {
+TRILITH_INLINE FaceResponse<T> respond_face_motion(const FaceMotion<T>& motion, FaceMemory<T> before,
+                                                   const FaceLaw& law) {
   const T zero{};
-  const FaceOverlap<T> overlap(a, b);
-  const FaceRates<T> rates(overlap, a, b);
+  const FaceOverlap<T>& overlap = motion.overlap;
   if constexpr (!CanBond) before.bonds[0] = before.bonds[1] = Mask<T>{};
-  FaceHalves<T> halves(overlap, rates, before);
+  FaceHalves<T> halves(overlap, motion.rates, before);
   FaceResponse<T> out;
-  out.is_face_pair = overlap.sane & overlap.is_flat(corner);
+  out.is_face_pair = overlap.sane & motion.flat;
   out.lost_fracture = zero;
   if constexpr (CanBond) {
-    out.is_face_pair = overlap.sane & (overlap.is_flat(corner) | before.bonds[0] | before.bonds[1]);
+    out.is_face_pair = overlap.sane & (motion.flat | before.bonds[0] | before.bonds[1]);
     out.lost_fracture = lose_bonds(halves, before, law);
   }
   HalfResponse<T> s[2];
@@ -354,9 +365,15 @@ TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const Fac
                   s[h]);
   out.memory.bonds[0] = halves.half[0].bonded;
   out.memory.bonds[1] = halves.half[1].bonded;
-  remember(overlap, rates, before, law.dt, s[0], s[1], out);
+  remember(overlap, motion.rates, before, law.dt, s[0], s[1], out);
   spread_to_ends(overlap, s[0], s[1], out);
   return out;
+}
+
+template <bool CanBond, class T>
+TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner,
+                                                 const FaceMemory<T>& before, const FaceLaw& law) {
+  return respond_face_motion<CanBond>(FaceMotion<T>(a, b, corner), before, law);
 }
 
 }  // namespace trilith

@@ -101,12 +101,7 @@ struct Rows {
   }
 };
 
-struct FacePlaces {
-  FaceEnds<Lanes> a, b;
-  Lanes corner;
-};
-
-TRILITH_INLINE FacePlaces load_places(const Pass& pass, const Rows& rows) {
+TRILITH_INLINE FaceMotion<Lanes> load_motion(const Pass& pass, const Rows& rows) {
   const NearPair* p[lane_count];
   for (int i = 0; i < lane_count; ++i) p[i] = &pass.pairs[rows.row[i]];
   const auto ends = [&](int NearPair::*end, Lanes& x, Lanes& y, Lanes& u, Lanes& v) {
@@ -118,13 +113,12 @@ TRILITH_INLINE FacePlaces load_places(const Pass& pass, const Rows& rows) {
     load_columns(place, x, y);
     load_columns(velocity, u, v);
   };
-  FacePlaces f;
-  ends(&NearPair::a0, f.a.x0, f.a.y0, f.a.u0, f.a.v0);
-  ends(&NearPair::a1, f.a.x1, f.a.y1, f.a.u1, f.a.v1);
-  ends(&NearPair::b0, f.b.x0, f.b.y0, f.b.u0, f.b.v0);
-  ends(&NearPair::b1, f.b.x1, f.b.y1, f.b.u1, f.b.v1);
-  f.corner = Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner};
-  return f;
+  FaceEnds<Lanes> a, b;
+  ends(&NearPair::a0, a.x0, a.y0, a.u0, a.v0);
+  ends(&NearPair::a1, a.x1, a.y1, a.u1, a.v1);
+  ends(&NearPair::b0, b.x0, b.y0, b.u0, b.v0);
+  ends(&NearPair::b1, b.x1, b.y1, b.u1, b.v1);
+  return {a, b, Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner}};
 }
 
 struct LaneMemory {
@@ -202,10 +196,10 @@ struct GivenOff {
 };
 
 template <bool CanBond>
-TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Rows& rows, GivenOff& given) {
-  const FacePlaces faces = load_places(pass, rows);
+TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Rows& rows,
+                                 const FaceMotion<Lanes>& motion, GivenOff& given) {
   const LaneMemory memory = load_memory(pass, rows);
-  const FaceResponse<Lanes> r = respond_face_pair<CanBond>(faces.a, faces.b, faces.corner, memory.face, law);
+  const FaceResponse<Lanes> r = respond_face_motion<CanBond>(motion, memory.face, law);
   const LaneMask found = rows.valid & r.is_face_pair, counts = found & (r.touching | memory.touching);
   given.damping += select(counts, r.lost_damping, Lanes{});
   given.friction += select(counts, r.lost_friction, Lanes{});
@@ -238,8 +232,16 @@ template <bool CanBond>
 TRILITH_INLINE void respond_batch(const Pass& pass, const std::vector<int>& rows) {
   const FaceLaw law = pass.law;
   GivenOff given;
-  for (std::size_t i = 0; i < rows.size(); i += lane_count)
-    respond_rows<CanBond>(pass, law, Rows(rows.data() + i, rows.size() - i), given);
+  // In blocks, motions first: two short loops leave the processor more to do at once than one long one.
+  constexpr std::size_t block = 16;
+  std::array<FaceMotion<Lanes>, block> motion;
+  for (std::size_t from = 0; from < rows.size(); from += block * lane_count) {
+    const std::size_t to = std::min(rows.size(), from + block * lane_count);
+    const auto rows_at = [&](std::size_t i) { return Rows(rows.data() + i, rows.size() - i); };
+    for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) motion[k] = load_motion(pass, rows_at(i));
+    for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k)
+      respond_rows<CanBond>(pass, law, rows_at(i), motion[k], given);
+  }
   const auto sum = [](const Lanes& v) { return (v[0] + v[1]) + (v[2] + v[3]); };
   pass.work.given[EnergyTerm::contact_damping] += sum(given.damping);
   pass.work.given[EnergyTerm::contact_friction] += sum(given.friction);
