@@ -79,6 +79,9 @@ class ModelBuilder {
   void add_bearing(const BearingSpec& spec);
   void add_seat(const SeatSpec& spec);
 
+  /// Adds a line to notes(): what was repaired or chosen before bodies came here.
+  void note(const std::string& line) { notes_.push_back(line); }
+
   /// Checks everything and makes the model. Throws InputError: overlapping bodies, bodies on nothing, ...
   Model<2> build();
 

@@ -34,6 +34,74 @@ void read_support(Keys& keys, std::array<Support, 3>& support) {
   lua_pop(L, 1);
 }
 
+/// What `keys` say of a body; `preset` where they say nothing.
+BodySpec read_spec(Keys& keys, const BodySpec& preset) {
+  BodySpec s = preset;
+  s.material = keys.text("material", preset.material);
+  const std::vector<std::string> groups = keys.names("groups");
+  s.groups.insert(s.groups.end(), groups.begin(), groups.end());
+  std::optional<double> density = keys.maybe_number("density", "kg/m3");
+  if (density) check_density(keys, *density);
+  if (const auto weight = keys.maybe_number("unit_weight", "N/m3")) {
+    if (density) keys.problem("both density and unit_weight are given; keep one");
+    density = *weight / standard_gravity;
+  }
+  const auto mass = keys.maybe_number("mass", "kg"), weight = keys.maybe_number("weight", "N");
+  if (density || mass || weight || keys.has("material")) s.density = density, s.mass = mass, s.weight = weight;
+  if (const auto inertia = keys.maybe_number("inertia", "kg m2")) s.inertia = inertia;
+  if (const auto thickness = keys.maybe_number("body_thickness", "m")) s.thickness = thickness;
+  if (keys.has("support")) read_support(keys, s.support);
+  s.velocity = keys.point("velocity", preset.velocity);
+  s.spin = keys.number("spin", "rad/s", preset.spin);
+  s.load = keys.point("load", preset.load);
+  s.floating = keys.flag("floating", preset.floating);
+  return s;
+}
+
+/// Reads the tables under by_group, in the order of their names: a Lua table has no order of its own.
+void read_by_group(Keys& keys, BodyOptions& o) {
+  lua_State* L = keys.lua();
+  const int type = keys.push("by_group");
+  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong("by_group", "a table such as { slabs = { weight = 1e4 } }");
+  std::vector<std::string> names;
+  if (type == LUA_TTABLE) {
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+      if (lua_type(L, -2) == LUA_TSTRING)
+        names.emplace_back(lua_tostring(L, -2));
+      else
+        keys.problem("by_group: its keys must be names of groups or parts");
+    }
+  }
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) {
+    lua_pushlstring(L, name.data(), name.size());
+    lua_rawget(L, -2);
+    try {
+      Keys own(L, -1, fmt::format("by_group: {}", name));
+      o.by_group.emplace_back(name, read_spec(own, o.spec));
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What the options say of this part.
+const BodySpec& spec_of(const Part& part, const BodyOptions& options) {
+  std::vector<std::string> own{part.name};
+  own.insert(own.end(), part.groups.begin(), part.groups.end());
+  for (const std::string& name : own)
+    for (const auto& [entry, spec] : options.by_group)
+      if (entry == name) return spec;
+  return options.spec;
+}
+
 }  // namespace
 
 void check_density(Keys& keys, double density) {
@@ -45,38 +113,36 @@ void check_density(Keys& keys, double density) {
 
 BodyOptions read_body_options(Keys& keys, bool several) {
   BodyOptions o;
-  BodySpec& s = o.spec;
-  s.material = keys.text("material", "");
-  s.groups = keys.names("groups");
-  s.density = keys.maybe_number("density", "kg/m3");
-  if (s.density) check_density(keys, *s.density);
-  if (const auto weight = keys.maybe_number("unit_weight", "N/m3")) {
-    if (s.density) keys.problem("both density and unit_weight are given; keep one");
-    s.density = *weight / standard_gravity;
-  }
-  s.mass = keys.maybe_number("mass", "kg");
-  s.weight = keys.maybe_number("weight", "N");
-  s.inertia = keys.maybe_number("inertia", "kg m2");
-  s.thickness = keys.maybe_number("body_thickness", "m");
-  read_support(keys, s.support);
-  s.velocity = keys.point("velocity", Vec2::Zero());
-  s.spin = keys.number("spin", "rad/s", 0);
-  s.load = keys.point("load", Vec2::Zero());
-  s.floating = keys.flag("floating", false);
-  if (several) o.fixed = keys.names("fixed");
+  o.spec = read_spec(keys, {});
+  if (!several) return o;
+  o.fixed = keys.names("fixed");
+  read_by_group(keys, o);
   return o;
 }
 
-void add_part(ScriptModel& model, const Polygon& outline, const std::string& name,
-              const std::vector<std::string>& groups, const BodyOptions& options) {
-  BodySpec spec = options.spec;
-  spec.name = name;
-  spec.outline = outline;
-  spec.groups.insert(spec.groups.begin(), groups.begin(), groups.end());
-  const auto fixed = [&](const std::string& n) {
-    return std::find(options.fixed.begin(), options.fixed.end(), n) != options.fixed.end();
+void check_named(const BodyOptions& options, const std::vector<Part>& parts, const std::string& owner) {
+  std::vector<std::string> groups, names;
+  for (const Part& part : parts) {
+    names.push_back(part.name);
+    for (const std::string& group : part.groups)
+      if (!contains(groups, group)) groups.push_back(group);
+  }
+  const auto check = [&](const std::string& name, const char* key) {
+    if (!contains(groups, name) && !contains(names, name))
+      throw InputError(fmt::format("{}: {} names '{}', but there is no such group or part{}", owner, key, name,
+                                   name_hint(name, groups)));
   };
-  if (fixed(name) || std::any_of(groups.begin(), groups.end(), fixed)) spec.support.fill(Support::fixed);
+  for (const std::string& name : options.fixed) check(name, "fixed");
+  for (const auto& [name, spec] : options.by_group) check(name, "by_group");
+}
+
+void add_part(ScriptModel& model, const Part& part, const BodyOptions& options) {
+  BodySpec spec = spec_of(part, options);
+  spec.name = part.name;
+  spec.outline = part.outline;
+  spec.groups.insert(spec.groups.begin(), part.groups.begin(), part.groups.end());
+  const auto fixed = [&](const std::string& n) { return contains(options.fixed, n); };
+  if (fixed(part.name) || std::any_of(part.groups.begin(), part.groups.end(), fixed)) spec.support.fill(Support::fixed);
   model.builder.add_body(std::move(spec));
 }
 

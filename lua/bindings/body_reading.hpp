@@ -1,6 +1,7 @@
 // What m:body, m:add and the bridge conveniences share: reading what a body is, but for its shape.
 #pragma once
 
+#include "build/part.hpp"
 #include "handles.hpp"
 
 namespace trilith::script {
@@ -8,18 +9,23 @@ namespace trilith::script {
 /// Everything a constructor says of a body besides name and outline.
 struct BodyOptions {
   BodySpec spec;
-  std::vector<std::string> fixed;  ///< names or groups of the parts that are fixed
+  std::vector<std::string> fixed;                          ///< names or groups of the parts that are fixed
+  std::vector<std::pair<std::string, BodySpec>> by_group;  ///< what holds instead for parts of that name or group
 };
 
 /// Reads material, groups, density, unit_weight, mass, weight, inertia, thickness, support, velocity, spin, load,
-/// floating and, for several parts, fixed. Problems are noted in `keys`.
+/// floating and, for several parts, fixed and by_group, a table of these keys for each name or group. Problems are
+/// noted in `keys`.
 BodyOptions read_body_options(Keys& keys, bool several);
 
 /// Notes a problem where a density is so large that it must be a unit weight.
 void check_density(Keys& keys, double density);
 
-/// Adds a part as a body; its groups are the part's and those of the options.
-void add_part(ScriptModel& model, const Polygon& outline, const std::string& name,
-              const std::vector<std::string>& groups, const BodyOptions& options);
+/// Throws InputError where `fixed` or `by_group` names a part or group that is not among `parts`.
+void check_named(const BodyOptions& options, const std::vector<Part>& parts, const std::string& owner);
+
+/// Adds a part as a body; its groups are the part's and those of the options. Of several entries of by_group that fit,
+/// the one of the part's name counts, else the one of its first group.
+void add_part(ScriptModel& model, const Part& part, const BodyOptions& options);
 
 }  // namespace trilith::script

@@ -1,41 +1,13 @@
 #include "part_makers.hpp"
 
-#include "build/arch.hpp"
 #include "build/block.hpp"
 #include "build/bridge.hpp"
 #include "build/ground.hpp"
-#include "build/running_bond.hpp"
-#include "build/stack.hpp"
+#include "masonry_makers.hpp"
+#include "part_reading.hpp"
 
 namespace trilith::script {
 namespace {
-
-/// Calls item(keys, i) for every table of the list under `key`; `owner` names one of them.
-template <class Item>
-void read_list(Keys& keys, std::string_view key, const std::string& owner, Item&& item) {
-  lua_State* L = keys.lua();
-  const int type = keys.push(key);
-  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong(key, "a list of tables");
-  const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
-  for (lua_Integer i = 1; i <= count; ++i) {
-    lua_rawgeti(L, -1, i);
-    try {
-      Keys own(L, -1, fmt::format("{} {}", owner, i));
-      item(own);
-      own.finish();
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
-}
-
-std::string read_name(Keys& keys, const std::string& preset) {
-  std::string name = keys.text("name", preset);
-  keys.name_owner(name);
-  return name;
-}
 
 MakeParts read_block(Keys& k) {
   Block b;
@@ -55,73 +27,6 @@ MakeParts read_polygon(Keys& k) {
     PolygonPart made = build_polygon(name, outline);
     return MadeParts{{std::move(made.part)}, std::move(made.notes)};
   };
-}
-
-MakeParts read_stack(Keys& k) {
-  Stack s;
-  s.name = read_name(k, "");
-  s.at = k.point("at", s.at);
-  read_list(k, "blocks", "block", [&](Keys& own) {
-    s.blocks.push_back({own.number("width", "m"), own.number("height", "m"), own.number("offset", "m", 0)});
-  });
-  return [s] { return MadeParts{build_stack(s)}; };
-}
-
-MakeParts read_harmonic_stack(Keys& k) {
-  HarmonicStack s;
-  s.name = read_name(k, "");
-  s.count = k.count("count", s.count);
-  s.length = k.number("length", "m", s.length);
-  s.height = k.number("height", "m", s.height);
-  s.factor = k.number("factor", "1", s.factor);
-  s.at = k.point("at", s.at);
-  s.table_height = k.number("table_height", "m", s.table_height);
-  return [s] { return MadeParts{build_harmonic_stack(s)}; };
-}
-
-MakeParts read_arch(Keys& k) {
-  Arch a;
-  a.name = read_name(k, "");
-  a.voussoirs = k.count("voussoirs", a.voussoirs);
-  a.radius = k.number("radius", "m", a.radius);
-  a.thickness = k.number("thickness", "m", a.thickness);
-  a.half_angle = k.number("half_angle", "rad", a.half_angle);
-  a.sub_edges = k.count("sub_edges", a.sub_edges);
-  a.centre = k.point("centre", a.centre);
-  a.abutments = k.flag("abutments", a.abutments);
-  a.abutment_depth = k.number("abutment_depth", "m", a.abutment_depth);
-  a.abutment_margin = k.number("abutment_margin", "m", a.abutment_margin);
-  return [a] { return MadeParts{build_arch(a)}; };
-}
-
-PanelField read_field(Keys& own) {
-  PanelField f;
-  f.from = own.number("from", "m");
-  f.to = own.number("to", "m");
-  f.first_course = own.count("first_course", f.first_course);
-  f.last_course = own.count("last_course", f.first_course);
-  return f;
-}
-
-MakeParts read_running_bond(Keys& k) {
-  RunningBond w;
-  w.name = read_name(k, "");
-  w.columns = k.count("columns", w.columns);
-  w.courses = k.count("courses", w.courses);
-  w.unit_width = k.number("unit_width", "m", w.unit_width);
-  w.unit_height = k.number("unit_height", "m", w.unit_height);
-  w.half_courses = k.choice("half_courses", {"odd", "even"}, 1) == 0 ? HalfCourses::odd : HalfCourses::even;
-  w.at = k.point("at", w.at);
-  w.base_height = k.number("base_height", "m", w.base_height);
-  w.base_margin = k.number("base_margin", "m", w.base_margin);
-  read_list(k, "openings", "opening", [&](Keys& own) { w.openings.push_back(read_field(own)); });
-  read_list(k, "lintels", "lintel", [&](Keys& own) { w.lintels.push_back(read_field(own)); });
-  return [w] { return MadeParts{build_running_bond(w)}; };
-}
-
-MakeParts read_bench_wall(Keys& k) {
-  const int courses = k.count("courses", 24);
-  return [courses] { return MadeParts{build_bench_wall(courses)}; };
 }
 
 MakeParts read_ground(Keys& k) {
@@ -190,7 +95,8 @@ constexpr std::array<PartMaker, part_maker_count> makers{
     PartMaker{"stack", false, read_stack, "blocks on top of each other"},
     PartMaker{"harmonic_stack", false, read_harmonic_stack, "equal blocks that reach out over an edge"},
     PartMaker{"arch", false, read_arch, "a circular arch of voussoirs"},
-    PartMaker{"running_bond", false, read_running_bond, "a wall panel in running bond"},
+    PartMaker{"wall", false, read_wall, "a masonry wall of storeys, with openings, lintels and slabs"},
+    PartMaker{"running_bond", false, read_running_bond, "a plain panel on a grid of half units, for limit loads"},
     PartMaker{"bench_wall", false, read_bench_wall, "the wall that run times are measured on"},
     PartMaker{"ground", true, read_ground, "ground under a surface line"},
     PartMaker{"pier", true, read_pier, "a pier of footing, stem and cap"},

@@ -120,7 +120,7 @@ int body(lua_State* L) {
   const Polygon outline = read_outline(keys, groups);
   const BodyOptions options = read_body_options(keys, false);
   keys.finish();
-  add_part(m, outline, name, groups, options);
+  add_part(m, {name, outline, groups}, options);
   push_body(L, 1, m.body_count() - 1);
   return 1;
 }
@@ -152,6 +152,7 @@ int add_parts(lua_State* L) {
   const int first = m.body_count();
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, 2));
   if (count == 0) throw InputError("add: the list of parts is empty; give a list, as from trilith.build");
+  std::vector<Part> parts;
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_rawgeti(L, 2, i);
     Keys part(L, -1, fmt::format("add: part {}", i));
@@ -159,9 +160,11 @@ int add_parts(lua_State* L) {
     const Polygon outline = part.points("outline");
     const std::vector<std::string> groups = part.names("groups");
     part.finish();
-    add_part(m, outline, name, groups, options);
+    parts.push_back({name, outline, groups});
     lua_pop(L, 1);
   }
+  check_named(options, parts, "add");
+  for (const Part& part : parts) add_part(m, part, options);
   push_added(L, m, first, false);
   return 1;
 }
@@ -201,7 +204,9 @@ int add_made(lua_State* L) {
   keys.finish();
   const MadeParts made = make();
   const int first = m.body_count();
-  for (const Part& part : made.parts) add_part(m, part.outline, part.name, part.groups, options);
+  check_named(options, made.parts, keys.owner());
+  for (const std::string& note : made.notes) m.builder.note(note);
+  for (const Part& part : made.parts) add_part(m, part, options);
   push_added(L, m, first, maker.single);
   return 1;
 }

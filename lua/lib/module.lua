@@ -22,9 +22,6 @@ function trilith.model(options)
   return model
 end
 
-local model_methods = core.members "model"
-model_methods.wall = model_methods.running_bond
-
 core.event.__tostring = function(event) return ("%.4f s  %s"):format(event.time, event.text) end
 
 local function names_of(t)

@@ -1,0 +1,63 @@
+// What the readers of geometry builders' tables share.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "handles.hpp"
+
+namespace trilith::script {
+
+/// Calls item(keys, i) for every table of the list under `key`; `owner` names one of them.
+template <class Item>
+void read_list(Keys& keys, std::string_view key, const std::string& owner, Item&& item) {
+  lua_State* L = keys.lua();
+  const int type = keys.push(key);
+  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong(key, "a list of tables");
+  const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    try {
+      Keys own(L, -1, fmt::format("{} {}", owner, i));
+      item(own);
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+}
+
+inline std::string read_name(Keys& keys, const std::string& preset) {
+  std::string name = keys.text("name", preset);
+  keys.name_owner(name);
+  return name;
+}
+
+/// A whole number or a list of them under `key`; {preset} where it is not there.
+inline std::vector<int> read_counts(Keys& keys, std::string_view key, int preset) {
+  lua_State* L = keys.lua();
+  std::vector<int> counts;
+  const int type = keys.push(key);
+  const bool list = type == LUA_TTABLE;
+  const auto size = list ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 1;
+  if (type == LUA_TNIL) counts.push_back(preset);
+  for (lua_Integer i = 1; i <= size && type != LUA_TNIL; ++i) {
+    if (list)
+      lua_rawgeti(L, -1, i);
+    else
+      lua_pushvalue(L, -1);
+    int whole = 0;
+    const lua_Integer value = lua_type(L, -1) == LUA_TNUMBER ? lua_tointegerx(L, -1, &whole) : 0;
+    if (whole == 0 || value < -1000000000 || value > 1000000000)
+      keys.wrong(key, "a whole number or a list of whole numbers");
+    counts.push_back(static_cast<int>(value));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  return counts;
+}
+
+}  // namespace trilith::script
