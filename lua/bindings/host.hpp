@@ -8,6 +8,7 @@
 
 #include "record/results.hpp"
 #include "run/stage.hpp"
+#include "run/study_figures.hpp"
 
 namespace trilith::script {
 
@@ -26,6 +27,19 @@ class RunObserver {
   virtual void stage_ended(const StageReport& report) = 0;
   /// Others are about to write where this one shows the run.
   virtual void clear() = 0;
+  // How a study goes on: lines, and one that is told again and again.
+  virtual void line(const std::string& text, bool strong) = 0;
+  virtual void status(const std::string& text) = 0;
+};
+
+/// What the command line says of a script's study.
+struct StudyChoice {
+  std::string program;  ///< runs the cases; "": there is none, so that no study can be begun
+  int jobs = 0;         ///< cases at a time; 0: as the script says
+  int only = 0;         ///< run this case alone, here; 0: run the study
+  bool fresh = false;   ///< run finished cases again
+  bool list = false;    ///< list the cases and end
+  bool begun = false;   ///< the script has called trilith.study
 };
 
 struct Host {
@@ -38,6 +52,10 @@ struct Host {
   std::vector<std::filesystem::path> records;    ///< folders in which motions are looked for after the script's own
   std::string results_file;                      ///< where given, instead of the script's own; for the first model
   RunObserver* observer = nullptr;
+  std::vector<std::string> arguments;  ///< `given`, kept whole
+  std::filesystem::path case_folder;   ///< "" or where all results go, under the last part of the script's own names
+  StudyChoice study;
+  std::vector<StudyFigure> figures;                    ///< that the script came to: what it returned
   std::vector<std::shared_ptr<ScriptModel>> recorded;  ///< models that write results; they live until finish()
 
   /// Folder of the script, "." where it has none.
@@ -50,6 +68,8 @@ struct Host {
 /// Where the project's own ground motions are: where installed, or in the source tree it was built from.
 std::vector<std::filesystem::path> record_folders();
 
+/// Thrown, as a script error, where the script has done what was asked for: a list of cases, or one of them.
+inline constexpr const char* script_is_done = "the script has done what it was asked for";
 /// Thrown, as a script error, where the parameters were to be listed and now are known.
 inline constexpr const char* parameters_listed = "the parameters are listed";
 

@@ -39,6 +39,7 @@ int fill(lua_State* L) {
   open_laws(L);
   open_motions(L);
   open_build(L);
+  open_study(L);
   lua_newtable(L);
   open_core(L);
   return 2;

@@ -102,6 +102,8 @@ void ScriptModel::begin_recording(Host& host) {
     results->file = std::exchange(host.results_file, "");
   }
   if (!results) return;
+  if (!host.case_folder.empty())
+    results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
   RecordingOptions options;
   options.provenance = host.provenance(motions);
   options.materials = materials;

@@ -8,7 +8,7 @@ namespace trilith::program {
 namespace {
 
 // Wall clock [s]: between redrawn lines on a terminal, between lines elsewhere, between looks at the clock.
-constexpr double redraw_interval = 0.15, line_interval = 5, look_interval = 0.02;
+constexpr double redraw_interval = 0.15, line_interval = 5, status_interval = 30, look_interval = 0.02;
 
 }  // namespace
 
@@ -57,6 +57,19 @@ void Live::stage_ended(const StageReport& report) {
   screen_.line(
       fmt::format("{:10.3f} s  {:<15}  {}", report.ended, "stage ended", stage_text(report, wall() - stage_began_)));
   if (!report.reason.empty()) screen_.line(fmt::format("{:14}{}", "", report.reason));
+}
+
+void Live::line(const std::string& text, bool strong) {
+  if (!quiet_) screen_.line(text, strong);
+}
+
+void Live::status(const std::string& text) {
+  if (quiet_ || wall() - shown_ < (screen_.is_terminal() ? redraw_interval : status_interval)) return;
+  shown_ = wall();
+  if (screen_.is_terminal())
+    screen_.status(text);
+  else
+    screen_.line(text);
 }
 
 }  // namespace trilith::program

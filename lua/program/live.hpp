@@ -21,6 +21,9 @@ class Live : public script::RunObserver {
   void step(const Instant& now) override;
   void stage_ended(const StageReport& report) override;
   void clear() override { screen_.clear(); }
+  void line(const std::string& text, bool strong) override;
+  /// Redrawn on a terminal, a line now and then elsewhere.
+  void status(const std::string& text) override;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -14,6 +14,7 @@ int run_program(int argc, char** argv) {
   int code = ended_well;
   try {
     add_run(app, code);
+    add_study(app, code);
     add_draw(app, code);
     add_plot(app, code);
     add_motion(app, code);

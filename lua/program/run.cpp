@@ -1,7 +1,10 @@
 // trilith run SCRIPT [NAME=VALUE ...]
+#include <fmt/format.h>
+
 #include <map>
 #include <memory>
 
+#include "assignment.hpp"
 #include "live.hpp"
 #include "script_run.hpp"
 #include "verbs.hpp"
@@ -10,23 +13,22 @@ namespace trilith::program {
 namespace {
 
 struct Options {
-  std::string script, results;
+  std::string script, results, folder;
   std::vector<std::string> given;
   EventShow events = EventShow::important;
   double least_impact = slow_impact;
   bool quiet = false, list = false;
+  int only = 0;
 };
-
-std::string is_assignment(const std::string& text) {
-  const std::size_t at = text.find('=');
-  return at == std::string::npos || at == 0 ? "'" + text + "' is not NAME=VALUE" : "";
-}
 
 int run(const Options& options) {
   Live live(stdout, EventLines(options.events, options.least_impact), options.quiet);
   script::Host host;
   host.script = options.script;
-  host.given = options.given;
+  host.given = host.arguments = options.given;
+  host.case_folder = options.folder;
+  host.study.program = program_path();
+  host.study.only = options.only;
   host.list_parameters = options.list;
   host.results_file = options.results;
   host.records = script::record_folders();
@@ -35,6 +37,7 @@ int run(const Options& options) {
   for (const std::string& g : options.given) host.command_line += " " + g;
   const int code = run_script(host);
   live.clear();
+  if (options.only > 0 && options.folder.empty()) fmt::print("{}", figures_text(host.figures));
   return code;
 }
 
@@ -62,6 +65,12 @@ void add_run(CLI::App& app, int& code) {
       ->type_name("SPEED")
       ->capture_default_str();
   verb->add_flag("--quiet,-q", options->quiet, "show neither events nor status");
+  verb->add_option("--folder", options->folder, "write all results, and the figures that the script returns, into DIR")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
+  verb->add_option("--case", options->only, "run this case of the script's study alone, here")
+      ->type_name("NUMBER")
+      ->check(CLI::PositiveNumber);
   verb->add_flag("--params", options->list, "list the script's parameters and end");
   verb->callback([options, &code] { code = run(*options); });
 }

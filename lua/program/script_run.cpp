@@ -9,8 +9,10 @@
 #include <memory>
 #include <sstream>
 
+#include "figures_reading.hpp"
 #include "guard.hpp"
 #include "open.hpp"
+#include "record/picture_file.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -107,6 +109,17 @@ int report_error(script::Host& host, const std::string& message) {
   return stopped ? interrupted : wrong_input;
 }
 
+/// Keeps what the script came to in the folder of its case.
+void write_figures(const script::Host& host) {
+  if (!host.case_folder.empty()) write_whole_file(host.case_folder / figures_file, figures_text(host.figures));
+}
+
+/// (host, what the script gave)
+int take_figures(lua_State* L) {
+  static_cast<script::Host*>(lua_touserdata(L, 1))->figures = script::figures_at(L, 2);
+  return 0;
+}
+
 void list_parameters(const script::Host& host) {
   for (const auto& p : host.parameters) fmt::print("{:<16} {:>10} {:<6} {}\n", p.name, p.value, p.unit, p.text);
   if (host.parameters.empty()) fmt::print("{} declares no parameters\n", host.script);
@@ -143,19 +156,37 @@ int run_script(script::Host& host) {
   const std::string chunk = "@" + host.script;
   if (luaL_loadbufferx(L, text.data(), text.size(), chunk.c_str(), "t") != LUA_OK)
     return report_error(host, message_at_top(L));
-  const bool good = lua_pcall(L, 0, 0, 1) == LUA_OK;
+  bool good = lua_pcall(L, 0, 1, 1) == LUA_OK;
   if (host.list_parameters) {
     const std::string message = good ? "" : message_at_top(L);
     if (!good && message.find(script::parameters_listed) == std::string::npos) return report_error(host, message);
     list_parameters(host);
     return ended_well;
   }
+  if (good && !host.case_folder.empty()) {
+    lua_pushcfunction(L, script::guarded<take_figures>);
+    lua_insert(L, -2);
+    lua_pushlightuserdata(L, &host);
+    lua_insert(L, -2);
+    good = lua_pcall(L, 2, 0, 1) == LUA_OK;
+  }
+  if (!good && (host.study.only > 0 || host.study.list))
+    good = message_at_top(L).find(script::script_is_done) != std::string::npos;
   if (!good) return report_error(host, message_at_top(L));
+  if (host.study.only > 0 && !host.study.begun)
+    return report_error(host, fmt::format("{} has no study, so no case {}", host.script, host.study.only));
   if (!host.given_used && !host.given.empty())
     return report_error(host, fmt::format("{} declares no parameters, so '{}' has no place; see trilith.params",
                                           host.script, host.given.front()));
   host.finish("");
-  return was_interrupted != 0 ? interrupted : ended_well;
+  if (was_interrupted != 0) return interrupted;
+  write_figures(host);
+  return ended_well;
+}
+
+std::string program_path() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).string();
 }
 
 }  // namespace trilith::program

@@ -10,4 +10,7 @@ namespace trilith::program {
 /// Runs host.script to its end. Returns the program's exit code; messages go to stderr.
 int run_script(script::Host& host);
 
+/// This program's file.
+std::string program_path();
+
 }  // namespace trilith::program

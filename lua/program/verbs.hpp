@@ -10,6 +10,7 @@ enum ExitCode : int { ended_well = 0, wrong_input = 1, wrong_usage = 2, interrup
 
 /// A verb sets `code` when it has run.
 void add_run(CLI::App& app, int& code);
+void add_study(CLI::App& app, int& code);
 void add_draw(CLI::App& app, int& code);
 void add_plot(CLI::App& app, int& code);
 void add_motion(CLI::App& app, int& code);

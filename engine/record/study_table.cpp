@@ -1,0 +1,100 @@
+#include "record/study_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+#include "record/growing_set.hpp"
+#include "record/part_file.hpp"
+#include "record/results_layout.hpp"
+
+namespace trilith::record {
+namespace {
+
+constexpr const char* format_name = "trilith study";
+
+std::size_t rows_of(const StudyColumn& column) {
+  return std::visit([](const auto& values) { return values.size(); }, column.values);
+}
+
+std::size_t text_length(const std::vector<std::string>& texts) {
+  std::size_t length = 1;
+  for (const std::string& t : texts) length = std::max(length, t.size());
+  return length;
+}
+
+RecordType type_of(const std::vector<StudyColumn>& columns) {
+  RecordType type;
+  for (const StudyColumn& c : columns) {
+    const Kind kind = c.values.index() == 0 ? Kind::real : c.values.index() == 1 ? Kind::int32 : Kind::text;
+    const std::size_t length =
+        kind == Kind::text ? text_length(std::get<std::vector<std::string>>(c.values)) : stored_size(kind);
+    type.columns.push_back({c.name, c.unit, c.description, kind, length});
+  }
+  type.place();
+  return type;
+}
+
+std::vector<std::byte> records_of(const std::vector<StudyColumn>& columns, const RecordType& type, std::size_t rows) {
+  std::vector<std::byte> bytes(type.size * rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    Packer packer(type, 2, bytes.data() + i * type.size);
+    for (const StudyColumn& c : columns) {
+      if (const auto* reals = std::get_if<std::vector<double>>(&c.values)) packer.number("", (*reals)[i], "", "");
+      if (const auto* whole = std::get_if<std::vector<std::int32_t>>(&c.values)) packer.number("", (*whole)[i], "", "");
+      if (const auto* texts = std::get_if<std::vector<std::string>>(&c.values)) packer.text("", (*texts)[i], 1, "");
+    }
+  }
+  return bytes;
+}
+
+void write_provenance(hid_t file, const Provenance& provenance) {
+  make_group(file, "/provenance", "where the study came from");
+  const h5::Handle group(H5Oopen(file, "/provenance", H5P_DEFAULT), H5Oclose, "cannot open /provenance");
+  for (const ProvenanceText& t : provenance_texts) h5::write_attribute(group.get(), t.name, provenance.*(t.member));
+  write_text(file, {"/provenance/script", "", "the whole script of the cases"}, provenance.script);
+}
+
+bool is_study_table(const std::filesystem::path& path) {
+  const h5::Quiet quiet;
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (id < 0) return false;
+  const h5::Handle file(id, H5Fclose, "");
+  return h5::has_attribute(file.get(), "format") && h5::read_text(file.get(), "format") == format_name;
+}
+
+}  // namespace
+
+void require_study_path(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw RecordError(fmt::format("{}: there is no folder {}", path.string(), folder.string()));
+  if (std::filesystem::exists(path, ignored) && !is_study_table(path))
+    throw RecordError(fmt::format("{} is there already and is no table of a study; give another name", path.string()));
+}
+
+void write_study_table(const std::filesystem::path& path, const std::vector<StudyColumn>& columns,
+                       const Provenance& provenance, bool complete) {
+  assert(!columns.empty());
+  const std::filesystem::path part = part_path(path);
+  const h5::Quiet quiet;
+  try {
+    h5::Handle file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "cannot create it");
+    h5::write_attribute(file.get(), "format", format_name);
+    h5::write_attribute(file.get(), "format_version", 1);
+    h5::write_attribute(file.get(), "finished", complete ? 1 : 0);
+    const RecordType type = type_of(columns);
+    const std::size_t rows = rows_of(columns[0]);
+    const std::vector<std::byte> records = records_of(columns, type, rows);
+    write_table(file.get(), {"/cases", "", "one row for each case of the study"}, type, rows, records.data());
+    write_provenance(file.get(), provenance);
+    file.close("cannot close it");
+    sync_file(part);
+    std::filesystem::rename(part, path);
+  } catch (const std::exception& e) {
+    throw RecordError(fmt::format("{}: {}", path.string(), e.what()));
+  }
+}
+
+}  // namespace trilith::record

@@ -1,0 +1,59 @@
+// A study: the cases of a plan, each run in a process of its own, and what they came to in one table.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "record/results.hpp"
+#include "run/study_figures.hpp"
+#include "run/study_plan.hpp"
+
+namespace trilith {
+
+struct StudyOrder {
+  StudyPlan plan;
+  std::filesystem::path file;           ///< the table; the cases' folders are in `<file without .h5>.cases`
+  std::vector<StudyHistory> histories;  ///< figures taken from the cases' results
+  /// Program and arguments that run a case and leave its results, and figures_file, in `folder`.
+  std::function<std::vector<std::string>(std::size_t index, const std::filesystem::path& folder)> command;
+  std::string source;             ///< what decides, with its parameters, what a case comes to: scripts and version
+  record::Provenance provenance;  ///< for the table
+  int jobs = 0;                   ///< cases at a time; 0: as many as there are processors
+  bool fresh = false;             ///< run also those again that are finished
+};
+
+enum class StudyStatus { not_run, finished, failed };
+constexpr const char* name_of(StudyStatus s) {
+  constexpr const char* names[] = {"not run", "finished", "failed"};
+  return names[static_cast<int>(s)];
+}
+
+struct StudyOutcome {
+  StudyStatus status = StudyStatus::not_run;
+  bool earlier = false;  ///< finished before this call
+  int exit = 0;          ///< exit code of its process; -1 where a signal ended it
+  double seconds = 0;    ///< wall clock
+  std::string message;   ///< why it failed
+  std::filesystem::path folder;
+  std::vector<StudyFigure> figures;
+};
+
+/// Who is told how a study goes on.
+struct StudyWatch {
+  std::function<void(const std::string& text, bool strong)> line;
+  std::function<void(const std::string& text)> status;  ///< one line, told again and again
+  std::function<bool()> goes_on;                        ///< false: end now, with what there is
+};
+
+/// Runs the cases that are not finished, and writes the table, also where it was stopped. A case is finished where its
+/// process ended with 0 and gave all figures; it stays so as long as its parameters and `source` stay the same. One
+/// that failed is told, kept in the table, and run again by the next call. Throws InputError and RecordError for an
+/// order that cannot be carried out; a case's own trouble is in its outcome.
+std::vector<StudyOutcome> run_study(const StudyOrder& order, const StudyWatch& watch);
+
+/// The folder of a case.
+std::filesystem::path case_folder(const StudyOrder& order, std::size_t index);
+
+}  // namespace trilith

@@ -1,0 +1,105 @@
+#include "run/study_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "record/results_reader.hpp"
+
+namespace trilith {
+namespace {
+
+std::string one_field(std::string text) {
+  for (char& c : text)
+    if (c == '\t' || c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+StudyFigure figure_of(const std::string& line) {
+  std::vector<std::string> field;
+  std::istringstream in(line);
+  for (std::string part; std::getline(in, part, '\t');) field.push_back(part);
+  if (field.size() == 3) field.emplace_back();  // a text of no length
+  if (field.size() != 4 || field[0].empty() || (field[2] != "number" && field[2] != "text"))
+    throw InputError(fmt::format("'{}' is no figure of a case", line));
+  if (field[2] == "text") return {field[0], field[1], field[3]};
+  double value = 0;
+  const char* const end = field[3].data() + field[3].size();
+  const auto [stop, error] = std::from_chars(field[3].data(), end, value);
+  if (error != std::errc() || stop != end) throw InputError(fmt::format("'{}' is no figure of a case", line));
+  return {field[0], field[1], value};
+}
+
+double take_from(const std::vector<double>& values, StudyTake take) {
+  switch (take) {
+    case StudyTake::last:
+      return values.back();
+    case StudyTake::max:
+      return *std::max_element(values.begin(), values.end());
+    case StudyTake::min:
+      return *std::min_element(values.begin(), values.end());
+    case StudyTake::largest:
+      return *std::max_element(values.begin(), values.end(),
+                               [](double a, double b) { return std::abs(a) < std::abs(b); });
+  }
+  return values.back();
+}
+
+std::vector<std::filesystem::path> results_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".h5") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+const std::vector<std::string>& study_takes() {
+  static const std::vector<std::string> names{"last", "max", "min", "largest"};
+  return names;
+}
+
+std::string StudyHistory::column() const {
+  return history + " " + study_takes()[static_cast<std::size_t>(take)];
+}
+
+std::string figures_text(const std::vector<StudyFigure>& figures) {
+  std::string text;
+  for (const StudyFigure& f : figures) {
+    const bool number = f.value.index() == 0;
+    text += fmt::format("{}\t{}\t{}\t{}\n", one_field(f.name), one_field(f.unit), number ? "number" : "text",
+                        number ? fmt::format("{}", std::get<double>(f.value)) : one_field(std::get<1>(f.value)));
+  }
+  return text;
+}
+
+std::vector<StudyFigure> figures_from(const std::string& text) {
+  std::vector<StudyFigure> figures;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) figures.push_back(figure_of(line));
+  return figures;
+}
+
+StudyFigure figure_from_results(const std::filesystem::path& folder, const StudyHistory& wanted) {
+  std::vector<std::string> known;
+  for (const auto& path : results_in(folder)) {
+    const record::ResultsReader results(path);
+    for (const auto& h : results.header().histories) {
+      known.push_back(h.name);
+      if (h.name != wanted.history) continue;
+      const std::vector<double> values = results.history(h.name);
+      if (values.empty()) throw InputError(fmt::format("history '{}' has no values", h.name));
+      return {wanted.column(), h.unit, take_from(values, wanted.take)};
+    }
+  }
+  if (known.empty()) throw InputError("it left no results with histories; its script needs m:results and m:history");
+  throw InputError(fmt::format("its results have no history '{}'{}", wanted.history, name_hint(wanted.history, known)));
+}
+
+}  // namespace trilith

@@ -1,0 +1,58 @@
+// Which cases a study has: a product of values, a list, or samples.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace trilith {
+
+/// A parameter's value in one case: a number (in the parameter's unit), a text or a flag.
+using StudyValue = std::variant<double, std::string, bool>;
+
+/// The shortest text that reads back as the same value: "0.1", "rocking", "true".
+std::string text_of(const StudyValue& value);
+
+struct StudyParameter {
+  std::string name;
+  std::string unit;                ///< of its numbers; "": the one its script declares, or none
+  std::vector<StudyValue> values;  ///< at least one
+};
+
+/// The cases of a study: the same parameters in each.
+struct StudyPlan {
+  std::vector<std::string> names, units;       ///< [parameter]
+  std::vector<std::vector<StudyValue>> cases;  ///< [case][parameter]
+
+  /// "mu=0.4": as on the command line of the case's script, with the unit where there is one.
+  [[nodiscard]] std::string argument(std::size_t index, std::size_t parameter) const;
+  /// "mu=0.4, copy=2"
+  [[nodiscard]] std::string label(std::size_t index) const;
+};
+
+/// How the samples of a parameter are spread.
+struct StudySpread {
+  enum class Kind { uniform, log_uniform, normal, log_normal };
+  std::string name, unit;
+  Kind kind = Kind::uniform;
+  /// uniform, log_uniform: least and most (log_uniform: above 0). normal: mean and standard deviation. log_normal:
+  /// median (above 0) and standard deviation of the natural logarithm.
+  double first = 0, second = 1;
+};
+
+/// Every value of each parameter with every value of the others; the last one varies fastest. Throws InputError for no
+/// values, a name that is there twice or is one of the table's own, and more than 1,000,000 cases.
+StudyPlan product_plan(const std::vector<StudyParameter>& parameters);
+
+/// The cases one by one: all parameters have the same number of values. Throws InputError as above.
+StudyPlan list_plan(const std::vector<StudyParameter>& parameters);
+
+/// Latin hypercube samples (McKay, Beckman and Conover 1979): each parameter has one value in each of `count` parts of
+/// equal probability, in an order of its own. The same seed gives the same samples. Throws InputError as above.
+StudyPlan sampled_plan(const std::vector<StudySpread>& spreads, int count, std::uint64_t seed);
+
+/// Names that parameters and figures cannot have: columns of the table of a study.
+const std::vector<std::string>& study_columns();
+
+}  // namespace trilith

@@ -1,0 +1,21 @@
+// How the program runs the cases of a study. No Lua here.
+#pragma once
+
+#include "run/study.hpp"
+
+namespace trilith::script {
+
+struct CasesOfScript {
+  std::string program;             ///< this program
+  std::filesystem::path script;    ///< that runs a case
+  std::vector<std::string> fixed;  ///< "name=value", the same in all cases
+  bool by_number = false;          ///< the script knows its cases by number; else it is given their parameters
+};
+
+/// An order for `plan` but for file, histories and jobs. Throws InputError where the script cannot be read.
+StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases);
+
+/// Prints the command of each case.
+void list_cases(const StudyOrder& order);
+
+}  // namespace trilith::script

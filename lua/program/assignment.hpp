@@ -1,0 +1,14 @@
+// "NAME=VALUE" on the command line.
+#pragma once
+
+#include <string>
+
+namespace trilith::program {
+
+/// "" or what is wrong with it, as CLI11 wants to know.
+inline std::string is_assignment(const std::string& text) {
+  const std::size_t at = text.find('=');
+  return at == std::string::npos || at == 0 ? "'" + text + "' is not NAME=VALUE" : "";
+}
+
+}  // namespace trilith::program

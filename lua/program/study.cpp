@@ -1,0 +1,153 @@
+// trilith study SCRIPT [NAME=VALUE ...] [--over NAME=V1,V2,...]
+#include <fmt/format.h>
+
+#include <charconv>
+#include <csignal>
+#include <memory>
+
+#include "assignment.hpp"
+#include "base/error.hpp"
+#include "comma_list.hpp"
+#include "live.hpp"
+#include "script_run.hpp"
+#include "study_order.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct Options {
+  std::string script, out;
+  std::vector<std::string> given, over;
+  script::StudyChoice choice;
+  bool quiet = false;
+};
+
+volatile std::sig_atomic_t was_interrupted = 0;
+extern "C" void note_interrupt(int signal) {
+  std::signal(signal, SIG_DFL);
+  was_interrupted = 1;
+}
+
+/// "0.4", "0.4 g": a number, and the unit after it.
+bool read_number(const std::string& text, double& value, std::string& unit) {
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc()) return false;
+  unit.assign(stop, text.data() + text.size());
+  unit.erase(0, unit.find_first_not_of(' '));
+  return true;
+}
+
+/// "1..8" as whole numbers; false where it is something else.
+bool read_range(const std::string& text, std::vector<StudyValue>& values) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) return false;
+  const std::string what = fmt::format("study: '{}'", text);
+  const double from = number_of(text.substr(0, dots), what), to = number_of(text.substr(dots + 2), what);
+  if (!(to >= from) || to - from > 1e6) throw InputError(what + ": the second number must be above the first");
+  for (double v = from; v <= to; ++v) values.emplace_back(v);
+  return true;
+}
+
+/// "mu=0.2,0.4,0.6", "copy=1..8", "base=rocking,bonded", "pga=0.4g,0.6g".
+StudyParameter parameter_of(const std::string& text) {
+  StudyParameter p{text.substr(0, text.find('=')), "", {}};
+  const std::string list = text.substr(p.name.size() + 1);
+  if (read_range(list, p.values)) return p;
+  const std::vector<std::string> parts = comma_list(list);
+  std::vector<double> numbers(parts.size());
+  std::vector<std::string> units(parts.size());
+  bool all = true;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    all = all && read_number(parts[i], numbers[i], units[i]) && units[i] == units[0];
+  if (all) p.unit = units[0];
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    p.values.push_back(all ? StudyValue(numbers[i]) : StudyValue(parts[i]));
+  return p;
+}
+
+StudyOrder order_of(const Options& o) {
+  std::vector<StudyParameter> parameters;
+  for (const std::string& text : o.over) parameters.push_back(parameter_of(text));
+  script::CasesOfScript cases;
+  cases.program = program_path();
+  cases.script = o.script;
+  cases.fixed = o.given;
+  StudyOrder order = script::study_order(product_plan(parameters), cases);
+  order.file = o.out.empty() ? std::filesystem::path(o.script).stem().string() + "_study.h5" : o.out;
+  order.jobs = o.choice.jobs;
+  order.fresh = o.choice.fresh;
+  order.provenance.command_line = "trilith study " + o.script;
+  for (const std::string& g : o.given) order.provenance.command_line += " " + g;
+  for (const std::string& v : o.over) order.provenance.command_line += " --over " + v;
+  return order;
+}
+
+/// The script runs a case; what is varied stands on the command line.
+int run_over(const Options& o) {
+  const StudyOrder order = order_of(o);
+  if (o.choice.list) {
+    script::list_cases(order);
+    return ended_well;
+  }
+  Live live(stdout, EventLines(), o.quiet);
+  std::signal(SIGINT, note_interrupt);
+  StudyWatch watch;
+  watch.line = [&live](const std::string& text, bool strong) { live.line(text, strong); };
+  watch.status = [&live](const std::string& text) { live.status(text); };
+  watch.goes_on = [] { return was_interrupted == 0; };
+  run_study(order, watch);
+  live.clear();
+  return was_interrupted != 0 ? interrupted : ended_well;
+}
+
+/// The script says what the study is.
+int run_own(const Options& o) {
+  if (!o.out.empty()) throw InputError("study: --output goes with --over; the script's own study names its file");
+  Live live(stdout, EventLines(), o.quiet);
+  script::Host host;
+  host.script = o.script;
+  host.given = host.arguments = o.given;
+  host.records = script::record_folders();
+  host.observer = &live;
+  host.study = o.choice;
+  host.study.program = program_path();
+  host.command_line = "trilith study " + o.script;
+  for (const std::string& g : o.given) host.command_line += " " + g;
+  const int code = run_script(host);
+  live.clear();
+  if (code == ended_well && !host.study.begun)
+    throw InputError(
+        fmt::format("{} has no study (trilith.study); give what to vary, as in --over mu=0.2,0.4", o.script));
+  return code;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, int& code) {
+  auto o = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("study", "Run many cases of a script, each in a process of its own");
+  verb->add_option("script", o->script, "a script with trilith.study, or with --over one that runs a case")
+      ->required()
+      ->type_name("SCRIPT");
+  verb->add_option("parameters", o->given, "parameters that are the same in all cases")
+      ->type_name("NAME=VALUE")
+      ->check(CLI::Validator(is_assignment, "", ""));
+  verb->add_option(
+          "--over", o->over,
+          "a parameter and its values, as in mu=0.2,0.4 or copy=1..8; given again: every value with every other")
+      ->type_name("NAME=VALUES")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(CLI::Validator(is_assignment, "", ""));
+  verb->add_option("-o,--output", o->out, "the table, with --over; SCRIPT_study.h5 where not given")->type_name("FILE");
+  verb->add_option("-j,--jobs", o->choice.jobs, "cases at a time; as many as there are processors where not given")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  verb->add_flag("--fresh", o->choice.fresh, "run also those cases again that are finished");
+  verb->add_flag("--list", o->choice.list, "print the command of each case and end");
+  verb->add_flag("--quiet,-q", o->quiet, "show nothing but what goes wrong");
+  verb->callback([o, &code] { code = o->over.empty() ? run_own(*o) : run_over(*o); });
+}
+
+}  // namespace trilith::program
