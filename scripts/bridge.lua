@@ -1,11 +1,11 @@
 -- Seven spans on six piers and two abutments, to the last rest. Source and figures chosen: docs/gallery/bridge.md.
--- Expected: spans 1 to 3 come down, the other four stand; energy residual below 1 % of the input.
+-- Expected: spans 1, 3, 4 and 5 come down, the other three stand; energy residual below 1 % of the input.
 local trilith = require "trilith"
 local ft, inch, kip, g, s = trilith.units "ft inch kip g s"
 local p = trilith.params {
-  pga = { 0.8, unit = "g", "peak horizontal acceleration" }, sign = { -1, "1: as the agency gives it, or -1" },
-  gap = { 2, unit = "inch", "joints" }, mu = { 0.2, "friction of seats" }, footing = { 0.6, "width, of 20 and 24 ft" },
-  base = { "rocking", choices = { "rocking", "bonded" }, "how footings sit" }, out = { "out/bridge.h5", "results" } }
+  pga = { 0.8, unit = "g", "peak horizontal acceleration" }, sign = { 1, "1: as the agency gives it, or -1" },
+  gap = { 4, unit = "inch", "joints" }, mu = { 0.1, "friction of seats" }, zeta = { 0.15, "damping of contact" },
+  base = { "bonded", choices = { "rocking", "bonded" }, "how footings sit" }, out = { "out/bridge.h5", "results" } }
 local spans, heights = { 30, 60, 80, 80, 80, 60, 30 }, { [0] = 20, 40, 50, 60, 60, 50, 40, 20 } -- ft; support 0 to 7
 local width, seat, rise, w = 32*ft, 15*inch, 2*inch, 5.6*kip -- deck width, seat, height of a fixed bearing, load per ft
 local m = trilith.model { name = "seven-span bridge", thickness = width, still_speed = 1e-5*inch/s }
@@ -25,13 +25,13 @@ for i = 0, 7 do
                      x = x[i] + (i == 0 and 1 or -1)*(p.gap/2 + seat), ground_level = -20*ft, height = h*ft - low,
                      width = 12*ft, back_wall_height = 2.5*ft + low, back_wall_width = 12*ft - seat - p.gap }
     or m:pier { name = "P" .. i, x = x[i], ground_level = -h*ft, height = h*ft - low, stem_width = 2*seat + p.gap,
-                footing_width = (h > 40 and 24 or 20)*ft*p.footing, footing_thickness = 4*ft,
+                footing_width = (h > 40 and 24 or 20)*ft, footing_thickness = 4*ft,
                 weight = (9.6*(h - 4) + 460)*kip, material = concrete }
 end
 local kn = 40*w / (seat*width*0.02*inch) -- 0.02 in under the dead load of an 80 ft span
-local beta = 0.3 / math.sqrt(kn*seat*width*g/(40*w)) -- 15 % of critical for half a span on its seat
+local beta = 2*p.zeta / math.sqrt(kn*seat*width*g/(40*w)) -- for half a span on its seat
 local function coulomb(mu) return trilith.frictional { kn = kn, ks = kn/2, mu = mu, beta = beta } end
-local function dashed(k, ratio, mass) return trilith.linear { stiffness = k, damping = 2*ratio*math.sqrt(k*mass) } end
+local function spring(k) return trilith.linear { stiffness = k*kip/inch } end
 local bond = trilith.bonded { kn = kn, ks = kn/2, mu = 0.6, beta = beta, cohesion = 1e9, tension = 1e9 }
 m:contact { between = { "*", "*" }, law = coulomb(p.mu), name = "expansion bearing" }
 m:contact { between = { "*", "ground" }, law = coulomb(0.6), name = "concrete on concrete" }
@@ -46,7 +46,7 @@ for i, L in ipairs(spans) do
              at_end = { stop, 0 }, edge = { stop + into*seat, 0 } }
     if k % 2 == 0 then
       m:bearing { name = name, between = { on, deck }, at = { stop + into*seat/2, 0 }, limit = { along = 10*inch },
-                  along = dashed(60*kip/inch*L/80, 0.02, L*w/g), axial = dashed(3000*kip/inch*L/80, 0.05, L*w/2/g),
+                  along = spring(60*L/80), axial = spring(3000*L/80),
                   becomes = "expansion bearing" }
     end
   end
