@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "build/arch.hpp"
+#include "build/rubble.hpp"
 #include "build/running_bond.hpp"
 #include "build/stack.hpp"
 #include "build/wall.hpp"
@@ -39,12 +40,23 @@ MakeParts read_arch(Keys& k) {
   a.radius = k.number("radius", "m", a.radius);
   a.thickness = k.number("thickness", "m", a.thickness);
   a.half_angle = k.number("half_angle", "rad", a.half_angle);
+  a.offset = k.number("offset", "m", a.offset);
+  const auto span = k.maybe_number("span", "m"), rise = k.maybe_number("rise", "m");
+  if (span.has_value() != rise.has_value()) k.problem("span and rise go together; give both or neither");
+  if (span && (k.has("radius") || k.has("half_angle") || k.has("offset")))
+    k.problem("span and rise say what radius, half_angle and offset say; keep one of the two");
+  a.key = k.number("key", "1", a.key);
   a.sub_edges = k.count("sub_edges", a.sub_edges);
   a.centre = k.point("centre", a.centre);
   a.abutments = k.flag("abutments", a.abutments);
   a.abutment_depth = k.number("abutment_depth", "m", a.abutment_depth);
   a.abutment_margin = k.number("abutment_margin", "m", a.abutment_margin);
-  return [a] { return MadeParts{build_arch(a)}; };
+  a.jitter = k.number("jitter", "m", a.jitter);
+  a.seed = k.count("seed", a.seed);
+  return [a, span, rise]() mutable {
+    if (span && rise) set_span_and_rise(a, *span, *rise);
+    return MadeParts{build_arch(a)};
+  };
 }
 
 namespace {
@@ -150,6 +162,20 @@ MakeParts read_running_bond(Keys& k) {
   read_list(k, "openings", "opening", [&](Keys& own) { w.openings.push_back(read_field(own)); });
   read_list(k, "lintels", "lintel", [&](Keys& own) { w.lintels.push_back(read_field(own)); });
   return [w] { return MadeParts{build_running_bond(w)}; };
+}
+
+MakeParts read_rubble(Keys& k) {
+  Rubble r;
+  r.name = read_name(k, "");
+  r.outline = k.points("outline");
+  r.stones = k.count("stones", r.stones);
+  r.relaxations = k.count("relaxations", r.relaxations);
+  r.aspect = k.number("aspect", "1", r.aspect);
+  r.least_edge = k.number("least_edge", "m", r.least_edge);
+  r.joint = k.number("joint", "m", r.joint);
+  r.jitter = k.number("jitter", "m", r.jitter);
+  r.seed = k.count("seed", r.seed);
+  return [r] { return MadeParts{build_rubble(r)}; };
 }
 
 MakeParts read_bench_wall(Keys& k) {

@@ -1,4 +1,4 @@
-// Readers of the masonry builders' tables: stacks, arches, walls.
+// Readers of the masonry builders' tables: stacks, arches, walls, rubble.
 #pragma once
 
 #include "part_makers.hpp"
@@ -9,6 +9,7 @@ MakeParts read_stack(Keys& k);
 MakeParts read_harmonic_stack(Keys& k);
 MakeParts read_arch(Keys& k);
 MakeParts read_wall(Keys& k);
+MakeParts read_rubble(Keys& k);
 MakeParts read_running_bond(Keys& k);
 MakeParts read_bench_wall(Keys& k);
 

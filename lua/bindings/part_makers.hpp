@@ -27,7 +27,7 @@ struct PartMaker {
   std::string_view doc;
 };
 
-inline constexpr std::size_t part_maker_count = 12;
+inline constexpr std::size_t part_maker_count = 13;
 std::span<const PartMaker, part_maker_count> part_makers();
 
 /// Pushes a part as {name =, outline =, groups =}.

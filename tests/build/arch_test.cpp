@@ -98,7 +98,108 @@ TEST_CASE("a voussoir with curved sides parts into few convex pieces") {
     CHECK(convex_parts(part.outline).size() == 1);
 }
 
+TEST_CASE("span and rise give a segmental, semicircular or pointed intrados through springings and crown") {
+  for (const double rise : {0.3, 1.0, 1.9999, 2.0, 2.0001, 3.0, 4.0})
+    for (const int n : {12, 13}) {
+      CAPTURE(rise);
+      CAPTURE(n);
+      Arch arch{.voussoirs = n, .thickness = 0.4, .sub_edges = 2, .centre = {0.5, 1}};
+      set_span_and_rise(arch, 4, rise);
+      const std::vector<Part> parts = build_arch(arch);
+      check_sound(parts);
+      CHECK((arch.offset > 0) == (rise > 2));
+      const Vec2 left = parts[0].outline[0], right = parts[static_cast<std::size_t>(n) - 1].outline[2];
+      CHECK(right.x() - left.x() == doctest::Approx(4).epsilon(1e-12));
+      CHECK(left.y() == doctest::Approx(right.y()).epsilon(1e-12));
+      double crown = -10;
+      const auto& middle = parts[static_cast<std::size_t>(n) / 2].outline;  // the key, or the first right of the crown
+      for (const Vec2& p : middle)
+        if (std::abs(p.x() - 0.5) < 1e-12 && (crown == -10 || p.y() < crown)) crown = p.y();
+      CHECK(crown - left.y() == doctest::Approx(rise).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("a pointed arch has the area between its two pairs of circles") {
+  // One side, from the vertical through the crown: the sector of radius r from angle asin(e/r) to the springing, less
+  // the triangle between its centre and the middle line.
+  const auto under = [](double r, double e) {
+    const double phi = std::asin(e / r);
+    return r * r / 2 * (kHalfCircle - phi) - e * std::sqrt(r * r - e * e) / 2;
+  };
+  for (const int n : {9, 14}) {
+    const Arch arch{.voussoirs = n, .radius = 3, .thickness = 0.5, .offset = 1.2, .sub_edges = 200};
+    const double curved = 2 * (under(3.25, 1.2) - under(2.75, 1.2));
+    CHECK(voussoir_area(build_arch(arch)) == doctest::Approx(curved).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a pointed arch is its own mirror image to the bit, its crown a vertical joint or within the key") {
+  for (const int n : {10, 11})
+    for (const int k : {1, 3}) {
+      const std::vector<Part> parts =
+          build_arch({.voussoirs = n, .radius = 2, .thickness = 0.3, .offset = 0.7, .sub_edges = k});
+      check_sound(parts);
+      const auto count = static_cast<std::size_t>(n);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Polygon &left = parts[i].outline, &right = parts[count - 1 - i].outline;
+        for (const Vec2& p : left) CHECK(std::count(right.begin(), right.end(), Vec2(-p.x(), p.y())) == 1);
+      }
+      int on_middle = 0;
+      for (const Part& part : parts)
+        for (const Vec2& p : part.outline) on_middle += p.x() == 0;
+      CHECK(on_middle == (n == 10 ? 4 : 2));
+      CHECK(count_in_group(parts, "key") == n % 2);
+    }
+}
+
+TEST_CASE("a key is as much wider than the others as asked for") {
+  for (const double key : {0.5, 1.0, 2.0}) {
+    const std::vector<Part> parts = build_arch({.voussoirs = 9, .radius = 2, .thickness = 0.3, .key = key});
+    check_sound(parts);
+    const auto angle = [&](std::size_t i) {
+      const Polygon& p = parts[i].outline;
+      return std::atan2(p[0].y(), p[0].x()) - std::atan2(p[1].y(), p[1].x());
+    };
+    CHECK(angle(4) == doctest::Approx(key * angle(0)).epsilon(1e-12));
+    CHECK(8 * angle(0) + angle(4) == doctest::Approx(std::numbers::pi).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("an arch's jitter moves the joints between voussoirs along the mid line, the same for the same seed") {
+  Arch arch{.name = "A", .voussoirs = 11, .radius = 2, .thickness = 0.3};
+  const std::vector<Part> straight = build_arch(arch);
+  arch.jitter = 1e-6;
+  const std::vector<Part> moved = build_arch(arch), again = build_arch(arch);
+  arch.seed = 2;
+  const std::vector<Part> other = build_arch(arch);
+  check_sound(moved);
+  double most = 0;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    CHECK(moved[i].outline == again[i].outline);
+    CHECK((moved[i].outline == other[i].outline) == (i >= 11));
+    for (std::size_t k = 0; k < moved[i].outline.size(); ++k)
+      most = std::max(most, (moved[i].outline[k] - straight[i].outline[k]).norm());
+    if (i < 10) CHECK(moved[i].outline[1] == moved[i + 1].outline[0]);
+  }
+  CHECK(most > 0.5e-6);
+  CHECK(most < 1.1e-6);
+}
+
 TEST_CASE("arches that cannot be built are refused") {
+  CHECK(says(refusal_of([] { build_arch({.offset = 0.95}); }),
+             "offset of the centres is 0.95 m, must be below the inner"));
+  CHECK(says(refusal_of([] { build_arch({.half_angle = 0.4, .offset = 0.5}); }), "must be above 0.571"));
+  CHECK(says(refusal_of([] { build_arch({.voussoirs = 100, .thickness = 0.6, .offset = 0.5}); }),
+             "the joints next to the crown meet within the arch"));
+  CHECK(says(refusal_of([] { build_arch({.voussoirs = 8, .key = 2}); }), "8 voussoirs have no middle one"));
+  CHECK(says(refusal_of([] { build_arch({.key = 0}); }), "key is 0"));
+  CHECK(says(refusal_of([] { build_arch({.jitter = 0.1}); }),
+             "jitter is 0.1 m, must be at most a quarter of a voussoir"));
+  CHECK(says(refusal_of([] {
+               Arch arch;
+               set_span_and_rise(arch, 4, 0);
+             }),
+             "rise is 0 m"));
   CHECK(says(refusal_of([] { build_arch({.name = "A", .voussoirs = 0}); }), "arch 'A': number of voussoirs is 0"));
   CHECK(says(refusal_of([] { build_arch({.thickness = 2}); }), "thickness is 2 m, must be below twice the mid radius"));
   CHECK(says(refusal_of([] { build_arch({.half_angle = 90}); }), "half opening angle is 90 rad"));

@@ -33,3 +33,13 @@ assert(#n:bodies { group = "storey 2" } > 50 and n:body "s2.slab" and #n.notes =
 assert(n.notes[1]:find "sill is moved from 0.3 to 0.25 m", n.notes[1])
 near(n:body("s2.slab").y, 8 * 0.125 + 1.05)
 assert(#trilith.build.wall { length = 2, courses = 2, jitter = 1e-6, seed = 3 } == 11)
+
+local a = trilith.model { name = "a" }
+a:material { name = "stone", density = 2400 }
+local arch = a:arch { voussoirs = 11, span = 4, rise = 3, thickness = 0.5, key = 1.5, material = "stone", fixed = "abutments" }
+assert(#arch == 13 and #a:bodies { group = "key" } == 1 and a:bodies { group = "key" }[1].name == "v6")
+near(a:body("v6").x, 0)
+local stones = a:rubble { name = "heap", outline = { { 10, 0 }, { 13, 0 }, { 13, 2 }, { 10, 2 } }, stones = 40, seed = 3,
+                          material = "stone" }
+near(stones.mass, 3 * 2 * 2400, 1e-6)
+assert(stones == a:bodies { group = "heap" } and a:body "heap.r1".y < a:body "heap.r40".y)

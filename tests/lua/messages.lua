@@ -130,6 +130,11 @@ local cases = {
     "abutment 'abutment': 'side' is 'top', must be one of left, right" },
   { function() m:arch { material = "stone", fixed = "abutment" } end,
     "arch: fixed names 'abutment', but there is no such group or part; did you mean 'abutments'?" },
+  { function() m:arch { span = 4, material = "stone" } end, "arch: span and rise go together; give both or neither" },
+  { function() m:arch { span = 4, rise = 1, radius = 3 } end,
+    "arch: span and rise say what radius, half_angle and offset say; keep one of the two" },
+  { function() m:rubble { outline = { { 0, 0 }, { 1, 0 }, { 1, 1 } }, stones = 0, material = "stone" } end,
+    "rubble: number of stones is 0, must be a whole number from 1 to 10000" },
   { function() m:wall { name = "w", length = 2, courses = 3, by_group = { slab = { weight = 1 } } } end,
     "wall 'w': by_group names 'slab', but there is no such group or part; known: units, storey 1, course 1, w, "
       .. "course 2, course 3" },
