@@ -10,7 +10,8 @@ local wall = m:wall {
   name = "w", length = 4, unit_length = 0.4, unit_height = 0.2, storeys = 2, storey_height = 2, slab_height = 0.2,
   base_height = 0.5, openings = { { storey = { 1, 2 }, x = 1.2, sill = 0.6, width = 0.8, height = 0.8 } },
   material = "brick", fixed = "base",
-  by_group = { slabs = { weight = 1e4, groups = "heavy" }, base = { material = "concrete" }, ["w.s1.c1.u1"] = { mass = 7 } },
+  by_group = { slabs = { weight = 1e4, groups = "heavy" }, base = { material = "concrete" },
+               ["w.s1.c1.u1"] = { mass = 7 } },
 }
 local slabs = m:bodies { group = "slabs" }
 assert(#slabs == 2 and slabs == m:bodies { group = "heavy" } and #(slabs * m:bodies { group = "storey 2" }) == 1)
@@ -36,10 +37,11 @@ assert(#trilith.build.wall { length = 2, courses = 2, jitter = 1e-6, seed = 3 } 
 
 local a = trilith.model { name = "a" }
 a:material { name = "stone", density = 2400 }
-local arch = a:arch { voussoirs = 11, span = 4, rise = 3, thickness = 0.5, key = 1.5, material = "stone", fixed = "abutments" }
+local arch = a:arch { voussoirs = 11, span = 4, rise = 3, thickness = 0.5, key = 1.5, material = "stone",
+                      fixed = "abutments" }
 assert(#arch == 13 and #a:bodies { group = "key" } == 1 and a:bodies { group = "key" }[1].name == "v6")
 near(a:body("v6").x, 0)
-local stones = a:rubble { name = "heap", outline = { { 10, 0 }, { 13, 0 }, { 13, 2 }, { 10, 2 } }, stones = 40, seed = 3,
-                          material = "stone" }
+local stones = a:rubble { name = "heap", outline = { { 10, 0 }, { 13, 0 }, { 13, 2 }, { 10, 2 } }, stones = 40,
+                          seed = 3, material = "stone" }
 near(stones.mass, 3 * 2 * 2400, 1e-6)
 assert(stones == a:bodies { group = "heap" } and a:body "heap.r1".y < a:body "heap.r40".y)

@@ -1,0 +1,138 @@
+// Arches against their limits: cases A2 and A4 to A7. Rigid voussoirs without tension; joints so stiff that hinges near
+// the limit are short, as in masonry_test.cpp, which has A3.
+#include "build/arch.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "physics/masonry_scene.hpp"
+#include "step/contact_resultants.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+constexpr double stiffness = 4e12;  // [Pa/m]
+
+Frictional joint(double mu) {
+  return {stiffness, 0.5 * stiffness, mu, 5e-9};
+}
+
+/// An arch of mid radius 1 m; its straight edges are so short that its weight is that of the curved one to 1e-3.
+Arch arch_of(int voussoirs, double thickness, double half_angle = 90 * degree) {
+  Arch arch;
+  arch.voussoirs = voussoirs, arch.thickness = thickness, arch.half_angle = half_angle;
+  arch.sub_edges = voussoirs < 100 ? 2 : 1;
+  return arch;
+}
+
+std::unique_ptr<Simulation> settled(const Arch& arch, double mu) {
+  Scene scene(joint(mu));
+  add_parts(scene, build_arch(arch), "abutments");
+  auto sim = std::make_unique<Simulation>(scene.builder.build());
+  settle(*sim, 2, 1e-6);
+  return sim;
+}
+
+/// Settled and let go: true if nothing has moved by 10 mm after 1 s.
+bool stands(const Arch& arch, double mu = 10) {
+  const std::unique_ptr<Simulation> sim = settled(arch, mu);
+  RunListener listener;
+  listener.on_history = [&](const Instant& now) {
+    if (farthest(now.model, now.state) > 0.01) sim->stop();
+  };
+  StageOptions options;
+  options.duration = 1;
+  options.history_interval = 0.02;
+  return sim->run(options, listener).end == StageEnd::time;
+}
+
+/// Horizontal force between two neighbours over the weight of all that is free.
+double thrust(const Simulation& sim, const std::string& left, const std::string& right) {
+  const Model<2>& model = sim.model();
+  std::vector<TouchingContact> contacts;
+  contact_resultants(model, sim.work(), contacts);
+  const int a = model.find_body(left), b = model.find_body(right);
+  double force = 0, weight = 0;
+  for (const TouchingContact& c : contacts)
+    if (std::minmax(c.body_a, c.body_b) == std::minmax(a, b)) force += std::abs(c.resultant.force.x());
+  for (int n = 0; n < model.nodes(); ++n)
+    if (model.moves(n)) weight += model.mass[n] * standard_gravity;
+  return force / weight;
+}
+
+/// Turns gravity on from tilt `from` at `rate` [rad/s]: the tilt at which something runs away at 20 mm/s, or `to`
+/// [rad].
+double tilt_on(Simulation& sim, double from, double to, double rate) {
+  const double start = sim.state().time;
+  Gravity& gravity = sim.edit_model().gravity;
+  gravity.field = Turn(from).apply(Vec2(0, -standard_gravity));
+  gravity.tilt_rate = rate, gravity.tilt_start = start;
+  RunListener listener;
+  listener.on_history = [&](const Instant& now) {
+    if (now.speed > 0.02) sim.stop();
+  };
+  StageOptions options;
+  options.duration = (to - from) / rate;
+  options.history_interval = 0.002;
+  return sim.run(options, listener).end == StageEnd::stopped ? from + rate * (sim.state().time - start) : to;
+}
+
+}  // namespace
+
+TEST_CASE("A2: a semicircular arch of many voussoirs has the least thickness of the continuous one" *
+          doctest::test_suite("long")) {
+  const double least = .107478;  // Milankovitch 1907; 40 voussoirs need .10746
+  CHECK(stands(arch_of(40, 1.03 * least)));
+  CHECK_FALSE(stands(arch_of(40, 0.97 * least)));
+}
+
+TEST_CASE("A4: an arch of smooth joints must be thicker" * doctest::test_suite("long")) {
+  struct Case {
+    double mu, least;
+  };
+  for (const Case& c : {Case{.40, .1075}, Case{.35, .1518}, Case{.31, .198}}) {
+    CAPTURE(c.mu);
+    CHECK(stands(arch_of(100, 1.05 * c.least), c.mu));
+    CHECK_FALSE(stands(arch_of(100, 0.95 * c.least), c.mu));
+  }
+}
+
+TEST_CASE("A5: the thrust of a standing arch lies between its least and its greatest") {
+  struct Case {
+    double thickness, least, most;
+  };
+  for (const Case& c : {Case{.12, .1907, .2073}, Case{.15, .1756, .2271}, Case{.20, .1540, .2546}}) {
+    const double found = thrust(*settled(arch_of(30, c.thickness), 10), "v15", "v16");
+    MESSAGE(
+        fmt::format("A5, t/R {}: thrust over weight {:.4f}, limits {} and {}", c.thickness, found, c.least, c.most));
+    CHECK(found >= c.least);
+    CHECK(found <= c.most);
+  }
+}
+
+TEST_CASE("A6: a tilted semicircular arch comes down at its limit" * doctest::test_suite("long")) {
+  struct Case {
+    double thickness, factor;
+  };
+  for (const Case& c : {Case{.12, .0468}, Case{.15, .1445}, Case{.20, .2843}}) {
+    const std::unique_ptr<Simulation> sim = settled(arch_of(40, c.thickness), 10);
+    const double near_limit = 0.9 * std::atan(c.factor);
+    REQUIRE(tilt_on(*sim, 0, near_limit, 4 * degree) == near_limit);
+    const double factor = std::tan(tilt_on(*sim, near_limit, 40 * degree, 0.5 * degree));
+    MESSAGE(fmt::format("A6, t/R {}: comes down at a factor of {:.4f}, limit {}", c.thickness, factor, c.factor));
+    CHECK(factor <= c.factor);
+    CHECK(factor >= 0.96 * c.factor);
+  }
+}
+
+TEST_CASE("A7: a segmental arch of 150 degrees needs half the thickness of a semicircle" *
+          doctest::test_suite("long")) {
+  const double least = .05369;
+  CHECK(stands(arch_of(200, 1.03 * least, 75 * degree)));
+  CHECK_FALSE(stands(arch_of(200, 0.97 * least, 75 * degree)));
+}
