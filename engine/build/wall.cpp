@@ -66,18 +66,19 @@ class Laying {
     for (int course = 1; course <= storey.courses(); ++course) {
       lay_course(number, storey, course);
       for (const WallField& field : storey.fields)
-        if (field.lintel > 0 && field.first == course) lay_lintel(number, storey, field);
+        if (field.kind != FieldKind::opening && field.first == course) lay_block(number, storey, field);
     }
     if (storey.has_slab())
       add(fmt::format("s{}.slab", number), -wall_.slab_overhang, plan_.length + wall_.slab_overhang, storey.line.back(),
           storey.top, {"slabs", fmt::format("storey {}", number)});
   }
 
-  void lay_lintel(int number, const StoreyPlan& storey, const WallField& field) {
-    std::vector<std::string> groups{"lintels", fmt::format("storey {}", number)};
+  /// A lintel or a sill.
+  void lay_block(int number, const StoreyPlan& storey, const WallField& field) {
+    std::vector<std::string> groups{fmt::format("{}s", name_of(field.kind)), fmt::format("storey {}", number)};
     for (int course = field.first; course <= field.last; ++course) groups.push_back(fmt::format("course {}", course));
     add_place(storey, (field.from + field.to) / 2, groups);
-    add(fmt::format("s{}.lintel{}", number, field.lintel), field.from, field.to,
+    add(fmt::format("s{}.{}{}", number, name_of(field.kind), field.number), field.from, field.to,
         storey.line[static_cast<std::size_t>(field.first - 1)], storey.line[static_cast<std::size_t>(field.last)],
         std::move(groups));
   }

@@ -25,6 +25,8 @@ struct WallOpening {
   bool lintel = true;          ///< with a block over the head; none is made where the courses end at the head
   double lintel_height = -1;   ///< m; negative: the wall's
   double lintel_bearing = -1;  ///< by which the lintel reaches over each side, m; negative: the wall's
+  double sill_height = 0;      ///< of a block under the sill, m, whole courses; 0: none, units alone
+  double sill_bearing = 0;     ///< by which that block reaches under each side, m
 };
 
 /// What is done with a unit that cutting leaves shorter than least_length.
@@ -67,16 +69,16 @@ struct WallParts {
 };
 
 /// Parts from the bottom up, left to right. "base" (group "base"); for storey 2 "s2.c5.u3" (third unit of its fifth
-/// course; groups "units", "storey 2", "course 5"), "s2.lintel1" after the units of its lowest course ("lintels",
-/// "storey 2", its courses), "s2.slab" ("slabs", "storey 2"). Where a storey has openings, its units and lintels
-/// are also in "piers" and "pier k" (beside openings) or "spandrels" and "spandrel k" (their middle above or below an
-/// opening), k counted from the left. All names begin with the wall's, and all parts are in the group of the wall's
-/// name, where it has one.
+/// course; groups "units", "storey 2", "course 5"), "s2.lintel1" and "s2.sill1" after the units of their lowest
+/// course ("lintels" or "sills", "storey 2", their courses), "s2.slab" ("slabs", "storey 2"). Where a storey has
+/// openings, its units, lintels and sills are also in "piers" and "pier k" (beside openings) or "spandrels" and
+/// "spandrel k" (their middle above or below an opening), k counted from the left. All names begin with the wall's, and
+/// all parts are in the group of the wall's name, where it has one.
 ///
 /// Parts that meet share their corners' coordinates to the bit; there is no overlap and no gap. Units are cut at the
-/// edges of openings and lintels and at the right end of the wall. Throws InputError, with place, value and what is
-/// allowed, for sizes out of range, heights that are no whole number of courses, openings outside the storey, on each
-/// other, off the course lines or whose lintels do not lie on masonry, and pieces that stay too short.
+/// edges of openings, lintels and sills and at the right end of the wall. Throws InputError, with place, value and what
+/// is allowed, for sizes out of range, heights that are no whole number of courses, openings outside the storey, on
+/// each other, off the course lines or whose lintels do not lie on masonry, and pieces that stay too short.
 WallParts build_wall(const Wall& wall);
 
 }  // namespace trilith

@@ -118,7 +118,7 @@ WallField plan_opening(const Wall& wall, WallPlan& plan, const WallOpening& give
     throw InputError(fmt::format("{}: head is at {:g} m, must not be above the storey's courses of {:g} m", what,
                                  head * plan.course_height, room));
   if (head == sill) throw InputError(fmt::format("{}: is less than a course high", what));
-  const WallField field{std::max(given.x, 0.0), std::min(right, plan.length), sill + 1, head, 0};
+  const WallField field{std::max(given.x, 0.0), std::min(right, plan.length), sill + 1, head, FieldKind::opening, 0};
   for (const WallField& other : storey.fields)
     if (meet(field, other, same))
       throw InputError(fmt::format("{}: overlaps the opening from x = {:g} to {:g} m in the same storey", what,
@@ -126,11 +126,38 @@ WallField plan_opening(const Wall& wall, WallPlan& plan, const WallOpening& give
   return field;
 }
 
-/// Whether masonry of course `course` carries the stretch from `from` to `to`.
+/// Whether masonry of course `course` is beside or below the stretch from `from` to `to`.
 bool is_masonry(const StoreyPlan& storey, double from, double to, int course) {
-  const WallField stretch{from, to, course, course, 0};
-  return std::none_of(storey.fields.begin(), storey.fields.end(),
-                      [&](const WallField& f) { return f.lintel == 0 && meet(stretch, f, 1e-9 * (to - from)); });
+  const WallField stretch{from, to, course, course, FieldKind::opening, 0};
+  return std::none_of(storey.fields.begin(), storey.fields.end(), [&](const WallField& f) {
+    return f.kind == FieldKind::opening && meet(stretch, f, 1e-9 * (to - from));
+  });
+}
+
+/// The block over (lintel) or under (sill) an opening, reaching `bearing` beyond its sides; `what` begins messages.
+WallField plan_block(const WallPlan& plan, const StoreyPlan& storey, const WallField& opening, FieldKind kind,
+                     int courses, double bearing, const std::string& what) {
+  const int number = 1 + static_cast<int>(std::count_if(storey.fields.begin(), storey.fields.end(),
+                                                        [&](const WallField& f) { return f.kind == kind; }));
+  const bool above = kind == FieldKind::lintel;
+  const int first = above ? opening.last + 1 : opening.first - courses;
+  WallField block{opening.from - bearing, opening.to + bearing, first, first + courses - 1, kind, number};
+  const double same = 1e-9 * plan.length;
+  if (block.from < -same || block.to > plan.length + same)
+    throw InputError(fmt::format(
+        "{} lies from x = {:g} to {:g} m, must lie within the wall's 0 to {:g} m; a bearing of up to {:g} m fits{}",
+        what, block.from, block.to, plan.length, std::min(opening.from, plan.length - opening.to),
+        above ? ", or give lintel = false" : ""));
+  block.from = std::max(block.from, 0.0), block.to = std::min(block.to, plan.length);
+  if (block.first < 1 || block.last > storey.courses())
+    throw InputError(fmt::format("{} needs {} courses {}, but {} are left in the storey", what, courses,
+                                 above ? "over the head" : "under the sill",
+                                 above ? storey.courses() - opening.last : opening.first - 1));
+  for (const WallField& other : storey.fields)
+    if (meet(block, other, same))
+      throw InputError(fmt::format("{} from x = {:g} to {:g} m runs into the {} from x = {:g} to {:g} m", what,
+                                   block.from, block.to, name_of(other.kind), other.from, other.to));
+  return block;
 }
 
 void plan_lintel(const Wall& wall, WallPlan& plan, const WallOpening& given, const WallField& opening,
@@ -141,33 +168,24 @@ void plan_lintel(const Wall& wall, WallPlan& plan, const WallOpening& given, con
   double bearing = given.lintel_bearing < 0 ? wall.lintel_bearing : given.lintel_bearing;
   height = height == 0 ? plan.course_height : require_finite(height, what + " height");
   bearing = bearing == 0 ? plan.units.stretcher / 2 : require_finite(bearing, what + " bearing");
-  const int courses = course_line(wall, plan, height, what + " height");
-  if (courses < 1)
-    throw InputError(
-        fmt::format("{} height is {:g} m, must be at least one course of {:g} m", what, height, plan.course_height));
-  const int number = 1 + static_cast<int>(std::count_if(storey.fields.begin(), storey.fields.end(),
-                                                        [](const WallField& f) { return f.lintel > 0; }));
-  WallField lintel{opening.from - bearing, opening.to + bearing, opening.last + 1, opening.last + courses, number};
-  const double same = 1e-9 * plan.length;
-  if (lintel.from < -same || lintel.to > plan.length + same)
-    throw InputError(fmt::format(
-        "{} lies from x = {:g} to {:g} m, must lie within the wall's 0 to {:g} m; a bearing of up to {:g} m fits, or "
-        "give lintel = false",
-        what, lintel.from, lintel.to, plan.length, std::min(opening.from, plan.length - opening.to)));
-  lintel.from = std::max(lintel.from, 0.0), lintel.to = std::min(lintel.to, plan.length);
-  if (lintel.last > storey.courses())
-    throw InputError(fmt::format("{} needs {} courses over the head, but {} are left in the storey", what, courses,
-                                 storey.courses() - opening.last));
-  if (!is_masonry(storey, lintel.from, opening.from, opening.last) ||
-      !is_masonry(storey, opening.to, lintel.to, opening.last))
+  const int courses = std::max(1, course_line(wall, plan, height, what + " height"));
+  const WallField block = plan_block(plan, storey, opening, FieldKind::lintel, courses, bearing, what);
+  if (!is_masonry(storey, block.from, opening.from, opening.last) ||
+      !is_masonry(storey, opening.to, block.to, opening.last))
     throw InputError(
         fmt::format("{} reaches {:g} m over each side and so over the next opening; give less bearing", what, bearing));
-  for (const WallField& other : storey.fields)
-    if (meet(lintel, other, same))
-      throw InputError(fmt::format("{} from x = {:g} to {:g} m runs into the {} from x = {:g} to {:g} m", what,
-                                   lintel.from, lintel.to, other.lintel > 0 ? "lintel" : "opening", other.from,
-                                   other.to));
-  storey.fields.push_back(lintel);
+  storey.fields.push_back(block);
+}
+
+void plan_sill(const Wall& wall, WallPlan& plan, const WallOpening& given, const WallField& opening,
+               const std::string& opening_name) {
+  StoreyPlan& storey = plan.storeys[static_cast<std::size_t>(given.storey - 1)];
+  const std::string what = opening_name + ": sill block";
+  require_not_negative(given.sill_height, what + " height", "m");
+  require_not_negative(given.sill_bearing, what + " bearing", "m");
+  if (given.sill_height == 0) return;
+  const int courses = std::max(1, course_line(wall, plan, given.sill_height, what + " height"));
+  storey.fields.push_back(plan_block(plan, storey, opening, FieldKind::sill, courses, given.sill_bearing, what));
 }
 
 void plan_openings(const Wall& wall, WallPlan& plan) {
@@ -184,13 +202,14 @@ void plan_openings(const Wall& wall, WallPlan& plan) {
     const WallOpening& given = wall.openings[i];
     const StoreyPlan& storey = plan.storeys[static_cast<std::size_t>(given.storey - 1)];
     if (given.lintel && made[i].last < storey.courses()) plan_lintel(wall, plan, given, made[i], names[i]);
+    plan_sill(wall, plan, given, made[i], names[i]);
   }
 }
 
 std::vector<WallStrip> strips_of(const std::vector<WallField>& fields) {
   std::vector<WallStrip> all, strips;
   for (const WallField& field : fields)
-    if (field.lintel == 0) all.push_back({field.from, field.to});
+    if (field.kind == FieldKind::opening) all.push_back({field.from, field.to});
   std::sort(all.begin(), all.end(), [](const WallStrip& a, const WallStrip& b) { return a.from < b.from; });
   for (const WallStrip& strip : all) {
     if (strips.empty() || strip.from >= strips.back().to)

@@ -9,12 +9,21 @@
 
 namespace trilith {
 
-/// A rectangle of a storey that is not laid with units.
+enum class FieldKind { opening, lintel, sill };
+
+/// A rectangle of a storey that is not laid with units: empty, or one block.
 struct WallField {
   double from, to;  ///< m from the wall's left end
   int first, last;  ///< courses
-  int lintel;       ///< number of the lintel in its storey, from 1; 0: an opening
+  FieldKind kind;
+  int number;  ///< among those of its kind in the storey, from 1
 };
+
+/// "opening", "lintel" or "sill".
+constexpr const char* name_of(FieldKind kind) {
+  constexpr const char* names[] = {"opening", "lintel", "sill"};
+  return names[static_cast<int>(kind)];
+}
 
 /// A stretch of a storey's length that has openings, m from the wall's left end.
 struct WallStrip {
@@ -24,7 +33,7 @@ struct WallStrip {
 struct StoreyPlan {
   std::vector<double> line;       ///< heights of the course lines above the wall's foot, m: one more than courses
   double top;                     ///< of the slab, or of the last course where there is none, m above the wall's foot
-  std::vector<WallField> fields;  ///< openings, then lintels
+  std::vector<WallField> fields;  ///< openings, then lintels and sills
   std::vector<WallStrip> strips;  ///< from left to right, apart from each other
 
   [[nodiscard]] int courses() const { return static_cast<int>(line.size()) - 1; }

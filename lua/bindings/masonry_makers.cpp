@@ -103,6 +103,8 @@ void read_openings(Keys& k, std::vector<WallOpening>& openings) {
     o.lintel = own.flag("lintel", o.lintel);
     o.lintel_height = own.number("lintel_height", "m", o.lintel_height);
     o.lintel_bearing = own.number("lintel_bearing", "m", o.lintel_bearing);
+    o.sill_height = own.number("sill_height", "m", o.sill_height);
+    o.sill_bearing = own.number("sill_bearing", "m", o.sill_bearing);
     for (const int storey : storeys) {
       o.storey = storey;
       openings.push_back(o);

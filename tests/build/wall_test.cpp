@@ -5,10 +5,12 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 
 #include "base/units.hpp"
 #include "build/bond_pattern.hpp"
 #include "build/sound_parts.hpp"
+#include "shape/random_convex.hpp"
 
 using namespace trilith;
 
@@ -327,6 +329,68 @@ TEST_CASE("openings and lintels on each other are refused") {
              "opening; give less bearing"));
   for (WallOpening& opening : wall.openings) opening.lintel_bearing = 0.1;
   CHECK(refusal_of_wall(wall) == "accepted");
+}
+
+TEST_CASE("a sill may be a block that reaches under the masonry beside the opening") {
+  Wall wall = plain_wall();
+  wall.openings = {{.x = 0.8, .sill = 0.4, .width = 0.8, .height = 0.4, .sill_height = 0.2, .sill_bearing = 0.1}};
+  const std::vector<Part> parts = build_wall(wall).parts;
+  check_sound(parts);
+  const Part& sill = named(parts, "s1.sill1");
+  CHECK(sill.groups == std::vector<std::string>{"sills", "storey 1", "course 2", "spandrels", "spandrel 1"});
+  CHECK(bounding_box(sill.outline).low.isApprox(Vec2(0.7, 0.2), 1e-14));
+  CHECK(bounding_box(sill.outline).high.isApprox(Vec2(1.7, 0.4), 1e-14));
+  CHECK(total_area(parts) == doctest::Approx(2.4 - 0.32).epsilon(1e-13));
+  wall.openings[0].sill_height = 0.6;
+  CHECK(says(refusal_of_wall(wall), "sill block needs 3 courses under the sill, but 2 are left in the storey"));
+  wall.openings[0].sill_height = 0.2, wall.openings[0].sill_bearing = 1;
+  CHECK(says(refusal_of_wall(wall),
+             "sill block lies from x = -0.2 to 2.6 m, must lie within the wall's 0 to 2.4 m; a "
+             "bearing of up to 0.8 m fits"));
+}
+
+TEST_CASE("any description is built without gap and overlap, or refused in one line") {
+  std::mt19937_64 bits(11);
+  int built = 0, refused = 0;
+  const auto grid = [&](double step, int low, int high) {
+    // mostly on the grid, at times off it
+    const double off = random_count(bits, 0, 3) == 0 ? random_between(bits, -0.5, 0.5) : 0;
+    return step * (random_count(bits, low, high) + off);
+  };
+  for (int i = 0; i < 600; ++i) {
+    const auto bond = static_cast<std::size_t>(random_count(bits, 0, static_cast<int>(bond_patterns().size()) - 1));
+    Wall wall;
+    wall.bond = bond_patterns()[bond].name;
+    wall.length = grid(0.4, 1, 9), wall.at = {random_between(bits, -5, 5), 1};
+    wall.slab_height = random_count(bits, 0, 1) * 0.15, wall.snap = random_count(bits, 0, 1) == 1;
+    wall.short_pieces = random_count(bits, 0, 3) == 0 ? ShortPieces::refuse : ShortPieces::merge;
+    wall.jitter = random_count(bits, 0, 1) * 1e-4, wall.seed = i;
+    for (int k = random_count(bits, 1, 2); k > 0; --k) wall.storeys.push_back({.courses = random_count(bits, 1, 7)});
+    for (int k = random_count(bits, 0, 3); k > 0; --k)
+      wall.openings.push_back({.storey = random_count(bits, 1, 2),
+                               .x = grid(0.2, 0, 14),
+                               .sill = grid(0.2, 0, 3),
+                               .width = grid(0.2, 1, 5),
+                               .height = grid(0.2, 1, 4),
+                               .lintel = random_count(bits, 0, 2) > 0,
+                               .sill_height = random_count(bits, 0, 1) * 0.2});
+    CAPTURE(i);
+    const std::string refusal = refusal_of_wall(wall);
+    if (refusal != "accepted") {
+      CHECK(says(refusal, "wall"));
+      ++refused;
+      continue;
+    }
+    ++built;
+    const WallParts made = build_wall(wall);
+    check_sound(made.parts);
+    double area = 0;
+    for (const WallStorey& storey : wall.storeys) area += wall.length * (storey.courses * 0.2 + wall.slab_height);
+    for (const WallOpening& o : wall.openings) area -= o.width * o.height;
+    if (!wall.snap) CHECK(total_area(made.parts) == doctest::Approx(area).epsilon(1e-9));
+  }
+  CHECK(built > 100);
+  CHECK(refused > 100);
 }
 
 TEST_CASE("walls whose sizes make no sense are refused") {
