@@ -17,6 +17,7 @@ int run_program(int argc, char** argv) {
     add_study(app, code);
     add_draw(app, code);
     add_plot(app, code);
+    add_view(app, code);
     add_motion(app, code);
     add_info(app, code);
     add_repair(app, code);

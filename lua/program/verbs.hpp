@@ -15,6 +15,7 @@ void add_draw(CLI::App& app, int& code);
 void add_plot(CLI::App& app, int& code);
 void add_motion(CLI::App& app, int& code);
 void add_info(CLI::App& app, int& code);
+void add_view(CLI::App& app, int& code);
 void add_repair(CLI::App& app, int& code);
 
 }  // namespace trilith::program

@@ -1,0 +1,22 @@
+# Turns the page of `trilith view` into C++: cmake -DOUT=... -DPAGE=engine/record/page -DMODULES=a,b -P embed_page.cmake
+# The modules become one script: imports go (each module comes after what it imports), exports lose their word.
+string(REPLACE "," ";" MODULES "${MODULES}")
+set(code "")
+foreach(module IN LISTS MODULES)
+  file(READ "${PAGE}/${module}.js" text)
+  string(REGEX REPLACE "\nimport [^\n]*" "" text "\n${text}")
+  string(REPLACE "\nexport " "\n" text "${text}")
+  string(APPEND code "${text}")
+endforeach()
+file(READ "${PAGE}/page.html" html)
+file(READ "${PAGE}/page.css" style)
+file(WRITE "${OUT}.new" "// Made from engine/record/page by cmake/embed_page.cmake.
+#include \"record/view_page_text.hpp\"
+
+namespace trilith::record {
+const char* view_page_html() { return R\"page(${html})page\"; }
+const char* view_page_style() { return R\"page(${style})page\"; }
+const char* view_page_code() { return R\"page(${code})page\"; }
+}  // namespace trilith::record
+")
+execute_process(COMMAND ${CMAKE_COMMAND} -E copy_if_different "${OUT}.new" "${OUT}")

@@ -1,0 +1,86 @@
+// The part of the world that is seen. Two dimensions; another camera with place() and reach() would serve three.
+
+export class Camera {
+  constructor() {
+    this.x = 0;
+    this.y = 0;
+    this.scale = 50;  // CSS pixels per metre
+    this.width = 1;
+    this.height = 1;
+    this.home = { x0: -1, y0: -1, x1: 1, y1: 1 };
+  }
+
+  /** The canvas has another size: what was in the middle stays there. */
+  resize(width, height) {
+    const fits = this.isHome;
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+    if (fits) this.fit();
+  }
+
+  /** Shows the whole of `home`. */
+  fit() {
+    const { x0, y0, x1, y1 } = this.home;
+    const room = { width: Math.max(50, this.width - 48), height: Math.max(50, this.height - 110) };
+    this.scale = Math.min(room.width / Math.max(1e-6, x1 - x0), room.height / Math.max(1e-6, y1 - y0));
+    this.x = (x0 + x1) / 2;
+    this.y = (y0 + y1) / 2;
+    this.isHome = true;
+  }
+
+  /** From the world [m] to the canvas [CSS px]. */
+  place(x, y) {
+    return [this.width / 2 + (x - this.x) * this.scale, this.height / 2 - (y - this.y) * this.scale];
+  }
+
+  /** From the canvas to the world. */
+  reach(px, py) {
+    return [this.x + (px - this.width / 2) / this.scale, this.y - (py - this.height / 2) / this.scale];
+  }
+
+  /** Zooms by `factor`; what is at (px, py) stays there. */
+  zoom(factor, px = this.width / 2, py = this.height / 2) {
+    const [x, y] = this.reach(px, py);
+    const home = Math.min(this.width, this.height) / Math.max(this.home.x1 - this.home.x0, this.home.y1 - this.home.y0);
+    this.scale = Math.max(home / 20, Math.min(home * 5000, this.scale * factor));
+    const [nx, ny] = this.reach(px, py);
+    this.x += x - nx;
+    this.y += y - ny;
+    this.isHome = false;
+  }
+
+  pan(dx, dy) {
+    this.x -= dx / this.scale;
+    this.y += dy / this.scale;
+    this.isHome = false;
+  }
+
+  /** Brings a place into view, if it is not. */
+  show(x, y) {
+    const [px, py] = this.place(x, y);
+    if (px > 40 && py > 40 && px < this.width - 40 && py < this.height - 40) return;
+    this.x = x;
+    this.y = y;
+    this.isHome = false;
+  }
+}
+
+/** The box of all free bodies over the run, with some ground below; of all bodies where none is free. */
+export function homeBox(run) {
+  const some = run.bodies.some((b) => b.free) ? run.bodies.filter((b) => b.free) : run.bodies;
+  const box = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
+  const steps = Math.min(run.frames, 24);
+  for (let i = 0; i < steps; i++) {
+    run.pose(run.times[Math.round((i * (run.frames - 1)) / Math.max(1, steps - 1))]);
+    for (const body of some)
+      for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
+        box.x0 = Math.min(box.x0, run.pointX[v]);
+        box.x1 = Math.max(box.x1, run.pointX[v]);
+        box.y0 = Math.min(box.y0, run.pointY[v]);
+        box.y1 = Math.max(box.y1, run.pointY[v]);
+      }
+  }
+  if (!(box.x1 > box.x0)) return { x0: -1, y0: -1, x1: 1, y1: 1 };
+  const margin = 0.03 * Math.max(box.x1 - box.x0, box.y1 - box.y0);
+  return { x0: box.x0 - margin, x1: box.x1 + margin, y0: box.y0 - 2 * margin, y1: box.y1 + margin };
+}

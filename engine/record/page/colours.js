@@ -1,0 +1,137 @@
+// What bodies are coloured by, and the colours of the theme.
+import { upperBound } from "./run.js";
+import { readableUnit, figures } from "./words.js";
+
+const channels = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+/** `share` of the way from one #rrggbb to another. */
+export function blend(from, to, share) {
+  const a = channels(from), b = channels(to);
+  return "#" + a.map((v, i) => Math.round(v + share * (b[i] - v)).toString(16).padStart(2, "0")).join("");
+}
+
+/** Colours of the style sheet, as the theme has them now. */
+export function themeColours() {
+  const style = getComputedStyle(document.documentElement);
+  const names = ["paper", "ink", "quiet", "line", "accent", "ground", "ground-line", "outline", "ghost", "force"];
+  const out = Object.fromEntries(names.map((n) => [n, style.getPropertyValue(`--${n}`).trim()]));
+  out.dark = document.documentElement.dataset.theme === "dark";
+  return out;
+}
+
+const few = 3;
+/** The word a body is coloured by: its first group, else its material; few grounds have their names. */
+function groupsOf(run) {
+  const named = run.bodies.filter((b) => !b.free).length <= few;
+  return run.bodies.map((b) => (!b.free && named ? b.name : b.groups.split(" ")[0] || b.material));
+}
+
+/** Mean compression in each body from its contact forces: the lower principal value of the sum of arm times force over
+ *  the area (Love 1892, Weber 1966), per metre of thickness [N/m]. */
+function compressions(run, frame) {
+  const sum = new Float64Array(4 * run.bodies.length);
+  const [first, last] = run.contactRows(frame);
+  const place = run.block("contact_place"), force = run.block("contact_force"), pair = run.block("contact_pair").values;
+  const at = run.block("position"), here = run.contactFrames.length ? frame : 0;
+  for (let k = first; k < last; k++) {
+    const fx = force.quantum * force.values[2 * k], fy = force.quantum * force.values[2 * k + 1];
+    for (const side of [0, 1]) {
+      const index = pair[3 * k + side], body = run.bodies[index];
+      if (!body) continue;
+      const node = 2 * (here * run.nodes + body.node), sign = side ? -1 : 1;
+      const x = place.quantum * place.values[2 * k] - at.quantum * at.values[node];
+      const y = place.quantum * place.values[2 * k + 1] - at.quantum * at.values[node + 1];
+      sum[4 * index] += sign * x * fx;
+      sum[4 * index + 1] += sign * y * fy;
+      sum[4 * index + 2] += (sign * (x * fy + y * fx)) / 2;
+    }
+  }
+  return run.bodies.map((body, i) => {
+    if (!body.free || !body.area) return null;
+    const xx = sum[4 * i] / body.area, yy = sum[4 * i + 1] / body.area, xy = sum[4 * i + 2] / body.area;
+    return Math.max(0, Math.hypot((xx - yy) / 2, xy) - (xx + yy) / 2);
+  });
+}
+
+/** Every way to colour that this run has data for. `values(frame, time)`: one number or null for each body. */
+export function colourings(run) {
+  const free = (f) => (frame, time) => run.bodies.map((b) => (b.free ? f(b, frame, time) : null));
+  const start = run.frames ? run.bodies.map((b) => run.centre(b, 0)) : [];
+  const out = [{ id: "group", label: "group", groups: groupsOf(run) }];
+  if (!run.frames) return out;
+  out.push({ id: "speed", label: "speed", unit: "m/s", values: free((b, f) => run.speed(b, f)) });
+  out.push({ id: "displacement", label: "displacement from the start", unit: "m", values: free((b, f) => {
+    const [x, y] = run.centre(b, f);
+    return Math.hypot(x - start[b.index][0], y - start[b.index][1]);
+  }) });
+  if (run.bodies.some((b) => b.free && b.nodes === 1))
+    out.push({ id: "rotation", label: "rotation from the start", unit: "rad", signed: true, values: free((b, f) => run.rotation(b, f)) });
+  if (run.block("contact_pair").rows)
+    out.push({ id: "stress", label: "mean compression, from contact forces", unit: "N/m", values: (f) => compressions(run, f) });
+  if (run.bodies.some((b) => b.bonds))
+    out.push({ id: "damage", label: "damage: share of bonds lost", unit: "1", top: 1, values: free((b, f, t) => run.damage(b, t)) });
+  for (const c of out) if (c.values && !c.top) c.top = usualTop(run, c);
+  return out;
+}
+
+/** The value that all but 2 % stay below over the run, rounded up, so that one fast fragment leaves colours to the rest. */
+function usualTop(run, colouring) {
+  const sizes = [];
+  for (let i = 0; i < Math.min(20, run.frames); i++) {
+    const frame = Math.round((i * (run.frames - 1)) / Math.max(1, Math.min(20, run.frames) - 1));
+    for (const v of colouring.values(frame, run.times[frame])) if (v !== null) sizes.push(Math.abs(v));
+  }
+  sizes.sort((a, b) => a - b);
+  const top = sizes[Math.floor(0.98 * (sizes.length - 1))] || sizes[sizes.length - 1] || 1;
+  const power = 10 ** Math.floor(Math.log10(top));
+  return [1, 2, 5, 10].find((k) => k * power >= top) * power;
+}
+
+export class BodyColours {
+  constructor(run, colouring, theme) {
+    this.run = run;
+    this.colouring = colouring;
+    this.theme = theme;
+    if (colouring.groups) this.takeGroups();
+    else this.ramp = colouring.signed ? run.palette.diverging : run.palette.sequential;
+  }
+
+  takeGroups() {
+    const { run, colouring, theme } = this;
+    const tint = new Map();
+    run.bodies.forEach((b, i) => {
+      const name = colouring.groups[i];
+      if (b.free && !tint.has(name)) {
+        const colour = run.palette.tints[tint.size % run.palette.tints.length];
+        tint.set(name, theme.dark ? blend(colour, "#1a2027", 0.22) : colour);
+      }
+    });
+    this.groups = tint;
+    this.fixed = run.bodies.map((b, i) => (b.free ? tint.get(colouring.groups[i]) : theme.ground));
+  }
+
+  /** A colour for each body in `frame` at `time`. */
+  at(frame, time) {
+    if (this.fixed) return this.fixed;
+    const { top, signed } = this.colouring;
+    const last = this.ramp.length - 1;
+    return this.colouring.values(frame, time).map((value, i) => {
+      if (!this.run.bodies[i].free) return this.theme.ground;
+      if (value === null) return this.theme.line;
+      const share = signed ? 0.5 + 0.5 * (value / top) : value / top;
+      return this.ramp[Math.round(last * Math.max(0, Math.min(1, share)))];
+    });
+  }
+
+  /** Ends of the colour bar as text. */
+  ends() {
+    const { top, signed, unit } = this.colouring;
+    const to = readableUnit(top, unit);
+    const high = `${figures(top * to.factor, 2)} ${to.unit}`;
+    return signed ? [`−${high}`, high] : ["0", high];
+  }
+}
+
+/** Last of `events` (in time) at or before `time`, or -1. */
+export function lastBefore(events, time) {
+  return upperBound(events.map((e) => e.time), time + 1e-9) - 1;
+}

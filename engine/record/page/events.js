@@ -1,0 +1,102 @@
+// The list of events: filtered by kind and words, drawn only where it is seen, in step with the replay.
+import { upperBound } from "./run.js";
+import { byId, make, seconds } from "./words.js";
+
+const rowHeight = 44;
+
+/** The colour of an event's mark: what fails, what moves, what is told. */
+export function eventColour(type, theme, palette) {
+  if (type.endsWith("failed") || type === "seat.lost") return theme.dark ? "#ff6a3c" : palette.failed;
+  if (type === "bond.broken") return theme.dark ? "#ff8f6b" : "#d9653b";
+  if (type === "bearing.yielded") return palette.yielded;
+  if (type === "bearing.changed") return palette.changed;
+  if (type === "impact") return theme.accent;
+  return theme.quiet;
+}
+
+export class EventsPanel {
+  /** `app`: { run, seek, chooseEvent(event), theme }. */
+  constructor(app) {
+    this.app = app;
+    this.list = byId("event-list");
+    this.inner = make("div", { class: "rows" });
+    this.list.append(this.inner);
+    this.off = new Set();
+    this.onlyNote = app.run.events.some((e) => e.note);
+    this.makeFilters();
+    byId("event-search").addEventListener("input", () => this.filter());
+    this.list.addEventListener("scroll", () => this.fill());
+    this.list.addEventListener("pointerenter", () => (this.held = true));
+    this.list.addEventListener("pointerleave", () => (this.held = false));
+    this.list.addEventListener("keydown", (e) => this.walk(e));
+    this.filter();
+  }
+
+  makeFilters() {
+    const counts = new Map();
+    for (const e of this.app.run.events) counts.set(e.type, (counts.get(e.type) ?? 0) + 1);
+    const chip = (label, count, pressed, press) => make("button", { class: "chip", "aria-pressed": String(pressed), onclick: (e) => {
+      const on = e.currentTarget.getAttribute("aria-pressed") !== "true";
+      e.currentTarget.setAttribute("aria-pressed", String(on));
+      press(on);
+      this.filter();
+    } }, `${label} `, make("small", {}, String(count)));
+    const note = this.app.run.events.filter((e) => e.note).length;
+    byId("event-kinds").append(
+      chip("of note only", note, this.onlyNote, (on) => (this.onlyNote = on)),
+      ...this.app.run.types.map(([type, heading]) => chip(heading, counts.get(type), true, (on) => (on ? this.off.delete(type) : this.off.add(type)))));
+  }
+
+  filter() {
+    const words = byId("event-search").value.toLowerCase().split(" ").filter(Boolean);
+    this.rows = this.app.run.events.filter((e) => (!this.onlyNote || e.note) && !this.off.has(e.type) &&
+      words.every((w) => `${e.text} ${e.type} ${e.heading}`.toLowerCase().includes(w)));
+    this.times = this.rows.map((e) => e.time);
+    this.inner.style.height = `${this.rows.length * rowHeight}px`;
+    byId("event-count").textContent = `${this.rows.length} of ${this.app.run.events.length}`;
+    this.current = -2;
+    this.fill();
+  }
+
+  /** Puts the rows in place that are in sight. */
+  fill() {
+    const first = Math.max(0, Math.floor(this.list.scrollTop / rowHeight) - 4);
+    const last = Math.min(this.rows.length, first + Math.ceil((this.list.clientHeight || 600) / rowHeight) + 8);
+    const focused = this.inner.contains(document.activeElement) ? Number(document.activeElement.dataset.row) : -1;
+    this.inner.replaceChildren(...this.rows.slice(first, last).map((e, i) => this.row(e, first + i)));
+    if (focused >= 0) this.inner.querySelector(`[data-row="${focused}"]`)?.focus({ preventScroll: true });
+  }
+
+  row(event, index) {
+    const colour = eventColour(event.type, this.app.theme, this.app.run.palette);
+    return make("button", { class: "event-row", style: `top:${index * rowHeight}px`, "data-row": index, "data-event": event.id,
+      "data-type": event.type, "aria-current": index === this.current ? "true" : false, title: event.text, onclick: () => this.app.chooseEvent(event) },
+    make("time", {}, seconds(event.time)), make("i", { style: `background:${colour}` }), make("span", {}, event.text));
+  }
+
+  walk(e) {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[e.key];
+    if (!step) return;
+    e.preventDefault();
+    e.stopPropagation();
+    const to = Math.max(0, Math.min(this.rows.length - 1, (Number(document.activeElement?.dataset?.row) || 0) + step));
+    this.reveal(to);
+    this.inner.querySelector(`[data-row="${to}"]`)?.focus({ preventScroll: true });
+  }
+
+  reveal(index) {
+    const top = index * rowHeight, height = this.list.clientHeight;
+    if (top < this.list.scrollTop || top + rowHeight > this.list.scrollTop + height)
+      this.list.scrollTop = Math.max(0, top - height / 2);
+    this.fill();
+  }
+
+  /** The last event before the moment is marked, and kept in sight while nobody reads elsewhere. */
+  draw(time) {
+    const current = upperBound(this.times, time + 1e-6) - 1;
+    if (current === this.current) return;
+    this.current = current;
+    if (!this.held && current >= 0 && this.list.clientHeight) this.reveal(current);
+    else this.fill();
+  }
+}

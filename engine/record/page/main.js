@@ -1,0 +1,282 @@
+// Puts the page together.
+import { decode } from "./decode.js";
+import { Run } from "./run.js";
+import { Camera, homeBox } from "./camera.js";
+import { BodyColours, colourings, themeColours } from "./colours.js";
+import { Scene } from "./scene.js";
+import { listen } from "./picking.js";
+import { HistoriesPanel, SelectionPanel } from "./selection.js";
+import { EventsPanel, eventColour } from "./events.js";
+import { Player } from "./player.js";
+import { Legend } from "./legend.js";
+import { byId, make, seconds } from "./words.js";
+
+const toggles = [["forces", "forces", "contact_pair"], ["cracks", "cracks", null], ["bearings", "bearings", "bearing_state"],
+  ["names", "names", null], ["start", "start", null]];
+const states = { finished: "", running: "still being written: this is what it held when the page was made", stopped: "stopped before its end: this is what it had written" };
+
+class App {
+  constructor(run) {
+    this.run = run;
+    this.seek = (time) => this.player.seek(time);
+    this.lineColours = ["#2b8cd6", "#e0712c", "#18a67c", "#cc79a7", "#9aa3ad", "#e0a200"];
+    this.camera = new Camera();
+    this.camera.home = homeBox(run);
+    this.scene = new Scene(run, byId("canvas"), this.camera);
+    this.camera.fit();
+    this.theme = themeColours();
+    this.ways = colourings(run);
+    this.selection = null;
+    const shaking = run.stages.find((s) => s.kind !== "consolidation");
+    this.player = new Player(this, shaking && shaking.begin <= run.end ? shaking.begin : run.begin);
+    this.events = new EventsPanel(this);
+    this.selectionPanel = new SelectionPanel(this);
+    this.histories = new HistoriesPanel(this);
+    this.legend = new Legend(this);
+    this.wireView();
+    this.wireTabs();
+    this.wireTheme();
+    this.tellAbout();
+    document.addEventListener("keydown", (e) => this.key(e));
+    new ResizeObserver(() => this.resize()).observe(byId("canvas").parentElement);
+    this.colourBy(this.ways[0].id);
+    this.resize();
+  }
+
+  resize() {
+    this.scene.resize();
+    this.redraw();
+  }
+
+  wireView() {
+    const by = byId("colour-by");
+    by.append(...this.ways.map((w) => make("option", { value: w.id }, w.label)));
+    by.addEventListener("change", () => this.colourBy(by.value));
+    for (const [name, label, block] of toggles) {
+      const there = name === "cracks" ? this.run.joints.length : block ? this.run.block(block).rows : this.run.frames;
+      if (!there) {
+        this.scene.show[name] = false;
+        continue;
+      }
+      byId("shown").append(make("button", { class: "chip", id: `show-${name}`, "aria-pressed": String(this.scene.show[name]), onclick: () => this.toggle(name) }, label));
+    }
+    byId("fit").addEventListener("click", () => this.fit());
+    byId("zoom-in").addEventListener("click", () => this.zoom(1.4));
+    byId("zoom-out").addEventListener("click", () => this.zoom(1 / 1.4));
+    const tip = byId("tip");
+    listen(byId("canvas"), this.scene, {
+      changed: () => this.redraw(),
+      chosen: (hit) => this.select(hit),
+      hovered: (hit, x, y) => {
+        tip.hidden = !hit;
+        byId("canvas").style.cursor = hit ? "pointer" : "grab";
+        if (!hit) return;
+        tip.textContent = hit.body ? hit.body.name : `bearing ${hit.bearing.name}`;
+        tip.style.transform = `translate(${Math.round(x + 14)}px, ${Math.round(y + 14)}px)`;
+      },
+    });
+  }
+
+  toggle(name) {
+    this.scene.show[name] = !this.scene.show[name];
+    byId(`show-${name}`)?.setAttribute("aria-pressed", String(this.scene.show[name]));
+    this.legend.build(this.colours, this.scene.show);
+    this.redraw();
+  }
+
+  colourBy(id) {
+    this.way = this.ways.find((w) => w.id === id);
+    byId("colour-by").value = id;
+    this.colours = new BodyColours(this.run, this.way, this.theme);
+    this.legend.build(this.colours, this.scene.show);
+    this.redraw();
+  }
+
+  wireTabs() {
+    const tabs = [...document.querySelectorAll("[role=tab]")];
+    const open = (tab) => {
+      for (const t of tabs) {
+        t.setAttribute("aria-selected", String(t === tab));
+        t.tabIndex = t === tab ? 0 : -1;
+        byId(t.getAttribute("aria-controls")).hidden = t !== tab;
+      }
+      this.redraw();
+    };
+    tabs.forEach((tab, i) => {
+      tab.addEventListener("click", () => open(tab));
+      tab.addEventListener("keydown", (e) => {
+        const step = { ArrowRight: 1, ArrowLeft: -1 }[e.key];
+        if (!step) return;
+        e.stopPropagation();
+        const to = tabs[(i + step + tabs.length) % tabs.length];
+        to.focus();
+        open(to);
+      });
+    });
+    this.openTab = (id) => open(byId(id));
+  }
+
+  wireTheme() {
+    const system = matchMedia("(prefers-color-scheme: dark)");
+    const set = (name) => {
+      document.documentElement.dataset.theme = name;
+      this.theme = themeColours();
+      if (this.colours) this.colourBy(this.way.id);
+      this.events.fill();
+    };
+    let kept = null;
+    try {
+      kept = localStorage.getItem("trilith-theme");
+    } catch { /* a page from a file may have no storage */ }
+    set(kept ?? (system.matches ? "dark" : "light"));
+    system.addEventListener("change", () => kept || set(system.matches ? "dark" : "light"));
+    this.switchTheme = () => {
+      kept = document.documentElement.dataset.theme === "dark" ? "light" : "dark";
+      set(kept);
+      try {
+        localStorage.setItem("trilith-theme", kept);
+      } catch { /* as above */ }
+    };
+    byId("theme").addEventListener("click", this.switchTheme);
+  }
+
+  tellAbout() {
+    const { about } = this.run;
+    byId("title").textContent = about.name;
+    byId("state").textContent = this.run.frames ? states[about.state] : `no frame yet: ${states[about.state] || "nothing to play"}`;
+    byId("state").hidden = !byId("state").textContent;
+    const row = (k, v) => (v ? [make("dt", {}, k), make("dd", {}, v)] : []);
+    const thinned = [];
+    if (about.frame_stride > 1) thinned.push(`one frame in ${about.frame_stride} is kept`);
+    if (about.contact_stride > 1) thinned.push(`contact forces of one frame in ${about.contact_stride}`);
+    if (about.events_left_out) thinned.push(`${about.events_left_out} minor events left out`);
+    byId("about").append(
+      make("dl", { class: "facts" }, ...row("command", about.command), ...row("program", `trilith ${about.program} ${about.commit}`), ...row("started", about.started),
+        ...row("bodies", String(this.run.bodies.length)), ...row("frames", `${this.run.frames}, to ${seconds(this.run.end)}`), ...row("this page", thinned.join("; ")),
+        ...about.parameters.flatMap(([name, value, unit, , text]) => row(name, `${value} ${unit}${text ? ` (${text})` : ""}`)), ...about.motions.flatMap((m) => row("motion", m))),
+      ...about.notes.map(([time, text]) => make("p", { class: "hint" }, `${seconds(time)}: ${text}`)),
+      about.script ? make("details", {}, make("summary", {}, "script"), make("pre", { tabindex: 0 }, about.script)) : "");
+    const help = byId("help");
+    byId("help-open").addEventListener("click", () => help.showModal());
+    help.addEventListener("click", (e) => e.target === help && help.close());
+  }
+
+  /** Chooses { body } or { bearing }, or nothing. */
+  select(hit) {
+    if (hit?.body && this.run.frames) {
+      const points = Array.from({ length: this.run.frames }, (_, f) => this.run.centre(hit.body, f));
+      hit = { body: hit.body, trail: { x: Float64Array.from(points, (p) => p[0]), y: Float64Array.from(points, (p) => p[1]) } };
+    }
+    this.selection = hit;
+    this.selectionPanel.show(hit);
+    if (hit) this.openTab("tab-selection");
+    this.redraw();
+  }
+
+  /** Goes to an event and marks what it is about, without leaving the list. */
+  chooseEvent(event) {
+    this.player.pause();
+    this.player.seek(event.time);
+    const [x, y] = this.placeOf(event) ?? [];
+    if (x !== undefined) this.camera.show(x, y);
+    this.flashed = { event, at: performance.now() };
+    byId("told").textContent = `${seconds(event.time)}: ${event.text}`;
+    this.redraw();
+  }
+
+  placeOf(event) {
+    if (event.x !== null && event.x !== undefined) return [event.x, event.y];
+    if (event.bearing >= 0) return this.run.bearingEnds(this.run.bearings[event.bearing])[0];
+    if (event.a >= 0 && this.run.bodies[event.a].free) return this.scene.middle(this.run.bodies[event.a]);
+    return null;
+  }
+
+  fit() {
+    this.camera.fit();
+    this.redraw();
+  }
+
+  zoom(factor) {
+    this.camera.zoom(factor);
+    this.redraw();
+  }
+
+  redraw() {
+    if (this.waiting || this.player?.playing) return;
+    this.waiting = requestAnimationFrame(() => {
+      this.waiting = 0;
+      this.draw();
+    });
+  }
+
+  draw() {
+    if (!this.colours || !this.player) return;
+    const time = this.player.time;
+    this.scene.draw(time, this.colours, this.selection);
+    this.drawFlashes(time);
+    this.player.draw();
+    this.legend.draw();
+    this.events.draw(time);
+    if (!byId("selection").hidden) this.selectionPanel.draw(time, this.theme);
+    if (!byId("histories").hidden) this.histories.draw(time, this.theme);
+  }
+
+  drawFlashes(time) {
+    const colour = (e) => eventColour(e.type, this.theme, this.run.palette);
+    const long = 0.5 * this.player.speed;  // s of the run
+    if (this.player.playing)
+      for (const e of this.player.notes) {
+        if (e.time > time) break;
+        if (e.time < time - long || e.type.startsWith("stage.") || e.type === "bond.broken") continue;
+        const place = this.placeOf(e);
+        if (place) this.scene.flash(...place, (time - e.time) / long, colour(e));
+      }
+    if (!this.flashed) return;
+    const age = (performance.now() - this.flashed.at) / 900, place = this.placeOf(this.flashed.event);
+    if (age < 1 && place) {
+      this.scene.flash(...place, age, colour(this.flashed.event));
+      this.redraw();
+    } else this.flashed = null;
+  }
+
+  key(e) {
+    if (e.ctrlKey || e.metaKey || e.altKey) return;
+    if (/^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && !(e.target.id === "time" && e.key === " ")) {
+      if (e.target.id !== "time" || !["Home", "End", "ArrowLeft", "ArrowRight"].includes(e.key)) return;
+    }
+    if (e.target.tagName === "BUTTON" && (e.key === " " || e.key === "Enter")) return;
+    const far = e.shiftKey;
+    const does = {
+      " ": () => this.player.toggle(), Home: () => this.player.seek(this.run.begin), End: () => this.player.seek(this.run.end),
+      ArrowRight: () => (far ? this.player.seek(this.player.time + 1) : this.player.step(1)),
+      ArrowLeft: () => (far ? this.player.seek(this.player.time - 1) : this.player.step(-1)),
+      ArrowUp: () => this.player.faster(1), ArrowDown: () => this.player.faster(-1),
+      "+": () => this.zoom(1.4), "=": () => this.zoom(1.4), "-": () => this.zoom(1 / 1.4), f: () => this.fit(),
+      n: () => this.player.toEvent(1), p: () => this.player.toEvent(-1), c: () => this.nextColour(), t: () => this.switchTheme(),
+      "?": () => byId("help").showModal(), Escape: () => this.select(null),
+    }[e.key];
+    if (!does || byId("help").open) return;
+    e.preventDefault();
+    does();
+  }
+
+  nextColour() {
+    this.colourBy(this.ways[(this.ways.indexOf(this.way) + 1) % this.ways.length].id);
+  }
+}
+
+async function begin() {
+  try {
+    const element = byId("data");
+    const data = await decode(element.textContent);
+    element.remove();
+    window.trilith = new App(new Run(data));
+    document.documentElement.dataset.ready = "true";
+  } catch (error) {
+    byId("state").textContent = error.message;
+    byId("state").hidden = false;
+    throw error;
+  }
+}
+
+begin();

@@ -1,0 +1,150 @@
+// Small plots against time, with the moment of the replay in them. A click or a drag goes to that time.
+import { upperBound } from "./run.js";
+import { figures, make, readableUnit, ticks } from "./words.js";
+
+const pad = { left: 46, right: 8, top: 6, bottom: 18 };
+
+/** Lowest, highest of some lines; widened where they are flat. */
+function rangeOf(lines) {
+  let low = Infinity, high = -Infinity;
+  for (const { values } of lines)
+    for (const v of values) {
+      if (v < low) low = v;
+      if (v > high) high = v;
+    }
+  if (!(high >= low)) return [0, 1];
+  const margin = high > low ? 0.06 * (high - low) : Math.max(1e-12, Math.abs(high) * 0.1, 1e-9);
+  return [low - margin, high + margin];
+}
+
+/** Per pixel column the lowest and highest value, so that no peak is lost; lines as [x, y] on the canvas. */
+function path(times, values, xOf, yOf) {
+  const out = [];
+  let column = NaN, low = 0, high = 0;
+  const flush = () => {
+    if (!Number.isNaN(column)) out.push([column, yOf(low)], [column, yOf(high)]);
+  };
+  for (let i = 0; i < times.length; i++) {
+    const x = Math.round(2 * xOf(times[i])) / 2;
+    if (x !== column) {
+      flush();
+      column = x;
+      low = high = values[i];
+    } else {
+      low = Math.min(low, values[i]);
+      high = Math.max(high, values[i]);
+    }
+  }
+  flush();
+  return out;
+}
+
+export class Plot {
+  /** `lines`: [{ name, times, values }] of one `unit`; `window`: [begin, end] of the time axis; `seek(time)`. */
+  constructor({ title, unit, lines, window: span, seek, colours }) {
+    this.span = span;
+    this.colours = colours;
+    const largest = Math.max(...lines.map((l) => l.values.reduce((m, v) => Math.max(m, Math.abs(v)), 0)), 0);
+    this.to = readableUnit(largest, unit);
+    this.lines = lines.map((l) => ({ ...l, values: Float64Array.from(l.values, (v) => v * this.to.factor) }));
+    this.range = rangeOf(this.lines);
+    this.readings = this.lines.map((l, i) => make("output", {}, ""));
+    this.canvas = make("canvas", { class: "plot", role: "img", "aria-label": `${title} against time, ${this.to.unit}` });
+    const keys = this.lines.map((l, i) => make("span", { class: "key" },
+      make("i", { style: `background:${colours[i % colours.length]}` }), lines.length > 1 ? `${l.name} ` : "", this.readings[i]));
+    this.element = make("figure", {}, make("figcaption", {}, make("b", {}, title), make("span", { class: "quiet" }, this.to.unit), ...keys), this.canvas);
+    const go = (e) => {
+      const box = this.canvas.getBoundingClientRect();
+      seek(this.timeAt(e.clientX - box.left, box.width));
+    };
+    this.canvas.addEventListener("pointerdown", (e) => {
+      this.canvas.setPointerCapture(e.pointerId);
+      go(e);
+    });
+    this.canvas.addEventListener("pointermove", (e) => e.buttons && go(e));
+  }
+
+  timeAt(x, width) {
+    const share = (x - pad.left) / (width - pad.left - pad.right);
+    return this.span[0] + Math.max(0, Math.min(1, share)) * (this.span[1] - this.span[0]);
+  }
+
+  /** Draws lines and axes where the size or theme has changed, then the moment over them. */
+  draw(time, theme) {
+    const box = this.canvas.getBoundingClientRect(), ratio = window.devicePixelRatio || 1;
+    if (!box.width) return;
+    const key = `${box.width} ${box.height} ${ratio} ${theme.paper}`;
+    if (key !== this.key) {
+      this.key = key;
+      this.canvas.width = Math.round(box.width * ratio);
+      this.canvas.height = Math.round(box.height * ratio);
+      this.still = new OffscreenCanvas(this.canvas.width, this.canvas.height);
+      this.drawStill(this.still.getContext("2d"), box.width, box.height, ratio, theme);
+    }
+    const c = this.canvas.getContext("2d");
+    c.setTransform(1, 0, 0, 1, 0, 0);
+    c.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    c.drawImage(this.still, 0, 0);
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.drawMoment(c, time, box.width, box.height, theme);
+  }
+
+  scales(width, height) {
+    const [t0, t1] = this.span, [low, high] = this.range;
+    const w = width - pad.left - pad.right, h = height - pad.top - pad.bottom;
+    return { x: (t) => pad.left + (w * (t - t0)) / (t1 - t0 || 1), y: (v) => pad.top + h * (1 - (v - low) / (high - low)) };
+  }
+
+  drawStill(c, width, height, ratio, theme) {
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const { x, y } = this.scales(width, height);
+    c.font = "10.5px system-ui, sans-serif";
+    c.fillStyle = theme.quiet;
+    c.strokeStyle = theme.line;
+    c.lineWidth = 1;
+    c.textBaseline = "middle";
+    c.textAlign = "right";
+    for (const v of ticks(this.range[0], this.range[1], 3)) {
+      c.beginPath();
+      c.moveTo(pad.left, Math.round(y(v)) + 0.5), c.lineTo(width - pad.right, Math.round(y(v)) + 0.5);
+      c.stroke();
+      c.fillText(figures(v, 2), pad.left - 5, y(v));
+    }
+    c.textBaseline = "bottom";
+    c.textAlign = "center";
+    for (const t of ticks(...this.span, 5)) c.fillText(figures(t, 2), Math.min(width - 14, x(t)), height - 2);
+    c.save();
+    c.beginPath();
+    c.rect(pad.left, 0, width - pad.left - pad.right, height - pad.bottom + 2);
+    c.clip();
+    this.lines.forEach((line, i) => {
+      c.strokeStyle = this.colours[i % this.colours.length];
+      c.lineWidth = 1.3;
+      c.lineJoin = "round";
+      c.beginPath();
+      for (const point of path(line.times, line.values, x, y)) c.lineTo(...point);
+      c.stroke();
+    });
+    c.restore();
+  }
+
+  drawMoment(c, time, width, height, theme) {
+    const { x, y } = this.scales(width, height);
+    const at = Math.max(pad.left, Math.min(width - pad.right, x(time)));
+    c.strokeStyle = theme.ink;
+    c.globalAlpha = 0.6;
+    c.beginPath();
+    c.moveTo(at, pad.top), c.lineTo(at, height - pad.bottom);
+    c.stroke();
+    c.globalAlpha = 1;
+    this.lines.forEach((line, i) => {
+      const k = Math.max(0, upperBound(line.times, time + 1e-9) - 1), value = line.values[k];
+      if (value === undefined) return;
+      c.fillStyle = this.colours[i % this.colours.length];
+      c.beginPath();
+      c.arc(at, y(value), 3, 0, 7);
+      c.fill();
+      this.readings[i].textContent = figures(value);
+    });
+  }
+}

@@ -1,0 +1,190 @@
+// The run as the page sees it: where everything is at a time, and what each body and bearing went through.
+
+const empty = { rows: 0, columns: 1, quantum: 1, values: new Int32Array(0) };
+export const isFree = (body) => body.support === "" || body.support.startsWith("free");
+export const stateNames = ["intact", "yielded", "failed", "changed", "waiting"];
+export const bearingStates = { intact: 0, yielded: 1, failed: 2, changed: 3, waiting: 4 };
+
+function eventOf(row, index, types) {
+  const [id, time, type, note, a, b, bearing, cause, x, y, text, figures] = row;
+  const values = [];
+  for (let i = 0; i + 2 < figures.length; i += 3) values.push({ name: figures[i], value: figures[i + 1], unit: figures[i + 2] });
+  return { index, id, time, type: types[type][0], heading: types[type][1], note, a, b, bearing, cause, x, y, text, values };
+}
+
+/** First index whose value is above `time`. */
+export function upperBound(times, time) {
+  let low = 0, high = times.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (times[middle] > time) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+const floats = (block) => Float64Array.from(block.values, (v) => v * block.quantum);
+
+export class Run {
+  constructor({ head, blocks }) {
+    this.about = head.run;
+    this.bodies = head.bodies.map((body, index) => ({ ...body, index, free: isFree(body) }));
+    this.bearings = head.bearings.map((bearing, index) => ({ ...bearing, index }));
+    this.stages = head.stages;
+    this.palette = head.palette;
+    this.types = head.types;
+    this.events = head.events.map((row, index) => eventOf(row, index, head.types));
+    this.block = (name) => blocks[name] ?? empty;
+    this.times = floats(this.block("time"));
+    this.contactFrames = this.block("contact_frame").values;
+    this.series = head.series.map((s) => ({
+      ...s, times: this.samples(`${s.group}.time`), values: this.samples(s.block) }));
+    this.vertexNode = new Int32Array(head.vertices.length / 3);
+    this.vertexX = new Float64Array(this.vertexNode.length);
+    this.vertexY = new Float64Array(this.vertexNode.length);
+    this.vertexNode.forEach((_, v) => {
+      this.vertexNode[v] = head.vertices[3 * v];
+      this.vertexX[v] = head.vertices[3 * v + 1];
+      this.vertexY[v] = head.vertices[3 * v + 2];
+    });
+    this.nodes = this.block("rotation").columns;
+    this.nodeX = new Float64Array(this.nodes);
+    this.nodeY = new Float64Array(this.nodes);
+    this.turn = new Float64Array(this.nodes);
+    this.pointX = new Float64Array(this.vertexNode.length);
+    this.pointY = new Float64Array(this.vertexNode.length);
+    this.takeJoints(head.joints);
+    this.pose(this.begin);
+    for (const body of this.bodies) body.area = this.areaOf(body);
+  }
+
+  /** A column of samples as numbers; made once. */
+  samples(name) {
+    this.made ??= new Map();
+    if (!this.made.has(name)) this.made.set(name, floats(this.block(name)));
+    return this.made.get(name);
+  }
+
+  takeJoints(rows) {
+    this.joints = rows.map(([event, body, edge, from, to, mode]) => ({ event: this.events[event], body, edge, from, to, mode }));
+    for (const body of this.bodies) body.lost = [];
+    for (const event of this.events)
+      if (event.type === "bond.broken")
+        for (const index of [event.a, event.b]) this.bodies[index]?.lost.push(event.time);
+  }
+
+  get frames() { return this.times.length; }
+  get begin() { return this.frames ? this.times[0] : 0; }
+  get end() { return this.frames ? this.times[this.frames - 1] : 0; }
+
+  /** The frame at or before `time`, the next one, and the share of the way between them. */
+  locate(time) {
+    const frame = Math.max(0, Math.min(this.frames - 1, upperBound(this.times, time) - 1));
+    const next = Math.min(frame + 1, this.frames - 1);
+    const span = this.times[next] - this.times[frame];
+    return { frame, next, share: span > 0 ? Math.max(0, Math.min(1, (time - this.times[frame]) / span)) : 0 };
+  }
+
+  /** Puts all nodes and outline points where they are at `time`. */
+  pose(time) {
+    if (!this.frames) return;
+    const { frame, next, share } = this.locate(time);
+    this.now = { time, frame, next, share };
+    const position = this.block("position"), rotation = this.block("rotation"), n = this.nodes;
+    const p = position.values, r = rotation.values, a = frame * n, b = next * n;
+    for (let i = 0; i < n; i++) {
+      this.nodeX[i] = position.quantum * (p[2 * (a + i)] + share * (p[2 * (b + i)] - p[2 * (a + i)]));
+      this.nodeY[i] = position.quantum * (p[2 * (a + i) + 1] + share * (p[2 * (b + i) + 1] - p[2 * (a + i) + 1]));
+      this.turn[i] = rotation.quantum * (r[a + i] + share * (r[b + i] - r[a + i]));
+    }
+    let node = -1, c = 1, s = 0;
+    for (let v = 0; v < this.vertexNode.length; v++) {
+      if (this.vertexNode[v] !== node) {
+        node = this.vertexNode[v];
+        c = Math.cos(this.turn[node]);
+        s = Math.sin(this.turn[node]);
+      }
+      this.pointX[v] = this.nodeX[node] + c * this.vertexX[v] - s * this.vertexY[v];
+      this.pointY[v] = this.nodeY[node] + s * this.vertexX[v] + c * this.vertexY[v];
+    }
+  }
+
+  /** Twice nothing: the area inside the outline as it is posed now. */
+  areaOf(body) {
+    let twice = 0;
+    for (let i = 0; i < body.vertices; i++) {
+      const a = body.vertex + i, b = body.vertex + ((i + 1) % body.vertices);
+      twice += this.pointX[a] * this.pointY[b] - this.pointX[b] * this.pointY[a];
+    }
+    return Math.abs(twice) / 2;
+  }
+
+  /** Mean place of a body's nodes in a frame. */
+  centre(body, frame) {
+    const { values, quantum } = this.block("position");
+    let x = 0, y = 0;
+    for (let i = 0; i < body.nodes; i++) {
+      x += values[2 * (frame * this.nodes + body.node + i)];
+      y += values[2 * (frame * this.nodes + body.node + i) + 1];
+    }
+    return [x * quantum / body.nodes, y * quantum / body.nodes];
+  }
+
+  /** Speed of a body's centre between the frames around `frame`, m/s. */
+  speed(body, frame) {
+    let a = frame, b = Math.min(frame + 1, this.frames - 1);
+    while (a > 0 && this.times[b] - this.times[a] < 1e-4) a--;
+    const span = this.times[b] - this.times[a];
+    if (span <= 0) return 0;
+    const [x0, y0] = this.centre(body, a), [x1, y1] = this.centre(body, b);
+    return Math.hypot(x1 - x0, y1 - y0) / span;
+  }
+
+  /** Rotation of a rigid body since the start, rad; 0 for a body of many nodes. */
+  rotation(body, frame) {
+    const { values, quantum } = this.block("rotation");
+    return quantum * (values[frame * this.nodes + body.node] - values[body.node]);
+  }
+
+  /** Where points a and b of a bearing are, as posed now. */
+  bearingEnds(bearing) {
+    const end = (index, x, y, vertex) => {
+      if (vertex >= 0) return [this.pointX[vertex], this.pointY[vertex]];
+      const node = this.bodies[index].node, c = Math.cos(this.turn[node]), s = Math.sin(this.turn[node]);
+      return [this.nodeX[node] + c * x - s * y, this.nodeY[node] + s * x + c * y];
+    };
+    return [end(bearing.a, bearing.ax, bearing.ay, bearing.av), end(bearing.b, bearing.bx, bearing.by, bearing.bv)];
+  }
+
+  bearingState(bearing, frame) {
+    return this.block("bearing_state").values[frame * this.bearings.length + bearing.index] ?? 0;
+  }
+
+  /** A column of a bearing over all frames: block "bearing_force" [N] or "bearing_displacement" [m], axis 0 or 1. */
+  bearingColumn(bearing, name, axis) {
+    const { values, quantum, columns } = this.block(name);
+    return Float64Array.from({ length: this.frames }, (_, f) => quantum * values[f * columns + 2 * bearing.index + axis]);
+  }
+
+  /** Rows [first, last) of the contact forces that are nearest to frame `frame`. */
+  contactRows(frame) {
+    if (!this.contactFrames.length) return [0, 0];
+    let at = Math.max(0, upperBound(this.contactFrames, frame) - 1);
+    const next = at + 1;
+    if (next < this.contactFrames.length && this.contactFrames[next] - frame < frame - this.contactFrames[at]) at = next;
+    const first = this.block("contact_first").values;
+    return [first[at], first[at + 1]];
+  }
+
+  /** Share of a body's bonds that are lost at `time`. */
+  damage(body, time) {
+    if (!body.bonds) return null;
+    return Math.min(1, upperBound(body.lost, time) / body.bonds);
+  }
+
+  stageAt(time) {
+    let found = null;
+    for (const stage of this.stages) if (stage.begin <= time + 1e-6) found = stage;
+    return found;
+  }
+}

@@ -1,0 +1,261 @@
+// Draws the structure at one moment.
+import { bearingStates } from "./run.js";
+
+const markOf = (palette, ink) => [ink, palette.yielded, palette.failed, palette.changed];
+export const crackModes = { tension: "#d03a00", shear: "#8a3ffc", compression: "#0b7a75", "": "#d03a00" };
+
+export class Scene {
+  constructor(run, canvas, camera) {
+    this.run = run;
+    this.canvas = canvas;
+    this.camera = camera;
+    this.context = canvas.getContext("2d");
+    this.show = { forces: false, cracks: true, bearings: true, names: false, start: false };
+    this.order = [...run.bodies].sort((a, b) => a.free - b.free);
+    this.usualForce = this.findUsualForce();
+    if (run.frames) {
+      run.pose(run.begin);
+      this.startX = run.pointX.slice();
+      this.startY = run.pointY.slice();
+    }
+  }
+
+  /** The force that nine in ten stay below, for the length of arrows. */
+  findUsualForce() {
+    const { values, quantum, rows } = this.run.block("contact_force");
+    const sizes = [];
+    for (let k = 0; k < rows; k += Math.max(1, Math.floor(rows / 5000)))
+      sizes.push(quantum * Math.hypot(values[2 * k], values[2 * k + 1]));
+    sizes.sort((a, b) => a - b);
+    return sizes[Math.floor(0.9 * (sizes.length - 1))] || 1;
+  }
+
+  resize() {
+    const ratio = window.devicePixelRatio || 1, box = this.canvas.getBoundingClientRect();
+    this.canvas.width = Math.round(box.width * ratio);
+    this.canvas.height = Math.round(box.height * ratio);
+    this.ratio = ratio;
+    this.camera.resize(box.width, box.height);
+  }
+
+  /** `colours`: BodyColours; `selection`: { body } or { bearing } or null. */
+  draw(time, colours, selection) {
+    const { run, context: c, camera } = this;
+    const theme = colours.theme;
+    c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    c.fillStyle = theme.paper;
+    c.fillRect(0, 0, camera.width, camera.height);
+    if (!run.frames) return;
+    run.pose(time);
+    this.drawBodies(colours.at(run.now.frame, time), theme);
+    if (this.show.start) this.drawStart(theme);
+    if (this.show.cracks) this.drawCracks(time, theme);
+    if (this.show.forces) this.drawForces(theme);
+    if (this.show.bearings) this.drawBearings(theme, selection);
+    if (this.show.names) this.drawNames(theme);
+    if (selection) this.drawSelection(selection, theme);
+  }
+
+  outline(body, xs = this.run.pointX, ys = this.run.pointY) {
+    const { context: c, camera } = this;
+    c.beginPath();
+    for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
+      // Far beyond the canvas browsers draw badly.
+      const [x, y] = camera.place(xs[v], ys[v]);
+      c.lineTo(Math.max(-1e5, Math.min(1e5, x)), Math.max(-1e5, Math.min(1e5, y)));
+    }
+    c.closePath();
+  }
+
+  drawBodies(fills, theme) {
+    const { context: c } = this;
+    c.lineJoin = "round";
+    const small = this.camera.scale * Math.sqrt(this.order[this.order.length - 1].area) < 14;
+    for (const body of this.order) {
+      c.fillStyle = fills[body.index];
+      this.outline(body);
+      c.fill();
+      c.strokeStyle = body.free ? theme.outline : theme["ground-line"];
+      c.lineWidth = body.free ? (small ? 0.5 : 1) : 1.2;
+      c.stroke();
+    }
+  }
+
+  drawStart(theme) {
+    const { context: c } = this;
+    c.strokeStyle = theme.ghost;
+    c.lineWidth = 1;
+    c.setLineDash([4, 3]);
+    for (const body of this.order) {
+      if (!body.free) continue;
+      this.outline(body, this.startX, this.startY);
+      c.stroke();
+    }
+    c.setLineDash([]);
+  }
+
+  drawCracks(time, theme) {
+    const { run, context: c, camera } = this;
+    c.lineCap = "round";
+    for (const joint of run.joints) {
+      if (joint.event.time > time) continue;
+      const body = run.bodies[joint.body];
+      const v = body.vertex + joint.edge, w = body.vertex + ((joint.edge + 1) % body.vertices);
+      const at = (s) => camera.place(run.pointX[v] + s * (run.pointX[w] - run.pointX[v]), run.pointY[v] + s * (run.pointY[w] - run.pointY[v]));
+      const fresh = time - joint.event.time < 0.15;
+      c.strokeStyle = theme.dark && joint.mode !== "shear" ? "#ff6a3c" : crackModes[joint.mode];
+      c.lineWidth = fresh ? 4 : 2;
+      c.beginPath();
+      c.moveTo(...at(joint.from));
+      c.lineTo(...at(joint.to));
+      c.stroke();
+    }
+    c.lineCap = "butt";
+  }
+
+  /** Length on the canvas of a force [N]: by the square root, so that small ones are seen beside impacts. */
+  forceLength(size) {
+    return Math.min(160, 34 * Math.sqrt(size / this.usualForce));
+  }
+
+  drawForces(theme) {
+    const { run, context: c, camera } = this;
+    const [first, last] = run.contactRows(run.now.frame);
+    const place = run.block("contact_place"), force = run.block("contact_force"), pair = run.block("contact_pair").values;
+    const bars = last - first > 60;
+    c.strokeStyle = c.fillStyle = theme.force;
+    c.lineWidth = bars ? 1.6 : 2;
+    for (let k = first; k < last; k++) {
+      let fx = force.quantum * force.values[2 * k], fy = force.quantum * force.values[2 * k + 1];
+      const size = Math.hypot(fx, fy), length = this.forceLength(size);
+      if (length < 1.5) continue;
+      // Of the two bodies' forces the one on the body that is held up by it.
+      const aFree = run.bodies[pair[3 * k]]?.free, bFree = run.bodies[pair[3 * k + 1]]?.free;
+      if (aFree === bFree ? fy < 0 : bFree) fx = -fx, fy = -fy;
+      const [x, y] = camera.place(place.quantum * place.values[2 * k], place.quantum * place.values[2 * k + 1]);
+      const dx = (fx / size) * length, dy = (-fy / size) * length;
+      c.beginPath();
+      if (bars) c.moveTo(x - dx / 2, y - dy / 2), c.lineTo(x + dx / 2, y + dy / 2);
+      else c.moveTo(x, y), c.lineTo(x + dx, y + dy);
+      c.stroke();
+      if (!bars && length > 9) this.arrowHead(x + dx, y + dy, dx / length, dy / length);
+    }
+  }
+
+  arrowHead(x, y, ux, uy) {
+    const c = this.context;
+    c.beginPath();
+    c.moveTo(x + 2 * ux, y + 2 * uy);
+    c.lineTo(x - 7 * ux - 3.5 * uy, y - 7 * uy + 3.5 * ux);
+    c.lineTo(x - 7 * ux + 3.5 * uy, y - 7 * uy - 3.5 * ux);
+    c.fill();
+  }
+
+  /** What is drawn of a bearing: its ends on the canvas and how it stands; null while it waits for another. */
+  bearingMark(bearing) {
+    const { run, camera } = this;
+    const state = run.bearingState(bearing, run.now.frame);
+    if (state === bearingStates.waiting) return null;
+    const [a, b] = run.bearingEnds(bearing);
+    const far = Math.hypot(a[0] - b[0], a[1] - b[1]);
+    // What it changed to, sliding on a seat, ends where its bodies part.
+    const shown = state === bearingStates.changed && far > 1 ? bearingStates.failed : state;
+    return { a: camera.place(...a), b: camera.place(...b), state: shown };
+  }
+
+  drawBearings(theme, selection) {
+    const { run, context: c } = this;
+    const colours = markOf(run.palette, theme.ink);
+    for (const bearing of run.bearings) {
+      const mark = this.bearingMark(bearing);
+      if (!mark) continue;
+      const chosen = selection?.bearing === bearing;
+      const colour = theme.dark && mark.state === bearingStates.failed ? "#ff6a3c" : colours[mark.state];
+      c.strokeStyle = colour;
+      c.fillStyle = theme.paper;
+      c.lineWidth = chosen ? 3 : 2;
+      if (mark.state === bearingStates.failed) this.cross(mark.a, colour, theme, chosen ? 8 : 6);
+      else {
+        c.beginPath();
+        c.moveTo(...mark.a);
+        c.lineTo(...mark.b);
+        c.stroke();
+        c.beginPath();
+        if (mark.state === bearingStates.intact) c.arc(...mark.a, chosen ? 6 : 4.5, 0, 7);
+        else c.rect(mark.a[0] - 4.5, mark.a[1] - 4.5, 9, 9);
+        c.fill();
+        c.stroke();
+      }
+    }
+  }
+
+  cross([x, y], colour, theme, r) {
+    const c = this.context;
+    for (const [style, width] of [[theme.paper, 6], [colour, 2.6]]) {
+      c.strokeStyle = style;
+      c.lineWidth = width;
+      c.beginPath();
+      c.moveTo(x - r, y - r), c.lineTo(x + r, y + r);
+      c.moveTo(x - r, y + r), c.lineTo(x + r, y - r);
+      c.stroke();
+    }
+  }
+
+  drawNames(theme) {
+    const { run, context: c, camera } = this;
+    c.font = "12px system-ui, sans-serif";
+    c.textAlign = "center";
+    c.textBaseline = "middle";
+    c.lineWidth = 3;
+    c.strokeStyle = theme.paper;
+    c.fillStyle = theme.ink;
+    for (const body of this.order) {
+      if (!body.free || Math.sqrt(body.area) * camera.scale < 24) continue;
+      const [x, y] = camera.place(...this.middle(body));
+      c.strokeText(body.name, x, y);
+      c.fillText(body.name, x, y);
+    }
+  }
+
+  /** Mean of a body's outline points as posed now. */
+  middle(body) {
+    let x = 0, y = 0;
+    for (let v = body.vertex; v < body.vertex + body.vertices; v++) x += this.run.pointX[v], y += this.run.pointY[v];
+    return [x / body.vertices, y / body.vertices];
+  }
+
+  drawSelection(selection, theme) {
+    const { run, context: c, camera } = this;
+    c.strokeStyle = theme.accent;
+    if (selection.body) {
+      const trail = selection.trail;
+      c.lineWidth = 1.5;
+      c.beginPath();
+      const until = run.now.frame;
+      for (let f = 0; f <= until; f++) c.lineTo(...camera.place(trail.x[f], trail.y[f]));
+      c.stroke();
+      c.lineWidth = 3;
+      this.outline(selection.body);
+      c.stroke();
+      return;
+    }
+    const mark = this.bearingMark(selection.bearing);
+    if (!mark) return;
+    c.lineWidth = 2.5;
+    c.beginPath();
+    c.arc(...mark.a, 13, 0, 7);
+    c.stroke();
+  }
+
+  /** A ring around where something has just happened; `age` from 0 (now) to 1 (over). */
+  flash(x, y, age, colour) {
+    const c = this.context;
+    c.globalAlpha = 1 - age;
+    c.strokeStyle = colour;
+    c.lineWidth = 2.5;
+    c.beginPath();
+    c.arc(...this.camera.place(x, y), 8 + 26 * age, 0, 7);
+    c.stroke();
+    c.globalAlpha = 1;
+  }
+}

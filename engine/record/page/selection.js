@@ -1,0 +1,114 @@
+// The chosen body or bearing: its name, what it is, how it stands now, its histories and its events.
+import { stateNames } from "./run.js";
+import { Plot } from "./plots.js";
+import { byId, figures, make, quantity, seconds } from "./words.js";
+
+const facts = (rows) => make("dl", { class: "facts" }, ...rows.flatMap(([k, v]) => (v || v === 0 ? [make("dt", {}, k), make("dd", {}, v)] : [])));
+
+export class SelectionPanel {
+  /** `app`: { run, seek(time), select(choice) }. */
+  constructor(app) {
+    this.app = app;
+    this.plots = [];
+    this.panel = byId("selection");
+    this.show(null);
+  }
+
+  show(choice) {
+    this.choice = choice;
+    this.plots = [];
+    this.now = null;
+    if (!choice) return this.panel.replaceChildren(make("p", { class: "hint" }, "Click a body or a bearing to see its history and its events."));
+    return choice.body ? this.showBody(choice) : this.showBearing(choice.bearing);
+  }
+
+  head(kind, name) {
+    const close = make("button", { class: "icon", "aria-label": "let go of the selection", title: "let go (Esc)", onclick: () => this.app.select(null) }, "✕");
+    return make("header", {}, make("div", {}, make("span", { class: "quiet" }, kind), make("h2", { id: "selection-name" }, name)), close);
+  }
+
+  plot(title, unit, lines) {
+    const { run, seek } = this.app;
+    const plot = new Plot({ title, unit, lines, window: [run.begin, run.end], seek, colours: this.app.lineColours });
+    this.plots.push(plot);
+    return plot.element;
+  }
+
+  showBody(choice) {
+    const { run } = this.app, body = choice.body, times = run.times;
+    const column = (f) => Float64Array.from({ length: run.frames }, (_, i) => f(i));
+    const { x, y } = choice.trail;
+    this.now = make("p", { class: "now" });
+    const chips = run.bearings.filter((b) => b.a === body.index || b.b === body.index)
+      .map((b) => make("button", { class: "chip", onclick: () => this.app.select({ bearing: b }) }, b.name));
+    this.panel.replaceChildren(
+      this.head(`${body.kind} body`, body.name), this.now,
+      facts([["material", body.material], ["groups", body.groups.replaceAll(" ", ", ")], ["support", body.support],
+        ["mass", body.mass ? `${figures(body.mass)} kg` : ""], ["bonds at the start", body.bonds || ""]]),
+      chips.length ? make("p", { class: "chips" }, "bearings ", ...chips) : "",
+      this.plot("displacement of its centre", "m", [{ name: "x", times, values: x.map((v) => v - x[0]) }, { name: "y", times, values: y.map((v) => v - y[0]) }]),
+      this.plot("speed", "m/s", [{ name: "speed", times, values: column((i) => run.speed(body, i)) }]),
+      ...(body.nodes === 1 ? [this.plot("rotation", "rad", [{ name: "rotation", times, values: column((i) => run.rotation(body, i)) }])] : []),
+      this.events((e) => e.a === body.index || e.b === body.index));
+    this.tell = (frame) => `displacement ${quantity(Math.hypot(x[frame] - x[0], y[frame] - y[0]), "m")}, speed ${quantity(run.speed(body, frame), "m/s")}`;
+  }
+
+  showBearing(bearing) {
+    const { run } = this.app, times = run.times;
+    const line = (name, block, axis) => ({ name, times, values: run.bearingColumn(bearing, block, axis) });
+    const body = (i) => make("button", { class: "chip", onclick: () => this.app.select({ body: run.bodies[i] }) }, run.bodies[i].name);
+    this.now = make("p", { class: "now" });
+    this.panel.replaceChildren(
+      this.head("bearing", bearing.name), this.now,
+      make("p", { class: "chips" }, "between ", body(bearing.a), body(bearing.b)),
+      facts([["law", bearing.law]]),
+      this.plot("force", "N", [line("x", "bearing_force", 0), line("y", "bearing_force", 1)]),
+      this.plot("displacement", "m", [line("along", "bearing_displacement", 0), line("across", "bearing_displacement", 1)]),
+      this.events((e) => e.bearing === bearing.index));
+    this.tell = (frame) => `now ${stateNames[run.bearingState(bearing, frame)]}`;
+  }
+
+  events(filter) {
+    const all = this.app.run.events.filter(filter);
+    // Contacts made and lost fill a list without end; where there are many, what is of note comes alone.
+    const rows = all.length > 60 ? all.filter((e) => e.note).slice(0, 200) : all;
+    const items = rows.map((e) => make("li", {}, make("button", { class: "event-link", onclick: () => this.app.seek(e.time) },
+      make("time", {}, seconds(e.time)), e.text)));
+    return make("section", {}, make("h3", {}, rows.length < all.length ? `Events of note (${rows.length} of ${all.length})` : `Events (${all.length})`),
+      rows.length ? make("ul", { class: "plain" }, ...items) : make("p", { class: "hint" }, "none"));
+  }
+
+  draw(time, theme) {
+    for (const plot of this.plots) plot.draw(time, theme);
+    if (this.now) this.now.textContent = this.tell(this.app.run.locate(time).frame);
+  }
+}
+
+/** All histories and the energy, those of one unit and group together. */
+export class HistoriesPanel {
+  constructor(app) {
+    this.plots = [];
+    const panels = new Map();
+    for (const s of app.run.series) {
+      const key = `${s.group} ${s.unit}`;
+      if (!panels.has(key)) panels.set(key, []);
+      panels.get(key).push(s);
+    }
+    const root = byId("histories");
+    const perPlot = 6;
+    for (const [, all] of panels)
+      for (let i = 0; i < all.length; i += perPlot) {
+        const some = all.slice(i, i + perPlot).filter((s) => s.times.length);
+        if (!some.length) continue;
+        const title = some[0].group === "energy" ? "energy" : some.length === 1 ? some[0].name : "histories";
+        const plot = new Plot({ title, unit: some[0].unit, lines: some, window: [app.run.begin, app.run.end], seek: app.seek, colours: app.lineColours });
+        this.plots.push(plot);
+        root.append(plot.element);
+      }
+    if (!this.plots.length) root.append(make("p", { class: "hint" }, "This run recorded no histories and no energy."));
+  }
+
+  draw(time, theme) {
+    for (const plot of this.plots) plot.draw(time, theme);
+  }
+}

@@ -1,0 +1,63 @@
+// Numbers and names as a reader wants them.
+
+const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"]];
+const scaled = new Set(["N", "J", "Pa", "N/m", "N m", "N·m", "W"]);
+
+/** { factor, unit } so that values up to `largest` read well: kN, mm, ... */
+export function readableUnit(largest, unit) {
+  const size = Math.abs(largest);
+  if (unit === "m") return size > 0 && size < 0.5 ? { factor: 1e3, unit: "mm" } : { factor: 1, unit: "m" };
+  if (unit === "rad") return { factor: 180 / Math.PI, unit: "°" };
+  if (unit === "1") return { factor: 1, unit: "" };
+  if (!scaled.has(unit) || !(size > 0)) return { factor: 1, unit };
+  const [factor, prefix] = prefixes.find(([f]) => size >= f) ?? prefixes[prefixes.length - 1];
+  return { factor: 1 / factor, unit: prefix + unit };
+}
+
+/** Three figures, no exponent where it can be helped, a true minus sign. */
+export function figures(value, digits = 3) {
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  let text;
+  if (size === 0) text = "0";
+  else if (size >= 1e5 || size < 1e-3) text = value.toExponential(digits - 1).replace("e+", "e");
+  else text = value.toFixed(Math.max(0, digits - 1 - Math.floor(Math.log10(size))));
+  return text.replace(/-/g, "−");
+}
+
+export function quantity(value, unit) {
+  const to = readableUnit(value, unit);
+  return to.unit === "°" ? `${figures(value * to.factor)}°` : `${figures(value * to.factor)} ${to.unit}`.trim();
+}
+
+export const seconds = (time) => `${time.toFixed(2)} s`;
+
+/** A round number near `value`: 1, 2 or 5 times a power of ten, not above it. */
+export function roundBelow(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return [5, 2, 1].find((k) => k * power <= value * 1.0001) * power;
+}
+
+/** Round places from `low` to `high`, about `count` of them. */
+export function ticks(low, high, count) {
+  if (!(high > low)) return [low];
+  const step = [1, 2, 5, 10].map((k) => k * 10 ** Math.floor(Math.log10((high - low) / count)))
+    .find((s) => (high - low) / s <= count) ?? high - low;
+  const out = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) out.push(i * step);
+  return out;
+}
+
+/** A new element: make("button", { class: "chip", onclick: f }, "text", child, ...). */
+export function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (value === true) element.setAttribute(name, "");
+    else if (value !== false && value !== null && value !== undefined) element.setAttribute(name, value);
+  }
+  element.append(...children.filter((c) => c !== null && c !== undefined));
+  return element;
+}
+
+export const byId = (id) => document.getElementById(id);

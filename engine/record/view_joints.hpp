@@ -1,0 +1,21 @@
+// Private to record/: where two bodies lay against each other at the start: the line a crack between them is drawn on.
+#pragma once
+
+#include <optional>
+
+#include "record/results.hpp"
+
+namespace trilith::record {
+
+/// Part of an outline's edge, from share `from` to share `to` of the way from outline point `edge` of `body` (counted
+/// within the body) to the next one. It goes with the body, whatever its kind.
+struct EdgePart {
+  int body = -1, edge = -1;
+  double from = 0, to = 0;
+};
+
+/// The longest piece along which edges of bodies `a` and `b` face each other at the start, at most 5 % of the shorter
+/// edge apart, on a's edge; nothing where they touch at a corner or not at all. Two dimensions.
+std::optional<EdgePart> joint_of(const Header& header, int a, int b);
+
+}  // namespace trilith::record
