@@ -65,22 +65,33 @@ export class Camera {
   }
 }
 
-/** The box of all free bodies over the run, with some ground below; of all bodies where none is free. */
+/** The box of all free bodies at the start and, as far as that is near, over the run; of all bodies where none is free.
+ *  What flies or falls far away does not make the rest small. */
 export function homeBox(run) {
   const some = run.bodies.some((b) => b.free) ? run.bodies.filter((b) => b.free) : run.bodies;
-  const box = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
+  const nothing = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
+  const grow = (box, body) => {
+    for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
+      box.x0 = Math.min(box.x0, run.pointX[v]);
+      box.x1 = Math.max(box.x1, run.pointX[v]);
+      box.y0 = Math.min(box.y0, run.pointY[v]);
+      box.y1 = Math.max(box.y1, run.pointY[v]);
+    }
+  };
+  const box = { ...nothing };
+  for (const body of some) grow(box, body);
+  if (!(box.x1 > box.x0)) return { x0: -1, y0: -1, x1: 1, y1: 1 };
+  const w = 0.35 * (box.x1 - box.x0), h = 0.35 * (box.y1 - box.y0), reach = Math.max(w, h);
+  const far = { x0: box.x0 - reach, x1: box.x1 + reach, y0: box.y0 - h, y1: box.y1 + h };
   const steps = Math.min(run.frames, 24);
   for (let i = 0; i < steps; i++) {
     run.pose(run.times[Math.round((i * (run.frames - 1)) / Math.max(1, steps - 1))]);
-    for (const body of some)
-      for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
-        box.x0 = Math.min(box.x0, run.pointX[v]);
-        box.x1 = Math.max(box.x1, run.pointX[v]);
-        box.y0 = Math.min(box.y0, run.pointY[v]);
-        box.y1 = Math.max(box.y1, run.pointY[v]);
-      }
+    for (const body of some) {
+      const own = { ...nothing };
+      grow(own, body);
+      if (own.x0 > far.x0 && own.x1 < far.x1 && own.y0 > far.y0 && own.y1 < far.y1) grow(box, body);
+    }
   }
-  if (!(box.x1 > box.x0)) return { x0: -1, y0: -1, x1: 1, y1: 1 };
   const margin = 0.03 * Math.max(box.x1 - box.x0, box.y1 - box.y0);
   return { x0: box.x0 - margin, x1: box.x1 + margin, y0: box.y0 - 2 * margin, y1: box.y1 + margin };
 }

@@ -40,7 +40,7 @@ export class Legend {
     if (show.cracks)
       for (const mode of new Set(run.joints.map((j) => j.mode)))
         marks.push(swatch(dark && mode !== "shear" ? "#ff6a3c" : crackModes[mode], mode ? `crack, ${mode}` : "crack: bond lost", "line"));
-    if (show.forces) marks.push(swatch(colours.theme.force, `contact force; this long: ${quantity(this.app.scene.usualForce * (26 / 34) ** 2, "N")}`, "line"));
+    if (show.forces) marks.push(swatch(colours.theme.force, `contact force; this long: ${quantity(this.app.scene.usualForce * (26 / this.app.scene.usualLength) ** 2, "N")}`, "line"));
     if (marks.length) parts.push(make("ul", {}, ...marks));
     this.element.replaceChildren(...parts);
   }
@@ -49,6 +49,7 @@ export class Legend {
     const { camera } = this.app.scene;
     if (this.scale === camera.scale) return;
     this.scale = camera.scale;
+    if (this.app.scene.show.forces) this.build(this.app.colours, this.app.scene.show);
     const length = roundBelow(120 / camera.scale);
     this.bar.firstElementChild.style.width = `${length * camera.scale}px`;
     this.bar.lastElementChild.textContent = length >= 1 ? `${length} m` : length >= 0.01 ? `${Math.round(length * 1000)} mm` : quantity(length, "m");

@@ -19,7 +19,7 @@ class App {
   constructor(run) {
     this.run = run;
     this.seek = (time) => this.player.seek(time);
-    this.lineColours = ["#2b8cd6", "#e0712c", "#18a67c", "#cc79a7", "#9aa3ad", "#e0a200"];
+    this.lineColours = ["#2b8cd6", "#e0712c", "#18a67c", "#cc79a7", "#9aa3ad", "#e0a200", "#8a63d2"];
     this.camera = new Camera();
     this.camera.home = homeBox(run);
     this.scene = new Scene(run, byId("canvas"), this.camera);

@@ -104,7 +104,7 @@ export class Plot {
     c.lineWidth = 1;
     c.textBaseline = "middle";
     c.textAlign = "right";
-    for (const v of ticks(this.range[0], this.range[1], 3)) {
+    for (const v of ticks(this.range[0], this.range[1], 4)) {
       c.beginPath();
       c.moveTo(pad.left, Math.round(y(v)) + 0.5), c.lineTo(width - pad.right, Math.round(y(v)) + 0.5);
       c.stroke();

@@ -109,7 +109,7 @@ export class Run {
     }
   }
 
-  /** Twice nothing: the area inside the outline as it is posed now. */
+  /** The area inside the outline as it is posed now. */
   areaOf(body) {
     let twice = 0;
     for (let i = 0; i < body.vertices; i++) {

@@ -13,6 +13,8 @@ export class Scene {
     this.show = { forces: false, cracks: true, bearings: true, names: false, start: false };
     this.order = [...run.bodies].sort((a, b) => a.free - b.free);
     this.usualForce = this.findUsualForce();
+    const areas = run.bodies.filter((b) => b.free && b.area > 0).map((b) => b.area).sort((a, b) => a - b);
+    this.usualSize = Math.sqrt(areas[Math.floor(areas.length / 2)] ?? 1);  // m
     if (run.frames) {
       run.pose(run.begin);
       this.startX = run.pointX.slice();
@@ -70,7 +72,7 @@ export class Scene {
   drawBodies(fills, theme) {
     const { context: c } = this;
     c.lineJoin = "round";
-    const small = this.camera.scale * Math.sqrt(this.order[this.order.length - 1].area) < 14;
+    const small = this.camera.scale * this.usualSize < 14;
     for (const body of this.order) {
       c.fillStyle = fills[body.index];
       this.outline(body);
@@ -97,6 +99,7 @@ export class Scene {
   drawCracks(time, theme) {
     const { run, context: c, camera } = this;
     c.lineCap = "round";
+    const thick = Math.max(0.6, Math.min(3, 0.09 * this.usualSize * camera.scale));
     for (const joint of run.joints) {
       if (joint.event.time > time) continue;
       const body = run.bodies[joint.body];
@@ -104,7 +107,7 @@ export class Scene {
       const at = (s) => camera.place(run.pointX[v] + s * (run.pointX[w] - run.pointX[v]), run.pointY[v] + s * (run.pointY[w] - run.pointY[v]));
       const fresh = time - joint.event.time < 0.15;
       c.strokeStyle = theme.dark && joint.mode !== "shear" ? "#ff6a3c" : crackModes[joint.mode];
-      c.lineWidth = fresh ? 4 : 2;
+      c.lineWidth = fresh ? 2 * thick : thick;
       c.beginPath();
       c.moveTo(...at(joint.from));
       c.lineTo(...at(joint.to));
@@ -113,9 +116,14 @@ export class Scene {
     c.lineCap = "butt";
   }
 
+  /** Length on the canvas of the usual force: a pleasant one, no longer than a body where bodies are small. */
+  get usualLength() {
+    return Math.max(6, Math.min(34, 0.9 * this.usualSize * this.camera.scale));
+  }
+
   /** Length on the canvas of a force [N]: by the square root, so that small ones are seen beside impacts. */
   forceLength(size) {
-    return Math.min(160, 34 * Math.sqrt(size / this.usualForce));
+    return Math.min(160, this.usualLength * Math.sqrt(size / this.usualForce));
   }
 
   drawForces(theme) {

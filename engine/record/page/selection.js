@@ -65,7 +65,10 @@ export class SelectionPanel {
       this.plot("force", "N", [line("x", "bearing_force", 0), line("y", "bearing_force", 1)]),
       this.plot("displacement", "m", [line("along", "bearing_displacement", 0), line("across", "bearing_displacement", 1)]),
       this.events((e) => e.bearing === bearing.index));
-    this.tell = (frame) => `now ${stateNames[run.bearingState(bearing, frame)]}`;
+    this.tell = (frame) => {
+      const state = run.bearingState(bearing, frame), mark = this.app.scene.bearingMark(bearing);
+      return `now ${stateNames[state]}${mark && mark.state !== state ? ", its bodies apart" : ""}`;
+    };
   }
 
   events(filter) {
@@ -90,16 +93,17 @@ export class HistoriesPanel {
     this.plots = [];
     const panels = new Map();
     for (const s of app.run.series) {
+      // A ledger has terms for what this run does not have.
+      if (!s.times.length || (s.group === "energy" && s.values.every((v) => v === 0))) continue;
       const key = `${s.group} ${s.unit}`;
       if (!panels.has(key)) panels.set(key, []);
       panels.get(key).push(s);
     }
     const root = byId("histories");
-    const perPlot = 6;
+    const perPlot = 7;
     for (const [, all] of panels)
       for (let i = 0; i < all.length; i += perPlot) {
-        const some = all.slice(i, i + perPlot).filter((s) => s.times.length);
-        if (!some.length) continue;
+        const some = all.slice(i, i + perPlot);
         const title = some[0].group === "energy" ? "energy" : some.length === 1 ? some[0].name : "histories";
         const plot = new Plot({ title, unit: some[0].unit, lines: some, window: [app.run.begin, app.run.end], seek: app.seek, colours: app.lineColours });
         this.plots.push(plot);

@@ -1,0 +1,164 @@
+"""Opens pages of `trilith view` in headless Chromium as a user would: clicks, keys, pictures.
+
+view_page.py FOLDER PAGE STEPS...: each step is a function of this file. Pictures go to FOLDER. Ends with 77 where
+Chromium, its driver or selenium are missing; any wrong answer or error on the page's console ends it with 1.
+"""
+import os
+import shutil
+import sys
+import time
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    sys.exit(77)
+
+
+def open_browser():
+    chromium, driver = shutil.which("chromium"), shutil.which("chromedriver")
+    if not chromium or not driver:
+        sys.exit(77)
+    options = webdriver.ChromeOptions()
+    options.binary_location = chromium
+    for flag in ("--headless=new", "--disable-dev-shm-usage", "--hide-scrollbars", "--window-size=1440,900"):
+        options.add_argument(flag)
+    if os.getuid() == 0:
+        options.add_argument("--no-sandbox")
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(driver), options=options)
+
+
+class Page:
+    def __init__(self, folder, path):
+        self.folder, self.name = folder, os.path.splitext(os.path.basename(path))[0]
+        self.driver = open_browser()
+        self.driver.get("file://" + path)
+        self.until("document.documentElement.dataset.ready === 'true'")
+
+    def ask(self, code):
+        return self.driver.execute_script("return " + code)
+
+    def until(self, condition, seconds=15):
+        end = time.time() + seconds
+        while not self.ask(condition):
+            assert time.time() < end, f"not in {seconds} s: {condition}"
+            time.sleep(0.03)
+
+    def keys(self, *keys):
+        ActionChains(self.driver).send_keys(*keys).perform()
+
+    def click(self, selector):
+        self.driver.find_element("css selector", selector).click()
+
+    def click_canvas(self, x, y):
+        box = self.ask("(({left, top}) => [left, top])(document.getElementById('canvas').getBoundingClientRect())")
+        chain = ActionChains(self.driver)
+        chain.w3c_actions.pointer_action.move_to_location(round(box[0] + x), round(box[1] + y)).click()
+        chain.perform()
+
+    def text(self, selector):
+        return self.driver.find_element("css selector", selector).text
+
+    def picture(self, what):
+        time.sleep(0.15)
+        self.driver.save_screenshot(os.path.join(self.folder, f"{self.name}_{what}.png"))
+
+    def close(self):
+        said = [line for line in self.driver.get_log("browser") if line["level"] in ("SEVERE", "WARNING")]
+        self.driver.quit()
+        assert not said, said
+
+
+def plays_to_the_end(page):
+    """Space plays at the highest speed, to the end; the clock shows it."""
+    page.keys(Keys.HOME, Keys.ARROW_UP * 8, " ")
+    page.until("trilith.player.playing")
+    page.until("!trilith.player.playing", 20)
+    end = page.ask("trilith.run.end")
+    assert page.text("#clock") == f"{end:.2f} s", page.text("#clock")
+    print(f"{page.name}: {page.ask('trilith.player.rate'):.0f} frames a second while playing")
+    page.keys(Keys.ARROW_DOWN * 4)
+    page.picture("end")
+
+
+def shows_a_failed_bearing(page):
+    """The first failure from the list of events, then a click on the bearing: its name, history, events."""
+    page.keys(Keys.HOME)
+    page.driver.find_element("id", "event-search").send_keys("failed")
+    page.click("[data-type='bearing.failed']")
+    event = page.ask("trilith.run.events.find(e => e.type === 'bearing.failed')")
+    assert abs(page.ask("trilith.player.time") - event["time"]) < 1e-6
+    assert event["text"] in page.text("#told")
+    page.keys(Keys.ESCAPE)
+    place = page.ask(f"(trilith.draw(), trilith.scene.bearingMark(trilith.run.bearings[{event['bearing']}])).a")
+    page.click_canvas(*place)
+    name = page.ask(f"trilith.run.bearings[{event['bearing']}].name")
+    assert page.text("#selection-name") == name, page.text("#selection-name")
+    assert len(page.driver.find_elements("css selector", "#selection canvas.plot")) == 2
+    assert event["text"] in page.text("#selection")
+    page.picture("failed_bearing")
+    page.click("#selection canvas.plot")
+    assert abs(page.ask("trilith.player.time - trilith.run.end / 2")) < 0.1 * page.ask("trilith.run.end")
+
+
+def shows_a_body(page):
+    """A click on the largest free body: its histories; colours, forces, dark, zoom and help by key."""
+    page.keys("f", Keys.END)
+    page.until("trilith.player.time === trilith.run.end && !trilith.waiting")
+    index = page.ask("trilith.run.bodies.filter(b => b.free && b.vertices === 4).reduce((a, b) => a.area > b.area ? a : b).index")
+    place = page.ask(f"trilith.camera.place(...trilith.scene.middle(trilith.run.bodies[{index}]))")
+    page.click_canvas(*place)
+    assert page.text("#selection-name") == page.ask(f"trilith.run.bodies[{index}].name")
+    assert "displacement" in page.text("#selection .now")
+    for way in page.ask("trilith.ways.map(w => w.id)"):
+        page.ask(f"trilith.colourBy('{way}')")
+        page.ask("trilith.draw()")
+    page.click("#show-forces")
+    page.keys("t")
+    assert page.ask("document.documentElement.dataset.theme") == "dark"
+    page.picture("dark_forces")
+    page.keys("?")
+    assert page.ask("document.getElementById('help').open")
+    page.picture("help")
+    page.keys(Keys.ESCAPE)
+    scale = page.ask("trilith.camera.scale")
+    page.keys("+")
+    assert page.ask("trilith.camera.scale") > scale
+    page.keys("f")
+    assert abs(page.ask("trilith.camera.scale") - scale) < 1e-9
+
+
+def shows_cracks(page):
+    """Cracks are drawn at joints that broke, and only there; the share of bonds lost colours bodies."""
+    assert page.ask("trilith.run.joints.length") > 0
+    assert page.ask("trilith.run.joints.length") == page.ask("trilith.run.events.filter(e => e.type === 'bond.broken').length")
+    page.keys(Keys.END)
+    page.ask("trilith.colourBy('damage')")
+    assert page.ask("trilith.way.values(trilith.run.frames - 1, trilith.run.end).some(v => v > 0)")
+    page.click("#tab-histories")
+    assert page.driver.find_elements("css selector", "#histories canvas.plot")
+    page.picture("cracks")
+
+
+def tells_that_it_goes_on(page):
+    assert "still being written" in page.text("#state")
+    page.picture("running")
+
+
+def tells_that_it_was_stopped(page):
+    assert "stopped before its end" in page.text("#state")
+
+
+def tells_that_there_is_no_frame(page):
+    assert "no frame yet" in page.text("#state")
+    page.keys(" ", Keys.END, Keys.ARROW_LEFT, "n", "c", "f")
+
+
+if __name__ == "__main__":
+    opened = Page(sys.argv[1], sys.argv[2])
+    for step in sys.argv[3:]:
+        globals()[step](opened)
+    opened.close()

@@ -1,0 +1,106 @@
+// `trilith view` and its page in headless Chromium. Pictures stay in tests/view_pictures/ of the build tree.
+#include <doctest/doctest.h>
+
+#include "program/verb.hpp"
+#include "run/falling_span.hpp"
+
+using namespace trilith;
+using testing::ask;
+using testing::Said;
+
+namespace {
+
+bool program_is_missing() {
+  if (!testing::program_path().empty()) return false;
+  MESSAGE("skipped: the program was not built");
+  return true;
+}
+
+std::filesystem::path picture_folder() {
+  const auto folder = testing::program_path().parent_path().parent_path() / "tests" / "view_pictures";
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+/// Walks through `page` in a browser; see view_page.py.
+void browse(const std::filesystem::path& page, const std::string& steps) {
+  const std::string script = std::string(TRILITH_SOURCE_DIR) + "/tests/program/view_page.py";
+  const std::string command =
+      "/usr/bin/python3 '" + script + "' '" + picture_folder().string() + "' '" + page.string() + "' " + steps;
+  const int status = std::system(command.c_str());
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (code == 77)
+    MESSAGE("skipped: there is no Chromium with its driver and python3-selenium");
+  else
+    CHECK(code == 0);
+}
+
+constexpr const char* wall_script = R"lua(
+local trilith = require "trilith"
+local m = trilith.model { name = "small wall", thickness = 0.2 }
+local brick = m:material { name = "brick", density = 1900 }
+m:contact { between = { "*", "*" }, law = trilith.bonded { kn = 5e9, ks = 2e9, mu = 0.7, beta = 5e-5, cohesion = 8e3, tension = 12e3 } }
+m:wall { name = "wall", length = 2.4, unit_length = 0.4, unit_height = 0.2, bond = "running", storeys = 1, storey_height = 1.6,
+  slab_height = 0.2, base_height = 0.4, base_margin = 3, openings = { { storey = 1, x = 0.8, width = 0.8, height = 1.0 } },
+  lintel_bearing = 0.2, material = brick, fixed = "base" }
+m:results { file = "wall.h5", frames = 0.04, histories = 0.02, energy = 0.04 }
+m:history { name = "slab", body = "wall.s1.slab", what = "ux" }
+m:consolidate { duration = 4, ratio = 1e-3, speed = 1e-4 }
+m:shake { body = "wall.base", x = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = 9 }, duration = 4 }
+)lua";
+
+}  // namespace
+
+TEST_CASE("the page of the bridge plays to the end, goes to the first failure and shows the failed bearing's history") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  const std::string script = std::string("'") + TRILITH_SOURCE_DIR + "/scripts/bridge.lua'";
+  const Said run = ask(here.path, "run " + script + " --quiet out=bridge.h5");
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  const Said said = ask(here.path, "view bridge.h5");
+  CHECK(said.out == "bridge.html\n");
+  CHECK(std::filesystem::file_size(here / "bridge.html") < 1'000'000);
+  browse(here / "bridge.html", "plays_to_the_end shows_a_failed_bearing shows_a_body");
+}
+
+TEST_CASE("the page of a wall in running bond shows cracks and damage") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  std::ofstream(here / "wall.lua") << wall_script;
+  const Said run = ask(here.path, "run wall.lua --quiet");
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  CHECK(ask(here.path, "view wall.h5 -o page.html").out == "page.html\n");
+  std::filesystem::rename(here / "page.html", here / "wall.html");
+  browse(here / "wall.html", "plays_to_the_end shows_cracks shows_a_body");
+}
+
+TEST_CASE("a run that is still being written, or was stopped, is viewed as far as it goes, and said so") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  {
+    Simulation simulation(testing::falling_span());
+    Recording recording(here / "early.h5", simulation.model(), simulation.state());
+    StageOptions o;
+    o.duration = 0.1;
+    o.frame_interval = 0.02;
+    simulation.run(o, recording.listener());
+    const Said said = ask(here.path, "view early.h5");
+    CHECK(said.says("the run still goes on"));
+    browse(here / "early.html", "tells_that_it_goes_on shows_a_body");
+    recording.abandon("the power went");
+  }
+  CHECK(ask(here.path, "view early.h5").says("the run was stopped"));
+  browse(here / "early.html", "tells_that_it_was_stopped plays_to_the_end");
+}
+
+TEST_CASE("trilith view refuses what is no page and what is no results file") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  testing::check_refused(ask(here.path, "view nothing.h5"), "there is no such file");
+  { record::ResultsWriter(here / "empty.h5", record::sample_header()).finish(); }
+  testing::check_refused(ask(here.path, "view empty.h5 -o page.pdf"), "ends with .html");
+  testing::check_refused(ask(here.path, "view empty.h5 -o no/where/page.html"), "cannot be written");
+  CHECK(ask(here.path, "view").code == 2);
+  CHECK(ask(here.path, "view empty.h5").out == "empty.html\n");
+  browse(here / "empty.html", "tells_that_there_is_no_frame");
+}
