@@ -1,6 +1,8 @@
 -- The masonry wall of R. Barbosa, "Discontinuous structural analysis": three storeys of 8 ft, 16 ft wide, openings
 -- without symmetry, rigid slabs and base, mortar of very low strength; El Centro NS scaled to 1.0 g at its base.
 -- The paper finds: most damage in the top storey, where the weight above is least; failure early, in the strong phase.
+-- Here, with rigid units: it stands 60 s within 1e-10 m; half of its bonds are broken after 1.9 s of shaking, soon all;
+-- at 30 s 97, 48 and 24 units of storeys 3, 2 and 1 are out of place. A copy with jitter differs in detail.
 -- What it does not give is chosen: units of 16 x 8 x 8 in, 120 lb/ft3; eleven courses and a slab a storey; openings
 -- 4 ft wide with lintels of one course bearing 8 in; slabs of 1.2 kip/ft; joints of 1e5 psi/in.
 local trilith = require "trilith"
@@ -13,7 +15,6 @@ local p = trilith.params {
   jitter = { 0, unit = "m", "by which head joints are moved at random" }, seed = { 1, "of the jitter" },
   stand = { 0, unit = "s", "how long it stands by itself before the shaking" },
   duration = { 30, unit = "s", "of the shaking" }, out = { "out/wall.h5", "results" } }
-
 local m = trilith.model { name = "masonry wall", thickness = 8*inch }
 local brick = m:material { name = "brick", unit_weight = 120*pcf }
 local concrete = m:material { name = "concrete", unit_weight = 150*pcf }
@@ -21,7 +22,6 @@ local kn, mass = p.kn/inch, 120*pcf*16*8*8*inch^3/g
 local beta = 2*0.1/math.sqrt(kn*16*8*inch^2/mass) -- 10 % of critical for one unit on its bed joint
 m:contact { between = { "*", "*" }, name = "mortar", law = trilith.bonded {
   kn = kn, ks = 0.4*kn, mu = math.tan(p.friction), beta = beta, tension = p.tension, cohesion = p.cohesion*p.tension } }
-
 local sill, side = 2*ft + 8*inch, 4*ft
 local function window(storey, x) return { storey = storey, x = x, sill = sill, width = side, height = side } end
 local wall = m:wall {
