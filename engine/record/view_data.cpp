@@ -71,6 +71,7 @@ void write_series(const ResultsReader& reader, const ViewLimits& limits, JsonTex
   if (!energy.time.empty()) series.begin("energy", energy.time);
   if (!energy.time.empty())
     for (std::size_t i = 0; i < header.energy_terms.size(); ++i) series.add(header.energy_terms[i], energy.terms[i]);
+  if (!energy.time.empty()) series.add({"residual", "J", "what the terms leave unexplained"}, energy.residual);
   json.end();
 }
 

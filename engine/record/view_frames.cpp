@@ -31,7 +31,7 @@ Quanta body_quanta(const Header& header) {
   }
   if (largest <= 0) largest = 1;
   if (smallest <= 0) smallest = largest;
-  const double length = smallest / 500;
+  const double length = smallest / 2000;
   return {length, std::clamp(length / largest, 1e-6, 1e-3), 1, 1, 1};
 }
 

@@ -132,11 +132,10 @@ void write_stages(const ResultsReader& reader, JsonText& json) {
   json.end();
 }
 
-/// "tension", "shear" or "compression" where the event says that a bond was lost so; else "".
+/// "tension", "shear" or "compression" where the event's text ends so: "... broke in shear at 3 kN"; else "".
 std::string mode_of(const EventRow& event) {
-  for (const char* mode : {"tension", "shear", "compression"})
-    for (const std::string* text : {&event.first.name, &event.second.name, &event.text})
-      if (text->find(mode) != std::string::npos) return mode;
+  for (const std::string mode : {"tension", "shear", "compression"})
+    if (event.text.find(" in " + mode) != std::string::npos) return mode;
   return "";
 }
 
@@ -169,14 +168,12 @@ void write_events(const std::vector<EventRow>& events, JsonText& json) {
   json.end();
 }
 
-/// Bonds that broke, each with the line it broke along where the bodies faced each other at the start.
+/// Bonds that cracked or broke, each with the line it broke along where the bodies faced each other at the start.
 void write_joints(const Header& header, const std::vector<EventRow>& events, JsonText& json) {
   json.key("joints").begin_list();
   for (std::size_t i = 0; i < events.size(); ++i) {
     const EventRow& e = events[i];
-    if (e.type != event_type_info[static_cast<std::size_t>(EventType::bond_broken)].name ||
-        std::min(e.body_a, e.body_b) < 0)
-      continue;
+    if (!e.type.starts_with("bond.") || std::min(e.body_a, e.body_b) < 0) continue;
     const std::optional<EdgePart> part = joint_of(header, e.body_a, e.body_b);
     if (!part) continue;
     json.begin_list().number(static_cast<double>(i)).number(part->body).number(part->edge);

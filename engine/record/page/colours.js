@@ -92,7 +92,7 @@ export class BodyColours {
     this.colouring = colouring;
     this.theme = theme;
     if (colouring.groups) this.takeGroups();
-    else this.ramp = colouring.signed ? run.palette.diverging : run.palette.sequential;
+    else this.ramp = colouring.signed ? run.palette.diverging : theme.dark ? [...run.palette.sequential].reverse() : run.palette.sequential;
   }
 
   takeGroups() {

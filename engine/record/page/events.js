@@ -7,7 +7,7 @@ const rowHeight = 44;
 /** The colour of an event's mark: what fails, what moves, what is told. */
 export function eventColour(type, theme, palette) {
   if (type.endsWith("failed") || type === "seat.lost") return theme.dark ? "#ff6a3c" : palette.failed;
-  if (type === "bond.broken") return theme.dark ? "#ff8f6b" : "#d9653b";
+  if (type.startsWith("bond.")) return theme.dark ? "#ff8f6b" : "#d9653b";
   if (type === "bearing.yielded") return palette.yielded;
   if (type === "bearing.changed") return palette.changed;
   if (type === "impact") return theme.accent;

@@ -227,7 +227,7 @@ class App {
     if (this.player.playing)
       for (const e of this.player.notes) {
         if (e.time > time) break;
-        if (e.time < time - long || e.type.startsWith("stage.") || e.type === "bond.broken") continue;
+        if (e.time < time - long || e.type.startsWith("stage.") || e.type.startsWith("bond.")) continue;
         const place = this.placeOf(e);
         if (place) this.scene.flash(...place, (time - e.time) / long, colour(e));
       }

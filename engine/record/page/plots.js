@@ -51,7 +51,7 @@ export class Plot {
     this.readings = this.lines.map((l, i) => make("output", {}, ""));
     this.canvas = make("canvas", { class: "plot", role: "img", "aria-label": `${title} against time, ${this.to.unit}` });
     const keys = this.lines.map((l, i) => make("span", { class: "key" },
-      make("i", { style: `background:${colours[i % colours.length]}` }), lines.length > 1 ? `${l.name} ` : "", this.readings[i]));
+      make("i", { style: `background:${colours[i % colours.length]}` }), lines.length > 1 ? `${l.name.replaceAll("_", " ")} ` : "", this.readings[i]));
     this.element = make("figure", {}, make("figcaption", {}, make("b", {}, title), make("span", { class: "quiet" }, this.to.unit), ...keys), this.canvas);
     const go = (e) => {
       const box = this.canvas.getBoundingClientRect();

@@ -34,6 +34,7 @@ export class Run {
     this.palette = head.palette;
     this.types = head.types;
     this.events = head.events.map((row, index) => eventOf(row, index, head.types));
+    for (const bearing of this.bearings) bearing.events = this.events.filter((e) => e.bearing === bearing.index);
     this.block = (name) => blocks[name] ?? empty;
     this.times = floats(this.block("time"));
     this.contactFrames = this.block("contact_frame").values;
@@ -66,11 +67,17 @@ export class Run {
   }
 
   takeJoints(rows) {
-    this.joints = rows.map(([event, body, edge, from, to, mode]) => ({ event: this.events[event], body, edge, from, to, mode }));
+    this.joints = rows.map(([event, body, edge, from, to, mode]) => ({ event: this.events[event], body, edge, from, to, mode,
+      broken: this.events[event].type === "bond.broken" }));
     for (const body of this.bodies) body.lost = [];
-    for (const event of this.events)
-      if (event.type === "bond.broken")
-        for (const index of [event.a, event.b]) this.bodies[index]?.lost.push(event.time);
+    const seen = new Set();
+    for (const event of this.events) {
+      // Of a joint that breaks half by half the first half counts.
+      const pair = `${Math.min(event.a, event.b)} ${Math.max(event.a, event.b)}`;
+      if (event.type !== "bond.broken" || seen.has(pair)) continue;
+      seen.add(pair);
+      for (const index of [event.a, event.b]) this.bodies[index]?.lost.push(event.time);
+    }
   }
 
   get frames() { return this.times.length; }
@@ -156,8 +163,12 @@ export class Run {
     return [end(bearing.a, bearing.ax, bearing.ay, bearing.av), end(bearing.b, bearing.bx, bearing.by, bearing.bv)];
   }
 
-  bearingState(bearing, frame) {
-    return this.block("bearing_state").values[frame * this.bearings.length + bearing.index] ?? 0;
+  /** How a bearing stands: as the frame says, or as an event between that frame and `time` does. */
+  bearingState(bearing, frame, time = this.times[frame]) {
+    let state = this.block("bearing_state").values[frame * this.bearings.length + bearing.index] ?? 0;
+    for (const e of bearing.events)
+      if (e.time > this.times[frame] && e.time <= time + 1e-9) state = bearingStates[e.type.split(".")[1]] ?? state;
+    return state;
   }
 
   /** A column of a bearing over all frames: block "bearing_force" [N] or "bearing_displacement" [m], axis 0 or 1. */

@@ -107,7 +107,7 @@ export class Scene {
       const at = (s) => camera.place(run.pointX[v] + s * (run.pointX[w] - run.pointX[v]), run.pointY[v] + s * (run.pointY[w] - run.pointY[v]));
       const fresh = time - joint.event.time < 0.15;
       c.strokeStyle = theme.dark && joint.mode !== "shear" ? "#ff6a3c" : crackModes[joint.mode];
-      c.lineWidth = fresh ? 2 * thick : thick;
+      c.lineWidth = (fresh ? 2 : 1) * (joint.broken ? thick : thick / 2);
       c.beginPath();
       c.moveTo(...at(joint.from));
       c.lineTo(...at(joint.to));
@@ -162,7 +162,7 @@ export class Scene {
   /** What is drawn of a bearing: its ends on the canvas and how it stands; null while it waits for another. */
   bearingMark(bearing) {
     const { run, camera } = this;
-    const state = run.bearingState(bearing, run.now.frame);
+    const state = run.bearingState(bearing, run.now.frame, run.now.time);
     if (state === bearingStates.waiting) return null;
     const [a, b] = run.bearingEnds(bearing);
     const far = Math.hypot(a[0] - b[0], a[1] - b[1]);

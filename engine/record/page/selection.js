@@ -65,8 +65,8 @@ export class SelectionPanel {
       this.plot("force", "N", [line("x", "bearing_force", 0), line("y", "bearing_force", 1)]),
       this.plot("displacement", "m", [line("along", "bearing_displacement", 0), line("across", "bearing_displacement", 1)]),
       this.events((e) => e.bearing === bearing.index));
-    this.tell = (frame) => {
-      const state = run.bearingState(bearing, frame), mark = this.app.scene.bearingMark(bearing);
+    this.tell = (frame, time) => {
+      const state = run.bearingState(bearing, frame, time), mark = this.app.scene.bearingMark(bearing);
       return `now ${stateNames[state]}${mark && mark.state !== state ? ", its bodies apart" : ""}`;
     };
   }
@@ -83,7 +83,7 @@ export class SelectionPanel {
 
   draw(time, theme) {
     for (const plot of this.plots) plot.draw(time, theme);
-    if (this.now) this.now.textContent = this.tell(this.app.run.locate(time).frame);
+    if (this.now) this.now.textContent = this.tell(this.app.run.locate(time).frame, time);
   }
 }
 
