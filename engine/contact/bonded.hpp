@@ -2,12 +2,15 @@
 //
 // A bond carries sigma = kn delta in both signs. It is lost where the tension exceeds `tension` or the shear stress
 // exceeds cohesion + sigma mu (Barbosa, "Discontinuous structural analysis"). Cohesion and tension are independent:
-// where tension > cohesion/mu the shear limit under tension is reached first and governs.
+// in tension
+// the shear strength falls along the Coulomb line to the tensile strength, or, where that is beyond the line's apex
+// cohesion/mu, along the line from cohesion to tension.
 #pragma once
 
 #include <array>
 
 #include "base/schema.hpp"
+#include "contact/face_law.hpp"
 
 namespace trilith {
 
@@ -22,7 +25,7 @@ struct Bonded {
 
   static constexpr std::string_view name = "bonded";
   static constexpr std::string_view sentence = "contact with cohesion and tensile strength until the bond is lost";
-  static constexpr bool can_bond = true;
+  static constexpr Bond bond = Bond::brittle;
   static constexpr auto parameters() {
     using P = Parameter<Bonded>;
     return std::array{
@@ -34,6 +37,15 @@ struct Bonded {
         P{&Bonded::tension, "tension", "Pa", no_default, 0, unbounded, true, "tensile strength of the bond"},
         P{&Bonded::loss_by_point, "loss_by_point", "1", 0, 0, 1, true,
           "0: the whole face fails at once, 1: each half for itself"}};
+  }
+
+  /// A plain word on numbers that are allowed but may surprise; empty where there is none.
+  [[nodiscard]] std::string note() const {
+    if (!(mu * tension > cohesion)) return "";
+    return fmt::format(
+        "tension {:g} Pa is above cohesion/mu = {:g} Pa, the apex of the Coulomb line; in tension the shear strength "
+        "falls in a line from cohesion to 0 at the tensile strength",
+        tension, cohesion / mu);
   }
 };
 

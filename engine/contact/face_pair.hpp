@@ -10,18 +10,11 @@
 #pragma once
 
 #include "base/lanes.hpp"
+#include "contact/face_bond.hpp"
+#include "contact/face_half.hpp"
 #include "contact/face_overlap.hpp"
 
 namespace trilith {
-
-/// A contact law's numbers times the thickness, and the step.
-struct FaceLaw {
-  double kn, ks;             ///< [N/m per m of length]
-  double mu, beta;           ///< [1], [s]
-  double cohesion, tension;  ///< [N per m of length]
-  double dt;                 ///< [s]
-  bool loss_by_point;
-};
 
 /// ContactMemory, lane by lane.
 template <class T>
@@ -29,6 +22,7 @@ struct FaceMemory {
   T shear_elastic[2], shear_total[2], damping_force[2], active[2], slip;
   Mask<T> bonds[2];
   Mask<T> general{};  ///< the last step found the contact by overlap: the halves share one shear force
+  T damage[2]{};      ///< softening bond: share of the strength of each half that is lost
 };
 
 template <class T>
@@ -39,179 +33,6 @@ struct FaceResponse {
   Mask<T> is_face_pair;                          ///< false: nothing above holds, the shape is general
   Mask<T> touching;
 };
-
-/// Linear stress p over [l0, l1] of a half, in shares of the half: its integral and first moment.
-template <class T>
-struct LinearStress {
-  T sum, moment;
-  TRILITH_INLINE LinearStress(T p0, T p1, T l0, T l1) {
-    const T width = l1 - l0;
-    sum = 0.5 * width * (p0 + p1);
-    moment = width * (p0 * (2.0 * l0 + l1) + p1 * (l0 + 2.0 * l1)) * (1.0 / 6.0);
-  }
-};
-
-/// The part of [0, 1] where a linear function from f0 to f1 is positive; empty as from == to.
-template <class T>
-struct PositivePart {
-  T from, to;
-  TRILITH_INLINE PositivePart(T f0, T f1) {
-    const T zero{}, one = zero + 1.0;
-    const T fall = f0 - f1;
-    const T root_at = smaller(larger(f0 / select(fall == zero, one, fall), zero), one);
-    from = select(f0 > zero, zero, root_at);
-    to = select(f1 > zero, one, root_at);
-    to = larger(from, to);
-    const Mask<T> none = (f0 <= zero) & (f1 <= zero);
-    to = select(none, from, to);
-  }
-};
-
-/// What one half of the shared length carries.
-template <class T>
-struct HalfResponse {
-  T normal, normal_moment;    ///< N, and its first moment about the half's start [N], [N m]
-  T damping, damping_moment;  ///< the damping part of both
-  T shear_elastic, shear_total, slip, active;
-  T lost_damping, lost_friction;
-};
-
-template <class T>
-struct HalfState {
-  T g0, g1;     ///< gap at both ends [m], negative where overlapping
-  T r0, r1;     ///< gap rate at both ends [m/s]
-  T slip_rate;  ///< of B along d, at the middle [m/s]
-  T length;     ///< [m]
-  Mask<T> bonded;
-};
-
-/// True where a bonded half is beyond its tensile or shear limit (elastic stresses, trial shear).
-template <class T>
-TRILITH_INLINE Mask<T> bond_broken(const HalfState<T>& h, T shear_elastic, const FaceLaw& law) {
-  const T widest = larger(h.g0, h.g1);
-  const T trial = magnitude(shear_elastic + law.ks * h.length * h.slip_rate * law.dt);
-  const T strength = law.cohesion - law.mu * law.kn * widest;
-  return h.bonded & ((law.kn * widest > law.tension + T{}) | (trial > strength * h.length));
-}
-
-/// The part of the shared length where a linear function is positive, as shares of both halves.
-template <class T>
-struct PositiveHalves {
-  T from[2], to[2];
-  TRILITH_INLINE PositiveHalves(T f_lo, T f_hi) {
-    const T zero{}, one = zero + 1.0;
-    const PositivePart<T> whole(f_lo, f_hi);
-    const T from2 = whole.from + whole.from, to2 = whole.to + whole.to;
-    from[0] = smaller(from2, one), to[0] = smaller(to2, one);
-    from[1] = larger(from2 - one, zero), to[1] = larger(to2 - one, zero);
-  }
-};
-
-/// Normal stresses of both halves: where closed, or all along where bonded; never pulling without a bond. `active`:
-/// the share of each half that carries stress.
-template <class T>
-TRILITH_INLINE void respond_normal(const HalfState<T>* halves, const FaceLaw& law, T* active, HalfResponse<T>* out) {
-  const T zero{}, one = zero + 1.0;
-  const HalfState<T>&first = halves[0], &second = halves[1];
-  PositiveHalves<T> closed(-first.g0, -second.g1);
-  PositiveHalves<T> pressed(-first.g0 - law.beta * first.r0, -second.g1 - law.beta * second.r1);
-  for (const int h : {0, 1}) {
-    const HalfState<T>& half = halves[h];
-    const T c0 = -half.g0, q0 = c0 - law.beta * half.r0, q1 = -half.g1 - law.beta * half.r1;
-    const T closed_from = select(half.bonded, zero, closed.from[h]), closed_to = select(half.bonded, one, closed.to[h]);
-    const T from = select(half.bonded, zero, larger(pressed.from[h], closed_from));
-    const T to = select(half.bonded, one, larger(from, smaller(pressed.to[h], closed_to)));
-    const T dc = half.g0 - half.g1, dq = q1 - q0;
-    const LinearStress<T> elastic(c0 + dc * closed_from, c0 + dc * closed_to, closed_from, closed_to);
-    const LinearStress<T> total(q0 + dq * from, q0 + dq * to, from, to);
-    const T scale = law.kn * half.length;
-    active[h] = closed_to - closed_from;
-    out[h].normal = scale * total.sum;
-    out[h].normal_moment = scale * half.length * total.moment;
-    out[h].damping = out[h].normal - scale * elastic.sum;
-    out[h].damping_moment = out[h].normal_moment - scale * half.length * elastic.moment;
-  }
-}
-
-/// Lengths up to this carry no shear: so short that their squares would vanish [m].
-inline constexpr double shortest_length = 1e-100;
-
-/// What a half remembered of its shear.
-template <class T>
-struct ShearBefore {
-  T elastic, total, active;  ///< [N], [N], [m]
-};
-
-/// 1/v where v is above 0, else 0.
-template <class T>
-TRILITH_INLINE T inverse_or_zero(T v) {
-  const T zero{}, one = zero + 1.0;
-  const Mask<T> positive = v > zero;
-  return select(positive, one / select(positive, v, one), zero);
-}
-
-/// Compliances of the lengths that carry shear, before and now [m/N]; 0 where there is none.
-template <class T>
-struct ShearCompliance {
-  T before, now;
-  TRILITH_INLINE ShearCompliance(T length_before, T length, double ks) {
-    const T zero{}, one = zero + 1.0;
-    const Mask<T> had = length_before > shortest_length, has = length > shortest_length;
-    const T b = select(had, length_before, one), a = select(has, length, one);
-    const T inverse = (ks > 0 ? 1.0 / ks : 0.0) / (b * a);  // one division for both
-    before = select(had, a * inverse, zero);
-    now = select(has, b * inverse, zero);
-  }
-};
-
-/// Elastic shear energy let go because the length in contact changed to one of the given stiffness: length that parts
-/// takes its share of the force along, new length carries none. `kept`: the force left. Never negative.
-template <class T>
-TRILITH_INLINE T let_go(const ShearBefore<T>& before, T stiffness, const ShearCompliance<T>& compliance, T& kept) {
-  const T one = T{} + 1.0;
-  kept = before.elastic * smaller(one, stiffness * compliance.before);
-  return 0.5 * (before.elastic * before.elastic * compliance.before - kept * kept * compliance.now);
-}
-
-/// Kelvin-Voigt spring in series with a Coulomb slider; the damping acts on the elastic part only. `active`: length
-/// that carries shear [m].
-template <class T>
-TRILITH_INLINE void respond_shear(const HalfState<T>& h, const FaceLaw& law, T active, const ShearBefore<T>& before,
-                                  HalfResponse<T>& out) {
-  const T zero{};
-  const T stiffness = law.ks * active;
-  const ShearCompliance<T> compliance(before.active, active, law.ks);
-  T kept;
-  const T relaxed = let_go(before, stiffness, compliance, kept);
-  const T move = h.slip_rate * law.dt;
-  const T trial = kept + stiffness * move;
-  const T trial_total = trial + law.beta * stiffness * h.slip_rate;
-  const T limit = select(h.bonded, zero + 1e300, law.mu * larger(out.normal, zero));
-  const Mask<T> slides = magnitude(trial_total) > limit;
-  const T held = select(trial_total < zero, -limit, limit);
-  const double share = law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0;
-  const T slid = kept + (held - kept) * share;
-  const Mask<T> open = active <= shortest_length;
-  out.shear_elastic = select(open, zero, select(slides, slid, trial));
-  out.shear_total = select(open, zero, select(slides, held, trial_total));
-  const T stretch = select(slides, (out.shear_elastic - kept) * compliance.now, move);
-  const T slip = select(open, zero, move - stretch);
-  const T mean_total = 0.5 * (out.shear_total + before.total);
-  const T mean_elastic = 0.5 * (out.shear_elastic + before.elastic);
-  const T parted = select(open, zero, 0.5 * (before.elastic - kept) * stretch);
-  out.slip = magnitude(slip);
-  out.active = active;
-  out.lost_friction = mean_total * slip + relaxed + parted;
-  out.lost_damping = select(open, zero, (mean_total - mean_elastic) * stretch);
-}
-
-template <class T>
-TRILITH_INLINE T fracture_energy(const HalfState<T>& h, const FaceLaw& law, Mask<T> lost) {
-  const T zero{};
-  const T o0 = larger(h.g0, zero), o1 = larger(h.g1, zero);
-  const T stored = law.kn * h.length * (o0 * o0 + o0 * o1 + o1 * o1) * (1.0 / 6.0);
-  return select(lost, stored, zero);
-}
 
 /// Rates along the shared length: gap, and slip of B against A, at both of its ends [m/s].
 template <class T>
@@ -246,22 +67,11 @@ struct FaceHalves {
     half[0] = {o.gap_lo, gap, r.gap_lo, rate, 0.75 * r.slip_lo + 0.25 * r.slip_hi, length, m.bonds[0]};
     half[1] = {gap, o.gap_hi, rate, r.gap_hi, 0.25 * r.slip_lo + 0.75 * r.slip_hi, length, m.bonds[1]};
   }
-};
-
-/// Takes the bonds that are beyond their limit; returns the energy they gave off [J].
-template <class T>
-TRILITH_INLINE T lose_bonds(FaceHalves<T>& h, const FaceMemory<T>& before, const FaceLaw& law) {
-  Mask<T> lost0 = bond_broken(h.half[0], before.shear_elastic[0], law);
-  Mask<T> lost1 = bond_broken(h.half[1], before.shear_elastic[1], law);
-  if (!law.loss_by_point) {
-    const Mask<T> any = lost0 | lost1;
-    lost0 = h.half[0].bonded & any;
-    lost1 = h.half[1].bonded & any;
+  /// Faces count as nearer by `opened` [m]: what sliding has put between them.
+  TRILITH_INLINE void open_by(T opened) {
+    for (HalfState<T>& h : half) h.g0 -= opened, h.g1 -= opened;
   }
-  h.half[0].bonded = h.half[0].bonded & flip(lost0);
-  h.half[1].bonded = h.half[1].bonded & flip(lost1);
-  return fracture_energy(h.half[0], law, lost0) + fracture_energy(h.half[1], law, lost1);
-}
+};
 
 /// Forces at the four face ends from the stresses of both halves: same resultant, moment and power. The couple
 /// moves the shear to mid-gap, so that both bodies feel it along one line and angular momentum is kept.
@@ -339,41 +149,79 @@ struct FaceMotion {
       : overlap(a, b), rates(overlap, a, b), flat(overlap.is_flat(corner)) {}
 };
 
-/// `CanBond` drops the bond arithmetic for laws without one.
-template <bool CanBond, class T>
+/// Opening of a joint by the sliding it has behind it [m].
+template <class T>
+TRILITH_INLINE T dilation_of(T slip, const FaceLaw& law) {
+  return law.dilation * smaller(slip, law.dilation_slip + T{});
+}
+
+/// Bonds after the normal stresses: what is left of them, and the energy they gave off [J].
+template <class T>
+TRILITH_INLINE T end_softening(const FaceHalves<T>& halves, const FaceMemory<T>& before, const FaceLaw& law,
+                               FaceMemory<T>& after) {
+  const T zero{}, one = zero + 1.0;
+  T lost = zero;
+  for (const int k : {0, 1}) {
+    const HalfState<T>& h = halves.half[k];
+    lost += opening_loss(h, before.damage[k], h.strength, before.bonds[k], law);
+    after.bonds[k] = h.bonded & (h.strength > zero);
+    after.damage[k] = select(after.bonds[k], one - h.strength, zero);
+  }
+  return lost;
+}
+
+/// The work sliding does against the pressure as it opens the joint comes out of what friction would take.
+template <class T>
+TRILITH_INLINE void book_dilation(const FaceMemory<T>& before, const FaceLaw& law, const HalfResponse<T>* s,
+                                  FaceResponse<T>& out) {
+  const T opened = dilation_of(out.memory.slip, law) - dilation_of(before.slip, law);
+  const T pressure = s[0].normal - s[0].damping + s[1].normal - s[1].damping;
+  out.lost_friction -= (pressure + 0.5 * law.kn * opened * (s[0].active + s[1].active)) * opened;
+}
+
+/// `B` drops the bond arithmetic for laws without one.
+template <Bond B, class T>
 TRILITH_INLINE FaceResponse<T> respond_face_motion(const FaceMotion<T>& motion, FaceMemory<T> before,
                                                    const FaceLaw& law) {
   const T zero{};
   const FaceOverlap<T>& overlap = motion.overlap;
-  if constexpr (!CanBond) before.bonds[0] = before.bonds[1] = Mask<T>{};
+  if constexpr (B == Bond::none) before.bonds[0] = before.bonds[1] = Mask<T>{};
   FaceHalves<T> halves(overlap, motion.rates, before);
   FaceResponse<T> out;
-  out.is_face_pair = overlap.sane & motion.flat;
+  out.is_face_pair = overlap.sane & (motion.flat | before.bonds[0] | before.bonds[1]);
   out.lost_fracture = zero;
-  if constexpr (CanBond) {
-    out.is_face_pair = overlap.sane & (motion.flat | before.bonds[0] | before.bonds[1]);
-    out.lost_fracture = lose_bonds(halves, before, law);
+  if constexpr (B == Bond::brittle) out.lost_fracture = lose_bonds(halves.half, before.shear_elastic, law);
+  if constexpr (B == Bond::softening) {
+    if (law.dilation > 0) halves.open_by(dilation_of(before.slip, law));
+    for (const int h : {0, 1}) soften_by_opening(halves.half[h], before.damage[h], law);
   }
   HalfResponse<T> s[2];
   T active[2];
-  respond_normal(halves.half, law, active, s);
+  respond_normal<B>(halves.half, law, active, s);
   out.touching = (active[0] > zero) | (active[1] > zero);
   const T length[2] = {active[0] * halves.half[0].length, active[1] * halves.half[1].length};
   if (any(before.general)) take_over(overlap, length, before);
-  for (const int h : {0, 1})
-    respond_shear(halves.half[h], law, length[h], {before.shear_elastic[h], before.shear_total[h], before.active[h]},
-                  s[h]);
+  for (const int h : {0, 1}) {
+    const ShearBefore<T> shear{before.shear_elastic[h], before.shear_total[h], before.active[h]};
+    if constexpr (B == Bond::softening)
+      out.lost_fracture += respond_softening_shear(halves.half[h], law, length[h], shear, s[h]);
+    else
+      respond_shear(halves.half[h], law, length[h], shear, s[h]);
+  }
   out.memory.bonds[0] = halves.half[0].bonded;
   out.memory.bonds[1] = halves.half[1].bonded;
+  if constexpr (B == Bond::softening) out.lost_fracture += end_softening(halves, before, law, out.memory);
   remember(overlap, motion.rates, before, law.dt, s[0], s[1], out);
+  if constexpr (B == Bond::softening)
+    if (law.dilation > 0) book_dilation(before, law, s, out);
   spread_to_ends(overlap, s[0], s[1], out);
   return out;
 }
 
-template <bool CanBond, class T>
+template <Bond B, class T>
 TRILITH_INLINE FaceResponse<T> respond_face_pair(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner,
                                                  const FaceMemory<T>& before, const FaceLaw& law) {
-  return respond_face_motion<CanBond>(FaceMotion<T>(a, b, corner), before, law);
+  return respond_face_motion<B>(FaceMotion<T>(a, b, corner), before, law);
 }
 
 }  // namespace trilith

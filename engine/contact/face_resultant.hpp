@@ -17,15 +17,22 @@ struct ContactResultant {
   double shear = 0;           ///< part along the faces, with its sign [N]
 };
 
-/// Elastic normal force of one half with gaps `g0`, `g1` at its ends, and its moment about the half's start.
+/// Share of its stiffness that the bond of a half holds where open: 1 where undamaged, 0 where lost.
+inline double bond_hold(const ContactMemory& memory, int half, const FaceLaw& law) {
+  if ((memory.bonds >> half & 1U) == 0) return 0;
+  return law.last_opening > 0 ? share_held(1 - memory.damage(half), law) : 1;
+}
+
+/// Elastic normal force of one half with gaps `g0`, `g1` at its ends, and its moment about the half's start. `hold`:
+/// see bond_hold.
 struct HalfPressure {
   double force = 0, moment = 0;
-  HalfPressure(double g0, double g1, double length, bool bonded, double kn) {
+  HalfPressure(double g0, double g1, double length, double hold, double kn) {
     const double c0 = -g0, c1 = -g1;
-    PositivePart<double> closed(c0, c1);
-    if (bonded) closed.from = 0, closed.to = 1;
+    const PositivePart<double> closed(c0, c1);
     const double slope = c1 - c0;
-    const LinearStress<double> stress(c0 + slope * closed.from, c0 + slope * closed.to, closed.from, closed.to);
+    LinearStress<double> stress(c0 + slope * closed.from, c0 + slope * closed.to, closed.from, closed.to);
+    mix(stress, LinearStress<double>(c0, c1, 0, 1), hold);
     force = kn * length * stress.sum;
     moment = kn * length * length * stress.moment;
   }
@@ -38,8 +45,9 @@ inline ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds
                                        const ContactMemory& memory, const FaceLaw& law) {
   const FaceOverlap<double> o(a, b);
   const double half = 0.5 * o.shared, gap_mid = 0.5 * (o.gap_lo + o.gap_hi), middle = o.lo + half;
-  const HalfPressure first(o.gap_lo, gap_mid, half, (memory.bonds & 1U) != 0, law.kn);
-  const HalfPressure second(gap_mid, o.gap_hi, half, (memory.bonds & 2U) != 0, law.kn);
+  const double opened = dilation_of(memory.slip, law);
+  const HalfPressure first(o.gap_lo - opened, gap_mid - opened, half, bond_hold(memory, 0, law), law.kn);
+  const HalfPressure second(gap_mid - opened, o.gap_hi - opened, half, bond_hold(memory, 1, law), law.kn);
   ContactResultant out;
   out.normal = first.force + second.force + memory.damping_force[0];
   out.shear = memory.shear_total[0] + memory.shear_total[1];

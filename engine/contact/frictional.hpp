@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/schema.hpp"
+#include "contact/face_law.hpp"
 
 namespace trilith {
 
@@ -18,7 +19,7 @@ struct Frictional {
 
   static constexpr std::string_view name = "frictional";
   static constexpr std::string_view sentence = "contact without bond: pressure from overlap, Coulomb friction";
-  static constexpr bool can_bond = false;
+  static constexpr Bond bond = Bond::none;
   static constexpr auto parameters() {
     using P = Parameter<Frictional>;
     return std::array{

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "contact/bonded.hpp"
+#include "contact/cohesive.hpp"
 #include "contact/frictional.hpp"
 
 namespace trilith {
 
-using ContactLaws = TypeList<Frictional, Bonded>;
-using ContactLaw = std::variant<Frictional, Bonded>;
+using ContactLaws = TypeList<Frictional, Bonded, Cohesive>;
+using ContactLaw = std::variant<Frictional, Bonded, Cohesive>;
 static_assert(std::variant_size_v<ContactLaw> == ContactLaws::size);
 
 /// What every law has: it fills the general contact of corners, where no bond can hold.
@@ -20,8 +21,13 @@ concept ContactLawType = Declared<L> && requires(const L& law) {
   { law.ks } -> std::convertible_to<double>;
   { law.mu } -> std::convertible_to<double>;
   { law.beta } -> std::convertible_to<double>;
-  { L::can_bond } -> std::convertible_to<bool>;
+  { L::bond } -> std::convertible_to<Bond>;
 };
-static_assert(ContactLawType<Frictional> && ContactLawType<Bonded>);
+static_assert(ContactLawType<Frictional> && ContactLawType<Bonded> && ContactLawType<Cohesive>);
+
+/// What its faces can hold beside friction.
+inline Bond bond_of(const ContactLaw& law) {
+  return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::bond; }, law);
+}
 
 }  // namespace trilith

@@ -15,8 +15,11 @@ struct alignas(32) ContactMemory {
   double slip = 0;               ///< accumulated sliding distance [m]
   std::uint32_t bonds = 0;       ///< bit h: half h still holds its bond
   std::uint32_t state = 0;       ///< bits of ContactState
-  double damping_moment = 0;     ///< general contact: moment of that force about the first piece's origin [N m]
+  /// Softening bond: share of the strength of each half that is lost. Contact of general shape, which has no bond: the
+  /// first is the moment of the damping force about the first piece's origin [N m].
+  double own[2] = {};
 
+  [[nodiscard]] double damage(int half) const { return bonds != 0 ? own[half] : 0; }
   [[nodiscard]] bool empty() const { return bonds == 0 && state == 0; }
 };
 

@@ -217,7 +217,7 @@ double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMe
     return size > 0 ? m.damping_force[0] * force.dot(b.velocity_at(centre) - a.velocity_at(centre)) / size : 0;
   }
   const Vec2 rate = b.velocity_at(a.origin) - a.velocity;
-  return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.damping_moment * (b.spin - a.spin);
+  return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.own[0] * (b.spin - a.spin);
 }
 
 /// Friction on the resultant, along t = left_of(n), at the centre of pressure.
@@ -308,7 +308,7 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   out.memory.state = contact_touching | contact_general;
   out.memory.damping_force[0] = sums.damping.x();
   out.memory.damping_force[1] = sums.damping.y();
-  out.memory.damping_moment = sums.damping_moment;
+  out.memory.own[0] = sums.damping_moment;
   if (sums.pressure > 0) out.centre = sums.moment_arm / sums.pressure;
   out.lost_damping =
       -0.5 * law.dt *

@@ -7,6 +7,7 @@ namespace {
 
 bool can_cause(EventType type) {
   switch (type) {
+    case EventType::bond_cracked:
     case EventType::bond_broken:
     case EventType::bearing_failed:
     case EventType::bearing_changed:

@@ -49,6 +49,8 @@ Vec2 displacement_of(const Model<2>& model, const State<2>& state, const Bearing
 
 bool has_place(EventType type) {
   switch (type) {
+    case EventType::bond_cracked:
+    case EventType::bond_broken:
     case EventType::bearing_yielded:
     case EventType::bearing_failed:
     case EventType::bearing_changed:

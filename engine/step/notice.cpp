@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "contact/face_resultant.hpp"
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
@@ -48,16 +49,43 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
   return {at, -n.dot(velocity(nb, at) - velocity(na, at))};
 }
 
+FaceEnds<double> face_ends(const Work<2>& work, int from, int to) {
+  const SkinMotion &p = work.skin[from], &q = work.skin[to];
+  return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
+}
+
+/// A bond that began to soften or was lost: what it carried up to now, where, and by which of its limits.
+void notice_bond(const Model<2>& model, const State<2>& state, Work<2>& work, int row, EventType type) {
+  const NearPair& p = work.pairs[row];
+  const ContactMemory& before = state.memory[row];
+  const FaceLaw law = face_law(model, p.law, 0);
+  const FaceEnds<double> a = face_ends(work, p.a0, p.a1), b = face_ends(work, p.b0, p.b1);
+  const ContactResultant carried = face_resultant(a, b, before, law);
+  const FaceOverlap<double> overlap(a, b);
+  const bool pulled = std::max(overlap.gap_lo, overlap.gap_hi) > law.first_opening();
+  Event e = event_now(state, type, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
+  e.value = carried.force.norm();
+  e.x = carried.point.x(), e.y = carried.point.y();
+  e.text = pulled ? "tension" : "shear";
+  work.events.push_back(e);
+}
+
+/// A bond lost, or a bond's first damage.
+void notice_bonds(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
+  const ContactMemory &before = state.memory[row], &after = work.memory[row];
+  const auto damaged = [](const ContactMemory& m) { return m.damage(0) > 0 || m.damage(1) > 0; };
+  if (before.bonds != after.bonds)
+    notice_bond(model, state, work, row, EventType::bond_broken);
+  else if (before.bonds != 0 && !damaged(before) && damaged(after))
+    notice_bond(model, state, work, row, EventType::bond_cracked);
+}
+
 void notice_contact(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
   const ContactMemory &before = state.memory[row], &after = work.memory[row];
   const NearPair& p = work.pairs[row];
   const int a = model.piece_body[p.piece_a], b = model.piece_body[p.piece_b];
   const bool was = (before.state & contact_touching) != 0, is = (after.state & contact_touching) != 0;
-  if (before.bonds != after.bonds) {
-    Event e = event_now(state, EventType::bond_broken, a, b);
-    e.value = after.slip;
-    work.events.push_back(e);
-  }
+  notice_bonds(model, state, work, row);
   if (was == is) return;
   Event e = event_now(state, is ? EventType::contact_made : EventType::contact_lost, a, b);
   if (is) {

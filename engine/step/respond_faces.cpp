@@ -126,6 +126,7 @@ struct LaneMemory {
   LaneMask touching;
 };
 
+template <Bond B>
 TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
   const auto load = [&](auto member, Lanes& c0, Lanes& c1) {
     const double* row[lane_count];
@@ -149,12 +150,13 @@ TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
   m.face.bonds[1] = has_bit(word, 2);
   m.face.general = has_bit(word, general_bit);
   m.touching = has_bit(word, touching_bit);
+  if constexpr (B == Bond::softening) load(&ContactMemory::own, m.face.damage[0], m.face.damage[1]);
   return m;
 }
 
 /// A response as rows again, to be written where they belong.
 struct RowResponse {
-  RowPairs elastic, total, damping, active, slip_bits, a0, a1, b0, b1;
+  RowPairs elastic, total, damping, active, slip_bits, damage, a0, a1, b0, b1;
   TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m) {
     const LaneMask none{};
     return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (none + touching_bit));
@@ -165,6 +167,7 @@ struct RowResponse {
         damping(r.memory.damping_force[0], r.memory.damping_force[1]),
         active(r.memory.active[0], r.memory.active[1]),
         slip_bits(r.memory.slip, word_of(r.memory)),
+        damage(r.memory.damage[0], r.memory.damage[1]),
         a0(r.ax0, r.ay0),
         a1(r.ax1, r.ay1),
         b0(r.bx0, r.by0),
@@ -178,7 +181,7 @@ TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse& r, i
   store_pair(after.damping_force, r.damping.of(i));
   store_pair(after.active, r.active.of(i));
   store_pair(&after.slip, r.slip_bits.of(i));
-  after.damping_moment = 0;
+  store_pair(after.own, r.damage.of(i));
   const NearPair& p = pass.pairs[row];
   const auto add = [&](int skin, const Pair& force) {
     double* on = pass.skin_force[skin].data();
@@ -195,18 +198,23 @@ struct GivenOff {
   Lanes damping{}, friction{}, fracture{};
 };
 
-template <bool CanBond>
+template <Bond B>
 TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Rows& rows,
                                  const FaceMotion<Lanes>& motion, GivenOff& given) {
-  const LaneMemory memory = load_memory(pass, rows);
-  const FaceResponse<Lanes> r = respond_face_motion<CanBond>(motion, memory.face, law);
+  const LaneMemory memory = load_memory<B>(pass, rows);
+  const FaceResponse<Lanes> r = respond_face_motion<B>(motion, memory.face, law);
   const LaneMask found = rows.valid & r.is_face_pair, counts = found & (r.touching | memory.touching);
   given.damping += select(counts, r.lost_damping, Lanes{});
   given.friction += select(counts, r.lost_friction, Lanes{});
   LaneMask turns = r.touching ^ memory.touching;
-  if constexpr (CanBond) {
+  if constexpr (B != Bond::none) {
     given.fracture += select(counts, r.lost_fracture, Lanes{});
     turns |= (memory.face.bonds[0] ^ r.memory.bonds[0]) | (memory.face.bonds[1] ^ r.memory.bonds[1]);
+    if constexpr (B == Bond::softening) {
+      const FaceMemory<Lanes>&m = memory.face, &n = r.memory;
+      const Lanes none{};
+      turns |= (larger(m.damage[0], m.damage[1]) <= none) & (larger(n.damage[0], n.damage[1]) > none);
+    }
   }
   const RowResponse out(r);
   if (!any(flip(found & r.touching) | turns)) {  // as nearly always
@@ -228,7 +236,7 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Row
   }
 }
 
-template <bool CanBond>
+template <Bond B>
 TRILITH_INLINE void respond_batch(const Pass& pass, const std::vector<int>& rows) {
   const FaceLaw law = pass.law;
   GivenOff given;
@@ -240,7 +248,7 @@ TRILITH_INLINE void respond_batch(const Pass& pass, const std::vector<int>& rows
     const auto rows_at = [&](std::size_t i) { return Rows(rows.data() + i, rows.size() - i); };
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) motion[k] = load_motion(pass, rows_at(i));
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k)
-      respond_rows<CanBond>(pass, law, rows_at(i), motion[k], given);
+      respond_rows<B>(pass, law, rows_at(i), motion[k], given);
   }
   const auto sum = [](const Lanes& v) { return (v[0] + v[1]) + (v[2] + v[3]); };
   pass.work.given[EnergyTerm::contact_damping] += sum(given.damping);
@@ -251,11 +259,15 @@ TRILITH_INLINE void respond_batch(const Pass& pass, const std::vector<int>& rows
 // One copy for wide registers and one for any machine: the same operations, so the same bits.
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_plain(const Pass& pass,
                                                                                const std::vector<int>& rows) {
-  respond_batch<false>(pass, rows);
+  respond_batch<Bond::none>(pass, rows);
 }
-[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_bonding(const Pass& pass,
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_brittle(const Pass& pass,
                                                                                  const std::vector<int>& rows) {
-  respond_batch<true>(pass, rows);
+  respond_batch<Bond::brittle>(pass, rows);
+}
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_softening(const Pass& pass,
+                                                                                   const std::vector<int>& rows) {
+  respond_batch<Bond::softening>(pass, rows);
 }
 
 }  // namespace
@@ -263,12 +275,15 @@ TRILITH_INLINE void respond_batch(const Pass& pass, const std::vector<int>& rows
 FaceLaw face_law(const Model<2>& model, int law, double dt) {
   return std::visit(
       [&](const auto& l) {
+        using L = std::decay_t<decltype(l)>;
         const double t = model.thickness;
         FaceLaw out{l.kn * t, l.ks * t, l.mu, l.beta, 0, 0, dt, false};
-        if constexpr (std::decay_t<decltype(l)>::can_bond) {
-          out.cohesion = l.cohesion * t;
-          out.tension = l.tension * t;
-          out.loss_by_point = l.loss_by_point != 0;
+        if constexpr (L::bond != Bond::none) out.cohesion = l.cohesion * t, out.tension = l.tension * t;
+        if constexpr (L::bond == Bond::brittle) out.loss_by_point = l.loss_by_point != 0;
+        if constexpr (L::bond == Bond::softening) {
+          out.last_opening = 2 * l.energy_tension / l.tension;
+          out.last_slip = 2 * l.energy_shear / l.cohesion;
+          out.dilation = l.dilation, out.dilation_slip = l.dilation_slip;
         }
         return out;
       },
@@ -341,9 +356,17 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
                     work.skin_force.data(),
                     face_law(model, batch.law, dt),
                     work};
-    const bool bonding =
-        std::visit([](const auto& l) { return std::decay_t<decltype(l)>::can_bond; }, model.laws[batch.law]);
-    bonding ? respond_bonding(pass, work.face_rows) : respond_plain(pass, work.face_rows);
+    switch (bond_of(model.laws[batch.law])) {
+      case Bond::none:
+        respond_plain(pass, work.face_rows);
+        break;
+      case Bond::brittle:
+        respond_brittle(pass, work.face_rows);
+        break;
+      case Bond::softening:
+        respond_softening(pass, work.face_rows);
+        break;
+    }
   }
 }
 

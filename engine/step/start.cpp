@@ -10,10 +10,6 @@
 namespace trilith {
 namespace {
 
-bool can_bond(const ContactLaw& law) {
-  return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::can_bond; }, law);
-}
-
 double face_gap(const Work<2>& work, const NearPair& p) {
   const auto ends = [&](int i, int j) {
     const SkinMotion &a = work.skin[i], &b = work.skin[j];
@@ -32,7 +28,7 @@ State<2> start_state(const Model<2>& model, double reach) {
   find(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     NearPair pair = work.pairs[row];
-    if (!can_bond(model.laws[pair.law]) || !choose_face_pair(model, work, true, pair)) continue;
+    if (bond_of(model.laws[pair.law]) == Bond::none || !choose_face_pair(model, work, true, pair)) continue;
     const double size = 2 * std::min(model.body_radius[model.piece_body[pair.piece_a]],
                                      model.body_radius[model.piece_body[pair.piece_b]]);
     if (face_gap(work, pair) > reach * size) continue;

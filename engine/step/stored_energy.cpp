@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <array>
 
+#include "contact/face_resultant.hpp"
 #include "step/contact_rows.hpp"
 
 namespace trilith {
 namespace {
 
-/// kn/2 of the integral of g^2 over one half with linear gap, where closed or bonded [J].
-double half_store(double g0, double g1, double length, bool bonded, double kn) {
-  if (bonded) return kn * length * (g0 * g0 + g0 * g1 + g1 * g1) / 6;
+/// kn/2 of the integral of g^2 over one half with linear gap, where closed, and of the share a bond holds all along
+/// [J].
+double half_store(double g0, double g1, double length, double hold, double kn) {
   const PositivePart<double> part(-g0, -g1);
   const double d0 = -g0 - (g1 - g0) * part.from, d1 = -g0 - (g1 - g0) * part.to;
-  return kn * (part.to - part.from) * length * (d0 * d0 + d0 * d1 + d1 * d1) / 6;
+  const double closed = (part.to - part.from) * (d0 * d0 + d0 * d1 + d1 * d1), all = g0 * g0 + g0 * g1 + g1 * g1;
+  return kn * length * (closed + hold * (all - closed)) / 6;
 }
 
 double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law) {
@@ -22,9 +24,10 @@ double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& 
     return FaceEnds<double>{a.x, a.y, b.x, b.y, a.u, a.v, b.u, b.v};
   };
   const FaceOverlap<double> o(ends(p.a0, p.a1), ends(p.b0, p.b1));
-  const double mid = 0.5 * (o.gap_lo + o.gap_hi), half = 0.5 * o.shared;
-  const std::array stores{half_store(o.gap_lo, mid, half, (m.bonds & 1U) != 0, law.kn),
-                          half_store(mid, o.gap_hi, half, (m.bonds & 2U) != 0, law.kn)};
+  const double opened = dilation_of(m.slip, law), lo = o.gap_lo - opened, hi = o.gap_hi - opened;
+  const double mid = 0.5 * (lo + hi), half = 0.5 * o.shared;
+  const std::array stores{half_store(lo, mid, half, bond_hold(m, 0, law), law.kn),
+                          half_store(mid, hi, half, bond_hold(m, 1, law), law.kn)};
   double sum = 0;
   for (const int h : {0, 1}) {
     sum += stores[h];

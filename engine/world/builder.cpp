@@ -100,12 +100,15 @@ void ModelBuilder::add_body(BodySpec spec) {
 void ModelBuilder::add_law(const std::string& name, const ContactLaw& law) {
   require_name(name, "contact law");
   require_new(laws_, name, "contact law", [](const auto& l) { return l.first; });
-  std::visit([](const auto& l) { check_parameters(l); }, law);
-  if (const auto* b = std::get_if<Bonded>(&law); b != nullptr && b->mu > 0 && b->tension > b->cohesion / b->mu)
-    notes_.push_back(
-        fmt::format("contact law '{}': tension {:g} Pa is above cohesion/mu = {:g} Pa; under pure tension the shear "
-                    "limit governs first",
-                    name, b->tension, b->cohesion / b->mu));
+  std::visit(
+      [&](const auto& l) {
+        check_parameters(l);
+        if constexpr (requires { l.check(); }) l.check();
+        if constexpr (requires { l.note(); })
+          if (const std::string note = l.note(); !note.empty())
+            notes_.push_back(fmt::format("contact law '{}': {}", name, note));
+      },
+      law);
   laws_.emplace_back(name, law);
 }
 

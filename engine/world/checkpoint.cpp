@@ -127,7 +127,7 @@ void walk(W& file, ContactMemory& m) {
   for (const int h : {0, 1}) file.number(m.shear_elastic[h]);
   for (const int h : {0, 1}) file.number(m.shear_total[h]);
   for (const int h : {0, 1}) file.number(m.damping_force[h]);
-  file.number(m.damping_moment);
+  file.number(m.own[0]), file.number(m.own[1]);
   for (const int h : {0, 1}) file.number(m.active[h]);
   file.number(m.slip);
   file.pair(m.bonds, m.state);
@@ -190,7 +190,7 @@ std::vector<std::uint64_t> words_of(State<2> state, const Fingerprint& print) {
 }
 
 void read_contacts(Reader& file, const Model<2>& model, State<2>& s) {
-  const std::size_t count = file.open_count(11);
+  const std::size_t count = file.open_count(13);
   s.contact.resize(count);
   s.memory.resize(count);
   for (std::size_t i = 0; i < count; ++i) {

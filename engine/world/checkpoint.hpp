@@ -22,7 +22,7 @@
 
 namespace trilith {
 
-inline constexpr std::uint64_t checkpoint_version = 1;
+inline constexpr std::uint64_t checkpoint_version = 2;
 
 /// Writes `state` of `model` to `path`: first under the name `path`.part, which is then forced to the disk and renamed,
 /// so that at any time `path` is a whole checkpoint, the old or the new one. Throws InputError where it cannot be

@@ -11,6 +11,7 @@ namespace trilith {
 enum class EventType : int {
   stage_begun,
   stage_ended,
+  bond_cracked,
   bond_broken,
   bearing_yielded,
   bearing_failed,
@@ -21,7 +22,7 @@ enum class EventType : int {
   impact,
   body_at_rest,
 };
-inline constexpr int event_types = 11;
+inline constexpr int event_types = 12;
 
 struct EventTypeInfo {
   std::string_view name;        ///< as in scripts and results
@@ -32,7 +33,8 @@ struct EventTypeInfo {
 inline constexpr std::array<EventTypeInfo, event_types> event_type_info{{
     {"stage.begun", "", ""},
     {"stage.ended", "", ""},
-    {"bond.broken", "slip", "m"},
+    {"bond.cracked", "force", "N"},
+    {"bond.broken", "force", "N"},
     {"bearing.yielded", "displacement", "m"},
     {"bearing.failed", "displacement", "m"},
     {"bearing.changed", "displacement", "m"},
@@ -52,7 +54,7 @@ struct Event {
   int body_a = -1, body_b = -1, bearing = -1;
   double value = 0;     ///< see EventTypeInfo
   double x = 0, y = 0;  ///< where [m]
-  std::string text;     ///< the rest in words
+  std::string text;     ///< the rest in words: the mode of a bond's failure, tension or shear
 };
 
 }  // namespace trilith

@@ -57,7 +57,9 @@ std::string event_text(const Event& e, const Model<2>& model) {
     case EventType::stage_ended:
       return ended_text(e.text);
     case EventType::bond_broken:
-      return fmt::format("bond of {} and {} broke", a, b);
+      return fmt::format("bond of {} and {} broke in {} at {:.3g} kN", a, b, e.text, 1e-3 * e.value);
+    case EventType::bond_cracked:
+      return fmt::format("bond of {} and {} cracked in {} at {:.3g} kN", a, b, e.text, 1e-3 * e.value);
     case EventType::bearing_yielded:
       return failed_text(e, model, "yielded");
     case EventType::bearing_failed:
@@ -80,8 +82,8 @@ std::string event_text(const Event& e, const Model<2>& model) {
 
 std::string_view event_heading(EventType type) {
   constexpr std::array<std::string_view, event_types> headings = {
-      "stage begun",  "stage ended",  "bond broken", "bearing yielded", "bearing failed", "bearing changed",
-      "contact made", "contact lost", "seat lost",   "impact",          "body at rest"};
+      "stage begun",     "stage ended",  "bond cracked", "bond broken", "bearing yielded", "bearing failed",
+      "bearing changed", "contact made", "contact lost", "seat lost",   "impact",          "body at rest"};
   return headings[static_cast<std::size_t>(type)];
 }
 

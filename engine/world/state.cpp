@@ -28,8 +28,8 @@ void add(Hash& hash, const ContactMemory& m) {
     hash.add(m.shear_total[h]);
     hash.add(m.damping_force[h]);
     hash.add(m.active[h]);
+    hash.add(m.own[h]);
   }
-  hash.add(m.damping_moment);
   hash.add(m.slip);
   hash.add(static_cast<std::uint64_t>(m.bonds) << 32 | m.state);
 }

@@ -18,7 +18,7 @@ constexpr FaceLaw elastic{1e8, 0, 0, 0, 0, 0, 1e-4, false};
 constexpr FaceLaw bonded{1e8, 6e7, 0.5, 1e-3, 2e5, 1e5, 1e-4, true};
 
 FaceResponse<double> respond(const Faces& f, const FaceMemory<double>& before, const FaceLaw& law) {
-  return respond_face_pair<true>(f.a, f.b, 1.0, before, law);
+  return respond_face_pair<Bond::brittle>(f.a, f.b, 1.0, before, law);
 }
 
 double size_of(const FaceResponse<double>& r) {
@@ -149,6 +149,7 @@ FaceMemory<Lanes> pack(const std::array<FaceMemory<double>, lane_count>& m) {
       out.damping_force[h][i] = m[i].damping_force[h];
       out.active[h][i] = m[i].active[h];
       out.bonds[h][i] = m[i].bonds[h] ? -1 : 0;
+      out.damage[h][i] = m[i].damage[h];
     }
     out.slip[i] = m[i].slip;
   }
@@ -198,19 +199,24 @@ TEST_CASE("four faces at once give the bits of one at a time") {
       memory[i] = random_memory(bits, 1e4);
     }
     const Lanes corner = Lanes{} + 1.0;
-    const auto with = [&](const FaceLaw& law, auto can_bond) {
-      constexpr bool bonds = decltype(can_bond)::value;
+    const auto with = [&](const FaceLaw& law, auto kind) {
+      constexpr Bond bonds = decltype(kind)::value;
       const FaceResponse<Lanes> many =
           respond_face_pair<bonds>(pack(faces, false), pack(faces, true), corner, pack(memory), law);
       for (int i = 0; i < lane_count; ++i)
         check_lane(many, respond_face_pair<bonds>(faces[i].a, faces[i].b, 1.0, memory[i], law), i);
     };
-    with(bonded, std::true_type{});
+    with(bonded, std::integral_constant<Bond, Bond::brittle>{});
     FaceLaw whole = bonded;
     whole.loss_by_point = false;
-    with(whole, std::true_type{});
+    with(whole, std::integral_constant<Bond, Bond::brittle>{});
+    FaceLaw soft = bonded;
+    soft.last_opening = 4e-3, soft.last_slip = 1e-2, soft.dilation = 0.2, soft.dilation_slip = 0.5;
+    for (FaceMemory<double>& m : memory)
+      for (double& d : m.damage) d = random_between(bits, 0, 1);
+    with(soft, std::integral_constant<Bond, Bond::softening>{});
     for (FaceMemory<double>& m : memory) m.bonds[0] = m.bonds[1] = false;
-    with(frictional, std::false_type{});
+    with(frictional, std::integral_constant<Bond, Bond::none>{});
   }
 }
 
@@ -286,7 +292,7 @@ Lap lead_round(const Path& path, const FaceLaw& law) {
     const auto corner_speed = [&](double x) { return Vec2(speed + cross(now[5], point(x))); };
     const Faces f{rigid_face({0.6, 0}, {-0.6, 0}, Vec2::Zero(), 0),
                   face(place + point(-0.5), place + point(0.5), corner_speed(-0.5), corner_speed(0.5))};
-    const FaceResponse<double> r = respond_face_pair<false>(f.a, f.b, 1.0, memory, stepped);
+    const FaceResponse<double> r = respond_face_pair<Bond::none>(f.a, f.b, 1.0, memory, stepped);
     memory = r.memory;
     const Vec2 force = on_b0(r) + on_b1(r);
     const double power = force.dot(speed) + (cross(point(-0.5), on_b0(r)) + cross(point(0.5), on_b1(r))) * now[5];

@@ -37,7 +37,7 @@ ContactMemory to_memory(const FaceMemory<double>& m) {
   return out;
 }
 
-template <bool CanBond>
+template <Bond B>
 void check_same(const FaceLaw& law, bool bonded) {
   std::mt19937 random(7);
   int touching = 0;
@@ -46,7 +46,7 @@ void check_same(const FaceLaw& law, bool bonded) {
     FaceMemory<double> before{};
     before.bonds[0] = before.bonds[1] = bonded;
     before.shear_elastic[0] = 1e3;
-    const FaceResponse<double> r = respond_face_pair<CanBond>(p.a, p.b, 1.0, before, law);
+    const FaceResponse<double> r = respond_face_pair<B>(p.a, p.b, 1.0, before, law);
     if (!r.is_face_pair || !r.touching) continue;
     ++touching;
     const ContactResultant out = face_resultant(p.a, p.b, to_memory(r.memory), law);
@@ -69,6 +69,6 @@ void check_same(const FaceLaw& law, bool bonded) {
 }  // namespace
 
 TEST_CASE("the resultant of two faces is the force and moment that their ends feel") {
-  check_same<false>({1e8, 4e7, 0.6, 2e-3, 0, 0, 1e-4, false}, false);
-  check_same<true>({1e8, 4e7, 0.6, 2e-3, 1e9, 1e9, 1e-4, false}, true);
+  check_same<Bond::none>({1e8, 4e7, 0.6, 2e-3, 0, 0, 1e-4, false}, false);
+  check_same<Bond::brittle>({1e8, 4e7, 0.6, 2e-3, 1e9, 1e9, 1e-4, false}, true);
 }

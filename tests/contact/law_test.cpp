@@ -60,7 +60,7 @@ TEST_CASE("a bond stronger in tension than its shear limit allows is accepted wi
   ModelBuilder builder;
   builder.add_law("wall", Bonded{1e8, 4e7, 0.7, 0, 9768, 19150, 0});
   REQUIRE(builder.notes().size() == 1);
-  CHECK(builder.notes()[0].find("shear limit governs") != std::string::npos);
+  CHECK(builder.notes()[0].find("apex of the Coulomb line") != std::string::npos);
 }
 
 namespace {
@@ -71,7 +71,7 @@ FaceResponse<double> opened(double gap, double slope, double slip, bool by_point
   const Vec2 speed(slip / law.dt, 0);
   const Faces f{rigid_face({1, 0}, {0, 0}, Vec2::Zero(), 0),
                 rigid_face({0, gap - 0.5 * slope}, {1, gap + 0.5 * slope}, speed, 0)};
-  return respond_face_pair<true>(f.a, f.b, 1.0, before, law);
+  return respond_face_pair<Bond::brittle>(f.a, f.b, 1.0, before, law);
 }
 
 }  // namespace

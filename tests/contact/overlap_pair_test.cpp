@@ -201,7 +201,7 @@ TEST_CASE("for flat faces the general contact has the force of the face contact,
     const Felt felt = feel(a, {}, b, pb, elastic);
     const Faces f{rigid_face({2, 0}, {-2, 0}, Vec2::Zero(), 0),
                   rigid_face({-0.4, -depth}, {0.6, -depth}, Vec2::Zero(), 0)};
-    const FaceResponse<double> r = respond_face_pair<false>(f.a, f.b, 1.0, no_memory(), elastic);
+    const FaceResponse<double> r = respond_face_pair<Bond::none>(f.a, f.b, 1.0, no_memory(), elastic);
     const double face_force = (on_b0(r) + on_b1(r)).y();
     CHECK(face_force == doctest::Approx(kn * depth).epsilon(1e-12).scale(0));
     CHECK(felt.on_b.y() == doctest::Approx(face_force).epsilon(depth).scale(0));

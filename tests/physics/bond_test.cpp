@@ -82,6 +82,19 @@ TEST_CASE("C7: a cohesive joint carries its tensile strength, then nothing, and 
   }
 }
 
+TEST_CASE(
+    "C7: the paper's mortar, whose tension is beyond the apex of its Coulomb line, carries its tension when pulled") {
+  const double ft = 19150, kn = 1e8, mu = std::tan(35 * degree);
+  CHECK(ft > 9768 / mu);
+  for (const double by_point : {0.0, 1.0}) {
+    JointTest joint({kn, 0.5 * kn, mu, 0, 9768, ft, by_point}, 1, 0, 0);
+    const Reading most = peak(joint.lead(1, 3e-4, 1.0, 0.5));
+    MESSAGE("C7, paper's mortar: peak pull ", most.force, " N (19150) at ", most.moved, " m (1.915e-4)");
+    CHECK(most.force == near(ft, 0.005));
+    CHECK(most.moved == near(ft / kn, 0.005));
+  }
+}
+
 TEST_CASE("C7: closed again after its loss the joint holds by friction alone") {
   const double kn = 1e8, mu = 0.7, pressure = 5e4;
   Bonded law{kn, 0.5 * kn, mu, 1e-4, 1e5, 19150, 0};

@@ -108,6 +108,15 @@ inline Model<2> bonded_wall(bool by_point = false) {
   return model;
 }
 
+/// The same wall with mortar that softens and dilates.
+inline Model<2> softening_wall() {
+  Scene scene(Cohesive{2e8, 8e7, 0.7, 1e-4, 12e3, 16e3, 8, 12, 0.05, 2e-3});
+  add_parts(scene, build_running_bond({.columns = 4, .courses = 6, .base_height = 0.3, .base_margin = 2}));
+  Model<2> model = scene.builder.build();
+  scene.drive_along_x(model, "base", sine(2.0 * standard_gravity, 3, 3));
+  return model;
+}
+
 /// A span on two piers, one of them driven away: the bearing of its left end fails and becomes friction, its right end
 /// loses its seat, and it falls onto the ground.
 inline Model<2> pulled_span() {
@@ -155,6 +164,7 @@ inline std::vector<Collapse> collapses() {
           {"rolling drums", rolling_drums, 2.0},
           {"bonded wall", [] { return bonded_wall(); }, 1.0},
           {"bonded wall, by point", [] { return bonded_wall(true); }, 1.0},
+          {"bonded wall, softening", softening_wall, 1.0},
           {"pulled span", pulled_span, 4.0}};
 }
 

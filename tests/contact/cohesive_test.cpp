@@ -1,0 +1,215 @@
+// Mortar that softens: closed forms of one joint, energies, mixed paths, and what its declaration refuses.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "contact/cohesive.hpp"
+#include "contact/face_scene.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+constexpr double kn = 1e9, ks = 4e8, mu = 0.7, cohesion = 2e5, tension = 1e5, gi = 20, gii = 125;
+
+FaceLaw mortar(double dt = 1e-4) {
+  FaceLaw law{kn, ks, mu, 0, cohesion, tension, dt, true};
+  law.last_opening = 2 * gi / tension;
+  law.last_slip = 2 * gii / cohesion;
+  return law;
+}
+
+/// A joint of 1 m2 led through openings and slips; work is that of the forces that lead it.
+struct Joint {
+  FaceLaw law = mortar();
+  Turn turn{0.0};
+  FaceMemory<double> memory = no_memory(true);
+  double gap = 0, slip = 0;                                  // [m]
+  double normal = 0, shear = 0;                              // pulling apart and along, on b [N]
+  double work = 0, fracture = 0, friction = 0, damping = 0;  // [J]
+
+  void to(double next_gap, double next_slip) {
+    const Vec2 speed((next_slip - slip) / law.dt, (next_gap - gap) / law.dt), still = Vec2::Zero();
+    // b's face is longer than a's, so that all of a's stays covered.
+    const Faces f = turned({rigid_face({1, 0}, {0, 0}, still, 0),
+                            rigid_face({-1 + next_slip, next_gap}, {2 + next_slip, next_gap}, speed, 0)},
+                           turn);
+    const FaceResponse<double> r = respond_face_pair<Bond::softening>(f.a, f.b, 1.0, memory, law);
+    REQUIRE(r.is_face_pair);
+    const Vec2 on_b = turn.undo(Vec2(on_b0(r) + on_b1(r)));
+    work -= 0.5 * (on_b.y() - normal) * (next_gap - gap) + 0.5 * (on_b.x() - shear) * (next_slip - slip);
+    normal = -on_b.y(), shear = -on_b.x();
+    fracture += r.lost_fracture, friction += r.lost_friction, damping += r.lost_damping;
+    memory = r.touching ? r.memory : no_memory(false);
+    gap = next_gap, slip = next_slip;
+  }
+  /// In `steps` equal steps; `see` after each.
+  void lead(
+      double next_gap, double next_slip, int steps, const std::function<void()>& see = [] {}) {
+    const double g0 = gap, s0 = slip;
+    for (int i = 1; i <= steps; ++i) {
+      to(g0 + (next_gap - g0) * i / steps, s0 + (next_slip - s0) * i / steps);
+      see();
+    }
+  }
+  [[nodiscard]] double damage() const { return std::max(memory.damage[0], memory.damage[1]); }
+  /// Elastic energy of the joint, uniformly open or closed [J].
+  [[nodiscard]] double stored() const {
+    double sum = 0;
+    for (const int h : {0, 1}) {
+      const double hold = gap <= 0 ? 1 : memory.bonds[h] ? share_held(1 - memory.damage[h], law) : 0;
+      sum += 0.5 * kn * hold * gap * gap * 0.5;
+      if (memory.active[h] > 0)
+        sum += 0.5 * memory.shear_elastic[h] * memory.shear_elastic[h] / (ks * memory.active[h]);
+    }
+    return sum;
+  }
+};
+
+doctest::Approx near(double value, double share) {
+  return doctest::Approx(value).epsilon(share).scale(0);
+}
+
+}  // namespace
+
+TEST_CASE("a softening joint pulled apart peaks at its strength, falls in a line and gives off its fracture energy") {
+  Joint joint;
+  double peak = 0, at_peak = 0;
+  const double first = tension / kn, last = 2 * gi / tension;
+  joint.lead(1.2 * last, 0, 20000, [&] {
+    if (joint.normal > peak) peak = joint.normal, at_peak = joint.gap;
+    if (joint.gap > first && joint.gap < last)
+      CHECK(joint.normal ==
+            doctest::Approx(tension * (last - joint.gap) / (last - first)).epsilon(1e-9).scale(tension));
+  });
+  CHECK(peak == near(tension, 1e-3));
+  CHECK(at_peak == near(first, 5e-3));
+  CHECK(joint.normal == 0.0);
+  CHECK_FALSE((joint.memory.bonds[0] || joint.memory.bonds[1]));
+  CHECK(joint.fracture == near(gi, 0.005));
+  CHECK(joint.work == near(gi, 0.005));
+}
+
+TEST_CASE("an open joint unloads to the origin, closes with its full stiffness, and goes on where it left the line") {
+  Joint joint;
+  const double first = tension / kn, last = 2 * gi / tension, half = 0.5 * (first + last);
+  joint.lead(half, 0, 5000);
+  const double at_half = joint.normal, lost = joint.fracture;
+  CHECK(at_half == near(0.5 * tension, 1e-6));
+  joint.lead(0.5 * half, 0, 100);
+  CHECK(joint.normal == near(0.5 * at_half, 1e-9));
+  joint.lead(-1e-4, 0, 100);
+  CHECK(joint.normal == near(-kn * 1e-4, 1e-9));
+  joint.lead(half, 0, 1000);
+  CHECK(joint.normal == near(at_half, 1e-9));
+  CHECK(joint.fracture == near(lost, 1e-9));
+  joint.lead(1.01 * last, 0, 10000);
+  CHECK(joint.fracture == near(gi, 0.005));
+}
+
+TEST_CASE(
+    "a softening joint sheared under pressure peaks at c + mu sigma, then friction remains; cohesion takes G_II") {
+  for (const double pressure : {0.0, 5e4, 4e5}) {
+    Joint joint;
+    const double gap = -pressure / kn, last = 2 * gii / cohesion;
+    joint.lead(gap, 0, 100);
+    double peak = 0, at_peak = 0;
+    joint.lead(gap, 3 * last, 60000, [&] {
+      if (joint.shear > peak) peak = joint.shear, at_peak = joint.slip;
+    });
+    CAPTURE(pressure);
+    CHECK(peak == near(cohesion + mu * pressure, 1e-3));
+    CHECK(at_peak == near((cohesion + mu * pressure) / ks, 0.005));
+    CHECK(joint.shear == doctest::Approx(mu * pressure).epsilon(1e-9).scale(1));
+    CHECK(joint.fracture == near(gii, 0.005));
+    const double slid = 3 * last - mu * pressure / ks;
+    CHECK(joint.friction == doctest::Approx(mu * pressure * slid).epsilon(0.005).scale(gii));
+    // Back: along ks, then the other way by friction.
+    const double turned_at = joint.slip;
+    joint.lead(gap, turned_at - mu * pressure / ks, 100);
+    CHECK(std::abs(joint.shear) < 1e-6 * (mu * pressure + 1));
+    joint.lead(gap, turned_at - 3 * mu * pressure / ks, 1000);
+    CHECK(joint.shear == doctest::Approx(-mu * pressure).epsilon(1e-9).scale(1));
+  }
+}
+
+TEST_CASE("half softened in shear, a joint has lost the same share of its tension") {
+  Joint joint;
+  const double last = 2 * gii / cohesion;
+  joint.lead(0, cohesion / ks + 0.4 * last, 20000);
+  const double left = joint.shear / cohesion;
+  CHECK(left > 0.2);
+  CHECK(left < 0.9);
+  CHECK(joint.damage() == doctest::Approx(1 - left).epsilon(1e-9));
+  joint.lead(0, joint.slip - joint.shear / ks, 100);
+  CHECK(std::abs(joint.shear) < 1e-6 * cohesion);
+  double peak = 0;
+  const double slip = joint.slip;
+  joint.lead(2 * gi / tension, slip, 20000, [&] { peak = std::max(peak, joint.normal); });
+  CHECK(peak <= left * tension * (1 + 1e-9));
+  CHECK(peak > 0.995 * left * tension);
+}
+
+TEST_CASE("on mixed and cyclic paths the work is what was given off and what is stored, and nothing is made") {
+  struct Stop {
+    double gap, slip;
+  };
+  const double o = 2 * gi / tension, s = 2 * gii / cohesion;
+  const std::vector<std::vector<Stop>> paths{{{0.3 * o, 0.3 * s}, {1.1 * o, 2.0 * s}},
+                                             {{0.5 * o, 0}, {0.5 * o, 1.5 * s}, {-1e-4, 1.5 * s}, {-1e-4, -s}},
+                                             {{-2e-4, 0}, {-2e-4, 0.7 * s}, {0.4 * o, 0.7 * s}, {-1e-4, 0}, {o, 3 * s}},
+                                             {{0.1 * o, 0.8 * s}, {0, -0.5 * s}, {0.3 * o, 0.2 * s}, {0, 0}}};
+  for (const double angle : {0.0, 0.7, 3.0})
+    for (const auto& path : paths) {
+      Joint joint;
+      joint.turn = Turn(angle);
+      double fracture_before = 0, most = 0;
+      for (const Stop& stop : path)
+        joint.lead(stop.gap, stop.slip, 20000, [&] {
+          CHECK(joint.fracture >= fracture_before - 1e-12);
+          fracture_before = joint.fracture;
+          most = std::max(most, joint.work);
+        });
+      const double given = joint.fracture + joint.friction + joint.damping;
+      CHECK(std::abs(joint.work - given - joint.stored()) < 2e-3 * most);
+      CHECK(joint.fracture <= std::max(gi, gii) * 1.005);
+    }
+}
+
+TEST_CASE("a softening joint answers alike in every direction of the world") {
+  Joint plain, turned_joint;
+  turned_joint.turn = Turn(2.2);
+  for (Joint* j : {&plain, &turned_joint}) j->lead(1e-4, 4e-4, 1000), j->lead(-1e-4, 9e-4, 1000);
+  CHECK(plain.normal == near(turned_joint.normal, 1e-8));
+  CHECK(plain.shear == near(turned_joint.shear, 1e-8));
+  CHECK(plain.fracture == near(turned_joint.fracture, 1e-8));
+}
+
+TEST_CASE(
+    "held shut, a sliding joint with dilation presses by kn tan(psi) slip up to its limit, for no gain of energy") {
+  Joint joint;
+  joint.law.dilation = 0.1, joint.law.dilation_slip = 5e-4;
+  joint.lead(-1e-5, 0, 100);
+  joint.lead(-1e-5, 4e-3, 40000);
+  CHECK(-joint.normal == near(kn * (1e-5 + 0.1 * 5e-4), 1e-3));
+  CHECK(joint.shear == near(mu * -joint.normal, 1e-3));
+  CHECK(joint.friction > 0);
+  const double pressed = 0.5 * joint.normal * joint.normal / kn;
+  const double shear = 0.5 * joint.shear * joint.shear / ks;
+  CHECK(joint.work == near(joint.fracture + joint.friction + pressed + shear, 0.005));
+}
+
+TEST_CASE("a fracture energy below what the joint stores at its strength is refused with the least that is possible") {
+  const Cohesive sound{kn, ks, mu, 0, cohesion, tension, gi, gii, 0, 0};
+  CHECK_NOTHROW(sound.check());
+  Cohesive weak = sound;
+  weak.energy_tension = 4;
+  CHECK_THROWS_WITH_AS(weak.check(), doctest::Contains("energy_tension is 4 J/m2, must be above tension^2/(2 kn) = 5"),
+                       InputError);
+  weak = sound;
+  weak.energy_shear = 40;
+  CHECK_THROWS_WITH_AS(weak.check(), doctest::Contains("energy_shear is 40 J/m2, must be above cohesion^2/(2 ks) = 50"),
+                       InputError);
+}
