@@ -22,6 +22,7 @@ struct FaceMemory {
   T shear_elastic[2], shear_total[2], damping_force[2], active[2], slip;
   Mask<T> bonds[2];
   Mask<T> general{};  ///< the last step found the contact by overlap: the halves share one shear force
+  Mask<T> worn{};     ///< dilates no more
   T damage[2]{};      ///< softening bond: share of the strength of each half that is lost
 };
 
@@ -151,8 +152,8 @@ struct FaceMotion {
 
 /// Opening of a joint by the sliding it has behind it [m].
 template <class T>
-TRILITH_INLINE T dilation_of(T slip, const FaceLaw& law) {
-  return law.dilation * smaller(slip, law.dilation_slip + T{});
+TRILITH_INLINE T dilation_of(T slip, Mask<T> worn, const FaceLaw& law) {
+  return select(worn, T{}, law.dilation * smaller(slip, law.dilation_slip + T{}));
 }
 
 /// Bonds after the normal stresses: what is left of them, and the energy they gave off [J].
@@ -174,7 +175,7 @@ TRILITH_INLINE T end_softening(const FaceHalves<T>& halves, const FaceMemory<T>&
 template <class T>
 TRILITH_INLINE void book_dilation(const FaceMemory<T>& before, const FaceLaw& law, const HalfResponse<T>* s,
                                   FaceResponse<T>& out) {
-  const T opened = dilation_of(out.memory.slip, law) - dilation_of(before.slip, law);
+  const T opened = dilation_of(out.memory.slip, before.worn, law) - dilation_of(before.slip, before.worn, law);
   const T pressure = s[0].normal - s[0].damping + s[1].normal - s[1].damping;
   out.lost_friction -= (pressure + 0.5 * law.kn * opened * (s[0].active + s[1].active)) * opened;
 }
@@ -192,7 +193,7 @@ TRILITH_INLINE FaceResponse<T> respond_face_motion(const FaceMotion<T>& motion, 
   out.lost_fracture = zero;
   if constexpr (B == Bond::brittle) out.lost_fracture = lose_bonds(halves.half, before.shear_elastic, law);
   if constexpr (B == Bond::softening) {
-    if (law.dilation > 0) halves.open_by(dilation_of(before.slip, law));
+    if (law.dilation > 0) halves.open_by(dilation_of(before.slip, before.worn, law));
     for (const int h : {0, 1}) soften_by_opening(halves.half[h], before.damage[h], law);
   }
   HalfResponse<T> s[2];
@@ -210,6 +211,7 @@ TRILITH_INLINE FaceResponse<T> respond_face_motion(const FaceMotion<T>& motion, 
   }
   out.memory.bonds[0] = halves.half[0].bonded;
   out.memory.bonds[1] = halves.half[1].bonded;
+  out.memory.worn = before.worn;
   if constexpr (B == Bond::softening) out.lost_fracture += end_softening(halves, before, law, out.memory);
   remember(overlap, motion.rates, before, law.dt, s[0], s[1], out);
   if constexpr (B == Bond::softening)

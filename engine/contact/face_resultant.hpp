@@ -23,6 +23,11 @@ inline double bond_hold(const ContactMemory& memory, int half, const FaceLaw& la
   return law.last_opening > 0 ? share_held(1 - memory.damage(half), law) : 1;
 }
 
+/// Opening of a joint by the sliding it has behind it [m].
+inline double dilation_of(const ContactMemory& memory, const FaceLaw& law) {
+  return dilation_of(memory.slip, (memory.state & contact_worn) != 0, law);
+}
+
 /// Elastic normal force of one half with gaps `g0`, `g1` at its ends, and its moment about the half's start. `hold`:
 /// see bond_hold.
 struct HalfPressure {
@@ -45,7 +50,7 @@ inline ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds
                                        const ContactMemory& memory, const FaceLaw& law) {
   const FaceOverlap<double> o(a, b);
   const double half = 0.5 * o.shared, gap_mid = 0.5 * (o.gap_lo + o.gap_hi), middle = o.lo + half;
-  const double opened = dilation_of(memory.slip, law);
+  const double opened = dilation_of(memory, law);
   const HalfPressure first(o.gap_lo - opened, gap_mid - opened, half, bond_hold(memory, 0, law), law.kn);
   const HalfPressure second(gap_mid - opened, o.gap_hi - opened, half, bond_hold(memory, 1, law), law.kn);
   ContactResultant out;

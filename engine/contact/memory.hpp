@@ -26,6 +26,7 @@ struct alignas(32) ContactMemory {
 enum ContactState : std::uint32_t {
   contact_touching = 1,  ///< some stress was carried at the last step
   contact_general = 2,   ///< ... and found by overlap, not as a pair of faces
+  contact_worn = 4,      ///< has been so since it began to touch: it dilates no more
 };
 
 }  // namespace trilith

@@ -76,7 +76,7 @@ TRILITH_INLINE LaneMask has_bit(const LaneMask& word, std::int64_t bit) {
 }
 
 constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
-                       general_bit = std::int64_t{contact_general} << 32;
+                       general_bit = std::int64_t{contact_general} << 32, worn_bit = std::int64_t{contact_worn} << 32;
 
 /// Arrays of State and Work that the rows of a batch are read from and written to.
 struct Pass {
@@ -150,7 +150,10 @@ TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
   m.face.bonds[1] = has_bit(word, 2);
   m.face.general = has_bit(word, general_bit);
   m.touching = has_bit(word, touching_bit);
-  if constexpr (B == Bond::softening) load(&ContactMemory::own, m.face.damage[0], m.face.damage[1]);
+  if constexpr (B == Bond::softening) {
+    load(&ContactMemory::own, m.face.damage[0], m.face.damage[1]);
+    m.face.worn = has_bit(word, worn_bit);
+  }
   return m;
 }
 
@@ -159,7 +162,8 @@ struct RowResponse {
   RowPairs elastic, total, damping, active, slip_bits, damage, a0, a1, b0, b1;
   TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m) {
     const LaneMask none{};
-    return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (none + touching_bit));
+    return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (m.worn & (none + worn_bit)) |
+                    (none + touching_bit));
   }
   TRILITH_INLINE explicit RowResponse(const FaceResponse<Lanes>& r)
       : elastic(r.memory.shear_elastic[0], r.memory.shear_elastic[1]),

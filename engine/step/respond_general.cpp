@@ -5,6 +5,7 @@
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
+#include "step/stored_energy.hpp"
 
 namespace trilith {
 
@@ -46,7 +47,10 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   const PlacedPiece b = placed_piece(model, state, work, pair.piece_b, corners_b);
   std::fill_n(on_a.begin(), a.corner.size(), Vec2::Zero());
   std::fill_n(on_b.begin(), b.corner.size(), Vec2::Zero());
-  const OverlapResponse r = respond_overlap(a, b, before, face_law(model, pair.law, dt), on_a, on_b);
+  const FaceLaw law = face_law(model, pair.law, dt);
+  const OverlapResponse r = respond_overlap(a, b, before, law, on_a, on_b);
+  if (law.dilation > 0 && was && (before.state & contact_general) == 0)
+    work.given[EnergyTerm::contact_friction] += dilation_energy(work, pair, before, law);
   if (was != r.touching || before.bonds != 0) work.turned.push_back(row);
   work.given[EnergyTerm::contact_damping] += r.lost_damping;
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
@@ -56,6 +60,7 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
     return;
   }
   after = r.memory;
+  if (law.dilation > 0) after.state |= contact_worn;
   add_to_skin(model, pair.piece_a, on_a, work);
   add_to_skin(model, pair.piece_b, on_b, work);
   work.general_touching.push_back({row, r.length, r.centre, r.force});

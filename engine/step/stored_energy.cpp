@@ -18,21 +18,24 @@ double half_store(double g0, double g1, double length, double hold, double kn) {
   return kn * length * (closed + hold * (all - closed)) / 6;
 }
 
-double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law) {
+double normal_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law,
+                     double opened) {
   const auto ends = [&](int i, int j) {
     const SkinMotion &a = work.skin[i], &b = work.skin[j];
     return FaceEnds<double>{a.x, a.y, b.x, b.y, a.u, a.v, b.u, b.v};
   };
   const FaceOverlap<double> o(ends(p.a0, p.a1), ends(p.b0, p.b1));
-  const double opened = dilation_of(m.slip, law), lo = o.gap_lo - opened, hi = o.gap_hi - opened;
+  if (!o.sane) return 0;
+  const double lo = o.gap_lo - opened, hi = o.gap_hi - opened;
   const double mid = 0.5 * (lo + hi), half = 0.5 * o.shared;
-  const std::array stores{half_store(lo, mid, half, bond_hold(m, 0, law), law.kn),
-                          half_store(mid, hi, half, bond_hold(m, 1, law), law.kn)};
-  double sum = 0;
-  for (const int h : {0, 1}) {
-    sum += stores[h];
+  return half_store(lo, mid, half, bond_hold(m, 0, law), law.kn) +
+         half_store(mid, hi, half, bond_hold(m, 1, law), law.kn);
+}
+
+double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law) {
+  double sum = normal_energy(work, p, m, law, dilation_of(m, law));
+  for (const int h : {0, 1})
     if (m.active[h] > 0 && law.ks > 0) sum += 0.5 * m.shear_elastic[h] * m.shear_elastic[h] / (law.ks * m.active[h]);
-  }
   return sum;
 }
 
@@ -48,6 +51,11 @@ double general_energy(const Model<2>& model, const State<2>& state, const Work<2
 }
 
 }  // namespace
+
+double dilation_energy(const Work<2>& work, const NearPair& pair, const ContactMemory& memory, const FaceLaw& law) {
+  const double opened = dilation_of(memory, law);
+  return normal_energy(work, pair, memory, law, opened) - normal_energy(work, pair, memory, law, 0);
+}
 
 double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   double sum = 0;

@@ -1,11 +1,15 @@
 // Elastic energy in the contacts at the instant of the last evaluation.
 #pragma once
 
+#include "contact/face_law.hpp"
 #include "world/work.hpp"
 
 namespace trilith {
 
 /// [J], from the pose (normal) and the trial memories (shear).
 double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work);
+
+/// What of it the dilation of a contact of two faces holds: let go where the contact goes over to general shape [J].
+double dilation_energy(const Work<2>& work, const NearPair& pair, const ContactMemory& memory, const FaceLaw& law);
 
 }  // namespace trilith

@@ -110,7 +110,7 @@ TEST_CASE("an open joint unloads to the origin, closes with its full stiffness, 
 }
 
 TEST_CASE(
-    "a softening joint sheared under pressure peaks at c + mu sigma, then friction remains; cohesion takes G_II") {
+    "a softening joint sheared under pressure peaks at c + mu sigma and leaves friction, and its cohesion takes G_II") {
   for (const double pressure : {0.0, 5e4, 4e5}) {
     Joint joint;
     const double gap = -pressure / kn, last = 2 * gii / cohesion;
