@@ -179,6 +179,8 @@ void Recording::event(const Event& event, const Instant& now) {
   row.has_place = has_place(event.type);
   if (row.has_place) row.place[0] = event.x, row.place[1] = event.y;
   if (!info.value_name.empty()) row.first = {std::string(info.value_name), std::string(info.value_unit), event.value};
+  if (event.type == EventType::bond_cracked || event.type == EventType::bond_broken)
+    row.second = {"mode", "1", event.text == "shear" ? 1.0 : 0.0};
   row.cause = event.cause;
   row.text = event_text(event, now.model);
   writer_.append_event(std::move(row));

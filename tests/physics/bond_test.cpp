@@ -18,9 +18,10 @@ struct JointTest {
   Scene scene;
   Simulation sim;
   int node;
+  std::vector<Event> events;  ///< of bonds, while led
 
   /// `axis` 0: sheared, the block held down by `pressure` [Pa]; 1: pulled.
-  JointTest(const Bonded& law, int axis, double pressure, double turn)
+  JointTest(const ContactLaw& law, int axis, double pressure, double turn)
       : scene(law, turn), sim(make(scene, axis, pressure)), node(node_of(sim.model(), "block")) {}
 
   static Simulation make(Scene& scene, int axis, double pressure) {
@@ -44,10 +45,14 @@ struct JointTest {
     const double origin = sim.state().position[node][axis];
     set_drive(sim.edit_model(), body, axis, motion, start, origin);
     std::vector<Reading> readings;
-    run_for(sim, end - 1e-6 * period, period / 20000, each_step([&](const Instant& now) {
-              readings.push_back(
-                  {motion->displacement(now.state.time - now.state.last_dt - start), -(now.work.force[node][axis])});
-            }));
+    RunListener listener = each_step([&](const Instant& now) {
+      readings.push_back(
+          {motion->displacement(now.state.time - now.state.last_dt - start), -(now.work.force[node][axis])});
+    });
+    listener.on_event = [&](const Event& e, const Instant&) {
+      if (e.type == EventType::bond_cracked || e.type == EventType::bond_broken) events.push_back(e);
+    };
+    run_for(sim, end - 1e-6 * period, period / 20000, listener);
     return readings;
   }
 };
@@ -63,7 +68,7 @@ Reading peak(const std::vector<Reading>& readings) {
 TEST_CASE("C7: a cohesive joint carries its tensile strength, then nothing, and friction only once closed again") {
   for (const double by_point : {0.0, 1.0}) {
     const double ft = 19150, kn = 1e8;
-    JointTest joint({kn, 0.5 * kn, 0.7, 0, 1e5, ft, by_point}, 1, 0, 0);
+    JointTest joint(Bonded{kn, 0.5 * kn, 0.7, 0, 1e5, ft, by_point}, 1, 0, 0);
     CHECK(joint.sim.state().memory.at(0).bonds == 3);
     const std::vector<Reading> r = joint.lead(1, 3e-4, 1.0, 1.5);
     const Reading most = peak(r);
@@ -87,7 +92,7 @@ TEST_CASE(
   const double ft = 19150, kn = 1e8, mu = std::tan(35 * degree);
   CHECK(ft > 9768 / mu);
   for (const double by_point : {0.0, 1.0}) {
-    JointTest joint({kn, 0.5 * kn, mu, 0, 9768, ft, by_point}, 1, 0, 0);
+    JointTest joint(Bonded{kn, 0.5 * kn, mu, 0, 9768, ft, by_point}, 1, 0, 0);
     const Reading most = peak(joint.lead(1, 3e-4, 1.0, 0.5));
     MESSAGE("C7, paper's mortar: peak pull ", most.force, " N (19150) at ", most.moved, " m (1.915e-4)");
     CHECK(most.force == near(ft, 0.005));
@@ -117,7 +122,7 @@ TEST_CASE("C8: direct shear reaches c + s tan(phi), then s tan(phi), and unloads
   for (const Case c : {Case{5e4, 9768, 35, 1e8, 5e7}, Case{2e5, 4e4, 30, 4e8, 1e8}, Case{1e4, 9768, 20, 1e8, 1e8}})
     for (const double by_point : {0.0, 1.0}) {
       const double mu = std::tan(c.degrees * degree), slides = mu * c.pressure, breaks = c.cohesion + slides;
-      JointTest joint({c.kn, c.ks, mu, 1e-5, c.cohesion, 1e5, by_point}, 0, c.pressure, 0);
+      JointTest joint(Bonded{c.kn, c.ks, mu, 1e-5, c.cohesion, 1e5, by_point}, 0, c.pressure, 0);
       settle(joint.sim);
       const double size = 4 * breaks / c.ks;
       const std::vector<Reading> r = joint.lead(0, size, 4.0, 0.5);
@@ -137,4 +142,35 @@ TEST_CASE("C8: direct shear reaches c + s tan(phi), then s tan(phi), and unloads
       CHECK((turning->force - half->force) / (turning->moved - half->moved) == near(c.ks, 0.005));
       CHECK(r.back().force == near(-slides, 0.005));
     }
+}
+
+TEST_CASE("a bond's failure is an event with its mode, its time and the force it carried") {
+  const double ft = 19150, kn = 1e8, c = 3e4, pressure = 5e4, mu = 0.7;
+  JointTest pulled(Bonded{kn, 0.5 * kn, mu, 0, 1e5, ft, 0}, 1, 0, 0);
+  pulled.lead(1, 3e-4, 1.0, 0.25);
+  REQUIRE(pulled.events.size() == 1);
+  CHECK(pulled.events[0].type == EventType::bond_broken);
+  CHECK(pulled.events[0].text == "tension");
+  CHECK(pulled.events[0].value == near(ft, 0.005));
+  CHECK(pulled.events[0].time == near(std::asin(ft / kn / 3e-4) / (2 * M_PI), 0.005));
+  JointTest sheared(Bonded{kn, 0.5 * kn, mu, 1e-5, c, 1e6, 0}, 0, pressure, 0);
+  settle(sheared.sim);
+  sheared.lead(0, 4 * (c + mu * pressure) / (0.5 * kn), 4.0, 0.25);
+  REQUIRE(sheared.events.size() == 1);
+  CHECK(sheared.events[0].text == "shear");
+  CHECK(sheared.events[0].value == near(std::hypot(c + mu * pressure, pressure), 0.005));
+}
+
+TEST_CASE("a softening bond names its first damage and its loss") {
+  const double ft = 19150, kn = 1e8;
+  const Cohesive law{kn, 0.5 * kn, 0.7, 0, 3e4, ft, 10, 50, 0, 0};
+  JointTest joint(law, 1, 0, 0);
+  const std::vector<Reading> r = joint.lead(1, 2e-3, 1.0, 0.25);
+  CHECK(peak(r).force == near(ft, 0.005));
+  REQUIRE(joint.events.size() == 2);
+  CHECK(joint.events[0].type == EventType::bond_cracked);
+  CHECK(joint.events[0].text == "tension");
+  CHECK(joint.events[0].value == near(ft, 0.01));
+  CHECK(joint.events[1].type == EventType::bond_broken);
+  CHECK(joint.events[1].time == near(std::asin(2 * 10 / ft / 2e-3) / (2 * M_PI), 0.01));
 }
