@@ -201,7 +201,8 @@ void read_contacts(Reader& file, const Model<2>& model, State<2>& s) {
         first_piece(key) >= 0 && first_piece(key) < second_piece(key) && second_piece(key) < model.pieces();
     if (!known || (i > 0 && s.contact[i - 1] >= key))
       file.fail("has a contact of pieces that are not there, or out of order");
-    if (s.memory[i].empty() || s.memory[i].bonds > 3 || s.memory[i].state > (contact_touching | contact_general))
+    if (s.memory[i].empty() || s.memory[i].bonds > 3 ||
+        s.memory[i].state > (contact_touching | contact_general | contact_worn))
       file.fail("has a contact in no known state");
   }
 }
