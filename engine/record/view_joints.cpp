@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "base/space.hpp"
 
@@ -33,11 +32,10 @@ Edge edge_of(const std::vector<Vec2>& outline, std::size_t i) {
 
 }  // namespace
 
-std::optional<EdgePart> joint_of(const Header& header, int a, int b) {
-  constexpr double near_share = 0.05, parallel = 0.05;
+std::vector<EdgePart> joint_of(const Header& header, int a, int b) {
+  constexpr double near_share = 0.05, parallel = 0.05, least_share = 0.01;
   const std::vector<Vec2> outline_a = start_outline(header, a), outline_b = start_outline(header, b);
-  std::optional<EdgePart> best;
-  double longest = 0;
+  std::vector<EdgePart> parts;
   for (std::size_t i = 0; i < outline_a.size(); ++i)
     for (std::size_t k = 0; k < outline_b.size(); ++k) {
       const Edge ea = edge_of(outline_a, i), eb = edge_of(outline_b, k);
@@ -46,11 +44,10 @@ std::optional<EdgePart> joint_of(const Header& header, int a, int b) {
       const Vec2 first = eb.from - ea.from, last = first + eb.length * eb.along;
       if (std::abs(normal.dot(0.5 * (first + last))) > near_share * std::min(ea.length, eb.length)) continue;
       const double from = std::max(0.0, ea.along.dot(last)), to = std::min(ea.length, ea.along.dot(first));
-      if (to - from <= longest) continue;
-      longest = to - from;
-      best = {a, static_cast<int>(i), from / ea.length, to / ea.length};
+      if (to - from > least_share * std::min(ea.length, eb.length))
+        parts.push_back({a, static_cast<int>(i), from / ea.length, to / ea.length});
     }
-  return best;
+  return parts;
 }
 
 }  // namespace trilith::record

@@ -1,7 +1,7 @@
 // Private to record/: where two bodies lay against each other at the start: the line a crack between them is drawn on.
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "record/results.hpp"
 
@@ -14,8 +14,8 @@ struct EdgePart {
   double from = 0, to = 0;
 };
 
-/// The longest piece along which edges of bodies `a` and `b` face each other at the start, at most 5 % of the shorter
-/// edge apart, on a's edge; nothing where they touch at a corner or not at all. Two dimensions.
-std::optional<EdgePart> joint_of(const Header& header, int a, int b);
+/// The pieces along which edges of bodies `a` and `b` face each other at the start, at most 5 % of the shorter edge
+/// apart, on a's edges; none where they touch at a corner or not at all. Two dimensions.
+std::vector<EdgePart> joint_of(const Header& header, int a, int b);
 
 }  // namespace trilith::record

@@ -174,10 +174,10 @@ void write_joints(const Header& header, const std::vector<EventRow>& events, Jso
   for (std::size_t i = 0; i < events.size(); ++i) {
     const EventRow& e = events[i];
     if (!e.type.starts_with("bond.") || std::min(e.body_a, e.body_b) < 0) continue;
-    const std::optional<EdgePart> part = joint_of(header, e.body_a, e.body_b);
-    if (!part) continue;
-    json.begin_list().number(static_cast<double>(i)).number(part->body).number(part->edge);
-    json.number(rounded(part->from, 1e4)).number(rounded(part->to, 1e4)).text(mode_of(e)).end();
+    for (const EdgePart& part : joint_of(header, e.body_a, e.body_b)) {
+      json.begin_list().number(static_cast<double>(i)).number(part.body).number(part.edge);
+      json.number(rounded(part.from, 1e4)).number(rounded(part.to, 1e4)).text(mode_of(e)).end();
+    }
   }
   json.end();
 }

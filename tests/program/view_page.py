@@ -134,13 +134,26 @@ def shows_a_body(page):
 def shows_cracks(page):
     """Cracks are drawn at joints that broke, and only there; the share of bonds lost colours bodies."""
     assert page.ask("trilith.run.joints.length") > 0
-    assert page.ask("trilith.run.joints.length") == page.ask("trilith.run.events.filter(e => e.type === 'bond.broken').length")
+    assert page.ask("trilith.run.events.every(e => !e.type.startsWith('bond.') || trilith.run.joints.some(j => j.event === e))")
     page.keys(Keys.END)
     page.ask("trilith.colourBy('damage')")
     assert page.ask("trilith.way.values(trilith.run.frames - 1, trilith.run.end).some(v => v > 0)")
     page.click("#tab-histories")
     assert page.driver.find_elements("css selector", "#histories canvas.plot")
     page.picture("cracks")
+
+
+def shows_stress(page):
+    """Finite elements have their colours, a body the history of its mean stress."""
+    ways = page.ask("trilith.ways.map(w => w.id)")
+    assert {"stress", "tension", "shear"} <= set(ways), ways
+    page.ask("trilith.colourBy('stress')")
+    cells = page.ask("trilith.way.cells(trilith.run.frames - 1)")
+    assert len(cells) == page.ask("trilith.run.elements.length") and max(cells) > 0
+    page.keys(Keys.END)
+    page.picture("stress")
+    page.ask("trilith.select({ body: trilith.run.bodies.find(b => b.free && b.nodes > 1) })")
+    assert "mean stress" in page.text("#selection")
 
 
 def tells_that_it_goes_on(page):
