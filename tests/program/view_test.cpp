@@ -39,7 +39,7 @@ constexpr const char* wall_script = R"lua(
 local trilith = require "trilith"
 local m = trilith.model { name = "small wall", thickness = 0.2 }
 local brick = m:material { name = "brick", density = 1900 }
-m:contact { between = { "*", "*" }, law = trilith.bonded { kn = 5e9, ks = 2e9, mu = 0.7, beta = 5e-5, cohesion = 8e3, tension = 12e3 } }
+m:contact { between = { "*", "*" }, law = trilith.bonded { kn = 5e9, ks = 2e9, mu = 0.7, beta = 5e-5, cohesion = 20e3, tension = 12e3 } }
 m:wall { name = "wall", length = 2.4, unit_length = 0.4, unit_height = 0.2, bond = "running", storeys = 1, storey_height = 1.6,
   slab_height = 0.2, base_height = 0.4, base_margin = 3, openings = { { storey = 1, x = 0.8, width = 0.8, height = 1.0 } },
   lintel_bearing = 0.2, material = brick, fixed = "base" }
