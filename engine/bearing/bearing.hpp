@@ -36,7 +36,8 @@ template <>
 struct Bearing<2> {
   std::string name;
   int body_a = -1, body_b = -1;
-  Vec2 point_a = Vec2::Zero(), point_b = Vec2::Zero();  ///< in the axes of the body's node [m]
+  Vec2 point_a = Vec2::Zero(), point_b = Vec2::Zero();  ///< see world/pose.hpp, Anchor
+  int element_a = -1, element_b = -1;                   ///< elements they lie in, -1 on a rigid body
   double angle = 0;                                     ///< of direction `along`, in the axes of body a [rad]
   std::array<DirectionLaw, 3> law;                      ///< along, axial (vertical), turning
   std::array<double, 3> limit = {unbounded, unbounded, unbounded};  ///< displacement that ends it [m], [m], [rad]

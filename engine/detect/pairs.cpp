@@ -56,9 +56,22 @@ bool may_touch(const FaceOverlap<double>& o, double margin) {
   return shared > 0 && depth > -margin && depth <= face_pair_max_depth * shared + margin;
 }
 
+/// The faces of a deformable body turn with their nodes.
+double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece) {
+  double least = unbounded;
+  for (int e = 0; e < model.corners_of(piece); ++e) {
+    const Edge edge = edge_of(model, piece, e);
+    const SkinMotion &p = work.skin[edge.s0], &q = work.skin[edge.s1];
+    if (model.edge_is_face[model.piece_first[piece] + e]) least = std::min(least, std::hypot(q.x - p.x, q.y - p.y));
+  }
+  return 0.5 * least;
+}
+
 void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
   const auto turn = [&](int piece) {
-    return work.margin / std::max(model.body_radius[model.piece_body[piece]], work.margin);
+    const int body = model.piece_body[piece];
+    const double arm = model.bodies[body].deforms() ? half_shortest_face(model, work, piece) : model.body_radius[body];
+    return work.margin / std::max(arm, work.margin);
   };
   const double angle = std::tan(std::min(1.0, face_pair_max_tilt + 0.5 * (turn(pair.piece_a) + turn(pair.piece_b))));
   pair.facing = 0;
@@ -87,11 +100,13 @@ std::vector<Box> piece_boxes(const Model<2>& model, const Work<2>& work, double 
 /// A twentieth of the median thickness (smaller side of the box in its own axes) of the bodies that move.
 double search_margin(const Model<2>& model) {
   std::vector<double> thickness;
-  for (const Body& b : model.bodies) {
-    if (!model.moves(b.first_node)) continue;
-    const auto skin =
-        std::span(model.skin_place).subspan(static_cast<std::size_t>(b.first_skin), static_cast<std::size_t>(b.skins));
-    const Box2 box = bounding_box(skin);
+  for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body) {
+    if (!model.body_moves(body)) continue;
+    const Body& b = model.bodies[body];
+    // Places of the skin of a rigid body are in its own axes, those of a deformable one are its nodes.
+    const auto first = static_cast<std::size_t>(b.deforms() ? b.first_node : b.first_skin);
+    const Box2 box = bounding_box(std::span(b.deforms() ? model.start_position : model.skin_place)
+                                      .subspan(first, static_cast<std::size_t>(b.skins)));
     thickness.push_back((box.high - box.low).minCoeff());
   }
   if (thickness.empty()) return 1;
@@ -130,11 +145,25 @@ void apply_bearings(const Model<2>& model, std::span<const BearingMemory> bearin
   }
 }
 
+namespace {
+
+bool nodes_moved(const State<2>& state, const Work<2>& work, const Body& body, double most) {
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+    if ((state.position[n] - work.found_position[n]).squaredNorm() > most * most) return true;
+  return false;
+}
+
+}  // namespace
+
 bool pairs_outdated(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   if (!work.valid) return true;
   const double most = 0.5 * work.margin;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const int node = model.bodies[b].first_node;
+    if (model.bodies[b].deforms()) {
+      if (nodes_moved(state, work, model.bodies[b], most)) return true;
+      continue;
+    }
     const double moved = (state.position[node] - work.found_position[node]).norm() +
                          model.body_radius[b] * std::abs(state.rotation[node] - work.found_rotation[node]);
     if (moved > most) return true;
@@ -151,7 +180,7 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   for (const auto& [p, q] : meeting_boxes(piece_boxes(model, work, 0.5 * work.margin))) {
     const int body_p = model.piece_body[p], body_q = model.piece_body[q];
     if (body_p == body_q) continue;
-    if (!model.moves(model.bodies[body_p].first_node) && !model.moves(model.bodies[body_q].first_node)) continue;
+    if (!model.body_moves(body_p) && !model.body_moves(body_q)) continue;
     NearPair pair{p, q, contact_law(model, body_p, body_q), 0, 0, 0, 0, 0, 1.0, false};
     if (pair.law < 0) continue;
     apply_bearings(model, state.bearing, pair);

@@ -46,6 +46,9 @@ void read_model(hid_t file, Header& header) {
   header.node_inertia = read_all<double>(file, "/model/node_inertia", spin_width(dim));
   header.vertices = read_all<double>(file, "/model/vertices", dim);
   header.vertex_node = read_all<std::int32_t>(file, "/model/vertex_node");
+  if (H5Lexists(file, "/model/element_body", H5P_DEFAULT) <= 0) return;
+  header.element_node = read_all<std::int32_t>(file, "/model/element_node", 4);
+  header.element_body = read_all<std::int32_t>(file, "/model/element_body");
 }
 
 }  // namespace
@@ -82,6 +85,10 @@ Frame read_frame(hid_t file, const Header& header, const Committed& committed, s
   if (header.with_velocity) {
     frame.velocity = block("velocity", nodes, dim);
     frame.spin = block("spin", nodes, spin_width(dim));
+  }
+  if (header.element_count() > 0) {
+    frame.stress = block("stress", header.element_count(), 3);
+    frame.plastic = block("plastic", header.element_count(), 1);
   }
   if (bearings > 0) {
     for (const std::int8_t state : read_rows<std::int8_t>(file, "/frames/bearing_state", row, 1, {bearings}))

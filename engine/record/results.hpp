@@ -87,12 +87,14 @@ struct Header {
   int dim = 2;
   Provenance provenance;
   std::vector<BodyRow> bodies;
-  std::vector<double> node_position;      ///< [N][dim] m, at the start
-  std::vector<double> node_rotation;      ///< [N][rotation_width] at the start
-  std::vector<double> node_mass;          ///< [N] kg; 0 where the node is driven or fixed and has none
-  std::vector<double> node_inertia;       ///< [N][spin_width] kg m^2, about the node
-  std::vector<double> vertices;           ///< [V][dim] m, outline points in body axes, from their node
-  std::vector<std::int32_t> vertex_node;  ///< [V] the node each outline point belongs to
+  std::vector<double> node_position;       ///< [N][dim] m, at the start
+  std::vector<double> node_rotation;       ///< [N][rotation_width] at the start
+  std::vector<double> node_mass;           ///< [N] kg; 0 where the node is driven or fixed and has none
+  std::vector<double> node_inertia;        ///< [N][spin_width] kg m^2, about the node
+  std::vector<double> vertices;            ///< [V][dim] m, outline points in body axes, from their node
+  std::vector<std::int32_t> vertex_node;   ///< [V] the node each outline point belongs to
+  std::vector<std::int32_t> element_node;  ///< [E][4] nodes of each finite element, -1 after a triangle's third (2D)
+  std::vector<std::int32_t> element_body;  ///< [E]
   std::vector<LawRow> laws;
   std::vector<BearingRow> bearings;
   std::vector<Quantity> histories;
@@ -100,6 +102,7 @@ struct Header {
   bool with_velocity = false;  ///< frames carry velocities too
 
   std::size_t node_count() const { return node_mass.size(); }
+  std::size_t element_count() const { return element_body.size(); }
 
   /// Adds a one-node body: fills its slices and appends its node and outline.
   /// `position`: dim numbers, m; `rotation`: rotation_width; `inertia`: spin_width; `outline`: [v][dim] in body axes.
@@ -132,6 +135,8 @@ struct FrameRow {
   std::span<const BearingState> bearing_state;   ///< [B]
   std::span<const double> bearing_force;         ///< [B][dim] N, on body b, world axes
   std::span<const double> bearing_displacement;  ///< [B][dim] m, of point b relative to point a, from the start
+  std::span<const double> stress = {};           ///< [E][3] Pa: mean sxx, syy, sxy of each element, world axes
+  std::span<const double> plastic = {};          ///< [E] mean measure of plastic strain
 };
 
 /// One frame, as the reader gives it. Members as in FrameRow.
@@ -139,7 +144,7 @@ struct Frame {
   double time = 0;
   std::int64_t step = 0;
   std::int32_t stage = 0;
-  std::vector<double> position, rotation, velocity, spin;
+  std::vector<double> position, rotation, velocity, spin, stress, plastic;
   std::vector<ContactForce> contacts;
   std::vector<BearingState> bearing_state;
   std::vector<double> bearing_force, bearing_displacement;

@@ -82,6 +82,11 @@ void write_model(hid_t file, const Header& header) {
                 {points, dim}, header.vertices.data());
   write_numbers(file, {"/model/vertex_node", "1", "node of each outline point"}, Kind::int32, {points},
                 header.vertex_node.data());
+  if (header.element_count() == 0) return;
+  write_numbers(file, {"/model/element_node", "1", "nodes of each finite element, -1 after a triangle's third"},
+                Kind::int32, {header.element_count(), 4}, header.element_node.data());
+  write_numbers(file, {"/model/element_body", "1", "row of /model/bodies of each finite element"}, Kind::int32,
+                {header.element_count()}, header.element_body.data());
 }
 
 std::string longest_name(const std::vector<BodyRow>& bodies) {
@@ -162,6 +167,13 @@ void check_header(const Header& header) {
     if (std::min(bearing.body_a, bearing.body_b) < 0 || std::max(bearing.body_a, bearing.body_b) >= bodies)
       throw RecordError(fmt::format("results header: bearing '{}' joins bodies {} and {} of {}", bearing.name,
                                     bearing.body_a, bearing.body_b, bodies));
+  check_size(header.element_node.size(), 4 * header.element_count(), "element_node");
+  for (const std::int32_t body : header.element_body)
+    if (body < 0 || body >= bodies)
+      throw RecordError(fmt::format("results header: an element belongs to body {} of {}", body, bodies));
+  for (const std::int32_t node : header.element_node)
+    if (node < -1 || node >= static_cast<std::int32_t>(nodes))
+      throw RecordError(fmt::format("results header: an element has node {} of {}", node, nodes));
   check_names(header.histories, "history", {"time"});
   check_names(header.energy_terms, "energy term", {"time", "residual"});
 }
@@ -204,6 +216,12 @@ Layout::Layout(hid_t file, const Header& h)
     spin.emplace(file, SetText{"/frames/spin", "rad/s", "angular velocity of each node"}, "frames", Kind::real,
                  per_node(h, spin_width(h.dim)));
   }
+  if (h.element_count() > 0) {
+    stress.emplace(file, SetText{"/frames/stress", "Pa", "mean stress of each element: xx, yy, xy, world axes"},
+                   "frames", Kind::real, std::vector<hsize_t>{h.element_count(), 3});
+    plastic.emplace(file, SetText{"/frames/plastic", "1", "mean plastic strain measure of each element"}, "frames",
+                    Kind::real, std::vector<hsize_t>{h.element_count()});
+  }
   if (h.bearings.empty()) return;
   bearing_state.emplace(file,
                         SetText{"/frames/bearing_state", "1", "0 intact, 1 yielded, 2 failed, 3 changed, 4 waiting"},
@@ -218,7 +236,7 @@ Layout::Layout(hid_t file, const Header& h)
 std::vector<GrowingSet*> Layout::sets() {
   std::vector<GrowingSet*> all = {&contacts.set, &time,     &step,          &stage,
                                   &position,     &rotation, &contact_first, &contact_count};
-  for (auto* set : {&velocity, &spin, &bearing_state, &bearing_force, &bearing_displacement})
+  for (auto* set : {&velocity, &spin, &stress, &plastic, &bearing_state, &bearing_force, &bearing_displacement})
     if (*set) all.push_back(&**set);
   all.push_back(&history_time);
   for (GrowingSet& set : histories) all.push_back(&set);

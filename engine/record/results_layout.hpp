@@ -47,7 +47,7 @@ struct Layout {
   std::vector<GrowingSet*> sets();
 
   GrowingSet time, step, stage, position, rotation;
-  std::optional<GrowingSet> velocity, spin;
+  std::optional<GrowingSet> velocity, spin, stress, plastic;
   GrowingSet contact_first, contact_count;
   GrowingTable contacts;
   std::optional<GrowingSet> bearing_state, bearing_force, bearing_displacement;

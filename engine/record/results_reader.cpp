@@ -184,6 +184,8 @@ Frame ResultsReader::frame_at(double time) const {
   result.position = between(a.position, b.position, weight);
   result.velocity = between(a.velocity, b.velocity, weight);
   result.spin = between(a.spin, b.spin, weight);
+  result.stress = between(a.stress, b.stress, weight);
+  result.plastic = between(a.plastic, b.plastic, weight);
   result.rotation =
       header().dim == 2 ? between(a.rotation, b.rotation, weight) : between_quaternions(a.rotation, b.rotation, weight);
   return result;

@@ -65,7 +65,7 @@ class ResultsWriter::Body {
 
   WriterOptions options_;
   int dim_;
-  std::size_t nodes_;
+  std::size_t nodes_, elements_;
   bool with_velocity_;
   std::vector<std::string> bodies_, bearings_;
   std::vector<Quantity> history_names_, term_names_;
@@ -84,6 +84,7 @@ ResultsWriter::Body::Body(std::filesystem::path name, const Header& header, Writ
       options_(chosen),
       dim_(header.dim),
       nodes_(header.node_count()),
+      elements_(header.element_count()),
       with_velocity_(header.with_velocity),
       history_names_(header.histories),
       term_names_(header.energy_terms) {
@@ -164,6 +165,8 @@ void ResultsWriter::Body::check_sizes(const FrameRow& frame) const {
   require(frame.rotation.size(), nodes_ * static_cast<std::size_t>(rotation_width(dim_)), "rotation");
   require(frame.velocity.size(), moving * dim, "velocity");
   require(frame.spin.size(), moving * static_cast<std::size_t>(spin_width(dim_)), "spin");
+  require(frame.stress.size(), 3 * elements_, "stress");
+  require(frame.plastic.size(), elements_, "plastic");
   require(frame.bearing_state.size(), bearings, "bearing_state");
   require(frame.bearing_force.size(), bearings * dim, "bearing_force");
   require(frame.bearing_displacement.size(), bearings * dim, "bearing_displacement");
@@ -181,6 +184,8 @@ void ResultsWriter::Body::check_numbers(const FrameRow& frame) const {
   require(frame.rotation, "rotation");
   require(frame.velocity, "velocity");
   require(frame.spin, "spin");
+  require(frame.stress, "stress");
+  require(frame.plastic, "plastic");
   require(frame.bearing_force, "bearing_force");
   require(frame.bearing_displacement, "bearing_displacement");
   for (const ContactForce& contact : frame.contacts) {
@@ -207,6 +212,10 @@ void ResultsWriter::Body::add(const FrameRow& frame) {
   if (with_velocity_) {
     copy(*to.velocity, frame.velocity);
     copy(*to.spin, frame.spin);
+  }
+  if (elements_ > 0) {
+    copy(*to.stress, frame.stress);
+    copy(*to.plastic, frame.plastic);
   }
   if (!bearings_.empty()) {
     copy(*to.bearing_state, frame.bearing_state);

@@ -5,7 +5,9 @@
 #include <array>
 #include <cassert>
 
+#include "step/element_stress.hpp"
 #include "world/event_text.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -40,11 +42,8 @@ record::BearingState state_of(BearingStatus status) {
 
 /// Displacement of b's point against a's since the bearing was placed, in its axes; holds for failed ones too.
 Vec2 displacement_of(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
-  const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
-  const Turn turn_a(state.rotation[na]);
-  const Vec2 a = state.position[na] + turn_a.apply(b.point_a);
-  const Vec2 at_b = state.position[nb] + Turn(state.rotation[nb]).apply(b.point_b);
-  return Turn(state.rotation[na] + b.angle).undo(Vec2(at_b - a)) - b.rest;
+  const Pose a = anchor_pose(model, state, anchor_a(b)), at_b = anchor_pose(model, state, anchor_b(b));
+  return Turn(a.rotation + b.angle).undo(Vec2(at_b.place - a.place)) - b.rest;
 }
 
 bool has_place(EventType type) {
@@ -94,6 +93,7 @@ void Recording::frame(const Instant& now) {
   assert(stage_ >= 0);
   take_contacts(now);
   take_bearings(now);
+  take_stress(now);
   record::FrameRow row;
   row.time = time_ = now.state.time;
   row.step = now.state.step;
@@ -104,6 +104,8 @@ void Recording::frame(const Instant& now) {
     row.velocity = numbers(now.state.velocity);
     row.spin = now.state.spin;
   }
+  row.stress = stress_;
+  row.plastic = plastic_;
   row.contacts = contacts_;
   row.bearing_state = bearing_state_;
   row.bearing_force = bearing_force_;
@@ -137,6 +139,17 @@ void Recording::take_bearings(const Instant& now) {
     bearing_state_.push_back(state_of(status));
     bearing_force_.insert(bearing_force_.end(), {force.x(), force.y()});
     bearing_displacement_.insert(bearing_displacement_.end(), {displacement.x(), displacement.y()});
+  }
+}
+
+void Recording::take_stress(const Instant& now) {
+  stress_.clear();
+  plastic_.clear();
+  for (int e = 0; e < static_cast<int>(now.model.elements.size()); ++e) {
+    const ElementStress stress = element_stress(now.model, now.state, e);
+    const Stress mean = in_world(stress);
+    stress_.insert(stress_.end(), {mean.xx, mean.yy, mean.xy});
+    plastic_.push_back(stress.plastic);
   }
 }
 
@@ -208,7 +221,8 @@ void Recording::end_stage(double time, std::string_view why) {
 
 void Recording::note_drives(const Model<2>& model) {
   for (; drives_known_ < model.drives.size(); ++drives_known_)
-    note("ground motion: " + drive_text(model, model.drives[drives_known_]));
+    if (leads(model, model.drives[drives_known_]))
+      note("ground motion: " + drive_text(model, model.drives[drives_known_]));
 }
 
 void Recording::note(std::string_view text) {

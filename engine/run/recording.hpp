@@ -59,6 +59,7 @@ class Recording {
   void note_drives(const Model<2>& model);
   void take_contacts(const Instant& now);
   void take_bearings(const Instant& now);
+  void take_stress(const Instant& now);
   void flush_when_due();
 
   record::ResultsWriter writer_;
@@ -80,7 +81,7 @@ class Recording {
   std::vector<TouchingContact> touching_;
   std::vector<record::ContactForce> contacts_;
   std::vector<record::BearingState> bearing_state_;
-  std::vector<double> bearing_force_, bearing_displacement_, values_;
+  std::vector<double> bearing_force_, bearing_displacement_, stress_, plastic_, values_;
 };
 
 }  // namespace trilith

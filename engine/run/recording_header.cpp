@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "record/provenance.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -26,19 +27,74 @@ std::string joined(const std::vector<std::string>& names) {
 /// Outline of a body in the axes of its node.
 std::vector<double> outline_of(const Model<2>& model, const Body& body) {
   std::vector<double> out;
-  for (int i = body.first_skin; i < body.first_skin + body.skins; ++i) {
+  for (int i = body.first_skin; i < body.first_skin + body.outline; ++i) {
     out.push_back(model.skin_place[i].x());
     out.push_back(model.skin_place[i].y());
   }
   return out;
 }
 
+/// "free", "fixed", "moved" where all nodes are alike, else "free (2 of 9 nodes held)".
+std::string nodes_support_text(const Model<2>& model, const Body& body) {
+  int free = 0, driven = 0;
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+    const auto& s = model.support[n];
+    free += s[0] == Support::free && s[1] == Support::free ? 1 : 0;
+    driven += s[0] == Support::driven || s[1] == Support::driven ? 1 : 0;
+  }
+  if (free == body.nodes) return "free";
+  if (driven == body.nodes) return "moved";
+  if (!model.body_moves(static_cast<int>(&body - model.bodies.data()))) return "fixed";
+  return fmt::format("free ({} of {} nodes held)", body.nodes - free, body.nodes);
+}
+
+/// In the axes of the body's first node; of a point in an element, as it was at the start.
+Vec2 point_from_node(const Model<2>& model, const Anchor& anchor) {
+  if (anchor.element < 0) return anchor.place;
+  return anchor_pose(model, initial_state(model), anchor).place -
+         model.start_position[model.bodies[anchor.body].first_node];
+}
+
+void add_deformable(const Model<2>& model, const State<2>& state, const Body& body, record::Header& header) {
+  record::BodyRow row;
+  row.name = body.name;
+  row.kind = name_of(body.kind);
+  row.material = body.material;
+  row.groups = joined(body.groups);
+  row.support = nodes_support_text(model, body);
+  row.first_node = static_cast<std::int32_t>(header.node_count());
+  row.node_count = body.nodes;
+  row.first_vertex = static_cast<std::int32_t>(header.vertex_node.size());
+  row.vertex_count = body.outline;
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+    header.node_position.insert(header.node_position.end(), {state.position[n].x(), state.position[n].y()});
+    header.node_rotation.push_back(state.rotation[n]);
+    header.node_mass.push_back(model.mass[n]);
+    header.node_inertia.push_back(model.inertia[n]);
+  }
+  for (int i = 0; i < body.outline; ++i) {
+    header.vertices.insert(header.vertices.end(), {0.0, 0.0});
+    header.vertex_node.push_back(row.first_node + i);
+  }
+  const int index = static_cast<int>(&body - model.bodies.data());
+  for (const Element& e : model.elements) {
+    if (e.body != index) continue;
+    header.element_node.insert(header.element_node.end(), e.node.begin(), e.node.end());
+    header.element_body.push_back(index);
+  }
+  header.bodies.push_back(std::move(row));
+}
+
 void add_bodies(const Model<2>& model, const State<2>& state, record::Header& header) {
   for (const Body& body : model.bodies) {
     const int n = body.first_node;
+    if (body.deforms()) {
+      add_deformable(model, state, body, header);
+      continue;
+    }
     record::BodyRow row;
     row.name = body.name;
-    row.kind = body.kind;
+    row.kind = name_of(body.kind);
     row.material = body.material;
     row.groups = joined(body.groups);
     row.support = support_text(model.support[n]);
@@ -57,7 +113,8 @@ std::string surface_label(const Body& body) {
 
 void add_laws(const Model<2>& model, const std::vector<Material>& materials, record::Header& header) {
   for (const Material& m : materials)
-    header.laws.push_back({m.name, "material", "", "", fmt::format("density={:g} kg/m3", m.density)});
+    header.laws.push_back({m.name, "material", "", "",
+                           fmt::format("density={:g} kg/m3{}", m.density, m.solid ? ", " + describe(*m.solid) : "")});
   std::vector<std::string> label(static_cast<std::size_t>(model.surfaces));
   for (const Body& body : model.bodies)
     if (label[body.surface].empty()) label[body.surface] = surface_label(body);
@@ -93,7 +150,8 @@ void add_bearings(const Model<2>& model, record::Header& header) {
     row.name = b.name;
     row.body_a = b.body_a;
     row.body_b = b.body_b;
-    for (const int k : {0, 1}) row.point_a[k] = b.point_a[k], row.point_b[k] = b.point_b[k];
+    const Vec2 a = point_from_node(model, anchor_a(b)), at_b = point_from_node(model, anchor_b(b));
+    for (const int k : {0, 1}) row.point_a[k] = a[k], row.point_b[k] = at_b[k];
     row.law = bearing_text(model, b);
     header.bearings.push_back(std::move(row));
   }
@@ -105,7 +163,8 @@ void complete(const Model<2>& model, record::Provenance& p) {
                           &record::Provenance::start_time})
     if ((p.*part).empty()) p.*part = here.*part;
   if (!p.motions.empty()) return;
-  for (const Drive& drive : model.drives) p.motions.push_back(drive_text(model, drive));
+  for (const Drive& drive : model.drives)
+    if (leads(model, drive)) p.motions.push_back(drive_text(model, drive));
 }
 
 }  // namespace
@@ -134,10 +193,16 @@ std::string support_text(const std::array<Support, 3>& support) {
   return fmt::format("x {}, y {}, rotation {}", word(support[0]), word(support[1]), word(support[2]));
 }
 
+bool leads(const Model<2>& model, const Drive& drive) {
+  return std::any_of(model.bodies.begin(), model.bodies.end(),
+                     [&](const Body& b) { return b.first_node == drive.node; });
+}
+
 std::string drive_text(const Model<2>& model, const Drive& drive) {
   constexpr std::array names{"x", "y", "rotation"};
-  const auto body =
-      std::find_if(model.bodies.begin(), model.bodies.end(), [&](const Body& b) { return b.first_node == drive.node; });
+  const auto body = std::find_if(model.bodies.begin(), model.bodies.end(), [&](const Body& b) {
+    return b.first_node <= drive.node && drive.node < b.first_node + b.nodes;
+  });
   return fmt::format("{} on '{}' ({}), from t = {:g} s", drive.motion->description(),
                      body == model.bodies.end() ? "?" : body->name, names[static_cast<std::size_t>(drive.dof)],
                      drive.start);

@@ -36,6 +36,9 @@ record::Header recording_header(const Model<2>& model, const State<2>& state, co
 /// "fixed", "moved", "free", or each degree of freedom for itself: "x moved, y free, rotation free".
 std::string support_text(const std::array<Support, 3>& support);
 
+/// True for the drive of a body's first node, which stands for those of all its nodes.
+bool leads(const Model<2>& model, const Drive& drive);
+
 /// The ground motion that moves one degree of freedom: "El Centro ... on 'left ground' (x), from t = 3.2 s".
 std::string drive_text(const Model<2>& model, const Drive& drive);
 

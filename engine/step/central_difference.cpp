@@ -24,6 +24,7 @@ Dofs mass_of(const Model<2>& model, int n) {
 /// Forces of one node at an instant, on its free degrees of freedom, and what the supports take on the others.
 struct NodeForces {
   Dofs force{}, weight{}, load{}, rest{}, mass{}, on_support{};
+  std::array<double, 2> element_damping{};
   bool held = false, damped = false;  ///< some degree of freedom is not free; there are dampings of the node
 };
 
@@ -52,6 +53,7 @@ void add_dampings(const Model<2>& model, int n, const Dofs& v, const RestDamping
   const Dofs weight{mass * field.x(), mass * field.y(), 0}, load{model.load[n].x(), model.load[n].y(), 0};
   f.held = (support[0] != Support::free) | (support[1] != Support::free) | (support[2] != Support::free);
   f.force = total, f.weight = weight, f.load = load;
+  if (!work.element_damping.empty()) f.element_damping = {work.element_damping[n].x(), work.element_damping[n].y()};
   for (const int k : {0, 1, 2}) {
     if (!f.held || support[k] == Support::free) continue;
     f.force[k] = f.weight[k] = f.load[k] = 0;
@@ -92,6 +94,7 @@ double driven_velocity(const Model<2>& model, const State<2>& state, int n, int 
   given[EnergyTerm::gravity] -= dot(f.weight, path);
   given[EnergyTerm::load] += dot(f.load, path);
   if (f.held) given[EnergyTerm::support] -= dot(f.on_support, path);
+  given[EnergyTerm::element_damping] -= f.element_damping[0] * path[0] + f.element_damping[1] * path[1];
   if (!f.damped) return;
   given[EnergyTerm::rest_damping] -= dot(f.rest, path);
   given[EnergyTerm::mass_damping] -= dot(f.mass, path);
@@ -122,6 +125,7 @@ Energy energy_now(const Model<2>& model, const State<2>& state, const Work<2>& w
     kinetic += kinetic_energy(model, state, n, v, speed_ahead(model, state, n, v, f, span, options.dt));
   }
   energy[EnergyTerm::kinetic] = kinetic;
+  energy[EnergyTerm::strain] = work.element_stored;
   energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
   energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
   return energy;
@@ -131,6 +135,7 @@ void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOp
   notice(model, state, work);
   state.memory.swap(work.memory);
   state.bearing.swap(work.bearing);
+  state.plastic.swap(work.plastic);
   const double dt = options.dt, last = state.last_dt, span = 0.5 * (last + dt);
   const Vec2 field = model.gravity.at(state.time);
   Energy given = work.given;

@@ -6,6 +6,7 @@
 #include "body/rigid.hpp"
 #include "detect/pairs.hpp"
 #include "step/stable_step.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 
@@ -20,8 +21,44 @@ void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt) 
   respond_faces(model, state, work, dt);
   respond_general(model, state, work, dt);
   respond_bearings(model, state, work, dt);
+  resist(model, state, work);
   sum(model, state, work);
 }
+
+namespace {
+
+/// place of a deformable body: its skin points are its nodes. Returns the largest speed squared.
+double place_nodes(const State<2>& state, const Body& body, Work<2>& work) {
+  double fastest = 0;
+  for (int i = 0; i < body.skins; ++i) {
+    const Vec2 &x = state.position[body.first_node + i], &v = state.velocity[body.first_node + i];
+    work.skin[body.first_skin + i] = {x.x(), x.y(), v.x(), v.y()};
+    fastest = std::max(fastest, v.squaredNorm());
+  }
+  return fastest;
+}
+
+/// A bearing with an end on a deformable body. Its force acts on both bodies along one line, through b's point.
+void add_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
+  const Bearing<2>& b = model.bearings[i];
+  const Anchor a = anchor_a(b), at_b = anchor_b(b);
+  const Vec2 f = work.bearing_force[i];
+  const Vec2 between = anchor_pose(model, state, at_b).place - anchor_pose(model, state, a).place;
+  const double moment = work.bearing_moment[i];
+  add_at_anchor(model, state, at_b, f, moment, work.force, work.moment);
+  add_at_anchor(model, state, a, -f, -cross(between, f) - moment, work.force, work.moment);
+}
+
+/// spread of a deformable body, and what its elements give.
+void spread_nodes(const Body& body, Work<2>& work) {
+  for (int i = 0; i < body.nodes; ++i) {
+    const int n = body.first_node + i;
+    work.force[n] = work.skin_force[body.first_skin + i] + work.element_force[n] + work.element_damping[n];
+    work.moment[n] = 0;
+  }
+}
+
+}  // namespace
 
 void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.skin.resize(model.skin_place.size());
@@ -29,6 +66,13 @@ void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
   double fastest = 0, fastest_moving = 0;
   for (const Body& body : model.bodies) {
     const int n = body.first_node;
+    if (body.deforms()) {
+      const double speed2 = place_nodes(state, body, work);
+      fastest = std::max(fastest, speed2);
+      if (model.body_moves(static_cast<int>(&body - model.bodies.data())))
+        fastest_moving = std::max(fastest_moving, speed2);
+      continue;
+    }
     const NodeMotion node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
     const auto first = static_cast<std::size_t>(body.first_skin), count = static_cast<std::size_t>(body.skins);
     const double speed2 = place_rigid(node, std::span(model.skin_place).subspan(first, count),
@@ -78,6 +122,10 @@ void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
   const Vec2 field = model.gravity.at(state.time);
   double unbalanced = 0, carried = 0;
   for (const Body& body : model.bodies) {
+    if (body.deforms()) {
+      spread_nodes(body, work);
+      continue;
+    }
     const int n = body.first_node;
     const auto first = static_cast<std::size_t>(body.first_skin), count = static_cast<std::size_t>(body.skins);
     Vec2 force = Vec2::Zero();
@@ -89,6 +137,10 @@ void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
   }
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     const Bearing<2>& b = model.bearings[i];
+    if (b.element_a >= 0 || b.element_b >= 0) {
+      add_bearing(model, state, work, i);
+      continue;
+    }
     const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
     const Vec2 point = state.position[nb] + Turn(state.rotation[nb]).apply(b.point_b);
     const Vec2& f = work.bearing_force[i];

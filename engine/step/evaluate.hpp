@@ -1,4 +1,5 @@
-// M a = load + respond(contacts) + respond(bearings): one evaluation, shared by every integrator, writes only Work.
+// M a = load + resist(bodies) + respond(contacts) + respond(bearings): one evaluation, shared by every integrator,
+// writes only Work.
 #pragma once
 
 #include "world/model.hpp"
@@ -7,9 +8,9 @@
 
 namespace trilith {
 
-/// place -> find -> respond (contacts, bearings) -> spread -> sum, at the present pose and velocity, over a step `dt`
-/// [s] since the last evaluation. Re-indexes State::contact where the list of near pairs had to be found anew (empty
-/// contacts come and go; no memory is lost).
+/// place -> find -> respond (contacts, bearings) -> resist -> spread -> sum, at the present pose and velocity, over a
+/// step `dt` [s] since the last evaluation. Re-indexes State::contact where the list of near pairs had to be found anew
+/// (empty contacts come and go; no memory is lost).
 void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt);
 
 // The stages, each the only writer of its part of Work.
@@ -21,6 +22,8 @@ void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& wor
 /// Makes the waiting bearing `i` live where it stands: sliders begin unstressed there, springs act from where the
 /// bearing was placed. Writes its trial memory. Returns the elastic energy it begins with [J].
 double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, int i);
+/// Deformable bodies: forces and dampings of their elements on their nodes, trial plastic memory, energies.
+void resist(const Model<2>& model, const State<2>& state, Work<2>& work);
 void sum(const Model<2>& model, const State<2>& state, Work<2>& work);
 
 }  // namespace trilith

@@ -8,6 +8,7 @@
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -30,10 +31,10 @@ struct Meeting {
 
 Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
-  const int na = model.bodies[model.piece_body[p.piece_a]].first_node,
-            nb = model.bodies[model.piece_body[p.piece_b]].first_node;
-  const auto velocity = [&](int n, const Vec2& x) {
-    return Vec2(state.velocity[n] + cross(state.spin[n], Vec2(x - state.position[n])));
+  const int na = p.piece_a, nb = p.piece_b;
+  std::array<Vec2, max_piece_corners> corners;
+  const auto velocity = [&](int piece, const Vec2& x) {
+    return placed_piece(model, state, work, piece, corners).velocity_at(x);
   };
   for (const GeneralContact& g : work.general_touching) {
     if (g.row != row) continue;
@@ -103,8 +104,7 @@ void push_bearing_event(const Model<2>& model, const State<2>& state, Work<2>& w
   e.bearing = static_cast<int>(i);
   const std::uint32_t k = work.bearing[i].failed_direction;
   e.value = k == turning ? 0 : work.bearing_displacement[i][k];
-  const int n = model.bodies[b.body_a].first_node;
-  const Vec2 at = state.position[n] + Turn(state.rotation[n]).apply(b.point_a);
+  const Vec2 at = anchor_pose(model, state, anchor_a(b)).place;
   e.x = at.x(), e.y = at.y();
   work.events.push_back(e);
 }
@@ -174,21 +174,25 @@ void notice_seat(const Model<2>& model, State<2>& state, Work<2>& work, std::siz
   if (seat_length(model, state, seat) > 0) return;
   state.seat_lost[i] = 1;
   Event e = event_now(state, EventType::seat_lost, seat.body, seat.support);
-  const int n = model.bodies[seat.body].first_node;
-  const Vec2 arm = Turn(state.rotation[n]).apply(seat.end);
-  e.value = state.velocity[n].norm();
-  e.x = state.position[n].x() + arm.x(), e.y = state.position[n].y() + arm.y();
+  const Vec2 end = anchor_pose(model, state, {seat.body, seat.end_element, seat.end}).place;
+  e.value = body_pose(model, state, seat.body).velocity.norm();
+  e.x = end.x(), e.y = end.y();
   e.text = seat.name;
   work.events.push_back(e);
 }
 
 void notice_rest(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t b) {
   const int n = model.bodies[b].first_node;
-  if (!model.moves(n)) return;
+  if (!model.body_moves(static_cast<int>(b))) return;
   const Vec2& v = state.velocity[n];
   // Most bodies move, and most of them show it by one component.
   const double least = std::max(std::abs(v.x()), std::abs(v.y()));
-  if (least > model.still_speed || v.norm() + std::abs(state.spin[n]) * model.body_radius[b] > model.still_speed) {
+  double speed = least;
+  if (least <= model.still_speed) {
+    speed = v.norm() + std::abs(state.spin[n]) * model.body_radius[b];
+    for (int i = 1; i < model.bodies[b].nodes; ++i) speed = std::max(speed, state.velocity[n + i].norm());
+  }
+  if (speed > model.still_speed) {
     state.moved_at[b] = state.time;
     state.resting[b] = 0;
   } else if (state.resting[b] == 0 && state.time - state.moved_at[b] >= model.still_time) {
@@ -200,11 +204,9 @@ void notice_rest(const Model<2>& model, State<2>& state, Work<2>& work, std::siz
 }  // namespace
 
 double seat_length(const Model<2>& model, const State<2>& state, const Seat& seat) {
-  const int nb = model.bodies[seat.body].first_node, ns = model.bodies[seat.support].first_node;
-  const Turn support(state.rotation[ns]);
-  const Vec2 end = state.position[nb] + Turn(state.rotation[nb]).apply(seat.end);
-  const Vec2 edge = state.position[ns] + support.apply(seat.edge);
-  return support.apply(seat.inward).dot(end - edge);
+  const Pose edge = anchor_pose(model, state, {seat.support, seat.edge_element, seat.edge});
+  const Vec2 end = anchor_pose(model, state, {seat.body, seat.end_element, seat.end}).place;
+  return Turn(edge.rotation).apply(seat.inward).dot(end - edge.place);
 }
 
 void notice(const Model<2>& model, State<2>& state, Work<2>& work) {

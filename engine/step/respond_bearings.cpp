@@ -1,7 +1,9 @@
 // Bearings: relative motion of two points in the axes of the first body, one law per direction.
 #include <algorithm>
+#include <cmath>
 
 #include "step/evaluate.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -13,7 +15,17 @@ struct RelativeMotion {
   double angle, spin;
 };
 
+/// Where an end is on a deformable body, which turns by less than half a circle against the other.
+RelativeMotion motion_of_anchors(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  const Pose p = anchor_pose(model, state, anchor_a(b)), q = anchor_pose(model, state, anchor_b(b));
+  const Turn axes(p.rotation + b.angle);
+  const Vec2 between = q.place - p.place, rate = q.velocity - p.velocity - cross(p.spin, between);
+  return {axes, axes.undo(between) - b.rest, axes.undo(rate),
+          std::remainder(q.rotation - p.rotation - b.rest_angle, 2 * M_PI), q.spin - p.spin};
+}
+
 RelativeMotion relative_motion(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  if (b.element_a >= 0 || b.element_b >= 0) return motion_of_anchors(model, state, b);
   const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
   const Turn axes(state.rotation[na] + b.angle);
   const Vec2 arm_b = Turn(state.rotation[nb]).apply(b.point_b);

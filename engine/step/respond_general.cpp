@@ -9,6 +9,30 @@
 
 namespace trilith {
 
+namespace {
+
+/// An element moves in a general contact as the rigid piece that fits its corners best.
+PlacedPiece deformed_piece(const Model<2>& model, const Work<2>& work, int piece, std::span<const Vec2> corners) {
+  const int first = model.piece_first[piece], count = model.corners_of(piece);
+  Vec2 place = Vec2::Zero(), velocity = Vec2::Zero();
+  for (int c = 0; c < count; ++c) {
+    const SkinMotion& s = work.skin[model.corner_skin[first + c]];
+    place += corners[c] / count;
+    velocity += Vec2(s.u, s.v) / count;
+  }
+  double turn = 0, size = 0;
+  for (int c = 0; c < count; ++c) {
+    const SkinMotion& s = work.skin[model.corner_skin[first + c]];
+    const Vec2 arm = corners[c] - place;
+    turn += cross(arm, Vec2(s.u, s.v));
+    size += arm.squaredNorm();
+  }
+  return {corners, std::span(model.edge_is_face).subspan(static_cast<std::size_t>(first), corners.size()), place,
+          velocity, size > 0 ? turn / size : 0};
+}
+
+}  // namespace
+
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
                          std::span<Vec2> corners) {
   const int first = model.piece_first[piece], count = model.corners_of(piece);
@@ -16,7 +40,9 @@ PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Wor
     const SkinMotion& s = work.skin[model.corner_skin[first + c]];
     corners[c] = {s.x, s.y};
   }
-  const int node = model.bodies[model.piece_body[piece]].first_node;
+  const Body& body = model.bodies[model.piece_body[piece]];
+  const int node = body.first_node;
+  if (body.deforms()) return deformed_piece(model, work, piece, corners.first(static_cast<std::size_t>(count)));
   return {corners.first(static_cast<std::size_t>(count)),
           std::span(model.edge_is_face).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)),
           state.position[node], state.velocity[node], state.spin[node]};

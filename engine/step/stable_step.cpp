@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "step/contact_rows.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -28,13 +30,60 @@ void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, double b
   local.c += beta * m;
 }
 
-/// Normal and shear springs of a contact of given length at `at`, normal n, for both of its bodies.
-void add_contact(const Model<2>& model, const State<2>& state, int body_a, int body_b, const Vec2& at, const Vec2& n,
-                 double length, const FaceLaw& law, std::vector<Local>& locals) {
-  const Vec2 t = left_of(n);
-  const int node[2] = {model.bodies[body_a].first_node, model.bodies[body_b].first_node};
+/// Where a contact is and how stiff: `length` along left_of(normal), its middle at `at`.
+struct ContactSprings {
+  Vec2 at, normal;
+  double length;
+  const FaceLaw& law;
+};
+
+/// On the two end nodes of a face of a deformable body: rows of w w' + (l/L)^2/12 [1 -1; -1 1] for the shares w of the
+/// contact's middle, by their sums without signs, and the smaller mass for both.
+void add_to_face(const Model<2>& model, const std::array<int, 2>& node, const Vec2& from, const Vec2& to, double weight,
+                 const ContactSprings& c, std::vector<Local>& locals) {
+  const Vec2 along = to - from;
+  const double size = along.squaredNorm(), share = std::clamp(along.dot(c.at - from) / size, 0.0, 1.0);
+  const double spread = c.length * c.length / (6 * size), least = std::min(model.mass[node[0]], model.mass[node[1]]);
+  for (const int i : {0, 1}) {
+    const double k = (i == 0 ? 1 - share : share) + spread, scaled = weight * k * model.mass[node[i]] / least;
+    const Vec2 none = Vec2::Zero();
+    add_spring(locals[node[i]], c.normal, none, c.law.kn * c.length, c.law.beta, 0, none, scaled);
+    add_spring(locals[node[i]], left_of(c.normal), none, c.law.ks * c.length, c.law.beta, 0, none, scaled);
+  }
+}
+
+/// The face of a piece whose middle is nearest to a contact of general shape.
+std::array<int, 2> nearest_face(const Model<2>& model, const Work<2>& work, int piece, const Vec2& at) {
+  std::array<int, 2> best{};
+  double least = unbounded;
+  for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
+    const int p = model.corner_skin[first + c], q = model.corner_skin[first + (c + 1) % count];
+    const Vec2 middle(0.5 * (work.skin[p].x + work.skin[q].x), 0.5 * (work.skin[p].y + work.skin[q].y));
+    const double distance = (middle - at).squaredNorm();
+    if (distance < least) least = distance, best = {p, q};
+  }
+  return best;
+}
+
+/// Normal and shear springs of a contact for both of its bodies. `face`: skin points of either side's face; {-1, -1}
+/// where the contact is of general shape.
+void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& work, const NearPair& pair,
+                 const ContactSprings& c, const std::array<std::array<int, 2>, 2>& face, std::vector<Local>& locals) {
+  const Vec2 &at = c.at, &n = c.normal, t = left_of(n);
+  const double length = c.length;
+  const FaceLaw& law = c.law;
+  const int piece[2] = {pair.piece_a, pair.piece_b},
+            body[2] = {model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]};
+  const int node[2] = {model.bodies[body[0]].first_node, model.bodies[body[1]].first_node};
   for (const int side : {0, 1}) {
-    const double weight = model.moves(node[1 - side]) ? 2 : 1;
+    const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
+    if (model.bodies[body[side]].deforms()) {
+      const std::array<int, 2> ends = face[side][0] >= 0 ? face[side] : nearest_face(model, work, piece[side], at);
+      const auto place = [&](int s) { return Vec2(work.skin[s].x, work.skin[s].y); };
+      add_to_face(model, {model.skin_node[ends[0]], model.skin_node[ends[1]]}, place(ends[0]), place(ends[1]), weight,
+                  c, locals);
+      continue;
+    }
     Local& local = locals[node[side]];
     const Vec2 arm = at - state.position[node[side]];
     add_spring(local, n, arm, law.kn * length, law.beta, length, t, weight);
@@ -53,15 +102,37 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
     };
     const FaceOverlap<double> o(ends(p.a0, p.a1), ends(p.b0, p.b1));
     const Vec2 d(o.dx, o.dy), n(o.dy, -o.dx), origin(work.skin[p.a0].x, work.skin[p.a0].y);
-    add_contact(model, state, model.piece_body[p.piece_a], model.piece_body[p.piece_b],
-                origin + 0.5 * (o.lo + o.hi) * d, n, o.shared, face_law(model, p.law, 0), locals);
+    const FaceLaw law = face_law(model, p.law, 0);
+    add_contact(model, state, work, p, {origin + 0.5 * (o.lo + o.hi) * d, n, o.shared, law},
+                {{{p.a0, p.a1}, {p.b0, p.b1}}}, locals);
   }
   for (const GeneralContact& g : work.general_touching) {
     const double size = g.force.norm();
     if (!(size > 0)) continue;
     const NearPair& p = work.pairs[g.row];
-    add_contact(model, state, model.piece_body[p.piece_a], model.piece_body[p.piece_b], g.centre, g.force / size,
-                g.length, face_law(model, p.law, 0), locals);
+    const FaceLaw law = face_law(model, p.law, 0);
+    add_contact(model, state, work, p, {g.centre, g.force / size, g.length, law}, {{{-1, -1}, {-1, -1}}}, locals);
+  }
+}
+
+/// A spring along e through `at` (e = 0: about it) that is tied to an element: row sums of v v' for the forces v on its
+/// nodes by a unit force.
+void add_to_element(const Model<2>& model, const State<2>& state, const Anchor& anchor, const Vec2& at, const Vec2& e,
+                    double tangent, double dashpot, std::vector<Local>& locals) {
+  const Element& element = model.elements[anchor.element];
+  std::vector<Vec2> force(static_cast<std::size_t>(model.nodes()), Vec2::Zero());
+  std::vector<double> none;
+  const double moment = e.isZero() ? 1 : cross(Vec2(at - anchor_pose(model, state, anchor).place), e);
+  add_at_anchor(model, state, anchor, e, moment, force, none);
+  double sum = 0;
+  for (int i = 0; i < element.nodes; ++i)
+    sum += (force[element.node[i]].cwiseAbs().sum()) / std::sqrt(model.mass[element.node[i]]);
+  for (int i = 0; i < element.nodes; ++i) {
+    const int n = element.node[i];
+    for (const int k : {0, 1}) {
+      const double row = std::abs(force[n][k]) * sum * std::sqrt(model.mass[n]);
+      locals[n].k(k, k) += tangent * row, locals[n].c(k, k) += dashpot * row;
+    }
   }
 }
 
@@ -70,9 +141,9 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
     // One that waits counts already: it may go live between two estimates.
     if (!is_live(work.bearing[i].status) && work.bearing[i].status != BearingStatus::waiting) continue;
     const Bearing<2>& b = model.bearings[i];
-    const int node[2] = {model.bodies[b.body_a].first_node, model.bodies[b.body_b].first_node};
-    const Vec2 at = state.position[node[1]] + Turn(state.rotation[node[1]]).apply(b.point_b);
-    const Turn axes(state.rotation[node[0]] + b.angle);
+    const std::array<Anchor, 2> anchor{anchor_a(b), anchor_b(b)};
+    const Vec2 at = anchor_pose(model, state, anchor[1]).place;
+    const Turn axes(anchor_pose(model, state, anchor[0]).rotation + b.angle);
     for (int k = 0; k < 3; ++k) {
       double tangent = 0, dashpot = 0;
       std::visit(
@@ -83,11 +154,16 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
           b.law[k]);
       const Vec2 e = k == turning ? Vec2::Zero() : axes.apply(k == along ? Vec2::UnitX() : Vec2::UnitY());
       for (const int side : {0, 1}) {
-        const double weight = model.moves(node[1 - side]) ? 2 : 1;
-        const Vec2 arm = at - state.position[node[side]];
+        const double weight = model.body_moves(anchor[1 - side].body) ? 2 : 1;
+        if (anchor[side].element >= 0) {
+          add_to_element(model, state, anchor[side], at, e, weight * tangent, weight * dashpot, locals);
+          continue;
+        }
+        const int node = model.bodies[anchor[side].body].first_node;
+        const Vec2 arm = at - state.position[node];
         const Eigen::Vector3d v(e.x(), e.y(), k == turning ? 1.0 : cross(arm, e));
-        locals[node[side]].k += weight * tangent * v * v.transpose();
-        locals[node[side]].c += weight * dashpot * v * v.transpose();
+        locals[node].k += weight * tangent * v * v.transpose();
+        locals[node].c += weight * dashpot * v * v.transpose();
       }
     }
   }
@@ -108,11 +184,21 @@ double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
   return most;
 }
 
+/// A face of a deformable body in full contact: what its end with the smaller mass feels, per mass.
+void add_stiffer_face(const Model<2>& model, int from, int to, const FaceLaw& law, Local& stiffest) {
+  const double length = (model.start_position[to] - model.start_position[from]).norm();
+  const double k = 2 * (0.5 + 1.0 / 6) * length * std::max(law.kn, law.ks) / std::min(model.mass[from], model.mass[to]);
+  if (k <= stiffest.k(0, 0)) return;
+  stiffest.k(0, 0) = k;
+  stiffest.c(0, 0) = law.beta * k;
+}
+
 /// The stiffest face of a body under the stiffest law its surface has, as if in full contact with a body like it. In
 /// the body's own axes.
 Local on_stiffest_face(const Model<2>& model, int body) {
   Local stiffest;
   const Body& b = model.bodies[body];
+  const bool deforms = b.deforms();
   for (int other = 0; other < model.surfaces; ++other) {
     const int law = model.law_of[b.surface * model.surfaces + other];
     if (law < 0) continue;
@@ -120,8 +206,12 @@ Local on_stiffest_face(const Model<2>& model, int body) {
     for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
       for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
         if (!model.edge_is_face[first + c]) continue;
-        const Vec2 &p = model.skin_place[model.corner_skin[first + c]],
-                   &q = model.skin_place[model.corner_skin[first + (c + 1) % count]];
+        const int from = model.corner_skin[first + c], to = model.corner_skin[first + (c + 1) % count];
+        if (deforms) {
+          add_stiffer_face(model, model.skin_node[from], model.skin_node[to], numbers, stiffest);
+          continue;
+        }
+        const Vec2 &p = model.skin_place[from], &q = model.skin_place[to];
         const double length = (q - p).norm();
         const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);
         Local local;
@@ -144,8 +234,12 @@ void bound_faces(const Model<2>& model, Work<2>& work) {
   work.face_bound.resize(model.bodies.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const int node = model.bodies[b].first_node;
-    if (!model.moves(node)) continue;
+    if (!model.body_moves(static_cast<int>(b))) continue;
     const Local local = on_stiffest_face(model, static_cast<int>(b));
+    if (model.bodies[b].deforms()) {
+      work.face_bound[b] = {local.k(0, 0), local.c(0, 0)};
+      continue;
+    }
     work.face_bound[b] = {bound(model, node, local.k), bound(model, node, local.c)};
   }
 }
@@ -157,10 +251,16 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
   StableStep found;
   found.dt = longest_step;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const int node = model.bodies[b].first_node;
-    if (!model.moves(node)) continue;
-    const double k = std::max(bound(model, node, locals[node].k), work.face_bound[b].stiffness);
-    const double c = std::max(bound(model, node, locals[node].c), work.face_bound[b].damping) + model.mass_damping;
+    const Body& body = model.bodies[b];
+    if (!model.body_moves(static_cast<int>(b))) continue;
+    double k = work.face_bound[b].stiffness, c = work.face_bound[b].damping;
+    for (int node = body.first_node; node < body.first_node + body.nodes; ++node) {
+      if (!model.moves(node)) continue;
+      k = std::max(k, bound(model, node, locals[node].k));
+      c = std::max(c, bound(model, node, locals[node].c));
+    }
+    k += model.element_bound[b].stiffness;
+    c += model.element_bound[b].damping + model.mass_damping;
     const double dt = step_for(k, c);
     if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
   }
@@ -176,6 +276,14 @@ std::string explain_step(const Model<2>& model, const State<2>& state, const Wor
   if (s.body < 0) return fmt::format("nothing stiff governs; the step is held to {:g} s", longest_step);
   std::string text = fmt::format("body '{}' governs: stable step {:.4g} s, {:.4g} s without damping; its contacts:",
                                  model.bodies[s.body].name, s.dt, step_for(s.stiffness, 0));
+  if (model.bodies[s.body].deforms()) {
+    const RateBound& own = model.element_bound[s.body];
+    text = fmt::format(
+        "body '{}' ({}) governs: stable step {:.4g} s, {:.4g} s without damping, {:.4g} s by its elements alone; its "
+        "contacts:",
+        model.bodies[s.body].name, name_of(model.bodies[s.body].kind), s.dt, step_for(s.stiffness, 0),
+        step_for(own.stiffness, own.damping));
+  }
   int named = 0;
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     const NearPair& p = work.pairs[row];

@@ -10,7 +10,9 @@
 #include "shape/convex_parts.hpp"
 #include "shape/overlap.hpp"
 #include "world/check.hpp"
+#include "world/element_rows.hpp"
 #include "world/flatness.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -26,7 +28,7 @@ void require_new(const Rows& rows, const std::string& name, std::string_view kin
       throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
 }
 
-double body_mass(const BodySpec& spec, double area, double thickness, const std::vector<Material>& materials) {
+double mass_of(const BodySpec& spec, double area, double thickness, const std::vector<Material>& materials) {
   const std::string owner = fmt::format("body '{}'", spec.name);
   const int given = int(spec.density.has_value()) + int(spec.mass.has_value()) + int(spec.weight.has_value());
   if (given > 1) throw InputError(owner + ": more than one of density, mass and weight is given; keep one");
@@ -39,7 +41,7 @@ double body_mass(const BodySpec& spec, double area, double thickness, const std:
   throw InputError(fmt::format("{}: give a density, mass or weight, or a material that has a density", owner));
 }
 
-/// The piece of a body whose surface faces come nearest to a point (in the axes of its node).
+/// The piece of a body whose surface faces come nearest to a point at the start.
 int piece_at(const Model<2>& model, int body, const Vec2& point) {
   const Body& b = model.bodies[body];
   int best = b.first_piece;
@@ -47,8 +49,11 @@ int piece_at(const Model<2>& model, int body, const Vec2& point) {
   for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
     for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
       if (model.edge_is_face[first + c] == 0) continue;
-      const std::array face{model.skin_place[model.corner_skin[first + c]],
-                            model.skin_place[model.corner_skin[first + (c + 1) % count]]};
+      const auto place = [&](int corner) {
+        const int skin = model.corner_skin[first + corner % count];
+        return Vec2(model.start_position[model.skin_node[skin]] + model.skin_place[skin]);
+      };
+      const std::array face{place(c), place(c + 1)};
       const double distance = boundary_point(face, point).distance;
       if (distance < least) least = distance, best = piece;
     }
@@ -80,8 +85,11 @@ void ModelBuilder::add_body(BodySpec spec) {
   require_name(spec.name, "body");
   require_new(bodies_, spec.name, "body", [](const BodySpec& b) { return b.name; });
   const std::string owner = fmt::format("body '{}'", spec.name);
-  CheckedPolygon checked = check_polygon(std::move(spec.outline), owner);
-  spec.outline = std::move(checked.outline);
+  CheckedPolygon checked;
+  if (!spec.mesh) {
+    checked = check_polygon(std::move(spec.outline), owner);
+    spec.outline = std::move(checked.outline);
+  }
   for (const double v : {spec.velocity.x(), spec.velocity.y(), spec.spin, spec.load.x(), spec.load.y()})
     require_finite(v, owner + ": velocity, spin or load");
   if (spec.inertia) require_positive(*spec.inertia, owner + ": inertia", "kg m2");
@@ -92,7 +100,8 @@ void ModelBuilder::add_body(BodySpec spec) {
       throw InputError(
           fmt::format("{}: there is no material '{}'{}", owner, spec.material, name_hint(spec.material, known)));
   }
-  body_mass(spec, 1.0, thickness, materials_);
+  mass_of(spec, 1.0, thickness, materials_);
+  if (spec.kind != BodyKind::rigid) check_deformable(spec, owner);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   bodies_.push_back(std::move(spec));
 }
@@ -157,6 +166,35 @@ int ModelBuilder::require_body(const std::string& name, const std::string& owner
   throw InputError(fmt::format("{}: there is no body '{}'{}", owner, name, name_hint(name, body_names())));
 }
 
+void ModelBuilder::check_deformable(BodySpec& spec, const std::string& owner) {
+  const std::string kind = fmt::format("{}: body = \"{}\"", owner, name_of(spec.kind));
+  const auto material =
+      std::find_if(materials_.begin(), materials_.end(), [&](const Material& m) { return m.name == spec.material; });
+  if (material == materials_.end() || !material->solid)
+    throw InputError(fmt::format("{} needs a material with a stiffness (E, nu); {} has none", kind,
+                                 spec.material.empty() ? "it" : "'" + spec.material + "'"));
+  if (spec.inertia) throw InputError(kind + " takes no inertia, as that follows from its nodes; leave it out");
+  const auto& s = spec.support;
+  if (s[2] != Support::free && (s[0] == Support::free || s[1] == Support::free))
+    throw InputError(kind + " has no rotation to hold; hold x and y of some of its nodes");
+  if (!spec.mesh) {
+    if (spec.kind == BodyKind::quad) spec.divisions = {1, 1};
+    if (spec.outline.size() != 4)
+      throw InputError(
+          fmt::format("{} takes an outline of four corners, this one has {}; make it rigid, or give a mesh "
+                      "of its own",
+                      kind, spec.outline.size()));
+    for (const int n : spec.divisions)
+      if (n < 1 || n > 1000) throw InputError(fmt::format("{}: {} divisions of a side, must be 1 to 1000", kind, n));
+    spec.mesh = grid_mesh({spec.outline[0], spec.outline[1], spec.outline[2], spec.outline[3]}, spec.divisions[0],
+                          spec.divisions[1]);
+  }
+  CheckedMesh checked = check_mesh(std::move(*spec.mesh), owner);
+  notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
+  spec.outline.assign(checked.mesh.node.begin(), checked.mesh.node.begin() + checked.outline);
+  spec.mesh = std::move(checked.mesh);
+}
+
 Model<2> ModelBuilder::build() {
   Model<2> model;
   model.thickness = require_positive(thickness, "model: thickness", "m");
@@ -179,18 +217,124 @@ Model<2> ModelBuilder::build() {
   return model;
 }
 
-void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
-  const PolygonMoments moments = polygon_moments(spec.outline);
-  const double mass = body_mass(spec, moments.area, thickness, materials_);
+namespace {
+
+/// Index of `solid` in the model's table, where it is added if it is new there.
+int solid_index(Model<2>& model, const Solid& solid) {
+  for (std::size_t i = 0; i < model.solids.size(); ++i)
+    if (model.solids[i] == solid) return static_cast<int>(i);
+  model.solids.push_back(solid);
+  return static_cast<int>(model.solids.size()) - 1;
+}
+
+double mesh_area(const Mesh& mesh) {
+  double area = 0;
+  for (std::size_t e = 0; e < mesh.element.size(); ++e) area += signed_area(corners_of(mesh, e));
+  return area;
+}
+
+/// A node without rotation at `place`, of a body that starts as `spec` says and turns about `centre`.
+void append_node(const BodySpec& spec, const Vec2& place, const Vec2& centre, Model<2>& model) {
+  std::array<Support, 3> support{spec.support[0], spec.support[1], Support::fixed};
+  for (const NodeHold& hold : spec.holds) {
+    const Vec2 low = hold.low.cwiseMin(hold.high), high = hold.low.cwiseMax(hold.high);
+    const double reach = 1e-9 * (high - low).norm();
+    const bool in = ((place - low).array() >= -reach).all() && ((high - place).array() >= -reach).all();
+    for (const int k : {0, 1})
+      if (in && hold.support[k] != Support::free) support[k] = hold.support[k];
+  }
+  model.skin_place.push_back(Vec2::Zero());
+  model.skin_node.push_back(model.nodes());
+  model.mass.push_back(0);
+  model.inertia.push_back(0);
+  model.support.push_back(support);
+  model.start_position.push_back(place);
+  model.start_rotation.push_back(0);
+  model.start_velocity.emplace_back(spec.velocity + cross(spec.spin, Vec2(place - centre)));
+  model.start_spin.push_back(0);
+  model.load.push_back(Vec2::Zero());
+}
+
+/// The elements with an edge on the boundary, as pieces for contact.
+void append_boundary_pieces(const Mesh& mesh, int body, Model<2>& model) {
+  const CheckedMesh checked = check_mesh(mesh, "");
+  const int first_skin = model.bodies[body].first_skin;
+  for (std::size_t e = 0; e < mesh.element.size(); ++e) {
+    if (checked.boundary_edges[e] == 0) continue;
+    const std::vector<Vec2> corners = corners_of(mesh, e);
+    ConvexPiece piece;
+    for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
+      piece.corners.push_back(i);
+      piece.faces.push_back((checked.boundary_edges[e] >> static_cast<unsigned>(i) & 1U) != 0 ? i : -1);
+    }
+    const PieceEdges edges = piece_edges(corners, piece);
+    model.piece_body.push_back(body);
+    model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
+    for (std::size_t c = 0; c < edges.corner.size(); ++c) {
+      model.corner_skin.push_back(first_skin + mesh.element[e][edges.corner[c]]);
+      model.edge_is_face.push_back(edges.is_face[c]);
+      model.edge_corner.push_back(edges.flatness[c]);
+    }
+  }
+}
+
+}  // namespace
+
+void ModelBuilder::append_deformable(const BodySpec& spec, Model<2>& model) const {
+  const Mesh& mesh = *spec.mesh;
+  const int index = static_cast<int>(model.bodies.size()), first = model.nodes();
+  const Vec2 centre = polygon_moments(spec.outline).centroid;
   Body body;
   body.name = spec.name;
-  body.kind = "rigid";
+  body.kind = spec.kind;
+  body.material = spec.material;
+  body.groups = spec.groups;
+  body.area = mesh_area(mesh);
+  body.first_node = first;
+  body.nodes = body.skins = static_cast<int>(mesh.node.size());
+  body.first_skin = static_cast<int>(model.skin_place.size());
+  body.outline = static_cast<int>(spec.outline.size());
+  body.first_piece = model.pieces();
+  double radius = 0;
+  for (const Vec2& place : mesh.node) {
+    append_node(spec, place, centre, model);
+    radius = std::max(radius, (place - centre).norm());
+  }
+  model.body_radius.push_back(radius);
+  model.bodies.push_back(body);
+  model.element_bound.emplace_back();
+  const auto material =
+      std::find_if(materials_.begin(), materials_.end(), [&](const Material& m) { return m.name == spec.material; });
+  const double wide = spec.thickness.value_or(thickness), mass = mass_of(spec, body.area, thickness, materials_);
+  Element element;
+  element.body = index;
+  element.solid = solid_index(model, *material->solid);
+  element.thickness = wide;
+  for (const auto& corners : mesh.element) {
+    element.nodes = corners_of(corners);
+    for (int i = 0; i < max_element_nodes; ++i) element.node[i] = i < element.nodes ? first + corners[i] : -1;
+    append_element(model, element, mass / (body.area * wide));
+  }
+  for (int n = first; n < first + body.nodes; ++n) model.load[n] = spec.load * (model.mass[n] / mass);
+  append_boundary_pieces(mesh, index, model);
+  model.bodies[index].pieces = model.pieces() - body.first_piece;
+}
+
+void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
+  if (spec.kind != BodyKind::rigid) {
+    append_deformable(spec, model);
+    return;
+  }
+  const PolygonMoments moments = polygon_moments(spec.outline);
+  const double mass = mass_of(spec, moments.area, thickness, materials_);
+  Body body;
+  body.name = spec.name;
   body.material = spec.material;
   body.groups = spec.groups;
   body.area = moments.area;
   body.first_node = model.nodes();
   body.first_skin = static_cast<int>(model.skin_place.size());
-  body.skins = static_cast<int>(spec.outline.size());
+  body.skins = body.outline = static_cast<int>(spec.outline.size());
   body.first_piece = model.pieces();
   model.mass.push_back(mass);
   model.inertia.push_back(spec.inertia.value_or(mass * moments.second_moment / moments.area));
@@ -207,6 +351,7 @@ void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
     radius = std::max(radius, (p - moments.centroid).norm());
   }
   model.body_radius.push_back(radius);
+  model.element_bound.emplace_back();
   append_pieces(spec.outline, static_cast<int>(model.bodies.size()), model);
   body.pieces = model.pieces() - body.first_piece;
   model.bodies.push_back(std::move(body));
@@ -234,12 +379,19 @@ void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) cons
   b.name = spec.name;
   b.body_a = require_body(spec.body_a, spec.name);
   b.body_b = require_body(spec.body_b, spec.name);
-  b.point_a = spec.point_a - model.start_position[model.bodies[b.body_a].first_node];
-  b.point_b = spec.point_b - model.start_position[model.bodies[b.body_b].first_node];
+  const std::string owner = fmt::format("bearing '{}'", spec.name);
+  const Anchor a = tie_point(model, b.body_a, spec.point_a, owner),
+               at_b = tie_point(model, b.body_b, spec.point_b, owner);
+  b.point_a = a.place, b.element_a = a.element;
+  b.point_b = at_b.place, b.element_b = at_b.element;
   b.angle = spec.angle;
   b.law = spec.law;
   b.limit = spec.limit;
-  b.rest = Turn(spec.angle).undo(Vec2(spec.point_b - spec.point_a));
+  const bool deforms = a.element >= 0 || at_b.element >= 0;
+  const State<2> start = deforms ? initial_state(model) : State<2>{};
+  b.rest = Turn(spec.angle)
+               .undo(deforms ? Vec2(anchor_pose(model, start, at_b).place - anchor_pose(model, start, a).place)
+                             : Vec2(spec.point_b - spec.point_a));
   b.holds_off_contact = spec.holds_off_contact;
   b.starts_waiting = spec.starts_waiting;
   if (!spec.contact_after.empty()) {
@@ -250,8 +402,8 @@ void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) cons
                                    spec.contact_after, name_hint(spec.contact_after, known)));
     b.contact_after = static_cast<int>(it - known.begin());
   }
-  b.piece_a = piece_at(model, b.body_a, b.point_a);
-  b.piece_b = piece_at(model, b.body_b, b.point_b);
+  b.piece_a = piece_at(model, b.body_a, spec.point_a);
+  b.piece_b = piece_at(model, b.body_b, spec.point_b);
   if (!spec.becomes_bearing.empty()) {
     std::vector<std::string> known;
     for (const BearingSpec& other : bearings_) known.push_back(other.name);
@@ -269,8 +421,11 @@ void ModelBuilder::append_seat(const SeatSpec& spec, Model<2>& model) const {
   seat.name = spec.name;
   seat.body = require_body(spec.body, spec.name);
   seat.support = require_body(spec.support, spec.name);
-  seat.end = spec.end - model.start_position[model.bodies[seat.body].first_node];
-  seat.edge = spec.edge - model.start_position[model.bodies[seat.support].first_node];
+  const std::string owner = fmt::format("seat '{}'", spec.name);
+  const Anchor end = tie_point(model, seat.body, spec.end, owner),
+               edge = tie_point(model, seat.support, spec.edge, owner);
+  seat.end = end.place, seat.end_element = end.element;
+  seat.edge = edge.place, seat.edge_element = edge.element;
   seat.inward = spec.inward.normalized();
   model.seats.push_back(std::move(seat));
 }
@@ -308,19 +463,32 @@ void ModelBuilder::fill_contact_table(Model<2>& model) const {
 }
 
 void set_support(Model<2>& model, int body, int dof, Support support) {
-  const int node = model.bodies[body].first_node;
-  model.support[node][dof] = support;
-  if (support != Support::driven) model.drive_of[node][dof] = -1;
+  const Body& b = model.bodies[body];
+  if (b.deforms() && dof == 2) {
+    if (support == Support::fixed) return;  // as its nodes' are
+    throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x and y", b.name));
+  }
+  for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
+    model.support[node][dof] = support;
+    if (support != Support::driven) model.drive_of[node][dof] = -1;
+  }
 }
 
 void set_drive(Model<2>& model, int body, int dof, std::shared_ptr<const GroundMotion> motion, double start,
-               double origin) {
-  const int node = model.bodies[body].first_node;
-  model.support[node][dof] = Support::driven;
-  model.drive_of[node][dof] = static_cast<int>(model.drives.size());
+               double origin, const State<2>* state) {
+  const Body& b = model.bodies[body];
+  if (b.deforms() && dof == 2)
+    throw InputError(
+        fmt::format("body '{}' deforms and has no rotation to drive; drive x and y, or make it rigid", b.name));
   // The motion's own start displacement is not a jump of the ground.
   const double from = origin - motion->displacement(0);
-  model.drives.push_back({node, dof, from, start, std::move(motion)});
+  const auto place = [&](int node) { return (state != nullptr ? state->position : model.start_position)[node][dof]; };
+  for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
+    const double beside = node == b.first_node ? 0 : place(node) - place(b.first_node);
+    model.support[node][dof] = Support::driven;
+    model.drive_of[node][dof] = static_cast<int>(model.drives.size());
+    model.drives.push_back({node, dof, from + beside, start, motion});
+  }
 }
 
 }  // namespace trilith

@@ -8,31 +8,45 @@
 #include <vector>
 
 #include "load/motion.hpp"
+#include "shape/mesh.hpp"
 #include "shape/polygon.hpp"
 #include "world/model.hpp"
+#include "world/state.hpp"
 
 namespace trilith {
 
 struct Material {
   std::string name;
-  double density = 0;  ///< [kg/m3], above 0
+  double density = 0;                         ///< [kg/m3], above 0
+  std::optional<Solid> solid = std::nullopt;  ///< what deformable bodies need
 };
 
-/// A rigid body to be. Give at most one of density, mass, weight; without any, the material's density counts.
+/// Holds the nodes of a deformable body that stand in a box at the start.
+struct NodeHold {
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< opposite corners [m]
+  std::array<Support, 2> support{};              ///< x, y; free leaves as it is
+};
+
+/// A body to be. Give at most one of density, mass, weight; without any, the material's density counts.
 struct BodySpec {
   std::string name;  ///< unique
-  Polygon outline;   ///< world coordinates [m]; clockwise ones are turned round, with a note
+  Polygon outline;   ///< world coordinates [m]; clockwise ones are turned round, with a note. A quad, and a mesh that
+                     ///< is not given by `mesh`, has four corners
+  BodyKind kind = BodyKind::rigid;
+  std::array<int, 2> divisions{1, 1};  ///< of a mesh, along the first and the second side of the outline
+  std::optional<Mesh> mesh;            ///< of a body of kind mesh, instead of outline and divisions [m]
+  std::vector<NodeHold> holds;         ///< of some nodes of a deformable body
   std::string material;
   std::vector<std::string> groups;
   std::optional<double> density;     ///< [kg/m3]
   std::optional<double> mass;        ///< [kg]
   std::optional<double> weight;      ///< [N], at standard gravity
-  std::optional<double> inertia;     ///< about the centroid [kg m2]; without it, from the shape
-  std::optional<double> thickness;   ///< for the mass only; without it, the model's [m]
-  std::array<Support, 3> support{};  ///< x, y, rotation
+  std::optional<double> inertia;     ///< about the centroid [kg m2]; without it, from the shape. Rigid bodies only
+  std::optional<double> thickness;   ///< for mass and, of a deformable body, stiffness; without it, the model's [m]
+  std::array<Support, 3> support{};  ///< x, y, rotation; of all nodes
   Vec2 velocity = Vec2::Zero();      ///< at the start [m/s]
   double spin = 0;                   ///< at the start [rad/s]
-  Vec2 load = Vec2::Zero();          ///< steady force at the centroid [N]
+  Vec2 load = Vec2::Zero();          ///< steady force at the centroid, spread like the mass [N]
   bool floating = false;             ///< may start with nothing that holds it up
 };
 
@@ -95,7 +109,9 @@ class ModelBuilder {
   struct Contact {
     std::string a, b, law;
   };
+  void check_deformable(BodySpec& spec, const std::string& owner);
   void append_body(const BodySpec& spec, Model<2>& model) const;
+  void append_deformable(const BodySpec& spec, Model<2>& model) const;
   void append_pieces(const Polygon& outline, int body, Model<2>& model) const;
   void append_bearing(const BearingSpec& spec, Model<2>& model) const;
   void append_seat(const SeatSpec& spec, Model<2>& model) const;
@@ -111,11 +127,14 @@ class ModelBuilder {
   std::vector<std::string> notes_;
 };
 
-/// Fixes or frees one degree of freedom of a body (0 x, 1 y, 2 rotation), for the next stage.
+/// Fixes or frees one degree of freedom of a body (0 x, 1 y, 2 rotation), for the next stage. Of a deformable body:
+/// that of all its nodes, which have no rotation: throws InputError for 2 unless it is to be fixed.
 void set_support(Model<2>& model, int body, int dof, Support support);
 
-/// Lets one degree of freedom of a body follow `motion` from time `start` [s] and position `origin` on.
+/// Lets one degree of freedom of a body follow `motion` from time `start` [s] and position `origin` on. Of a deformable
+/// body: that of all its nodes; `origin` is that of the first one, the others keep their places beside it as `state`
+/// has them, or the model's start where there is none. Throws InputError for the rotation of such a body.
 void set_drive(Model<2>& model, int body, int dof, std::shared_ptr<const GroundMotion> motion, double start,
-               double origin);
+               double origin, const State<2>* state = nullptr);
 
 }  // namespace trilith

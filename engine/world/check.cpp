@@ -14,9 +14,9 @@ namespace {
 
 std::vector<Vec2> piece_outline(const Model<2>& model, int piece) {
   std::vector<Vec2> outline;
-  const Vec2& node = model.start_position[model.bodies[model.piece_body[piece]].first_node];
   for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c)
-    outline.push_back(node + model.skin_place[model.corner_skin[c]]);
+    outline.emplace_back(model.start_position[model.skin_node[model.corner_skin[c]]] +
+                         model.skin_place[model.corner_skin[c]]);
   return outline;
 }
 
@@ -85,9 +85,11 @@ void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& float
   double size = 0;
   for (const double r : model.body_radius) size = std::max(size, r);
   for (int b = 0; b < bodies; ++b) {
-    const auto& support = model.support[model.bodies[b].first_node];
-    const bool held = std::any_of(support.begin(), support.begin() + 2, [](Support s) { return s != Support::free; });
-    if (held) join(b, bodies);
+    for (int n = model.bodies[b].first_node; n < model.bodies[b].first_node + model.bodies[b].nodes; ++n) {
+      const auto& support = model.support[n];
+      if (std::any_of(support.begin(), support.begin() + 2, [](Support s) { return s != Support::free; }))
+        join(b, bodies);
+    }
   }
   for (const Bearing<2>& link : model.bearings) join(link.body_a, link.body_b);
   for_near_pieces(model, 1e-3 * size, [&](int p, int q, double separation) {

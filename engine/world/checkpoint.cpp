@@ -161,6 +161,9 @@ void walk_nodes(W& file, State<2>& s) {
 template <class W>
 void walk_rest(W& file, State<2>& s) {
   for (std::size_t i = 0, n = file.count(s.bearing.size()); i < n; ++i) walk(file, s.bearing[i]);
+  for (std::size_t i = 0, n = file.count(s.plastic.size()); i < n; ++i)
+    for (double* v : {&s.plastic[i].xx, &s.plastic[i].yy, &s.plastic[i].zz, &s.plastic[i].xy, &s.plastic[i].measure})
+      file.number(*v);
   for (std::size_t i = 0, n = file.count(s.seat_lost.size()); i < n; ++i) file.flag(s.seat_lost[i]);
   for (std::size_t i = 0, n = file.count(s.moved_at.size()); i < n; ++i) {
     file.number(s.moved_at[i]);

@@ -13,18 +13,21 @@ enum class EnergyTerm : int {
   gravity,  ///< work against the weight
   contact_elastic,
   bearing_elastic,
+  strain,  ///< elastic energy of deformable bodies
   contact_damping,
   contact_friction,
   contact_fracture,  ///< elastic energy of a bond at its loss
   bearing_damping,
   bearing_inner,    ///< plastic and frictional
   bearing_failure,  ///< elastic energy of a bearing at its failure
+  plastic,          ///< plastic work in deformable bodies
+  element_damping,  ///< of the strain rate in deformable bodies
   mass_damping,
   rest_damping,  ///< the damping of consolidation
   support,       ///< put in by moving supports
   load,          ///< put in by steady forces
 };
-inline constexpr int energy_terms = 14;
+inline constexpr int energy_terms = 17;
 
 struct EnergyTermInfo {
   std::string_view name, sentence;
@@ -36,12 +39,15 @@ inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
     {"gravity", "work against the weight: potential energy, from the start", +1},
     {"contact_elastic", "elastic energy in contacts", +1},
     {"bearing_elastic", "elastic energy in bearings", +1},
+    {"strain", "elastic energy of deformable bodies", +1},
     {"contact_damping", "given off by contact damping", +1},
     {"contact_friction", "given off by sliding friction, and elastic shear let go by length that parts", +1},
     {"contact_fracture", "given off by bonds at their loss", +1},
     {"bearing_damping", "given off by the dashpots of bearings", +1},
     {"bearing_inner", "given off by yielding or sliding bearings", +1},
     {"bearing_failure", "given off by bearings at their failure", +1},
+    {"plastic", "given off by plastic strain of deformable bodies", +1},
+    {"element_damping", "given off by the damping of deformable bodies", +1},
     {"mass_damping", "given off by mass-proportional damping", +1},
     {"rest_damping", "given off by the damping of consolidation", +1},
     {"support", "put in by moving supports", -1},

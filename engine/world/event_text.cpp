@@ -20,7 +20,7 @@ std::string body_name(const Model<2>& model, int body) {
 
 /// Ground, fixed or moved: it is hit, it does not hit.
 bool stands(const Model<2>& model, int body) {
-  return body >= 0 && !model.moves(model.bodies[body].first_node);
+  return body >= 0 && !model.body_moves(body);
 }
 
 std::string failed_text(const Event& e, const Model<2>& model, std::string_view what) {

@@ -33,6 +33,8 @@ void add(Hash& hash, const DirectionLaw& law);
 void add(Hash& hash, const Body& b);
 void add(Hash& hash, const Bearing<2>& b);
 void add(Hash& hash, const Seat& s);
+void add(Hash& hash, const Solid& s);
+void add(Hash& hash, const Element& e);
 void add(Hash& hash, const Drive& d);
 
 /// The length counts too, so that elements cannot slip from one array to the next.
@@ -71,13 +73,16 @@ void add(Hash& hash, const DirectionLaw& law) {
 }
 
 void add(Hash& hash, const Body& b) {
-  add(hash, b.name), add(hash, b.kind), add(hash, b.material), add(hash, b.groups);
-  for (const int v : {b.first_node, b.nodes, b.first_skin, b.skins, b.first_piece, b.pieces, b.surface}) add(hash, v);
+  add(hash, b.name), hash.add(name_of(b.kind)), add(hash, b.material), add(hash, b.groups);
+  for (const int v : {b.first_node, b.nodes, b.first_skin, b.skins, b.outline, b.first_piece, b.pieces, b.surface})
+    add(hash, v);
 }
 
 void add(Hash& hash, const Bearing<2>& b) {
   add(hash, b.name);
-  for (const int v : {b.body_a, b.body_b, b.piece_a, b.piece_b, b.contact_after, b.becomes_bearing}) add(hash, v);
+  for (const int v :
+       {b.body_a, b.body_b, b.piece_a, b.piece_b, b.contact_after, b.becomes_bearing, b.element_a, b.element_b})
+    add(hash, v);
   for (const Vec2& v : {b.point_a, b.point_b, b.rest}) add(hash, v);
   add(hash, b.angle), add(hash, b.rest_angle);
   add(hash, b.law), add(hash, b.limit);
@@ -85,8 +90,19 @@ void add(Hash& hash, const Bearing<2>& b) {
 }
 
 void add(Hash& hash, const Seat& s) {
-  add(hash, s.name), add(hash, s.body), add(hash, s.support);
+  add(hash, s.name), add(hash, s.body), add(hash, s.support), add(hash, s.end_element), add(hash, s.edge_element);
   for (const Vec2& v : {s.end, s.edge, s.inward}) add(hash, v);
+}
+
+void add(Hash& hash, const Solid& s) {
+  std::visit([&](const auto& l) { add_law(hash, l); }, s.law);
+  hash.add(static_cast<std::uint64_t>(s.plane)), hash.add(static_cast<std::uint64_t>(s.form));
+}
+
+void add(Hash& hash, const Element& e) {
+  add(hash, e.node);
+  for (const int v : {e.body, e.nodes, e.solid, e.first_number, e.first_point}) add(hash, v);
+  add(hash, e.thickness);
 }
 
 void add(Hash& hash, const Drive& d) {
@@ -105,6 +121,7 @@ std::uint64_t structure_of(const Model<2>& m) {
   add(hash, m.bodies), add(hash, m.skin_place), add(hash, m.skin_node);
   add(hash, m.piece_body), add(hash, m.piece_first), add(hash, m.corner_skin), add(hash, m.edge_is_face);
   add(hash, m.edge_corner);
+  add(hash, m.solids), add(hash, m.elements), add(hash, m.element_number);
   add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, m.law_of);
   add(hash, m.bearings), add(hash, m.seats);
   return hash.value();

@@ -11,8 +11,10 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
+#include "body/list.hpp"
 #include "contact/list.hpp"
 #include "load/motion.hpp"
+#include "material/list.hpp"
 
 namespace trilith {
 
@@ -22,14 +24,41 @@ enum class Support : std::uint8_t { free, fixed, driven };
 /// A body: who it is, and where its rows are.
 struct Body {
   std::string name;
-  std::string kind;  ///< row of body/list.hpp
+  BodyKind kind = BodyKind::rigid;
   std::string material;
   std::vector<std::string> groups;
   int first_node = 0, nodes = 1;
   int first_skin = 0, skins = 0;
+  int outline = 0;  ///< the first of its skin points go once around it, counter-clockwise
   int first_piece = 0, pieces = 0;
   int surface = 0;  ///< index into the table of contact laws
   double area = 0;  ///< [m2]
+
+  /// Its nodes have no rotation, and each is a skin point: the two run side by side.
+  [[nodiscard]] bool deforms() const { return kind != BodyKind::rigid; }
+};
+
+/// A finite element of a deformable body, see body/solid_element.hpp.
+struct Element {
+  int body = -1;
+  int nodes = 4;
+  std::array<int, 4> node{-1, -1, -1, -1};
+  int solid = -1;        ///< index into Model::solids
+  double thickness = 1;  ///< [m]
+  int first_number = 0;  ///< its rows of Model::element_number
+  int first_point = -1;  ///< its rows of State::plastic, -1 where it is elastic
+};
+
+/// Neighbouring elements that are worked on alike.
+struct ElementBatch {
+  int first, count;
+  int nodes, solid;
+};
+
+/// Bounds of a body's highest frequency squared and damping rate: see step/stable_step.hpp.
+struct RateBound {
+  double stiffness = 0;  ///< [1/s2]
+  double damping = 0;    ///< [1/s]
 };
 
 /// One degree of freedom of one node follows a ground motion.
@@ -57,8 +86,9 @@ struct Gravity {
 struct Seat {
   std::string name;
   int body = -1, support = -1;
-  Vec2 end = Vec2::Zero();      ///< the body's end, in the axes of its node [m]
-  Vec2 edge = Vec2::Zero();     ///< the edge of the seat, in the axes of the support's node [m]
+  Vec2 end = Vec2::Zero();   ///< the body's end, see world/pose.hpp, Anchor
+  Vec2 edge = Vec2::Zero();  ///< the edge of the seat, on the support
+  int end_element = -1, edge_element = -1;
   Vec2 inward = Vec2::UnitX();  ///< from the edge over the seat, unit vector in the axes of the support
 };
 
@@ -90,6 +120,14 @@ struct Model {
   std::vector<std::uint8_t> edge_is_face;  ///< [corner] edge from this corner to the next: 1 surface, 0 inner cut
   std::vector<double> edge_corner;         ///< [corner] flatness of the edge's two ends, see world/flatness.hpp [1]
 
+  // Finite elements of deformable bodies.
+  std::vector<Solid> solids;
+  std::vector<Element> elements;              ///< [element], body by body
+  std::vector<ElementBatch> element_batches;  ///< all of them, in order
+  std::vector<double> element_number;         ///< see world/element_rows.hpp
+  std::vector<RateBound> element_bound;       ///< [body] of its elements; 0 where it is rigid
+  int plastic_points = 0;                     ///< rows of State::plastic
+
   // Contact laws: which one holds between two surfaces.
   std::vector<ContactLaw> laws;
   std::vector<std::string> law_names;
@@ -110,6 +148,13 @@ struct Model {
   [[nodiscard]] bool moves(int node) const {
     for (const Support s : support[node])
       if (s == Support::free) return true;
+    return false;
+  }
+  /// True where some node of the body is free to move.
+  [[nodiscard]] bool body_moves(int body) const {
+    const Body& b = bodies[body];
+    for (int n = b.first_node; n < b.first_node + b.nodes; ++n)
+      if (moves(n)) return true;
     return false;
   }
   /// Index of the body called `name`, or -1.

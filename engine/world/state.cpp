@@ -14,6 +14,7 @@ State<2> initial_state(const Model<2>& model) {
   state.bearing.resize(model.bearings.size());
   for (std::size_t i = 0; i < model.bearings.size(); ++i)
     if (model.bearings[i].starts_waiting) state.bearing[i].status = BearingStatus::waiting;
+  state.plastic.resize(static_cast<std::size_t>(model.plastic_points));
   state.seat_lost.resize(model.seats.size());
   state.moved_at.assign(model.bodies.size(), 0);
   state.resting.assign(model.bodies.size(), 1);
@@ -60,6 +61,8 @@ std::uint64_t state_hash(const State<2>& state) {
     add(hash, state.memory[i]);
   }
   for (const BearingMemory& m : state.bearing) add(hash, m);
+  for (const PlasticMemory& p : state.plastic)
+    for (const double v : {p.xx, p.yy, p.zz, p.xy, p.measure}) hash.add(v);
   for (const std::uint8_t lost : state.seat_lost) hash.add(std::uint64_t{lost});
   for (std::size_t i = 0; i < state.moved_at.size(); ++i) {
     hash.add(state.moved_at[i]);

@@ -42,6 +42,7 @@ struct State {
   std::vector<ContactKey> contact;      ///< [contact]
   std::vector<ContactMemory> memory;    ///< [contact]
   std::vector<BearingMemory> bearing;   ///< [bearing]
+  std::vector<PlasticMemory> plastic;   ///< [plastic point] of inelastic elements
   std::vector<std::uint8_t> seat_lost;  ///< [seat]
   std::vector<double> moved_at;         ///< [body] when it was last faster than Model::still_speed s
   std::vector<std::uint8_t> resting;    ///< [body] 1: has been still for Model::still_time

@@ -43,12 +43,6 @@ struct GeneralContact {
   Vec2 force;     ///< on the second body [N]
 };
 
-/// Bounds of a body's highest frequency squared and damping rate: see step/stable_step.hpp.
-struct RateBound {
-  double stiffness = 0;  ///< [1/s2]
-  double damping = 0;    ///< [1/s]
-};
-
 template <int D>
 struct Work {
   bool valid = false;  ///< false: pairs must be found anew. Writer: detect
@@ -83,6 +77,12 @@ struct Work {
   Energy given;                                  ///< trial: energy given off and put in up to this instant J
   std::vector<double> bearing_energy;            ///< [bearing] elastic energy J
   double bearing_stored = 0;                     ///< their sum J
+
+  // Writer: resist
+  std::vector<PlasticMemory> plastic;   ///< [plastic point] trial
+  std::vector<Vec<D>> element_force;    ///< [node] of elastic and plastic stress N; empty without elements
+  std::vector<Vec<D>> element_damping;  ///< [node] of the dampings of elements N
+  double element_stored = 0;            ///< elastic energy of elements J
 
   // Writer: sum
   std::vector<Vec<D>> force;           ///< [node] N

@@ -4,6 +4,7 @@
 
 #include "doors.hpp"
 #include "step/notice.hpp"
+#include "world/pose.hpp"
 
 namespace trilith::script {
 namespace {
@@ -143,12 +144,10 @@ double force_of(const BearingHandle& b, std::size_t k) {
 
 double displacement_of(const BearingHandle& b, std::size_t k) {
   const LiveBearing l = live(b);
-  const int na = l.model.bodies[l.bearing.body_a].first_node, nb = l.model.bodies[l.bearing.body_b].first_node;
-  if (k == turning) return l.state.rotation[nb] - l.state.rotation[na] - l.bearing.rest_angle;
-  const Turn turn_a(l.state.rotation[na]), turn_b(l.state.rotation[nb]);
-  const Vec2 gap =
-      l.state.position[nb] + turn_b.apply(l.bearing.point_b) - l.state.position[na] - turn_a.apply(l.bearing.point_a);
-  const Vec2 d = Turn(l.state.rotation[na] + l.bearing.angle).undo(gap) - l.bearing.rest;
+  const Pose a = anchor_pose(l.model, l.state, anchor_a(l.bearing)),
+             b_end = anchor_pose(l.model, l.state, anchor_b(l.bearing));
+  if (k == turning) return b_end.rotation - a.rotation - l.bearing.rest_angle;
+  const Vec2 d = Turn(a.rotation + l.bearing.angle).undo(Vec2(b_end.place - a.place)) - l.bearing.rest;
   return d[static_cast<Eigen::Index>(k)];
 }
 

@@ -4,6 +4,8 @@
 
 #include "body_reading.hpp"
 #include "handles.hpp"
+#include "step/element_stress.hpp"
+#include "world/pose.hpp"
 
 namespace trilith::script {
 namespace {
@@ -11,31 +13,29 @@ namespace {
 const BodySpec& spec(const BodyHandle& b) {
   return b.model().builder.bodies()[b.index];
 }
-int node(const BodyHandle& b) {
-  return b.model().if_built()->model().bodies[b.index].first_node;
+Pose pose(const BodyHandle& b) {
+  const Simulation* s = b.model().if_built();
+  if (s != nullptr) return body_pose(s->model(), s->state(), b.index);
+  return {polygon_moments(spec(b).outline).centroid, 0, spec(b).velocity, spec(b).spin};
 }
 Vec2 start_place(const BodyHandle& b) {
   return polygon_moments(spec(b).outline).centroid;
 }
 Vec2 place(const BodyHandle& b) {
-  const Simulation* s = b.model().if_built();
-  return s != nullptr ? s->state().position[node(b)] : start_place(b);
+  return pose(b).place;
 }
 Vec2 velocity(const BodyHandle& b) {
-  const Simulation* s = b.model().if_built();
-  return s != nullptr ? s->state().velocity[node(b)] : spec(b).velocity;
+  return pose(b).velocity;
 }
 double rotation(const BodyHandle& b) {
-  const Simulation* s = b.model().if_built();
-  return s != nullptr ? s->state().rotation[node(b)] : 0;
+  return pose(b).rotation;
 }
 double spin(const BodyHandle& b) {
-  const Simulation* s = b.model().if_built();
-  return s != nullptr ? s->state().spin[node(b)] : spec(b).spin;
+  return pose(b).spin;
 }
 Vec2 moved(const BodyHandle& b) {
   const Simulation* s = b.model().if_built();
-  return s != nullptr ? Vec2(s->state().position[node(b)] - s->model().start_position[node(b)]) : Vec2::Zero();
+  return s != nullptr ? Vec2(pose(b).place - body_start(s->model(), b.index)) : Vec2::Zero();
 }
 
 void push_text(lua_State* L, const std::string& text) {
@@ -43,12 +43,15 @@ void push_text(lua_State* L, const std::string& text) {
 }
 
 void push_outline(lua_State* L, const BodyHandle& b) {
+  const Simulation* s = b.model().if_built();
+  const bool nodes = s != nullptr && s->model().bodies[b.index].deforms();
   const Vec2 start = start_place(b), now = place(b);
   const Turn turn(rotation(b));
   lua_newtable(L);
   lua_Integer i = 0;
   for (const Vec2& p : spec(b).outline) {
-    const Vec2 at = now + turn.apply(Vec2(p - start));
+    const Vec2 at = nodes ? s->state().position[s->model().bodies[b.index].first_node + static_cast<int>(i)]
+                          : Vec2(now + turn.apply(Vec2(p - start)));
     lua_createtable(L, 2, 0);
     for (int k = 0; k < 2; ++k) {
       lua_pushnumber(L, at[k]);
@@ -65,6 +68,21 @@ void push_groups(lua_State* L, const BodyHandle& b) {
     push_text(L, g);
     lua_rawseti(L, -2, ++i);
   }
+}
+
+/// A mean over the area of a deformable body; 0 for a rigid one and before the first stage.
+template <class Value>
+double mean_stress(const BodyHandle& b, Value&& value) {
+  const Simulation* s = b.model().if_built();
+  if (s == nullptr) return 0;
+  double sum = 0, area = 0;
+  for (std::size_t e = 0; e < s->model().elements.size(); ++e) {
+    if (s->model().elements[e].body != b.index) continue;
+    const ElementStress stress = element_stress(s->model(), s->state(), static_cast<int>(e));
+    sum += stress.area * value(stress);
+    area += stress.area;
+  }
+  return area > 0 ? sum / area : 0;
 }
 
 using P = Property<BodyHandle>;
@@ -87,6 +105,16 @@ const std::array body_properties{
     P{"inertia", "kg m2", "moment of inertia about the centroid",
       [](const BodyHandle& b) { return b.model().inertia_of(b.index); }},
     P{"area", "m2", "area of the outline", [](const BodyHandle& b) { return polygon_moments(spec(b).outline).area; }},
+    P{"kind", "", "\"rigid\", \"quad\" or \"mesh\"", nullptr,
+      [](lua_State* L, const BodyHandle& b) { push_text(L, std::string(name_of(spec(b).kind))); }},
+    P{"sxx", "Pa", "mean stress along x of a deformable body",
+      [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xx; }); }},
+    P{"syy", "Pa", "mean stress along y of a deformable body",
+      [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).yy; }); }},
+    P{"sxy", "Pa", "mean shear stress of a deformable body",
+      [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xy; }); }},
+    P{"plastic", "1", "mean plastic measure of a deformable body",
+      [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return e.plastic; }); }},
     P{"resting", "", "true while it has been still for the model's still_time", nullptr,
       [](lua_State* L, const BodyHandle& b) {
         const Simulation* s = b.model().if_built();
@@ -99,7 +127,12 @@ int body_point(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
   const auto at = point_at(L, 2);
   if (!at) throw InputError(fmt::format("point: takes {{x, y}}, two finite numbers; this is {}", what_is(L, 2)));
-  const Vec2 now = place(b) + Turn(rotation(b)).apply(Vec2(*at - start_place(b)));
+  const Simulation* s = b.model().if_built();
+  Vec2 now = *at;
+  if (s != nullptr) {
+    const Anchor tied = tie_point(s->model(), b.index, *at, fmt::format("point of body '{}'", spec(b).name));
+    now = anchor_pose(s->model(), s->state(), tied).place;
+  }
   lua_pushnumber(L, now.x());
   lua_pushnumber(L, now.y());
   return 2;

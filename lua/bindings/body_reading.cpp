@@ -34,9 +34,53 @@ void read_support(Keys& keys, std::array<Support, 3>& support) {
   lua_pop(L, 1);
 }
 
+/// mesh = {nx, ny} or a number for both.
+void read_divisions(Keys& keys, std::array<int, 2>& divisions) {
+  lua_State* L = keys.lua();
+  const int type = keys.push("mesh");
+  bool good = type == LUA_TTABLE && lua_rawlen(L, -1) == 2;
+  for (int i = 0; i < 2 && good; ++i) {
+    lua_rawgeti(L, -1, i + 1);
+    good = lua_isinteger(L, -1) != 0;
+    const lua_Integer n = lua_tointeger(L, -1);
+    lua_pop(L, 1);
+    if (good && (n < 1 || n > 1000))
+      keys.problem(fmt::format("'mesh' has {} divisions of a side, must be 1 to 1000", n));
+    if (good) divisions[static_cast<std::size_t>(i)] = static_cast<int>(n);
+  }
+  if (!good) keys.wrong("mesh", "two whole numbers {nx, ny}, divisions along the first and second side");
+  lua_pop(L, 1);
+}
+
+/// hold = { { from = {x, y}, to = {x, y}, x = "fixed", y = "fixed" }, ... }: nodes of a deformable body in a box.
+void read_holds(Keys& keys, std::vector<NodeHold>& holds) {
+  lua_State* L = keys.lua();
+  const int type = keys.push("hold");
+  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong("hold", "a list { { from = , to = , x = , y = }, ... }");
+  const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    try {
+      Keys own(L, -1, fmt::format("hold {}", i));
+      NodeHold hold;
+      hold.low = own.point("from"), hold.high = own.point("to");
+      hold.support = {support_at(own, "x", own.text("x", "fixed")), support_at(own, "y", own.text("y", "fixed"))};
+      own.finish();
+      holds.push_back(hold);
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+}
+
 /// What `keys` say of a body; `preset` where they say nothing.
 BodySpec read_spec(Keys& keys, const BodySpec& preset) {
   BodySpec s = preset;
+  const BodyForm form = read_body_form(keys, {preset.kind, preset.divisions});
+  s.kind = form.kind, s.divisions = form.divisions;
+  read_holds(keys, s.holds);
   s.material = keys.text("material", preset.material);
   const std::vector<std::string> groups = keys.names("groups");
   s.groups.insert(s.groups.end(), groups.begin(), groups.end());
@@ -111,9 +155,36 @@ void check_density(Keys& keys, double density) {
         density));
 }
 
-BodyOptions read_body_options(Keys& keys, bool several) {
+BodyForm read_body_form(Keys& keys, const BodyForm& preset) {
+  lua_State* L = keys.lua();
+  constexpr const char* wanted = "\"rigid\", \"quad\" or { mesh = {nx, ny} }";
+  BodyForm form = preset;
+  const int type = keys.push("body");
+  if (type == LUA_TSTRING) {
+    const std::string text = lua_tostring(L, -1);
+    form = {text == "quad" ? BodyKind::quad : BodyKind::rigid, {1, 1}};
+    if (text != "rigid" && text != "quad") keys.problem(fmt::format("'body' is '{}', must be {}", text, wanted));
+  } else if (type == LUA_TTABLE) {
+    Keys own(L, -1, "body");
+    form = {BodyKind::mesh, {1, 1}};
+    read_divisions(own, form.divisions);
+    try {
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL) {
+    keys.wrong("body", wanted);
+  }
+  lua_pop(L, 1);
+  return form;
+}
+
+BodyOptions read_body_options(Keys& keys, bool several, const BodyForm& preset) {
   BodyOptions o;
-  o.spec = read_spec(keys, {});
+  BodySpec start;
+  start.kind = preset.kind, start.divisions = preset.divisions;
+  o.spec = read_spec(keys, start);
   if (!several) return o;
   o.fixed = keys.names("fixed");
   read_by_group(keys, o);

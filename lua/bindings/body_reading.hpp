@@ -14,9 +14,12 @@ struct BodyOptions {
 };
 
 /// Reads material, groups, density, unit_weight, mass, weight, inertia, thickness, support, velocity, spin, load,
-/// floating and, for several parts, fixed and by_group, a table of these keys for each name or group. Problems are
-/// noted in `keys`.
-BodyOptions read_body_options(Keys& keys, bool several);
+/// floating, body, hold and, for several parts, fixed and by_group, a table of these keys for each name or group.
+/// Problems are noted in `keys`.
+BodyOptions read_body_options(Keys& keys, bool several, const BodyForm& preset);
+
+/// Reads `body`: "rigid", "quad" or { mesh = {nx, ny} }; `preset` where it is not there.
+BodyForm read_body_form(Keys& keys, const BodyForm& preset);
 
 /// Notes a problem where a density is so large that it must be a unit weight.
 void check_density(Keys& keys, double density);

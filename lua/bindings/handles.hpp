@@ -53,6 +53,10 @@ struct DirectionLawValue {
   DirectionLaw law;
 };
 
+struct SolidLawValue {
+  SolidLaw law;
+};
+
 // NOLINTBEGIN(bugprone-macro-parentheses): a type as a template argument takes none.
 #define TRILITH_KIND(Type, Name)                                                 \
   template <>                                                                    \
@@ -75,6 +79,7 @@ TRILITH_KIND(HistoryHandle, "history");
 TRILITH_KIND(MotionValue, "motion");
 TRILITH_KIND(ContactLawValue, "contact law");
 TRILITH_KIND(DirectionLawValue, "direction law");
+TRILITH_KIND(SolidLawValue, "solid law");
 #undef TRILITH_KIND
 
 /// Pushes the model that the row or set at `index` belongs to (the model itself for a model).

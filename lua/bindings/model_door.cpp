@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "body_reading.hpp"
 #include "doors.hpp"
 #include "model_door.hpp"
 #include "step/central_difference.hpp"
@@ -161,6 +162,7 @@ int make_model(lua_State* L) {
   b.impact_speed = keys.number("impact_speed", "m/s", b.impact_speed);
   b.still_speed = keys.number("still_speed", "m/s", b.still_speed);
   b.still_time = keys.number("still_time", "s", b.still_time);
+  model->body_form = read_body_form(keys, {});
   b.overlap_allowed = keys.number("overlap_allowed", "1", b.overlap_allowed);
   require_above(keys, "thickness", b.thickness, "m");
   require_above(keys, "impact_speed", b.impact_speed, "m/s");

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "body_reading.hpp"
+#include "build/gmsh.hpp"
 #include "doors.hpp"
 #include "part_makers.hpp"
 
@@ -12,7 +13,26 @@ ScriptModel& self(lua_State* L) {
   return handle<ModelBox>(L, 1).get();
 }
 
-/// m:material{ name =, density = | unit_weight = }
+/// The solid that deformable bodies are made of: `solid`, or E, nu and damping of a linear elastic one.
+std::optional<Solid> read_solid(Keys& keys) {
+  Solid solid;
+  const bool elastic = keys.has("E"), given = keys.has("solid");
+  if (const auto* value = keys.maybe_handle<SolidLawValue>("solid")) solid.law = value->law;
+  if (elastic) {
+    LinearElastic law;
+    keys.declared(law);
+    if (given) keys.problem("both E and solid are given; keep one");
+    solid.law = law;
+  }
+  solid.plane = keys.choice("plane", {"stress", "strain"}, 0) == 0 ? Plane::stress : Plane::strain;
+  solid.form = keys.choice("form", {"assumed", "plain"}, 0) == 0 ? ElementForm::assumed : ElementForm::plain;
+  if (elastic || given) return solid;
+  for (const std::string_view key : {"nu", "damping", "plane", "form"})
+    if (keys.has(key)) keys.problem(fmt::format("'{}' is given without E; give E too", key));
+  return std::nullopt;
+}
+
+/// m:material{ name =, density = | unit_weight =, E =, nu =, damping =, solid =, plane =, form = }
 int add_material(lua_State* L) {
   ScriptModel& m = self(L);
   m.require_open("material");
@@ -23,6 +43,7 @@ int add_material(lua_State* L) {
   const auto density = keys.maybe_number("density", "kg/m3"), weight = keys.maybe_number("unit_weight", "N/m3");
   if (density.has_value() == weight.has_value()) keys.problem("give either density (kg/m3) or unit_weight (N/m3)");
   if (density) check_density(keys, *density);
+  material.solid = read_solid(keys);
   keys.finish();
   material.density = density ? *density : *weight / standard_gravity;
   m.builder.add_material(material);
@@ -105,7 +126,66 @@ Polygon read_outline(Keys& keys, std::vector<std::string>& groups) {
   return outline;
 }
 
-/// m:body{ name =, outline = | shape =, ... } makes one; m:body "name" finds one.
+std::array<int, 4> element_at(lua_State* L, Keys& keys, lua_Integer number) {
+  std::array<int, 4> element{-1, -1, -1, -1};
+  const auto count = lua_type(L, -1) == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  if (count != 3 && count != 4)
+    keys.problem(fmt::format("element {} must be a list of three or four numbers of nodes", number));
+  for (lua_Integer i = 1; (count == 3 || count == 4) && i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    const lua_Integer n = lua_tointeger(L, -1);
+    if (lua_isinteger(L, -1) == 0 || n < 1 || n > 100000000)
+      keys.problem(
+          fmt::format("element {}: node {} is {}, must be a whole number from 1 on", number, i, what_is(L, -1)));
+    else
+      element[static_cast<std::size_t>(i - 1)] = static_cast<int>(n) - 1;
+    lua_pop(L, 1);
+  }
+  return element;
+}
+
+/// { file = "x.msh" } or { nodes = {{x, y}, ...}, elements = {{1, 2, 3, 4}, ...} } at the top of the stack.
+Mesh mesh_at(lua_State* L) {
+  Keys keys(L, -1, "mesh");
+  Mesh mesh;
+  const std::string file = keys.text("file", "");
+  if (!file.empty()) {
+    keys.finish();
+    const std::filesystem::path path = file;
+    return read_gmsh(path.is_absolute() ? path : host(L).folder() / path);
+  }
+  mesh.node = keys.points("nodes");
+  if (keys.push("elements") != LUA_TTABLE) keys.wrong("elements", "a list { {1, 2, 3, 4}, ... } of numbers of nodes");
+  const auto count = lua_type(L, -1) == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    mesh.element.push_back(element_at(L, keys, i));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  keys.finish();
+  return mesh;
+}
+
+/// Mesh under `mesh`, if there is one.
+std::optional<Mesh> read_mesh(Keys& keys) {
+  lua_State* L = keys.lua();
+  std::optional<Mesh> mesh;
+  const int type = keys.push("mesh");
+  if (type == LUA_TTABLE) {
+    try {
+      mesh = mesh_at(L);
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL) {
+    keys.wrong("mesh", "{ file = } or { nodes = , elements = }");
+  }
+  lua_pop(L, 1);
+  return mesh;
+}
+
+/// m:body{ name =, outline = | shape = | mesh =, ... } makes one; m:body "name" finds one.
 int body(lua_State* L) {
   ScriptModel& m = self(L);
   if (lua_type(L, 2) == LUA_TSTRING) {
@@ -117,9 +197,11 @@ int body(lua_State* L) {
   const std::string name = keys.text("name");
   keys.name_owner(name);
   std::vector<std::string> groups;
-  const Polygon outline = read_outline(keys, groups);
-  const BodyOptions options = read_body_options(keys, false);
+  std::optional<Mesh> mesh = read_mesh(keys);
+  const Polygon outline = keys.has("mesh") ? Polygon() : read_outline(keys, groups);
+  BodyOptions options = read_body_options(keys, false, m.body_form);
   keys.finish();
+  if (mesh) options.spec.kind = BodyKind::mesh, options.spec.mesh = std::move(mesh);
   add_part(m, {name, outline, groups}, options);
   push_body(L, 1, m.body_count() - 1);
   return 1;
@@ -147,7 +229,7 @@ int add_parts(lua_State* L) {
     lua_newtable(L);
   }
   Keys keys(L, 3, "add");
-  const BodyOptions options = read_body_options(keys, true);
+  const BodyOptions options = read_body_options(keys, true, m.body_form);
   keys.finish();
   const int first = m.body_count();
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, 2));
@@ -200,7 +282,7 @@ int add_made(lua_State* L) {
   m.require_open(std::string(maker.name));
   Keys keys(L, 2, std::string(maker.name));
   const MakeParts make = maker.read(keys);
-  const BodyOptions options = read_body_options(keys, !maker.single);
+  const BodyOptions options = read_body_options(keys, !maker.single, m.body_form);
   keys.finish();
   const MadeParts made = make();
   const int first = m.body_count();
@@ -222,10 +304,11 @@ constexpr auto maker_functions = functions_of(std::make_index_sequence<part_make
 
 std::vector<Method> all_methods() {
   std::vector<Method> methods{
-      {"material", guarded<add_material>, "material{name=, density= | unit_weight=}"},
+      {"material", guarded<add_material>,
+       "material{name=, density= | unit_weight=, E=, nu=, damping=, solid=, plane=, form=}"},
       {"contact", guarded<add_contact>,
        "contact{between={a, b}, law=}: which law holds between materials, groups or bodies"},
-      {"body", guarded<body>, "body{name=, outline= | shape=, ...} makes a body; body \"name\" finds one"},
+      {"body", guarded<body>, "body{name=, outline= | shape= | mesh=, ...} makes a body; body \"name\" finds one"},
       {"add", guarded<add_parts>, "add(parts, {material=, ...}): parts as from trilith.build become bodies"},
   };
   for (std::size_t i = 0; i < part_maker_count; ++i)

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "record/axis_ticks.hpp"
+#include "world/pose.hpp"
 
 namespace trilith::script {
 
@@ -79,12 +80,10 @@ Model<2> ScriptModel::lone_body(int body) const {
 }
 
 double ScriptModel::mass_of(int body) {
-  return simulation_ ? simulation_->model().mass[simulation_->model().bodies[body].first_node]
-                     : lone_body(body).mass[0];
+  return simulation_ ? body_mass(simulation_->model(), body) : body_mass(lone_body(body), 0);
 }
 double ScriptModel::inertia_of(int body) {
-  return simulation_ ? simulation_->model().inertia[simulation_->model().bodies[body].first_node]
-                     : lone_body(body).inertia[0];
+  return simulation_ ? body_inertia(simulation_->model(), body) : body_inertia(lone_body(body), 0);
 }
 
 int ScriptModel::require_body(const std::string& body, const std::string& owner) const {

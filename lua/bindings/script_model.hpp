@@ -1,6 +1,7 @@
 // A model as scripts hold it: first a builder, from the first stage on a simulation. No Lua here.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,6 +20,12 @@ struct History {
   std::string name, unit, sentence;
   std::function<double()> sample;  ///< empty: a Lua function gives it
   std::vector<double> values;
+};
+
+/// What bodies are made as where nothing else is said.
+struct BodyForm {
+  BodyKind kind = BodyKind::rigid;
+  std::array<int, 2> divisions{1, 1};
 };
 
 struct ResultsOptions {
@@ -40,6 +47,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
 
   std::string name;
   ModelBuilder builder;
+  BodyForm body_form;
   std::vector<std::pair<std::string, ContactLaw>> laws;  ///< as given to the builder
   std::vector<Material> materials;                       ///< as given to the builder
   std::vector<std::string> bearings, seats;              ///< names, in order

@@ -138,6 +138,10 @@ DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
     if (motion == nullptr) continue;
     any = true;
     order.motion[k] = motion->motion;
+    for (const int body : order.bodies)
+      if (k == 2 && m.builder.bodies()[static_cast<std::size_t>(body)].kind != BodyKind::rigid)
+        keys.problem(fmt::format("body '{}' deforms and has no rotation to drive",
+                                 m.builder.bodies()[static_cast<std::size_t>(body)].name));
     const std::string why = motion->steady ? "" : why_not_usable(*motion->motion);
     if (!why.empty()) keys.problem(fmt::format("'{}': {}", names[k], why));
   }
@@ -160,7 +164,7 @@ void apply_drive(ScriptModel& m, const DriveOrder& order) {
       for (int k = 0; k < 3; ++k) {
         const double now = k == 2 ? state.rotation[node] : state.position[node][k];
         if (order.motion[static_cast<std::size_t>(k)])
-          set_drive(model, body, k, order.motion[static_cast<std::size_t>(k)], state.time, now);
+          set_drive(model, body, k, order.motion[static_cast<std::size_t>(k)], state.time, now, &state);
       }
     }
   });

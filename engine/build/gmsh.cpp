@@ -1,0 +1,241 @@
+#include "build/gmsh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "base/error.hpp"
+
+namespace trilith {
+namespace {
+
+/// Goes through a text line by line and word by word.
+class Words {
+ public:
+  Words(std::string_view text, std::string_view owner) : text_(text), owner_(owner) {}
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(fmt::format("{}: line {}: {}", owner_, line_, what));
+  }
+  [[nodiscard]] bool at_end() {
+    skip_blanks();
+    return at_ >= text_.size();
+  }
+  std::string_view word(const char* what) {
+    skip_blanks();
+    const std::size_t from = at_;
+    while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
+    if (from == at_) fail(fmt::format("the file ends where {} should be", what));
+    return text_.substr(from, at_ - from);
+  }
+  std::int64_t whole(const char* what) {
+    const std::string_view w = word(what);
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
+    if (error != std::errc() || end != w.data() + w.size())
+      fail(fmt::format("{} is '{}', must be a whole number", what, shown(w)));
+    return value;
+  }
+  /// A count that cannot be more than the file has room for.
+  std::int64_t count(const char* what) {
+    const std::int64_t n = whole(what);
+    if (n < 0 || n > static_cast<std::int64_t>(text_.size()))
+      fail(fmt::format("{} is {}, more than the file could hold or below 0", what, n));
+    return n;
+  }
+  double number(const char* what) {
+    const std::string_view w = word(what);
+    double value = 0;
+    const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
+    if (error != std::errc() || end != w.data() + w.size() || !std::isfinite(value))
+      fail(fmt::format("{} is '{}', must be a finite number", what, shown(w)));
+    return value;
+  }
+  void expect(std::string_view tag) {
+    const std::string_view w = word("a section's end");
+    if (w != tag) fail(fmt::format("'{}' where {} should be", shown(w), tag));
+  }
+  void skip_section(std::string_view name) {
+    const std::string end = fmt::format("$End{}", name);
+    while (!at_end())
+      if (word("a section's end") == end) return;
+    fail(fmt::format("the file ends before {}", end));
+  }
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+  static std::string shown(std::string_view w) {
+    std::string out(w.substr(0, 40));
+    for (char& c : out)
+      if (c < ' ' || c > '~') c = '?';
+    return out;
+  }
+  void skip_blanks() {
+    for (; at_ < text_.size() && is_blank(text_[at_]); ++at_)
+      if (text_[at_] == '\n') ++line_;
+  }
+
+  std::string_view text_, owner_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+/// Kinds of elements by the number Gmsh has for them.
+struct ElementType {
+  std::int64_t type;
+  int nodes;
+  const char* name;
+};
+constexpr std::array<ElementType, 4> known_types{
+    {{1, 2, "line"}, {2, 3, "triangle"}, {3, 4, "quadrilateral"}, {15, 1, "point"}}};
+
+struct GmshNodes {
+  std::map<std::int64_t, int> index;  ///< of tag
+  std::vector<Vec2> place;
+  std::vector<double> height;
+};
+
+void read_format(Words& words) {
+  const std::string_view version = words.word("the version");
+  if (version != "4.1")
+    words.fail(fmt::format("the format has version '{}', this reader takes 4.1; save it as Version 4 ASCII",
+                           version.substr(0, 20)));
+  if (words.whole("the file type") != 0)
+    words.fail("the file is binary, this reader takes text; save it as Version 4 ASCII");
+  words.whole("the data size");
+  words.expect("$EndMeshFormat");
+}
+
+void read_nodes(Words& words, GmshNodes& nodes) {
+  const std::int64_t blocks = words.count("the number of node blocks"), all = words.count("the number of nodes");
+  words.whole("the smallest node tag"), words.whole("the largest node tag");
+  for (std::int64_t b = 0; b < blocks; ++b) {
+    const std::int64_t dim = words.whole("a block's dimension");
+    words.whole("a block's tag");
+    const bool parametric = words.whole("the mark for parameters") != 0;
+    const std::int64_t count = words.count("the number of nodes of a block");
+    const std::size_t first = nodes.place.size();
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::int64_t tag = words.whole("a node tag");
+      if (!nodes.index.emplace(tag, static_cast<int>(first + static_cast<std::size_t>(i))).second)
+        words.fail(fmt::format("node {} is there twice", tag));
+    }
+    for (std::int64_t i = 0; i < count; ++i) {
+      const double x = words.number("x of a node"), y = words.number("y of a node");
+      nodes.place.emplace_back(x, y);
+      nodes.height.push_back(words.number("z of a node"));
+      for (std::int64_t k = 0; parametric && k < dim; ++k) words.number("a node's parameter");
+    }
+  }
+  if (static_cast<std::int64_t>(nodes.place.size()) != all)
+    words.fail(fmt::format("{} nodes are announced, {} are there", all, nodes.place.size()));
+  words.expect("$EndNodes");
+}
+
+const ElementType& known_type(const Words& words, std::int64_t type) {
+  for (const ElementType& t : known_types)
+    if (t.type == type) return t;
+  words.fail(fmt::format(
+      "elements of type {} cannot be used; take triangles (2) and quadrilaterals (3) of first order in the plane",
+      type));
+}
+
+void read_elements(Words& words, const GmshNodes& nodes, Mesh& mesh) {
+  const std::int64_t blocks = words.count("the number of element blocks"), all = words.count("the number of elements");
+  words.whole("the smallest element tag"), words.whole("the largest element tag");
+  std::int64_t found = 0;
+  for (std::int64_t b = 0; b < blocks; ++b) {
+    words.whole("a block's dimension"), words.whole("a block's tag");
+    const ElementType& type = known_type(words, words.whole("an element type"));
+    const std::int64_t count = words.count("the number of elements of a block");
+    found += count;
+    for (std::int64_t i = 0; i < count; ++i) {
+      words.whole("an element tag");
+      std::array<int, 4> element{-1, -1, -1, -1};
+      for (int k = 0; k < type.nodes; ++k) {
+        const std::int64_t tag = words.whole("a node of an element");
+        const auto node = nodes.index.find(tag);
+        if (node == nodes.index.end())
+          words.fail(fmt::format("a {} names node {}, which is not there", type.name, tag));
+        element[k] = node->second;
+      }
+      if (type.nodes > 2) mesh.element.push_back(element);
+    }
+  }
+  if (found != all) words.fail(fmt::format("{} elements are announced, {} are there", all, found));
+  words.expect("$EndElements");
+}
+
+/// Leaves out nodes of no element, so that what lies beside the mesh does not count.
+void keep_used(Mesh& mesh, const GmshNodes& nodes, std::string_view owner) {
+  std::vector<int> number(nodes.place.size(), -1);
+  double low = 0, high = 0;
+  for (auto& element : mesh.element)
+    for (int i = 0; i < corners_of(element); ++i) {
+      const int n = element[i];
+      if (number[n] < 0) {
+        number[n] = static_cast<int>(mesh.node.size());
+        const double z = nodes.height[n];
+        low = mesh.node.empty() ? z : std::min(low, z), high = mesh.node.empty() ? z : std::max(high, z);
+        mesh.node.push_back(nodes.place[n]);
+      }
+      element[i] = number[n];
+    }
+  if (mesh.node.empty())
+    throw InputError(
+        fmt::format("{}: there is no triangle or quadrilateral in it; mesh the surface (Mesh 2) before "
+                    "saving",
+                    owner));
+  if (high - low > 1e-9 * polygon_size(mesh.node))
+    throw InputError(fmt::format(
+        "{}: its nodes reach from z = {:g} to {:g}; the mesh must lie in one plane of constant z", owner, low, high));
+}
+
+}  // namespace
+
+Mesh parse_gmsh(std::string_view text, std::string_view owner) {
+  Words words(text, owner);
+  if (words.at_end() || words.word("$MeshFormat") != "$MeshFormat")
+    words.fail("it does not begin with $MeshFormat, so it is no mesh of Gmsh");
+  read_format(words);
+  GmshNodes nodes;
+  Mesh mesh;
+  bool has_nodes = false, has_elements = false;
+  while (!words.at_end()) {
+    const std::string_view section = words.word("a section");
+    if (section.size() < 2 || section[0] != '$') words.fail("a section should begin here, with '$' and its name");
+    if (section == "$Nodes" && !has_nodes)
+      read_nodes(words, nodes), has_nodes = true;
+    else if (section == "$Elements" && has_nodes && !has_elements)
+      read_elements(words, nodes, mesh), has_elements = true;
+    else if (section == "$Nodes" || section == "$Elements")
+      words.fail(fmt::format("{} comes twice or before $Nodes", section));
+    else
+      words.skip_section(section.substr(1));
+  }
+  if (!has_elements) words.fail("the file ends without $Nodes and $Elements");
+  keep_used(mesh, nodes, owner);
+  return mesh;
+}
+
+Mesh read_gmsh(const std::filesystem::path& path) {
+  const std::string owner = fmt::format("mesh '{}'", path.string());
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw InputError(owner + " is a folder; give a .msh file");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(fmt::format("{} cannot be read: {}", owner, std::strerror(errno)));
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (in.bad()) throw InputError(fmt::format("{} cannot be read: {}", owner, std::strerror(errno)));
+  return parse_gmsh(text.str(), owner);
+}
+
+}  // namespace trilith

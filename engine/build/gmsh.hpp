@@ -1,0 +1,21 @@
+// Reader of meshes in the format of Gmsh, version 4.1, written as text.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "shape/mesh.hpp"
+
+namespace trilith {
+
+/// The triangles (type 2) and quadrilaterals (type 3) of a mesh in the plane, whatever surfaces they belong to; points
+/// and lines are passed over. Nodes that belong to none of them are left out. Throws InputError with the line and what
+/// is wrong there: another version or a binary file, elements of higher order or of three dimensions, nodes out of one
+/// plane z = constant, counts, tags or numbers that do not fit. `owner` begins every message.
+Mesh parse_gmsh(std::string_view text, std::string_view owner);
+
+/// Reads a file. Throws InputError where it cannot be read, and as parse_gmsh.
+Mesh read_gmsh(const std::filesystem::path& path);
+
+}  // namespace trilith

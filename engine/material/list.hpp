@@ -1,0 +1,83 @@
+// The solids there are: a new one is its own file and a row here.
+#pragma once
+
+#include <variant>
+
+#include "material/drucker_prager.hpp"
+#include "material/j2.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/mohr_coulomb.hpp"
+#include "material/point.hpp"
+
+namespace trilith {
+
+using SolidLaws = TypeList<LinearElastic, J2, MohrCoulomb, DruckerPrager>;
+using SolidLaw = std::variant<LinearElastic, J2, MohrCoulomb, DruckerPrager>;
+static_assert(std::variant_size_v<SolidLaw> == SolidLaws::size);
+
+/// What every law has; one that is not elastic answers `respond(plane, strain, memory)` too.
+template <class L>
+concept SolidLawType = Declared<L> && requires(const L& law, const PlaneVector& strain, const PlasticMemory& memory) {
+  { law.young } -> std::convertible_to<double>;
+  { law.poisson } -> std::convertible_to<double>;
+  { law.damping } -> std::convertible_to<double>;
+  { L::is_elastic } -> std::convertible_to<bool>;
+  requires L::is_elastic || requires {
+    { law.respond(Plane::strain, strain, memory) } -> std::same_as<PointResponse>;
+  };
+};
+static_assert(SolidLawType<LinearElastic> && SolidLawType<J2> && SolidLawType<MohrCoulomb> &&
+              SolidLawType<DruckerPrager>);
+
+/// How an element's strain follows from the motion of its nodes, see body/solid_element.hpp.
+enum class ElementForm : std::uint8_t { assumed, plain };
+
+/// True where kind and all declared numbers agree.
+inline bool same_numbers(const SolidLaw& a, const SolidLaw& b) {
+  if (a.index() != b.index()) return false;
+  return std::visit(
+      [&](const auto& l) {
+        using T = std::decay_t<decltype(l)>;
+        for (const Parameter<T>& p : T::parameters())
+          if (l.*(p.member) != std::get<T>(b).*(p.member)) return false;
+        return true;
+      },
+      a);
+}
+
+/// A solid as bodies are made of it.
+struct Solid {
+  SolidLaw law;
+  Plane plane = Plane::stress;
+  ElementForm form = ElementForm::assumed;
+
+  friend bool operator==(const Solid& a, const Solid& b) {
+    return a.plane == b.plane && a.form == b.form && same_numbers(a.law, b.law);
+  }
+  [[nodiscard]] bool is_elastic() const {
+    return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::is_elastic; }, law);
+  }
+  [[nodiscard]] double damping() const {
+    return std::visit([](const auto& l) { return l.damping; }, law);
+  }
+  /// [Pa], see elastic_matrix.
+  [[nodiscard]] Eigen::Matrix3d elastic() const {
+    return std::visit([&](const auto& l) { return elastic_matrix(l.young, l.poisson, plane); }, law);
+  }
+};
+
+/// Stress that a point has at `strain` with the plastic strain of `memory`, without further flow.
+inline Stress point_stress(const Solid& solid, const PlaneVector& strain, const PlasticMemory& memory) {
+  const PlaneVector elastic = strain - PlaneVector(memory.xx, memory.yy, memory.xy);
+  return std::visit([&](const auto& l) { return elastic_stress(l.young, l.poisson, solid.plane, elastic, memory.zz); },
+                    solid.law);
+}
+
+/// "linear_elastic{E=...}, plane stress".
+inline std::string describe(const Solid& solid) {
+  return std::visit([](const auto& l) { return describe(l); }, solid.law) +
+         (solid.plane == Plane::stress ? ", plane stress" : ", plane strain") +
+         (solid.form == ElementForm::plain ? ", plain elements" : "");
+}
+
+}  // namespace trilith

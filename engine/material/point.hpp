@@ -1,0 +1,57 @@
+// Strain and stress at one point of a solid in the plane.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace trilith {
+
+/// What holds across the plane: no stress (a thin wall) or no strain (a slice of something long).
+enum class Plane : std::uint8_t { stress, strain };
+
+/// xx, yy [1] and the engineering shear xy = 2 e_xy [1], or xx, yy, xy of stress [Pa].
+using PlaneVector = Eigen::Vector3d;
+
+/// Stress [Pa]; zz is 0 in plane stress.
+struct Stress {
+  double xx = 0, yy = 0, zz = 0, xy = 0;
+  [[nodiscard]] PlaneVector in_plane() const { return {xx, yy, xy}; }
+};
+
+/// What an inelastic point remembers: its plastic strain (xy engineering) and a law's own measure of it (never falls).
+struct PlasticMemory {
+  double xx = 0, yy = 0, zz = 0, xy = 0;
+  double measure = 0;
+};
+
+/// Answer of a law to a strain.
+struct PointResponse {
+  Stress stress;
+  PlasticMemory memory;
+  double stored = 0;      ///< elastic energy [J/m3]
+  double dissipated = 0;  ///< plastic work of this step, never negative [J/m3]
+};
+
+/// Elastic matrix of an isotropic solid: stress (xx, yy, xy) per strain (xx, yy, xy engineering) [Pa].
+inline Eigen::Matrix3d elastic_matrix(double young, double poisson, Plane plane) {
+  const double e = plane == Plane::stress ? young : young / (1 - poisson * poisson);
+  const double v = plane == Plane::stress ? poisson : poisson / (1 - poisson);
+  Eigen::Matrix3d c;
+  c << 1, v, 0, v, 1, 0, 0, 0, 0.5 * (1 - v);
+  return e / (1 - v * v) * c;
+}
+
+/// Stress of elastic strain (xx, yy, xy) in the plane; in plane strain the elastic strain zz is less `plastic_zz`.
+inline Stress elastic_stress(double young, double poisson, Plane plane, const PlaneVector& elastic, double plastic_zz) {
+  if (plane == Plane::stress) {
+    const PlaneVector s = elastic_matrix(young, poisson, plane) * elastic;
+    return {s[0], s[1], 0, s[2]};
+  }
+  const double shear = young / (2 * (1 + poisson)), lambda = 2 * shear * poisson / (1 - 2 * poisson);
+  const double volume = lambda * (elastic[0] + elastic[1] - plastic_zz);
+  return {volume + 2 * shear * elastic[0], volume + 2 * shear * elastic[1], volume - 2 * shear * plastic_zz,
+          shear * elastic[2]};
+}
+
+}  // namespace trilith

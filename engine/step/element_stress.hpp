@@ -1,0 +1,27 @@
+// Stress in an element, for recording and for scripts.
+#pragma once
+
+#include <array>
+
+#include "material/list.hpp"
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+/// In the element's own turning axes.
+struct ElementStress {
+  int points = 0;
+  std::array<Stress, 4> at_point;  ///< [Pa]
+  Stress mean;                     ///< over the area [Pa]
+  double plastic = 0;              ///< mean of PlasticMemory::measure
+  double area = 0;                 ///< of the reference shape [m2]
+  double axes_c = 1, axes_s = 0;   ///< cosine and sine of the angle of its axes
+};
+
+/// From the motion of its nodes and the plastic memory of `state`.
+ElementStress element_stress(const Model<2>& model, const State<2>& state, int element);
+/// Its mean in world axes [Pa].
+Stress in_world(const ElementStress& stress);
+
+}  // namespace trilith

@@ -1,0 +1,173 @@
+// Deformable bodies: what the motion of their nodes makes of them, element by element.
+#include <algorithm>
+
+#include "body/corotation.hpp"
+#include "step/element_stress.hpp"
+#include "step/evaluate.hpp"
+#include "world/element_rows.hpp"
+
+namespace trilith {
+namespace {
+
+struct Sums {
+  double stored = 0, plastic = 0;
+};
+
+struct Pass {
+  const Model<2>& model;
+  const State<2>& state;
+  Work<2>& work;
+};
+
+/// Nodes of one element, where they are read and written.
+template <int N>
+struct ElementNodes {
+  const Vec2 *position[N], *velocity[N];
+  Vec2 *force[N], *damping[N];
+  TRILITH_INLINE ElementNodes(const Pass& pass, const Element& e) {
+    for (int i = 0; i < N; ++i) {
+      const auto n = static_cast<std::size_t>(e.node[i]);
+      position[i] = &pass.state.position[n], velocity[i] = &pass.state.velocity[n];
+      force[i] = &pass.work.element_force[n], damping[i] = &pass.work.element_damping[n];
+    }
+  }
+};
+
+template <int N>
+TRILITH_INLINE void add_damping(const Deformation<N>& now, const double* shape, const double* k, double beta,
+                                const ElementNodes<N>& nodes) {
+  alignas(32) double g[8];
+  multiply(k, now.v, 2 * N, g);
+  for (double& v : g) v *= beta;
+  now.subtract(shape, g, nodes.damping);
+}
+
+template <int N>
+TRILITH_INLINE void resist_elastic(const Pass& pass, const ElementBatch& batch, Sums& sums) {
+  const double beta = pass.model.solids[batch.solid].damping();
+  for (int i = batch.first; i < batch.first + batch.count; ++i) {
+    const Element& e = pass.model.elements[i];
+    const double* const shape = &pass.model.element_number[e.first_number];
+    const double* const k = shape + element_shape_numbers;
+    const ElementNodes<N> nodes(pass, e);
+    const Deformation<N> now(shape, nodes.position, nodes.velocity);
+    alignas(32) double g[8];
+    multiply(k, now.d, 2 * N, g);
+    double twice = 0;
+    for (int j = 0; j < 2 * N; ++j) twice += g[j] * now.d[j];
+    sums.stored += 0.5 * twice;
+    now.subtract(shape, g, nodes.force);
+    if (beta > 0) add_damping<N>(now, shape, k, beta, nodes);
+  }
+}
+
+[[gnu::target_clones("avx2", "default")]] void resist_quads(const Pass& pass, const ElementBatch& batch, Sums& sums) {
+  resist_elastic<4>(pass, batch, sums);
+}
+[[gnu::target_clones("avx2", "default")]] void resist_triangles(const Pass& pass, const ElementBatch& batch,
+                                                                Sums& sums) {
+  resist_elastic<3>(pass, batch, sums);
+}
+
+/// Strain of the deformation `d` at a point: its rows of Model::element_number.
+[[maybe_unused]] PlaneVector strain_at(const double* point, const std::array<double, 8>& d) {
+  PlaneVector strain = PlaneVector::Zero();
+  for (int i = 0; i < 8; ++i)
+    for (int k = 0; k < 3; ++k) strain[k] += point[3 * i + k] * d[i];
+  return strain;
+}
+
+template <int N, class Law>
+void resist_inelastic(const Pass& pass, const ElementBatch& batch, const Law& law, Sums& sums) {
+  const Plane plane = pass.model.solids[batch.solid].plane;
+  constexpr int points = N == 4 ? 4 : 1;
+  for (int i = batch.first; i < batch.first + batch.count; ++i) {
+    const Element& e = pass.model.elements[i];
+    const double* const shape = &pass.model.element_number[e.first_number];
+    const double* const k = shape + element_shape_numbers;
+    const ElementNodes<N> nodes(pass, e);
+    const Deformation<N> now(shape, nodes.position, nodes.velocity);
+    double g[8] = {};
+    for (int p = 0; p < points; ++p) {
+      const double* const point = k + element_stiffness_numbers + p * element_point_numbers;
+      const double volume = point[24];
+      const PointResponse r = law.respond(plane, strain_at(point, now.d), pass.state.plastic[e.first_point + p]);
+      pass.work.plastic[e.first_point + p] = r.memory;
+      sums.stored += volume * r.stored;
+      sums.plastic += volume * r.dissipated;
+      const PlaneVector s = volume * r.stress.in_plane();
+      for (int j = 0; j < 2 * N; ++j) g[j] += point[3 * j] * s[0] + point[3 * j + 1] * s[1] + point[3 * j + 2] * s[2];
+    }
+    now.subtract(shape, g, nodes.force);
+    if (law.damping > 0) add_damping<N>(now, shape, k, law.damping, nodes);
+  }
+}
+
+void resist_batch(const Pass& pass, const ElementBatch& batch, Sums& sums) {
+  std::visit(
+      [&](const auto& law) {
+        if constexpr (std::decay_t<decltype(law)>::is_elastic)
+          batch.nodes == 4 ? resist_quads(pass, batch, sums) : resist_triangles(pass, batch, sums);
+        else
+          batch.nodes == 4 ? resist_inelastic<4>(pass, batch, law, sums) : resist_inelastic<3>(pass, batch, law, sums);
+      },
+      pass.model.solids[batch.solid].law);
+}
+
+}  // namespace
+
+void resist(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  work.element_stored = 0;
+  if (model.elements.empty()) return;
+  const auto nodes = static_cast<std::size_t>(model.nodes());
+  work.element_force.assign(nodes, Vec2::Zero());
+  work.element_damping.assign(nodes, Vec2::Zero());
+  work.plastic.resize(state.plastic.size());
+  Sums sums;
+  for (const ElementBatch& batch : model.element_batches) resist_batch({model, state, work}, batch, sums);
+  work.element_stored = sums.stored;
+  work.given[EnergyTerm::plastic] += sums.plastic;
+}
+
+ElementStress element_stress(const Model<2>& model, const State<2>& state, int element) {
+  const Element& e = model.elements[element];
+  const Solid& solid = model.solids[e.solid];
+  const double* const shape = &model.element_number[e.first_number];
+  std::vector<Vec2> corners;
+  const Vec2 *position[max_element_nodes], *velocity[max_element_nodes];
+  for (int i = 0; i < e.nodes; ++i) {
+    corners.emplace_back(shape[2 * i], shape[2 * i + 1]);
+    position[i] = &state.position[e.node[i]], velocity[i] = &state.velocity[e.node[i]];
+  }
+  const auto deform = [&]<int N>() {
+    const Deformation<N> now(shape, position, velocity);
+    return std::pair(now.d, std::pair(now.c, now.s));
+  };
+  const auto [d, axes] = e.nodes == 4 ? deform.template operator()<4>() : deform.template operator()<3>();
+  const ElementStrain field = element_strain(corners, solid);
+  const Eigen::Map<const Eigen::Matrix<double, 8, 1>> motion(d.data());
+  ElementStress out;
+  for (int p = 0; p < field.points; ++p) {
+    const PlaneVector strain = field.matrix[p] * motion;
+    const PlasticMemory none, &memory = e.first_point >= 0 ? state.plastic[e.first_point + p] : none;
+    const Stress s = point_stress(solid, strain, memory);
+    out.at_point[p] = s;
+    out.points = field.points;
+    const double share = field.area[p];
+    out.area += share;
+    out.mean.xx += share * s.xx, out.mean.yy += share * s.yy, out.mean.zz += share * s.zz, out.mean.xy += share * s.xy;
+    out.plastic += share * memory.measure;
+  }
+  for (double* v : {&out.mean.xx, &out.mean.yy, &out.mean.zz, &out.mean.xy, &out.plastic}) *v /= out.area;
+  out.axes_c = axes.first, out.axes_s = axes.second;
+  return out;
+}
+
+Stress in_world(const ElementStress& e) {
+  const double c = e.axes_c, s = e.axes_s;
+  const Stress& m = e.mean;
+  return {c * c * m.xx + s * s * m.yy - 2 * c * s * m.xy, s * s * m.xx + c * c * m.yy + 2 * c * s * m.xy, m.zz,
+          c * s * (m.xx - m.yy) + (c * c - s * s) * m.xy};
+}
+
+}  // namespace trilith

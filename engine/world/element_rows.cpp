@@ -1,0 +1,77 @@
+#include "world/element_rows.hpp"
+
+#include <algorithm>
+
+namespace trilith {
+namespace {
+
+std::vector<Vec2> corners_at_start(const Model<2>& model, const Element& element) {
+  std::vector<Vec2> corners;
+  for (int i = 0; i < element.nodes; ++i) corners.push_back(model.start_position[element.node[i]]);
+  return corners;
+}
+
+void append_shape(Model<2>& model, std::span<const Vec2> corners) {
+  Vec2 mean = Vec2::Zero();
+  for (const Vec2& x : corners) mean += x;
+  mean /= static_cast<double>(corners.size());
+  for (std::size_t i = 0; i < max_element_nodes; ++i) {
+    const Vec2 x = i < corners.size() ? Vec2(corners[i] - mean) : Vec2::Zero();
+    model.element_number.insert(model.element_number.end(), {x.x(), x.y()});
+  }
+  for (const Vec2& g : mean_gradients(corners)) model.element_number.insert(model.element_number.end(), {g.x(), g.y()});
+}
+
+void append_points(Model<2>& model, const ElementStrain& strain, double thickness) {
+  for (int p = 0; p < strain.points; ++p) {
+    for (int i = 0; i < 2 * max_element_nodes; ++i)
+      for (int k = 0; k < 3; ++k) model.element_number.push_back(strain.matrix[p](k, i));
+    model.element_number.push_back(strain.area[p] * thickness);
+  }
+}
+
+void add_to_batch(Model<2>& model, const Element& element) {
+  if (!model.element_batches.empty()) {
+    ElementBatch& last = model.element_batches.back();
+    if (last.nodes == element.nodes && last.solid == element.solid) {
+      ++last.count;
+      return;
+    }
+  }
+  model.element_batches.push_back({static_cast<int>(model.elements.size()), 1, element.nodes, element.solid});
+}
+
+}  // namespace
+
+ElementStrain element_strain(std::span<const Vec2> corners, const Solid& solid) {
+  return solid.form == ElementForm::plain ? plain_strain(corners) : assumed_strain(corners, solid.elastic());
+}
+
+void append_element(Model<2>& model, Element element, double density) {
+  const std::vector<Vec2> corners = corners_at_start(model, element);
+  const Solid& solid = model.solids[element.solid];
+  const ElementStrain strain = element_strain(corners, solid);
+  const ElementMatrix stiffness = element.thickness * element_stiffness(strain, solid.elastic());
+  element.first_number = static_cast<int>(model.element_number.size());
+  append_shape(model, corners);
+  model.element_number.insert(model.element_number.end(), stiffness.data(), stiffness.data() + stiffness.size());
+  if (!solid.is_elastic()) {
+    append_points(model, strain, element.thickness);
+    element.first_point = model.plastic_points;
+    model.plastic_points += strain.points;
+  }
+  std::array<double, max_element_nodes> mass = node_areas(corners);
+  for (int i = 0; i < element.nodes; ++i) {
+    mass[i] *= density * element.thickness;
+    model.mass[element.node[i]] += mass[i];
+  }
+  RateBound& bound = model.element_bound[element.body];
+  const double most =
+      largest_frequency2(stiffness, std::span<const double>(mass).first(static_cast<std::size_t>(element.nodes)));
+  bound.stiffness = std::max(bound.stiffness, most);
+  bound.damping = std::max(bound.damping, solid.damping() * most);
+  add_to_batch(model, element);
+  model.elements.push_back(element);
+}
+
+}  // namespace trilith

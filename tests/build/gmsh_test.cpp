@@ -1,0 +1,119 @@
+#include "build/gmsh.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "base/error.hpp"
+
+namespace trilith {
+namespace {
+
+const std::string two_elements = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 1 "stone"
+$EndPhysicalNames
+$Nodes
+2 6 1 9
+0 1 0 1
+9
+-5 -5 0
+2 1 0 5
+1
+2
+3
+4
+5
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+2 0.5 0
+$EndNodes
+$Elements
+3 3 1 3
+1 1 1 1
+1 1 2
+2 1 3 1
+2 1 2 3 4
+2 1 2 1
+3 2 5 3
+$EndElements
+)";
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_gmsh(text, "mesh 'x.msh'");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+TEST_CASE("a Gmsh file gives its triangles and quadrilaterals and the nodes they have") {
+  const Mesh mesh = parse_gmsh(two_elements, "mesh");
+  REQUIRE(mesh.element.size() == 2);
+  CHECK(mesh.node.size() == 5);
+  CHECK(corners_of(mesh.element[0]) == 4);
+  CHECK(corners_of(mesh.element[1]) == 3);
+  CHECK(check_mesh(mesh, "body").outline == 5);
+}
+
+TEST_CASE("what is wrong with a Gmsh file is said with its line") {
+  CHECK(message_of("") == "mesh 'x.msh': line 1: it does not begin with $MeshFormat, so it is no mesh of Gmsh");
+  CHECK(message_of(with(two_elements, "4.1 0 8", "2.2 0 8")).find("line 2: the format has version '2.2'") !=
+        std::string::npos);
+  CHECK(message_of(with(two_elements, "4.1 0 8", "4.1 1 8")).find("binary") != std::string::npos);
+  CHECK(message_of(with(two_elements, "2 1 3 1\n2 1 2 3 4", "2 1 3 1\n2 1 2 3 7")).find("names node 7") !=
+        std::string::npos);
+  CHECK(message_of(with(two_elements, "2 1 2 1\n3", "2 1 9 1\n3")).find("type 9 cannot be used") != std::string::npos);
+  CHECK(message_of(with(two_elements, "1 1 0\n0 1", "1 1 0.5\n0 1")).find("z = 0 to 0.5") != std::string::npos);
+  CHECK(message_of(with(two_elements, "2 0.5 0", "2 nan 0")).find("line 23: y of a node is 'nan'") !=
+        std::string::npos);
+  CHECK(message_of(with(two_elements, "2 6 1 9", "2 7 1 9")).find("7 nodes are announced, 6 are there") !=
+        std::string::npos);
+  CHECK(message_of(two_elements.substr(0, two_elements.find("$Elements"))).find("ends without") != std::string::npos);
+  CHECK_THROWS_AS(read_gmsh("/no/such/file.msh"), InputError);
+}
+
+TEST_CASE("a Gmsh file that is cut or garbled is read or refused, nothing else") {
+  std::mt19937 random(7);
+  const auto any = [&](std::size_t below) { return static_cast<std::size_t>(random() % below); };
+  for (int round = 0; round < 20000; ++round) {
+    std::string text = two_elements;
+    for (std::size_t i = 0, edits = 1 + any(4); i < edits; ++i) {
+      const std::size_t at = any(text.size());
+      switch (any(4)) {
+        case 0:
+          text[at] = static_cast<char>(random() % 256);
+          break;
+        case 1:
+          text.resize(at + 1);
+          break;
+        case 2:
+          text.insert(at, static_cast<std::size_t>(1 + any(9)), static_cast<char>('0' + any(10)));
+          break;
+        default:
+          text.erase(at, 1 + any(6));
+      }
+      if (text.empty()) text.push_back(' ');
+    }
+    try {
+      check_mesh(parse_gmsh(text, "mesh"), "body");
+    } catch (const InputError& e) {
+      CHECK(std::string(e.what()).find("mesh") != std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace trilith
