@@ -131,9 +131,9 @@ TEST_CASE("any walk of strain comes back to the surface, dissipates and closes i
     const PlaneVector a(any(random), any(random), any(random)), b(any(random), any(random), any(random));
     const auto path = [&](double s) -> PlaneVector { return 2e-3 * (s * a + std::sin(3 * s) * b); };
     for (const Plane plane : {Plane::stress, Plane::strain}) {
-      walk(j2, plane, 2000, path, 10e6);
-      walk(mc, plane, 2000, path, c);
-      walk(dp, plane, 2000, path, c);
+      walk(j2, plane, 5000, path, 10e6);
+      walk(mc, plane, 5000, path, c);
+      walk(dp, plane, 5000, path, c);
     }
   }
 }

@@ -236,7 +236,7 @@ TEST_CASE("a plastic block under a falling weight keeps its ledger and stays def
     plastic = e[EnergyTerm::plastic];
   };
   StageOptions options;
-  options.duration = 0.5, options.energy_interval = 0.005, options.safety = 0.2;
+  options.duration = 0.5, options.energy_interval = 0.005, options.safety = 0.1;
   sim.run(options, listener);
   MESSAGE("plastic ", plastic, " J of ", check.input(), " J, residual ", 100 * check.share(), " %");
   CHECK(plastic > 0.3 * 300 * standard_gravity * 0.1);

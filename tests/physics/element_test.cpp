@@ -153,7 +153,7 @@ TEST_CASE("one row of elements bends as a beam within 5 %, and the plain form do
         // locking of tapered four-noded membrane elements", Int. J. Numer. Meth. Engng 24, 1987): told, not asked for.
         // Between the parallelograms and the upright ends two elements of a row are such.
         if (skew == Skew::none) CHECK(assumed == near(1, 0.05));
-        if (skew == Skew::alike && aspect == 1) CHECK(assumed == near(1, 0.05));
+        if (skew == Skew::alike) CHECK(assumed == near(1, 0.05));
         CHECK(plain < 0.75);
       }
 }
@@ -202,17 +202,18 @@ TEST_CASE("displacement and energy of a mesh converge with about the square of i
   for (const bool triangles : {false, true}) {
     std::vector<Solved> s;
     for (const int n : {1, 2, 4, 8}) s.push_back(half_beam(n, triangles));
-    // Richardson's rate from three meshes; the corner of the held end, where the stress is singular, lowers it a
+    // Richardson's rate from three meshes; with triangles these are still far from their limit.
+    const double least = triangles ? 1.1 : 1.6;
     // little.
     for (std::size_t i = 0; i + 2 < s.size(); ++i) {
       const double tip = std::log2((s[i + 1].tip - s[i].tip) / (s[i + 2].tip - s[i + 1].tip));
       const double energy = std::log2((s[i + 1].energy - s[i].energy) / (s[i + 2].energy - s[i + 1].energy));
       MESSAGE(std::string(triangles ? "triangles" : "quadrilaterals"), " ", 1 << i, " to ", 4 << i,
               " rows: rate of the tip ", tip, ", of the energy ", energy, ", tip ", s[i + 2].tip);
-      if (i == 1) CHECK(tip > 1.4);
-      if (i == 1) CHECK(tip < 2.6);
-      if (i == 1) CHECK(energy > 1.4);
-      if (i == 1) CHECK(energy < 2.6);
+      if (i == 1) CHECK(tip > least);
+      if (i == 1) CHECK(tip < 2.4);
+      if (i == 1) CHECK(energy > least);
+      if (i == 1) CHECK(energy < 2.4);
     }
   }
 }

@@ -1,0 +1,54 @@
+-- Bodies that deform: one word makes the same script run with each kind; what makes no sense is refused.
+local trilith = require "trilith"
+local function near(a, b, share) assert(math.abs(a - b) <= share * math.abs(b), a .. " is not " .. b) end
+
+local function column(kind)
+  local m = trilith.model { name = "column", body = kind }
+  m:material { name = "rock", density = 2400 }
+  m:material { name = "stone", density = 2000, E = 1e9, nu = 0.2, damping = 1e-5 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.6, beta = 1e-5 } }
+  m:block { name = "base", width = 2, height = 0.2, at = { -1, -0.2 }, material = "rock", support = "fixed", body = "rigid" }
+  local low = m:block { name = "low", width = 1, height = 0.5, at = { -0.5, 0 }, material = "stone" }
+  local top = m:block { name = "top", width = 1, height = 0.5, at = { -0.5, 0.5 }, material = "stone" }
+  return m, low, top
+end
+
+for _, kind in ipairs { "rigid", "quad", { mesh = { 2, 2 } } } do
+  local m, low, top = column(kind)
+  near(low.mass, 1000, 1e-12)
+  near(low.inertia, 1000 * (1 + 0.25) / 12, kind == "rigid" and 1e-12 or 2.1)  -- lumped masses stand farther out
+  m:consolidate { duration = 5, speed = 1e-7 }
+  assert(low.kind == (type(kind) == "string" and kind or "mesh"))
+  local weight = 2 * 1000 * 9.80665
+  local contact = m:contacts { between = { "base", "low" } }
+  local carried = 0
+  for _, c in ipairs(contact) do carried = carried + c.normal end
+  near(carried, weight, 1e-3)
+  if kind ~= "rigid" then near(low.syy, -1.5 * 1000 * 9.80665, 1e-2) end
+  local x, y = top:point { 0, 1 }
+  assert(math.abs(x) < 1e-6 and math.abs(y - 1) < 1e-3)
+  assert(#top.outline == (type(kind) == "string" and 4 or 8))
+end
+
+local function refused(pattern, f, ...)
+  local ok, message = pcall(f, ...)
+  assert(not ok and tostring(message):find(pattern), tostring(message))
+end
+local m = trilith.model {}
+m:material { name = "rock", density = 2400 }
+m:material { name = "stone", density = 2000, E = 1e9 }
+local four = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }
+refused("needs a material with a stiffness", m.body, m, { name = "a", outline = four, material = "rock", body = "quad" })
+refused("must be \"rigid\", \"quad\" or", m.body, m, { name = "a", outline = four, material = "stone", body = "quda" })
+refused("four corners, this one has 3", m.body, m,
+  { name = "a", outline = { { 0, 0 }, { 1, 0 }, { 0, 1 } }, material = "stone", body = "quad" })
+refused("must be 1 to 1000", m.body, m, { name = "a", outline = four, material = "stone", body = { mesh = { 0, 2 } } })
+refused("names node 9", m.body, m, { name = "a", material = "stone", mesh = { nodes = four, elements = { { 1, 2, 9 } } } })
+refused("cannot be read", m.body, m, { name = "a", material = "stone", mesh = { file = "none.msh" } })
+refused("both E and solid", m.material, m, { name = "b", density = 1, E = 1, solid = trilith.j2 { E = 1, yield = 1 } })
+refused("without E", m.material, m, { name = "b", density = 1, nu = 0.2 })
+refused("dilation is", trilith.mohr_coulomb, { E = 1e9, cohesion = 1, friction = 0.1, dilation = 0.2 })
+local own = m:body { name = "own", material = "stone", floating = true,
+  mesh = { nodes = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, elements = { { 1, 2, 3 }, { 1, 3, 4 } } } }
+assert(own.kind == "mesh")
+near(own.mass, 2000, 1e-12)
