@@ -204,7 +204,6 @@ TEST_CASE("displacement and energy of a mesh converge with about the square of i
     for (const int n : {1, 2, 4, 8}) s.push_back(half_beam(n, triangles));
     // Richardson's rate from three meshes; with triangles these are still far from their limit.
     const double least = triangles ? 1.1 : 1.6;
-    // little.
     for (std::size_t i = 0; i + 2 < s.size(); ++i) {
       const double tip = std::log2((s[i + 1].tip - s[i].tip) / (s[i + 2].tip - s[i + 1].tip));
       const double energy = std::log2((s[i + 1].energy - s[i].energy) / (s[i + 2].energy - s[i + 1].energy));
