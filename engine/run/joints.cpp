@@ -99,8 +99,13 @@ JointMotion joint_motion(const Joint& joint, const Work<2>& work) {
 
 double joint_damage(const Joint& joint, const State<2>& state) {
   if (joint.bonds == 0) return 0;
-  const std::uint32_t left = bonds_of(state, joint.contact) & joint.bonds;
-  return 1 - static_cast<double>(std::popcount(left)) / std::popcount(joint.bonds);
+  const auto it = std::lower_bound(state.contact.begin(), state.contact.end(), joint.contact);
+  if (it == state.contact.end() || *it != joint.contact) return 1;
+  const ContactMemory& memory = state.memory[static_cast<std::size_t>(it - state.contact.begin())];
+  double lost = 0;
+  for (const int half : {0, 1})
+    if ((joint.bonds >> half & 1U) != 0) lost += (memory.bonds >> half & 1U) != 0 ? memory.damage(half) : 1;
+  return lost / std::popcount(joint.bonds);
 }
 
 std::array<Vec2, 2> joint_place(const Joint& joint, const Work<2>& work) {
