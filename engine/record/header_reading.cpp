@@ -39,6 +39,8 @@ void read_model(hid_t file, Header& header) {
   header.bodies = read_table<BodyRow>(file, "/model/bodies", dim);
   header.laws = read_table<LawRow>(file, "/model/laws", dim);
   header.bearings = read_table<BearingRow>(file, "/model/bearings", dim);
+  if (H5Lexists(file, "/model/joints", H5P_DEFAULT) > 0)
+    header.joints = read_table<JointRow>(file, "/model/joints", dim);
   header.node_position = read_all<double>(file, "/model/node_position", dim);
   header.node_rotation =
       read_all<double>(file, dim == 2 ? "/model/node_angle" : "/model/node_quaternion", rotation_width(dim));
@@ -49,6 +51,22 @@ void read_model(hid_t file, Header& header) {
   if (H5Lexists(file, "/model/element_body", H5P_DEFAULT) <= 0) return;
   header.element_node = read_all<std::int32_t>(file, "/model/element_node", 4);
   header.element_body = read_all<std::int32_t>(file, "/model/element_body");
+}
+
+/// Data sets of /frames that no other part of the header stands for.
+std::vector<Field> read_fields(hid_t file) {
+  static const std::vector<std::string> known{
+      "time", "step",          "stage",         "position", "angle",         "quaternion",    "velocity",
+      "spin", "contact_first", "contact_count", "contacts", "bearing_state", "bearing_force", "bearing_displacement"};
+  std::vector<Field> fields;
+  for (const Quantity& q : read_quantities(file, "/frames", known)) {
+    const h5::Handle set(H5Dopen2(file, ("/frames/" + q.name).c_str(), H5P_DEFAULT), H5Dclose, "cannot open " + q.name);
+    const std::vector<hsize_t> extents = h5::extents(set.get());
+    if (extents.size() < 2 || extents.size() > 3) continue;
+    fields.push_back({q.name, q.unit, q.description, static_cast<std::size_t>(extents[1]),
+                      extents.size() == 3 ? static_cast<int>(extents[2]) : 1});
+  }
+  return fields;
 }
 
 }  // namespace
@@ -62,6 +80,7 @@ Header read_header(hid_t file) {
   header.histories = read_quantities(file, "/histories", {"time"});
   header.energy_terms = read_quantities(file, "/energy", {"time", "residual"});
   header.with_velocity = H5Lexists(file, "/frames/velocity", H5P_DEFAULT) > 0;
+  header.fields = read_fields(file);
   check_header(header);
   return header;
 }
@@ -96,6 +115,7 @@ Frame read_frame(hid_t file, const Header& header, const Committed& committed, s
     frame.bearing_force = block("bearing_force", bearings, dim);
     frame.bearing_displacement = block("bearing_displacement", bearings, dim);
   }
+  for (const Field& f : header.fields) frame.fields.push_back(block(f.name, f.rows, f.width));
   const std::int64_t first = one(std::int64_t{}, "/frames/contact_first");
   const std::int32_t count = one(std::int32_t{}, "/frames/contact_count");
   if (first < 0 || count < 0 || first > committed.contacts - count)

@@ -37,6 +37,9 @@ struct Palette {
   Colour yielded = hex_colour("#e69f00");
   Colour failed = hex_colour("#d03a00");
   Colour changed = hex_colour("#9c4f96");
+  Colour opened = hex_colour("#d03a00");
+  Colour slid = hex_colour("#0072b2");
+  Colour thrust = hex_colour("#9c4f96");
   Colour event = hex_colour("#6b7178");
 };
 

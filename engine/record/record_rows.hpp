@@ -76,6 +76,16 @@ void describe(A& a, typename A::template Of<BearingRow>& row) {
 }
 
 template <class A>
+void describe(A& a, typename A::template Of<JointRow>& row) {
+  a.number("body_a", row.body_a, "1", "row of /model/bodies");
+  a.number("body_b", row.body_b, "1", "row of /model/bodies");
+  a.number("storey", row.storey, "1", "storey, 0: none");
+  a.number("bonded", row.bonded, "1", "1: with a bond at the start");
+  a.vector("end_0_", row.end_0, "m", "one end at the start, world axes");
+  a.vector("end_1_", row.end_1, "m", "the other end at the start, world axes");
+}
+
+template <class A>
 void describe(A& a, typename A::template Of<Figure>& row, const char* name, const char* unit, const char* value) {
   a.text(name, row.name, 24, "what the figure is; empty where unused");
   a.text(unit, row.unit, 8, "its unit");

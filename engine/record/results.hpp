@@ -82,6 +82,23 @@ struct BearingRow {
   std::string law;                ///< law and parameters as text
 };
 
+/// Two faces that lie on each other at the start.
+struct JointRow {
+  std::int32_t body_a = -1, body_b = -1;
+  std::int32_t storey = 0;      ///< 0: none
+  std::int32_t bonded = 0;      ///< 1: with a bond
+  double end_0[3] = {0, 0, 0};  ///< m, where its ends are at the start, world axes
+  double end_1[3] = {0, 0, 0};
+};
+
+/// Numbers that every frame has beside motion and contacts: one row of `width` for each of `rows` things.
+struct Field {
+  std::string name;  ///< of its data set in /frames
+  std::string unit, description;
+  std::size_t rows = 0;
+  int width = 1;
+};
+
 /// Everything that does not change during a run. Arrays are flat, row after row.
 struct Header {
   int dim = 2;
@@ -97,6 +114,8 @@ struct Header {
   std::vector<std::int32_t> element_body;  ///< [E]
   std::vector<LawRow> laws;
   std::vector<BearingRow> bearings;
+  std::vector<JointRow> joints;
+  std::vector<Field> fields;
   std::vector<Quantity> histories;
   std::vector<Quantity> energy_terms;
   bool with_velocity = false;  ///< frames carry velocities too
@@ -132,11 +151,12 @@ struct FrameRow {
   std::span<const double> velocity;  ///< [N][dim] m/s; empty unless Header::with_velocity
   std::span<const double> spin;      ///< [N][spin_width] rad/s; as velocity
   std::span<const ContactForce> contacts;
-  std::span<const BearingState> bearing_state;   ///< [B]
-  std::span<const double> bearing_force;         ///< [B][dim] N, on body b, world axes
-  std::span<const double> bearing_displacement;  ///< [B][dim] m, of point b relative to point a, from the start
-  std::span<const double> stress = {};           ///< [E][3] Pa: mean sxx, syy, sxy of each element, world axes
-  std::span<const double> plastic = {};          ///< [E] mean measure of plastic strain
+  std::span<const BearingState> bearing_state;       ///< [B]
+  std::span<const double> bearing_force;             ///< [B][dim] N, on body b, world axes
+  std::span<const double> bearing_displacement;      ///< [B][dim] m, of point b relative to point a, from the start
+  std::span<const double> stress = {};               ///< [E][3] Pa: mean sxx, syy, sxy of each element, world axes
+  std::span<const double> plastic = {};              ///< [E] mean measure of plastic strain
+  std::span<const std::vector<double>> fields = {};  ///< [Header::fields][rows][width]
 };
 
 /// One frame, as the reader gives it. Members as in FrameRow.
@@ -148,6 +168,7 @@ struct Frame {
   std::vector<ContactForce> contacts;
   std::vector<BearingState> bearing_state;
   std::vector<double> bearing_force, bearing_displacement;
+  std::vector<std::vector<double>> fields;
 };
 
 /// A number that belongs to an event, e.g. {"speed", "m/s", 3.2}.

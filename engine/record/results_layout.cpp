@@ -69,6 +69,8 @@ void write_model(hid_t file, const Header& header) {
   write_rows(file, {"/model/bodies", "", "bodies"}, header.bodies, header.dim);
   write_rows(file, {"/model/laws", "", "materials and contact laws"}, header.laws, header.dim);
   write_rows(file, {"/model/bearings", "", "bearings"}, header.bearings, header.dim);
+  if (!header.joints.empty())
+    write_rows(file, {"/model/joints", "", "faces that lie on each other at the start"}, header.joints, header.dim);
   write_numbers(file, {"/model/node_position", "m", "position of each node at the start"}, Kind::real, {nodes, dim},
                 header.node_position.data());
   write_numbers(file,
@@ -174,6 +176,10 @@ void check_header(const Header& header) {
   for (const std::int32_t node : header.element_node)
     if (node < -1 || node >= static_cast<std::int32_t>(nodes))
       throw RecordError(fmt::format("results header: an element has node {} of {}", node, nodes));
+  for (const JointRow& joint : header.joints)
+    if (std::min(joint.body_a, joint.body_b) < 0 || std::max(joint.body_a, joint.body_b) >= bodies)
+      throw RecordError(
+          fmt::format("results header: a joint of bodies {} and {} of {}", joint.body_a, joint.body_b, bodies));
   check_names(header.histories, "history", {"time"});
   check_names(header.energy_terms, "energy term", {"time", "residual"});
 }
@@ -222,6 +228,10 @@ Layout::Layout(hid_t file, const Header& h)
     plastic.emplace(file, SetText{"/frames/plastic", "1", "mean plastic strain measure of each element"}, "frames",
                     Kind::real, std::vector<hsize_t>{h.element_count()});
   }
+  for (const Field& f : h.fields)
+    fields.emplace_back(
+        file, SetText{"/frames/" + f.name, f.unit, f.description}, "frames", Kind::real,
+        f.width == 1 ? std::vector<hsize_t>{f.rows} : std::vector<hsize_t>{f.rows, static_cast<hsize_t>(f.width)});
   if (h.bearings.empty()) return;
   bearing_state.emplace(file,
                         SetText{"/frames/bearing_state", "1", "0 intact, 1 yielded, 2 failed, 3 changed, 4 waiting"},
@@ -238,6 +248,7 @@ std::vector<GrowingSet*> Layout::sets() {
                                   &position,     &rotation, &contact_first, &contact_count};
   for (auto* set : {&velocity, &spin, &stress, &plastic, &bearing_state, &bearing_force, &bearing_displacement})
     if (*set) all.push_back(&**set);
+  for (GrowingSet& set : fields) all.push_back(&set);
   all.push_back(&history_time);
   for (GrowingSet& set : histories) all.push_back(&set);
   all.push_back(&energy_time);

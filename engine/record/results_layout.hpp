@@ -51,6 +51,7 @@ struct Layout {
   GrowingSet contact_first, contact_count;
   GrowingTable contacts;
   std::optional<GrowingSet> bearing_state, bearing_force, bearing_displacement;
+  std::vector<GrowingSet> fields;
   GrowingSet history_time;
   std::vector<GrowingSet> histories;
   GrowingSet energy_time;

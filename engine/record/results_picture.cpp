@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "record/results_findings.hpp"
 #include "world/event_text.hpp"
 
 namespace trilith {
@@ -187,7 +188,11 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
     throw InputError(
         fmt::format("'{}' is of a model in {} dimensions; only two can be drawn", reader.path().string(), header.dim));
   require_time(reader, time);
-  const Frame frame = frame_for(reader, time, choice.forces);
+  if (choice.magnify != 1 && (choice.forces || !choice.thrust.empty()))
+    throw InputError("forces and the line of thrust have no place among magnified displacements; leave one out");
+  const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
+  Frame frame = frame_for(reader, time, whole);
+  if (choice.magnify != 1) magnify(header, frame, choice.magnify);
   Scene scene;
   scene.time = frame.time;
   add_stage(reader, frame, scene);
@@ -195,6 +200,11 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
   add_bodies(header, frame, scene);
   if (!header.bearings.empty()) add_bearings(header, frame, scene);
   if (choice.forces) add_forces(header, frame, scene);
+  if (!choice.stress.empty()) colour_by_stress(header, frame, choice.stress, scene);
+  if (choice.cracks) add_cracks(header, frame, scene);
+  if (!choice.thrust.empty()) add_thrust_line(header, frame, choice.thrust, scene);
+  if (choice.magnify != 1)
+    scene.stage += fmt::format("{}displacements x {:g}", scene.stage.empty() ? "" : ", ", choice.magnify);
   if (choice.ghost) add_ghosts(header, reader.frame(0), scene);
   return scene;
 }

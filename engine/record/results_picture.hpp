@@ -13,8 +13,12 @@
 namespace trilith {
 
 struct SceneChoice {
-  bool forces = false;  ///< contact forces; the picture is then that of the nearest frame, not between two
-  bool ghost = false;   ///< outlines of the first frame, of bodies that have moved since
+  bool forces = false;      ///< contact forces; the picture is then that of the nearest frame, not between two
+  bool ghost = false;       ///< outlines of the first frame, of bodies that have moved since
+  bool cracks = false;      ///< broken joints, by what they did most
+  std::string stress = {};  ///< bodies coloured by their mean stress: see stress_names(); "": not
+  std::string thrust = {};  ///< line of thrust through the bodies of this group, or ""
+  double magnify = 1;       ///< displacements since the start times this, without contact forces
 };
 
 /// The structure at `time` [s], titled by its stage, with how long that had run, and the latest event of note. Throws

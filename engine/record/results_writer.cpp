@@ -68,6 +68,7 @@ class ResultsWriter::Body {
   std::size_t nodes_, elements_;
   bool with_velocity_;
   std::vector<std::string> bodies_, bearings_;
+  std::vector<std::size_t> field_size_;  // numbers in a row of each field
   std::vector<Quantity> history_names_, term_names_;
   std::optional<PartFile> file_;
   std::optional<Layout> layout_;
@@ -104,6 +105,7 @@ ResultsWriter::Body::Body(std::filesystem::path name, const Header& header, Writ
 }
 
 void ResultsWriter::Body::create(const Header& header) {
+  for (const Field& f : header.fields) field_size_.push_back(f.rows * static_cast<std::size_t>(f.width));
   write_header(file_->file(), header);
   layout_.emplace(file_->file(), header);
   sets_ = layout_->sets();
@@ -170,6 +172,8 @@ void ResultsWriter::Body::check_sizes(const FrameRow& frame) const {
   require(frame.bearing_state.size(), bearings, "bearing_state");
   require(frame.bearing_force.size(), bearings * dim, "bearing_force");
   require(frame.bearing_displacement.size(), bearings * dim, "bearing_displacement");
+  require(frame.fields.size(), field_size_.size(), "fields");
+  for (std::size_t i = 0; i < field_size_.size(); ++i) require(frame.fields[i].size(), field_size_[i], "a field");
 }
 
 void ResultsWriter::Body::check_numbers(const FrameRow& frame) const {
@@ -188,6 +192,7 @@ void ResultsWriter::Body::check_numbers(const FrameRow& frame) const {
   require(frame.plastic, "plastic");
   require(frame.bearing_force, "bearing_force");
   require(frame.bearing_displacement, "bearing_displacement");
+  for (const std::vector<double>& field : frame.fields) require(field, "a field");
   for (const ContactForce& contact : frame.contacts) {
     require(contact.point, "a contact's point");
     require(contact.force, "a contact's force");
@@ -222,6 +227,7 @@ void ResultsWriter::Body::add(const FrameRow& frame) {
     copy(*to.bearing_force, frame.bearing_force);
     copy(*to.bearing_displacement, frame.bearing_displacement);
   }
+  for (std::size_t i = 0; i < to.fields.size(); ++i) copy(to.fields[i], std::span<const double>(frame.fields[i]));
   flush_if_full();
 }
 

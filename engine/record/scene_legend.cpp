@@ -99,6 +99,21 @@ LegendItem ghost_item(const std::string& text) {
           text};
 }
 
+LegendItem crack_item(CrackMark mark) {
+  return {13, [=](Canvas& c, const PagePoint& at) { draw_crack(c, at, at + PagePoint(13, 0), mark); },
+          crack_text(mark)};
+}
+
+LegendItem line_item(const std::string& text) {
+  return {13, [](Canvas& c, const PagePoint& at) { c.line(at, at + PagePoint(13, 0), line_stroke()); }, text};
+}
+
+bool has_crack(const std::vector<Scene>& scenes, CrackMark mark) {
+  return std::any_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
+    return std::any_of(scene.cracks.begin(), scene.cracks.end(), [&](const SceneCrack& c) { return c.mark == mark; });
+  });
+}
+
 bool occurs(const std::vector<Scene>& scenes, BearingMark state) {
   return std::any_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
     return std::any_of(scene.bearings.begin(), scene.bearings.end(),
@@ -118,6 +133,10 @@ std::vector<LegendItem> scene_legend(const std::vector<Scene>& scenes, const Sce
   if (view.has_values) items.push_back(colour_bar(view, scenes[0], style));
   const auto ghosts = std::find_if(scenes.begin(), scenes.end(), [](const Scene& s) { return !s.ghosts.empty(); });
   if (ghosts != scenes.end()) items.push_back(ghost_item(ghosts->ghost_label));
+  for (const CrackMark mark : {CrackMark::opened, CrackMark::slid})
+    if (has_crack(scenes, mark)) items.push_back(crack_item(mark));
+  const auto lines = std::find_if(scenes.begin(), scenes.end(), [](const Scene& s) { return !s.lines.empty(); });
+  if (lines != scenes.end()) items.push_back(line_item(lines->line_label));
   for (const BearingMark state : {BearingMark::intact, BearingMark::yielded, BearingMark::changed, BearingMark::failed})
     if (occurs(scenes, state)) items.push_back(bearing_item(state));
   if (view.largest_force > 0) items.push_back(force_item(view, scale, style.units));

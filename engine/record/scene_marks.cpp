@@ -115,6 +115,18 @@ void draw_force(Canvas& canvas, const PagePoint& start, const PagePoint& end, bo
   canvas.polygon({end, neck + 0.36 * head * across, neck - 0.36 * head * across}, colour, std::nullopt);
 }
 
+void draw_crack(Canvas& canvas, const PagePoint& a, const PagePoint& b, CrackMark mark) {
+  canvas.line(a, b, {mark == CrackMark::opened ? palette().opened : palette().slid, 1.3});
+}
+
+std::string crack_text(CrackMark mark) {
+  return mark == CrackMark::opened ? "joint broken, opened most" : "joint broken, slid most";
+}
+
+Stroke line_stroke() {
+  return {palette().thrust, 1.2};
+}
+
 void draw_bearing_halo(Canvas& canvas, const PagePoint& at, double radius) {
   canvas.circle(at, 1.4 * radius, palette().paper, std::nullopt);
 }
@@ -181,6 +193,10 @@ std::vector<PageBox> draw_scene_content(Canvas& canvas, const Scene& scene, cons
       if (!outline.empty()) canvas.polygon(outline, std::nullopt, ghost_stroke());
     }
     draw_bodies(canvas, scene, view, page, false);
+    for (const SceneCrack& c : scene.cracks) draw_crack(canvas, page.place(c.a), page.place(c.b), c.mark);
+    for (const std::vector<Vec2>& line : scene.lines)
+      for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        canvas.line(page.place(line[i]), page.place(line[i + 1]), line_stroke());
     draw_forces(canvas, scene, view, page, marks);
     draw_bearings(canvas, scene, page, marks);
   });

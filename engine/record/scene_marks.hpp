@@ -15,6 +15,12 @@ Stroke ghost_stroke();
 /// An arrow (start to end) or a bar (centred between start and end) on the page.
 void draw_force(Canvas& canvas, const PagePoint& start, const PagePoint& end, bool bar);
 
+/// A broken joint, and its text in the legend.
+void draw_crack(Canvas& canvas, const PagePoint& a, const PagePoint& b, CrackMark mark);
+std::string crack_text(CrackMark mark);
+/// The stroke of lines over the bodies.
+Stroke line_stroke();
+
 /// The sign of a bearing's state, `radius` in pt.
 inline constexpr double bearing_mark_radius = 2.1;
 void draw_bearing_mark(Canvas& canvas, const PagePoint& at, BearingMark state, double radius = bearing_mark_radius);

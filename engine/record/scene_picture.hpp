@@ -46,6 +46,15 @@ struct SceneBearing {
   BearingMark state = BearingMark::intact;
 };
 
+/// What a joint that has lost its bond did most.
+enum class CrackMark { opened, slid };
+
+/// A broken joint, from end to end [m].
+struct SceneCrack {
+  Vec2 a = Vec2::Zero(), b = Vec2::Zero();
+  CrackMark mark = CrackMark::opened;
+};
+
 /// What is seen at one moment. Title first, below it time, stage and event in one line, as far as given.
 struct Scene {
   std::string title;
@@ -55,9 +64,12 @@ struct Scene {
   std::vector<SceneBody> bodies = {};
   std::vector<SceneForce> forces = {};
   std::vector<SceneBearing> bearings = {};
-  std::vector<std::vector<Vec2>> ghosts;  ///< outlines of an earlier configuration [m]
-  std::string ghost_label = "earlier";    ///< their text in the legend, e.g. "at rest, t = 0"
-  std::string value_label = {};           ///< what SceneBody::value is, e.g. "speed"
+  std::vector<SceneCrack> cracks = {};
+  std::vector<std::vector<Vec2>> lines = {};  ///< drawn over the bodies, e.g. a line of thrust [m]
+  std::string line_label = {};                ///< their text in the legend
+  std::vector<std::vector<Vec2>> ghosts;      ///< outlines of an earlier configuration [m]
+  std::string ghost_label = "earlier";        ///< their text in the legend, e.g. "at rest, t = 0"
+  std::string value_label = {};               ///< what SceneBody::value is, e.g. "speed"
   std::string value_unit = {};
 };
 

@@ -68,10 +68,18 @@ std::span<const double> numbers(const std::vector<Vec2>& vectors) {
   return {vectors.empty() ? nullptr : vectors.front().data(), 2 * vectors.size()};
 }
 
+record::Header whole_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options,
+                            const std::optional<RecordedFields>& fields) {
+  record::Header header = recording_header(model, state, options);
+  if (fields) fields->describe(model, header);
+  return header;
+}
+
 }  // namespace
 
 Recording::Recording(std::filesystem::path path, const Model<2>& model, const State<2>& state, RecordingOptions options)
-    : writer_(std::move(path), recording_header(model, state, options), {options.sync}),
+    : fields_(options.with_joints ? std::optional<RecordedFields>(model) : std::nullopt),
+      writer_(std::move(path), whole_header(model, state, options, fields_), {options.sync}),
       histories_(std::move(options.histories)),
       with_velocity_(options.with_velocity),
       flush_frames_(options.flush_frames),
@@ -110,6 +118,7 @@ void Recording::frame(const Instant& now) {
   row.bearing_state = bearing_state_;
   row.bearing_force = bearing_force_;
   row.bearing_displacement = bearing_displacement_;
+  if (fields_) row.fields = fields_->take(now, touching_);
   writer_.append_frame(row);
   ++frames_since_;
   flush_when_due();

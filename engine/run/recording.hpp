@@ -3,12 +3,14 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "record/results_writer.hpp"
+#include "run/recorded_fields.hpp"
 #include "run/recording_header.hpp"
 #include "step/contact_resultants.hpp"
 #include "world/energy_check.hpp"
@@ -62,6 +64,7 @@ class Recording {
   void take_stress(const Instant& now);
   void flush_when_due();
 
+  std::optional<RecordedFields> fields_;
   record::ResultsWriter writer_;
   std::vector<RecordedHistory> histories_;
   bool with_velocity_;

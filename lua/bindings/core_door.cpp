@@ -93,6 +93,18 @@ int seat(lua_State* L) {
   push_seat(L, 1, row);
   return 1;
 }
+/// core.storey(model, number): nil where there is no such storey.
+int storey(lua_State* L) {
+  if (lua_isinteger(L, 2) == 0) throw InputError(fmt::format("storeys go by number; this is {}", what_is(L, 2)));
+  const lua_Integer number = lua_tointeger(L, 2);
+  if (number < 1 || number > storey_count(model_at(L))) return 0;
+  push_storey(L, 1, static_cast<int>(number) - 1);
+  return 1;
+}
+int storeys(lua_State* L) {
+  lua_pushinteger(L, storey_count(model_at(L)));
+  return 1;
+}
 int bearing_count(lua_State* L) {
   lua_pushinteger(L, static_cast<lua_Integer>(model_at(L).bearings.size()));
   return 1;
@@ -140,6 +152,7 @@ void open_core(lua_State* L) {
   register_kind<BearingHandle>(L);
   register_kind<SeatHandle>(L);
   register_kind<HistoryHandle>(L);
+  register_kind<StoreyHandle>(L);
   luaL_newmetatable(L, "trilith.event");
   lua_setfield(L, -2, "event");
   set_function(L, "model", guarded<make_model>);
@@ -151,6 +164,8 @@ void open_core(lua_State* L) {
   set_function(L, "own", guarded<own>);
   set_function(L, "bearing", guarded<bearing>);
   set_function(L, "seat", guarded<seat>);
+  set_function(L, "storey", guarded<storey>);
+  set_function(L, "storey_count", guarded<storeys>);
   set_function(L, "bearing_count", guarded<bearing_count>);
   set_function(L, "seat_count", guarded<seat_count>);
   set_function(L, "traced", guarded<traced>);

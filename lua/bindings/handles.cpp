@@ -99,6 +99,9 @@ void push_bearing(lua_State* L, int model_index, int row) {
 void push_seat(lua_State* L, int model_index, int seat) {
   push_row<SeatHandle>(L, model_index, seat, "seat handles");
 }
+void push_storey(lua_State* L, int model_index, int storey) {
+  push_row<StoreyHandle>(L, model_index, storey, "storey handles");
+}
 void push_history(lua_State* L, int model_index, int row) {
   push_row<HistoryHandle>(L, model_index, row, "history handles");
 }

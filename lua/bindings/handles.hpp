@@ -30,6 +30,7 @@ struct BodyHandle : Row {};
 struct BearingHandle : Row {};
 struct SeatHandle : Row {};
 struct HistoryHandle : Row {};
+struct StoreyHandle : Row {};  ///< index: its number less 1
 
 /// Bodies of one model, in rising order; user value 1 is the model.
 struct BodySet {
@@ -76,6 +77,7 @@ TRILITH_KIND(BodySet, "set of bodies");
 TRILITH_KIND(BearingHandle, "bearing");
 TRILITH_KIND(SeatHandle, "seat");
 TRILITH_KIND(HistoryHandle, "history");
+TRILITH_KIND(StoreyHandle, "storey");
 TRILITH_KIND(MotionValue, "motion");
 TRILITH_KIND(ContactLawValue, "contact law");
 TRILITH_KIND(DirectionLawValue, "direction law");
@@ -88,6 +90,7 @@ void push_model_of(lua_State* L, int index);
 void push_body(lua_State* L, int model_index, int body);
 void push_bearing(lua_State* L, int model_index, int bearing);
 void push_seat(lua_State* L, int model_index, int seat);
+void push_storey(lua_State* L, int model_index, int storey);
 void push_history(lua_State* L, int model_index, int history);
 void push_set(lua_State* L, int model_index, std::vector<int> bodies);
 

@@ -73,6 +73,7 @@ void push_own(lua_State* L, const ModelBox&) {
 }
 const char* const bearings_field = "bearings";
 const char* const seats_field = "seats";
+const char* const storeys_field = "storeys";
 
 using P = Property<ModelBox>;
 const std::array model_properties{
@@ -91,6 +92,7 @@ const std::array model_properties{
     P{"energy", "", "all terms of the energy ledger [J], and their residual", nullptr, push_energy},
     P{"bearings", "", "bearings by name: m.bearings[\"S3.left\"]", nullptr, push_own<bearings_field>},
     P{"seats", "", "seats by name", nullptr, push_own<seats_field>},
+    P{"storeys", "", "storeys by number, from groups \"storey 1\", ...", nullptr, push_own<storeys_field>},
     P{"events", "", "all events so far", nullptr, push_events},
     P{"hash", "", "sixteen digits of the state's bits", nullptr, push_hash},
     P{"notes", "", "what was repaired or is worth knowing", nullptr, push_notes},
@@ -119,7 +121,7 @@ std::vector<Method> all_methods() {
       {"explain_dt", guarded<explain_dt>, "explain_dt(): which body and contacts govern the step"},
       {"close", guarded<close_model>, "close(): ends the recording and frees the model"},
   };
-  for (const auto part : {parts_methods(), bearing_methods(), stage_methods(), reading_methods()})
+  for (const auto part : {parts_methods(), bearing_methods(), stage_methods(), finding_methods(), reading_methods()})
     methods.insert(methods.end(), part.begin(), part.end());
   return methods;
 }
@@ -180,7 +182,12 @@ int make_model(lua_State* L) {
 }
 
 std::span<const Property<ModelBox>> Kind<ModelBox>::properties() {
-  return model_properties;
+  static const std::vector<P> all = [] {
+    std::vector<P> list(model_properties.begin(), model_properties.end());
+    list.insert(list.end(), finding_properties().begin(), finding_properties().end());
+    return list;
+  }();
+  return all;
 }
 std::span<const Method> Kind<ModelBox>::methods() {
   static const std::vector<Method> methods = all_methods();

@@ -168,8 +168,9 @@ void follow_model(Keys& keys, History& h, const std::string& what) {
   const Property<ModelBox>* p = find_property<ModelBox>(what);
   if (p == nullptr || p->number == nullptr) {
     if (!what.empty())
-      keys.problem(fmt::format("'what' is '{}', no number of the model (for others give body, bearing or seat){}", what,
-                               name_hint(what, number_names<ModelBox>())));
+      keys.problem(
+          fmt::format("'what' is '{}', no number of the model (for others give body, bearing, seat or storey){}", what,
+                      name_hint(what, number_names<ModelBox>())));
     return;
   }
   const auto* box = static_cast<const ModelBox*>(lua_touserdata(keys.lua(), 1));
@@ -181,7 +182,16 @@ void follow_model(Keys& keys, History& h, const std::string& what) {
 void read_followed(Keys& keys, History& h, const ScriptModel& m) {
   lua_State* L = keys.lua();
   const std::string what = keys.text("what");
+  const int storey = keys.count("storey", 0);
+  if (storey != 0) {
+    if (storey < 1 || storey > storey_count(m))
+      keys.problem(fmt::format("there is no storey {}; there are {}", storey, storey_count(m)));
+    push_storey(L, 1, storey - 1);
+    follow<StoreyHandle>(keys, h, what);
+    lua_pop(L, 1);
+  }
   const bool owned =
+      storey != 0 ||
       follow_key<BodyHandle>(keys, "body", h, what,
                              [&](const std::string& n) { push_body(L, 1, m.require_body(n, "body")); }) ||
       follow_key<BearingHandle>(
@@ -190,7 +200,7 @@ void read_followed(Keys& keys, History& h, const ScriptModel& m) {
       follow_key<SeatHandle>(keys, "seat", h, what,
                              [&](const std::string& n) { push_seat(L, 1, row_named(m.seats, n, "seat")); });
   if (!owned) follow_model(keys, h, what);
-  keys.know({"body", "bearing", "seat", "every"});
+  keys.know({"body", "bearing", "seat", "storey", "every"});
 }
 
 /// m:history{ name =, body = | bearing = | seat = , what = } or { name =, unit =, of = function }; without an owner
@@ -227,7 +237,7 @@ int history(lua_State* L) {
   return 1;
 }
 
-/// m:results{ file =, frames =, histories =, energy =, velocities = }
+/// m:results{ file =, frames =, histories =, energy =, velocities =, joints = }
 int results(lua_State* L) {
   ScriptModel& m = self(L);
   if (m.running() || m.time() > 0) throw InputError("results: must be asked for before the first stage");
@@ -238,6 +248,7 @@ int results(lua_State* L) {
   r.histories = keys.number("histories", "s", r.histories);
   r.energy = keys.number("energy", "s", r.energy);
   r.with_velocity = keys.flag("velocities", r.with_velocity);
+  r.with_joints = keys.flag("joints", r.with_joints);
   for (const auto& [key, value] : {std::pair{"frames", r.frames}, {"histories", r.histories}, {"energy", r.energy}})
     if (!(value > 0)) keys.problem(fmt::format("'{}' is {:g} s, must be above 0", key, value));
   keys.finish();
@@ -249,7 +260,8 @@ const std::array door_methods{
     Method{"bodies", guarded<bodies>, "bodies{group=, material=, name=}: a set; '*' and '?' stand for letters"},
     Method{"contacts", guarded<contacts>, "contacts{between={a, b}}: those that carry force"},
     Method{"history", guarded<history>,
-           "history{name=, body= | bearing= | seat=, what=} or {name=, of=function}: follows a number over time"},
+           "history{name=, body= | bearing= | seat= | storey=, what=} or {name=, of=function}: follows a number over "
+           "time"},
     Method{"results", guarded<results>, "results{file=, frames=, histories=, energy=}: what is written, and how often"},
 };
 

@@ -61,6 +61,12 @@ const Simulation& ScriptModel::evaluated() {
   return s;
 }
 
+const Findings& ScriptModel::findings() {
+  const Model<2>& model = simulation().model();
+  if (!findings_) findings_ = Findings{find_joints(model), find_storeys(model), find_base(model)};
+  return *findings_;
+}
+
 void ScriptModel::change(std::function<void(Model<2>&)> what) {
   if (running_) {
     changes_.push_back(std::move(what));
@@ -108,6 +114,7 @@ void ScriptModel::begin_recording(Host& host) {
   options.materials = materials;
   for (const History& h : histories) options.histories.push_back({h.name, h.unit, h.sentence, {}});
   options.with_velocity = results->with_velocity;
+  options.with_joints = results->with_joints;
   recording_ =
       std::make_unique<Recording>(results->file, simulation_->model(), simulation_->state(), std::move(options));
   for (const std::string& note : builder.notes()) recording_->note(note);

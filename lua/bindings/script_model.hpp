@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "host.hpp"
+#include "run/joints.hpp"
 #include "run/recording.hpp"
 #include "run/simulation.hpp"
+#include "run/storeys.hpp"
 #include "world/builder.hpp"
 
 namespace trilith::script {
@@ -31,7 +33,14 @@ struct BodyForm {
 struct ResultsOptions {
   std::string file;
   double frames = 0.05, histories = 0.01, energy = 0.05;  ///< [s]
-  bool with_velocity = false;
+  bool with_velocity = false, with_joints = true;
+};
+
+/// What engineering results are asked of.
+struct Findings {
+  std::vector<Joint> joints;
+  std::vector<Storey> storeys;
+  std::vector<int> base;
 };
 
 /// A call that falls due again and again, counted from its start so that no rounding adds up.
@@ -73,6 +82,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   Simulation& simulation();
   /// The simulation with its forces up to date, for reading.
   const Simulation& evaluated();
+  /// Its joints, storeys and base; builds the model.
+  const Findings& findings();
   [[nodiscard]] const Simulation* if_built() const { return simulation_.get(); }
   /// Does `change` now, or at the next step border where a stage runs.
   void change(std::function<void(Model<2>&)> what);
@@ -106,6 +117,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
 
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Recording> recording_;
+  std::optional<Findings> findings_;
   bool running_ = false, stale_ = true, recording_begun_ = false;
   double rest_share_ = 0;
   std::size_t notes_shown_ = 0;

@@ -5,7 +5,7 @@ local trilith, core = ...
 local function rows(model, one, count)
   return setmetatable({}, {
     __index = function(_, key) return one(model, key) end,
-    __newindex = function() core.fail("bearings and seats are added with m:bearing{...} and m:seat{...}") end,
+    __newindex = function() core.fail("bearings and seats are added with m:bearing{...} and m:seat{...}, storeys by groups \"storey 1\", ...") end,
     __len = function() return count(model) end,
     __metatable = "rows",
   })
@@ -18,6 +18,7 @@ function trilith.model(options)
   local own = core.own(model)
   own.bearings = rows(model, core.bearing, core.bearing_count)
   own.seats = rows(model, core.seat, core.seat_count)
+  own.storeys = rows(model, core.storey, core.storey_count)
   for _, prepare in ipairs(core.made) do prepare(model, own) end
   return model
 end

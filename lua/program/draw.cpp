@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "comma_list.hpp"
+#include "record/results_findings.hpp"
 #include "record/results_picture.hpp"
 #include "verbs.hpp"
 
@@ -14,7 +15,9 @@ namespace {
 
 struct Options {
   std::string result, at = "end", stage, out, view, units = "si";
-  bool forces = false, ghost = false;
+  bool forces = false, ghost = false, cracks = false;
+  std::string stress, thrust;
+  double magnify = 1;
   int columns = 0;
 };
 
@@ -68,7 +71,9 @@ int draw(const Options& options) {
   const Window window = window_of(reader, options.stage);
   std::vector<Scene> scenes;
   for (const std::string& at : comma_list(options.at))
-    scenes.push_back(results_scene(reader, time_of(reader, window, at), {options.forces, options.ghost}));
+    scenes.push_back(results_scene(
+        reader, time_of(reader, window, at),
+        {options.forces, options.ghost, options.cracks, options.stress, options.thrust, options.magnify}));
   const std::string stem = std::filesystem::path(options.result).stem().string();
   if (scenes.size() == 1) scenes[0].title = scenes[0].title.empty() ? stem : stem + ", " + scenes[0].title;
   const int columns = options.columns > 0 ? options.columns : scenes.size() <= 3 ? 1 : 2;
@@ -95,6 +100,16 @@ void add_draw(CLI::App& app, int& code) {
       ->type_name("FILE");
   verb->add_flag("--forces", o->forces, "contact forces");
   verb->add_flag("--ghost", o->ghost, "where the bodies stood at the start");
+  verb->add_flag("--cracks", o->cracks,
+                 "joints that have lost their bond, coloured by what they did most: open or slide");
+  verb->add_option("--stress", o->stress,
+                   "colour bodies by their mean stress: smaller or larger principal, or a component")
+      ->check(CLI::IsMember(stress_names()));
+  verb->add_option("--thrust", o->thrust, "the line of thrust through the bodies of this group, in their order")
+      ->type_name("GROUP");
+  verb->add_option("--magnify", o->magnify, "displacements since the start times this")
+      ->type_name("FACTOR")
+      ->check(CLI::PositiveNumber);
   verb->add_option("--view", o->view, "the part to show, in metres; write --view=-3,0,5,4 where it begins with a minus")
       ->type_name("X0,Y0,X1,Y1");
   verb->add_option("--units", o->units, "of the scales in the legend: si or us")

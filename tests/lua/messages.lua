@@ -210,7 +210,7 @@ local cases = {
   { function() m:history { name = "h", body = "base", what = "z" } end,
     "history 'h': 'what' is 'z', no number of a body; did you mean 'x'?" },
   { function() m:history { name = "h", what = "sped" } end,
-    "history 'h': 'what' is 'sped', no number of the model (for others give body, bearing or seat); did "
+    "history 'h': 'what' is 'sped', no number of the model (for others give body, bearing, seat or storey); did "
       .. "you mean 'speed'?" },
   { function() m:history { name = "h", of = 3 } end, "history 'h': 'of' is 3, must be a function" },
   { function() m:results { frames = 1 } end, "results: 'file' is missing; give a text" },

@@ -1,0 +1,105 @@
+#include "run/body_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trilith {
+namespace {
+
+/// Sum of x f^T over the forces on a body, x from its centroid.
+struct Virial {
+  double xx = 0, xy = 0, yx = 0, yy = 0;
+  void add(const Vec2& x, const Vec2& f) {
+    xx += x.x() * f.x(), xy += x.x() * f.y();
+    yx += x.y() * f.x(), yy += x.y() * f.y();
+  }
+};
+
+/// Centroid: mass-weighted mean of the nodes.
+Vec2 centre_of(const Model<2>& model, const State<2>& state, const Body& body) {
+  Vec2 sum = Vec2::Zero();
+  double mass = 0;
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+    sum += model.mass[n] * state.position[n];
+    mass += model.mass[n];
+  }
+  return mass > 0 ? Vec2(sum / mass) : state.position[body.first_node];
+}
+
+bool is_free(const Model<2>& model, const Body& body) {
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+    for (const int k : {0, 1})
+      if (model.support[n][k] != Support::free) return false;
+  return true;
+}
+
+}  // namespace
+
+Vec2 force_on(const Model<2>& model, const Work<2>& work, std::span<const int> bodies) {
+  Vec2 force = Vec2::Zero();
+  for (const int i : bodies) {
+    const Body& body = model.bodies[static_cast<std::size_t>(i)];
+    for (int s = body.first_skin; s < body.first_skin + body.skins; ++s) force += work.skin_force[s];
+  }
+  const auto has = [&](int body) { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); };
+  for (std::size_t i = 0; i < model.bearings.size() && i < work.bearing_force.size(); ++i) {
+    if (has(model.bearings[i].body_b)) force += work.bearing_force[i];
+    if (has(model.bearings[i].body_a)) force -= work.bearing_force[i];
+  }
+  return force;
+}
+
+double MeanStress::major() const {
+  return 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);
+}
+double MeanStress::minor() const {
+  return 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
+}
+
+std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                                    std::span<const TouchingContact> touching) {
+  std::vector<Virial> virial(model.bodies.size());
+  std::vector<Vec2> centre;
+  for (const Body& body : model.bodies) centre.push_back(centre_of(model, state, body));
+  for (const TouchingContact& c : touching) {
+    virial[c.body_b].add(c.resultant.point - centre[c.body_b], c.resultant.force);
+    virial[c.body_a].add(c.resultant.point - centre[c.body_a], -c.resultant.force);
+  }
+  for (std::size_t i = 0; i < model.bearings.size() && i < work.bearing_force.size(); ++i) {
+    const Bearing<2>& b = model.bearings[i];
+    const int n = model.bodies[b.body_b].first_node;
+    const Vec2 point = state.position[n] + Turn(state.rotation[n]).apply(b.point_b);
+    virial[b.body_b].add(point - centre[b.body_b], work.bearing_force[i]);
+    virial[b.body_a].add(point - centre[b.body_a], -work.bearing_force[i]);
+  }
+  std::vector<MeanStress> stress(model.bodies.size());
+  for (std::size_t i = 0; i < stress.size(); ++i) {
+    const Body& body = model.bodies[i];
+    const double volume = body.area * model.thickness;
+    if (!(volume > 0) || !is_free(model, body)) continue;
+    stress[i] = {virial[i].xx / volume, virial[i].yy / volume, 0.5 * (virial[i].xy + virial[i].yx) / volume};
+  }
+  return stress;
+}
+
+std::vector<ThrustPoint> thrust_line(std::span<const int> chain, std::span<const TouchingContact> touching) {
+  std::vector<ThrustPoint> line;
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    ThrustPoint p{chain[i], chain[i + 1], Vec2::Zero(), Vec2::Zero()};
+    double weight = 0;
+    for (const TouchingContact& c : touching) {
+      const bool forward = c.body_a == p.body_a && c.body_b == p.body_b;
+      if (!forward && !(c.body_a == p.body_b && c.body_b == p.body_a)) continue;
+      const double size = std::abs(c.resultant.normal);
+      p.point += size * c.resultant.point;
+      p.force += forward ? c.resultant.force : Vec2(-c.resultant.force);
+      weight += size;
+    }
+    if (!(weight > 0)) continue;
+    p.point /= weight;
+    line.push_back(p);
+  }
+  return line;
+}
+
+}  // namespace trilith

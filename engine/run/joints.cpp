@@ -1,0 +1,116 @@
+#include "run/joints.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "detect/pairs.hpp"
+#include "step/evaluate.hpp"
+#include "step/start.hpp"
+
+namespace trilith {
+namespace {
+
+constexpr double flat_share =
+    1e-3;  // gap at the start, share of the shorter face, within which faces lie on each other
+constexpr double least_share = 1e-6;  // length of a joint, share of the shorter face
+
+Vec2 at(const Work<2>& work, int skin) {
+  return {work.skin[skin].x, work.skin[skin].y};
+}
+
+Vec2 between(const Work<2>& work, int from, int to, double share) {
+  return (1 - share) * at(work, from) + share * at(work, to);
+}
+
+/// The face of body a: from its first end along it, and outward.
+struct FaceAxes {
+  Vec2 origin, along, normal;
+  double length;
+  FaceAxes(const Work<2>& work, int from, int to)
+      : origin(at(work, from)),
+        along((at(work, to) - origin).normalized()),
+        normal(along.y(), -along.x()),
+        length((at(work, to) - origin).norm()) {}
+};
+
+/// Ends of the shared length of the two faces; false where they do not lie on each other.
+bool lay_joint(const Work<2>& work, Joint& joint) {
+  const FaceAxes face(work, joint.a0, joint.a1);
+  const Vec2 b0 = at(work, joint.b0), b1 = at(work, joint.b1);
+  const double s0 = face.along.dot(b0 - face.origin), s1 = face.along.dot(b1 - face.origin);
+  const double lo = std::max(0.0, std::min(s0, s1)), hi = std::min(face.length, std::max(s0, s1));
+  const double size = std::min(face.length, std::abs(s1 - s0));
+  if (!(hi - lo > least_share * size)) return false;
+  const std::array<double, 2> ends{lo, hi};
+  for (std::size_t e = 0; e < 2; ++e) {
+    JointEnd& end = joint.end[e];
+    end.share_a = ends[e] / face.length;
+    end.share_b = (ends[e] - s0) / (s1 - s0);
+    joint.place[e] = between(work, joint.a0, joint.a1, end.share_a);
+    const Vec2 apart = between(work, joint.b0, joint.b1, end.share_b) - joint.place[e];
+    end.gap = face.normal.dot(apart);
+    end.slip = face.along.dot(apart);
+    if (joint.bonds == 0 && std::abs(end.gap) > flat_share * size) return false;
+  }
+  return true;
+}
+
+std::uint32_t bonds_of(const State<2>& state, ContactKey key) {
+  const auto it = std::lower_bound(state.contact.begin(), state.contact.end(), key);
+  return it != state.contact.end() && *it == key
+             ? state.memory[static_cast<std::size_t>(it - state.contact.begin())].bonds
+             : 0;
+}
+
+}  // namespace
+
+std::vector<Joint> find_joints(const Model<2>& model) {
+  State<2> state = start_state(model);
+  Work<2> work;
+  place(model, state, work);
+  find(model, state, work);
+  std::vector<Joint> joints;
+  for (NearPair pair : work.pairs) {
+    if (pair.held_off) continue;
+    Joint joint;
+    joint.contact = contact_key(pair.piece_a, pair.piece_b);
+    joint.bonds = bonds_of(state, joint.contact);
+    // As for a bond, so that faces just not pressed together count; how near they are is looked at below.
+    if (!choose_face_pair(model, work, true, pair)) continue;
+    joint.body_a = model.piece_body[pair.piece_a], joint.body_b = model.piece_body[pair.piece_b];
+    joint.a0 = pair.a0, joint.a1 = pair.a1, joint.b0 = pair.b0, joint.b1 = pair.b1;
+    if (lay_joint(work, joint)) joints.push_back(joint);
+  }
+  return joints;
+}
+
+JointMotion joint_motion(const Joint& joint, const Work<2>& work) {
+  const FaceAxes face(work, joint.a0, joint.a1);
+  JointMotion motion;
+  motion.opening = -unbounded;
+  for (const JointEnd& end : joint.end) {
+    const Vec2 apart = between(work, joint.b0, joint.b1, end.share_b) - between(work, joint.a0, joint.a1, end.share_a);
+    motion.opening = std::max(motion.opening, face.normal.dot(apart) - end.gap);
+    motion.slip += 0.5 * (face.along.dot(apart) - end.slip);
+  }
+  return motion;
+}
+
+double joint_damage(const Joint& joint, const State<2>& state) {
+  if (joint.bonds == 0) return 0;
+  const auto it = std::lower_bound(state.contact.begin(), state.contact.end(), joint.contact);
+  if (it == state.contact.end() || *it != joint.contact) return 1;
+  const ContactMemory& memory = state.memory[static_cast<std::size_t>(it - state.contact.begin())];
+  double lost = 0;
+  for (const int half : {0, 1})
+    if ((joint.bonds >> half & 1U) != 0) lost += (memory.bonds >> half & 1U) != 0 ? memory.damage(half) : 1;
+  return lost / std::popcount(joint.bonds);
+}
+
+std::array<Vec2, 2> joint_place(const Joint& joint, const Work<2>& work) {
+  return {between(work, joint.a0, joint.a1, joint.end[0].share_a),
+          between(work, joint.a0, joint.a1, joint.end[1].share_a)};
+}
+
+}  // namespace trilith

@@ -1,0 +1,32 @@
+// What a recording adds to each frame beside motion and contacts: what became of the joints, stress in the bodies.
+#pragma once
+
+#include <vector>
+
+#include "record/results.hpp"
+#include "run/body_forces.hpp"
+#include "run/joints.hpp"
+#include "run/stage.hpp"
+
+namespace trilith {
+
+class RecordedFields {
+ public:
+  /// Finds the joints of the model.
+  explicit RecordedFields(const Model<2>& model);
+
+  /// Adds joints and fields to the header.
+  void describe(const Model<2>& model, record::Header& header) const;
+  /// The fields' numbers at this instant, in the order of the header; valid until the next call.
+  const std::vector<std::vector<double>>& take(const Instant& now, std::span<const TouchingContact> touching);
+
+ private:
+  std::vector<Joint> joints_;
+  std::size_t bodies_;
+  std::vector<std::vector<double>> values_;
+};
+
+/// Storey of a joint: that of its upper body, or else of the other; 0: none.
+int storey_of(const Model<2>& model, const Joint& joint);
+
+}  // namespace trilith
