@@ -10,7 +10,7 @@ namespace trilith::record {
 
 /// What a page may hold at most; a longer run keeps every second, third, ... frame, and says so.
 struct ViewLimits {
-  double node_frames = 1.8e6;   ///< nodes times frames
+  double node_frames = 1.8e6;   ///< nodes, and a third more than elements, times frames
   double contact_rows = 3.5e5;  ///< contact forces of all frames
   double event_rows = 2.5e4;    ///< events of note come first; of the others the earliest
   double samples = 6000;        ///< of each history, evenly taken
@@ -21,8 +21,8 @@ using ViewProgress = std::function<void(double)>;
 
 /// The data before compression: "TRLV", version and length of the JSON (two uint32, little-endian), the JSON, then the
 /// blocks it lists under "blocks" (name, rows, columns, quantum, bytes), each as record/view_bytes.hpp packs it. What
-/// the blocks hold is told in view_frames.hpp. Lengths within half a quantum: 1/2000 of the smallest free body or finer.
-/// Throws InputError for a model in three dimensions, RecordError for a file that cannot be read.
+/// the blocks hold is told in view_frames.hpp. Lengths within half a quantum: 1/2000 of the smallest free body or
+/// finer. Throws InputError for a model in three dimensions, RecordError for a file that cannot be read.
 std::string view_data(const ResultsReader& reader, const ViewLimits& limits = {}, const ViewProgress& progress = {});
 
 /// The page as HTML: self-contained, needs no network. `data` as view_data gives it.

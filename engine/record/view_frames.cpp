@@ -7,7 +7,7 @@ namespace trilith::record {
 namespace {
 
 struct Quanta {
-  double length, angle, force, bearing_force, bearing_displacement;
+  double length = 1, angle = 1, force = 1, bearing_force = 1, bearing_displacement = 1, stress = 1, plastic = 1;
 };
 
 double reach(const Header& header, const BodyRow& body) {
@@ -32,7 +32,10 @@ Quanta body_quanta(const Header& header) {
   if (largest <= 0) largest = 1;
   if (smallest <= 0) smallest = largest;
   const double length = smallest / 2000;
-  return {length, std::clamp(length / largest, 1e-6, 1e-3), 1, 1, 1};
+  Quanta out;
+  out.length = length;
+  out.angle = std::clamp(length / largest, 1e-6, 1e-3);
+  return out;
 }
 
 double share_of(std::vector<double>& values, double share) {
@@ -55,12 +58,14 @@ std::size_t stride_for(double size, double most) {
 
 class Gatherer {
  public:
-  Gatherer(const Header& header, const Quanta& quanta) : header_(header), quanta_(quanta) {
+  Gatherer(const Header& header, const Quanta& quanta) {
     const std::size_t nodes = header.node_count(), bearings = header.bearings.size();
     time_ = {"time", 1, 1e-6, {}};
     stage_ = {"stage", 1, 1, {}};
     position_ = {"position", 2 * nodes, quanta.length, {}};
     rotation_ = {"rotation", nodes, quanta.angle, {}};
+    stress_ = {"stress", 3 * header.element_count(), quanta.stress, {}};
+    plastic_ = {"plastic", header.element_count(), quanta.plastic, {}};
     state_ = {"bearing_state", bearings, 1, {}};
     force_ = {"bearing_force", 2 * bearings, quanta.bearing_force, {}};
     displacement_ = {"bearing_displacement", 2 * bearings, quanta.bearing_displacement, {}};
@@ -76,6 +81,8 @@ class Gatherer {
     stage_.values.push_back(frame.stage);
     append(position_, frame.position);
     append(rotation_, frame.rotation);
+    append(stress_, frame.stress);
+    append(plastic_, frame.plastic);
     for (const BearingState s : frame.bearing_state) state_.values.push_back(static_cast<std::int32_t>(s));
     append(force_, frame.bearing_force);
     append(displacement_, frame.bearing_displacement);
@@ -87,8 +94,8 @@ class Gatherer {
 
   std::vector<ViewBlock> take() {
     std::vector<ViewBlock> out;
-    for (ViewBlock* block : {&time_, &stage_, &position_, &rotation_, &state_, &force_, &displacement_, &contact_frame_,
-                             &contact_first_, &place_, &push_, &pair_})
+    for (ViewBlock* block : {&time_, &stage_, &position_, &rotation_, &stress_, &plastic_, &state_, &force_,
+                             &displacement_, &contact_frame_, &contact_first_, &place_, &push_, &pair_})
       if (block->columns > 0) out.push_back(std::move(*block));
     return out;
   }
@@ -104,10 +111,8 @@ class Gatherer {
     pair_.values.insert(pair_.values.end(), {c.body_a, c.body_b, static_cast<std::int32_t>(c.state)});
   }
 
-  const Header& header_;
-  Quanta quanta_;
-  ViewBlock time_, stage_, position_, rotation_, state_, force_, displacement_, contact_frame_, contact_first_, place_,
-      push_, pair_;
+  ViewBlock time_, stage_, position_, rotation_, stress_, plastic_, state_, force_, displacement_, contact_frame_,
+      contact_first_, place_, push_, pair_;
 };
 
 void note_sizes(const std::vector<double>& values, std::vector<double>& sizes) {
@@ -116,7 +121,7 @@ void note_sizes(const std::vector<double>& values, std::vector<double>& sizes) {
 
 /// Force and bearing quanta from some fifty frames; how many contact forces a frame has.
 double survey(const ResultsReader& reader, Quanta& quanta) {
-  std::vector<double> forces, bearing_forces, displacements;
+  std::vector<double> forces, bearing_forces, displacements, stresses, plastic;
   std::size_t contacts = 0, looked = 0;
   const std::size_t count = reader.frame_count(), step = std::max<std::size_t>(1, count / 50);
   for (std::size_t i = 0; i < count; i += step, ++looked) {
@@ -125,10 +130,14 @@ double survey(const ResultsReader& reader, Quanta& quanta) {
     for (const ContactForce& c : frame.contacts) forces.push_back(std::hypot(c.force[0], c.force[1]));
     note_sizes(frame.bearing_force, bearing_forces);
     note_sizes(frame.bearing_displacement, displacements);
+    note_sizes(frame.stress, stresses);
+    note_sizes(frame.plastic, plastic);
   }
   quanta.force = usual_quantum(std::move(forces), 0.9, 1000);
   quanta.bearing_force = usual_quantum(std::move(bearing_forces), 0.9, 5000);
   quanta.bearing_displacement = usual_quantum(std::move(displacements), 0.9, 5000);
+  quanta.stress = usual_quantum(std::move(stresses), 0.9, 500);
+  quanta.plastic = usual_quantum(std::move(plastic), 0.9, 500);
   return looked > 0 ? static_cast<double>(contacts) / static_cast<double>(looked) : 0;
 }
 
@@ -142,7 +151,9 @@ ViewFrames view_frames(const ResultsReader& reader, const ViewLimits& limits, co
   Quanta quanta = body_quanta(header);
   const double contacts = survey(reader, quanta);
   const auto frames = static_cast<double>(count);
-  out.frame_stride = stride_for(frames * static_cast<double>(header.node_count()), limits.node_frames);
+  // Stress and plastic strain of an element take as much room as a node and a third.
+  const double nodes = static_cast<double>(header.node_count()) + 4.0 / 3 * static_cast<double>(header.element_count());
+  out.frame_stride = stride_for(frames * nodes, limits.node_frames);
   out.contact_stride = stride_for(frames * contacts / static_cast<double>(out.frame_stride), limits.contact_rows);
   Gatherer gatherer(header, quanta);
   std::size_t kept = 0;

@@ -10,10 +10,10 @@
 
 namespace trilith::record {
 
-/// Blocks, of T frames kept, N nodes, B bearings, K contact forces in G of the frames:
-/// time [T], stage [T], position [T, 2 N], rotation [T, N]; bearing_state [T, B], bearing_force and
-/// bearing_displacement [T, 2 B]; contact_frame [G] and contact_first [G + 1] (rows), contact_place and contact_force
-/// [K, 2], contact_pair [K, 3] (body a, body b, state). Without frames: none.
+/// Blocks, of T frames kept, N nodes, E elements, B bearings, K contact forces in G of the frames:
+/// time [T], stage [T], position [T, 2 N], rotation [T, N]; stress [T, 3 E], plastic [T, E]; bearing_state [T, B],
+/// bearing_force and bearing_displacement [T, 2 B]; contact_frame [G] and contact_first [G + 1] (rows), contact_place
+/// and contact_force [K, 2], contact_pair [K, 3] (body a, body b, state). Without frames: none.
 struct ViewFrames {
   std::vector<ViewBlock> blocks;
   std::size_t frame_stride = 1, contact_stride = 1;  ///< every so many frames were kept

@@ -96,6 +96,15 @@ void write_bodies(const Header& header, const ViewFrames& frames, JsonText& json
   json.end();
 }
 
+void write_elements(const Header& header, JsonText& json) {
+  json.key("elements").begin_list();
+  for (std::size_t i = 0; i < header.element_count(); ++i) {
+    json.number(header.element_body[i]);
+    for (std::size_t k = 0; k < 4; ++k) json.number(header.element_node[4 * i + k]);
+  }
+  json.end();
+}
+
 /// Outline point of a body of many nodes that lies nearest to `point`, given from its first node as at the start; -1
 /// for a body of one node.
 int nearest_vertex(const Header& header, const BodyRow& body, const double* point) {
@@ -211,6 +220,7 @@ void write_view_model(const ResultsReader& reader, const ViewFrames& frames, con
   events = chosen(std::move(events), limits.event_rows);
   write_run(reader, frames, all - events.size(), json);
   write_bodies(header, frames, json);
+  write_elements(header, json);
   write_bearings(header, json);
   write_stages(reader, json);
   write_events(events, json);

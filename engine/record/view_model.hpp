@@ -7,8 +7,8 @@
 
 namespace trilith::record {
 
-/// Writes the keys "run", "bodies", "vertices", "bearings", "stages", "types", "events", "joints", "palette" into the
-/// object `json` is in. `frames` tells which joints were bonded and what was thinned out.
+/// Writes the keys "run", "bodies", "vertices", "elements", "bearings", "stages", "types", "events", "joints",
+/// "palette" into the object `json` is in. `frames` tells which joints were bonded and what was thinned out.
 void write_view_model(const ResultsReader& reader, const ViewFrames& frames, const ViewLimits& limits, JsonText& json);
 
 }  // namespace trilith::record

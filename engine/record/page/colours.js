@@ -46,10 +46,33 @@ function compressions(run, frame) {
     }
   }
   return run.bodies.map((body, i) => {
-    if (!body.free || !body.area) return null;
+    if (!body.free || !body.area || body.nodes > 1) return null;
     const xx = sum[4 * i] / body.area, yy = sum[4 * i + 1] / body.area, xy = sum[4 * i + 2] / body.area;
     return Math.max(0, Math.hypot((xx - yy) / 2, xy) - (xx + yy) / 2);
   });
+}
+
+/** Largest and smallest principal value of [xx, yy, xy]. */
+function principal([xx, yy, xy]) {
+  const mean = (xx + yy) / 2, radius = Math.hypot((xx - yy) / 2, xy);
+  return [mean + radius, mean - radius];
+}
+
+/** Ways to colour finite elements by their mean stress; `cells(frame)`: one number for each element. */
+function elementColourings(run) {
+  if (!run.block("stress").rows) return [];
+  const each = (f) => (frame) => run.elements.map((_, i) => f(i, frame));
+  const plastic = run.block("plastic");
+  const out = [
+    { id: "stress", label: "compression in elements (principal)", unit: "Pa", cells: each((i, f) => Math.max(0, -principal(run.stress(i, f))[1])) },
+    { id: "tension", label: "tension in elements (principal)", unit: "Pa", cells: each((i, f) => Math.max(0, principal(run.stress(i, f))[0])) },
+    { id: "shear", label: "largest shear stress in elements", unit: "Pa", cells: each((i, f) => {
+      const [high, low] = principal(run.stress(i, f));
+      return (high - low) / 2;
+    }) }];
+  if (plastic.values.some((v) => v !== 0))
+    out.push({ id: "plastic", label: "plastic strain in elements", unit: "1", cells: each((i, f) => plastic.quantum * plastic.values[f * plastic.columns + i]) });
+  return out;
 }
 
 /** Every way to colour that this run has data for. `values(frame, time)`: one number or null for each body. */
@@ -63,13 +86,15 @@ export function colourings(run) {
     const [x, y] = run.centre(b, f);
     return Math.hypot(x - start[b.index][0], y - start[b.index][1]);
   }) });
-  if (run.bodies.some((b) => b.free && b.nodes === 1))
-    out.push({ id: "rotation", label: "rotation from the start", unit: "rad", signed: true, values: free((b, f) => run.rotation(b, f)) });
-  if (run.block("contact_pair").rows)
-    out.push({ id: "stress", label: "mean compression, from contact forces", unit: "N/m", values: (f) => compressions(run, f) });
+  const rigid = run.bodies.some((b) => b.free && b.nodes === 1);
+  if (rigid)
+    out.push({ id: "rotation", label: "rotation from the start", unit: "rad", signed: true, values: free((b, f) => (b.nodes === 1 ? run.rotation(b, f) : null)) });
+  out.push(...elementColourings(run));
+  if (rigid && run.block("contact_pair").rows)
+    out.push({ id: run.block("stress").rows ? "compression" : "stress", label: "mean compression, from contact forces", unit: "N/m", values: (f) => compressions(run, f) });
   if (run.bodies.some((b) => b.bonds))
     out.push({ id: "damage", label: "damage: share of bonds lost", unit: "1", top: 1, values: free((b, f, t) => run.damage(b, t)) });
-  for (const c of out) if (c.values && !c.top) c.top = usualTop(run, c);
+  for (const c of out) if ((c.values || c.cells) && !c.top) c.top = usualTop(run, c);
   return out;
 }
 
@@ -78,7 +103,7 @@ function usualTop(run, colouring) {
   const sizes = [];
   for (let i = 0; i < Math.min(20, run.frames); i++) {
     const frame = Math.round((i * (run.frames - 1)) / Math.max(1, Math.min(20, run.frames) - 1));
-    for (const v of colouring.values(frame, run.times[frame])) if (v !== null) sizes.push(Math.abs(v));
+    for (const v of (colouring.cells ?? colouring.values)(frame, run.times[frame])) if (v !== null) sizes.push(Math.abs(v));
   }
   sizes.sort((a, b) => a - b);
   const top = sizes[Math.floor(0.98 * (sizes.length - 1))] || sizes[sizes.length - 1] || 1;
@@ -112,14 +137,23 @@ export class BodyColours {
   /** A colour for each body in `frame` at `time`. */
   at(frame, time) {
     if (this.fixed) return this.fixed;
-    const { top, signed } = this.colouring;
-    const last = this.ramp.length - 1;
-    return this.colouring.values(frame, time).map((value, i) => {
-      if (!this.run.bodies[i].free) return this.theme.ground;
-      if (value === null) return this.theme.line;
-      const share = signed ? 0.5 + 0.5 * (value / top) : value / top;
-      return this.ramp[Math.round(last * Math.max(0, Math.min(1, share)))];
+    const values = this.colouring.values?.(frame, time);
+    return this.run.bodies.map((body, i) => {
+      if (!body.free) return this.theme.ground;
+      const value = values?.[i] ?? null;
+      return value === null ? this.theme.line : this.colourOf(value);
     });
+  }
+
+  /** A colour for each element in `frame`, or null where elements have none of their own. */
+  cellsAt(frame) {
+    return this.colouring.cells?.(frame).map((value) => this.colourOf(value)) ?? null;
+  }
+
+  colourOf(value) {
+    const { top, signed } = this.colouring;
+    const share = signed ? 0.5 + 0.5 * (value / top) : value / top;
+    return this.ramp[Math.round((this.ramp.length - 1) * Math.max(0, Math.min(1, share)))];
   }
 
   /** Ends of the colour bar as text. */

@@ -48,6 +48,8 @@ export class Run {
       this.vertexX[v] = head.vertices[3 * v + 1];
       this.vertexY[v] = head.vertices[3 * v + 2];
     });
+    this.elements = Array.from({ length: head.elements.length / 5 }, (_, i) => ({
+      body: head.elements[5 * i], nodes: head.elements.slice(5 * i + 1, 5 * i + 5).filter((n) => n >= 0) }));
     this.nodes = this.block("rotation").columns;
     this.nodeX = new Float64Array(this.nodes);
     this.nodeY = new Float64Array(this.nodes);
@@ -151,6 +153,12 @@ export class Run {
   rotation(body, frame) {
     const { values, quantum } = this.block("rotation");
     return quantum * (values[frame * this.nodes + body.node] - values[body.node]);
+  }
+
+  /** Mean stress of an element in a frame: [xx, yy, xy], Pa. */
+  stress(element, frame) {
+    const { values, quantum, columns } = this.block("stress"), at = frame * columns + 3 * element;
+    return [quantum * values[at], quantum * values[at + 1], quantum * values[at + 2]];
   }
 
   /** Where points a and b of a bearing are, as posed now. */

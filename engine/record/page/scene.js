@@ -49,7 +49,7 @@ export class Scene {
     c.fillRect(0, 0, camera.width, camera.height);
     if (!run.frames) return;
     run.pose(time);
-    this.drawBodies(colours.at(run.now.frame, time), theme);
+    this.drawBodies(colours.at(run.now.frame, time), colours.cellsAt(run.now.frame), theme);
     if (this.show.start) this.drawStart(theme);
     if (this.show.cracks) this.drawCracks(time, theme);
     if (this.show.forces) this.drawForces(theme);
@@ -69,7 +69,22 @@ export class Scene {
     c.closePath();
   }
 
-  drawBodies(fills, theme) {
+  /** Finite elements, each with its colour; a thin edge of the same colour closes the seams. */
+  drawElements(fills) {
+    const { run, context: c, camera } = this;
+    c.lineWidth = 0.7;
+    run.elements.forEach((element, i) => {
+      if (!run.bodies[element.body].free) return;
+      c.fillStyle = c.strokeStyle = fills[i];
+      c.beginPath();
+      for (const node of element.nodes) c.lineTo(...camera.place(run.nodeX[node], run.nodeY[node]));
+      c.closePath();
+      c.fill();
+      c.stroke();
+    });
+  }
+
+  drawBodies(fills, cells, theme) {
     const { context: c } = this;
     c.lineJoin = "round";
     const small = this.camera.scale * this.usualSize < 14;
@@ -77,6 +92,10 @@ export class Scene {
       c.fillStyle = fills[body.index];
       this.outline(body);
       c.fill();
+    }
+    if (cells) this.drawElements(cells);
+    for (const body of this.order) {
+      this.outline(body);
       c.strokeStyle = body.free ? theme.outline : theme["ground-line"];
       c.lineWidth = body.free ? (small ? 0.5 : 1) : 1.2;
       c.stroke();

@@ -49,8 +49,19 @@ export class SelectionPanel {
       this.plot("displacement of its centre", "m", [{ name: "x", times, values: x.map((v) => v - x[0]) }, { name: "y", times, values: y.map((v) => v - y[0]) }]),
       this.plot("speed", "m/s", [{ name: "speed", times, values: column((i) => run.speed(body, i)) }]),
       ...(body.nodes === 1 ? [this.plot("rotation", "rad", [{ name: "rotation", times, values: column((i) => run.rotation(body, i)) }])] : []),
+      ...this.stressPlot(body),
       this.events((e) => e.a === body.index || e.b === body.index));
     this.tell = (frame) => `displacement ${quantity(Math.hypot(x[frame] - x[0], y[frame] - y[0]), "m")}, speed ${quantity(run.speed(body, frame), "m/s")}`;
+  }
+
+  /** Mean stress over the elements of a body. */
+  stressPlot(body) {
+    const { run } = this.app;
+    const own = run.elements.flatMap((e, i) => (e.body === body.index ? [i] : []));
+    if (!own.length || !run.block("stress").rows) return [];
+    const line = (name, axis) => ({ name, times: run.times, values: Float64Array.from({ length: run.frames },
+      (_, f) => own.reduce((sum, i) => sum + run.stress(i, f)[axis], 0) / own.length) });
+    return [this.plot("mean stress", "Pa", [line("xx", 0), line("yy", 1), line("xy", 2)])];
   }
 
   showBearing(bearing) {
