@@ -74,6 +74,26 @@ TEST_CASE("the page of a wall in running bond shows cracks and damage") {
   browse(here / "wall.html", "plays_to_the_end shows_cracks shows_a_body");
 }
 
+TEST_CASE("the page of a wall of finite elements shows their stress") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  std::string script = wall_script;
+  const auto put = [&](const std::string& mark, const std::string& by) {
+    const std::size_t at = script.find(mark);
+    REQUIRE(at != std::string::npos);
+    script.replace(at, mark.size(), by);
+  };
+  put("thickness = 0.2", "thickness = 0.2, body = \"quad\"");
+  put("density = 1900", "density = 1900, E = 2e9, nu = 0.2");
+  put("duration = 4 }\n", "duration = 1 }\n");
+  put("wall.h5", "quads.h5");
+  std::ofstream(here / "quads.lua") << script;
+  const Said run = ask(here.path, "run quads.lua --quiet");
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  CHECK(ask(here.path, "view quads.h5").out == "quads.html\n");
+  browse(here / "quads.html", "shows_stress");
+}
+
 TEST_CASE("a run that is still being written, or was stopped, is viewed as far as it goes, and said so") {
   if (program_is_missing()) return;
   const record::Folder here;
