@@ -56,8 +56,9 @@ void read_model(hid_t file, Header& header) {
 /// Data sets of /frames that no other part of the header stands for.
 std::vector<Field> read_fields(hid_t file) {
   static const std::vector<std::string> known{
-      "time", "step",          "stage",         "position", "angle",         "quaternion",    "velocity",
-      "spin", "contact_first", "contact_count", "contacts", "bearing_state", "bearing_force", "bearing_displacement"};
+      "time",   "step",          "stage",         "position", "angle",         "quaternion",    "velocity",
+      "spin",   "contact_first", "contact_count", "contacts", "bearing_state", "bearing_force", "bearing_displacement",
+      "stress", "plastic"};
   std::vector<Field> fields;
   for (const Quantity& q : read_quantities(file, "/frames", known)) {
     const h5::Handle set(H5Dopen2(file, ("/frames/" + q.name).c_str(), H5P_DEFAULT), H5Dclose, "cannot open " + q.name);
