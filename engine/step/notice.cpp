@@ -81,21 +81,45 @@ void notice_bonds(const Model<2>& model, const State<2>& state, Work<2>& work, i
     notice_bond(model, state, work, row, EventType::bond_cracked);
 }
 
-void notice_contact(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
+/// A contact that opened a moment ago and closes again was never lost: true if it was one. Joints of rubble and of
+/// rocking units chatter; telling each time would bury what matters.
+bool take_back(State<2>& state, int row) {
+  const auto found = std::find_if(state.parted.begin(), state.parted.end(),
+                                  [key = state.contact[row]](const Parted& p) { return p.contact == key; });
+  if (found == state.parted.end()) return false;
+  state.parted.erase(found);
+  return true;
+}
+
+void notice_contact(const Model<2>& model, State<2>& state, Work<2>& work, int row) {
   const ContactMemory &before = state.memory[row], &after = work.memory[row];
   const NearPair& p = work.pairs[row];
   const int a = model.piece_body[p.piece_a], b = model.piece_body[p.piece_b];
   const bool was = (before.state & contact_touching) != 0, is = (after.state & contact_touching) != 0;
   notice_bonds(model, state, work, row);
   if (was == is) return;
-  Event e = event_now(state, is ? EventType::contact_made : EventType::contact_lost, a, b);
-  if (is) {
-    const Meeting m = meeting(model, state, work, row);
-    e.x = m.at.x(), e.y = m.at.y();
-    e.value = m.closing;
-    if (m.closing > model.impact_speed) e.type = EventType::impact;
+  if (!is) {
+    state.parted.push_back({state.contact[row], state.time});
+    return;
   }
+  const bool again = take_back(state, row);
+  const Meeting m = meeting(model, state, work, row);
+  const bool strikes = m.closing > model.impact_speed;
+  if (again && !strikes) return;
+  Event e = event_now(state, strikes ? EventType::impact : EventType::contact_made, a, b);
+  e.x = m.at.x(), e.y = m.at.y();
+  e.value = m.closing;
   work.events.push_back(e);
+}
+
+/// Tells which of the contacts that opened have now stayed open long enough to count as lost.
+void notice_parted(const Model<2>& model, State<2>& state, Work<2>& work) {
+  const auto lasting = [&](const Parted& p) { return state.time - p.time >= model.apart_time; };
+  auto end = state.parted.begin();
+  for (; end != state.parted.end() && lasting(*end); ++end)
+    work.events.push_back(event_now(state, EventType::contact_lost, model.piece_body[first_piece(end->contact)],
+                                    model.piece_body[second_piece(end->contact)]));
+  state.parted.erase(state.parted.begin(), end);
 }
 
 void push_bearing_event(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i, EventType type) {
@@ -213,6 +237,7 @@ void notice(const Model<2>& model, State<2>& state, Work<2>& work) {
   work.events.clear();
   std::sort(work.turned.begin(), work.turned.end());
   for (const int row : work.turned) notice_contact(model, state, work, row);
+  if (!state.parted.empty()) notice_parted(model, state, work);
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     notice_bearing(model, state, work, i);
     account_failed(state, work, i);

@@ -201,6 +201,7 @@ Model<2> ModelBuilder::build() {
   model.gravity.field = gravity;
   model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s");
   model.impact_speed = impact_speed;
+  model.apart_time = apart_time;
   model.still_speed = still_speed;
   model.still_time = still_time;
   if (bodies_.empty()) throw InputError("model: there is no body; add one at least");

@@ -79,6 +79,7 @@ class ModelBuilder {
   Vec2 gravity{0, -standard_gravity};  ///< [m/s2]
   double mass_damping = 0;             ///< [1/s]
   double impact_speed = 0.5;           ///< [m/s]
+  double apart_time = 0.02;            ///< [s]
   double still_speed = 2.54e-7;        ///< [m/s]
   double still_time = 0.5;             ///< [s]
   double overlap_allowed = 1e-6;       ///< deepest overlap at the start, share of the smaller body's size

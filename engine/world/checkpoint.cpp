@@ -134,6 +134,12 @@ void walk(W& file, ContactMemory& m) {
 }
 
 template <class W>
+void walk(W& file, Parted& p) {
+  file.key(p.contact);
+  file.number(p.time);
+}
+
+template <class W>
 void walk(W& file, BearingMemory& m) {
   file.pair(m.status, m.failed_direction);
   for (DirectionMemory& d : m.direction)
@@ -186,10 +192,16 @@ std::vector<std::uint64_t> words_of(State<2> state, const Fingerprint& print) {
     file.key(state.contact[i]);
     walk(file, state.memory[i]);
   }
+  file.count(state.parted.size());
+  for (Parted& p : state.parted) walk(file, p);
   walk_rest(file, state);
   file.words[head_words - 1] = file.words.size() - head_words;
   file.words.push_back(digest(file.words));
   return file.words;
+}
+
+bool is_contact_of(const Model<2>& model, ContactKey key) {
+  return first_piece(key) >= 0 && first_piece(key) < second_piece(key) && second_piece(key) < model.pieces();
 }
 
 void read_contacts(Reader& file, const Model<2>& model, State<2>& s) {
@@ -199,14 +211,19 @@ void read_contacts(Reader& file, const Model<2>& model, State<2>& s) {
   for (std::size_t i = 0; i < count; ++i) {
     file.key(s.contact[i]);
     walk(file, s.memory[i]);
-    const ContactKey key = s.contact[i];
-    const bool known =
-        first_piece(key) >= 0 && first_piece(key) < second_piece(key) && second_piece(key) < model.pieces();
-    if (!known || (i > 0 && s.contact[i - 1] >= key))
+    if (!is_contact_of(model, s.contact[i]) || (i > 0 && s.contact[i - 1] >= s.contact[i]))
       file.fail("has a contact of pieces that are not there, or out of order");
     if (s.memory[i].empty() || s.memory[i].bonds > 3 ||
         s.memory[i].state > (contact_touching | contact_general | contact_worn))
       file.fail("has a contact in no known state");
+  }
+}
+
+void read_parted(Reader& file, const Model<2>& model, State<2>& s) {
+  s.parted.resize(file.open_count(2));
+  for (Parted& p : s.parted) {
+    walk(file, p);
+    if (!is_contact_of(model, p.contact)) file.fail("has a parted contact of pieces that are not there");
   }
 }
 
@@ -314,6 +331,7 @@ State<2> load_state(const Model<2>& model, const std::filesystem::path& path) {
   walk_clock(file, state);
   walk_nodes(file, state);
   read_contacts(file, model, state);
+  read_parted(file, model, state);
   walk_rest(file, state);
   file.done();
   check_bearings(file, state);

@@ -8,10 +8,10 @@
 //   5       number n of words of the state
 //   6 ..    the state: time, step, dt, safety, last_dt; then, each led by its count: nodes (x, y, rotation, u, v,
 //   spin), contacts
-//           that remember something (key, the 9 numbers of ContactMemory, bonds * 2^32 + state), bearings (status *
-//           2^32 + failed direction, 3 x 5 numbers of DirectionMemory), points of inelastic elements (5 numbers of
-//           PlasticMemory), seats (lost), bodies (moved at, resting),
-//           terms of the energy ledger. Numbers are IEEE doubles.
+//           that remember something (key, the 9 numbers of ContactMemory, bonds * 2^32 + state), contacts that parted a
+//           moment ago (key, time), bearings (status * 2^32 + failed direction, 3 x 5 numbers of DirectionMemory),
+//           points of inelastic elements (5 numbers of PlasticMemory), seats (lost), bodies (moved at, resting), terms
+//           of the energy ledger. Numbers are IEEE doubles.
 //   6 + n   digest of all words before (base/hash.hpp)
 #pragma once
 

@@ -130,8 +130,8 @@ std::uint64_t structure_of(const Model<2>& m) {
 std::uint64_t conditions_of(const Model<2>& m) {
   Hash hash;
   add(hash, m.gravity.field);
-  for (const double v : {m.gravity.tilt_rate, m.gravity.tilt_start, m.gravity.tilt_end, m.mass_damping, m.impact_speed,
-                         m.still_speed, m.still_time})
+  for (const double v : {m.gravity.tilt_rate, m.gravity.tilt_start, m.gravity.tilt_end, m.gravity.grow_start,
+                         m.gravity.grow_end, m.mass_damping, m.impact_speed, m.apart_time, m.still_speed, m.still_time})
     add(hash, v);
   add(hash, m.support), add(hash, m.load), add(hash, m.drives), add(hash, m.drive_of);
   return hash.value();

@@ -69,17 +69,23 @@ struct Drive {
   std::shared_ptr<const GroundMotion> motion;
 };
 
-/// Gravity; its direction may turn at a steady rate, which is what a tilting table does.
+/// Gravity; its direction may turn at a steady rate, which is what a tilting table does, and it may grow from nothing,
+/// so that weight comes on without a jolt.
 struct Gravity {
   Vec2 field = Vec2::Zero();  ///< [m/s2]
   double tilt_rate = 0;       ///< the field turns counter-clockwise [rad/s]
   double tilt_start = 0;      ///< time at which it begins to turn [s]
   double tilt_end = unbounded;
+  double grow_start = 0, grow_end = 0;  ///< its share goes from 0 to 1 between these times [s]
 
   [[nodiscard]] double angle(double time) const {
     return tilt_rate * (std::min(std::max(time, tilt_start), tilt_end) - tilt_start);
   }
-  [[nodiscard]] Vec2 at(double time) const { return tilt_rate == 0 ? field : Turn(angle(time)).apply(field); }
+  [[nodiscard]] Vec2 grown(double time) const { return tilt_rate == 0 ? field : Turn(angle(time)).apply(field); }
+  [[nodiscard]] Vec2 at(double time) const {
+    if (time >= grow_end) return grown(time);
+    return std::max(0.0, (time - grow_start) / (grow_end - grow_start)) * grown(time);
+  }
 };
 
 /// A body's end resting on a support. Its length left is how far the end reaches over the edge of the seat.
@@ -139,6 +145,7 @@ struct Model {
   std::vector<Drive> drives;
   std::vector<std::array<int, Space<D>::dofs>> drive_of;  ///< [node] index into drives, or -1
   double impact_speed = 0.5;                              ///< a contact made faster than this is an impact [m/s]
+  double apart_time = 0.02;                               ///< a contact is lost when it has been open this long [s]
   double still_speed = 2.54e-7;                           ///< a body slower than this for still_time is at rest [m/s]
   double still_time = 0.5;                                ///< [s]
 

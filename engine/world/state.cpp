@@ -60,6 +60,10 @@ std::uint64_t state_hash(const State<2>& state) {
     hash.add(state.contact[i]);
     add(hash, state.memory[i]);
   }
+  for (const Parted& p : state.parted) {
+    hash.add(p.contact);
+    hash.add(p.time);
+  }
   for (const BearingMemory& m : state.bearing) add(hash, m);
   for (const PlasticMemory& p : state.plastic)
     for (const double v : {p.xx, p.yy, p.zz, p.xy, p.measure}) hash.add(v);

@@ -24,6 +24,12 @@ constexpr int second_piece(ContactKey key) {
   return static_cast<int>(key & 0xffffffffU);
 }
 
+/// A contact that opened a moment ago: lost once it has stayed open for Model::apart_time.
+struct Parted {
+  ContactKey contact;
+  double time;  ///< [s]
+};
+
 template <int D>
 struct State {
   double time = 0;        ///< [s]
@@ -41,6 +47,7 @@ struct State {
   // Contacts, sorted by key; every one that remembers something, and any number of empty ones.
   std::vector<ContactKey> contact;      ///< [contact]
   std::vector<ContactMemory> memory;    ///< [contact]
+  std::vector<Parted> parted;           ///< in the order of parting, then by key
   std::vector<BearingMemory> bearing;   ///< [bearing]
   std::vector<PlasticMemory> plastic;   ///< [plastic point] of inelastic elements
   std::vector<std::uint8_t> seat_lost;  ///< [seat]

@@ -162,6 +162,7 @@ int make_model(lua_State* L) {
   b.gravity = read_gravity(keys);
   b.mass_damping = keys.number("mass_damping", "1/s", b.mass_damping);
   b.impact_speed = keys.number("impact_speed", "m/s", b.impact_speed);
+  b.apart_time = keys.number("apart_time", "s", b.apart_time);
   b.still_speed = keys.number("still_speed", "m/s", b.still_speed);
   b.still_time = keys.number("still_time", "s", b.still_time);
   model->body_form = read_body_form(keys, {});
@@ -171,6 +172,7 @@ int make_model(lua_State* L) {
   require_above(keys, "still_speed", b.still_speed, "m/s");
   if (!(b.mass_damping >= 0))
     keys.problem(fmt::format("'mass_damping' is {:g} 1/s, must not be below 0", b.mass_damping));
+  if (!(b.apart_time >= 0)) keys.problem(fmt::format("'apart_time' is {:g} s, must not be below 0", b.apart_time));
   if (!(b.still_time >= 0)) keys.problem(fmt::format("'still_time' is {:g} s, must not be below 0", b.still_time));
   if (!(b.overlap_allowed >= 0))
     keys.problem(fmt::format("'overlap_allowed' is {:g}, must not be below 0", b.overlap_allowed));

@@ -108,7 +108,13 @@ int consolidate(lua_State* L) {
   o.until_rest = true;
   read_rest(keys, o);
   read_step(keys, o);
+  const double grow = keys.number("grow", "s", 0.5);
+  if (!(grow >= 0)) keys.problem(fmt::format("'grow' is {:g} s, must not be below 0", grow));
   keys.finish();
+  if (m.simulation().state().step == 0) {
+    o.still_from = std::max(o.still_from, grow);
+    m.change([grow](Model<2>& model) { model.gravity.grow_end = grow; });
+  }
   return finish_stage(L, m, o);
 }
 
@@ -278,7 +284,7 @@ int tilt(lua_State* L) {
   m.change([rate, by, self_model](Model<2>& model) {
     const double now = self_model->if_built()->state().time;
     Gravity& g = model.gravity;
-    g.field = g.at(now);
+    g.field = g.grown(now);
     g.tilt_rate = rate;
     g.tilt_start = now;
     g.tilt_end = rate == 0 ? unbounded : now + by / std::abs(rate);
