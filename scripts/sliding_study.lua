@@ -1,7 +1,7 @@
 -- A study: how far a block slides on a floor before friction stops it, over speed and friction.
 --
 -- The block starts at speed v; friction takes mu g from it until it rests: distance v^2/(2 mu g) (Coulomb), within 1 %.
--- `trilith study scripts/sliding_study.lua` runs the nine cases, each in a process of its own, and writes one table; run
+-- `trilith study scripts/sliding_study.lua` runs the nine cases, each in a process of its own, into one table; run
 -- again, it runs what is not finished. `trilith run scripts/sliding_study.lua --case 3` runs one of them here.
 local trilith = require "trilith"
 local g = trilith.units "g"

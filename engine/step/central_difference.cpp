@@ -51,7 +51,7 @@ void add_dampings(const Model<2>& model, int n, const Dofs& v, const RestDamping
   const double mass = model.mass[n];
   const Dofs total{work.force[n].x(), work.force[n].y(), work.moment[n]};
   const Dofs weight{mass * field.x(), mass * field.y(), 0}, load{model.load[n].x(), model.load[n].y(), 0};
-  f.held = (support[0] != Support::free) | (support[1] != Support::free) | (support[2] != Support::free);
+  f.held = support[0] != Support::free || support[1] != Support::free || support[2] != Support::free;
   f.force = total, f.weight = weight, f.load = load;
   if (!work.element_damping.empty()) f.element_damping = {work.element_damping[n].x(), work.element_damping[n].y()};
   for (const int k : {0, 1, 2}) {

@@ -475,7 +475,7 @@ void set_support(Model<2>& model, int body, int dof, Support support) {
   }
 }
 
-void set_drive(Model<2>& model, int body, int dof, std::shared_ptr<const GroundMotion> motion, double start,
+void set_drive(Model<2>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<2>* state) {
   const Body& b = model.bodies[body];
   if (b.deforms() && dof == 2)

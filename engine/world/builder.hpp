@@ -135,7 +135,7 @@ void set_support(Model<2>& model, int body, int dof, Support support);
 /// Lets one degree of freedom of a body follow `motion` from time `start` [s] and position `origin` on. Of a deformable
 /// body: that of all its nodes; `origin` is that of the first one, the others keep their places beside it as `state`
 /// has them, or the model's start where there is none. Throws InputError for the rotation of such a body.
-void set_drive(Model<2>& model, int body, int dof, std::shared_ptr<const GroundMotion> motion, double start,
+void set_drive(Model<2>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<2>* state = nullptr);
 
 }  // namespace trilith

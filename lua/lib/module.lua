@@ -5,7 +5,9 @@ local trilith, core = ...
 local function rows(model, one, count)
   return setmetatable({}, {
     __index = function(_, key) return one(model, key) end,
-    __newindex = function() core.fail("bearings and seats are added with m:bearing{...} and m:seat{...}, storeys by groups \"storey 1\", ...") end,
+    __newindex = function()
+      core.fail("bearings and seats are added with m:bearing{...} and m:seat{...}, storeys by groups \"storey 1\", ...")
+    end,
     __len = function() return count(model) end,
     __metatable = "rows",
   })

@@ -7,7 +7,8 @@ local function column(kind)
   m:material { name = "rock", density = 2400 }
   m:material { name = "stone", density = 2000, E = 1e9, nu = 0.2, damping = 1e-5 }
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.6, beta = 1e-5 } }
-  m:block { name = "base", width = 2, height = 0.2, at = { -1, -0.2 }, material = "rock", support = "fixed", body = "rigid" }
+  m:block { name = "base", width = 2, height = 0.2, at = { -1, -0.2 }, material = "rock", support = "fixed",
+            body = "rigid" }
   local low = m:block { name = "low", width = 1, height = 0.5, at = { -0.5, 0 }, material = "stone" }
   local top = m:block { name = "top", width = 1, height = 0.5, at = { -0.5, 0.5 }, material = "stone" }
   return m, low, top
@@ -38,12 +39,14 @@ local m = trilith.model {}
 m:material { name = "rock", density = 2400 }
 m:material { name = "stone", density = 2000, E = 1e9 }
 local four = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }
-refused("needs a material with a stiffness", m.body, m, { name = "a", outline = four, material = "rock", body = "quad" })
+refused("needs a material with a stiffness", m.body, m,
+        { name = "a", outline = four, material = "rock", body = "quad" })
 refused("must be \"rigid\", \"quad\" or", m.body, m, { name = "a", outline = four, material = "stone", body = "quda" })
 refused("four corners, this one has 3", m.body, m,
   { name = "a", outline = { { 0, 0 }, { 1, 0 }, { 0, 1 } }, material = "stone", body = "quad" })
 refused("must be 1 to 1000", m.body, m, { name = "a", outline = four, material = "stone", body = { mesh = { 0, 2 } } })
-refused("names node 9", m.body, m, { name = "a", material = "stone", mesh = { nodes = four, elements = { { 1, 2, 9 } } } })
+refused("names node 9", m.body, m,
+        { name = "a", material = "stone", mesh = { nodes = four, elements = { { 1, 2, 9 } } } })
 refused("cannot be read", m.body, m, { name = "a", material = "stone", mesh = { file = "none.msh" } })
 refused("both E and solid", m.material, m, { name = "b", density = 1, E = 1, solid = trilith.j2 { E = 1, yield = 1 } })
 refused("without E", m.material, m, { name = "b", density = 1, nu = 0.2 })
