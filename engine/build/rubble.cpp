@@ -48,7 +48,7 @@ class Filling {
     shift();
     std::vector<Polygon> stones = rubble_.joint > 0 ? apart() : touching();
     for (Polygon& stone : stones) stone = stretched(stone, rubble_.aspect);
-    return named(std::move(stones));
+    return named(stones);
   }
 
  private:
@@ -149,9 +149,9 @@ class Filling {
     return stones;
   }
 
-  std::vector<Part> named(std::vector<Polygon> stones) const {
+  std::vector<Part> named(const std::vector<Polygon>& stones) const {
     std::vector<std::pair<Vec2, Polygon>> placed;
-    for (Polygon& stone : stones) {
+    for (const Polygon& stone : stones) {
       const CheckedPolygon checked = check_polygon(stone, owner_ + ", a stone");
       placed.emplace_back(polygon_moments(checked.outline).centroid, checked.outline);
     }
