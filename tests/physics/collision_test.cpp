@@ -261,12 +261,12 @@ TEST_CASE("face on face: nearly parallel faces that slap together keep their ene
 }
 
 TEST_CASE("a deep fast impact drives the bodies a quarter into each other and out again, with their energy") {
-  Series series = run_series("fast", 100, 1e8, [](std::mt19937_64& bits) {
+  Series series = run_series("fast", 100 * slower, 1e8, [](std::mt19937_64& bits) {
     Pair pair = on_course(bits, random_convex(bits), random_convex(bits));
     pair.velocity_a *= 8;
     pair.velocity_b *= 8;
     return pair;
   });
-  series.check(80 / slower);
-  CHECK(series.deepest > (slower == 1 ? 0.2 : 0.1));  // a tenth of the pairs holds fewer deep ones
+  series.check(80);  // all hundred under sanitizers too: the deepest one is asked for
+  CHECK(series.deepest > 0.2);
 }
