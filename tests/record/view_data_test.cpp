@@ -81,7 +81,7 @@ TEST_CASE("gzip and base64 give their bytes back, the same each time") {
   CHECK(base64("Ma") == "TWE=");
   CHECK(base64("Man") == "TWFu");
   std::string bytes;
-  for (int i = 0; i < 70000; ++i) bytes += static_cast<char>(i * i % 251);
+  for (int i = 0; i < 70000; ++i) bytes += static_cast<char>(i % 251 * (i % 251) % 251);
   for (const std::string& text : {std::string(), std::string("a"), bytes}) {
     CHECK(gunzipped(from_base64(base64(gzipped(text)))) == text);
     CHECK(gzipped(text) == gzipped(text));
