@@ -22,6 +22,7 @@ void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt) 
   respond_general(model, state, work, dt);
   respond_bearings(model, state, work, dt);
   resist(model, state, work);
+  push(model, state, work);
   sum(model, state, work);
 }
 
@@ -120,6 +121,8 @@ void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.force.resize(nodes);
   work.moment.resize(nodes);
   const Vec2 field = model.gravity.at(state.time);
+  const bool loaded = !work.load.empty();
+  const std::vector<Vec2>& load = loaded ? work.load : model.load;
   double unbalanced = 0, carried = 0;
   for (const Body& body : model.bodies) {
     if (body.deforms()) {
@@ -150,9 +153,10 @@ void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
     work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
   }
   for (std::size_t n = 0; n < nodes; ++n) {
-    const Vec2 steady = model.mass[n] * field + model.load[n];
+    const Vec2 steady = model.mass[n] * field + load[n];
     const double reacts = work.force[n].norm();
     work.force[n] += steady;
+    if (loaded) work.moment[n] += work.load_moment[n];
     if (!model.moves(static_cast<int>(n))) continue;
     carried = std::max({carried, reacts, steady.norm()});
     Vec2 left = work.force[n];

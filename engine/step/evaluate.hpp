@@ -8,9 +8,9 @@
 
 namespace trilith {
 
-/// place -> find -> respond (contacts, bearings) -> resist -> spread -> sum, at the present pose and velocity, over a
-/// step `dt` [s] since the last evaluation. Re-indexes State::contact where the list of near pairs had to be found anew
-/// (empty contacts come and go; no memory is lost).
+/// place -> find -> respond (contacts, bearings) -> resist -> push -> spread -> sum, at the present pose and velocity,
+/// over a step `dt` [s] since the last evaluation. Re-indexes State::contact where the list of near pairs had to be
+/// found anew (empty contacts come and go; no memory is lost).
 void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt);
 
 // The stages, each the only writer of its part of Work.
@@ -24,6 +24,8 @@ void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& wor
 double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, int i);
 /// Deformable bodies: forces and dampings of their elements on their nodes, trial plastic memory, energies.
 void resist(const Model<2>& model, const State<2>& state, Work<2>& work);
+/// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
+void push(const Model<2>& model, const State<2>& state, Work<2>& work);
 void sum(const Model<2>& model, const State<2>& state, Work<2>& work);
 
 }  // namespace trilith

@@ -36,6 +36,10 @@ void add(Hash& hash, const Seat& s);
 void add(Hash& hash, const Solid& s);
 void add(Hash& hash, const Element& e);
 void add(Hash& hash, const Drive& d);
+void add(Hash& hash, const PointLoad& l);
+void add(Hash& hash, const FaceLoad& l);
+void add(Hash& hash, const PushRow& r);
+void add(Hash& hash, const Push& p);
 
 /// The length counts too, so that elements cannot slip from one array to the next.
 template <class T, std::size_t N>
@@ -105,12 +109,40 @@ void add(Hash& hash, const Element& e) {
   add(hash, e.thickness);
 }
 
+void add(Hash& hash, const GroundMotion& m) {
+  add(hash, m.step()), add(hash, m.start_time());
+  add(hash, m.start().velocity), add(hash, m.start().displacement);
+  hash.add(static_cast<std::uint64_t>(m.samples().size()));
+  for (const MotionAt& sample : m.samples()) hash.add(sample.acceleration);
+}
+
 void add(Hash& hash, const Drive& d) {
   add(hash, d.node), add(hash, d.dof), add(hash, d.origin), add(hash, d.start);
-  add(hash, d.motion->step()), add(hash, d.motion->start_time());
-  add(hash, d.motion->start().velocity), add(hash, d.motion->start().displacement);
-  hash.add(static_cast<std::uint64_t>(d.motion->samples().size()));
-  for (const MotionAt& sample : d.motion->samples()) hash.add(sample.acceleration);
+  add(hash, *d.motion);
+}
+
+void add(Hash& hash, const Course& c) {
+  add(hash, c.time), add(hash, c.share), add(hash, c.smooth);
+}
+
+void add(Hash& hash, const PointLoad& l) {
+  add(hash, l.name), add(hash, l.body), add(hash, l.node), add(hash, l.element), add(hash, l.place), add(hash, l.force);
+  add(hash, l.moment), add(hash, l.follows), add(hash, l.course);
+}
+
+void add(Hash& hash, const FaceLoad& l) {
+  add(hash, l.name), add(hash, l.body), add(hash, l.skin_a), add(hash, l.skin_b), add(hash, l.share),
+      add(hash, l.pressure);
+  add(hash, l.depth), add(hash, l.follows), add(hash, l.dead), add(hash, l.course);
+}
+
+void add(Hash& hash, const PushRow& r) {
+  add(hash, r.node), add(hash, r.place), add(hash, r.weight);
+}
+
+void add(Hash& hash, const Push& p) {
+  add(hash, p.name), add(hash, p.rows), add(hash, p.direction), add(hash, p.origin), add(hash, p.start);
+  add(hash, *p.motion);
 }
 
 std::uint64_t structure_of(const Model<2>& m) {
@@ -134,6 +166,7 @@ std::uint64_t conditions_of(const Model<2>& m) {
                          m.gravity.grow_end, m.mass_damping, m.impact_speed, m.apart_time, m.still_speed, m.still_time})
     add(hash, v);
   add(hash, m.support), add(hash, m.load), add(hash, m.drives), add(hash, m.drive_of);
+  if (m.loaded()) add(hash, m.point_loads), add(hash, m.face_loads), add(hash, m.pushes);
   return hash.value();
 }
 

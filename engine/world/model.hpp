@@ -13,6 +13,7 @@
 #include "bearing/bearing.hpp"
 #include "body/list.hpp"
 #include "contact/list.hpp"
+#include "load/forces.hpp"
 #include "load/motion.hpp"
 #include "material/list.hpp"
 
@@ -144,11 +145,16 @@ struct Model {
   std::vector<Seat> seats;
   std::vector<Drive> drives;
   std::vector<std::array<int, Space<D>::dofs>> drive_of;  ///< [node] index into drives, or -1
-  double impact_speed = 0.5;                              ///< a contact made faster than this is an impact [m/s]
-  double apart_time = 0.02;                               ///< a contact is lost when it has been open this long [s]
-  double still_speed = 2.54e-7;                           ///< a body slower than this for still_time is at rest [m/s]
-  double still_time = 0.5;                                ///< [s]
+  std::vector<PointLoad> point_loads;
+  std::vector<FaceLoad> face_loads;
+  std::vector<Push> pushes;
+  double impact_speed = 0.5;     ///< a contact made faster than this is an impact [m/s]
+  double apart_time = 0.02;      ///< a contact is lost when it has been open this long [s]
+  double still_speed = 2.54e-7;  ///< a body slower than this for still_time is at rest [m/s]
+  double still_time = 0.5;       ///< [s]
 
+  /// True where there is any load but weight and the steady ones of `load`.
+  [[nodiscard]] bool loaded() const { return !(point_loads.empty() && face_loads.empty() && pushes.empty()); }
   [[nodiscard]] int nodes() const { return static_cast<int>(mass.size()); }
   [[nodiscard]] int pieces() const { return static_cast<int>(piece_body.size()); }
   [[nodiscard]] int corners_of(int piece) const { return piece_first[piece + 1] - piece_first[piece]; }

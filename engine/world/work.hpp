@@ -84,6 +84,16 @@ struct Work {
   std::vector<Vec<D>> element_damping;  ///< [node] of the dampings of elements N
   double element_stored = 0;            ///< elastic energy of elements J
 
+  // Writer: push. All empty where Model::loaded() is false.
+  std::vector<Vec<D>> load;         ///< [node] all forces from outside but weight, steady ones included N
+  std::vector<double> load_moment;  ///< [node] N m
+
+  // Writer: lead. The forces of Model::pushes are part of `load`, `force` and so on from then on.
+  bool led = false;                 ///< they are there
+  std::vector<double> push_force;   ///< [push] N
+  std::vector<Vec<D>> trim;         ///< [node] the part of them that makes up for dampings; empty without pushes N
+  std::vector<double> trim_moment;  ///< [node] N m
+
   // Writer: sum
   std::vector<Vec<D>> force;           ///< [node] N
   std::vector<double> moment;          ///< [node] N m

@@ -1,0 +1,35 @@
+// How a load goes on in time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace trilith {
+
+/// A share over time: straight between its points (or, where `smooth`, from rest to rest by the quintic
+/// s^3 (10 - 15 s + 6 s^2), whose speed and acceleration are 0 at either end), constant before the first and after the
+/// last point; 1 where it has none.
+struct Course {
+  std::vector<double> time;   ///< rising [s]
+  std::vector<double> share;  ///< [1]
+  bool smooth = false;
+
+  [[nodiscard]] double at(double t) const {
+    if (time.empty()) return 1;
+    if (t <= time.front()) return share.front();
+    return t >= time.back() ? share.back() : between(t);
+  }
+  /// From `t` [s] on it stays nothing.
+  [[nodiscard]] bool spent(double t) const { return !time.empty() && t >= time.back() && share.back() == 0; }
+
+ private:
+  [[nodiscard]] double between(double t) const;
+};
+
+/// From one share to another within `duration` [s] after `start` [s]; at once where `duration` is 0.
+Course ramp_course(double start, double from, double to, double duration, bool smooth);
+
+/// Throws InputError, beginning with `owner`, for times that do not rise and for numbers that are not finite.
+void check_course(const Course& course, const std::string& owner);
+
+}  // namespace trilith

@@ -1,0 +1,60 @@
+// Forces from outside as the model holds them; world/loads.hpp makes them.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/space.hpp"
+#include "load/course.hpp"
+#include "load/motion.hpp"
+
+namespace trilith {
+
+/// A force and a moment at a point of a body, times their course.
+struct PointLoad {
+  std::string name;
+  int body = -1;
+  int node = -1;     ///< of a rigid body, or of a deformable one that it acts on directly; -1: `element` is hit
+  int element = -1;  ///< of a deformable body: spread by the shape functions, work-consistent
+  Vec2 place = Vec2::Zero();  ///< in the axes of the node [m]; natural coordinates in the element
+  Vec2 force = Vec2::Zero();  ///< [N]
+  double moment = 0;          ///< [N m]
+  bool follows = false;       ///< turns with the node or element; given for where it was at the start
+  Course course;
+};
+
+/// Even pressure on a part of the face between two skin points of a body, counter-clockwise; times its course. What is
+/// given to the two ends does the work that the pressure does on the straight face.
+struct FaceLoad {
+  std::string name;
+  int body = -1;
+  int skin_a = -1, skin_b = -1;
+  std::array<double, 2> share{0.5, 0.5};  ///< of a full face's force that each end gets
+  double pressure = 0;                    ///< pushes onto the face where above 0 [Pa]
+  double depth = 1;                       ///< of the face out of plane [m]
+  bool follows = true;                    ///< acts along the face's normal and on its length as they are now
+  Vec2 dead = Vec2::Zero();               ///< force on a full face where it does not follow [N]
+  Course course;
+};
+
+/// A point of a body that is pushed, with its part in the whole.
+struct PushRow {
+  int node = -1;
+  Vec2 place = Vec2::Zero();  ///< in the axes of the node; 0 for a node of a deformable body [m]
+  double weight = 0;
+};
+
+/// Displacement control: points are pushed along one direction by forces in fixed proportion (their weights), as large
+/// as needed for the weighed mean of their displacements to follow a motion. Everything else of them stays free.
+struct Push {
+  std::string name;
+  std::vector<PushRow> rows;       ///< weights sum to 1
+  Vec2 direction = Vec2::UnitX();  ///< unit vector
+  double origin = 0;               ///< weighed mean of the places along `direction` where the motion's is 0 [m]
+  double start = 0;                ///< time at which the motion's clock is 0 [s]
+  std::shared_ptr<const GroundMotion> motion;
+};
+
+}  // namespace trilith

@@ -1,0 +1,58 @@
+// Loads of the present instant on the nodes.
+#include "load/forces.hpp"
+#include "step/evaluate.hpp"
+#include "world/pose.hpp"
+
+namespace trilith {
+namespace {
+
+void add_point_load(const Model<2>& model, const State<2>& state, const PointLoad& p, Work<2>& work) {
+  const double share = p.course.at(state.time);
+  if (share == 0) return;
+  if (p.element < 0) {
+    const Turn turn(state.rotation[p.node]);
+    const Vec2 force = share * (p.follows ? turn.apply(p.force) : p.force);
+    work.load[p.node] += force;
+    work.load_moment[p.node] += cross(turn.apply(p.place), force) + share * p.moment;
+    return;
+  }
+  const Anchor anchor{p.body, p.element, p.place};
+  const Vec2 force = p.follows ? Turn(anchor_pose(model, state, anchor).rotation).apply(p.force) : p.force;
+  add_at_anchor(model, state, anchor, share * force, share * p.moment, work.load, work.load_moment);
+}
+
+void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad& f, Work<2>& work) {
+  const double share = f.course.at(state.time);
+  if (share == 0) return;
+  const SkinMotion &a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
+  const Vec2 inward = left_of(Vec2(b.x - a.x, b.y - a.y));
+  const Vec2 full = share * (f.follows ? Vec2(f.pressure * f.depth * inward) : f.dead);
+  const auto add = [&](int skin, const SkinMotion& at, double part) {
+    const int n = model.skin_node[skin];
+    const Vec2 force = part * full;
+    work.load[n] += force;
+    work.load_moment[n] += cross(Vec2(at.x - state.position[n].x(), at.y - state.position[n].y()), force);
+  };
+  add(f.skin_a, a, f.share[0]);
+  add(f.skin_b, b, f.share[1]);
+}
+
+}  // namespace
+
+void push(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  work.led = false;
+  if (!model.loaded()) {
+    if (work.load.empty()) return;
+    work.load.clear(), work.load_moment.clear(), work.trim.clear(), work.trim_moment.clear();
+    work.push_force.clear();
+    return;
+  }
+  work.load.assign(model.load.begin(), model.load.end());
+  work.load_moment.assign(model.load.size(), 0);
+  work.trim.clear(), work.trim_moment.clear();
+  work.push_force.assign(model.pushes.size(), 0);
+  for (const PointLoad& p : model.point_loads) add_point_load(model, state, p, work);
+  for (const FaceLoad& f : model.face_loads) add_face_load(model, state, f, work);
+}
+
+}  // namespace trilith
