@@ -14,26 +14,38 @@
 
 namespace trilith {
 
-/// Integral of the product of two linear openings over the open part of a half [m3]: that of now and, at both ends,
-/// `p0`, `p1` [m].
+/// Integral over a half of the products of two linear gaps as a bond feels them, less that where both press [m3]: the
+/// gap of now and the one with the ends `p0`, `p1` [m].
 template <class T>
 TRILITH_INLINE T open_product(const HalfState<T>& h, T p0, T p1) {
   const T zero{}, one = zero + 1.0;
   const T o0 = larger(h.g0, zero), o1 = larger(h.g1, zero), span = magnitude(h.g1 - h.g0);
   const Mask<T> crosses = ((h.g0 < zero) | (h.g1 < zero)) & (o0 + o1 > zero);
   const T share = select(crosses, (o0 + o1) / select(crosses, span, one), one);
+  const T mortar = h.filling.product(h.g0, h.g1, p0, p1);
   p0 = larger(p0, zero), p1 = larger(p1, zero);
-  return h.length * share * (2.0 * (p0 * o0 + p1 * o1) + p0 * o1 + p1 * o0) * (1.0 / 6.0);
+  return h.length * (share * (2.0 * (p0 * o0 + p1 * o1) + p0 * o1 + p1 * o0) * (1.0 / 6.0) + mortar);
 }
 
-/// True where a brittle half is beyond its tensile or shear limit (elastic stresses, trial shear).
+/// Mean over a half of its opening where open, 0 elsewhere [m].
+template <class T>
+TRILITH_INLINE T mean_opening(const HalfState<T>& h) {
+  const T zero{}, one = zero + 1.0;
+  const T b0 = h.bond0(), b1 = h.bond1();
+  const T o0 = larger(b0, zero), o1 = larger(b1, zero), sum = o0 + o1, span = magnitude(b1 - b0);
+  const Mask<T> crosses = (smaller(b0, b1) < zero) & (sum > zero);
+  return 0.5 * sum * select(crosses, sum / select(crosses, span, one), one);
+}
+
+/// True where a brittle half is beyond its limits (elastic stresses, trial shear): of tension at either end, of shear
+/// over all of the half, as of the friction that follows.
 template <class T>
 TRILITH_INLINE Mask<T> bond_broken(const HalfState<T>& h, T shear_elastic, const FaceLaw& law) {
-  const T zero{}, widest = larger(h.g0, h.g1);
+  const T zero{};
   const T trial = magnitude(shear_elastic + law.ks * h.length * h.slip_rate * law.dt);
-  const T slope = select(widest > zero, zero + law.tension_slope(), zero + law.mu);
-  const T strength = law.cohesion - slope * (law.kn * widest);
-  return h.bonded & ((law.kn * widest > law.tension + zero) | (trial > strength * h.length));
+  const T open = mean_opening(h), closed = open - 0.5 * (h.g0 + h.g1) + h.filling.stress().sum;
+  const T strength = law.cohesion + law.kn * (law.mu * closed - law.tension_slope() * open);
+  return h.bonded & ((law.kn * h.widest() > law.tension + zero) | (trial > strength * h.length));
 }
 
 /// Takes the brittle bonds that are beyond their limit; returns the energy they gave off [J].
@@ -67,7 +79,7 @@ template <class T>
 TRILITH_INLINE void soften_by_opening(HalfState<T>& h, T damage, const FaceLaw& law) {
   const T zero{}, one = zero + 1.0;
   const double range = law.last_opening - law.first_opening();
-  const T left = (law.last_opening - larger(h.g0, h.g1)) * (1.0 / range);
+  const T left = (law.last_opening - h.widest()) * (1.0 / range);
   h.strength = larger(zero, smaller(one - damage, left));
   h.bonded = h.bonded & (h.strength > zero);
   h.strength = select(h.bonded, h.strength, zero);

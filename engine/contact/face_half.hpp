@@ -45,6 +45,45 @@ struct HalfResponse {
   T lost_damping, lost_friction;
 };
 
+/// Mortar that fills a half where the faces stood apart as it set: its thickness is linear over [from, to], in shares
+/// of the half, and 0 elsewhere. While the half is bonded, its stresses come from the gap less that thickness, so that
+/// the bond begins without changing any stress.
+template <class T>
+struct Filling {
+  T from{}, to{}, w0{}, w1{};  ///< thickness at `from` and `to` [m]
+  T end0{}, end1{};            ///< ... and at the ends of the half [m]
+
+  [[nodiscard]] TRILITH_INLINE LinearStress<T> stress() const { return {w0, w1, from, to}; }
+  /// Mean over the half of the thickness times a function that is linear from q0 to q1.
+  [[nodiscard]] TRILITH_INLINE T times(T q0, T q1) const {
+    const T a = q0 + (q1 - q0) * from, b = q0 + (q1 - q0) * to;
+    return (to - from) * (2.0 * (w0 * a + w1 * b) + w0 * b + w1 * a) * (1.0 / 6.0);
+  }
+  /// Mean over the half of (g - w)(p - w) - g p, for gaps linear from g0 to g1 and from p0 to p1 [m2].
+  [[nodiscard]] TRILITH_INLINE T product(T g0, T g1, T p0, T p1) const {
+    return (to - from) * (w0 * w0 + w0 * w1 + w1 * w1) * (1.0 / 3.0) - times(g0 + p0, g1 + p1);
+  }
+};
+
+/// The mortar of both halves of a joint whose gaps at the ends, as it set, were `lo` and `hi` [m].
+template <class T>
+struct JointFilling {
+  Filling<T> half[2];
+  TRILITH_INLINE JointFilling(T lo, T hi) {
+    const T zero{}, mid = 0.5 * (lo + hi), end[3] = {lo, mid, hi};
+    for (const int h : {0, 1}) {
+      const T rise = end[h + 1] - end[h];
+      const PositivePart<T> open(end[h], end[h + 1]);
+      half[h] = {open.from,
+                 open.to,
+                 larger(end[h] + rise * open.from, zero),
+                 larger(end[h] + rise * open.to, zero),
+                 larger(end[h], zero),
+                 larger(end[h + 1], zero)};
+    }
+  }
+};
+
 template <class T>
 struct HalfState {
   T g0, g1;     ///< gap at both ends [m], negative where overlapping
@@ -54,6 +93,12 @@ struct HalfState {
   Mask<T> bonded;
   T strength{};  ///< softening bond: share of its strength left
   T hold{};      ///< ... and of its stiffness where open
+  Filling<T> filling{};
+
+  /// The gaps a bond feels at both ends of the half, and the wider of them [m].
+  [[nodiscard]] TRILITH_INLINE T bond0() const { return g0 - filling.end0; }
+  [[nodiscard]] TRILITH_INLINE T bond1() const { return g1 - filling.end1; }
+  [[nodiscard]] TRILITH_INLINE T widest() const { return larger(bond0(), bond1()); }
 };
 
 /// The part of the shared length where a linear function is positive, as shares of both halves.
@@ -74,6 +119,13 @@ template <class T>
 TRILITH_INLINE void mix(LinearStress<T>& closed, const LinearStress<T>& full, T share) {
   closed.sum += share * (full.sum - closed.sum);
   closed.moment += share * (full.moment - closed.moment);
+}
+
+template <class T>
+TRILITH_INLINE void add(LinearStress<T>& stress, const LinearStress<T>& more, Mask<T> where) {
+  const T zero{};
+  stress.sum += select(where, more.sum, zero);
+  stress.moment += select(where, more.moment, zero);
 }
 
 /// Normal stresses of both halves: where closed, or all along where bonded; never pulling without a bond. `active`:
@@ -97,9 +149,16 @@ TRILITH_INLINE void respond_normal(const HalfState<T>* halves, const FaceLaw& la
     LinearStress<T> elastic(c0 + dc * closed_from, c0 + dc * closed_to, closed_from, closed_to);
     LinearStress<T> total(q0 + dq * from, q0 + dq * to, from, to);
     active[h] = closed_to - closed_from;
+    if constexpr (B == Bond::brittle) {
+      const LinearStress<T> mortar = half.filling.stress();
+      add(elastic, mortar, half.bonded), add(total, mortar, half.bonded);
+    }
     if constexpr (B == Bond::softening) {
-      mix(elastic, LinearStress<T>(c0, -half.g1, zero, one), half.hold);
-      mix(total, LinearStress<T>(q0, q1, zero, one), half.hold);
+      const LinearStress<T> mortar = half.filling.stress();
+      LinearStress<T> bond(c0, -half.g1, zero, one), bond_total(q0, q1, zero, one);
+      add(bond, mortar, half.bonded), add(bond_total, mortar, half.bonded);
+      mix(elastic, bond, half.hold);
+      mix(total, bond_total, half.hold);
       active[h] = select(half.bonded, one, active[h]);
     }
     const T scale = law.kn * half.length;

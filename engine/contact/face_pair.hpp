@@ -24,6 +24,7 @@ struct FaceMemory {
   Mask<T> general{};  ///< the last step found the contact by overlap: the halves share one shear force
   Mask<T> worn{};     ///< dilates no more
   T damage[2]{};      ///< softening bond: share of the strength of each half that is lost
+  T set[2]{};         ///< gaps at both ends as the joint's mortar set [m]
 };
 
 template <class T>
@@ -67,6 +68,11 @@ struct FaceHalves {
     const T gap = 0.5 * (o.gap_lo + o.gap_hi), rate = 0.5 * (r.gap_lo + r.gap_hi), length = 0.5 * o.shared;
     half[0] = {o.gap_lo, gap, r.gap_lo, rate, 0.75 * r.slip_lo + 0.25 * r.slip_hi, length, m.bonds[0]};
     half[1] = {gap, o.gap_hi, rate, r.gap_hi, 0.25 * r.slip_lo + 0.75 * r.slip_hi, length, m.bonds[1]};
+  }
+  /// Puts in the mortar of a joint that had the gaps `set` at its ends as it set [m].
+  TRILITH_INLINE void fill(const T* set) {
+    const JointFilling<T> mortar(set[0], set[1]);
+    for (const int h : {0, 1}) half[h].filling = mortar.half[h];
   }
   /// Faces count as nearer by `opened` [m]: what sliding has put between them.
   TRILITH_INLINE void open_by(T opened) {
@@ -191,6 +197,10 @@ TRILITH_INLINE FaceResponse<T> respond_face_motion(const FaceMotion<T>& motion, 
   FaceResponse<T> out;
   out.is_face_pair = overlap.sane & (motion.flat | before.bonds[0] | before.bonds[1]);
   out.lost_fracture = zero;
+  if constexpr (B != Bond::none) {
+    if (any((before.set[0] > zero) | (before.set[1] > zero))) halves.fill(before.set);
+    for (const int k : {0, 1}) out.memory.set[k] = before.set[k];
+  }
   if constexpr (B == Bond::brittle) out.lost_fracture = lose_bonds(halves.half, before.shear_elastic, law);
   if constexpr (B == Bond::softening) {
     if (law.dilation > 0) halves.open_by(dilation_of(before.slip, before.worn, law));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "base/space.hpp"
 #include "contact/face_pair.hpp"
@@ -28,16 +29,30 @@ inline double dilation_of(const ContactMemory& memory, const FaceLaw& law) {
   return dilation_of(memory.slip, (memory.state & contact_worn) != 0, law);
 }
 
-/// Elastic normal force of one half with gaps `g0`, `g1` at its ends, and its moment about the half's start. `hold`:
-/// see bond_hold.
+/// Gaps of one half that its stresses come from, at its ends, with the mortar that fills it [m].
+struct HalfGaps {
+  double g0, g1;
+  Filling<double> filling;
+};
+
+/// Both halves of the shared length.
+inline std::array<HalfGaps, 2> half_gaps(const FaceOverlap<double>& o, const ContactMemory& m, const FaceLaw& law) {
+  const double opened = dilation_of(m, law), lo = o.gap_lo - opened, hi = o.gap_hi - opened, mid = 0.5 * (lo + hi);
+  const JointFilling<double> mortar(m.set[0], m.set[1]);
+  return {{{lo, mid, mortar.half[0]}, {mid, hi, mortar.half[1]}}};
+}
+
+/// Elastic normal force of one half and its moment about the half's start. `hold`: see bond_hold.
 struct HalfPressure {
   double force = 0, moment = 0;
-  HalfPressure(double g0, double g1, double length, double hold, double kn) {
-    const double c0 = -g0, c1 = -g1;
+  HalfPressure(const HalfGaps& gaps, double length, double hold, double kn) {
+    const double c0 = -gaps.g0, c1 = -gaps.g1;
     const PositivePart<double> closed(c0, c1);
     const double slope = c1 - c0;
     LinearStress<double> stress(c0 + slope * closed.from, c0 + slope * closed.to, closed.from, closed.to);
-    mix(stress, LinearStress<double>(c0, c1, 0, 1), hold);
+    LinearStress<double> bond(c0, c1, 0, 1);
+    add(bond, gaps.filling.stress(), hold > 0);
+    mix(stress, bond, hold);
     force = kn * length * stress.sum;
     moment = kn * length * length * stress.moment;
   }
@@ -50,9 +65,9 @@ inline ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds
                                        const ContactMemory& memory, const FaceLaw& law) {
   const FaceOverlap<double> o(a, b);
   const double half = 0.5 * o.shared, gap_mid = 0.5 * (o.gap_lo + o.gap_hi), middle = o.lo + half;
-  const double opened = dilation_of(memory, law);
-  const HalfPressure first(o.gap_lo - opened, gap_mid - opened, half, bond_hold(memory, 0, law), law.kn);
-  const HalfPressure second(gap_mid - opened, o.gap_hi - opened, half, bond_hold(memory, 1, law), law.kn);
+  const std::array<HalfGaps, 2> gaps = half_gaps(o, memory, law);
+  const HalfPressure first(gaps[0], half, bond_hold(memory, 0, law), law.kn);
+  const HalfPressure second(gaps[1], half, bond_hold(memory, 1, law), law.kn);
   ContactResultant out;
   out.normal = first.force + second.force + memory.damping_force[0];
   out.shear = memory.shear_total[0] + memory.shear_total[1];

@@ -18,6 +18,8 @@ struct alignas(32) ContactMemory {
   /// Softening bond: share of the strength of each half that is lost. Contact of general shape, which has no bond: the
   /// first is the moment of the damping force about the first piece's origin [N m].
   double own[2] = {};
+  /// Gaps at both ends of the shared length as the joint's mortar set; where they are open it fills them [m].
+  double set[2] = {};
 
   [[nodiscard]] double damage(int half) const { return bonds != 0 ? own[half] : 0; }
   [[nodiscard]] bool empty() const { return bonds == 0 && state == 0; }

@@ -62,6 +62,17 @@ Model<2>& Simulation::edit_model() {
   return model_;
 }
 
+void Simulation::lift_bonds() {
+  assert(!running_);
+  trilith::lift_bonds(model_, state_);
+  drop_work();
+}
+void Simulation::set_bonds(double reach) {
+  assert(!running_);
+  trilith::set_bonds(model_, state_, reach);
+  drop_work();
+}
+
 void Simulation::refresh() {
   evaluate(model_, state_, work_, state_.last_dt);
 }

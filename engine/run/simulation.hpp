@@ -30,6 +30,10 @@ class Simulation {
   /// For changes between stages (supports, drives, damping, gravity). Not while a stage runs.
   Model<2>& edit_model();
 
+  /// Bonds of all joints are taken away, or made where faces meet now: see step/start.hpp. Not while a stage runs.
+  void lift_bonds();
+  void set_bonds(double reach = 1e-3);
+
   /// Asks a running stage to end at the next step border. May be called from a signal handler or another thread.
   void stop() { stop_.store(true, std::memory_order_relaxed); }
   /// Evaluates at the present pose, so that forces and contacts can be read before the first step.

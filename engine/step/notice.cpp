@@ -62,8 +62,9 @@ void notice_bond(const Model<2>& model, const State<2>& state, Work<2>& work, in
   const FaceLaw law = face_law(model, p.law, 0);
   const FaceEnds<double> a = face_ends(work, p.a0, p.a1), b = face_ends(work, p.b0, p.b1);
   const ContactResultant carried = face_resultant(a, b, before, law);
-  const FaceOverlap<double> overlap(a, b);
-  const bool pulled = std::max(overlap.gap_lo, overlap.gap_hi) > law.first_opening();
+  bool pulled = false;
+  for (const HalfGaps& half : half_gaps(FaceOverlap<double>(a, b), before, law))
+    pulled = pulled || std::max(half.g0 - half.filling.end0, half.g1 - half.filling.end1) > law.first_opening();
   Event e = event_now(state, type, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
   e.value = carried.force.norm();
   e.x = carried.point.x(), e.y = carried.point.y();

@@ -150,6 +150,7 @@ TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
   m.face.bonds[1] = has_bit(word, 2);
   m.face.general = has_bit(word, general_bit);
   m.touching = has_bit(word, touching_bit);
+  if constexpr (B != Bond::none) load(&ContactMemory::set, m.face.set[0], m.face.set[1]);
   if constexpr (B == Bond::softening) {
     load(&ContactMemory::own, m.face.damage[0], m.face.damage[1]);
     m.face.worn = has_bit(word, worn_bit);
@@ -159,7 +160,7 @@ TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
 
 /// A response as rows again, to be written where they belong.
 struct RowResponse {
-  RowPairs elastic, total, damping, active, slip_bits, damage, a0, a1, b0, b1;
+  RowPairs elastic, total, damping, active, slip_bits, damage, set, a0, a1, b0, b1;
   TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m) {
     const LaneMask none{};
     return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (m.worn & (none + worn_bit)) |
@@ -172,6 +173,7 @@ struct RowResponse {
         active(r.memory.active[0], r.memory.active[1]),
         slip_bits(r.memory.slip, word_of(r.memory)),
         damage(r.memory.damage[0], r.memory.damage[1]),
+        set(r.memory.set[0], r.memory.set[1]),
         a0(r.ax0, r.ay0),
         a1(r.ax1, r.ay1),
         b0(r.bx0, r.by0),
@@ -186,6 +188,7 @@ TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse& r, i
   store_pair(after.active, r.active.of(i));
   store_pair(&after.slip, r.slip_bits.of(i));
   store_pair(after.own, r.damage.of(i));
+  store_pair(after.set, r.set.of(i));
   const NearPair& p = pass.pairs[row];
   const auto add = [&](int skin, const Pair& force) {
     double* on = pass.skin_force[skin].data();

@@ -9,31 +9,34 @@
 namespace trilith {
 namespace {
 
-/// kn/2 of the integral of g^2 over one half with linear gap, where closed, and of the share a bond holds all along
-/// [J].
-double half_store(double g0, double g1, double length, double hold, double kn) {
+/// kn/2 of the integral of g^2 over one half, where closed, and of the share a bond holds all along [J].
+double half_store(const HalfGaps& gaps, double length, double hold, double kn) {
+  const double g0 = gaps.g0, g1 = gaps.g1;
   const PositivePart<double> part(-g0, -g1);
   const double d0 = -g0 - (g1 - g0) * part.from, d1 = -g0 - (g1 - g0) * part.to;
   const double closed = (part.to - part.from) * (d0 * d0 + d0 * d1 + d1 * d1), all = g0 * g0 + g0 * g1 + g1 * g1;
-  return kn * length * (closed + hold * (all - closed)) / 6;
+  const double mortar = 3 * gaps.filling.product(g0, g1, g0, g1);
+  return kn * length * (closed + hold * (all + mortar - closed)) / 6;
 }
 
-double normal_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law,
-                     double opened) {
+}  // namespace
+
+double pressing_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law) {
   const auto ends = [&](int i, int j) {
     const SkinMotion &a = work.skin[i], &b = work.skin[j];
     return FaceEnds<double>{a.x, a.y, b.x, b.y, a.u, a.v, b.u, b.v};
   };
   const FaceOverlap<double> o(ends(p.a0, p.a1), ends(p.b0, p.b1));
   if (!o.sane) return 0;
-  const double lo = o.gap_lo - opened, hi = o.gap_hi - opened;
-  const double mid = 0.5 * (lo + hi), half = 0.5 * o.shared;
-  return half_store(lo, mid, half, bond_hold(m, 0, law), law.kn) +
-         half_store(mid, hi, half, bond_hold(m, 1, law), law.kn);
+  const std::array<HalfGaps, 2> gaps = half_gaps(o, m, law);
+  return half_store(gaps[0], 0.5 * o.shared, bond_hold(m, 0, law), law.kn) +
+         half_store(gaps[1], 0.5 * o.shared, bond_hold(m, 1, law), law.kn);
 }
 
+namespace {
+
 double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law) {
-  double sum = normal_energy(work, p, m, law, dilation_of(m, law));
+  double sum = pressing_energy(work, p, m, law);
   for (const int h : {0, 1})
     if (m.active[h] > 0 && law.ks > 0) sum += 0.5 * m.shear_elastic[h] * m.shear_elastic[h] / (law.ks * m.active[h]);
   return sum;
@@ -53,8 +56,9 @@ double general_energy(const Model<2>& model, const State<2>& state, const Work<2
 }  // namespace
 
 double dilation_energy(const Work<2>& work, const NearPair& pair, const ContactMemory& memory, const FaceLaw& law) {
-  const double opened = dilation_of(memory, law);
-  return normal_energy(work, pair, memory, law, opened) - normal_energy(work, pair, memory, law, 0);
+  ContactMemory bare = memory;
+  bare.state |= contact_worn;
+  return pressing_energy(work, pair, memory, law) - pressing_energy(work, pair, bare, law);
 }
 
 double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {

@@ -9,7 +9,10 @@ namespace trilith {
 /// [J], from the pose (normal) and the trial memories (shear).
 double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work);
 
-/// What of it the dilation of a contact of two faces holds: let go where the contact goes over to general shape [J].
+/// Elastic energy of the normal stresses of one contact of two faces, where Work is placed [J].
+double pressing_energy(const Work<2>& work, const NearPair& pair, const ContactMemory& memory, const FaceLaw& law);
+
+/// What of it dilation holds: let go where the contact goes over to general shape [J].
 double dilation_energy(const Work<2>& work, const NearPair& pair, const ContactMemory& memory, const FaceLaw& law);
 
 }  // namespace trilith

@@ -127,7 +127,8 @@ void walk(W& file, ContactMemory& m) {
   for (const int h : {0, 1}) file.number(m.shear_elastic[h]);
   for (const int h : {0, 1}) file.number(m.shear_total[h]);
   for (const int h : {0, 1}) file.number(m.damping_force[h]);
-  file.number(m.own[0]), file.number(m.own[1]);
+  for (const int h : {0, 1}) file.number(m.own[h]);
+  for (const int h : {0, 1}) file.number(m.set[h]);
   for (const int h : {0, 1}) file.number(m.active[h]);
   file.number(m.slip);
   file.pair(m.bonds, m.state);
@@ -205,7 +206,7 @@ bool is_contact_of(const Model<2>& model, ContactKey key) {
 }
 
 void read_contacts(Reader& file, const Model<2>& model, State<2>& s) {
-  const std::size_t count = file.open_count(13);
+  const std::size_t count = file.open_count(15);
   s.contact.resize(count);
   s.memory.resize(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -110,12 +110,17 @@ int consolidate(lua_State* L) {
   read_step(keys, o);
   const double grow = keys.number("grow", "s", 0.5);
   if (!(grow >= 0)) keys.problem(fmt::format("'grow' is {:g} s, must not be below 0", grow));
+  const bool fresh = keys.flag("fresh", false);
   keys.finish();
+  if (fresh && m.running()) throw InputError("consolidate: a stage runs already; mortar cannot be fresh within it");
   if (m.simulation().state().step == 0) {
     o.still_from = std::max(o.still_from, grow);
     m.change([grow](Model<2>& model) { model.gravity.grow_end = grow; });
   }
-  return finish_stage(L, m, o);
+  if (fresh) m.simulation().lift_bonds();
+  const int results = finish_stage(L, m, o);
+  if (fresh) m.simulation().set_bonds();
+  return results;
 }
 
 /// What is to follow which motion.
@@ -300,7 +305,8 @@ int stop(lua_State* L) {
 const std::array door_methods{
     Method{"run", guarded<run>, "run{duration=, name=, dt=, until_rest=}: a stage"},
     Method{"consolidate", guarded<consolidate>,
-           "consolidate{duration=, ratio=, speed=, hold=, damping=}: to rest under dead load"},
+           "consolidate{duration=, ratio=, speed=, hold=, damping=, grow=, fresh=}: to rest under dead load; fresh "
+           "mortar sets at its end"},
     Method{"shake", guarded<shake>,
            "shake{motions={{body=, x=, y=}, ...}, duration=, still={speed=, hold=}}: bodies follow ground motions"},
     Method{"drive", guarded<drive>, "drive{body=, x=, y=, rotation=}: a body follows a motion from now on"},
