@@ -35,15 +35,16 @@ void check(const StageOptions& o) {
   }
 }
 
-/// Samples at even times after the start of the stage, counted, so that no rounding adds up.
-struct Clock {
-  double begun, interval;
-  std::int64_t next = 0;
-  bool due(double time, double dt) {
-    if (interval <= 0 || time < begun + static_cast<double>(next) * interval - 0.5 * dt) return false;
-    next = static_cast<std::int64_t>((time + 0.5 * dt - begun) / interval) + 1;
-    return true;
-  }
+/// True while it lives.
+class Flagged {
+ public:
+  explicit Flagged(bool& flag) : flag_(flag) { flag_ = true; }
+  Flagged(const Flagged&) = delete;
+  Flagged& operator=(const Flagged&) = delete;
+  ~Flagged() { flag_ = false; }
+
+ private:
+  bool& flag_;
 };
 
 }  // namespace
@@ -57,8 +58,9 @@ Simulation::Simulation(Model<2> model, State<2> state)
 }
 
 Model<2>& Simulation::edit_model() {
-  assert(!running_);
+  assert(!running_ || at_border_);
   work_.valid = false;
+  kept_model_.reset();
   return model_;
 }
 
@@ -113,68 +115,138 @@ void Simulation::tell_events(const RunListener& listener, const Instant& now) {
 
 StageReport Simulation::run(const StageOptions& options, const RunListener& listener) {
   check(options);
-  struct Running {
-    bool& flag;
-    explicit Running(bool& f) : flag(f) { flag = true; }
-    ~Running() { flag = false; }
-  } running(running_);
+  assert(!running_);
+  stage_.emplace(options, state_.time);
+  return go_on(listener);
+}
+
+StageReport Simulation::resume(const RunListener& listener) {
+  assert(stage_ && !running_);
+  return go_on(listener);
+}
+
+StageReport Simulation::go_on(const RunListener& listener) {
+  const Flagged running(running_);
   stop_ = false;
-  StageReport report;
-  report.name = options.name;
-  report.begun = state_.time;
-  const double end = state_.time + options.duration;
-  Clock frames{state_.time, options.frame_interval}, histories{state_.time, options.history_interval},
-      energies{state_.time, options.energy_interval};
-  double still_since = state_.time;
-  bool first = true;
-  for (;; first = false) {
-    evaluate(model_, state_, work_, state_.last_dt);
-    choose_step(options);
-    const bool last = state_.time >= end - 1e-9 * options.duration;
-    const double dt = last ? state_.dt : std::min(state_.dt, end - state_.time);
-    const Instant now{model_,
-                      state_,
-                      work_,
-                      options,
-                      report.begun,
-                      dt,
-                      work_.fastest_moving,
-                      work_.carried > 0 ? work_.unbalanced / work_.carried : 0};
-    report.speed = now.speed;
-    report.ratio = now.ratio;
-    if (first) tell(EventType::stage_begun, options.name, listener, now);
-    const bool calm = now.speed <= options.still_speed && now.ratio <= options.still_ratio;
-    if (!calm || state_.time < report.begun + options.still_from) still_since = state_.time;
-    const bool rests = options.until_rest && state_.time - still_since >= options.still_hold && !first;
-    const bool stopped = stop_.load(std::memory_order_relaxed);
-    const bool broken = !std::isfinite(now.speed) || !std::isfinite(work_.unbalanced);
-    const bool ends = last || rests || stopped || broken;
-    if (!broken) {
-      if ((frames.due(state_.time, dt) || (ends && options.frame_interval > 0)) && listener.on_frame)
-        listener.on_frame(now);
-      if ((histories.due(state_.time, dt) || (ends && options.history_interval > 0)) && listener.on_history)
-        listener.on_history(now);
-      if ((energies.due(state_.time, dt) || (ends && options.energy_interval > 0)) && listener.on_energy)
-        listener.on_energy(now, energy_now(model_, state_, work_, {dt, {options.rest_share}}));
-    }
-    if (ends) {
-      report.end = broken               ? StageEnd::diverged
-                   : rests              ? StageEnd::rest
-                   : stopped            ? StageEnd::stopped
-                   : options.until_rest ? StageEnd::not_at_rest
-                                        : StageEnd::time;
-      report.ended = state_.time;
-      tell(EventType::stage_ended, fmt::format("{}: {}", options.name, name_of(report.end)), listener, now);
-      return report;
-    }
-    report.shortest_dt = report.steps == 0 ? dt : std::min(report.shortest_dt, dt);
-    report.longest_dt = std::max(report.longest_dt, dt);
-    ++report.steps;
-    advance(model_, state_, work_, {dt, {options.rest_share}});
-    if (!work_.events.empty()) tell_events(listener, now);
-    if (listener.on_step) listener.on_step(now);
-    if (listener.change_model && listener.change_model(model_)) work_.valid = false;
+  try {
+    while (!stage_->over) pass(listener);
+  } catch (...) {
+    stage_.reset();
+    throw;
   }
+  const StageReport report = std::move(stage_->report);
+  stage_.reset();
+  return report;
+}
+
+void Simulation::run_on(const RunListener& listener, const RunLimit& limit) {
+  assert(running_ && at_border_ && stage_);
+  at_border_ = false;
+  struct Border {
+    bool& flag;
+    ~Border() { flag = true; }
+  } border{at_border_};
+  const std::int64_t begun = state_.step;
+  while (!stage_->over) {
+    if (limit.steps > 0 && state_.step - begun >= limit.steps) return;
+    if (state_.time >= limit.time - 1e-9 * state_.dt) return;
+    if (limit.leave && limit.leave()) return;
+    pass(listener);
+  }
+}
+
+void Simulation::drop_stage() {
+  assert(!running_);
+  stage_.reset();
+}
+
+Snapshot Simulation::snapshot() {
+  if (!kept_model_) kept_model_ = std::make_shared<const Model<2>>(model_);
+  return {state_, kept_model_, causes_, stage_};
+}
+
+void Simulation::restore(const Snapshot& snapshot) {
+  assert(!running_ || (at_border_ && snapshot.stage));
+  state_ = snapshot.state;
+  if (kept_model_ != snapshot.model) model_ = *snapshot.model;
+  kept_model_ = snapshot.model;
+  causes_ = snapshot.causes;
+  stage_ = snapshot.stage;
+  drop_work();
+}
+
+/// Sets the report where the stage ends at this instant.
+bool Simulation::ends(const Instant& now) {
+  StageProgress& stage = *stage_;
+  const StageOptions& options = stage.options;
+  const bool last = state_.time >= stage.end - 1e-9 * options.duration;
+  const bool calm = now.speed <= options.still_speed && now.ratio <= options.still_ratio;
+  if (!calm || state_.time < stage.report.begun + options.still_from) stage.still_since = state_.time;
+  const bool rests = options.until_rest && state_.time - stage.still_since >= options.still_hold && !stage.first;
+  const bool stopped = stop_.load(std::memory_order_relaxed);
+  const bool broken = !std::isfinite(now.speed) || !std::isfinite(work_.unbalanced);
+  if (!last && !rests && !stopped && !broken) return false;
+  stage.report.end = broken               ? StageEnd::diverged
+                     : rests              ? StageEnd::rest
+                     : stopped            ? StageEnd::stopped
+                     : options.until_rest ? StageEnd::not_at_rest
+                                          : StageEnd::time;
+  return true;
+}
+
+void Simulation::tell_samples(const RunListener& listener, const Instant& now, bool ends) {
+  StageProgress& stage = *stage_;
+  const StageOptions& options = stage.options;
+  if ((stage.frames.due(state_.time, now.dt) || (ends && options.frame_interval > 0)) && listener.on_frame)
+    listener.on_frame(now);
+  if ((stage.histories.due(state_.time, now.dt) || (ends && options.history_interval > 0)) && listener.on_history)
+    listener.on_history(now);
+  if ((stage.energies.due(state_.time, now.dt) || (ends && options.energy_interval > 0)) && listener.on_energy)
+    listener.on_energy(now, energy_now(model_, state_, work_, {now.dt, {options.rest_share}}));
+}
+
+/// From one step border to the next, or to the end of the stage.
+void Simulation::pass(const RunListener& listener) {
+  StageProgress& stage = *stage_;
+  const StageOptions& options = stage.options;
+  StageReport& report = stage.report;
+  evaluate(model_, state_, work_, state_.last_dt);
+  choose_step(options);
+  const bool last = state_.time >= stage.end - 1e-9 * options.duration;
+  const double dt = last ? state_.dt : std::min(state_.dt, stage.end - state_.time);
+  const Instant now{model_,
+                    state_,
+                    work_,
+                    options,
+                    report.begun,
+                    dt,
+                    work_.fastest_moving,
+                    work_.carried > 0 ? work_.unbalanced / work_.carried : 0};
+  report.speed = now.speed;
+  report.ratio = now.ratio;
+  if (stage.first) tell(EventType::stage_begun, options.name, listener, now);
+  const bool over = ends(now);
+  stage.first = false;
+  if (!over || report.end != StageEnd::diverged) tell_samples(listener, now, over);
+  if (over) {
+    report.ended = state_.time;
+    stage.over = true;
+    tell(EventType::stage_ended, fmt::format("{}: {}", options.name, name_of(report.end)), listener, now);
+    return;
+  }
+  report.shortest_dt = report.steps == 0 ? dt : std::min(report.shortest_dt, dt);
+  report.longest_dt = std::max(report.longest_dt, dt);
+  ++report.steps;
+  advance(model_, state_, work_, {dt, {options.rest_share}});
+  if (!work_.events.empty()) tell_events(listener, now);
+  if (listener.on_step) listener.on_step(now);
+  if (listener.change_model && listener.change_model(model_)) {
+    work_.valid = false;
+    kept_model_.reset();
+  }
+  if (!listener.at_border) return;
+  const Flagged border(at_border_);
+  listener.at_border();
 }
 
 }  // namespace trilith

@@ -2,16 +2,35 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "run/causes.hpp"
 #include "run/stage.hpp"
+#include "run/stage_progress.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 #include "world/work.hpp"
 
 namespace trilith {
+
+/// A simulation at a step border: what comes after restoring it has the bits of what came after taking it.
+struct Snapshot {
+  State<2> state;
+  std::shared_ptr<const Model<2>> model;  ///< as it was then; shared by all snapshots between two changes of it
+  Causes causes;
+  std::optional<StageProgress> stage;  ///< the stage that ran then
+};
+
+/// Where a nested run pauses: the first limit that is reached. Counted from its call.
+struct RunLimit {
+  std::int64_t steps = 0;       ///< 0: no limit
+  double time = unbounded;      ///< [s]
+  std::function<bool()> leave;  ///< pauses once this gives true
+};
 
 class Simulation {
  public:
@@ -23,12 +42,25 @@ class Simulation {
   /// Runs one stage to its end. Throws InputError for options out of range and for a fixed step that is not stable.
   /// What listeners throw ends the run and is passed on; the state is then that of the last whole step.
   StageReport run(const StageOptions& options, const RunListener& listener = {});
+  /// Runs a stage that restore() has brought back to its end.
+  StageReport resume(const RunListener& listener = {});
+  /// Within at_border of a running stage: takes further steps of that stage, up to `limit` or its end.
+  void run_on(const RunListener& listener, const RunLimit& limit);
 
   [[nodiscard]] const State<2>& state() const { return state_; }
   [[nodiscard]] const Work<2>& work() const { return work_; }
   [[nodiscard]] const Model<2>& model() const { return model_; }
-  /// For changes between stages (supports, drives, damping, gravity). Not while a stage runs.
+  /// For changes between stages (supports, drives, damping, gravity), or at the border of a step.
   Model<2>& edit_model();
+  /// The stage that runs, or was restored and waits for resume(); nullptr where there is none.
+  [[nodiscard]] const StageProgress* stage() const { return stage_ ? &*stage_ : nullptr; }
+  /// Gives up a restored stage.
+  void drop_stage();
+
+  [[nodiscard]] Snapshot snapshot();
+  /// Goes back to a snapshot of this simulation. Within at_border: to one of the running stage, which then goes on from
+  /// there. Between stages: its stage waits for resume().
+  void restore(const Snapshot& snapshot);
 
   /// Bonds of all joints are taken away, or made where faces meet now: see step/start.hpp. Not while a stage runs.
   void lift_bonds();
@@ -42,6 +74,10 @@ class Simulation {
   void drop_work();
 
  private:
+  StageReport go_on(const RunListener& listener);
+  void pass(const RunListener& listener);
+  bool ends(const Instant& now);
+  void tell_samples(const RunListener& listener, const Instant& now, bool ends);
   void choose_step(const StageOptions& options);
   void tell_events(const RunListener& listener, const Instant& now);
   void tell(EventType type, const std::string& text, const RunListener& listener, const Instant& now);
@@ -50,8 +86,10 @@ class Simulation {
   State<2> state_;
   Work<2> work_;
   Causes causes_;
+  std::optional<StageProgress> stage_;
+  std::shared_ptr<const Model<2>> kept_model_;  // a copy of model_, where none was changed since
   std::atomic<bool> stop_{false};
-  bool running_ = false;
+  bool running_ = false, at_border_ = false;
 };
 
 }  // namespace trilith

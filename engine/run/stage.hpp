@@ -19,6 +19,7 @@ constexpr const char* name_of(StageEnd e) {
 struct StageOptions {
   std::string name = "run";
   double duration = 0;    ///< longest time the stage may last [s], above 0
+  double end_time = 0;    ///< it ends at this time, where that is above the present one; else after `duration` [s]
   double dt = 0;          ///< fixed step [s]; 0: found and kept stable by itself
   double safety = 0.5;    ///< share of the longest stable step that is taken, 0 to 1. At 0.5 a bounce keeps its
                           ///< energy to some percent, at 0.1 to a tenth of one
@@ -66,6 +67,8 @@ struct RunListener {
   std::function<void(const Event&, const Instant&)> on_event;
   /// After on_step. Supports, drives, damping and gravity may be changed; true where something was.
   std::function<bool(Model<2>&)> change_model;
+  /// Last, at the step border, where Simulation::edit_model, run_on, snapshot and restore may be called.
+  std::function<void()> at_border;
 };
 
 }  // namespace trilith

@@ -171,6 +171,7 @@ void open_core(lua_State* L) {
   set_function(L, "traced", guarded<traced>);
   set_function(L, "hint", guarded<hint>);
   set_function(L, "members", guarded<members>);
+  open_declarations(L);
 }
 
 }  // namespace trilith::script

@@ -10,6 +10,8 @@
 #include "run/stage.hpp"
 #include "run/study_figures.hpp"
 
+struct lua_State;
+
 namespace trilith::script {
 
 class ScriptModel;
@@ -32,6 +34,20 @@ class RunObserver {
   virtual void status(const std::string& text) = 0;
 };
 
+/// Who is asked where a run pauses.
+class Console {
+ public:
+  Console() = default;
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+  virtual ~Console() = default;
+  /// True where the person at the keyboard asked for a pause; forgets it.
+  virtual bool was_interrupted() = 0;
+  /// Lets the person look and change; returns when the run is to go on. The handle of the model that pauses, or nil, is
+  /// on top of the stack, and is taken off. May throw ScriptError.
+  virtual void open(lua_State* L, const std::string& why) = 0;
+};
+
 /// What the command line says of a script's study.
 struct StudyChoice {
   std::string program;  ///< runs the cases; "": there is none, so that no study can be begun
@@ -52,6 +68,8 @@ struct Host {
   std::vector<std::filesystem::path> records;    ///< folders in which motions are looked for after the script's own
   std::string results_file;                      ///< where given, instead of the script's own; for the first model
   RunObserver* observer = nullptr;
+  Console* console = nullptr;          ///< nullptr: nothing pauses
+  int running = 0;                     ///< stages that run
   std::vector<std::string> arguments;  ///< `given`, kept whole
   std::filesystem::path case_folder;   ///< "" or where all results go, under the last part of the script's own names
   StudyChoice study;

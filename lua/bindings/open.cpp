@@ -7,7 +7,7 @@
 namespace trilith::script {
 namespace {
 
-const char host_key = 'h';
+const char host_key = 'h', core_key = 'c';
 
 void add_version(lua_State* L) {
   lua_pushstring(L, TRILITH_VERSION);
@@ -56,6 +56,10 @@ void load_library_file(lua_State* L, const char* name) {
   luaL_error(L, "there is no library file '%s'", name);
 }
 
+void push_core(lua_State* L) {
+  lua_rawgetp(L, LUA_REGISTRYINDEX, &core_key);
+}
+
 void set_host(lua_State* L, Host& h) {
   lua_pushlightuserdata(L, &h);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &host_key);
@@ -72,6 +76,8 @@ Host& host(lua_State* L) {
 int open_trilith(lua_State* L) {
   run_guarded(L, fill);
   const int core = lua_gettop(L), module = core - 1;
+  lua_pushvalue(L, core);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &core_key);
   run_library(L, module, core);
   lua_settop(L, module);
   return 1;

@@ -12,6 +12,9 @@ void set_host(lua_State* L, Host& host);
 /// Pushes the module table, made anew; set_host comes first. Raises a Lua error where the library does not load.
 int open_trilith(lua_State* L);
 
+/// Pushes what the library gets of the engine beside the module; open_trilith comes first.
+void push_core(lua_State* L);
+
 /// Pushes a file of the library as a function; raises a Lua error where there is none.
 void load_library_file(lua_State* L, const char* name);
 

@@ -56,7 +56,7 @@ Simulation& ScriptModel::simulation() {
 
 const Simulation& ScriptModel::evaluated() {
   Simulation& s = simulation();
-  if (!running_ && stale_) s.refresh();
+  if ((!running_ || paused_) && stale_) s.refresh();
   stale_ = false;
   return s;
 }
@@ -68,7 +68,7 @@ const Findings& ScriptModel::findings() {
 }
 
 void ScriptModel::change(std::function<void(Model<2>&)> what) {
-  if (running_) {
+  if (running_ && !paused_) {
     changes_.push_back(std::move(what));
     return;
   }
@@ -145,6 +145,7 @@ RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* obs
     script.on_step(now);
   };
   all.change_model = [this](Model<2>& model) { return apply_changes(model); };
+  if (script.at_border) all.at_border = script.at_border;
   return all;
 }
 
@@ -201,6 +202,24 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
   }
   if (host.observer != nullptr) host.observer->stage_ended(report);
   return report;
+}
+
+void ScriptModel::run_on(const RunLimit& limit, const RunListener& listener, Host& host) {
+  paused_ = false;
+  struct Scope {
+    ScriptModel& model;
+    ~Scope() { model.paused_ = model.stale_ = true; }
+  } scope{*this};
+  simulation_->run_on(listen_with(listener, host.observer), limit);
+}
+
+void ScriptModel::pause(const std::function<void()>& ask) {
+  paused_ = stale_ = true;
+  struct Scope {
+    bool& paused;
+    ~Scope() { paused = false; }
+  } scope{paused_};
+  ask();
 }
 
 std::string ScriptModel::finish(const std::string& error) {

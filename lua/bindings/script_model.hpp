@@ -70,10 +70,13 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   double wake_at = unbounded;  ///< a story wants to be woken then [s]
   bool has_step_handler = false;
   std::uint32_t wanted_events = 0;  ///< bit of each EventType that some handler wants
+  std::string pause_reason;         ///< why the run is to pause at the next step border; "": it is not
 
   [[nodiscard]] std::string title() const { return name.empty() ? "model" : "model '" + name + "'"; }
   [[nodiscard]] bool built() const { return simulation_ != nullptr; }
   [[nodiscard]] bool running() const { return running_; }
+  /// At a step border of a running stage, where a console is open.
+  [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] bool recording() const { return recording_ != nullptr; }
 
   /// Throws InputError where the model was built or is running: bodies, laws and bearings come before.
@@ -101,6 +104,10 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
 
   /// Runs a stage with `listener` wrapped by recording and observing.
   StageReport run(const StageOptions& options, const RunListener& listener, Host& host);
+  /// While the model is paused: further steps of its stage, up to `limit` or its end.
+  void run_on(const RunLimit& limit, const RunListener& listener, Host& host);
+  /// Calls `ask` with the model paused: it can be read as it is now, and changed at once.
+  void pause(const std::function<void()>& ask);
   /// The run did not come to its end: results are left as unfinished, unless a later stage goes through.
   void break_off(const std::string& why) { broken_ = why; }
   /// Ends the recording, if any; see Host::finish. What became of it, in words; "" where there is none.
@@ -118,7 +125,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Recording> recording_;
   std::optional<Findings> findings_;
-  bool running_ = false, stale_ = true, recording_begun_ = false;
+  bool running_ = false, paused_ = false, stale_ = true, recording_begun_ = false;
   double rest_share_ = 0;
   std::size_t notes_shown_ = 0;
   std::string broken_;                                   // why the last stage broke off, if it did

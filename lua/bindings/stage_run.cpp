@@ -1,6 +1,7 @@
 #include "stage_run.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "doors.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 /// The library's functions in the model's own table, at fixed places of the stack while the stage runs.
 class Handlers {
  public:
-  Handlers(lua_State* L, ScriptModel& model) : L_(L), model_(model), first_(lua_gettop(L) + 1) {
+  Handlers(lua_State* L, ScriptModel& model, Host& h) : L_(L), model_(model), host_(h), first_(lua_gettop(L) + 1) {
     lua_checkstack(L, 40);
     lua_getiuservalue(L, 1, 1);
     const int own = lua_gettop(L);
@@ -39,7 +40,7 @@ class Handlers {
   }
 
   void step(double time, double dt) {
-    if (interrupted()) model_.stop();
+    if (host_.console == nullptr && interrupted()) model_.stop();
     for (std::size_t i = 0; i < model_.timers.size(); ++i) {
       if (model_.timers[i].due() > time + 0.5 * dt) continue;
       model_.timers[i].next =
@@ -57,6 +58,27 @@ class Handlers {
       begin(stepped);
       call(L_, 0, 0);
     }
+  }
+
+  /// Opens the console where that was asked for; in a nested run it is open already, so the run only pauses.
+  void border(bool nested) {
+    if (host_.console->was_interrupted()) model_.pause_reason = "interrupted";
+    if (nested || model_.pause_reason.empty()) return;
+    const std::string why = std::exchange(model_.pause_reason, "");
+    model_.pause([&] {
+      lua_pushvalue(L_, 1);
+      host_.console->open(L_, why);
+    });
+  }
+
+  /// All of it as a listener; it refers to this object.
+  RunListener listener(bool nested) {
+    RunListener l;
+    l.on_event = [this](const Event& e, const Instant&) { event(e); };
+    l.on_step = [this](const Instant& now) { step(now.state.time, now.dt); };
+    l.on_history = [this](const Instant&) { sample_functions(); };
+    if (host_.console != nullptr) l.at_border = [this, nested] { border(nested); };
+    return l;
   }
 
   /// Values of the histories that Lua functions give.
@@ -82,6 +104,7 @@ class Handlers {
 
   lua_State* L_;
   ScriptModel& model_;
+  Host& host_;
   int first_;
   lua_State* main_ = nullptr;
   lua_Hook hook_ = nullptr;
@@ -95,14 +118,24 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
   if (!h.given_used && !h.given.empty())
     throw InputError(
         fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", h.given.front()));
-  Handlers handlers(L, model);
-  RunListener listener;
-  listener.on_event = [&](const Event& e, const Instant&) { handlers.event(e); };
-  listener.on_step = [&](const Instant& now) { handlers.step(now.state.time, now.dt); };
-  listener.on_history = [&](const Instant&) { handlers.sample_functions(); };
-  const StageReport report = model.run(options, listener, h);
-  if (handlers.interrupted()) model.break_off("interrupted");
+  struct Running {
+    int& count;
+    explicit Running(int& c) : count(c) { ++count; }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+    ~Running() { --count; }
+  } running(h.running);
+  Handlers handlers(L, model, h);
+  const StageReport report = model.run(options, handlers.listener(false), h);
+  if (h.console == nullptr && handlers.interrupted()) model.break_off("interrupted");
   return report;
+}
+
+void run_on(lua_State* L, ScriptModel& model, RunLimit limit) {
+  Host& h = host(L);
+  limit.leave = [&model] { return !model.pause_reason.empty(); };
+  Handlers handlers(L, model, h);
+  model.run_on(limit, handlers.listener(true), h);
 }
 
 }  // namespace trilith::script

@@ -1,6 +1,9 @@
 // The program: a thin layer over the engine and its door.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "verbs.hpp"
 
@@ -10,9 +13,11 @@ namespace {
 int run_program(int argc, char** argv) {
   CLI::App app{"Structures of separate bodies, through an earthquake to the last stone", "trilith"};
   app.set_version_flag("--version", "trilith " TRILITH_VERSION);
+  app.footer("trilith alone opens a console; trilith -i SCRIPT runs a script and stays.");
   app.require_subcommand(1);
   int code = ended_well;
   try {
+    add_console(app, code);
     add_run(app, code);
     add_study(app, code);
     add_draw(app, code);
@@ -21,7 +26,12 @@ int run_program(int argc, char** argv) {
     add_motion(app, code);
     add_info(app, code);
     add_repair(app, code);
-    app.parse(argc, argv);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    // Alone, or with -i, it opens the console.
+    if (words.empty()) words = {"console"};
+    if (words[0] == "-i" || words[0] == "--interactive") words[0] = "console";
+    std::reverse(words.begin(), words.end());
+    app.parse(words);
   } catch (const CLI::Success& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {

@@ -9,6 +9,7 @@ namespace trilith::program {
 enum ExitCode : int { ended_well = 0, wrong_input = 1, wrong_usage = 2, interrupted = 130 };
 
 /// A verb sets `code` when it has run.
+void add_console(CLI::App& app, int& code);
 void add_run(CLI::App& app, int& code);
 void add_study(CLI::App& app, int& code);
 void add_draw(CLI::App& app, int& code);

@@ -1,0 +1,113 @@
+// What is declared of the kinds of handles and of the laws, for the library: console, manual, completion. Not for
+// scripts.
+#include "doors.hpp"
+
+namespace trilith::script {
+namespace {
+
+void set_text(lua_State* L, const char* key, std::string_view text) {
+  lua_pushlstring(L, text.data(), text.size());
+  lua_setfield(L, -2, key);
+}
+
+template <class H>
+void push_properties(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const Property<H>& p : Kind<H>::properties()) {
+    lua_newtable(L);
+    set_text(L, "name", p.name);
+    set_text(L, "unit", p.unit);
+    set_text(L, "doc", p.doc);
+    lua_pushboolean(L, p.number != nullptr ? 1 : 0);
+    lua_setfield(L, -2, "number");
+    lua_pushboolean(L, p.set != nullptr ? 1 : 0);
+    lua_setfield(L, -2, "settable");
+    lua_rawseti(L, -2, ++i);
+  }
+}
+
+template <class H>
+bool push_kind(lua_State* L, std::string_view name) {
+  if (name != Kind<H>::name) return false;
+  push_properties<H>(L);
+  return true;
+}
+
+template <class... Hs>
+bool push_any_kind(lua_State* L, std::string_view name) {
+  return (push_kind<Hs>(L, name) || ...);
+}
+
+/// core.properties(kind): list of { name, unit, doc, number, settable }; nil where there is no such kind.
+int properties(lua_State* L) {
+  const std::string name = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "";
+  return push_any_kind<ModelBox, BodyHandle, BodySet, BearingHandle, SeatHandle, HistoryHandle, StoreyHandle,
+                       MotionValue, ContactLawValue, DirectionLawValue, SolidLawValue>(L, name)
+             ? 1
+             : 0;
+}
+
+struct PushLaw {
+  lua_State* L;
+  template <class T>
+  void operator()() const {
+    if constexpr (Declared<T>) {
+      lua_newtable(L);
+      set_text(L, "doc", T::sentence);
+      lua_newtable(L);
+      lua_Integer i = 0;
+      for (const Parameter<T>& p : T::parameters()) {
+        lua_newtable(L);
+        set_text(L, "name", p.name);
+        set_text(L, "unit", p.unit);
+        set_text(L, "doc", p.sentence);
+        set_text(L, "range", p.range());
+        if (!p.required()) {
+          lua_pushnumber(L, p.preset);
+          lua_setfield(L, -2, "preset");
+        }
+        lua_rawseti(L, -2, ++i);
+      }
+      lua_setfield(L, -2, "parameters");
+      lua_setfield(L, -2, std::string(T::name).c_str());
+    }
+  }
+};
+
+/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, preset } }, in three tables: laws of
+/// contacts, of a bearing's directions, of solids.
+int laws(lua_State* L) {
+  lua_newtable(L);
+  ContactLaws::for_each(PushLaw{L});
+  lua_newtable(L);
+  DirectionLaws::for_each(PushLaw{L});
+  lua_newtable(L);
+  SolidLaws::for_each(PushLaw{L});
+  return 3;
+}
+
+/// core.kind_of(value): the kind of a handle, nil for anything else.
+int kind_of(lua_State* L) {
+  if (lua_type(L, 1) != LUA_TUSERDATA || luaL_getmetafield(L, 1, "__metatable") != LUA_TSTRING) return 0;
+  return 1;
+}
+
+/// core.is_built(handle): whether the model it belongs to has been built.
+int is_built(lua_State* L) {
+  push_model_of(L, 1);
+  const auto* box = test_handle<ModelBox>(L, -1);
+  lua_pushboolean(L, box != nullptr && box->model && box->model->built() ? 1 : 0);
+  return 1;
+}
+
+}  // namespace
+
+void open_declarations(lua_State* L) {
+  set_function(L, "properties", guarded<properties>);
+  set_function(L, "laws", guarded<laws>);
+  set_function(L, "kind_of", guarded<kind_of>);
+  set_function(L, "is_built", guarded<is_built>);
+}
+
+}  // namespace trilith::script

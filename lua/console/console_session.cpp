@@ -1,0 +1,185 @@
+#include "console_session.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "guard.hpp"
+#include "interrupt.hpp"
+#include "open.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+const char session_key = 's';
+constexpr const char* console_table = "trilith.console";
+
+ConsoleSession& session_of(lua_State* L) {
+  lua_rawgetp(L, LUA_REGISTRYINDEX, &session_key);
+  auto* session = static_cast<ConsoleSession*>(lua_touserdata(L, -1));
+  lua_pop(L, 1);
+  return *session;
+}
+
+script::Host& host_of(lua_State* L) {
+  return *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
+}
+
+std::string text_at(lua_State* L, int index) {
+  std::size_t length = 0;
+  const char* text = lua_tolstring(L, index, &length);
+  return text != nullptr ? std::string(text, length) : "";
+}
+
+/// What Tab offers, from console.complete(before, session): first letter (from 1), names. Session: stack index 2 of
+/// door.read, which is at work.
+Completion complete(lua_State* L, const std::string& before) {
+  Completion found;
+  const int top = lua_gettop(L);
+  lua_checkstack(L, 10);
+  lua_getfield(L, LUA_REGISTRYINDEX, console_table);
+  lua_getfield(L, -1, "complete");
+  lua_pushlstring(L, before.data(), before.size());
+  lua_pushvalue(L, 2);
+  if (lua_pcall(L, 2, 2, 0) == LUA_OK && lua_istable(L, -1)) {
+    found.from = static_cast<std::size_t>(lua_tointeger(L, -2)) - 1;
+    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) == LUA_TSTRING; ++i) {
+      found.names.push_back(text_at(L, -1));
+      lua_pop(L, 1);
+    }
+  }
+  lua_settop(L, top);
+  return found;
+}
+
+/// door.read(prompt, session): a line, nil at the end of the input, false where Ctrl-C dropped it.
+int read(lua_State* L) {
+  script::Host& host = host_of(L);
+  if (host.observer != nullptr) host.observer->clear();
+  lua_settop(L, 2);
+  LineEditor& editor = session_of(L).editor;
+  editor.complete_with([L](const std::string& before) { return complete(L, before); });
+  std::string line;
+  const LineEditor::Read was = editor.read(text_at(L, 1), line);
+  if (editor.terminal()) forget_interrupts();  // one that came while nothing ran
+  if (was == LineEditor::Read::line)
+    lua_pushlstring(L, line.data(), line.size());
+  else if (was == LineEditor::Read::cancelled)
+    lua_pushboolean(L, 0);
+  else
+    lua_pushnil(L);
+  return 1;
+}
+
+int write_to(lua_State* L, std::FILE* out) {
+  script::Host& host = host_of(L);
+  if (host.observer != nullptr) host.observer->clear();
+  std::fflush(stdout);
+  const std::string text = text_at(L, 1);
+  std::fwrite(text.data(), 1, text.size(), out);
+  std::fflush(out);
+  return 0;
+}
+int write(lua_State* L) {
+  return write_to(L, stdout);
+}
+int write_error(lua_State* L) {
+  return write_to(L, stderr);
+}
+
+/// door.quit(code, why): ends the program; results are complete where `why` is "".
+int quit(lua_State* L) {
+  script::Host& host = host_of(L);
+  const std::string why = text_at(L, 2);
+  host.finish(why.empty() ? session_of(L).failure : why);
+  if (host.observer != nullptr) host.observer->clear();
+  std::exit(static_cast<int>(lua_tointeger(L, 1)));
+}
+
+int load_console(lua_State* L) {
+  auto* host = static_cast<script::Host*>(lua_touserdata(L, 1));
+  lua_newtable(L);  // console
+  lua_pushvalue(L, -1);
+  lua_setfield(L, LUA_REGISTRYINDEX, console_table);
+  lua_newtable(L);  // door
+  const luaL_Reg functions[] = {
+      {"read", script::guarded<read>}, {"write", script::guarded<write>}, {"write_error", script::guarded<write_error>},
+      {"quit", script::guarded<quit>}, {"traced", script::add_traceback}, {nullptr, nullptr}};
+  lua_pushlightuserdata(L, host);
+  luaL_setfuncs(L, functions, 1);
+  lua_pushboolean(L, session_of(L).editor.terminal() ? 1 : 0);
+  lua_setfield(L, -2, "terminal");
+  for (const char* file : {"show", "words", "complete", "session"}) {
+    script::load_library_file(L, file);
+    lua_pushvalue(L, 2);
+    script::push_core(L);
+    lua_pushvalue(L, 3);
+    lua_call(L, 3, 0);
+  }
+  return 0;
+}
+
+}  // namespace
+
+ConsoleSession::ConsoleSession(lua_State* L, script::Host& host) : host_(host) {
+  lua_pushlightuserdata(L, this);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &session_key);
+  lua_pushcfunction(L, load_console);
+  lua_pushlightuserdata(L, &host);
+  script::call(L, 1, 0);
+}
+
+bool ConsoleSession::was_interrupted() {
+  if (!editor.terminal() || interrupts() == 0) return false;
+  forget_interrupts();
+  return true;
+}
+
+void ConsoleSession::open(lua_State* L, const std::string& why) {
+  if (host_.observer != nullptr) host_.observer->clear();
+  lua_getfield(L, LUA_REGISTRYINDEX, console_table);
+  lua_getfield(L, -1, "pause");
+  lua_replace(L, -2);
+  lua_insert(L, -2);
+  lua_pushlstring(L, why.data(), why.size());
+  lua_insert(L, -2);
+  script::call(L, 2, 0);
+}
+
+void ConsoleSession::push_handler(lua_State* L) {
+  lua_getfield(L, LUA_REGISTRYINDEX, console_table);
+  lua_getfield(L, -1, "told");
+  lua_replace(L, -2);
+}
+
+bool ConsoleSession::top(lua_State* L) {
+  lua_getfield(L, LUA_REGISTRYINDEX, console_table);
+  lua_getfield(L, -1, "top");
+  lua_replace(L, -2);
+  script::call(L, 0, 1);
+  const bool good = lua_toboolean(L, -1) != 0;
+  lua_pop(L, 1);
+  return good;
+}
+
+std::string ConsoleSession::prelude(lua_State* L) {
+  lua_getfield(L, LUA_REGISTRYINDEX, console_table);
+  lua_getfield(L, -1, "prelude");
+  std::string text = text_at(L, -1);
+  lua_pop(L, 2);
+  return text;
+}
+
+void ConsoleSession::on_interrupt(lua_State* L, lua_Debug* at) {
+  ConsoleSession& session = session_of(L);
+  // A running stage pauses at its next step border; a second interrupt does not wait for it.
+  if (session.host_.running > 0 && interrupts() == 1 && session.editor.terminal()) {
+    lua_sethook(L, nullptr, 0, 0);
+    return;
+  }
+  if (session.editor.terminal()) forget_interrupts();
+  raise_interrupt(L, at);
+}
+
+}  // namespace trilith::program

@@ -1,0 +1,50 @@
+// Reads lines: edited, with history and completion, where a person types at a terminal; plainly from anything else.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "line_history.hpp"
+
+namespace trilith::program {
+
+/// What Tab offers: names that could stand in place of the text from byte `from` on.
+struct Completion {
+  std::size_t from = 0;
+  std::vector<std::string> names;
+};
+
+class LineEditor {
+ public:
+  enum class Read { line, end, cancelled };  ///< cancelled: Ctrl-C dropped what was typed
+
+  LineEditor();
+  LineEditor(const LineEditor&) = delete;
+  LineEditor& operator=(const LineEditor&) = delete;
+  ~LineEditor();
+
+  /// True where a person types: both stdin and stdout are terminals.
+  [[nodiscard]] bool terminal() const { return terminal_; }
+  /// What could stand at the end of `before`, the line up to the cursor.
+  void complete_with(std::function<Completion(const std::string& before)> complete);
+  /// The next line, without its end. The prompt is shown on a terminal alone.
+  Read read(const std::string& prompt, std::string& line);
+
+ private:
+  class Edited;
+  Read read_plain(const std::string& prompt, std::string& line) const;
+
+  bool terminal_, shown_;
+  LineHistory history_;
+  std::unique_ptr<Edited> edited_;
+};
+
+/// The text that all names begin with.
+std::string common_start(const std::vector<std::string>& names);
+
+/// Names in columns, for a screen of `width` letters; at most 200 of them.
+std::string in_columns(const std::vector<std::string>& names, std::size_t width);
+
+}  // namespace trilith::program

@@ -1,0 +1,273 @@
+-- The console: reads lines, runs them, shows what they give. One session at the top, further ones where a run pauses.
+local console, core, door = ...
+
+local kept = {} -- names that outlive the chunk that declared them as locals
+console.kept = kept
+
+--- Keeps the locals of the function at `level` (seen from the caller) under their names.
+local function keep_locals(level)
+  for i = 1, math.huge do
+    local name, value = debug.getlocal(level + 1, i)
+    if not name then return end
+    if name:find "^[%a_]" and name ~= "_kept" then kept[name] = { value = value } end
+  end
+end
+
+-- The first line of each chunk begins with it: its locals are kept when the chunk is left. Where an error leaves it, the
+-- chunk is gone by then, and the message handler has kept them.
+console.prelude = "local _kept <close> = require 'trilith.kept'; "
+package.loaded["trilith.kept"] = setmetatable({}, { __close = function(_, failure)
+  if failure == nil then keep_locals(2) end
+end })
+
+local function is_users(info)
+  return info.what ~= "C" and not info.source:find "^=trilith/"
+end
+
+--- Within a message handler: keeps the locals of the chunk and of the function that failed.
+local function keep_failed()
+  local innermost = true
+  for level = 3, math.huge do
+    local info = debug.getinfo(level, "S")
+    if not info then return end
+    if is_users(info) and (innermost or info.what == "main") then
+      innermost = false
+      keep_locals(level)
+    end
+    if info.what == "main" then return end
+  end
+end
+
+--- The frames of the user's own functions below the caller, innermost first, where a run pauses.
+local function frames_now()
+  local total = 1
+  while debug.getinfo(total + 1, "l") do total = total + 1 end
+  local frames = {}
+  for level = 2, total do
+    local info = debug.getinfo(level, "Slfn")
+    if is_users(info) and info.source ~= "=console" then
+      frames[#frames + 1] = { index = total - level, func = info.func, source = info.short_src,
+        line = info.currentline, name = info.what == "main" and "the script" or info.name or "a function" }
+    end
+  end
+  return frames, coroutine.running()
+end
+
+--- Calls f(get, set, count) style access on locals and upvalues of a frame; nil where the name is not there.
+local function frame_variable(session, name)
+  local frame = session.frames[session.frame]
+  if not frame or coroutine.running() ~= session.thread then return nil end
+  local total = 1
+  while debug.getinfo(total + 1, "l") do total = total + 1 end
+  local level, found = total - frame.index, nil
+  for i = 1, math.huge do
+    local known = debug.getlocal(level, i)
+    if not known then break end
+    if known == name then found = i end
+  end
+  if found then
+    local _, value = debug.getlocal(level, found)
+    return { value = value }, function(new) debug.setlocal(level, found, new) end
+  end
+  for i = 1, math.huge do
+    local known, value = debug.getupvalue(frame.func, i)
+    if not known then break end
+    if known == name and name ~= "_ENV" then
+      return { value = value }, function(new) debug.setupvalue(frame.func, i, new) end
+    end
+  end
+  return nil
+end
+
+--- Every name that a chunk of this session sees.
+function console.names_of(session)
+  local names, seen = {}, {}
+  local function add(name)
+    if type(name) == "string" and name:find "^[%a_][%w_]*$" and not seen[name] then
+      seen[name] = true
+      names[#names + 1] = name
+    end
+  end
+  for name in pairs(session.words) do add(name) end
+  for name in pairs(kept) do add(name) end
+  for name in pairs(_G) do add(name) end
+  local frame = session.frames[session.frame]
+  if frame and coroutine.running() == session.thread then
+    local total = 1
+    while debug.getinfo(total + 1, "l") do total = total + 1 end
+    for i = 1, math.huge do
+      local name = debug.getlocal(total - frame.index, i)
+      if not name then break end
+      add(name)
+    end
+    for i = 1, math.huge do
+      local name = debug.getupvalue(frame.func, i)
+      if not name then break end
+      if name ~= "_ENV" then add(name) end
+    end
+  end
+  table.sort(names)
+  return names
+end
+
+--- The value of a name, without an error where there is none.
+function console.value_of(session, name)
+  local variable = frame_variable(session, name) or kept[name]
+  if variable then return variable.value end
+  if session.words[name] ~= nil then return session.words[name] end
+  return rawget(_G, name)
+end
+
+-- What the chunks of a session see: locals and upvalues of the chosen frame, names kept, words of the console, globals.
+local function environment_of(session)
+  return setmetatable({}, {
+    __index = function(_, name)
+      local variable = frame_variable(session, name) or kept[name]
+      if variable then return variable.value end
+      if session.words[name] ~= nil then return session.words[name] end
+      local value = rawget(_G, name)
+      if value == nil then
+        local hint = core.hint(tostring(name), console.names_of(session)):gsub("^; known:.*$", "")
+        core.fail(("there is no '%s' here%s"):format(tostring(name), hint))
+      end
+      return value
+    end,
+    __newindex = function(_, name, value)
+      local variable, set = frame_variable(session, name)
+      if variable then
+        set(value)
+      elseif kept[name] then
+        kept[name].value = value
+      else
+        rawset(_G, name, value)
+      end
+    end,
+  })
+end
+
+--- The text as a function, true where it is an expression; or nil, a message, and true where only more lines are missing.
+local function compile(text, environment)
+  local chunk = load("return " .. text, "=console", "t", environment)
+  if chunk then return chunk, true end
+  local message
+  chunk, message = load(console.prelude .. text, "=console", "t", environment)
+  if chunk then return chunk, false end
+  return nil, message, message:find "near <eof>$" ~= nil
+end
+
+--- A message handler: the message without the console's own part of the traceback, and without a place that says
+--- nothing. The locals of what failed are kept.
+function console.told(message)
+  keep_failed()
+  message = door.traced(message)
+  local lines = {}
+  for line in (message .. "\n"):gmatch "(.-)\n" do
+    local own = line:find "trilith/session.lua:" or line:find "%[C%]: in function 'xpcall'"
+    if own and lines[#lines] ~= "stack traceback:" then break end
+    if not own then lines[#lines + 1] = line end
+  end
+  while #lines > 1 and (lines[#lines]:find "console:%d+: in main chunk" or lines[#lines]:find "^\t%[C%]: in"
+      or lines[#lines] == "stack traceback:") do
+    lines[#lines] = nil
+  end
+  if lines[1] == "interrupted" and door.terminal then lines[1] = "\ninterrupted" end
+  return (table.concat(lines, "\n"):gsub("^console:1: ", ""))
+end
+local told = console.told
+
+local function show_results(session, ...)
+  local count = select("#", ...)
+  if count == 0 then return end
+  for i = 1, count do
+    local value = select(i, ...)
+    if value ~= nil or count > 1 then
+      local act = type(value) == "function" and session.acts[value]
+      if act and count == 1 then return act() end
+      door.write(console.show(value) .. "\n")
+    end
+  end
+end
+
+--- Runs a chunk; what it gives is shown. False where it failed.
+local function run(session, chunk)
+  local results = table.pack(xpcall(chunk, told))
+  if not results[1] then
+    door.write_error(results[2] .. "\n")
+    return false
+  end
+  local shown, message = xpcall(show_results, told, session, table.unpack(results, 2, results.n))
+  if not shown then door.write_error(message .. "\n") end
+  return shown
+end
+
+--- Reads one chunk: lines until it is whole. Its function, or nil and a message; false at the end of the input.
+local function read(session)
+  local text = nil
+  while true do
+    local line = door.read(text and (" "):rep(#session.prompt - 3) .. ">> " or session.prompt, session)
+    if line == false then return nil, nil end -- Ctrl-C drops what was typed
+    if not line then
+      if text then return nil, "the input ends within a chunk:\n" .. text end
+      return false
+    end
+    text = text and text .. "\n" .. line or line
+    if text:find "^%s*=" then text = "return " .. text:gsub("^%s*=", "", 1) end
+    if text:find "^%s*$" then return nil, nil end
+    local chunk, message, unfinished = compile(text, session.environment)
+    if chunk then return chunk end
+    if not unfinished then return nil, (message:gsub("^console:1: ", "")) end
+  end
+end
+
+local function new_session(prompt, frames, thread)
+  local session = { prompt = prompt, frames = frames, frame = 1, thread = thread, words = {}, acts = {} }
+  session.environment = environment_of(session)
+  console.add_words(session)
+  return session
+end
+
+--- Reads and runs chunks until the session is left. True where no chunk failed.
+local function loop(session)
+  local all_good, ends = true, 0
+  while not session.left do
+    local chunk, message = read(session)
+    if chunk then
+      ends = 0
+      local outer = console.session
+      console.session = session
+      local good = run(session, chunk)
+      console.session = outer
+      all_good = good and all_good
+    elseif message then
+      door.write_error(message .. "\n")
+      all_good = false
+    elseif chunk == false then
+      ends = ends + 1
+      if not session.paused or not door.terminal then break end
+      if ends > 1 then door.quit(0, "left at a pause") end
+      door.write "`continue` runs on, `stop` ends the stage here, Ctrl-D once more leaves the program.\n"
+    end
+  end
+  console.failed = console.failed or not all_good
+end
+
+--- The console at the top, until it is left. True where no chunk has failed.
+function console.top()
+  loop(new_session("> ", {}, coroutine.running()))
+  return not console.failed
+end
+
+--- The console where `model`, or (nil) a script, pauses: gives back when it is to go on.
+function console.pause(why, model)
+  local frames, thread = frames_now()
+  local session = new_session(model and ("%.4f s> "):format(model.time) or "paused> ", frames, thread)
+  session.paused, session.model = true, model
+  if why == "interrupted" and door.terminal then door.write "\n" end
+  door.write(("Paused: %s.\n"):format(why))
+  if frames[1] then
+    door.write(("%s:%d, in %s. "):format(frames[1].source, frames[1].line, frames[1].name))
+  end
+  door.write(console.has_paused and "\n" or "`continue` runs on, `stop` ends the stage here, `help` says more.\n")
+  console.has_paused = true
+  loop(session)
+end

@@ -1,0 +1,52 @@
+-- The words of the console: continue, stop, quit, where, frame. Each is a function; alone on a line it is called.
+local console, _, door = ...
+
+local function frame_line(session, i)
+  local frame = session.frames[i]
+  return ("%s %d  %s:%d, in %s\n"):format(i == session.frame and ">" or " ", i, frame.source, frame.line, frame.name)
+end
+
+local function need_pause(session, word)
+  if not session.paused then error(word .. ": no run pauses here", 0) end
+end
+
+--- Adds the words to a session.
+function console.add_words(session)
+  local words = session.words
+
+  --- Lets the run go on.
+  words["continue"] = function()
+    need_pause(session, "continue")
+    session.left = true
+  end
+
+  --- Ends the stage at this border, and lets the script go on.
+  function words.stop()
+    need_pause(session, "stop")
+    if not session.model then error("stop: no stage runs here", 0) end
+    session.model:stop()
+    session.left = true
+  end
+
+  --- Leaves the program with an exit code.
+  function words.quit(code)
+    door.quit(code or 0, session.paused and "left at a pause" or "")
+  end
+  words.exit = words.quit
+
+  --- Lists the user's functions that are at work, innermost first.
+  function words.where()
+    need_pause(session, "where")
+    for i = 1, #session.frames do door.write(frame_line(session, i)) end
+  end
+
+  --- Chooses the frame whose locals are seen.
+  function words.frame(i)
+    need_pause(session, "frame")
+    if not session.frames[i] then error(("frame: there are frames 1 to %d"):format(#session.frames), 0) end
+    session.frame = i
+    door.write(frame_line(session, i))
+  end
+
+  for _, word in pairs(words) do session.acts[word] = word end
+end

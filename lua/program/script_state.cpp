@@ -1,0 +1,86 @@
+#include "script_state.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "guard.hpp"
+#include "open.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+/// os.exit(code): as in Lua, but the results say how the run ended.
+int exit_script(lua_State* L) {
+  const bool good =
+      lua_isnoneornil(L, 1) || (lua_isboolean(L, 1) ? lua_toboolean(L, 1) != 0 : lua_tointeger(L, 1) == 0);
+  const int code = good ? ended_well : lua_isinteger(L, 1) != 0 ? static_cast<int>(lua_tointeger(L, 1)) : wrong_input;
+  static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)))->finish(good ? "" : "the script called os.exit");
+  std::exit(code);
+}
+
+/// print(...), on lines of its own: the status goes first. Upvalues: the host, and Lua's print.
+int print_apart(lua_State* L) {
+  const auto& host = *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
+  if (host.observer != nullptr) host.observer->clear();
+  lua_pushvalue(L, lua_upvalueindex(2));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, 0);
+  return 0;
+}
+
+int set_up(lua_State* L) {
+  auto& host = *static_cast<script::Host*>(lua_touserdata(L, 1));
+  luaL_openlibs(L);
+  lua_pushlightuserdata(L, &host);
+  lua_getglobal(L, "print");
+  lua_pushcclosure(L, print_apart, 2);
+  lua_setglobal(L, "print");
+  script::set_host(L, host);
+  lua_getglobal(L, "os");
+  lua_pushlightuserdata(L, &host);
+  lua_pushcclosure(L, script::guarded<exit_script>, 1);
+  lua_setfield(L, -2, "exit");
+  script::open_trilith(L);
+  script::load_library_file(L, "prepare");
+  lua_insert(L, -2);
+  lua_pushstring(L, host.folder().string().c_str());
+  lua_call(L, 2, 0);
+  return 0;
+}
+
+}  // namespace
+
+ScriptState new_script_state(script::Host& host) {
+  ScriptState state(luaL_newstate());
+  if (!state) throw InputError("not enough memory");
+  lua_State* L = state.get();
+  lua_pushcfunction(L, script::add_traceback);
+  lua_pushcfunction(L, set_up);
+  lua_pushlightuserdata(L, &host);
+  if (lua_pcall(L, 1, 0, 1) != LUA_OK) throw InputError(message_at_top(L));
+  return state;
+}
+
+bool read_script(script::Host& host) {
+  std::ifstream in(host.script, std::ios::binary);
+  std::stringstream text;
+  if (in) text << in.rdbuf();
+  host.script_text = text.str();
+  return static_cast<bool>(in) && !text.fail();
+}
+
+int load_script(lua_State* L, const script::Host& host, const std::string& before) {
+  const std::string text = before + (host.script_text.starts_with("#") ? "--" : "") + host.script_text;
+  const std::string chunk = "@" + host.script;  // a first line with # is for the shell
+  return luaL_loadbufferx(L, text.data(), text.size(), chunk.c_str(), "t");
+}
+
+std::string message_at_top(lua_State* L) {
+  const char* text = lua_tostring(L, -1);
+  return text != nullptr ? text : "an error without a message";
+}
+
+}  // namespace trilith::program

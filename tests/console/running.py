@@ -1,0 +1,154 @@
+"""Scripts and runs: what stays after a script, Ctrl-C, pauses, errors."""
+import time
+
+from sessions import FALL, check, run_all
+
+
+def session_script_runs_and_its_locals_stay(place):
+    s = place.console("-i", "run.lua")
+    check("the script goes on" in s.text, "the script did not run")
+    s.ask("m", r"model 'fall': 2 bodies")
+    s.ask("report.ending", r"^time$")
+    s.ask("block.y < 0.2", r"^true$")
+
+
+def session_ctrl_c_pauses_a_run_and_continue_goes_on(place):
+    s = place.start("-i", "long.lua")
+    s.expect(r"stage begun")
+    s.interrupt()
+    s.expect(r"Paused: interrupted\.\s+long\.lua:8, in the script\..*s> $")
+    s.ask("m.time > 0", r"^true$")
+    first = float(s.ask("m.time", r"^([0-9.e+-]+)$").group(1))
+    s.line("continue")
+    s.expect(r"continue")
+    s.interrupt()
+    s.expect(r"Paused: interrupted")
+    second = float(s.ask("m.time", r"^([0-9.e+-]+)$").group(1))
+    check(second > first, "it did not run on")
+    s.line("stop")
+    s.expect(r"stage ended.*stopped.*^the script goes on\s+^> $")
+    s.ask("m.time >= %r" % second, r"^true$")
+
+
+def session_ctrl_c_pauses_a_run_typed_at_the_console(place):
+    s = place.console("-i", "fall.lua")
+    s.line("r = m:run { duration = 1e9 }")
+    s.expect(r"stage begun")
+    s.interrupt()
+    s.expect(r"Paused: interrupted\..*s> $")
+    s.line("stop")
+    s.expect(r"stage ended.*^> $")
+    s.ask("r.ending", r"^stopped$")
+
+
+def session_locals_are_read_and_set_in_a_pause(place):
+    place.write("local.lua", FALL + """local limit = 5
+local function go()
+  local inner = limit * 2
+  m:run { duration = 1e9 }
+  print("inner is", inner, "limit is", limit)
+end
+go()
+""")
+    s = place.start("-i", "local.lua")
+    s.expect(r"stage begun")
+    s.interrupt()
+    s.expect(r"Paused: interrupted")
+    s.ask("inner, limit", r"^10\s+^5$")
+    s.line("inner = 77; limit = 8")
+    s.ask("where", r"> 1  local\.lua:11, in go\s+  2  local\.lua:14, in the script")
+    s.ask("frame(2)", r"> 2  local\.lua:14")
+    s.ask("limit, go ~= nil", r"^8\s+^true$")
+    s.line("stop")
+    s.expect(r"inner is\s+77\s+limit is\s+8")
+
+
+def session_what_is_changed_in_a_pause_holds(place):
+    s = place.start("-i", "long.lua")
+    s.expect(r"stage begun")
+    s.interrupt()
+    s.expect(r"Paused")
+    s.line("m:fix(block)")
+    s.ask("m.speed", r"^0$")
+    s.line("stop")
+    s.expect(r"^> $")
+    s.ask("m.speed", r"^0$")
+
+
+def session_ctrl_c_ends_an_endless_loop(place):
+    s = place.console()
+    s.line("while true do end")
+    s.expect(r"end$")
+    time.sleep(0.3)
+    s.interrupt()
+    s.expect(r"^interrupted\s+^> $")
+    s.ask("1 + 1", r"^2$")
+
+
+def session_error_is_told_and_the_session_goes_on(place):
+    s = place.console("-i", "fall.lua")
+    s.ask("m:fix 'blokc'", r"^fix: there is no body or group 'blokc'; did you mean 'block'\?\s+^> $")
+    s.ask("m.tme", r"^model 'fall' has no 'tme'; did you mean 'time'\?\s+^> $")
+    s.ask("error { 1 }", r"error object is a table value.*^> $")
+    s.ask("blokc", r"^there is no 'blokc' here; did you mean 'block'\?")
+    s.ask("m:run { duration = 0.01 }.steps > 0", r"^true$")
+
+
+def session_error_in_a_handler_leaves_the_model_usable(place):
+    s = place.console("-i", "fall.lua")
+    s.line("m:on('impact', function() local x = nil + 1 end)")
+    s.expect("^> $")
+    s.ask("m:run { duration = 1 }", r"attempt to perform arithmetic on a nil value.*^> $")
+    s.ask("m.time > 0.2 and m.time < 0.21", r"^true$")
+    s.ask("m:run { duration = 0.05 }.ending", r"^time$")
+
+
+def session_script_with_an_error_leaves_its_locals(place):
+    place.write("wrong.lua", FALL + "local x = 12\nm:fix 'nobody'\n")
+    s = place.console("-i", "wrong.lua")
+    check("wrong.lua:9: fix: there is no body or group 'nobody'" in s.text, "the message is not there")
+    s.ask("x", r"^12$")
+    s.line("m:fix 'base'")
+    s.ask("m:run { duration = 0.1 }.ending", r"^time$")
+    s.type("\x04")
+    s.ends(0)
+
+
+def session_script_with_wrong_syntax(place):
+    place.write("syntax.lua", "local x = = 1\n")
+    s = place.console("-i", "syntax.lua")
+    check("syntax.lua:1: unexpected symbol near '='" in s.text, "the message is not there")
+    s.ask("1 + 1", r"^2$")
+
+
+def session_ctrl_d_in_a_pause_asks_once(place):
+    s = place.start("-i", "long.lua")
+    s.expect(r"stage begun")
+    s.interrupt()
+    s.expect(r"s> $")
+    s.type("\x04")
+    s.expect(r"Ctrl-D once more leaves.*s> $")
+    s.type("\x04")
+    s.ends(0)
+
+
+def session_results_of_a_pause_that_is_left_are_unfinished(place):
+    place.write("results.lua", FALL + "m:results { file = 'fall.h5' }\nm:run { duration = 1e9 }\n")
+    s = place.start("-i", "results.lua")
+    s.expect(r"stage begun")
+    s.interrupt()
+    s.expect(r"s> $")
+    s.line("quit")
+    s.expect(r"results so far, unfinished, are in fall\.h5\.part")
+    s.ends(0)
+    check(place.has("fall.h5.part") and not place.has("fall.h5"), "the wrong file is left")
+
+
+def session_quit_gives_its_code(place):
+    s = place.console()
+    s.line("quit(3)")
+    s.ends(3)
+
+
+if __name__ == "__main__":
+    run_all(dict(globals()))
