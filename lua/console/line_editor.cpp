@@ -92,6 +92,7 @@ class LineEditor::Edited {
     prompt_ = prompt;
     cancelled_ = false;
     int count = 0;
+    el_set(edit_, EL_PREP_TERM, 1);  // before the prompt: a key pressed at its sight is a key, no signal
     const char* text = el_gets(edit_, &count);
     if (cancelled_) return Read::cancelled;
     if (text == nullptr || count <= 0) return Read::end;

@@ -13,8 +13,8 @@ local function keep_locals(level)
   end
 end
 
--- The first line of each chunk begins with it: its locals are kept when the chunk is left. Where an error leaves it, the
--- chunk is gone by then, and the message handler has kept them.
+-- The first line of each chunk begins with it: its locals are kept when the chunk is left. Where an error leaves it,
+-- the chunk is gone by then, and the message handler has kept them.
 console.prelude = "local _kept <close> = require 'trilith.kept'; "
 package.loaded["trilith.kept"] = setmetatable({}, { __close = function(_, failure)
   if failure == nil then keep_locals(2) end
@@ -145,13 +145,13 @@ local function environment_of(session)
   })
 end
 
---- The text as a function, true where it is an expression; or nil, a message, and true where only more lines are missing.
+--- The text as a function; or nil, a message, and true where only more lines are missing.
 local function compile(text, environment)
   local chunk = load("return " .. text, "=console", "t", environment)
-  if chunk then return chunk, true end
+  if chunk then return chunk end
   local message
   chunk, message = load(console.prelude .. text, "=console", "t", environment)
-  if chunk then return chunk, false end
+  if chunk then return chunk end
   return nil, message, message:find "near <eof>$" ~= nil
 end
 

@@ -212,7 +212,7 @@ TEST_CASE("on a terminal the status is one line that is redrawn, in colours unle
 TEST_CASE("wrong usage ends with code 2 and a word on stderr, help with 0") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
-  for (const char* wrong : {"", "daw span.h5", "draw", "draw span.h5 --unit si", "draw span.h5 --units mm",
+  for (const char* wrong : {"daw span.h5", "draw", "draw span.h5 --unit si", "draw span.h5 --units mm",
                             "draw span.h5 --columns 0", "repair span.h5", "plot span.h5 -r"}) {
     const Said said = ask(here, wrong);
     CHECK_MESSAGE(said.code == 2, wrong);
