@@ -113,11 +113,25 @@ void add_at(std::span<Vec2> on, const PlacedPiece& piece, int e, const Vec2& x, 
   on[e1] += share * force + couple;
 }
 
+}  // namespace
+
+Vec2 PlacedPiece::velocity_at(int e, const Vec2& x) const {
+  if (corner_velocity.empty()) return velocity_at(x);
+  const int e1 = (e + 1) % static_cast<int>(corner.size());
+  const Vec2 along = corner[e1] - corner[e], turning = corner_velocity[e1] - corner_velocity[e];
+  const double length2 = along.squaredNorm(), share = along.dot(x - corner[e]) / length2;
+  const Vec2 off = x - corner[e] - share * along;
+  return corner_velocity[e] + share * turning + cross(cross(along, turning) / length2, off);
+}
+
+namespace {
+
 /// Sums over the pressed faces of both sides.
 struct Sums {
   Vec2 force = Vec2::Zero(), moment_arm = Vec2::Zero();
   Vec2 damping = Vec2::Zero();  // damping part of the force on b ...
-  double damping_moment = 0;    // ... and its moment about a's origin
+  double damping_moment = 0;    // ... and its moment about a's origin ...
+  double damped = 0;            // ... and the power it takes [W]
   double pressure = 0, length = 0;
   double most_a = 0, most_b = 0;  // largest share of the pressure on one edge, and which edge
   int edge_a = 0, edge_b = 0;
@@ -140,8 +154,8 @@ struct Walk {
 
 void Walk::press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0, double phi1, Sums& sums) const {
   const Vec2& n = walker_edges.normal[edge];  // out of the walker, into the owner
-  const double c0 = n.dot(walker.velocity_at(x0) - owner.velocity_at(x0));
-  const double c1 = n.dot(walker.velocity_at(x1) - owner.velocity_at(x1));
+  const double c0 = n.dot(walker.velocity_at(edge, x0) - owner.velocity_at(face, x0));
+  const double c1 = n.dot(walker.velocity_at(edge, x1) - owner.velocity_at(face, x1));
   const double length = (x1 - x0).norm(), k = 0.5 * law.kn;
   const double p0 = phi0 + law.beta * c0, p1 = phi1 + law.beta * c1;
   const PositivePart<double> part(p0, p1);
@@ -156,6 +170,7 @@ void Walk::press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0
   sums.damping += -sign * damping * n;
   const Vec2& about = walker_is_b ? owner.origin : walker.origin;
   sums.damping_moment += -sign * (damping * cross(Vec2(x0 - about), n) + first_moment * cross(Vec2(x1 - x0), n));
+  sums.damped += damping * c0 + first_moment * (c1 - c0);
   if (total <= 0) return;
   const Vec2 x = x0 + (stress.moment / stress.sum) * (x1 - x0);
   add_at(on_walker, walker, edge, x, -total * n);
@@ -208,16 +223,39 @@ double merging_loss(const ContactMemory& m, double ks) {
   return std::max(0.0, sum - 0.5 * both.elastic * both.elastic * inverse_or_zero(ks * both.active));
 }
 
-/// Power of a remembered damping force in the motion of b against a [W]. That of two faces acted along the normal,
-/// which is taken to be that of `force` on b, now at `centre`.
+/// Velocity of b against a where they press each other.
+Vec2 rate_at_centre(const PlacedPiece& a, const PlacedPiece& b, const Sums& sums, const Vec2& centre) {
+  return b.velocity_at(sums.edge_b, centre) - a.velocity_at(sums.edge_a, centre);
+}
+
+/// Power of a remembered damping force in the motion of b against a, as rigid pieces [W]. That of two faces acted along
+/// the normal, which is taken to be that of the force on b now, at `rate`.
 double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& m, const Vec2& force,
-                     const Vec2& centre) {
+                     const Vec2& rate_now) {
   if ((m.state & contact_general) == 0) {
     const double size = force.norm();
-    return size > 0 ? m.damping_force[0] * force.dot(b.velocity_at(centre) - a.velocity_at(centre)) / size : 0;
+    return size > 0 ? m.damping_force[0] * force.dot(rate_now) / size : 0;
   }
   const Vec2 rate = b.velocity_at(a.origin) - a.velocity;
   return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.own[0] * (b.spin - a.spin);
+}
+
+/// Share of what the damping force of now does that the one remembered does, where both act alike.
+double likeness(const ContactMemory& before, const ContactMemory& now) {
+  const Vec2 was(before.damping_force[0], before.damping_force[1]), is(now.damping_force[0], now.damping_force[1]);
+  const double size2 = is.squaredNorm();
+  return (before.state & contact_general) != 0 && size2 > 0 ? std::clamp(was.dot(is) / size2, 0.0, 1.0) : 0.0;
+}
+
+/// Energy the damping takes in a step: with the mean of its force before and now. Pieces that deform move otherwise
+/// than as rigid ones; for the force remembered that is made up for as it is for the one of now.
+double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const Sums& sums,
+                    const FaceLaw& law, const OverlapResponse& out) {
+  const Vec2 rate = rate_at_centre(a, b, sums, out.centre);
+  double taken = sums.damped - damping_power(a, b, before, out.force, rate);
+  if (!a.corner_velocity.empty() || !b.corner_velocity.empty())
+    taken += likeness(before, out.memory) * (sums.damped + damping_power(a, b, out.memory, out.force, rate));
+  return 0.5 * law.dt * taken;
 }
 
 /// Friction on the resultant, along t = left_of(n), at the centre of pressure.
@@ -231,7 +269,7 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   const Vec2 t = left_of(Vec2(sums.force / normal));
   HalfState<double> state{};
   state.length = sums.length;
-  state.slip_rate = t.dot(b.velocity_at(out.centre) - a.velocity_at(out.centre));
+  state.slip_rate = t.dot(rate_at_centre(a, b, sums, out.centre));
   state.bonded = false;
   HalfResponse<double> half{};
   half.normal = normal;
@@ -291,7 +329,7 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   // Where the two part, their elastic shear is let go, and the last damping force works for half a step more.
   const double merged = merging_loss(before, law.ks);
   out.lost_friction = merged + let_go_all(before, law.ks);
-  out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, out.force, out.centre);
+  out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, out.force, Vec2::Zero());
   out.separation = b_in_a.fill(a, edges_a, b);
   if (out.separation > 0) return out;
   out.separation = a_in_b.fill(b, edges_b, a);
@@ -310,9 +348,7 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   out.memory.damping_force[1] = sums.damping.y();
   out.memory.own[0] = sums.damping_moment;
   if (sums.pressure > 0) out.centre = sums.moment_arm / sums.pressure;
-  out.lost_damping =
-      -0.5 * law.dt *
-      (damping_power(a, b, out.memory, out.force, out.centre) + damping_power(a, b, before, out.force, out.centre));
+  out.lost_damping = damping_loss(a, b, before, sums, law, out);
   if (sums.pressure > 0) {
     out.lost_friction = merged;
     add_friction(a, b, before, law, sums, on_a, on_b, out);

@@ -26,8 +26,14 @@ struct PlacedPiece {
   std::span<const std::uint8_t> is_face;  ///< 1: edge is part of the body's surface, 0: an inner cut
   Vec2 origin, velocity;                  ///< a point of the piece and its velocity [m], [m/s]
   double spin;                            ///< [rad/s]
+  /// Of a piece that deforms; empty where it is rigid. Its origin, velocity and spin are then those of the rigid piece
+  /// that fits it best.
+  std::span<const Vec2> corner_velocity = {};  ///< [m/s]
 
+  /// As of a rigid piece.
   [[nodiscard]] Vec2 velocity_at(const Vec2& x) const { return velocity + cross(spin, Vec2(x - origin)); }
+  /// Of what moves at `x` with edge e: the velocity that the corner forces of a force at x have their power by.
+  [[nodiscard]] Vec2 velocity_at(int e, const Vec2& x) const;
 };
 
 /// What the general contact gives; forces on the corners of both pieces are added to `on_a` and `on_b`.

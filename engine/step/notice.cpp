@@ -32,7 +32,7 @@ struct Meeting {
 Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
   const int na = p.piece_a, nb = p.piece_b;
-  std::array<Vec2, max_piece_corners> corners;
+  PieceCorners corners;
   const auto velocity = [&](int piece, const Vec2& x) {
     return placed_piece(model, state, work, piece, corners).velocity_at(x);
   };
@@ -146,7 +146,7 @@ double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>
   if (pair.law < 0) return 0;
   apply_bearings(model, bearings, pair);
   if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) return 0;
-  std::array<Vec2, max_piece_corners> corners_p, corners_q;
+  PieceCorners corners_p, corners_q;
   return overlap_energy(placed_piece(model, state, work, p, corners_p), placed_piece(model, state, work, q, corners_q),
                         face_law(model, pair.law, 0).kn);
 }

@@ -303,12 +303,13 @@ namespace {
 /// of rows either way, so that sums do not depend on when the pairs were found.
 const std::vector<int>& facing_now(const Model<2>& model, const State<2>& state, Work<2>& work, FaceBatch& batch) {
   if (batch.choice.empty()) return batch.row;
-  batch.now = batch.row;
+  batch.chosen.clear();
   for (const int row : batch.choice) {
     const bool bonded = state.memory[row].bonds != 0;
-    (choose_face_pair(model, work, bonded, work.pairs[row]) ? batch.now : work.general_now).push_back(row);
+    (choose_face_pair(model, work, bonded, work.pairs[row]) ? batch.chosen : work.general_now).push_back(row);
   }
-  std::sort(batch.now.begin(), batch.now.end());
+  batch.now.resize(batch.row.size() + batch.chosen.size());
+  std::merge(batch.row.begin(), batch.row.end(), batch.chosen.begin(), batch.chosen.end(), batch.now.begin());
   return batch.now;
 }
 

@@ -11,41 +11,42 @@ namespace trilith {
 
 namespace {
 
-/// An element moves in a general contact as the rigid piece that fits its corners best.
-PlacedPiece deformed_piece(const Model<2>& model, const Work<2>& work, int piece, std::span<const Vec2> corners) {
-  const int first = model.piece_first[piece], count = model.corners_of(piece);
-  Vec2 place = Vec2::Zero(), velocity = Vec2::Zero();
-  for (int c = 0; c < count; ++c) {
-    const SkinMotion& s = work.skin[model.corner_skin[first + c]];
-    place += corners[c] / count;
-    velocity += Vec2(s.u, s.v) / count;
+/// The velocity and spin of the rigid piece that fits the corners of a piece that deforms best.
+void fit_rigid(PlacedPiece& piece) {
+  const auto count = piece.corner.size();
+  piece.origin = piece.velocity = Vec2::Zero();
+  for (std::size_t c = 0; c < count; ++c) {
+    piece.origin += piece.corner[c] / static_cast<double>(count);
+    piece.velocity += piece.corner_velocity[c] / static_cast<double>(count);
   }
   double turn = 0, size = 0;
-  for (int c = 0; c < count; ++c) {
-    const SkinMotion& s = work.skin[model.corner_skin[first + c]];
-    const Vec2 arm = corners[c] - place;
-    turn += cross(arm, Vec2(s.u, s.v));
+  for (std::size_t c = 0; c < count; ++c) {
+    const Vec2 arm = piece.corner[c] - piece.origin;
+    turn += cross(arm, piece.corner_velocity[c]);
     size += arm.squaredNorm();
   }
-  return {corners, std::span(model.edge_is_face).subspan(static_cast<std::size_t>(first), corners.size()), place,
-          velocity, size > 0 ? turn / size : 0};
+  piece.spin = size > 0 ? turn / size : 0;
 }
 
 }  // namespace
 
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
-                         std::span<Vec2> corners) {
-  const int first = model.piece_first[piece], count = model.corners_of(piece);
-  for (int c = 0; c < count; ++c) {
+                         PieceCorners& corners) {
+  const auto first = static_cast<std::size_t>(model.piece_first[piece]),
+             count = static_cast<std::size_t>(model.corners_of(piece));
+  for (std::size_t c = 0; c < count; ++c) {
     const SkinMotion& s = work.skin[model.corner_skin[first + c]];
-    corners[c] = {s.x, s.y};
+    corners.place[c] = {s.x, s.y};
+    corners.velocity[c] = {s.u, s.v};
   }
   const Body& body = model.bodies[model.piece_body[piece]];
   const int node = body.first_node;
-  if (body.deforms()) return deformed_piece(model, work, piece, corners.first(static_cast<std::size_t>(count)));
-  return {corners.first(static_cast<std::size_t>(count)),
-          std::span(model.edge_is_face).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)),
-          state.position[node], state.velocity[node], state.spin[node]};
+  PlacedPiece placed{std::span(corners.place).first(count), std::span(model.edge_is_face).subspan(first, count),
+                     state.position[node], state.velocity[node], state.spin[node]};
+  if (!body.deforms()) return placed;
+  placed.corner_velocity = std::span(corners.velocity).first(count);
+  fit_rigid(placed);
+  return placed;
 }
 
 namespace {
@@ -68,7 +69,8 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
     if (was) work.turned.push_back(row);
     return;
   }
-  Corners corners_a, corners_b, on_a, on_b;
+  PieceCorners corners_a, corners_b;
+  Corners on_a, on_b;
   const PlacedPiece a = placed_piece(model, state, work, pair.piece_a, corners_a);
   const PlacedPiece b = placed_piece(model, state, work, pair.piece_b, corners_b);
   std::fill_n(on_a.begin(), a.corner.size(), Vec2::Zero());

@@ -45,7 +45,7 @@ double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& 
 double general_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, const GeneralContact& g) {
   const NearPair& p = work.pairs[g.row];
   const FaceLaw law = face_law(model, p.law, 0);
-  std::array<Vec2, max_piece_corners> corners_a, corners_b;
+  PieceCorners corners_a, corners_b;
   const double normal = overlap_energy(placed_piece(model, state, work, p.piece_a, corners_a),
                                        placed_piece(model, state, work, p.piece_b, corners_b), law.kn);
   const ContactMemory& m = work.memory[g.row];

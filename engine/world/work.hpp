@@ -27,6 +27,7 @@ struct FaceBatch {
   int law;
   std::vector<int> row;     ///< one pair of facing faces
   std::vector<int> choice;  ///< several: one of them may be chosen at each step
+  std::vector<int> chosen;  ///< those of `choice` that have a pair of faces at this step. Writer: respond
   std::vector<int> now;     ///< rows of this step, where `choice` is not empty. Writer: respond
 };
 

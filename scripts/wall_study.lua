@@ -1,0 +1,30 @@
+-- Does stronger mortar save the wall? scripts/wall.lua over tensile strength, in eight copies whose head joints are
+-- moved by a micron at random: what differs among copies is chance, what differs among strengths beside it is not.
+-- `trilith study scripts/wall_study.lua` runs what is not finished; `trilith plot out/wall_study.h5` draws it.
+local trilith = require "trilith"
+local p = trilith.params {
+  out = { "out/wall_study.h5", "the table" }, copies = { 8, "copies of each strength" },
+  duration = { 12, unit = "s", "of the shaking" }, body = { "quad", "what a unit is" } }
+local copies = {}
+for k = 1, p.copies do copies[k] = k end
+
+local study = trilith.study {
+  file = p.out, script = "wall.lua",
+  parameters = { tension = { 0, 100, 400, 1600, unit = "psf" }, seed = copies, jitter = { 1e-6, unit = "m" },
+                 duration = { p.duration, unit = "s" }, body = { p.body } } }
+
+local by = {}
+for _, row in ipairs(study.rows) do
+  if row.status == "finished" then
+    local sum = by[row.tension] or { n = 0, down = 0, apart = { 0, 0, 0 } }
+    by[row.tension], sum.n, sum.down = sum, sum.n + 1, sum.down + (row.collapsed ~= 0 and 1 or 0)
+    for k = 1, 3 do sum.apart[k] = sum.apart[k] + row["apart " .. k] end
+  end
+end
+for _, tension in ipairs { 0, 100, 400, 1600 } do
+  local sum = by[tension]
+  if sum then
+    print(("tension %4d psf: %d of %d came down; joints apart %2.0f, %2.0f, %2.0f %% in storeys 1, 2, 3"):format(
+      tension, sum.down, sum.n, 100*sum.apart[1]/sum.n, 100*sum.apart[2]/sum.n, 100*sum.apart[3]/sum.n))
+  end
+end
