@@ -150,6 +150,22 @@ std::string read_text(hid_t object, const char* name) {
   return text;
 }
 
+std::vector<std::string> read_texts(hid_t object, const char* name) {
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, fmt::format("no attribute '{}'", name));
+  const Handle stored(H5Aget_type(attribute.get()), H5Tclose, "unreadable attribute type");
+  const Handle extent(H5Aget_space(attribute.get()), H5Sclose, "unreadable attribute space");
+  if (H5Tget_class(stored.get()) != H5T_STRING || H5Tis_variable_str(stored.get()) > 0)
+    throw Failure(fmt::format("attribute '{}' holds no texts", name));
+  const std::size_t length = H5Tget_size(stored.get());
+  const auto count =
+      static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(extent.get()), "unreadable attribute"));
+  std::string packed(count * length, '\0');
+  check(H5Aread(attribute.get(), stored.get(), packed.data()), fmt::format("cannot read attribute '{}'", name));
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < count; ++i) texts.emplace_back(packed.substr(i * length, length).c_str());
+  return texts;
+}
+
 int read_int(hid_t object, const char* name) {
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, fmt::format("no attribute '{}'", name));
   const Handle extent(H5Aget_space(attribute.get()), H5Sclose, "unreadable attribute space");

@@ -101,6 +101,8 @@ void write_attribute(hid_t object, const char* name, int value);
 bool has_attribute(hid_t object, const char* name);
 /// Throws Failure where the attribute is missing or is no text.
 std::string read_text(hid_t object, const char* name);
+/// All of an attribute that holds texts of one length.
+std::vector<std::string> read_texts(hid_t object, const char* name);
 /// Throws Failure where the attribute is missing or is no whole number.
 int read_int(hid_t object, const char* name);
 

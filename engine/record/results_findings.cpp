@@ -102,6 +102,8 @@ void add_cracks(const Header& header, const Frame& frame, Scene& scene) {
     const auto end = [&](const double* at) {
       return follow(header, header.bodies[joint.body_a], scene.bodies[joint.body_a].outline, {at[0], at[1]});
     };
+    const double length = std::hypot(joint.end_1[0] - joint.end_0[0], joint.end_1[1] - joint.end_0[1]);
+    if (std::max(opening[j], std::abs(slip[j])) > length) continue;  // the two are no longer neighbours
     const CrackMark mark = opening[j] >= std::abs(slip[j]) ? CrackMark::opened : CrackMark::slid;
     scene.cracks.push_back({end(joint.end_0), end(joint.end_1), mark});
   }

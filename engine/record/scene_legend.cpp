@@ -72,7 +72,6 @@ LegendItem colour_bar(const SceneView& view, const Scene& scene, const PictureSt
   const TextStyle text{style.font_size - 0.5};
   const std::string low = quantity_text(view.low / unit.size, ""), high = quantity_text(view.high / unit.size, "");
   const double left = text_width(low, text) + 3, bar = 80, width = left + bar + 3 + text_width(high, text);
-  const bool both = view.low < 0 && view.high > 0;
   return {width,
           [=](Canvas& c, const PagePoint& at) {
             constexpr int steps = 40;
@@ -80,8 +79,7 @@ LegendItem colour_bar(const SceneView& view, const Scene& scene, const PictureSt
               const double share = (i + 0.5) / steps, x = at.x() + left + bar * i / steps;
               // Each step reaches under the next: no gaps between them at any resolution.
               const double end = std::min(x + 1.5 * bar / steps, at.x() + left + bar);
-              c.rectangle({x, at.y() - 3.5, end, at.y() + 3.5},
-                          both ? diverging_colour(share) : sequential_colour(share), std::nullopt);
+              c.rectangle({x, at.y() - 3.5, end, at.y() + 3.5}, value_colour(view, share), std::nullopt);
             }
             c.rectangle({at.x() + left, at.y() - 3.5, at.x() + left + bar, at.y() + 3.5}, std::nullopt,
                         Stroke{palette().outline, 0.4});

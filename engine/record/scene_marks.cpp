@@ -116,7 +116,9 @@ void draw_force(Canvas& canvas, const PagePoint& start, const PagePoint& end, bo
 }
 
 void draw_crack(Canvas& canvas, const PagePoint& a, const PagePoint& b, CrackMark mark) {
-  canvas.line(a, b, {mark == CrackMark::opened ? palette().opened : palette().slid, 1.3});
+  const double length = (b - a).norm();
+  canvas.line(a, b,
+              {mark == CrackMark::opened ? palette().opened : palette().slid, std::clamp(0.1 * length, 0.3, 1.3)});
 }
 
 std::string crack_text(CrackMark mark) {

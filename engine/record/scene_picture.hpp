@@ -16,6 +16,7 @@ struct WorldBox {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   double width() const { return x1 - x0; }
   double height() const { return y1 - y0; }
+  bool contains(const Vec2& p) const { return p.x() >= x0 && p.x() <= x1 && p.y() >= y0 && p.y() <= y1; }
 };
 
 /// What a body is in the picture: a free body in its group's colour, or ground, hatched, that is fixed or moved.

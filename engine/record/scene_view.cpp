@@ -87,6 +87,39 @@ Extent free_extent(const std::vector<Scene>& scenes) {
   return out;
 }
 
+double area_of(const std::vector<Vec2>& outline) {
+  double sum = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) sum += cross(outline[i], outline[(i + 1) % outline.size()]);
+  return 0.5 * std::abs(sum);
+}
+
+/// Value below which `share` of the weight lies.
+double quantile(std::vector<std::pair<double, double>> value_weight, double share) {
+  std::sort(value_weight.begin(), value_weight.end());
+  double all = 0, below = 0;
+  for (const auto& [value, weight] : value_weight) all += weight;
+  for (const auto& [value, weight] : value_weight)
+    if ((below += weight) >= share * all) return value;
+  return value_weight.back().first;
+}
+
+/// Where nearly all of the free bodies' area is in all scenes, and as far again around it: a few stones that flew far
+/// do not make the rest too small to see.
+WorldBox bulk(const std::vector<Scene>& scenes) {
+  constexpr double few = 0.04;
+  std::vector<std::pair<double, double>> x, y;
+  for (const Scene& scene : scenes)
+    for (const SceneBody& body : scene.bodies) {
+      if (is_ground(body.role)) continue;
+      const double weight = area_of(body.outline) / static_cast<double>(body.outline.size());
+      for (const Vec2& p : body.outline) x.emplace_back(p.x(), weight), y.emplace_back(p.y(), weight);
+    }
+  if (x.empty()) return {-most_metres, -most_metres, most_metres, most_metres};
+  WorldBox box{quantile(x, few), quantile(y, few), quantile(x, 1 - few), quantile(y, 1 - few)};
+  const double around = 0.5 * std::max(box.width(), box.height());
+  return {box.x0 - around, box.y0 - around, box.x1 + around, box.y1 + around};
+}
+
 Extent ground_extent(const std::vector<Scene>& scenes) {
   Extent out;
   for (const Scene& scene : scenes)
@@ -124,6 +157,9 @@ void set_world(SceneView& view, const std::vector<Scene>& scenes, const PictureS
   Extent content = free_extent(scenes);
   const Extent ground = ground_extent(scenes);
   if (!content.any) content = ground;
+  const WorldBox most = bulk(scenes);
+  content.box = {std::max(content.box.x0, most.x0), std::max(content.box.y0, most.y0),
+                 std::min(content.box.x1, most.x1), std::min(content.box.y1, most.y1)};
   const double size = typical_size(style.view.value_or(content.box));
   set_forces(view, scenes, style.force_mark, size);
   view.world = style.view.value_or(content.box);
@@ -131,7 +167,7 @@ void set_world(SceneView& view, const std::vector<Scene>& scenes, const PictureS
   if (view.largest_force > 0)
     for (const Scene& scene : scenes)
       for (const SceneForce& f : scene.forces)
-        content.add(f.point + f.force * (view.longest_arrow / view.largest_force));
+        if (content.box.contains(f.point)) content.add(f.point + f.force * (view.longest_arrow / view.largest_force));
   if (ground.any) take_ground(content.box, ground.box, 0.16 * size);
   const double margin = 0.04 * size;
   view.world = {content.box.x0 - margin, content.box.y0 - margin, content.box.x1 + margin, content.box.y1 + margin};
@@ -206,7 +242,12 @@ Colour body_fill(const SceneView& view, const SceneBody& body) {
   if (is_ground(body.role) || !body.value) return group_fill(view, {body.role, body.group});
   const double span = view.high - view.low;
   const double share = span > 0 ? (*body.value - view.low) / span : 0.5;
-  return view.low < 0 && view.high > 0 ? diverging_colour(share) : sequential_colour(share);
+  return value_colour(view, share);
+}
+
+Colour value_colour(const SceneView& view, double share) {
+  if (view.low < 0 && view.high > 0) return diverging_colour(share);
+  return sequential_colour(view.high <= 0 && view.low < 0 ? 1 - share : share);
 }
 
 double hatch_direction(const SceneView& view, const BodyGroup& group) {

@@ -30,6 +30,8 @@ std::string group_text(const BodyGroup& group);
 
 /// Fill of a body; ground has its own. `group_index` counts the free groups.
 Colour body_fill(const SceneView& view, const SceneBody& body);
+/// Colour of a value at `share` of the range: the stronger, the farther from 0.
+Colour value_colour(const SceneView& view, double share);
 Colour group_fill(const SceneView& view, const BodyGroup& group);
 
 /// Direction of a ground's hatch in degrees; neighbouring ground groups differ.

@@ -7,6 +7,7 @@
 #include "record/growing_set.hpp"
 #include "record/part_file.hpp"
 #include "record/results_layout.hpp"
+#include "record/set_reading.hpp"
 
 namespace trilith::record {
 namespace {
@@ -55,6 +56,25 @@ void write_provenance(hid_t file, const Provenance& provenance) {
   write_text(file, {"/provenance/script", "", "the whole script of the cases"}, provenance.script);
 }
 
+/// Column `name` of all rows as numbers.
+std::vector<double> read_numbers(hid_t dataset, const char* name, std::size_t rows) {
+  const h5::Handle one(H5Tcreate(H5T_COMPOUND, sizeof(double)), H5Tclose, "cannot make a type");
+  h5::check(H5Tinsert(one.get(), name, 0, H5T_NATIVE_DOUBLE), "cannot make a type");
+  std::vector<double> values(rows);
+  h5::check(H5Dread(dataset, one.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "cannot read /cases");
+  return values;
+}
+
+std::string member_name(hid_t type, unsigned member) {
+  char* const text = H5Tget_member_name(type, member);
+  if (text == nullptr) h5::fail("unreadable column of /cases");
+  std::string name = text;
+  H5free_memory(text);
+  return name;
+}
+
+}  // namespace
+
 bool is_study_table(const std::filesystem::path& path) {
   const h5::Quiet quiet;
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -63,7 +83,27 @@ bool is_study_table(const std::filesystem::path& path) {
   return h5::has_attribute(file.get(), "format") && h5::read_text(file.get(), "format") == format_name;
 }
 
-}  // namespace
+std::vector<StudyColumn> read_study_table(const std::filesystem::path& path) {
+  const h5::Quiet quiet;
+  try {
+    const h5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "cannot open it");
+    const h5::Handle dataset(H5Dopen2(file.get(), "/cases", H5P_DEFAULT), H5Dclose, "there is no table /cases");
+    const h5::Handle type(H5Dget_type(dataset.get()), H5Tclose, "/cases has no readable type");
+    const std::vector<std::string> units = h5::read_texts(dataset.get(), "units"),
+                                   descriptions = h5::read_texts(dataset.get(), "columns");
+    const auto rows = static_cast<std::size_t>(row_count(file.get(), "/cases"));
+    std::vector<StudyColumn> columns;
+    const int members = h5::check(H5Tget_nmembers(type.get()), "/cases is no table");
+    for (unsigned i = 0; i < static_cast<unsigned>(members); ++i) {
+      if (H5Tget_member_class(type.get(), i) == H5T_STRING) continue;
+      const std::string name = member_name(type.get(), i);
+      columns.push_back({name, units.at(i), descriptions.at(i), read_numbers(dataset.get(), name.c_str(), rows)});
+    }
+    return columns;
+  } catch (const std::exception& e) {
+    throw RecordError(fmt::format("{}: {}", path.string(), e.what()));
+  }
+}
 
 void require_study_path(const std::filesystem::path& path) {
   std::error_code ignored;

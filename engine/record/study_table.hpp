@@ -16,6 +16,12 @@ struct StudyColumn {
   std::variant<std::vector<double>, std::vector<std::int32_t>, std::vector<std::string>> values;
 };
 
+/// True where `path` is the table of a study.
+bool is_study_table(const std::filesystem::path& path);
+
+/// The columns of numbers, in their order; texts are left out. Throws RecordError.
+std::vector<StudyColumn> read_study_table(const std::filesystem::path& path);
+
 /// Throws RecordError where `path` cannot be written, or is a file that is not the table of a study.
 void require_study_path(const std::filesystem::path& path);
 

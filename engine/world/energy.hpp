@@ -32,6 +32,8 @@ inline constexpr int energy_terms = 17;
 struct EnergyTermInfo {
   std::string_view name, sentence;
   int sign;  ///< +1: has taken energy up, -1: has put it in
+  /// Does not come back: friction, damping, fracture, yielding.
+  [[nodiscard]] constexpr bool given_off() const { return sentence.starts_with("given off"); }
 };
 
 inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{

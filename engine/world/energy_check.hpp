@@ -18,6 +18,7 @@ class EnergyCheck {
       if (energy_term_info[i].sign > 0 && static_cast<EnergyTerm>(i) != EnergyTerm::gravity) held += energy.value[i];
     input_ = std::max(input_, held);
     residual_ = std::max(residual_, std::abs(residual));
+    last_ = energy;
   }
 
   /// Largest sum of all energy held or given off, the weight's apart [J]: what start, ground, loads and falling weight
@@ -27,9 +28,12 @@ class EnergyCheck {
   [[nodiscard]] double residual() const { return residual_; }
   /// The second over the first; 0 where nothing was put in.
   [[nodiscard]] double share() const { return input_ > 0 ? residual_ / input_ : 0; }
+  /// The ledger as it was fed last.
+  [[nodiscard]] const Energy& last() const { return last_; }
 
  private:
   double input_ = 0, residual_ = 0;
+  Energy last_;
 };
 
 }  // namespace trilith

@@ -1,6 +1,7 @@
 #include "script_model.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <utility>
 
@@ -222,6 +223,25 @@ void ScriptModel::pause(const std::function<void()>& ask) {
   ask();
 }
 
+namespace {
+
+/// Where the energy went that did not come back: shares of what was put in, the largest first.
+std::string given_off_text(const EnergyCheck& check) {
+  std::vector<std::pair<double, std::string_view>> shares;
+  for (int i = 0; i < energy_terms; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double share = check.input() > 0 ? check.last().value[k] / check.input() : 0;
+    if (energy_term_info[k].given_off() && share >= 5e-4) shares.emplace_back(share, energy_term_info[k].name);
+  }
+  std::sort(shares.rbegin(), shares.rend());
+  std::string text;
+  for (const auto& [share, name] : shares)
+    text += fmt::format("{}{:.1f} % {}", text.empty() ? "; given off: " : ", ", 100 * share, name);
+  return text;
+}
+
+}  // namespace
+
 std::string ScriptModel::finish(const std::string& error) {
   if (!recording_) return "";
   const std::unique_ptr<Recording> recording = std::move(recording_);
@@ -232,8 +252,9 @@ std::string ScriptModel::finish(const std::string& error) {
   }
   recording->finish();
   const EnergyCheck& check = recording->energy_check();
-  return fmt::format("results are in {}; the energy ledger closes to {:.2g} % of {} put in", recording->path().string(),
-                     100 * check.share(), quantity_text(check.input(), "J"));
+  return fmt::format("results are in {}; the energy ledger closes to {:.2g} % of {} put in{}",
+                     recording->path().string(), 100 * check.share(), quantity_text(check.input(), "J"),
+                     given_off_text(check));
 }
 
 }  // namespace trilith::script

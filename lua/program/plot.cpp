@@ -7,13 +7,14 @@
 
 #include "base/error.hpp"
 #include "record/results_picture.hpp"
+#include "record/study_chart.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
 namespace {
 
 struct Options {
-  std::string result, out;
+  std::string result, out, over;
   std::vector<std::string> more, names;
   bool list = false, events = false, lines = false;
 };
@@ -58,11 +59,28 @@ std::vector<Chart> charts_of(const std::vector<NamedResults>& results, const Opt
   return charts;
 }
 
+/// The table of a study.
+int plot_study(const Options& options, const std::filesystem::path& out) {
+  const std::vector<record::StudyColumn> columns = record::read_study_table(options.result);
+  if (options.list) {
+    const StudyNames names = study_names(columns);
+    fmt::print("over: {}\nfigures: {}\n", fmt::join(names.parameters, ", "), fmt::join(names.figures, ", "));
+    return ended_well;
+  }
+  Chart chart = study_chart(columns, options.over, options.names);
+  chart.title = std::filesystem::path(options.result).stem().string();
+  draw_chart(chart, out);
+  fmt::print("{}\n", out.string());
+  return ended_well;
+}
+
 int plot(const Options& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".plot.png")
                                         : std::filesystem::path(options.out);
   picture_format(out);
+  if (record::is_study_table(options.result)) return plot_study(options, out);
+  if (!options.over.empty()) throw InputError("--over is for the table of a study; this is a run, over its time");
   std::vector<std::string> paths{options.result};
   paths.insert(paths.end(), options.more.begin(), options.more.end());
   std::vector<record::ResultsReader> readers;
@@ -88,10 +106,11 @@ int plot(const Options& options) {
 
 void add_plot(CLI::App& app, int& code) {
   auto o = std::make_shared<Options>();
-  CLI::App* verb = app.add_subcommand("plot", "Plot histories or the energy of one or more runs over time");
-  verb->add_option("result", o->result, "results file")->required()->type_name("RESULT");
+  CLI::App* verb = app.add_subcommand(
+      "plot", "Plot histories or the energy of one or more runs over time, or figures of a study over a parameter");
+  verb->add_option("result", o->result, "results file, or table of a study")->required()->type_name("RESULT");
   verb->add_option("histories", o->names,
-                   "names of histories, or 'energy' for the ledger; all histories where not given")
+                   "names of histories, or 'energy' for the ledger; of a study, its figures; all where not given")
       ->type_name("HISTORY");
   verb->add_option("-r,--result", o->more, "a further results file, drawn over the first; may be given again")
       ->type_name("RESULT")
@@ -99,6 +118,8 @@ void add_plot(CLI::App& app, int& code) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; RESULT with .plot.png where not given")
       ->type_name("FILE");
+  verb->add_option("--over", o->over, "parameter of a study; the first that takes several values where not given")
+      ->type_name("PARAMETER");
   verb->add_flag("--events", o->events, "mark stages and events of the first run");
   verb->add_flag("--lines", o->lines, "terms of the energy as lines, not on each other");
   verb->add_flag("--list", o->list, "list the histories there are and end");
