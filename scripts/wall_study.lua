@@ -1,6 +1,6 @@
 -- Does stronger mortar save the wall? scripts/wall.lua over tensile strength, in eight copies whose head joints are
 -- moved by a micron at random: what differs among copies is chance, what differs among strengths beside it is not.
--- `trilith study scripts/wall_study.lua` runs what is not finished; `trilith plot out/wall_study.h5 --over tension` draws.
+-- `trilith study scripts/wall_study.lua` runs what is not finished; draw it with `trilith plot TABLE --over tension`.
 local trilith = require "trilith"
 local p = trilith.params {
   out = { "out/wall_study.h5", "the table" }, copies = { 8, "copies of each strength" },

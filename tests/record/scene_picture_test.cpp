@@ -70,6 +70,19 @@ TEST_CASE("panels share one view, that holds every scene") {
   CHECK(view.world.y1 > 11);
 }
 
+TEST_CASE("one stone of a hundred that flew far does not make the rest small, but a fifth of them are shown") {
+  for (const int flown : {1, 20}) {
+    Scene scene = block_on_ground();
+    for (int i = 1; i < 100; ++i)
+      scene.bodies.push_back(
+          {"stone", i < flown ? box(200, 0, 202, 1) : box(2 * (i % 10), i / 10, 2 * (i % 10) + 2, i / 10 + 1)});
+    scene.bodies[1].outline = box(200, 0, 202, 1);
+    const SceneView view = scene_view({scene}, {});
+    CHECK((view.world.x1 > 202) == (flown == 20));
+    CHECK(view.world.x1 > 20);
+  }
+}
+
 TEST_CASE("scenes that cannot be drawn are refused by name") {
   refused(Scene{}, "no body");
   Scene scene = block_on_ground();
