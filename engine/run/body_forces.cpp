@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "step/evaluate.hpp"
+#include "world/pose.hpp"
+
 namespace trilith {
 namespace {
 
@@ -24,6 +27,23 @@ Vec2 centre_of(const Model<2>& model, const State<2>& state, const Body& body) {
     mass += model.mass[n];
   }
   return mass > 0 ? Vec2(sum / mass) : state.position[body.first_node];
+}
+
+void add_loads(const Model<2>& model, const State<2>& state, const Work<2>& work, const std::vector<Vec2>& centre,
+               std::vector<Virial>& virial) {
+  for (const PointLoad& p : model.point_loads) {
+    const Anchor anchor{p.body, p.element, p.place};
+    Pose at = p.element >= 0 ? anchor_pose(model, state, anchor) : Pose{state.position[p.node], state.rotation[p.node]};
+    if (p.element < 0) at.place += Turn(at.rotation).apply(p.place);
+    const Vec2 force = p.follows ? Turn(at.rotation).apply(p.force) : p.force;
+    virial[p.body].add(at.place - centre[p.body], p.course.at(state.time) * force);
+  }
+  for (const FaceLoad& f : model.face_loads) {
+    const SkinMotion &a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
+    const Vec2 force = f.course.at(state.time) * face_force(f, a, b);
+    virial[f.body].add(Vec2(a.x, a.y) - centre[f.body], f.share[0] * force);
+    virial[f.body].add(Vec2(b.x, b.y) - centre[f.body], f.share[1] * force);
+  }
 }
 
 bool is_free(const Model<2>& model, const Body& body) {
@@ -72,6 +92,7 @@ std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state
     virial[b.body_b].add(point - centre[b.body_b], work.bearing_force[i]);
     virial[b.body_a].add(point - centre[b.body_a], -work.bearing_force[i]);
   }
+  add_loads(model, state, work, centre, virial);
   std::vector<MeanStress> stress(model.bodies.size());
   for (std::size_t i = 0; i < stress.size(); ++i) {
     const Body& body = model.bodies[i];

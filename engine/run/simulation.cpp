@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "step/central_difference.hpp"
 #include "step/evaluate.hpp"
+#include "step/lead.hpp"
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
 
@@ -64,6 +65,12 @@ Model<2>& Simulation::edit_model() {
   return model_;
 }
 
+void Simulation::edit(const std::function<void(Model<2>&)>& change) {
+  const int before = model_.free_dofs();
+  change(edit_model());
+  if (model_.free_dofs() > before) drop_step();
+}
+
 void Simulation::lift_bonds() {
   assert(!running_);
   trilith::lift_bonds(model_, state_);
@@ -77,6 +84,8 @@ void Simulation::set_bonds(double reach) {
 
 void Simulation::refresh() {
   evaluate(model_, state_, work_, state_.last_dt);
+  const double dt = state_.dt > 0 ? state_.dt : state_.last_dt;
+  if (dt > 0) lead(model_, state_, work_, {dt, {}});
 }
 void Simulation::drop_work() {
   work_ = Work<2>{};
@@ -214,6 +223,7 @@ void Simulation::pass(const RunListener& listener) {
   choose_step(options);
   const bool last = state_.time >= stage.end - 1e-9 * options.duration;
   const double dt = last ? state_.dt : std::min(state_.dt, stage.end - state_.time);
+  lead(model_, state_, work_, {dt, {options.rest_share}});
   const Instant now{model_,
                     state_,
                     work_,

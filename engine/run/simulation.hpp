@@ -52,6 +52,10 @@ class Simulation {
   [[nodiscard]] const Model<2>& model() const { return model_; }
   /// For changes between stages (supports, drives, damping, gravity), or at the border of a step.
   Model<2>& edit_model();
+  /// The same by a function; where it frees a degree of freedom, drop_step.
+  void edit(const std::function<void(Model<2>&)>& change);
+  /// The length of the step is looked for anew before the next one: what was freed may need a shorter one.
+  void drop_step() { state_.dt = 0; }
   /// The stage that runs, or was restored and waits for resume(); nullptr where there is none.
   [[nodiscard]] const StageProgress* stage() const { return stage_ ? &*stage_ : nullptr; }
   /// Gives up a restored stage.

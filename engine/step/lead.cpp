@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "step/node_forces.hpp"
+#include "world/loads.hpp"
 
 namespace trilith {
 namespace {
@@ -59,13 +60,6 @@ void find_unbalanced(const Model<2>& model, Work<2>& work) {
 
 }  // namespace
 
-double push_place(const State<2>& state, const Push& push) {
-  double sum = 0;
-  for (const PushRow& row : push.rows)
-    sum += row.weight * push.direction.dot(state.position[row.node] + Turn(state.rotation[row.node]).apply(row.place));
-  return sum;
-}
-
 void lead(const Model<2>& model, const State<2>& state, Work<2>& work, const StepOptions& options) {
   if (model.pushes.empty() || work.led) return;
   work.led = true;
@@ -83,7 +77,7 @@ void lead(const Model<2>& model, const State<2>& state, Work<2>& work, const Ste
     const Response damped = respond(model, state, work, push, options, options.rest);
     const double more = (rate - damped.rate) / damped.per_force;
     add(state, push, more, work.trim, work.trim_moment);
-    work.push_force[i] = force + more;
+    work.push_force[i] = force;
   }
   find_unbalanced(model, work);
 }

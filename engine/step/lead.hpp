@@ -9,10 +9,8 @@ namespace trilith {
 /// of its points is on its motion at the step's end, and adds them to Work::load, force and moment; once after each
 /// evaluation. The force is that of a rigid constraint, w_i lambda on point i, with
 ///   lambda = (velocity wanted - velocity without) / (span * sum of w_i^2 / m_i).
-/// Dampings that answer forces (RestDamping) see the force that leaves no unbalance, and what they take is then added.
+/// Dampings that answer forces (RestDamping) see the force that leaves no unbalance, and what they take is then added
+/// (Work::trim); it is no part of the force that is reported.
 void lead(const Model<2>& model, const State<2>& state, Work<2>& work, const StepOptions& options);
-
-/// Where a push stands: the weighed mean of its points' places along its direction [m].
-double push_place(const State<2>& state, const Push& push);
 
 }  // namespace trilith

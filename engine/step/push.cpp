@@ -25,8 +25,7 @@ void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad&
   const double share = f.course.at(state.time);
   if (share == 0) return;
   const SkinMotion &a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
-  const Vec2 inward = left_of(Vec2(b.x - a.x, b.y - a.y));
-  const Vec2 full = share * (f.follows ? Vec2(f.pressure * f.depth * inward) : f.dead);
+  const Vec2 full = share * face_force(f, a, b);
   const auto add = [&](int skin, const SkinMotion& at, double part) {
     const int n = model.skin_node[skin];
     const Vec2 force = part * full;
@@ -38,6 +37,10 @@ void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad&
 }
 
 }  // namespace
+
+Vec2 face_force(const FaceLoad& load, const SkinMotion& a, const SkinMotion& b) {
+  return load.follows ? Vec2(load.pressure * load.depth * left_of(Vec2(b.x - a.x, b.y - a.y))) : load.dead;
+}
 
 void push(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.led = false;

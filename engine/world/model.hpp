@@ -163,6 +163,12 @@ struct Model {
       if (s == Support::free) return true;
     return false;
   }
+  [[nodiscard]] int free_dofs() const {
+    int count = 0;
+    for (const auto& node : support)
+      for (const Support s : node) count += s == Support::free ? 1 : 0;
+    return count;
+  }
   /// True where some node of the body is free to move.
   [[nodiscard]] bool body_moves(int body) const {
     const Body& b = bodies[body];

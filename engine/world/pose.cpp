@@ -117,6 +117,17 @@ Pose body_pose(const Model<2>& model, const State<2>& state, int body) {
   return pose;
 }
 
+int body_of_node(const Model<2>& model, int node) {
+  const auto after = std::upper_bound(model.bodies.begin(), model.bodies.end(), node,
+                                      [](int n, const Body& b) { return n < b.first_node; });
+  return static_cast<int>(after - model.bodies.begin()) - 1;
+}
+
+Vec2 skin_start(const Model<2>& model, int skin) {
+  const int n = model.skin_node[skin];
+  return model.start_position[n] + Turn(model.start_rotation[n]).apply(model.skin_place[skin]);
+}
+
 Anchor tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner) {
   const Body& b = model.bodies[body];
   if (!b.deforms()) return {body, -1, at - model.start_position[b.first_node]};

@@ -23,6 +23,11 @@ Vec2 body_start(const Model<2>& model, int body);
 double body_mass(const Model<2>& model, int body);
 double body_inertia(const Model<2>& model, int body);
 
+/// The body that a node belongs to.
+int body_of_node(const Model<2>& model, int node);
+/// Where a skin point stands at the start [m].
+Vec2 skin_start(const Model<2>& model, int skin);
+
 /// A point tied to a body: in the axes of the node of a rigid body, `place` [m]; in an element of a deformable one, its
 /// natural coordinates there. So it moves with the nodes by the shape functions, and turns with the element's axes.
 struct Anchor {

@@ -91,7 +91,7 @@ struct Work {
 
   // Writer: lead. The forces of Model::pushes are part of `load`, `force` and so on from then on.
   bool led = false;                 ///< they are there
-  std::vector<double> push_force;   ///< [push] N
+  std::vector<double> push_force;   ///< [push] without what makes up for dampings N
   std::vector<Vec<D>> trim;         ///< [node] the part of them that makes up for dampings; empty without pushes N
   std::vector<double> trim_moment;  ///< [node] N m
 

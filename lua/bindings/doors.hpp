@@ -17,16 +17,20 @@ void open_core(lua_State* L);          ///< for the library only: model, wake, f
 void open_declarations(lua_State* L);  ///< for the library only: what is declared of kinds and laws
 
 // Methods of a model, file by file.
-std::span<const Method> parts_methods();    ///< material, contact, body, add, pier, span, ...
-std::span<const Method> bearing_methods();  ///< bearing, seat
-std::span<const Method> stage_methods();    ///< run, consolidate, shake, fix, free, drive, tilt, stop
-std::span<const Method> finding_methods();  ///< joints, thrust_line
-std::span<const Method> reading_methods();  ///< bodies, contacts, history, results, explain_dt
+std::span<const Method> parts_methods();     ///< material, contact, body, add, pier, span, ...
+std::span<const Method> bearing_methods();   ///< bearing, seat
+std::span<const Method> stage_methods();     ///< run, consolidate, shake, fix, free, drive, tilt, stop
+std::span<const Method> load_methods();      ///< point_load, pressure, set_load, release
+std::span<const Method> pushover_methods();  ///< pushover
+std::span<const Method> finding_methods();   ///< joints, thrust_line
+std::span<const Method> reading_methods();   ///< bodies, contacts, history, results, explain_dt
 
 /// Highest number of a storey ("storey 3") among the groups of the bodies so far.
 int storey_count(const ScriptModel& model);
 /// Of the model, over all: base shear, drift, damage, openings; InputError where there is nothing to build.
 std::span<const Property<ModelBox>> finding_properties();
+/// Of the model: force and displacement of its pushes.
+std::span<const Property<ModelBox>> pushover_properties();
 
 /// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.
 void push_event(lua_State* L, int model_index, const Event& event);

@@ -121,7 +121,8 @@ std::vector<Method> all_methods() {
       {"explain_dt", guarded<explain_dt>, "explain_dt(): which body and contacts govern the step"},
       {"close", guarded<close_model>, "close(): ends the recording and frees the model"},
   };
-  for (const auto part : {parts_methods(), bearing_methods(), stage_methods(), finding_methods(), reading_methods()})
+  for (const auto part : {parts_methods(), bearing_methods(), stage_methods(), load_methods(), pushover_methods(),
+                          finding_methods(), reading_methods()})
     methods.insert(methods.end(), part.begin(), part.end());
   return methods;
 }
@@ -186,7 +187,8 @@ int make_model(lua_State* L) {
 std::span<const Property<ModelBox>> Kind<ModelBox>::properties() {
   static const std::vector<P> all = [] {
     std::vector<P> list(model_properties.begin(), model_properties.end());
-    list.insert(list.end(), finding_properties().begin(), finding_properties().end());
+    for (const auto part : {finding_properties(), pushover_properties()})
+      list.insert(list.end(), part.begin(), part.end());
     return list;
   }();
   return all;

@@ -6,6 +6,7 @@
 #include "load/motion_check.hpp"
 #include "load/motion_measures.hpp"
 #include "load/motion_read.hpp"
+#include "load/ramp.hpp"
 
 namespace trilith::script {
 namespace {
@@ -98,6 +99,15 @@ int make_motion(lua_State* L) {
   return 1;
 }
 
+/// ramp{ by =, duration = }: from rest to rest.
+int make_ramp(lua_State* L) {
+  Keys keys(L, 1, "ramp");
+  const double by = keys.number("by", "m or rad"), duration = keys.number("duration", "s");
+  keys.finish();
+  push_motion(L, ramp_motion(by, duration), true);
+  return 1;
+}
+
 const MotionValue& self(lua_State* L) {
   return handle<MotionValue>(L, 1);
 }
@@ -180,6 +190,7 @@ const std::array motion_methods{
 void open_motions(lua_State* L) {
   register_kind<MotionValue>(L);
   set_function(L, "motion", guarded<make_motion>);
+  set_function(L, "ramp", guarded<make_ramp>);
 }
 
 std::span<const Property<MotionValue>> Kind<MotionValue>::properties() {

@@ -69,8 +69,9 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::vector<Timer> timers;
   double wake_at = unbounded;  ///< a story wants to be woken then [s]
   bool has_step_handler = false;
-  std::uint32_t wanted_events = 0;  ///< bit of each EventType that some handler wants
-  std::string pause_reason;         ///< why the run is to pause at the next step border; "": it is not
+  std::function<void(const Instant&)> watch;  ///< of the engine's own, after each step; empty: none
+  std::uint32_t wanted_events = 0;            ///< bit of each EventType that some handler wants
+  std::string pause_reason;                   ///< why the run is to pause at the next step border; "": it is not
 
   [[nodiscard]] std::string title() const { return name.empty() ? "model" : "model '" + name + "'"; }
   [[nodiscard]] bool built() const { return simulation_ != nullptr; }

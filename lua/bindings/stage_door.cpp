@@ -13,30 +13,6 @@ ScriptModel& self(lua_State* L) {
   return handle<ModelBox>(L, 1).get();
 }
 
-void push_report(lua_State* L, const StageReport& r) {
-  const auto number = [&](const char* key, double value) {
-    lua_pushnumber(L, value);
-    lua_setfield(L, -2, key);
-  };
-  lua_createtable(L, 0, 12);
-  lua_pushstring(L, r.name.c_str());
-  lua_setfield(L, -2, "name");
-  lua_pushstring(L, name_of(r.end));
-  lua_setfield(L, -2, "ending");
-  lua_pushboolean(L, r.end == StageEnd::rest ? 1 : 0);
-  lua_setfield(L, -2, "rests");
-  lua_pushstring(L, r.reason.c_str());
-  lua_setfield(L, -2, "reason");
-  lua_pushinteger(L, r.steps);
-  lua_setfield(L, -2, "steps");
-  number("begun", r.begun);
-  number("ended", r.ended);
-  number("shortest_dt", r.shortest_dt);
-  number("longest_dt", r.longest_dt);
-  number("speed", r.speed);
-  number("ratio", r.ratio);
-}
-
 /// An optional table of the rest criterion: { speed =, ratio =, hold =, from = }. True where it is there.
 void read_rest(Keys& keys, StageOptions& o) {
   o.still_speed = keys.number("speed", "m/s", o.still_speed);

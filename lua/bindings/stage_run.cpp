@@ -75,7 +75,10 @@ class Handlers {
   RunListener listener(bool nested) {
     RunListener l;
     l.on_event = [this](const Event& e, const Instant&) { event(e); };
-    l.on_step = [this](const Instant& now) { step(now.state.time, now.dt); };
+    l.on_step = [this](const Instant& now) {
+      if (model_.watch) model_.watch(now);
+      step(now.state.time, now.dt);
+    };
     l.on_history = [this](const Instant&) { sample_functions(); };
     if (host_.console != nullptr) l.at_border = [this, nested] { border(nested); };
     return l;
@@ -111,6 +114,30 @@ class Handlers {
 };
 
 }  // namespace
+
+void push_report(lua_State* L, const StageReport& r) {
+  const auto number = [&](const char* key, double value) {
+    lua_pushnumber(L, value);
+    lua_setfield(L, -2, key);
+  };
+  lua_createtable(L, 0, 12);
+  lua_pushstring(L, r.name.c_str());
+  lua_setfield(L, -2, "name");
+  lua_pushstring(L, name_of(r.end));
+  lua_setfield(L, -2, "ending");
+  lua_pushboolean(L, r.end == StageEnd::rest ? 1 : 0);
+  lua_setfield(L, -2, "rests");
+  lua_pushstring(L, r.reason.c_str());
+  lua_setfield(L, -2, "reason");
+  lua_pushinteger(L, r.steps);
+  lua_setfield(L, -2, "steps");
+  number("begun", r.begun);
+  number("ended", r.ended);
+  number("shortest_dt", r.shortest_dt);
+  number("longest_dt", r.longest_dt);
+  number("speed", r.speed);
+  number("ratio", r.ratio);
+}
 
 StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options) {
   Host& h = host(L);

@@ -9,6 +9,9 @@ namespace trilith::script {
 /// tick(index), wake(), stepped(), sample(index). What they raise ends the stage and is thrown as ScriptError.
 StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options);
 
+/// Pushes it as the table that scripts get.
+void push_report(lua_State* L, const StageReport& r);
+
 /// While that model is paused: further steps of its stage. A pause asked for on the way ends them.
 void run_on(lua_State* L, ScriptModel& model, RunLimit limit);
 

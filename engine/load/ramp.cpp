@@ -1,0 +1,58 @@
+#include "load/ramp.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace trilith {
+namespace {
+
+/// A shape of the acceleration, made so large that it ends at `distance`.
+GroundMotion to_distance(std::span<const double> shape, double step, double distance, const std::string& title) {
+  // The unit motion ends at 1 but for rounding, and the last factor takes that out.
+  const GroundMotion raw(shape, step, {}, {});
+  std::vector<double> acceleration(shape.begin(), shape.end());
+  const double factor = distance / raw.samples().back().displacement;
+  for (double& a : acceleration) a *= factor;
+  MotionSource source;
+  source.title = title;
+  return {acceleration, step, {}, source};
+}
+
+void check_distance(double distance, const char* owner) {
+  require_finite(distance, fmt::format("{}: the distance", owner));
+  if (distance == 0) throw InputError(fmt::format("{}: the distance is 0, so nothing would move", owner));
+}
+
+}  // namespace
+
+GroundMotion ramp_motion(double distance, double duration) {
+  check_distance(distance, "ramp");
+  require_positive(duration, "ramp: the duration", "s");
+  constexpr std::array<double, 5> shape{0, 1, 0, -1, 0};
+  return to_distance(shape, duration / 4, distance, fmt::format("ramp by {:g} within {:g} s", distance, duration));
+}
+
+GroundMotion even_motion(double distance, double speed) {
+  check_distance(distance, "push");
+  require_positive(speed, "push: the speed", "m/s");
+  constexpr std::size_t intervals = 100;
+  std::array<double, intervals + 1> shape{};
+  shape[1] = 1, shape[intervals - 1] = -1;
+  return to_distance(shape, std::abs(distance) / speed / (intervals - 2), distance,
+                     fmt::format("by {:g} m at {:g} m/s", distance, speed));
+}
+
+GroundMotion stopping_motion(double displacement, double velocity, double duration) {
+  require_positive(duration, "stop: the duration", "s");
+  const double step = duration / 2;
+  const std::array<double, 3> acceleration{0, -velocity / step, 0};
+  MotionSource source;
+  source.title = fmt::format("to rest from {:g} m/s within {:g} s", velocity, duration);
+  return {acceleration, step, {velocity, displacement}, source};
+}
+
+}  // namespace trilith

@@ -1,0 +1,209 @@
+// Where loads act: named places, faces of a side, parts of an outline, rows of a push.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "body/solid_element.hpp"
+#include "world/loads.hpp"
+#include "world/pose.hpp"
+
+namespace trilith {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::array<int, 2>>, 8> sides{{{"top", {0, 1}},
+                                                                                {"bottom", {0, -1}},
+                                                                                {"left", {-1, 0}},
+                                                                                {"right", {1, 0}},
+                                                                                {"top left", {-1, 1}},
+                                                                                {"top right", {1, 1}},
+                                                                                {"bottom left", {-1, -1}},
+                                                                                {"bottom right", {1, -1}}}};
+
+Vec2 middle_of(const Model<2>& model, const std::vector<FacePart>& faces) {
+  Vec2 sum = Vec2::Zero();
+  double length = 0;
+  for (const FacePart& f : faces) {
+    const Vec2 a = skin_start(model, f.skin_a), b = skin_start(model, f.skin_b);
+    sum += 0.5 * (b - a).norm() * (a + b);
+    length += (b - a).norm();
+  }
+  return sum / length;
+}
+
+Vec2 farthest(const Model<2>& model, int body, const Vec2& way) {
+  const Body& b = model.bodies[body];
+  Vec2 best = skin_start(model, b.first_skin);
+  for (int s = b.first_skin; s < b.first_skin + b.outline; ++s)
+    if (way.dot(skin_start(model, s)) > way.dot(best) + 1e-9 * model.body_radius[body]) best = skin_start(model, s);
+  return best;
+}
+
+/// A point of the outline: the face it is on and its share of the way along it.
+struct OnOutline {
+  std::size_t face = 0;
+  double share = 0, distance = unbounded;
+};
+
+OnOutline nearest_on(const Model<2>& model, const std::vector<FacePart>& faces, const Vec2& p) {
+  OnOutline best;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Vec2 a = skin_start(model, faces[i].skin_a), along = skin_start(model, faces[i].skin_b) - a;
+    const double share = std::clamp(along.dot(p - a) / along.squaredNorm(), 0.0, 1.0);
+    const double distance = (a + share * along - p).norm();
+    if (distance < best.distance) best = {i, share, distance};
+  }
+  return best;
+}
+
+/// A body's part in a push before it is divided by the sum.
+double share_of(const Model<2>& model, int body, PushPattern pattern, double lowest) {
+  switch (pattern) {
+    case PushPattern::uniform:
+      return 1;
+    case PushPattern::mass:
+      return body_mass(model, body);
+    case PushPattern::triangle:
+      return body_mass(model, body) * (body_start(model, body).y() - lowest);
+  }
+  return 1;
+}
+
+double lowest_of(const Model<2>& model, const std::vector<int>& bodies) {
+  double lowest = unbounded;
+  for (const int i : bodies)
+    for (int s = model.bodies[i].first_skin; s < model.bodies[i].first_skin + model.bodies[i].skins; ++s)
+      lowest = std::min(lowest, skin_start(model, s).y());
+  return lowest;
+}
+
+void add_body_rows(const Model<2>& model, int body, const std::optional<Vec2>& at, double weight,
+                   std::vector<PushRow>& rows) {
+  const Body& b = model.bodies[body];
+  if (!b.deforms()) {
+    rows.push_back({b.first_node, at ? Vec2(*at - model.start_position[b.first_node]) : Vec2::Zero(), weight});
+    return;
+  }
+  if (at) {
+    const Anchor anchor = tie_point(model, body, *at, fmt::format("push of '{}'", b.name));
+    const Element& e = model.elements[anchor.element];
+    const auto share = shape_functions(static_cast<std::size_t>(e.nodes), anchor.place);
+    for (int i = 0; i < e.nodes; ++i) rows.push_back({e.node[i], Vec2::Zero(), weight * share[i]});
+    return;
+  }
+  const double mass = body_mass(model, body);
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n)
+    rows.push_back({n, Vec2::Zero(), weight * model.mass[n] / mass});
+}
+
+bool can_go(const Model<2>& model, const PushRow& row, const Vec2& direction) {
+  for (const int k : {0, 1})
+    if (std::abs(direction[k]) > 1e-12 && model.support[row.node][k] != Support::free) return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<Vec2> named_place(const Model<2>& model, int body, std::string_view name) {
+  if (name == "centroid") return body_start(model, body);
+  for (const auto& [side, way] : sides) {
+    if (side != name) continue;
+    const Vec2 v(way[0], way[1]);
+    if (way[0] != 0 && way[1] != 0) return farthest(model, body, v);
+    const std::vector<FacePart> faces = faces_towards(model, body, v);
+    return faces.empty() ? farthest(model, body, v) : middle_of(model, faces);
+  }
+  return std::nullopt;
+}
+
+std::vector<FacePart> outline_faces(const Model<2>& model, int body) {
+  const Body& b = model.bodies[body];
+  std::vector<FacePart> faces;
+  for (int i = 0; i < b.outline; ++i) faces.push_back({b.first_skin + i, b.first_skin + (i + 1) % b.outline});
+  return faces;
+}
+
+std::vector<FacePart> faces_towards(const Model<2>& model, int body, const Vec2& side) {
+  const double least = std::sqrt(0.5) - 1e-9;
+  std::vector<FacePart> faces;
+  for (const FacePart& f : outline_faces(model, body)) {
+    const Vec2 along = skin_start(model, f.skin_b) - skin_start(model, f.skin_a);
+    if (-left_of(along).dot(side) >= least * along.norm() * side.norm()) faces.push_back(f);
+  }
+  return faces;
+}
+
+std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2& from, const Vec2& to,
+                                    const std::string& owner) {
+  const std::vector<FacePart> faces = outline_faces(model, body);
+  const OnOutline first = nearest_on(model, faces, from), last = nearest_on(model, faces, to);
+  for (const auto& [point, found] : {std::pair{from, first}, std::pair{to, last}})
+    if (found.distance > 0.02 * model.body_radius[body])
+      throw InputError(
+          fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from the outline of '{}'; give points "
+                      "on it, where it is at the start",
+                      owner, point.x(), point.y(), found.distance, model.bodies[body].name));
+  const bool round = first.face == last.face && first.share >= last.share;
+  if (round && first.share == last.share)
+    throw InputError(
+        fmt::format("{}: 'from' and 'to' are the same point of the outline of '{}'", owner, model.bodies[body].name));
+  std::vector<FacePart> parts;
+  for (std::size_t i = first.face, done = 0;; i = (i + 1) % faces.size(), ++done) {
+    FacePart part = faces[i];
+    if (done == 0) part.from = first.share;
+    const bool ends = i == last.face && (done > 0 || !round);
+    if (ends) part.to = last.share;
+    if (part.to > part.from) parts.push_back(part);
+    if (ends) return parts;
+  }
+}
+
+double push_place(const State<2>& state, const Push& push) {
+  double sum = 0;
+  for (const PushRow& row : push.rows)
+    sum += row.weight * push.direction.dot(state.position[row.node] + Turn(state.rotation[row.node]).apply(row.place));
+  return sum;
+}
+
+std::vector<PushRow> push_rows(const Model<2>& model, const std::vector<int>& bodies, const std::optional<Vec2>& at,
+                               PushPattern pattern, const Vec2& direction) {
+  if (bodies.empty()) throw InputError("push: no body is given");
+  if (at && bodies.size() > 1) throw InputError("push: a point is one of a single body; several are given");
+  const double lowest = lowest_of(model, bodies);
+  double sum = 0;
+  for (const int body : bodies) sum += share_of(model, body, pattern, lowest);
+  std::vector<PushRow> rows;
+  for (const int body : bodies) {
+    const std::size_t before = rows.size();
+    add_body_rows(model, body, at, share_of(model, body, pattern, lowest) / sum, rows);
+    for (std::size_t i = before; i < rows.size(); ++i)
+      if (!can_go(model, rows[i], direction))
+        throw InputError(
+            fmt::format("push: body '{}' is held or driven in the direction in which it is to be pushed; "
+                        "free it, or push others",
+                        model.bodies[body].name));
+  }
+  return rows;
+}
+
+void add_push(Model<2>& model, const State<2>& state, const std::string& name, std::vector<PushRow> rows,
+              const Vec2& direction, std::shared_ptr<const GroundMotion> motion) {
+  for (const Push& other : model.pushes) {
+    if (other.name == name)
+      throw InputError(fmt::format("push: there is one called '{}' already; release it, or give another name", name));
+    for (const PushRow& mine : rows)
+      for (const PushRow& row : other.rows)
+        if (row.node == mine.node)
+          throw InputError(fmt::format("push: body '{}' is pushed already by '{}'; release that first",
+                                       model.bodies[body_of_node(model, row.node)].name, other.name));
+  }
+  Push push;
+  push.name = name, push.rows = std::move(rows), push.direction = direction, push.start = state.time;
+  push.motion = std::move(motion);
+  push.origin = push_place(state, push) - push.motion->displacement(0);
+  model.pushes.push_back(std::move(push));
+}
+
+}  // namespace trilith

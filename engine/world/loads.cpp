@@ -1,0 +1,136 @@
+#include "world/loads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "world/pose.hpp"
+
+namespace trilith {
+namespace {
+
+std::string owner_of(const char* kind, const std::string& name, const Model<2>& model, int body) {
+  return fmt::format("{} '{}' on '{}'", kind, name, model.bodies[body].name);
+}
+
+void check_finite(const Vec2& v, const std::string& what) {
+  require_finite(v.x(), what + " along x");
+  require_finite(v.y(), what + " along y");
+}
+
+std::vector<PointLoad> spread_load(const Model<2>& model, int body, const PointLoad& whole) {
+  const Body& b = model.bodies[body];
+  const double mass = body_mass(model, body);
+  std::vector<PointLoad> loads;
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
+    loads.push_back(whole);
+    loads.back().node = n;
+    loads.back().force *= model.mass[n] / mass;
+  }
+  return loads;
+}
+
+}  // namespace
+
+std::vector<PointLoad> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec) {
+  const std::string owner = owner_of("load", spec.name, model, body);
+  check_finite(spec.force, owner + ": force");
+  require_finite(spec.moment, owner + ": moment");
+  check_course(spec.course, owner);
+  const Body& b = model.bodies[body];
+  PointLoad load;
+  load.name = spec.name, load.body = body, load.course = spec.course;
+  load.force = spec.force, load.moment = spec.moment, load.follows = spec.follows;
+  if (spec.at) {
+    check_finite(*spec.at, owner + ": place");
+    const Anchor anchor = tie_point(model, body, *spec.at, owner);
+    load.element = anchor.element, load.place = anchor.place;
+    if (anchor.element < 0) load.node = b.first_node;
+    return {load};
+  }
+  load.node = b.first_node;
+  if (!b.deforms()) return {load};
+  if (spec.moment != 0 || spec.follows)
+    throw InputError(fmt::format("{}: the body deforms; say with 'at' where the {} acts", owner,
+                                 spec.moment != 0 ? "moment" : "force that follows"));
+  return spread_load(model, body, load);
+}
+
+std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
+                                    const PressureSpec& spec) {
+  const std::string owner = owner_of("pressure", spec.name, model, body);
+  require_finite(spec.value, owner + ": value");
+  check_course(spec.course, owner);
+  if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
+    throw InputError(
+        fmt::format("{}: a direction is a vector other than 0, for pressure that does not follow the face", owner));
+  double depth = model.thickness;  // as contacts have it
+  for (const Element& e : model.elements)
+    if (e.body == body) depth = e.thickness;
+  std::vector<FaceLoad> loads;
+  for (const FacePart& face : faces) {
+    FaceLoad load;
+    load.name = spec.name, load.body = body, load.course = spec.course;
+    load.skin_a = face.skin_a, load.skin_b = face.skin_b;
+    load.share[1] = 0.5 * (face.to * face.to - face.from * face.from);
+    load.share[0] = face.to - face.from - load.share[1];
+    load.pressure = spec.value, load.depth = depth, load.follows = spec.follows;
+    const Vec2 along = skin_start(model, face.skin_b) - skin_start(model, face.skin_a);
+    const Vec2 way = spec.direction ? Vec2(along.norm() * spec.direction->normalized()) : left_of(along);
+    if (!spec.follows) load.dead = spec.value * depth * way;
+    loads.push_back(std::move(load));
+  }
+  return loads;
+}
+
+void drop_faded(Model<2>& model, double now) {
+  std::erase_if(model.point_loads, [now](const PointLoad& l) { return l.name.empty() && l.course.spent(now); });
+}
+
+int change_loads(Model<2>& model, const std::string& name, double now, double share, double duration) {
+  int count = 0;
+  const auto change = [&](auto& loads) {
+    for (auto& load : loads) {
+      if (load.name != name) continue;
+      load.course = ramp_course(now, load.course.at(now), share, duration, true);
+      ++count;
+    }
+  };
+  change(model.point_loads);
+  change(model.face_loads);
+  return count;
+}
+
+std::vector<std::string> load_names(const Model<2>& model) {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& list) {
+    for (const auto& l : list)
+      if (!l.name.empty() && std::find(names.begin(), names.end(), l.name) == names.end()) names.push_back(l.name);
+  };
+  add(model.point_loads);
+  add(model.face_loads);
+  add(model.pushes);
+  return names;
+}
+
+bool release_push(Model<2>& model, const State<2>& state, const Work<2>& work, const std::string& name, double fade) {
+  const auto at = std::find_if(model.pushes.begin(), model.pushes.end(), [&](const Push& p) { return p.name == name; });
+  if (at == model.pushes.end()) return false;
+  drop_faded(model, state.time);
+  const auto index = static_cast<std::size_t>(at - model.pushes.begin());
+  const double size = index < work.push_force.size() ? work.push_force[index] : 0;
+  for (const PushRow& row : at->rows) {
+    if (size == 0 || !(fade > 0)) break;
+    PointLoad load;
+    load.body = body_of_node(model, row.node), load.node = row.node, load.place = row.place;
+    load.force = size * row.weight * at->direction;
+    load.course = ramp_course(state.time, 1, 0, fade, true);
+    model.point_loads.push_back(std::move(load));
+  }
+  model.pushes.erase(at);
+  return true;
+}
+
+}  // namespace trilith

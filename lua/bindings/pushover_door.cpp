@@ -1,0 +1,218 @@
+// Pushover: bodies pushed steadily, as much force as it takes.
+#include <algorithm>
+#include <cmath>
+
+#include "doors.hpp"
+#include "load/ramp.hpp"
+#include "run/pushover.hpp"
+#include "stage_run.hpp"
+#include "world/loads.hpp"
+
+namespace trilith::script {
+namespace {
+
+struct PushOrder {
+  std::vector<int> bodies;
+  std::optional<Vec2> at;
+  std::string place;
+  Vec2 direction = Vec2::UnitX();
+  PushPattern pattern = PushPattern::mass;
+  double rate = 0, displacement = 0;
+  int storey = 0, samples = 200;
+  PushLimits limits;
+  StageOptions stage;
+};
+
+/// What ends it early: drift =, storey =, drop =.
+void read_limits(Keys& keys, PushOrder& o) {
+  o.limits.drift = keys.number("drift", "m", unbounded);
+  o.limits.drop = keys.number("drop", "1", 0);
+  o.storey = keys.count("storey", 0);
+  if (!(o.limits.drift > 0)) keys.problem(fmt::format("'drift' is {:g} m, must be above 0", o.limits.drift));
+  if (!(o.limits.drop >= 0 && o.limits.drop < 1))
+    keys.problem(fmt::format("'drop' is {:g}, must be at least 0 and below 1", o.limits.drop));
+}
+
+void read_pushed(Keys& keys, const ScriptModel& m, PushOrder& o) {
+  lua_State* L = keys.lua();
+  if (keys.push("body") == LUA_TNIL) {
+    keys.missing("body", "a body, a set or a name");
+  } else {
+    try {
+      o.bodies = bodies_at(L, -1, m, "body");
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  }
+  lua_pop(L, 1);
+  const int type = keys.push("at");
+  if (type == LUA_TSTRING)
+    o.place = lua_tostring(L, -1);
+  else if (type != LUA_TNIL && !(o.at = point_at(L, -1)))
+    keys.wrong("at", "{x, y} or the name of a place");
+  if (type != LUA_TNIL && o.bodies.size() > 1) keys.problem("'at' is a point of one body; several are given");
+  lua_pop(L, 1);
+}
+
+PushOrder read_order(Keys& keys, const ScriptModel& m) {
+  const std::array ways{Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)};
+  constexpr std::array patterns{PushPattern::mass, PushPattern::uniform, PushPattern::triangle};
+  PushOrder o;
+  o.stage.name = keys.text("name", "pushover");
+  read_pushed(keys, m, o);
+  o.direction = ways[keys.choice("direction", {"x", "-x", "y", "-y"}, 0)];
+  o.pattern = patterns[keys.choice("pattern", {"mass", "uniform", "triangle"}, 0)];
+  o.rate = keys.number("rate", "m/s");
+  read_limits(keys, o);
+  const bool bounded = o.limits.drift < unbounded;
+  o.displacement = bounded ? keys.number("displacement", "m", 2 * o.limits.drift) : keys.number("displacement", "m");
+  o.samples = keys.count("samples", o.samples);
+  o.stage.rest_share = keys.number("damping", "1", 0.8);
+  o.stage.dt = keys.number("dt", "s", 0);
+  o.stage.safety = keys.number("safety", "1", o.stage.safety);
+  for (const auto& [key, value, unit] :
+       {std::tuple{"rate", o.rate, "m/s"}, std::tuple{"displacement", o.displacement, "m"}})
+    if (!(value > 0))
+      keys.problem(fmt::format("'{}' is {:g} {}, must be above 0; the direction has the sign", key, value, unit));
+  if (o.samples < 2) keys.problem(fmt::format("'samples' is {}, must be at least 2", o.samples));
+  return o;
+}
+
+/// Drift of a storey or of the top one; without storeys, how far the pushed points are.
+std::function<double(const Instant&)> drift_reading(ScriptModel& m, const PushOrder& o) {
+  const Findings& f = m.findings();
+  if (f.storeys.empty()) {
+    if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
+    return [name = o.stage.name](const Instant& now) {
+      for (const Push& p : now.model.pushes)
+        if (p.name == name) return push_place(now.state, p) - p.origin;
+      return 0.0;
+    };
+  }
+  if (o.storey == 0) return [&f](const Instant& now) { return top_drift(now.model, now.state, f.storeys, f.base); };
+  for (std::size_t i = 0; i < f.storeys.size(); ++i)
+    if (f.storeys[i].number == o.storey)
+      return [&f, i](const Instant& now) { return storey_drift(now.model, now.state, f.storeys, f.base, i); };
+  throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
+}
+
+/// A push that was ended on its way comes to rest within a hundredth of the time it was meant to last.
+void stop_push(ScriptModel& m, const PushOrder& o) {
+  m.change([&](Model<2>& model) {
+    const double now = m.time();
+    for (Push& p : model.pushes) {
+      if (p.name != o.stage.name) continue;
+      const MotionAt at = p.motion->at(now - p.start);
+      if (at.velocity == 0) continue;
+      p.motion = std::make_shared<const GroundMotion>(
+          stopping_motion(at.displacement, at.velocity, 0.01 * o.displacement / o.rate));
+      p.start = now;
+    }
+  });
+}
+
+void set_array(lua_State* L, const char* key, const std::vector<double>& values) {
+  lua_createtable(L, static_cast<int>(values.size()), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    lua_pushnumber(L, values[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, key);
+}
+
+void add_curve(lua_State* L, const PushoverRecorder& recorder) {
+  const PushCurve& curve = recorder.curve();
+  const auto number = [&](const char* key, double value) {
+    lua_pushnumber(L, value);
+    lua_setfield(L, -2, key);
+  };
+  lua_createtable(L, 0, 4);
+  set_array(L, "t", curve.time);
+  set_array(L, "displacement", curve.displacement);
+  set_array(L, "force", curve.force);
+  set_array(L, "drift", curve.drift);
+  lua_setfield(L, -2, "curve");
+  const bool any = !curve.force.empty();
+  const std::size_t peak = curve.peak();
+  number("peak_force", any ? curve.force[peak] : 0);
+  number("displacement_at_peak", any ? curve.displacement[peak] : 0);
+  number("drift_at_peak", any ? curve.drift[peak] : 0);
+  number("force", any ? curve.force.back() : 0);
+  number("displacement", any ? curve.displacement.back() : 0);
+  number("drift", any ? curve.drift.back() : 0);
+  lua_pushstring(L, recorder.limit().empty() ? "displacement" : recorder.limit().c_str());
+  lua_setfield(L, -2, "limit");
+}
+
+/// The model's watch, for as long as this lives.
+struct Watch {
+  ScriptModel& model;
+  Watch(ScriptModel& m, std::function<void(const Instant&)> f) : model(m) { model.watch = std::move(f); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+  ~Watch() { model.watch = nullptr; }
+};
+
+/// m:pushover{ body =, at =, direction =, pattern =, rate =, displacement =, drift =, storey =, drop =, ... }
+int pushover(lua_State* L) {
+  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  Keys keys(L, 2, "pushover");
+  PushOrder o = read_order(keys, m);
+  keys.finish();
+  if (m.running()) throw InputError("pushover: a stage runs already; begin it when that has ended");
+  const Model<2>& model = m.simulation().model();
+  if (!o.place.empty() && !(o.at = named_place(model, o.bodies.front(), o.place)))
+    throw InputError(fmt::format("pushover: 'at' is '{}', must be {{x, y}} or one of {}", o.place, place_names));
+  const auto motion = std::make_shared<const GroundMotion>(even_motion(o.displacement, o.rate));
+  o.stage.duration = motion->duration();
+  PushoverRecorder recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading(m, o));
+  std::vector<PushRow> rows = push_rows(model, o.bodies, o.at, o.pattern, o.direction);
+  m.change([&](Model<2>& changed) {
+    add_push(changed, m.if_built()->state(), o.stage.name, std::move(rows), o.direction, motion);
+  });
+  const Watch watch(m, [&](const Instant& now) {
+    if (recorder.step(now)) m.stop();
+  });
+  const StageReport report = run_stage(L, m, o.stage);
+  recorder.finish();
+  stop_push(m, o);
+  push_report(L, report);
+  add_curve(L, recorder);
+  return 1;
+}
+
+double sum_of_pushes(const ModelBox& box) {
+  double sum = 0;
+  for (const double force : box.get().evaluated().work().push_force) sum += force;
+  return sum;
+}
+
+double push_displacement(const ModelBox& box) {
+  const Simulation* s = box.get().if_built();
+  if (s == nullptr || s->model().pushes.empty()) return 0;
+  const Push& p = s->model().pushes.back();
+  return push_place(s->state(), p) - p.origin;
+}
+
+const std::array door_methods{
+    Method{"pushover", guarded<pushover>,
+           "pushover{body=, at=, direction=, pattern=, rate=, displacement=, drift=, storey=, drop=}: a stage "
+           "that pushes steadily"},
+};
+
+using M = Property<ModelBox>;
+const std::array door_properties{
+    M{"push_force", "N", "force of all pushes now, along them", sum_of_pushes},
+    M{"push_displacement", "m", "displacement of the latest push since it began", push_displacement},
+};
+
+}  // namespace
+
+std::span<const Method> pushover_methods() {
+  return door_methods;
+}
+std::span<const Property<ModelBox>> pushover_properties() {
+  return door_properties;
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,149 @@
+-- Loads over time, ramps, quiet release and pushover from a script, and what is refused.
+local trilith = require "trilith"
+local g = 9.80665
+local function near(a, b, share) assert(math.abs(a - b) <= share * math.abs(b), a .. " is not " .. b) end
+
+local function block_on_base(mu, kn)
+  local m = trilith.model { name = "m" }
+  m:material { name = "stone", density = 2000 }
+  local k = kn or 1e9
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = k, ks = k, mu = mu, beta = 1e-4 } }
+  local base = m:block { name = "base", width = 6, height = 1, at = { -3, -1 }, material = "stone", support = "fixed" }
+  local block = m:block { name = "block", width = 1, height = 0.5, at = { -0.5, 0 }, material = "stone" }
+  m:consolidate { ratio = 1e-7 }
+  return m, block, base
+end
+local function rest(m) return m:run { duration = 5, damping = 0.8, until_rest = { ratio = 1e-6, from = 0.3 } } end
+
+-- A load beside the middle; taken off, the block stands as before.
+local m, block = block_on_base(0.6)
+local weight, y = block.mass * g, block.y
+local name = m:point_load { body = block, at = "top right", force = { 0, -900 }, course = { smooth = 0.2 } }
+assert(name == "load 1")
+rest(m)
+near(y - block.y, 900 / 1e9, 1e-3)
+near(block.rotation, -900 * 0.5 / (1e9 / 12), 1e-3)
+m:set_load { name = name, factor = 0.5, duration = 0.1 }
+rest(m)
+near(y - block.y, 450 / 1e9, 1e-3)
+m:release { load = name, fade = 0.2 }
+rest(m)
+assert(math.abs(block.y - y) < 1e-11 and math.abs(block.rotation) < 1e-11)
+
+-- Pressure from the side comes out at the base, in the ledger and as stress of the block.
+local e = m.energy.load
+local ux = block.ux
+local p = m:pressure { name = "wind", body = block, face = "left", value = 2e3,
+                       course = { { 0, 0 }, { 0.1, 1.5 }, { 0.2, 1 } } }
+assert(p == "wind")
+rest(m)
+near(m.base_shear, 2e3 * 0.5, 1e-3)
+assert(m.energy.load > e and block.ux > ux)
+m:pressure { name = "anchor", body = block, from = { 0.5, 0 }, to = { 0.5, 0.5 }, value = 2e3, course = { ramp = 0.2 } }
+rest(m)
+assert(math.abs(m.base_shear) < 1)
+near(m:stresses().block.xx, -2e3, 1e-2)
+
+-- A ramp moves a driven body to its end and no farther.
+local ramp = trilith.ramp { by = 0.01, duration = 0.4 }
+assert(ramp.duration == 0.4 and select(2, ramp:at(0.5)) == 0)
+m:drive { body = "base", x = ramp }
+m:run { duration = 0.3 }
+assert(m:body("base").ux < 0.01 and m:body("base").vx > 0)
+m:run { duration = 0.2 }
+near(m:body("base").ux, 0.01, 1e-12)
+assert(m:body("base").vx == 0)
+
+-- Pushover: friction, either way; the same bits twice; drift limit; quiet end.
+local hashes = {}
+for i, direction in ipairs { "x", "-x", "x" } do
+  local n, b = block_on_base(0.4)
+  local r = n:pushover { body = b, direction = direction, rate = 1e-3, displacement = 4e-3 }
+  near(r.curve.force[100], 0.4 * weight, 1e-3)
+  near(r.peak_force, 0.4 * weight, 0.01)
+  near(r.curve.displacement[#r.curve.t], 4e-3, 1e-2)
+  near(n.base_shear, (direction == "x" and 1 or -1) * n.push_force, 1e-3)
+  near(n.push_displacement, 4e-3, 1e-6)
+  assert(r.limit == "displacement" and r.ending == "time" and #r.curve.t >= 200)
+  hashes[i] = n.hash
+  n:release { push = "pushover", fade = 0.2 }
+  assert(rest(n).rests and math.abs(n.base_shear) < 1 and n.push_force == 0)
+end
+assert(hashes[1] == hashes[3] and hashes[1] ~= hashes[2])
+
+-- A wall of two storeys, pushed at its slabs until the top has drifted, then let go quietly.
+local w = trilith.model { name = "wall", thickness = 0.2 }
+w:material { name = "brick", density = 1800 }
+w:contact { between = { "*", "*" },
+            law = trilith.bonded { kn = 1e10, ks = 4e9, mu = 0.6, cohesion = 2e5, tension = 1e5, beta = 2e-5 } }
+w:wall { name = "w", length = 1.6, unit_length = 0.4, unit_height = 0.2, storeys = 2, storey_height = 0.8,
+         slab_height = 0.2, base_height = 0.5, material = "brick", fixed = "base",
+         by_group = { slabs = { weight = 1e4 } } }
+local shear = w:history { name = "base shear", what = "base_shear" }
+local pushed = w:history { name = "push", what = "push_force" }
+w:consolidate { ratio = 1e-5 }
+local slabs = w:bodies { group = "slabs" }
+local r = w:pushover { body = slabs, pattern = "triangle", rate = 4e-3, drift = 2e-3 }
+assert(r.limit == "drift" and r.ending == "stopped")
+near(r.drift, 2e-3, 0.05)
+assert(r.peak_force > 5e3 and r.drift_at_peak < 2e-3 and r.peak_force >= r.force)
+near(shear.max, r.peak_force, 0.1)
+assert(pushed.max > 0.9 * r.peak_force)
+w:release { push = "pushover", fade = 0.3 }
+assert(rest(w).rests and math.abs(w.base_shear) < 5)
+assert(math.abs(w.energy.residual) < 0.01 * w.energy.load)
+
+-- A fixed body is let go quietly: it sinks into its springs and does not swing.
+local q = trilith.model { name = "q" }
+q:material { name = "stone", density = 2000 }
+q:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e7, ks = 1e7, mu = 0.5, beta = 1e-6 } }
+q:block { name = "base", width = 6, height = 1, at = { -3, -1 }, material = "stone", support = "fixed" }
+local held = q:block { name = "held", width = 1, height = 0.5, at = { -0.5, 0 }, material = "stone", support = "fixed" }
+q:run { duration = 0.01 }
+q:release { body = held, fade = 1 }
+local lowest = 0
+q:on_step(function() lowest = math.min(lowest, held.uy) end)
+q:run { duration = 1.5 }
+near(held.uy, -1000 * g / 1e7, 1e-2)
+near(lowest, -1000 * g / 1e7, 1e-2)
+
+-- Loads within a stage, from a handler.
+local h, stone = block_on_base(0.6)
+h:story(function() h:wait(0.05) h:point_load { name = "late", body = stone, force = { 100, 0 } } end)
+h:run { duration = 1, name = "with a load" }
+assert(h.energy.load > 0)
+
+-- What is refused.
+local function refused(text, f, ...)
+  local ok, message = pcall(f, ...)
+  assert(not ok and tostring(message):find(text, 1, true), tostring(message))
+end
+local function load(o) o.body = o.body or "block" return m:point_load(o) end
+local function press(o) o.body = o.body or "block" return m:pressure(o) end
+refused("point_load: gives neither a force nor a moment", load, {})
+refused("point_load 'P': body: there is no body or group 'blok'; did you mean 'block'?", load,
+        { name = "P", body = "blok", force = { 1, 0 } })
+refused("point_load: 'at' is 'topp', must be {x, y} or one of centroid, top", load, { force = { 1, 0 }, at = "topp" })
+refused("point_load: unknown key 'follows'; did you mean 'follow'?", load, { force = { 1, 0 }, follows = true })
+refused("course: give one of ramp = seconds, smooth = seconds, or points", load, { force = { 1, 0 }, course = {} })
+refused("course: its duration is -1 s, must be above 0", load, { force = { 1, 0 }, course = { ramp = -1 } })
+refused("time 2 of the course is", load, { force = { 1, 0 }, course = { { 1, 0 }, { 0, 1 } } })
+refused("pressure: give either face = \"top\"", press, { value = 1 })
+refused("'face' is 'topp', must be top, bottom, left, right or all; did you mean 'top'?", press,
+        { value = 1, face = "topp" })
+refused("pressure: 'value' is missing; give a number in Pa", press, { face = "top" })
+refused("pressure: the point (7, 0) is", press, { value = 1, from = { 7, 0 }, to = { 0.5, 0.5 } })
+refused("set_load: there is no load 'wimd'; did you mean 'wind'?", m.set_load, m, { name = "wimd", factor = 1 })
+refused("release: give one of body, load (its name) and push (its name)", m.release, m, { fade = 1 })
+refused("release: 'fade' is -1 s, must not be below 0", m.release, m, { body = "block", fade = -1 })
+refused("ramp: the duration is 0 s", trilith.ramp, { by = 1, duration = 0 })
+refused("ramp: the distance is 0, so nothing would move", trilith.ramp, { by = 0, duration = 1 })
+refused("pushover: 'displacement' is missing; give a number in m", m.pushover, m, { body = "block", rate = 1 })
+refused("pushover: 'rate' is -1 m/s, must be above 0; the direction has the sign", m.pushover, m,
+        { body = "block", rate = -1, displacement = 1 })
+refused("push: body 'base' is held or driven in the direction in which it is to be pushed", m.pushover, m,
+        { body = "base", rate = 1, displacement = 1 })
+refused("pushover: 'drop' is 2, must be at least 0 and below 1", m.pushover, m,
+        { body = "block", rate = 1, displacement = 1, drop = 2 })
+refused("pushover: there are no storeys; leave 'storey' out", m.pushover, m,
+        { body = "block", rate = 1, displacement = 1, storey = 1 })
