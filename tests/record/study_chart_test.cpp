@@ -61,7 +61,8 @@ TEST_CASE("a study's chart has a panel for each unit, the mean and the range of 
   CHECK(high.y[0] == 0.3);
 }
 
-TEST_CASE("a study is drawn over the first parameter that varies; names that are not there are refused with the near") {
+TEST_CASE(
+    "a study is drawn over the first parameter that varies, and a name that is not there is refused with the nearest") {
   const TableFile file;
   const std::vector<StudyColumn> columns = record::read_study_table(file.path);
   CHECK(study_chart(columns, "", {"drift"}).x.label == "copy");
