@@ -185,6 +185,12 @@ void Recording::energy(const Instant& now, const Energy& energy) {
   flush_when_due();
 }
 
+void Recording::continue_ledger(const Recording& before) {
+  has_balance_ = before.has_balance_;
+  first_balance_ = before.first_balance_;
+  check_ = before.check_;
+}
+
 void Recording::event(const Event& event, const Instant& now) {
   time_ = event.time;
   if (event.type == EventType::stage_begun) begin_stage(event, now);

@@ -42,6 +42,8 @@ class Recording {
   void energy(const Instant& now, const Energy& energy);
   /// Events "stage.begun" and "stage.ended" open and close rows of the table of stages.
   void event(const Event& event, const Instant& now);
+  /// This file goes on where `before` was left off: its residual counts from the same start.
+  void continue_ledger(const Recording& before);
   /// A line of text that belongs to the run; time of the last row.
   void note(std::string_view text);
 

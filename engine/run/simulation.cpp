@@ -164,11 +164,6 @@ void Simulation::run_on(const RunListener& listener, const RunLimit& limit) {
   }
 }
 
-void Simulation::drop_stage() {
-  assert(!running_);
-  stage_.reset();
-}
-
 Snapshot Simulation::snapshot() {
   if (!kept_model_) kept_model_ = std::make_shared<const Model<2>>(model_);
   return {state_, kept_model_, causes_, stage_};

@@ -211,6 +211,11 @@ const std::array bearing_properties{
     P{"displacement_along", "m", "displacement along", displacement<along>},
     P{"displacement_axial", "m", "axial displacement", displacement<axial>},
     P{"turning", "rad", "rotation of the second body against the first", displacement<turning>},
+    P{"limited", "", "true where some displacement ends it", nullptr,
+      [](lua_State* L, const BearingHandle& b) {
+        const auto& limit = live(b).bearing.limit;
+        lua_pushboolean(L, std::any_of(limit.begin(), limit.end(), [](double l) { return std::isfinite(l); }));
+      }},
     P{"share", "1", "largest displacement over its limit", share_of},
 };
 

@@ -153,8 +153,10 @@ void open_core(lua_State* L) {
   register_kind<SeatHandle>(L);
   register_kind<HistoryHandle>(L);
   register_kind<StoreyHandle>(L);
-  luaL_newmetatable(L, "trilith.event");
-  lua_setfield(L, -2, "event");
+  for (const char* kind : {"event", "findings"}) {
+    luaL_newmetatable(L, (std::string("trilith.") + kind).c_str());
+    lua_setfield(L, -2, kind);
+  }
   set_function(L, "model", guarded<make_model>);
   set_function(L, "fail", guarded<fail>);
   set_function(L, "listen", guarded<listen>);
@@ -172,6 +174,7 @@ void open_core(lua_State* L) {
   set_function(L, "hint", guarded<hint>);
   set_function(L, "members", guarded<members>);
   open_declarations(L);
+  open_debug(L);
 }
 
 }  // namespace trilith::script

@@ -23,6 +23,8 @@ std::span<const Method> stage_methods();     ///< run, consolidate, shake, fix, 
 std::span<const Method> load_methods();      ///< point_load, pressure, set_load, release
 std::span<const Method> pushover_methods();  ///< pushover
 std::span<const Method> finding_methods();   ///< joints, thrust_line
+std::span<const Method> debug_methods();     ///< step, rewind, checkpoints
+std::span<const Method> change_methods();    ///< change
 std::span<const Method> reading_methods();   ///< bodies, contacts, history, results, explain_dt
 
 /// Highest number of a storey ("storey 3") among the groups of the bodies so far.
@@ -31,6 +33,13 @@ int storey_count(const ScriptModel& model);
 std::span<const Property<ModelBox>> finding_properties();
 /// Of the model: force and displacement of its pushes.
 std::span<const Property<ModelBox>> pushover_properties();
+
+/// Of the model: worst.
+std::span<const Property<ModelBox>> debug_properties();
+/// For the library: pause, resume, compare, laws of a model.
+void open_debug(lua_State* L);
+void open_compare(lua_State* L);
+void open_change(lua_State* L);
 
 /// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.
 void push_event(lua_State* L, int model_index, const Event& event);

@@ -81,10 +81,11 @@ const std::array model_properties{
     P{"time", "s", "time of the simulation", [](const ModelBox& m) { return m.get().time(); }},
     P{"dt", "s", "length of the last step, 0 before the first",
       [](const ModelBox& m) { return simulation_of(m) != nullptr ? simulation_of(m)->state().last_dt : 0; }},
-    P{"step", "1", "steps taken",
+    P{"steps", "1", "steps taken",
       [](const ModelBox& m) {
         return simulation_of(m) != nullptr ? static_cast<double>(simulation_of(m)->state().step) : 0;
       }},
+    P{"thickness", "m", "out of the plane", [](const ModelBox& m) { return m.get().builder.thickness; }},
     P{"speed", "m/s", "fastest point of all moving bodies",
       [](const ModelBox& m) { return simulation_of(m) != nullptr ? m.get().evaluated().work().fastest_moving : 0; }},
     P{"ratio", "1", "unbalanced force over the largest carried one", ratio_of},
@@ -122,7 +123,7 @@ std::vector<Method> all_methods() {
       {"close", guarded<close_model>, "close(): ends the recording and frees the model"},
   };
   for (const auto part : {parts_methods(), bearing_methods(), stage_methods(), load_methods(), pushover_methods(),
-                          finding_methods(), reading_methods()})
+                          debug_methods(), change_methods(), finding_methods(), reading_methods()})
     methods.insert(methods.end(), part.begin(), part.end());
   return methods;
 }
@@ -187,7 +188,7 @@ int make_model(lua_State* L) {
 std::span<const Property<ModelBox>> Kind<ModelBox>::properties() {
   static const std::vector<P> all = [] {
     std::vector<P> list(model_properties.begin(), model_properties.end());
-    for (const auto part : {finding_properties(), pushover_properties()})
+    for (const auto part : {finding_properties(), pushover_properties(), debug_properties()})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

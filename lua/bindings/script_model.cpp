@@ -110,34 +110,38 @@ void ScriptModel::begin_recording(Host& host) {
   if (!results) return;
   if (!host.case_folder.empty())
     results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
+  open_recording(host);
+  for (const std::string& text : builder.notes()) recording_->note(text);
+  host.recorded.push_back(shared_from_this());
+}
+
+void ScriptModel::open_recording(Host& host) {
   RecordingOptions options;
   options.provenance = host.provenance(motions);
   options.materials = materials;
   for (const History& h : histories) options.histories.push_back({h.name, h.unit, h.sentence, {}});
   options.with_velocity = results->with_velocity;
   options.with_joints = results->with_joints;
-  recording_ =
-      std::make_unique<Recording>(results->file, simulation_->model(), simulation_->state(), std::move(options));
-  for (const std::string& note : builder.notes()) recording_->note(note);
-  host.recorded.push_back(shared_from_this());
+  if (!recorded_from_) recorded_from_ = simulation_->state();
+  recording_ = std::make_unique<Recording>(results->file, simulation_->model(), *recorded_from_, std::move(options));
 }
 
 RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* observer) {
-  Recording* const recording = recording_.get();
   RunListener all;
-  if (recording != nullptr) {
-    all.on_frame = [recording](const Instant& now) { recording->frame(now); };
-    all.on_energy = [recording](const Instant& now, const Energy& e) { recording->energy(now, e); };
+  if (recording_) {  // going back in time replaces it
+    all.on_frame = [this](const Instant& now) { recording_->frame(now); };
+    all.on_energy = [this](const Instant& now, const Energy& e) { recording_->energy(now, e); };
   }
   if (!histories.empty()) {
-    all.on_history = [this, recording, &script](const Instant& now) {
+    all.on_history = [this, &script](const Instant& now) {
       script.on_history(now);  // the Lua functions' values come first
-      take_histories(now.state.time, recording);
+      take_histories(now.state.time, recording_.get());
     };
   }
-  all.on_event = [this, recording, observer, &script](const Event& e, const Instant& now) {
+  all.on_event = [this, observer, &script](const Event& e, const Instant& now) {
     events.push_back(e);
-    if (recording != nullptr) recording->event(e, now);
+    if (e.type == EventType::stage_begun) stages_run_.push_back(now.stage);
+    if (recording_) recording_->event(e, now);
     if (observer != nullptr) observer->event(e, now);
     script.on_event(e, now);
   };
@@ -146,7 +150,11 @@ RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* obs
     script.on_step(now);
   };
   all.change_model = [this](Model<2>& model) { return apply_changes(model); };
-  if (script.at_border) all.at_border = script.at_border;
+  if (script.at_border || checkpoints.on)
+    all.at_border = [this, &script] {
+      if (checkpoints.due(*simulation_)) checkpoints.add(checkpoint());
+      if (script.at_border) script.at_border();
+    };
   return all;
 }
 
@@ -183,19 +191,26 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
     options.frame_interval = results->frames;
     options.energy_interval = results->energy;
   }
+  if (host.console != nullptr && !checkpoints_chosen) checkpoints.on = true;
+  rest_share_ = options.rest_share;
+  return guarded_run([&] { return s.run(options, listen_with(listener, host.observer)); }, host);
+}
+
+StageReport ScriptModel::guarded_run(const std::function<StageReport()>& go, Host& host) {
   struct Scope {
     ScriptModel& model;
     explicit Scope(ScriptModel& m) : model(m) { model.running_ = true; }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
     ~Scope() {
       model.running_ = false;
       model.stale_ = true;
       model.changes_.clear();
     }
   } scope(*this);
-  rest_share_ = options.rest_share;
   StageReport report;
   try {
-    report = s.run(options, listen_with(listener, host.observer));
+    report = go();
     broken_.clear();
   } catch (const std::exception& e) {
     broken_ = e.what();
@@ -245,7 +260,8 @@ std::string given_off_text(const EnergyCheck& check) {
 std::string ScriptModel::finish(const std::string& error) {
   if (!recording_) return "";
   const std::unique_ptr<Recording> recording = std::move(recording_);
-  const std::string& why = error.empty() ? broken_ : error;
+  std::string why = error.empty() ? broken_ : error;
+  if (why.empty() && simulation_->stage() != nullptr) why = "a stage that was gone back into was not run to its end";
   if (!why.empty()) {
     recording->abandon(why);
     return fmt::format("results so far, unfinished, are in {}", recording->part().string());

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "checkpoints.hpp"
 #include "host.hpp"
 #include "run/joints.hpp"
 #include "run/recording.hpp"
@@ -43,13 +44,6 @@ struct Findings {
   std::vector<int> base;
 };
 
-/// A call that falls due again and again, counted from its start so that no rounding adds up.
-struct Timer {
-  double start = 0, interval = 0;
-  std::int64_t next = 1;
-  [[nodiscard]] double due() const { return start + static_cast<double>(next) * interval; }
-};
-
 class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
  public:
   explicit ScriptModel(std::string model_name) : name(std::move(model_name)) {}
@@ -67,7 +61,10 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::vector<std::string> motions;  ///< one line for each motion used
   std::vector<Event> events;         ///< of all stages
   std::vector<Timer> timers;
-  double wake_at = unbounded;  ///< a story wants to be woken then [s]
+  Checkpoints checkpoints;
+  bool checkpoints_chosen = false;  ///< the script has said whether there are any; else at a console alone
+  std::optional<Branch> undone;     ///< what the last rewind() took back
+  double wake_at = unbounded;       ///< a story wants to be woken then [s]
   bool has_step_handler = false;
   std::function<void(const Instant&)> watch;  ///< of the engine's own, after each step; empty: none
   std::uint32_t wanted_events = 0;            ///< bit of each EventType that some handler wants
@@ -107,6 +104,14 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   StageReport run(const StageOptions& options, const RunListener& listener, Host& host);
   /// While the model is paused: further steps of its stage, up to `limit` or its end.
   void run_on(const RunLimit& limit, const RunListener& listener, Host& host);
+  /// Runs the stage that rewind() has brought back to its end. InputError where there is none.
+  StageReport resume(const RunListener& listener, Host& host);
+  /// Goes back to the checkpoint nearest to `time`, between stages or paused (then within that stage). What was
+  /// recorded since stays in the part file, unfinished; what follows goes to a file of its own. Gives the time it is
+  /// now [s]. InputError where there is no such checkpoint.
+  double rewind(double time, Host& host);
+  /// A line for the notes of the results file, where there is one.
+  void note(const std::string& text);
   /// Calls `ask` with the model paused: it can be read as it is now, and changed at once.
   void pause(const std::function<void()>& ask);
   /// The run did not come to its end: results are left as unfinished, unless a later stage goes through.
@@ -118,6 +123,11 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
 
  private:
   void begin_recording(Host& host);
+  void open_recording(Host& host);
+  void continue_recording(Host& host, double left, const Recording& before);
+  void replay(Recording& recording);
+  StageReport guarded_run(const std::function<StageReport()>& go, Host& host);
+  [[nodiscard]] Checkpoint checkpoint();
   RunListener listen_with(const RunListener& script, RunObserver* observer);
   void take_histories(double time, Recording* recording);
   bool apply_changes(Model<2>& model);
@@ -128,6 +138,9 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::optional<Findings> findings_;
   bool running_ = false, paused_ = false, stale_ = true, recording_begun_ = false;
   double rest_share_ = 0;
+  std::optional<State<2>> recorded_from_;  // where all branches of the results begin
+  int branches_ = 1;                       // files of results so far
+  std::vector<StageOptions> stages_run_;   // one for each event "stage.begun"
   std::size_t notes_shown_ = 0;
   std::string broken_;                                   // why the last stage broke off, if it did
   std::vector<std::function<void(Model<2>&)>> changes_;  // wait for the step border

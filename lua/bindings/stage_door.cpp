@@ -52,6 +52,12 @@ int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o) {
   return 1;
 }
 
+/// Where the model pauses: its stage goes on up to `limit`.
+int run_paused(lua_State* L, ScriptModel& m, const RunLimit& limit) {
+  run_on(L, m, limit);
+  return 0;
+}
+
 void read_nothing_for_nil(lua_State* L) {
   lua_settop(L, 2);
   if (!lua_isnil(L, 2)) return;
@@ -64,11 +70,16 @@ int run(lua_State* L) {
   Keys keys(L, 2, "run");
   StageOptions o;
   o.name = keys.text("name", "run");
-  o.duration = keys.number("duration", "s");
+  const double to = keys.number("to", "s", unbounded);
+  o.duration = std::isfinite(to) ? to - m.time() : keys.number("duration", "s");
+  if (std::isfinite(to)) o.end_time = to, keys.know({"duration"});
+  if (std::isfinite(to) && !(to > m.time()))
+    keys.problem(fmt::format("'to' is {:g} s, must be after the present {:g} s", to, m.time()));
   o.rest_share = keys.number("damping", "1", 0);
   read_step(keys, o);
   o.until_rest = read_rest_table(keys, "until_rest", o);
   keys.finish();
+  if (m.paused()) return run_paused(L, m, {0, m.time() + o.duration, {}});
   return finish_stage(L, m, o);
 }
 
@@ -279,7 +290,7 @@ int stop(lua_State* L) {
 }
 
 const std::array door_methods{
-    Method{"run", guarded<run>, "run{duration=, name=, dt=, until_rest=}: a stage"},
+    Method{"run", guarded<run>, "run{duration= | to=, name=, dt=, until_rest=}: a stage"},
     Method{"consolidate", guarded<consolidate>,
            "consolidate{duration=, ratio=, speed=, hold=, damping=, grow=, fresh=}: to rest under dead load; fresh "
            "mortar sets at its end"},

@@ -113,7 +113,52 @@ class Handlers {
   lua_Hook hook_ = nullptr;
 };
 
+/// Calls go(listener) with the script's handlers listening.
+template <class Go>
+StageReport listen(lua_State* L, ScriptModel& model, Host& h, Go&& go) {
+  struct Running {
+    int& count;
+    explicit Running(int& c) : count(c) { ++count; }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+    ~Running() { --count; }
+  } running(h.running);
+  Handlers handlers(L, model, h);
+  const StageReport report = go(handlers.listener(false));
+  if (h.console == nullptr && handlers.interrupted()) model.break_off("interrupted");
+  return report;
+}
+
 }  // namespace
+
+StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, std::int64_t steps) {
+  Host& h = host(L);
+  if (h.list_parameters) throw InputError(parameters_listed);
+  if (!h.given_used && !h.given.empty())
+    throw InputError(
+        fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", h.given.front()));
+  return listen(L, model, h, [&](RunListener listener) {
+    std::int64_t taken = 0;
+    if (steps > 0)
+      listener.on_step = [&model, &taken, steps, inner = std::move(listener.on_step)](const Instant& now) {
+        inner(now);
+        if (++taken >= steps) model.stop();
+      };
+    return model.run(options, listener, h);
+  });
+}
+
+StageReport resume_stage(lua_State* L, ScriptModel& model) {
+  Host& h = host(L);
+  return listen(L, model, h, [&](const RunListener& listener) { return model.resume(listener, h); });
+}
+
+void run_on(lua_State* L, ScriptModel& model, RunLimit limit) {
+  Host& h = host(L);
+  limit.leave = [&model] { return !model.pause_reason.empty(); };
+  Handlers handlers(L, model, h);
+  model.run_on(limit, handlers.listener(true), h);
+}
 
 void push_report(lua_State* L, const StageReport& r) {
   const auto number = [&](const char* key, double value) {
@@ -137,32 +182,6 @@ void push_report(lua_State* L, const StageReport& r) {
   number("longest_dt", r.longest_dt);
   number("speed", r.speed);
   number("ratio", r.ratio);
-}
-
-StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options) {
-  Host& h = host(L);
-  if (h.list_parameters) throw InputError(parameters_listed);
-  if (!h.given_used && !h.given.empty())
-    throw InputError(
-        fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", h.given.front()));
-  struct Running {
-    int& count;
-    explicit Running(int& c) : count(c) { ++count; }
-    Running(const Running&) = delete;
-    Running& operator=(const Running&) = delete;
-    ~Running() { --count; }
-  } running(h.running);
-  Handlers handlers(L, model, h);
-  const StageReport report = model.run(options, handlers.listener(false), h);
-  if (h.console == nullptr && handlers.interrupted()) model.break_off("interrupted");
-  return report;
-}
-
-void run_on(lua_State* L, ScriptModel& model, RunLimit limit) {
-  Host& h = host(L);
-  limit.leave = [&model] { return !model.pause_reason.empty(); };
-  Handlers handlers(L, model, h);
-  model.run_on(limit, handlers.listener(true), h);
 }
 
 }  // namespace trilith::script

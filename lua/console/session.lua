@@ -219,6 +219,8 @@ local function read(session)
   end
 end
 
+local function prompt_at(model) return ("%.4f s> "):format(model.time) end
+
 local function new_session(prompt, frames, thread)
   local session = { prompt = prompt, frames = frames, frame = 1, thread = thread, words = {}, acts = {} }
   session.environment = environment_of(session)
@@ -238,6 +240,10 @@ local function loop(session)
       local good = run(session, chunk)
       console.session = outer
       all_good = good and all_good
+      core.arm_lines()
+      local why = session.model and core.pause_reason(session.model) or ""
+      if why ~= "" then door.write(("Paused: %s.\n"):format(why)) end
+      if session.model then session.prompt = prompt_at(session.model) end
     elseif message then
       door.write_error(message .. "\n")
       all_good = false
@@ -260,7 +266,7 @@ end
 --- The console where `model`, or (nil) a script, pauses: gives back when it is to go on.
 function console.pause(why, model)
   local frames, thread = frames_now()
-  local session = new_session(model and ("%.4f s> "):format(model.time) or "paused> ", frames, thread)
+  local session = new_session(model and prompt_at(model) or "paused> ", frames, thread)
   session.paused, session.model = true, model
   if why == "interrupted" and door.terminal then door.write "\n" end
   door.write(("Paused: %s.\n"):format(why))
@@ -269,5 +275,9 @@ function console.pause(why, model)
   end
   door.write(console.has_paused and "\n" or "`continue` runs on, `stop` ends the stage here, `help` says more.\n")
   console.has_paused = true
+  local outer = core.leave_pause
+  function core.leave_pause() session.left = true end
   loop(session)
+  core.leave_pause = outer
+  core.arm_lines()
 end

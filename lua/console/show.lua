@@ -89,7 +89,7 @@ local function value_text(value, unit)
 end
 
 -- Of a model those that are quick to find; of the others all but these.
-local of_model = { time = true, step = true, dt = true, speed = true, ratio = true }
+local of_model = { time = true, steps = true, dt = true, speed = true, ratio = true }
 local of_deformed = { sxx = true, syy = true, sxy = true, plastic = true }
 
 local function is_shown(handle, kind, name)

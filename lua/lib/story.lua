@@ -33,6 +33,8 @@ local function fits(event, wanted)
     and (not wanted.above or math.abs(event.value) > wanted.above)
 end
 
+core.fits = fits
+
 local function check_wait(options)
   for key in pairs(options) do
     if key ~= 1 and not is_wait_key[key] then
@@ -48,6 +50,22 @@ local function check_wait(options)
   if not options[1] and not options.within then
     core.fail "wait: give an event, as in wait \"bearing.failed\", or within = a time"
   end
+end
+
+--- What core.fits wants to know of an event and its filters.
+function core.wanted(options, owner)
+  local above = options.above
+  if above ~= nil and (type(above) ~= "number" or above ~= above or above < 0) then
+    core.fail(("%s: 'above' is %s, must be a number not below 0"):format(owner, tostring(above)))
+  end
+  return {
+    event = options[1],
+    body = options.body and name_of(options.body),
+    bearing = options.bearing and name_of(options.bearing),
+    seat = options.seat and name_of(options.seat),
+    group = options.group,
+    above = above,
+  }
 end
 
 core.made[#core.made + 1] = function(model, own)
@@ -110,14 +128,8 @@ function model_methods.wait(model, options)
   check_wait(options)
   if options[1] then core.listen(model, options[1], "wait") end
   if not coroutine.isyieldable() then core.fail "wait: only within a story, see m:story(function() ... end)" end
-  return coroutine.yield {
-    is_wait = true,
-    event = options[1],
-    body = options.body and name_of(options.body),
-    bearing = options.bearing and name_of(options.bearing),
-    seat = options.seat and name_of(options.seat),
-    group = options.group,
-    above = options.above,
-    until_time = options.within and model.time + options.within,
-  }
+  local wanted = core.wanted(options, "wait")
+  wanted.is_wait = true
+  wanted.until_time = options.within and model.time + options.within
+  return coroutine.yield(wanted)
 end

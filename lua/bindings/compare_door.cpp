@@ -1,0 +1,129 @@
+// What changed between the branch that rewind took back and the present one. For the library.
+#include <algorithm>
+#include <cmath>
+
+#include "doors.hpp"
+#include "world/pose.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// Two states at nearly one time, as late as there are.
+struct Pair {
+  const State<2>*before, *now;
+};
+
+Pair latest_pair(const Branch& branch, const ScriptModel& m) {
+  std::vector<const State<2>*> now{&m.if_built()->state()};
+  const auto& kept = m.checkpoints.list();
+  for (auto c = kept.rbegin(); c != kept.rend() && c->time() > branch.from; ++c) now.push_back(&c->snapshot.state);
+  for (const State<2>* n : now) {
+    const State<2>* nearest = nullptr;
+    for (const Checkpoint& c : branch.checkpoints) {
+      const State<2>& s = c.snapshot.state;
+      if (nearest == nullptr || std::abs(s.time - n->time) < std::abs(nearest->time - n->time)) nearest = &s;
+    }
+    if (nearest != nullptr && std::abs(nearest->time - n->time) <= 1.5 * std::max(n->last_dt, nearest->last_dt))
+      return {nearest, n};
+  }
+  return {nullptr, nullptr};
+}
+
+struct Moved {
+  int body;
+  double distance, turn;
+};
+
+std::vector<Moved> moved_most(const Model<2>& model, const Pair& pair) {
+  std::vector<Moved> moved;
+  for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
+    const Pose before = body_pose(model, *pair.before, b), now = body_pose(model, *pair.now, b);
+    moved.push_back({b, (now.place - before.place).norm(), now.rotation - before.rotation});
+  }
+  std::stable_sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) { return a.distance > b.distance; });
+  return moved;
+}
+
+void set_number(lua_State* L, const char* key, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, key);
+}
+
+void push_moved(lua_State* L, const std::vector<Moved>& moved) {
+  constexpr std::size_t most = 8;
+  lua_newtable(L);
+  for (std::size_t i = 0; i < std::min(most, moved.size()); ++i) {
+    if (moved[i].distance == 0 && moved[i].turn == 0) break;
+    lua_createtable(L, 0, 3);
+    push_body(L, 1, moved[i].body);
+    lua_setfield(L, -2, "body");
+    set_number(L, "distance", moved[i].distance);
+    set_number(L, "turn", moved[i].turn);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+}
+
+/// Events after `from` and up to `to`, but those of stages.
+void push_events(lua_State* L, const std::vector<Event>& events, double from, double to) {
+  lua_newtable(L);
+  lua_Integer count = 0;
+  for (const Event& e : events) {
+    if (e.time <= from || e.time > to || e.type == EventType::stage_begun || e.type == EventType::stage_ended) continue;
+    push_event(L, 1, e);
+    lua_rawseti(L, -2, ++count);
+  }
+}
+
+/// Largest difference of each history at its common samples.
+void push_histories(lua_State* L, const Branch& branch, const ScriptModel& m) {
+  lua_newtable(L);
+  for (std::size_t k = 0; k < m.histories.size() && k < branch.samples.size(); ++k) {
+    const auto &before = branch.samples[k], &now = m.histories[k].values;
+    const std::size_t common = std::min({before.size(), now.size(), branch.times.size(), m.history_times.size()});
+    double most = 0, at = 0;
+    for (std::size_t i = 0; i < common; ++i) {
+      if (std::abs(now[i] - before[i]) <= most) continue;
+      most = std::abs(now[i] - before[i]);
+      at = m.history_times[i];
+    }
+    lua_createtable(L, 0, 3);
+    set_number(L, "difference", most);
+    set_number(L, "at", at);
+    lua_pushstring(L, m.histories[k].unit.c_str());
+    lua_setfield(L, -2, "unit");
+    lua_setfield(L, -2, m.histories[k].name.c_str());
+  }
+}
+
+/// core.compare(model): { from, before, now, same, moved, events_before, events_now, histories }; nothing where no run
+/// was taken back, without the times where the branches have no time in common.
+int compare(lua_State* L) {
+  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  if (!m.undone) return 0;
+  const Branch& branch = *m.undone;
+  lua_createtable(L, 0, 8);
+  set_number(L, "from", branch.from);
+  const Pair pair = latest_pair(branch, m);
+  if (pair.now == nullptr) return 1;
+  set_number(L, "before", pair.before->time);
+  set_number(L, "now", pair.now->time);
+  lua_pushboolean(L, state_hash(*pair.before) == state_hash(*pair.now) ? 1 : 0);
+  lua_setfield(L, -2, "same");
+  push_moved(L, moved_most(m.if_built()->model(), pair));
+  lua_setfield(L, -2, "moved");
+  push_events(L, branch.events, branch.from, pair.now->time);
+  lua_setfield(L, -2, "events_before");
+  push_events(L, m.events, branch.from, pair.now->time);
+  lua_setfield(L, -2, "events_now");
+  push_histories(L, branch, m);
+  lua_setfield(L, -2, "histories");
+  return 1;
+}
+
+}  // namespace
+
+void open_compare(lua_State* L) {
+  set_function(L, "compare", guarded<compare>);
+}
+
+}  // namespace trilith::script
