@@ -214,8 +214,10 @@ void Simulation::pass(const RunListener& listener) {
   StageProgress& stage = *stage_;
   const StageOptions& options = stage.options;
   StageReport& report = stage.report;
-  evaluate(model_, state_, work_, state_.last_dt);
+  evaluate(model_, state_, work_, state_.last_dt, times_);
+  StepClock clock(times_);
   choose_step(options);
+  clock.mark(StepPart::estimate);
   const bool last = state_.time >= stage.end - 1e-9 * options.duration;
   const double dt = last ? state_.dt : std::min(state_.dt, stage.end - state_.time);
   lead(model_, state_, work_, {dt, {options.rest_share}});
@@ -233,6 +235,7 @@ void Simulation::pass(const RunListener& listener) {
   const bool over = ends(now);
   stage.first = false;
   if (!over || report.end != StageEnd::diverged) tell_samples(listener, now, over);
+  clock.mark(StepPart::record);
   if (over) {
     report.ended = state_.time;
     stage.over = true;
@@ -242,13 +245,16 @@ void Simulation::pass(const RunListener& listener) {
   report.shortest_dt = report.steps == 0 ? dt : std::min(report.shortest_dt, dt);
   report.longest_dt = std::max(report.longest_dt, dt);
   ++report.steps;
-  advance(model_, state_, work_, {dt, {options.rest_share}});
+  advance(model_, state_, work_, {dt, {options.rest_share}}, times_);
+  clock.skip();
   if (!work_.events.empty()) tell_events(listener, now);
   if (listener.on_step) listener.on_step(now);
   if (listener.change_model && listener.change_model(model_)) {
     work_.valid = false;
     kept_model_.reset();
   }
+  clock.mark(StepPart::listen);
+  if (times_ != nullptr) ++times_->steps;
   if (!listener.at_border) return;
   const Flagged border(at_border_);
   listener.at_border();

@@ -11,6 +11,7 @@
 #include "run/causes.hpp"
 #include "run/stage.hpp"
 #include "run/stage_progress.hpp"
+#include "step/step_times.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 #include "world/work.hpp"
@@ -70,6 +71,8 @@ class Simulation {
   void lift_bonds();
   void set_bonds(double reach = 1e-3);
 
+  /// From now on adds where the time goes to `times`, which must outlive this; nullptr: no more.
+  void measure(StepTimes* times) { times_ = times; }
   /// Asks a running stage to end at the next step border. May be called from a signal handler or another thread.
   void stop() { stop_.store(true, std::memory_order_relaxed); }
   /// Evaluates at the present pose, so that forces and contacts can be read before the first step.
@@ -92,6 +95,7 @@ class Simulation {
   Causes causes_;
   std::optional<StageProgress> stage_;
   std::shared_ptr<const Model<2>> kept_model_;  // a copy of model_, where none was changed since
+  StepTimes* times_ = nullptr;
   std::atomic<bool> stop_{false};
   bool running_ = false, at_border_ = false;
 };

@@ -55,9 +55,11 @@ Energy energy_now(const Model<2>& model, const State<2>& state, const Work<2>& w
   return energy;
 }
 
-void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options) {
+void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options, StepTimes* times) {
+  StepClock clock(times);
   lead(model, state, work, options);
   notice(model, state, work);
+  clock.mark(StepPart::notice);
   state.memory.swap(work.memory);
   state.bearing.swap(work.bearing);
   state.plastic.swap(work.plastic);
@@ -80,6 +82,7 @@ void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOp
   state.time += dt;
   state.last_dt = dt;
   ++state.step;
+  clock.mark(StepPart::advance);
 }
 
 }  // namespace trilith

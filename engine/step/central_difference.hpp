@@ -1,6 +1,7 @@
 // Explicit central differences (leapfrog), the ledger's snapshot, and the rule of one step.
 #pragma once
 
+#include "step/step_times.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 #include "world/work.hpp"
@@ -20,7 +21,8 @@ struct StepOptions {
 };
 
 /// Takes one step from an evaluation at the present pose: commits the trial memories, raises events, advances.
-void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options);
+void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options,
+             StepTimes* times = nullptr);
 
 /// The ledger at the instant of the last evaluation (before `advance`): stored terms from the state, given-off terms
 /// from the running sums. Kinetic energy is that of the leapfrog scheme, half of m v(-) v(+).

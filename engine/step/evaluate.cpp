@@ -10,20 +10,29 @@
 
 namespace trilith {
 
-void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt) {
+void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt, StepTimes* times) {
+  StepClock clock(times);
   place(model, state, work);
+  clock.mark(StepPart::place);
   find(model, state, work);
+  clock.mark(StepPart::find);
   work.given = state.given;
   // Rows that are not worked on hold an empty memory, before and after: those that turned last are cleared here.
   for (const int row : work.turned) work.memory[row] = {};
   work.turned.clear();
   std::fill(work.skin_force.begin(), work.skin_force.end(), Vec2::Zero());
-  respond_faces(model, state, work, dt);
+  clock.mark(StepPart::place);
+  respond_faces(model, state, work, dt, times);
+  clock.skip();
   respond_general(model, state, work, dt);
+  clock.mark(StepPart::general);
   respond_bearings(model, state, work, dt);
+  clock.mark(StepPart::bearings);
   resist(model, state, work);
+  clock.mark(StepPart::resist);
   push(model, state, work);
   sum(model, state, work);
+  clock.mark(StepPart::sum);
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // writes only Work.
 #pragma once
 
+#include "step/step_times.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 #include "world/work.hpp"
@@ -11,12 +12,13 @@ namespace trilith {
 /// place -> find -> respond (contacts, bearings) -> resist -> push -> spread -> sum, at the present pose and velocity,
 /// over a step `dt` [s] since the last evaluation. Re-indexes State::contact where the list of near pairs had to be
 /// found anew (empty contacts come and go; no memory is lost).
-void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt);
+/// `times`: where the time goes is added to it.
+void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
 
 // The stages, each the only writer of its part of Work.
 void place(const Model<2>& model, const State<2>& state, Work<2>& work);
 void find(const Model<2>& model, State<2>& state, Work<2>& work);
-void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
+void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
 void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
 /// Makes the waiting bearing `i` live where it stands: sliders begin unstressed there, springs act from where the

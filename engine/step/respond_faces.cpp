@@ -352,7 +352,8 @@ void sort_out(const State<2>& state, const Work<2>& work, const std::vector<int>
 
 }  // namespace
 
-void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
+void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {
+  StepClock clock(times);
   work.general_now.clear();
   for (FaceBatch& batch : work.batches) {
     sort_out(state, work, facing_now(model, state, work, batch), work.face_rows, work.fresh_rows);
@@ -375,6 +376,7 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
         respond_softening(pass, work.face_rows);
         break;
     }
+    clock.mark_law(batch.law);
   }
 }
 

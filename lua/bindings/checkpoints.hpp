@@ -63,6 +63,7 @@ struct Branch {
   std::vector<Event> events;                 ///< all of them
   std::vector<double> times;                 ///< of the samples [s]
   std::vector<std::vector<double>> samples;  ///< [history]
+  bool passed = false;                       ///< the present run has come to where it ended
   double from = 0;                           ///< where the branches part [s]
 };
 

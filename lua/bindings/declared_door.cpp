@@ -1,6 +1,7 @@
 // What is declared of the kinds of handles and of the laws, for the library: console, manual, completion. Not for
 // scripts.
 #include "doors.hpp"
+#include "open.hpp"
 
 namespace trilith::script {
 namespace {
@@ -87,6 +88,40 @@ int laws(lua_State* L) {
   return 3;
 }
 
+/// core.manual_pages(): the pages of the manual, each a function that gives its table.
+int manual_pages(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const LibraryFile* file = library_files(); file->name != nullptr; ++file) {
+    if (!std::string_view(file->name).starts_with("manual/")) continue;
+    load_library_file(L, file->name);
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// core.event_names(): names of all kinds of events.
+int event_names(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const EventTypeInfo& e : event_type_info) {
+    lua_pushlstring(L, e.name.data(), e.name.size());
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// core.history_names(model)
+int history_names(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const History& h : handle<ModelBox>(L, 1).get().histories) {
+    lua_pushlstring(L, h.name.data(), h.name.size());
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
 /// core.kind_of(value): the kind of a handle, nil for anything else.
 int kind_of(lua_State* L) {
   if (lua_type(L, 1) != LUA_TUSERDATA || luaL_getmetafield(L, 1, "__metatable") != LUA_TSTRING) return 0;
@@ -107,6 +142,9 @@ void open_declarations(lua_State* L) {
   set_function(L, "properties", guarded<properties>);
   set_function(L, "laws", guarded<laws>);
   set_function(L, "kind_of", guarded<kind_of>);
+  set_function(L, "manual_pages", guarded<manual_pages>);
+  set_function(L, "event_names", guarded<event_names>);
+  set_function(L, "history_names", guarded<history_names>);
   set_function(L, "is_built", guarded<is_built>);
 }
 

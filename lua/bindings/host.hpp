@@ -9,6 +9,7 @@
 #include "record/results.hpp"
 #include "run/stage.hpp"
 #include "run/study_figures.hpp"
+#include "step/step_times.hpp"
 
 struct lua_State;
 
@@ -58,6 +59,21 @@ struct StudyChoice {
   bool begun = false;   ///< the script has called trilith.study
 };
 
+/// What a Lua callback cost.
+struct CallbackTime {
+  std::string what;  ///< "on_step at wall.lua:12"
+  std::int64_t calls = 0;
+  double seconds = 0;
+};
+
+/// Where the time of a run goes, where that was asked for.
+struct Profile {
+  bool wanted = false;
+  StepTimes times;
+  std::vector<std::string> laws;  ///< names of the contact laws
+  std::vector<CallbackTime> callbacks;
+};
+
 struct Host {
   std::string script;  ///< path as given; "" in the module
   std::string script_text, command_line;
@@ -68,8 +84,9 @@ struct Host {
   std::vector<std::filesystem::path> records;    ///< folders in which motions are looked for after the script's own
   std::string results_file;                      ///< where given, instead of the script's own; for the first model
   RunObserver* observer = nullptr;
-  Console* console = nullptr;          ///< nullptr: nothing pauses
-  int running = 0;                     ///< stages that run
+  Console* console = nullptr;  ///< nullptr: nothing pauses
+  int running = 0;             ///< stages that run
+  Profile profile;
   std::vector<std::string> arguments;  ///< `given`, kept whole
   std::filesystem::path case_folder;   ///< "" or where all results go, under the last part of the script's own names
   StudyChoice study;

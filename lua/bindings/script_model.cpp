@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include <chrono>
 #include <utility>
 
 #include "base/error.hpp"
@@ -152,7 +153,10 @@ RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* obs
   all.change_model = [this](Model<2>& model) { return apply_changes(model); };
   if (script.at_border || checkpoints.on)
     all.at_border = [this, &script] {
-      if (checkpoints.due(*simulation_)) checkpoints.add(checkpoint());
+      // Where the run taken back had ended, this one is to be compared with it.
+      const bool meets = undone && !undone->passed && time() >= undone->checkpoints.back().time();
+      if (meets) undone->passed = true;
+      if (meets || checkpoints.due(*simulation_)) checkpoints.add(checkpoint());
       if (script.at_border) script.at_border();
     };
   return all;
@@ -193,6 +197,10 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
   }
   if (host.console != nullptr && !checkpoints_chosen) checkpoints.on = true;
   rest_share_ = options.rest_share;
+  if (host.profile.wanted) {
+    s.measure(&host.profile.times);
+    host.profile.laws = s.model().law_names;
+  }
   return guarded_run([&] { return s.run(options, listen_with(listener, host.observer)); }, host);
 }
 
@@ -209,6 +217,7 @@ StageReport ScriptModel::guarded_run(const std::function<StageReport()>& go, Hos
     }
   } scope(*this);
   StageReport report;
+  const auto begun = std::chrono::steady_clock::now();
   try {
     report = go();
     broken_.clear();
@@ -216,6 +225,7 @@ StageReport ScriptModel::guarded_run(const std::function<StageReport()>& go, Hos
     broken_ = e.what();
     throw;
   }
+  host.profile.times.all += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   if (host.observer != nullptr) host.observer->stage_ended(report);
   return report;
 }

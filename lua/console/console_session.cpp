@@ -110,7 +110,8 @@ int load_console(lua_State* L) {
   luaL_setfuncs(L, functions, 1);
   lua_pushboolean(L, session_of(L).editor.terminal() ? 1 : 0);
   lua_setfield(L, -2, "terminal");
-  for (const char* file : {"show", "words", "complete", "session"}) {
+  for (const char* file :
+       {"show", "words", "manual", "help", "meta", "declared", "manual_run", "complete", "session"}) {
     script::load_library_file(L, file);
     lua_pushvalue(L, 2);
     script::push_core(L);
@@ -169,6 +170,19 @@ std::string ConsoleSession::prelude(lua_State* L) {
   std::string text = text_at(L, -1);
   lua_pop(L, 2);
   return text;
+}
+
+bool ConsoleSession::manual(lua_State* L, const std::string& what, const std::string& name, std::string& text) {
+  lua_getfield(L, LUA_REGISTRYINDEX, console_table);
+  lua_getfield(L, -1, "manual_text");
+  lua_replace(L, -2);
+  lua_pushstring(L, what.c_str());
+  lua_pushstring(L, name.c_str());
+  script::call(L, 2, 2);
+  const bool good = !lua_isnil(L, -2);
+  text = text_at(L, good ? -2 : -1);
+  lua_pop(L, 2);
+  return good;
 }
 
 void ConsoleSession::on_interrupt(lua_State* L, lua_Debug* at) {

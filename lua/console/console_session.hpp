@@ -23,6 +23,8 @@ class ConsoleSession : public script::Console {
   static void push_handler(lua_State* L);
   /// What stands before a script's first line, so that its locals are seen at the console afterwards.
   [[nodiscard]] static std::string prelude(lua_State* L);
+  /// A text of the manual: of `name`, or "meta" or "check" (see console/manual_run.lua); false with why not in `text`.
+  static bool manual(lua_State* L, const std::string& what, const std::string& name, std::string& text);
   /// What Ctrl-C does while Lua code runs: a hook for InterruptScope.
   static void on_interrupt(lua_State* L, lua_Debug* at);
 

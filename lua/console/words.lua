@@ -48,5 +48,6 @@ function console.add_words(session)
     door.write(frame_line(session, i))
   end
 
+  console.add_help(session)
   for _, word in pairs(words) do session.acts[word] = word end
 end

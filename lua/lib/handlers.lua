@@ -39,19 +39,19 @@ function model_methods.on(model, event, f)
   check_function(f, "on")
   local by_event = core.own(model).by_event
   by_event[event] = by_event[event] or {}
-  table.insert(by_event[event], f)
+  table.insert(by_event[event], core.timed(f, "on " .. event))
 end
 
 --- m:every(interval, f): f(model) each interval of simulated time.
 function model_methods.every(model, interval, f)
   check_function(f, "every")
-  core.own(model).clocks[core.timer(model, interval)] = f
+  core.own(model).clocks[core.timer(model, interval)] = core.timed(f, "every")
 end
 
 --- m:on_step(f): f(model) after each step.
 function model_methods.on_step(model, f)
   check_function(f, "on_step")
-  table.insert(core.own(model).steps, f)
+  table.insert(core.own(model).steps, core.timed(f, "on_step"))
   core.step_handler(model, true)
 end
 
@@ -61,6 +61,6 @@ function model_methods.history(model, options)
   local history = follow(model, options)
   local own = core.own(model)
   own.history_count = (own.history_count or 0) + 1
-  own.samples[own.history_count] = rawget(options, "of")
+  own.samples[own.history_count] = core.timed(rawget(options, "of"), "history")
   return history
 end

@@ -13,6 +13,7 @@ local function rows(model, one, count)
   })
 end
 
+core.module = trilith
 core.made = {} -- functions called with each new model
 
 function trilith.model(options)

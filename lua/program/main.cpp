@@ -24,6 +24,7 @@ int run_program(int argc, char** argv) {
     add_plot(app, code);
     add_view(app, code);
     add_motion(app, code);
+    add_manual(app, code);
     add_info(app, code);
     add_repair(app, code);
     std::vector<std::string> words(argv + 1, argv + argc);

@@ -6,6 +6,7 @@
 
 #include "assignment.hpp"
 #include "live.hpp"
+#include "profile_text.hpp"
 #include "script_run.hpp"
 #include "verbs.hpp"
 
@@ -17,7 +18,7 @@ struct Options {
   std::vector<std::string> given;
   EventShow events = EventShow::important;
   double least_impact = slow_impact;
-  bool quiet = false, list = false;
+  bool quiet = false, list = false, profile = false;
   int only = 0;
 };
 
@@ -31,12 +32,14 @@ int run(const Options& options) {
   host.study.only = options.only;
   host.list_parameters = options.list;
   host.results_file = options.results;
+  host.profile.wanted = options.profile;
   host.records = script::record_folders();
   host.observer = options.list ? nullptr : &live;
   host.command_line = "trilith run " + options.script;
   for (const std::string& g : options.given) host.command_line += " " + g;
   const int code = run_script(host);
   live.clear();
+  if (options.profile) fmt::print("{}", profile_text(host.profile));
   if (options.only > 0 && options.folder.empty()) fmt::print("{}", figures_text(host.figures));
   return code;
 }
@@ -71,6 +74,8 @@ void add_run(CLI::App& app, int& code) {
   verb->add_option("--case", options->only, "run this case of the script's study alone, here")
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber);
+  verb->add_flag("--profile", options->profile,
+                 "say where the time went: parts of the step, contact laws, Lua callbacks");
   verb->add_flag("--params", options->list, "list the script's parameters and end");
   verb->callback([options, &code] { code = run(*options); });
 }

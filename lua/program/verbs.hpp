@@ -14,6 +14,7 @@ void add_run(CLI::App& app, int& code);
 void add_study(CLI::App& app, int& code);
 void add_draw(CLI::App& app, int& code);
 void add_plot(CLI::App& app, int& code);
+void add_manual(CLI::App& app, int& code);
 void add_motion(CLI::App& app, int& code);
 void add_info(CLI::App& app, int& code);
 void add_view(CLI::App& app, int& code);

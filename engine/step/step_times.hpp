@@ -1,0 +1,83 @@
+// Where the time of a step goes, for profiles. Nothing is measured where nobody asks: one branch for each part.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+namespace trilith {
+
+/// Parts of a step, in their order.
+enum class StepPart : int {
+  place,
+  find,
+  faces,
+  general,
+  bearings,
+  resist,
+  sum,
+  estimate,
+  record,
+  notice,
+  advance,
+  listen
+};
+inline constexpr int step_parts = 12;
+inline constexpr std::array<const char*, step_parts> step_part_names{"place",
+                                                                     "find",
+                                                                     "respond: faces",
+                                                                     "respond: other shapes",
+                                                                     "respond: bearings",
+                                                                     "resist",
+                                                                     "sum",
+                                                                     "length of the step",
+                                                                     "record",
+                                                                     "notice",
+                                                                     "advance",
+                                                                     "handlers and listeners"};
+
+/// Wall clock spent in each part [s].
+struct StepTimes {
+  std::array<double, step_parts> part{};
+  std::vector<double> law;  ///< of the faces, by contact law
+  std::int64_t steps = 0;
+  double all = 0;  ///< of whole stages
+};
+
+/// Adds the time since the last mark to a part. `times` may be nullptr: then it does nothing.
+class StepClock {
+ public:
+  explicit StepClock(StepTimes* times) : times_(times) {
+    if (times_ != nullptr) last_ = Clock::now();
+  }
+  void mark(StepPart part) {
+    if (times_ != nullptr) times_->part[static_cast<std::size_t>(part)] += lap();
+  }
+  /// The same for faces of one law.
+  void mark_law(int law) {
+    if (times_ == nullptr) return;
+    const auto row = static_cast<std::size_t>(law);
+    if (row >= times_->law.size()) times_->law.resize(row + 1);
+    const double took = lap();
+    times_->law[row] += took;
+    times_->part[static_cast<std::size_t>(StepPart::faces)] += took;
+  }
+  /// Leaves out the time since the last mark: another clock has it.
+  void skip() {
+    if (times_ != nullptr) last_ = Clock::now();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    const double took = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return took;
+  }
+  StepTimes* times_;
+  Clock::time_point last_;
+};
+
+}  // namespace trilith

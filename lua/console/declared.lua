@@ -1,0 +1,92 @@
+-- Whether the manual says of the Lua interface what it is: nothing left out, nothing that is not there, every key.
+local console, core = ...
+
+local function complain(list, ...) list[#list + 1] = string.format(...) end
+
+local function check_members(list, manual)
+  for owner, kind in pairs(console.kind_names) do
+    for name, member in pairs(core.members(kind)) do
+      local is_method = type(member) == "function"
+      local entry = manual.by_name[owner .. (is_method and ":" or ".") .. name]
+      if not entry then
+        complain(list, "%s%s%s is not declared", owner, is_method and ":" or ".", name)
+      elseif entry.is_field and not entry.type then
+        complain(list, "%s.%s has no type; give it under fields of a page in lua/manual", owner, name)
+      end
+    end
+  end
+end
+
+local function check_module(list, manual, t, name)
+  for key, value in next, t do
+    if type(value) == "table" then
+      check_module(list, manual, value, name .. "." .. key)
+    elseif not manual.by_name[name .. "." .. key] then
+      complain(list, "%s.%s is not declared", name, key)
+    end
+  end
+end
+
+local function check_there(list, manual)
+  for _, entry in ipairs(manual.list) do
+    local owner = entry.owner == "trilith" and core.module or entry.owner == "trilith.build" and core.module.build
+      or console.kind_names[entry.owner] and core.members(console.kind_names[entry.owner])
+    if not entry.is_row and (not owner or rawget(owner, entry.member) == nil) then
+      complain(list, "%s is declared but not there", entry.name)
+    end
+  end
+end
+
+-- An unknown key makes a constructor say which ones it knows.
+local function keys_known(entry, things)
+  local owner = entry.owner == "trilith" and core.module or entry.owner == "trilith.build" and core.module.build
+  local given = { zz_no_such_key_zz = 1 }
+  local good, message
+  if owner then
+    good, message = pcall(owner[entry.member], given)
+  else
+    good, message = pcall(things[entry.owner][entry.member], things[entry.owner], given)
+  end
+  local known = not good and message:match "unknown key 'zz_no_such_key_zz'; known: (.*)$"
+  if not known then return nil, tostring(message) end
+  local keys = {}
+  for key in known:gmatch "[%w_%[%]]+" do keys[key] = true end
+  return keys
+end
+
+local function check_keys(list, manual)
+  local trilith = core.module
+  local things = { model = trilith.model {}, motion = trilith.motion { acceleration = { 0, 1, 0 }, dt = 1 } }
+  for _, entry in ipairs(manual.list) do
+    if entry.takes_table and not entry.unread and (things[entry.owner] or entry.owner:find "^trilith") then
+      local known, message = keys_known(entry, things)
+      if not known then
+        complain(list, "%s does not say which keys it knows: %s", entry.name, message)
+      else
+        local declared = {}
+        for _, keys in ipairs { entry.keys, entry.with } do
+          for _, key in ipairs(keys) do
+            declared[key.name] = true
+            if not known[key.name] and not entry.beside[key.name] and key.name ~= "[1]" then
+              complain(list, "%s: key '%s' is declared but not known", entry.name, key.name)
+            end
+          end
+        end
+        for key in pairs(known) do
+          if not declared[key] then complain(list, "%s: key '%s' is not declared", entry.name, key) end
+        end
+      end
+    end
+  end
+end
+
+--- What is wrong, in words; empty where the manual is whole.
+function console.undeclared()
+  local manual, list = console.manual(), {}
+  check_members(list, manual)
+  check_module(list, manual, core.module, "trilith")
+  check_there(list, manual)
+  check_keys(list, manual)
+  table.sort(list)
+  return list
+end

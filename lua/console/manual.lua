@@ -1,0 +1,167 @@
+-- The manual: every declaration of the Lua interface, from lua/manual/*.lua, from the properties of the kinds of handles
+-- and from the laws' parameters. Help, completion for editors and the reference pages are all made of it.
+local console, core = ...
+
+-- Names in declarations: the kind of handle they belong to.
+local kind_names = {
+  model = "model", body = "body", set = "set of bodies", bearing = "bearing", seat = "seat", history = "history",
+  storey = "storey", motion = "motion", ["contact law"] = "contact law",
+}
+local law_owners = {
+  { "Laws of contact", "contact law", "contacts" },
+  { "Laws of a bearing's direction", "direction law", "bearings" },
+  { "Laws of solids", "solid law", "solids" },
+}
+
+--- "name  number s = 3  sentence" as { name, type, unit, preset, optional, doc }.
+local function read_key(line)
+  local name, kind, doc = line:match "^(%S+)%s%s+(.-)%s%s+(.+)$"
+  if not name then name, kind, doc = line:match "^(%S+)%s%s+(%S+ %S+ = %S+) (.+)$" end
+  if not name then name, kind, doc = line:match "^(%S+)%s%s+(%S+ %S+) (.+)$" end
+  if not name then error("manual: cannot read '" .. line .. "'", 0) end
+  local key = { name = name, doc = doc }
+  local before, preset = kind:match "^(.-) = (.+)$"
+  kind = before or kind
+  key.preset = preset
+  kind, key.optional = kind:gsub("%?$", "")
+  key.optional = key.optional > 0 or preset ~= nil
+  local number, unit = kind:match "^(number) (.+)$"
+  key.type, key.unit = number or kind, unit or ""
+  return key
+end
+
+local function read_keys(text)
+  local keys = {}
+  for line in (text or ""):gmatch "[^\n]+" do keys[#keys + 1] = read_key(line) end
+  return keys
+end
+
+local function read_entry(row, page, shared)
+  local owner, member = row[1]:match "^(.-):(.+)$"
+  if not owner then owner, member = row[1]:match "^(.*)%.(.-)$" end
+  local entry = { name = row[1], owner = owner, member = member, doc = row[2], gives = row.gives, type = row.type,
+    page = page.name, args = read_keys(row.args), keys = read_keys(row.keys), with = {}, takes_table = row.keys ~= nil }
+  -- Keys that are known only beside others, and constructors that tell no keys here: for the check of the manual.
+  entry.beside, entry.unread = row.beside or {}, row.unread
+  if row.with then entry.with = read_keys(shared[row.with]) end
+  if row.with == "bodies" then table.move(read_keys(shared.body), 1, 99, #entry.with + 1, entry.with) end
+  return entry
+end
+
+local function add_makers(manual, page, shared)
+  for _, row in ipairs(page.makers) do
+    for _, owner in ipairs { "model:", "trilith.build." } do
+      local single = rawget(manual.module, row[1]) ~= nil
+      local of_model = owner == "model:"
+      manual.add(read_entry({ owner .. row[1], row[2], keys = row.keys, beside = row.beside,
+        with = of_model and (single and "body" or "bodies") or nil,
+        gives = not of_model and "part[]" or single and "body" or "set" }, page, shared))
+    end
+    if rawget(manual.module, row[1]) then
+      manual.add(read_entry({ "trilith." .. row[1], row[2] .. " One part, for the shape of a body.", keys = row.keys,
+        beside = row.beside, gives = "part" }, page, shared))
+    end
+  end
+end
+
+local function add_laws(manual)
+  for i, laws in ipairs { core.laws() } do
+    local names = {}
+    for name in pairs(laws) do names[#names + 1] = name end
+    table.sort(names)
+    for _, name in ipairs(names) do
+      local entry = { name = "trilith." .. name, owner = "trilith", member = name, doc = laws[name].doc, args = {},
+        keys = {}, with = {}, beside = {}, gives = law_owners[i][2], page = "laws", takes_table = true, group = law_owners[i][1] }
+      if i == 1 then
+        entry.keys[1] = { name = "name", type = "text", unit = "", optional = true, doc = "its name in results" }
+      end
+      if name == "table" then
+        entry.keys[1] = { name = "points", type = "points", unit = "", doc = "{ displacement, force }, ..." }
+      end
+      for _, p in ipairs(laws[name].parameters) do
+        entry.keys[#entry.keys + 1] = { name = p.name, type = "number", unit = p.unit == "1" and "" or p.unit,
+          doc = p.doc .. " (" .. p.range .. ")", optional = p.preset ~= nil,
+          preset = p.preset and ("%g"):format(p.preset) }
+      end
+      manual.add(entry)
+    end
+  end
+end
+
+local function add_fields(manual, types)
+  for owner, kind in pairs(kind_names) do
+    for _, p in ipairs(core.properties(kind) or {}) do
+      manual.add { name = owner .. "." .. p.name, owner = owner, member = p.name, doc = p.doc, unit = p.unit,
+        type = p.number and "number" or types[kind] and types[kind][p.name], is_field = true, args = {}, keys = {},
+        with = {}, page = "fields", settable = p.settable }
+    end
+  end
+end
+
+--- The tables that calls give: their fields are rows of a page.
+local function add_tables(manual, page)
+  for _, name in ipairs { "report", "event", "findings", "part" } do
+    for _, key in ipairs(read_keys(page.tables[name])) do
+      manual.add { name = name .. "." .. key.name, owner = name, member = key.name, doc = key.doc, unit = key.unit,
+        type = key.type, optional = key.optional, is_field = true, is_row = true, args = {}, keys = {}, with = {},
+        page = page.name }
+    end
+  end
+end
+
+--- All of it: { by_name, list (in order of pages), pages }.
+function console.manual()
+  if console.manual_made then return console.manual_made end
+  local manual = { by_name = {}, list = {}, pages = {}, module = core.module }
+  console.manual_made = manual
+  function manual.add(entry)
+    if manual.by_name[entry.name] then error("manual: '" .. entry.name .. "' is declared twice", 0) end
+    manual.by_name[entry.name] = entry
+    manual.list[#manual.list + 1] = entry
+  end
+  local pages, shared, types = {}, {}, {}
+  for _, load_page in ipairs(core.manual_pages()) do pages[#pages + 1] = load_page() end
+  for _, page in ipairs(pages) do
+    for name, text in pairs(page.shared or {}) do shared[name] = text end
+    for kind, fields in pairs(page.fields or {}) do types[kind] = fields end
+  end
+  for _, page in ipairs(pages) do
+    manual.pages[#manual.pages + 1] = page
+    for _, row in ipairs(page) do manual.add(read_entry(row, page, shared)) end
+    if page.makers then add_makers(manual, page, shared) end
+    if page.tables then add_tables(manual, page) end
+  end
+  manual.pages[#manual.pages + 1] = { name = "laws", title = "Laws of contacts, bearings and solids" }
+  add_laws(manual)
+  manual.pages[#manual.pages + 1] = { name = "fields", title = "What can be read, by kind" }
+  add_fields(manual, types)
+  return manual
+end
+
+--- The name in declarations of a kind of handle: "set" for "set of bodies".
+function console.owner_of(kind)
+  for owner, name in pairs(kind_names) do
+    if name == kind then return owner end
+  end
+  return kind
+end
+console.kind_names = kind_names
+
+--- Entries that `text` names: "m.consolidate" where m is a handle, "model:run", "trilith.build.wall", "run".
+function console.entries_named(text, value_of)
+  local manual = console.manual()
+  if manual.by_name[text] then return { manual.by_name[text] } end
+  local first, rest = text:match "^([%a_][%w_]*)[.:](.+)$"
+  local kind = first and value_of and core.kind_of(value_of(first))
+  if kind then
+    local owner = console.owner_of(kind)
+    local entry = manual.by_name[owner .. ":" .. rest] or manual.by_name[owner .. "." .. rest]
+    if entry then return { entry } end
+  end
+  local found = {}
+  local member = rest or text
+  for _, entry in ipairs(manual.list) do
+    if entry.member == member and (not first or entry.owner == first) then found[#found + 1] = entry end
+  end
+  return found
+end

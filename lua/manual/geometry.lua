@@ -1,0 +1,129 @@
+local part = "a list of parts { name, outline, groups }; as a method of a model they become bodies, with what bodies take"
+
+return {
+  name = "geometry", title = "Geometry: parts of masonry and bridges", intro = "Each is there three times: trilith.build.NAME gives "
+    .. part .. ".",
+  makers = {
+    { "block", "A rectangle in any pose.", keys = [[
+name    text?                its name
+width   number m             along its own x
+height  number m             along its own y
+at      point = {0, 0}       where its anchor is
+anchor  text = "lower_left"  "lower_left" or "centre"
+angle   number rad = 0       counter-clockwise]] },
+    { "polygon", "A polygon of given points.", keys = [[
+name     text?   its name
+outline  points  corners in order]] },
+    { "stack", "Blocks on top of each other.", keys = [[
+name    text?           their names begin with it
+at      point = {0, 0}  middle of the bottom
+blocks  list            { { width = , height = , offset = 0 }, ... } from below]] },
+    { "harmonic_stack", "Equal blocks that reach out over an edge.", keys = [[
+name          text?           their names begin with it
+count         integer?        how many
+length        number m?       of one
+height        number m?       of one
+factor        number?         1: as far as just balances
+at            point = {0, 0}  the edge
+table_height  number m?       of the table they stand on]] },
+    { "arch", "An arch of voussoirs: semicircular, segmental or pointed.", keys = [[
+name             text?           names begin with it
+voussoirs        integer?        how many
+radius           number m?       of the mid line
+thickness        number m?       of the ring
+half_angle       number rad?     half of the angle it spans
+offset           number m?       of the two centres of a pointed arch
+span             number m?       instead of radius: clear span, with rise
+rise             number m?       see span
+key              number?         width of the keystone over the others
+sub_edges        integer?        edges for each curved side
+centre           point = {0, 0}  of the circle
+abutments        flag?           make them too
+abutment_depth   number m?       of the abutments
+abutment_margin  number m?       beyond the ring
+jitter           number m?       joints are moved at random by up to this
+seed             integer?        of the random numbers]] },
+    { "wall", "A masonry wall of storeys, with openings, lintels and slabs.", keys = [[
+name            text?             names begin with it
+at              point = {0, 0}    lower left corner
+length          number m?         of the wall; or units
+units           integer?          in a course
+unit_length     number m?         of a stretcher, half its joints included
+unit_height     number m?         of a course
+header_length   number m?         of a header
+head_joint      number m?         added to the units' length
+bed_joint       number m?         added to their height
+bond            text = "running"  running, stack, english, flemish, header or english_garden
+first_row       integer?          row of the bond's pattern to begin with
+least_length    number m?         shortest piece that is cut
+short_pieces    text = "merge"    "merge" or "refuse"
+jitter          number m?         head joints are moved at random by up to this
+seed            integer?          of the random numbers
+courses         integer?          in a storey
+storey_height   number m?         or its height
+storeys         storeys = 1       how many, or a list of { courses = , height = , slab_height = }
+slab_height     number m?         of the slab on each storey
+slab_overhang   number m?         beyond the wall
+base_height     number m?         of the base under it
+base_margin     number m?         beyond the wall
+lintel_height   number m?         over openings
+lintel_bearing  number m?         its length on the wall
+snap            flag?             openings are moved to the nearest joints
+openings        list?             { storey = , x = , sill = , width = , height = , lintel = , sill_height = }, ...]] },
+    { "rubble", "Irregular stones that fill a polygon.", keys = [[
+name         text?     names begin with it
+outline      points    to be filled
+stones       integer?  how many
+relaxations  integer?  more of them make the stones more even
+aspect       number?   width over height
+least_edge   number m? shorter edges are left out
+joint        number m? between the stones
+jitter       number m? points are moved at random by up to this
+seed         integer?  of the random numbers]] },
+    { "running_bond", "A plain panel on a grid of half units, for limit loads.", keys = [[
+name          text?          names begin with it
+columns       integer?       units in a course
+courses       integer?       how many
+unit_width    number m?      of a unit
+unit_height   number m?      of a unit
+half_courses  text = "even"  which courses begin with a half unit: "odd" or "even"
+at            point = {0, 0} lower left corner
+base_height   number m?      of the base
+base_margin   number m?      beyond the panel
+openings      list?          { from = , to = , first_course = , last_course = }, ...
+lintels       list?          the same]] },
+    { "bench_wall", "The wall that run times are measured on.", keys = "courses  integer = 24  how many" },
+    { "ground", "Ground under a surface line.", keys = [[
+name        text?      its name
+surface     points?    its top, from left to right; or steps
+steps       list?      { { from = , level = }, ... }
+to          number m?  where the last step ends
+base_level  number m   its bottom]], beside = { to = true } },
+    { "pier", "A pier of footing, stem and cap.", keys = [[
+name               text?         its name
+x                  number m      its axis
+ground_level       number m = 0  top of the ground
+height             number m      above the ground
+stem_width         number m      of the stem
+top_width          number m?     of the cap
+cap_thickness      number m?     of the cap
+footing_width      number m?     of the footing
+footing_thickness  number m?     of the footing]] },
+    { "abutment", "A stub abutment with a back wall.", keys = [[
+name              text?          its name
+side              text = "left"  "left" or "right"
+x                 number m       edge of its seat
+ground_level      number m = 0   its bottom
+height            number m       from there to the seat
+width             number m       of all of it
+back_wall_height  number m?      above the seat
+back_wall_width   number m?      of the back wall]] },
+    { "span", "A deck between two supports.", keys = [[
+name          text?         its name
+x0            number m      axis of the left support
+x1            number m      axis of the right support
+end_gap       number m?     from the axis to its end
+soffit_level  number m?     its underside
+depth         number m?     its height]] },
+  },
+}

@@ -1,0 +1,90 @@
+return {
+  name = "model", title = "Models: what they are made of",
+  { "trilith.model", "A new model. Any number of them live side by side.", keys = [[
+name             text = ""           what messages call it
+thickness        number m = 1        out of the plane, of every contact
+gravity          number m/s2 = 9.81  downwards; or a vector {x, y}
+mass_damping     number 1/s = 0      damping force per momentum
+impact_speed     number m/s = 0.5    a contact made faster than this is an impact
+apart_time       number s = 0.02     a contact that has been open this long is lost
+still_speed      number m/s?         a body slower than this for still_time is at rest
+still_time       number s = 0.5      see still_speed
+body             body form?          what bodies are made as: "rigid", "quad" or { mesh = {nx, ny} }
+overlap_allowed  number?             share of a body's size by which bodies may overlap at the start]], gives = "model" },
+  { "model:close", "Ends the recording and frees the model." },
+  { "model:material", "A material, which bodies name.", keys = [[
+name         text              its name
+density      number kg/m3?     either this
+unit_weight  number N/m3?      or this
+E            number Pa?        Young's modulus, for bodies that deform
+nu           number?           Poisson's ratio
+damping      number s?         stress per strain rate over E
+solid        solid law?        instead of E: a law such as trilith.mohr_coulomb{...}
+plane        text = "stress"   "stress" or "strain"
+form         text = "assumed"  "assumed" or "plain": the element]], gives = "string" },
+  { "model:contact", "Which law holds between materials, groups or bodies. Later calls win.", keys = [[
+between  names          two names of materials, groups or bodies; "*" for any
+law      contact law    a law, the name of one, or "none"
+name     text?          the law's name in results]] },
+  { "model:body", "Makes a body; with a name alone, finds one.", args = "name  text?  of a body that is there; or the table",
+    keys = [[
+name     text     its name
+outline  points?  corners in order
+shape    table?   or a part, such as trilith.block{...}
+mesh     table?   or a mesh: { file = } or { nodes = , elements = }]], with = "body", gives = "body" },
+  { "model:add", "Parts as from trilith.build become bodies.", args = [[
+parts    table   list of { name, outline, groups }
+options  table?  what bodies take, and fixed = , by_group = ]], gives = "set" },
+  { "model:bearing", "A bearing between two bodies: laws along, across and for turning.", keys = [[
+name               text           its name
+between            names          two bodies, or their names
+at                 point?         where it is; or from and to
+from               point?         its point on the first body
+to                 point?         its point on the second
+angle              number rad = 0 of its direction along
+along              direction law? force along
+axial              direction law? force across
+turning            direction law? moment
+limit              table?         { along = , axial = , turning = }: displacements that end it
+becomes            text?          what is there after it failed: another bearing, or a contact law
+waiting            flag = false   it goes live only as another's successor
+holds_off_contact  flag = false   it stands for the flat contact it sits in]], gives = "bearing" },
+  { "model:seat", "A body's end on the edge of a support: how much is left is followed.", keys = [[
+name     text    its name
+body     body    what sits
+support  body    on what
+at_end   point   the body's end
+edge     point   the edge of the seat
+inward   point?  from the edge over the seat]], gives = "seat" },
+  shared = { body = [[
+material        text?            its material
+groups          names?           groups it belongs to
+density         number kg/m3?    instead of the material's
+unit_weight     number N/m3?     or this
+mass            number kg?       or this
+weight          number N?        or this
+inertia         number kg m2?    about the centroid
+body_thickness  number m?        out of the plane
+support         text?            "fixed", "free" or directions { x = "fixed" }
+velocity        point?           at the start [m/s]
+spin            number rad/s = 0 at the start
+load            point?           steady force [N]
+floating        flag = false     it may stand on nothing
+body            body form?       "rigid", "quad" or { mesh = {nx, ny} }
+hold            table?           boxes whose nodes are held]],
+    bodies = [[
+fixed           names?           names or groups that are fixed
+by_group        table?           what holds for a group alone]] },
+  fields = {
+    model = { name = "string", energy = "table", bearings = "trilith.bearing[]", seats = "trilith.seat[]",
+      storeys = "trilith.storey[]", events = "trilith.event[]", hash = "string", notes = "string[]",
+      worst = "trilith.findings" },
+    body = { name = "string", material = "string", groups = "string[]", outline = "number[][]", kind = "string",
+      resting = "boolean" },
+    ["set of bodies"] = { names = "string[]" },
+    bearing = { name = "string", status = "string", bodies = "trilith.body[]", force = "table", displacement = "table",
+      limited = "boolean" },
+    seat = { name = "string", lost = "boolean" },
+    history = { name = "string", unit = "string", t = "number[]", values = "number[]" },
+  },
+}

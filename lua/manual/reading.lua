@@ -1,0 +1,36 @@
+return {
+  name = "reading", title = "Reading and recording",
+  { "model:bodies", "A set of bodies; * and ? stand for letters.", keys = [[
+group     names?  of one of these groups
+material  names?  of one of these materials
+name      names?  of these names]], gives = "set" },
+  { "set:has", "True where all of it is in this set.", args = "bodies  bodies  a body, set, name or list", gives = "boolean" },
+  { "body:point", "Where the point is now that was there at the start: x and y.", args = "place  point  {x, y} at the start",
+    gives = "number, number" },
+  { "model:contacts", "Contacts that carry force: { a, b, law, hold, slip, normal, shear, point, force }.",
+    keys = "between  list?  two bodies, sets or names", gives = "table[]" },
+  { "model:history", "Follows a number over time.", keys = [[
+name     text       what results call it
+what     text?      which number of
+body     body?      this body
+bearing  bearing?   or bearing
+seat     seat?      or seat
+storey   integer?   or storey; of the model where none is given
+of       function?  or what a function gives
+unit     text?      of the function's values
+doc      text?      what they are
+every    number s?  without results: how often]], gives = "history", beside = { unit = true, doc = true } },
+  { "model:results", "What is written, and how often.", keys = [[
+file        text              one HDF5 file
+frames      number s = 0.05   between pictures of the whole model
+histories   number s = 0.01   between samples of the histories
+energy      number s = 0.05   between rows of the ledger
+velocities  flag = false      with the velocities in each frame
+joints      flag = true       with opening, slip and damage of each joint]] },
+  { "model:explain_dt", "Which body and contacts govern the length of a step.", gives = "string" },
+  { "model:joints", "Faces that lay on each other at the start: { a, b, opening, slip, damage, storey, x, y }.",
+    gives = "table[]" },
+  { "model:thrust_line", "Where the force goes through a chain of bodies: { a, b, x, y, fx, fy }.",
+    args = "bodies  bodies  in order", gives = "table[]" },
+  { "model:stresses", "Mean stress { xx, yy, xy, major, minor } by body's name [Pa].", gives = "table" },
+}

@@ -1,0 +1,49 @@
+local rest = "true, or { speed = [m/s], ratio = , hold = [s], from = [s] }"
+local drive = [[
+body      bodies   what is moved
+x         motion?  along x
+y         motion?  along y
+rotation  motion?  about the centroid
+motions   list?    instead: { { body = , x = , y = , rotation = }, ... }]]
+
+return {
+  name = "stages", title = "Stages: what runs, and what changes between and within them",
+  { "model:run", "A stage of motion. Where the model pauses, the stage that pauses goes on up to that time.", keys = [[
+duration    number s?     how long
+to          number s?     or until this time
+name        text = "run"  what results call it
+damping     number = 0    share of the unbalanced force that brakes each body
+dt          number s?     fixed step; found by itself where left out
+safety      number = 0.5  share of the longest stable step
+until_rest  rest?         end at rest: ]] .. rest, gives = "report" },
+  { "model:consolidate", "To rest under dead load, with a damping of its own.", keys = [[
+duration  number s = 60           at most
+ratio     number = 1e-5           unbalanced force over the largest one at rest
+speed     number m/s?             fastest point at rest
+hold      number s?               for how long
+damping   number = 0.8            share of the unbalanced force that brakes each body
+grow      number s = 0.5          gravity comes on over this time
+fresh     flag = false            mortar is fresh: joints are bonded as they stand at the end
+name      text = "consolidation"  what results call it
+dt        number s?               fixed step
+safety    number = 0.5            share of the longest stable step]], gives = "report" },
+  { "model:shake", "Bodies follow ground motions.", keys = drive .. [[
+
+duration  number s?       how long; to the end of the motions where left out
+still     rest?           end at rest after the motions: ]] .. rest .. [[
+
+name      text = "shake"  what results call it
+dt        number s?       fixed step
+safety    number = 0.5    share of the longest stable step]], gives = "report" },
+  { "model:drive", "A body follows a motion from now on.", keys = drive },
+  { "model:fix", "Holds bodies, in some directions or all.", args = [[
+bodies      bodies  a body, set, name, group or list of these
+directions  text?   of x, y and r, as in "xy"]] },
+  { "model:free", "Lets bodies go, in some directions or all.", args = [[
+bodies      bodies  a body, set, name, group or list of these
+directions  text?   of x, y and r, as in "xy"]] },
+  { "model:tilt", "Gravity turns from now on.", keys = [[
+rate  number rad/s  counter-clockwise
+by    number rad?   where it stops]] },
+  { "model:stop", "Ends the running stage at the next step border." },
+}

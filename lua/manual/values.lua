@@ -1,0 +1,34 @@
+return {
+  name = "values", title = "Units, parameters, laws and motions",
+  { "trilith.units", "Factors that turn a number with a unit into SI: local ft, kip = trilith.units \"ft kip\".",
+    args = "names  text  unit names, separated by blanks", gives = "number..." },
+  { "trilith.params", "Parameters of the script, set by trilith run model.lua name=value.",
+    args = "declared  table  name = { default, unit = , choices = , \"sentence\" }", gives = "table" },
+  { "trilith.version", "Version of the program.", type = "string" },
+  { "trilith.motion", "A ground motion: a file's name, samples, or a steady velocity.",
+    args = "file  text?  name of a file with accelerations; or the table",
+    keys = [[
+file          text?              a file with accelerations
+acceleration  numbers?           samples [m/s2]
+dt            number s?          step of the samples
+v0            number m/s = 0     velocity at the start
+u0            number m = 0       displacement at the start
+velocity      number m/s?        instead of samples: a steady velocity
+duration      number s?          of the steady velocity
+allow_drift   flag = false       it need not come to rest
+name          text?              what messages call it]], gives = "motion", beside = { duration = true } },
+  { "motion:scale", "The same times a factor.", keys = [[
+pga     number m/s2?  so that the largest acceleration is this
+factor  number?       or times this]], gives = "motion" },
+  { "motion:scale_as", "The same by the factor another one was scaled by.", args = "other  motion  the other one",
+    gives = "motion" },
+  { "motion:time_scale", "The time axis times a factor; accelerations are kept.", args = "factor  number  above 0",
+    gives = "motion" },
+  { "motion:delay", "The same later.", args = "time  number s  how much later", gives = "motion" },
+  { "motion:reverse", "The same the other way.", gives = "motion" },
+  { "motion:start_velocity", "The same accelerations from another velocity at the start.",
+    args = "velocity  number m/s  at the start", gives = "motion" },
+  { "motion:at", "Acceleration, velocity and displacement at a time.", args = "time  number s  when",
+    gives = "number, number, number" },
+  fields = { motion = { description = "string" }, ["contact law"] = { name = "string" } },
+}

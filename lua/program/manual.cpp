@@ -1,0 +1,51 @@
+// trilith manual [NAME]
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "console_session.hpp"
+#include "record/picture_file.hpp"
+#include "script_state.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct Options {
+  std::string name, meta;
+  bool check = false;
+};
+
+int run(const Options& options) {
+  script::Host host;
+  const ScriptState state = new_script_state(host);
+  ConsoleSession session(state.get(), host);
+  const std::string what = options.check ? "check" : options.meta.empty() ? "" : "meta";
+  std::string text;
+  const bool good = session.manual(state.get(), what, options.name, text);
+  if (!good) {
+    fmt::print(stderr, "{}\n", text);
+    return wrong_input;
+  }
+  if (options.meta.empty() || options.meta == "-")
+    fmt::print("{}", text);
+  else
+    write_whole_file(options.meta, text);
+  return ended_well;
+}
+
+}  // namespace
+
+void add_manual(CLI::App& app, int& code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("manual", "What the Lua interface has: the same text as help at the console");
+  verb->add_option("name", options->name, "a function, a field, a page; without it, what pages there are")
+      ->type_name("NAME");
+  verb->add_option("--meta", options->meta,
+                   "write the declarations for editors to FILE (- for here); see docs/editor.md")
+      ->type_name("FILE");
+  verb->add_flag("--check", options->check, "say what of the interface is not declared");
+  verb->callback([options, &code] { code = run(*options); });
+}
+
+}  // namespace trilith::program

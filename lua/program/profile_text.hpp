@@ -1,0 +1,14 @@
+// Where the time of a run went, as lines.
+#pragma once
+
+#include <string>
+
+#include "host.hpp"
+
+namespace trilith::program {
+
+/// Parts of the step, contact laws and Lua callbacks with their shares of the wall clock; the largest first among the
+/// laws and callbacks.
+std::string profile_text(const script::Profile& profile);
+
+}  // namespace trilith::program
