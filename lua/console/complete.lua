@@ -1,8 +1,8 @@
 -- What Tab offers: names, fields and methods, keys of the table that is being written, names of the model in strings.
 local console, core = ...
 
-local keywords = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in", "local",
-  "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
+local keywords = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in",
+  "local", "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
 
 local function beginning_with(names, start)
   local found, seen = {}, {}

@@ -67,13 +67,15 @@ end
 local function overview()
   local lines = {
     "Lines are Lua; what an expression gives is shown. Tab completes, arrows bring back lines, Ctrl-C stops what runs.",
-    "  help(x), help \"m.run\"        what x is, or what is called so       apropos \"bearing\"   where a word is told of",
+    "  help(x), help \"m.run\"        what x is, or what is called so",
+    "  apropos \"bearing\"           where a word is told of",
     "  help \"stages\"                a page of the manual; there are:",
   }
   for _, page in ipairs(console.manual().pages) do
     lines[#lines + 1] = ("    %-12s %s"):format(page.name, page.title)
   end
-  lines[#lines + 1] = "Where a run pauses (Ctrl-C, m:break_on): `continue`, `stop`, `where`, `frame(n)`; locals go by their names."
+  lines[#lines + 1] = "Where a run pauses (Ctrl-C, m:break_on): `continue`, `stop`, `where`, `frame(n)`; "
+    .. "locals go by their names."
   lines[#lines + 1] = "`quit` or Ctrl-D leaves."
   return table.concat(lines, "\n")
 end
@@ -118,11 +120,12 @@ local function text_named(text, value_of)
     for i, entry in ipairs(found) do parts[i] = one_line(entry) end
     return table.concat(parts, "\n")
   end
-  if console.kind_names[text] then return owner_text(text) end
+  local of_owner = owner_text(text)
+  if of_owner ~= "" then return of_owner end
   local value = value_of and text:find "^[%a_][%w_]*$" and value_of(text)
   if value ~= nil and value ~= false and type(value) ~= "string" then return console.help_text(value, value_of) end
   local hint = core.hint(text, names_known()):gsub("^; known:.*$", "; try apropos \"" .. text .. "\"")
-  error(("help: there is nothing called '%s'%s"):format(text, hint), 0)
+  core.fail(("help: there is nothing called '%s'%s"):format(text, hint))
 end
 
 local function function_name(f)
@@ -149,13 +152,13 @@ function console.help_text(value, value_of)
     return info.what == "C" and "a function of Lua itself, or of the program"
       or ("a function at %s:%d"):format(info.short_src, info.linedefined)
   end
-  local kind = math.type(value) or type(value)
-  return ("%s %s: %s"):format(kind == "integer" and "an" or "a", kind, console.show(value))
+  local sort = math.type(value) or type(value)
+  return ("%s %s: %s"):format(sort == "integer" and "an" or "a", sort, console.show(value))
 end
 
 --- Entries in which a word occurs, one line each.
 function console.apropos_text(word)
-  if type(word) ~= "string" or word == "" then error("apropos: takes a word, as in apropos \"bearing\"", 0) end
+  if type(word) ~= "string" or word == "" then core.fail "apropos: takes a word, as in apropos \"bearing\"" end
   local lines, low = {}, word:lower()
   for _, entry in ipairs(console.manual().list) do
     local text = entry.name .. " " .. entry.doc

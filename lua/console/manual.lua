@@ -1,5 +1,5 @@
--- The manual: every declaration of the Lua interface, from lua/manual/*.lua, from the properties of the kinds of handles
--- and from the laws' parameters. Help, completion for editors and the reference pages are all made of it.
+-- The manual: every declaration of the Lua interface, from lua/manual/*.lua, from the properties of the kinds of
+-- handles and from the laws' parameters. Help, completion for editors and the reference pages are all made of it.
 local console, core = ...
 
 -- Names in declarations: the kind of handle they belong to.
@@ -7,17 +7,11 @@ local kind_names = {
   model = "model", body = "body", set = "set of bodies", bearing = "bearing", seat = "seat", history = "history",
   storey = "storey", motion = "motion", ["contact law"] = "contact law",
 }
-local law_owners = {
-  { "Laws of contact", "contact law", "contacts" },
-  { "Laws of a bearing's direction", "direction law", "bearings" },
-  { "Laws of solids", "solid law", "solids" },
-}
+local law_kinds = { "contact law", "direction law", "solid law" }
 
 --- "name  number s = 3  sentence" as { name, type, unit, preset, optional, doc }.
 local function read_key(line)
-  local name, kind, doc = line:match "^(%S+)%s%s+(.-)%s%s+(.+)$"
-  if not name then name, kind, doc = line:match "^(%S+)%s%s+(%S+ %S+ = %S+) (.+)$" end
-  if not name then name, kind, doc = line:match "^(%S+)%s%s+(%S+ %S+) (.+)$" end
+  local name, kind, doc = line:match "^(%S+)%s%s+(%S.-)%s%s+(%S.*)$"
   if not name then error("manual: cannot read '" .. line .. "'", 0) end
   local key = { name = name, doc = doc }
   local before, preset = kind:match "^(.-) = (.+)$"
@@ -71,7 +65,7 @@ local function add_laws(manual)
     table.sort(names)
     for _, name in ipairs(names) do
       local entry = { name = "trilith." .. name, owner = "trilith", member = name, doc = laws[name].doc, args = {},
-        keys = {}, with = {}, beside = {}, gives = law_owners[i][2], page = "laws", takes_table = true, group = law_owners[i][1] }
+        keys = {}, with = {}, beside = {}, gives = law_kinds[i], page = "laws", takes_table = true }
       if i == 1 then
         entry.keys[1] = { name = "name", type = "text", unit = "", optional = true, doc = "its name in results" }
       end

@@ -1,5 +1,5 @@
 -- The words of the console: continue, stop, quit, where, frame. Each is a function; alone on a line it is called.
-local console, _, door = ...
+local console, core, door = ...
 
 local function frame_line(session, i)
   local frame = session.frames[i]
@@ -7,7 +7,7 @@ local function frame_line(session, i)
 end
 
 local function need_pause(session, word)
-  if not session.paused then error(word .. ": no run pauses here", 0) end
+  if not session.paused then core.fail(word .. ": no run pauses here") end
 end
 
 --- Adds the words to a session.
@@ -23,7 +23,7 @@ function console.add_words(session)
   --- Ends the stage at this border, and lets the script go on.
   function words.stop()
     need_pause(session, "stop")
-    if not session.model then error("stop: no stage runs here", 0) end
+    if not session.model then core.fail "stop: no stage runs here" end
     session.model:stop()
     session.left = true
   end
@@ -43,7 +43,7 @@ function console.add_words(session)
   --- Chooses the frame whose locals are seen.
   function words.frame(i)
     need_pause(session, "frame")
-    if not session.frames[i] then error(("frame: there are frames 1 to %d"):format(#session.frames), 0) end
+    if not session.frames[i] then core.fail(("frame: there are frames 1 to %d"):format(#session.frames)) end
     session.frame = i
     door.write(frame_line(session, i))
   end

@@ -8,7 +8,8 @@ function checks.laws(model, add)
   for _, law in ipairs(core.contact_laws(model)) do
     local kind, name = tostring(law):match "^(%w+)", law.name
     if law.beta == 0 then
-      add(("law '%s' has no damping (beta = 0): what strikes it bounces for ever; give beta = 2*zeta/omega"):format(name))
+      add(("law '%s' has no damping (beta = 0): what strikes it bounces for ever; give beta = 2*zeta/omega")
+        :format(name))
     end
     if kind ~= "frictional" and law.mu > 0 and law.tension > law.cohesion / law.mu then
       add(("law '%s': tension %g Pa is above cohesion/mu = %g Pa, so shear fails first in pure tension; is that meant?")

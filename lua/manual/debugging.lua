@@ -11,12 +11,14 @@ above    number?           of a value above this
 when     function?         pauses when f(model) becomes true
 line     text or integer?  a line of a script: "bridge.lua:40"
 once     flag = false      only the first time]], gives = "integer" },
-  { "model:break_off", "That break is over; without a number all are.", args = "number  integer?  as break_on gave it" },
+  { "model:break_off", "That break is over; without a number all are.",
+    args = "number  integer?  as break_on gave it" },
   { "model:breaks", "Breaks that hold, in words by number.", gives = "string[]" },
-  { "model:step", "So many steps more: of the stage that pauses, or of one of its own.", args = "n  integer = 1  how many" },
+  { "model:step", "So many steps more: of the stage that pauses, or of one of its own.",
+    args = "n  integer = 1  how many" },
   { "model:continue", "Lets a run that pauses go on, or the stage that rewind has brought back.", gives = "report" },
-  { "model:rewind", "Back to the checkpoint in memory nearest to that time. What was recorded since stays in an unfinished "
-    .. "file; what follows goes to one of its own.", args = "seconds  number s?  how far back; or the table",
+  { "model:rewind", "Back to the checkpoint in memory nearest to that time. What was recorded since stays in an "
+    .. "unfinished file; what follows goes to one of its own.", args = "seconds  number s?  how far back; or the table",
     keys = "to  number s  the time to go back to", gives = "number" },
   { "model:checkpoints", "What is kept in memory to go back to; at a console one each 0.1 s by itself.", keys = [[
 every  number s = 0.1      between them

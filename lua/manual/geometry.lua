@@ -1,8 +1,5 @@
-local part = "a list of parts { name, outline, groups }; as a method of a model they become bodies, with what bodies take"
-
 return {
-  name = "geometry", title = "Geometry: parts of masonry and bridges", intro = "Each is there three times: trilith.build.NAME gives "
-    .. part .. ".",
+  name = "geometry", title = "Geometry: parts of masonry and bridges",
   makers = {
     { "block", "A rectangle in any pose.", keys = [[
 name    text?                its name
@@ -76,9 +73,9 @@ outline      points    to be filled
 stones       integer?  how many
 relaxations  integer?  more of them make the stones more even
 aspect       number?   width over height
-least_edge   number m? shorter edges are left out
-joint        number m? between the stones
-jitter       number m? points are moved at random by up to this
+least_edge   number m?  shorter edges are left out
+joint        number m?  between the stones
+jitter       number m?  points are moved at random by up to this
 seed         integer?  of the random numbers]] },
     { "running_bond", "A plain panel on a grid of half units, for limit loads.", keys = [[
 name          text?          names begin with it
@@ -87,7 +84,7 @@ courses       integer?       how many
 unit_width    number m?      of a unit
 unit_height   number m?      of a unit
 half_courses  text = "even"  which courses begin with a half unit: "odd" or "even"
-at            point = {0, 0} lower left corner
+at            point = {0, 0}  lower left corner
 base_height   number m?      of the base
 base_margin   number m?      beyond the panel
 openings      list?          { from = , to = , first_course = , last_course = }, ...

@@ -10,7 +10,8 @@ apart_time       number s = 0.02     a contact that has been open this long is l
 still_speed      number m/s?         a body slower than this for still_time is at rest
 still_time       number s = 0.5      see still_speed
 body             body form?          what bodies are made as: "rigid", "quad" or { mesh = {nx, ny} }
-overlap_allowed  number?             share of a body's size by which bodies may overlap at the start]], gives = "model" },
+overlap_allowed  number?             share of a body's size by which bodies may overlap at the start]],
+    gives = "model" },
   { "model:close", "Ends the recording and frees the model." },
   { "model:material", "A material, which bodies name.", keys = [[
 name         text              its name
@@ -26,7 +27,8 @@ form         text = "assumed"  "assumed" or "plain": the element]], gives = "str
 between  names          two names of materials, groups or bodies; "*" for any
 law      contact law    a law, the name of one, or "none"
 name     text?          the law's name in results]] },
-  { "model:body", "Makes a body; with a name alone, finds one.", args = "name  text?  of a body that is there; or the table",
+  { "model:body", "Makes a body; with a name alone, finds one.",
+    args = "name  text?  of a body that is there; or the table",
     keys = [[
 name     text     its name
 outline  points?  corners in order
@@ -41,10 +43,10 @@ between            names          two bodies, or their names
 at                 point?         where it is; or from and to
 from               point?         its point on the first body
 to                 point?         its point on the second
-angle              number rad = 0 of its direction along
-along              direction law? force along
-axial              direction law? force across
-turning            direction law? moment
+angle              number rad = 0  of its direction along
+along              direction law?  force along
+axial              direction law?  force across
+turning            direction law?  moment
 limit              table?         { along = , axial = , turning = }: displacements that end it
 becomes            text?          what is there after it failed: another bearing, or a contact law
 waiting            flag = false   it goes live only as another's successor
@@ -67,7 +69,7 @@ inertia         number kg m2?    about the centroid
 body_thickness  number m?        out of the plane
 support         text?            "fixed", "free" or directions { x = "fixed" }
 velocity        point?           at the start [m/s]
-spin            number rad/s = 0 at the start
+spin            number rad/s = 0  at the start
 load            point?           steady force [N]
 floating        flag = false     it may stand on nothing
 body            body form?       "rigid", "quad" or { mesh = {nx, ny} }

@@ -4,9 +4,10 @@ return {
 group     names?  of one of these groups
 material  names?  of one of these materials
 name      names?  of these names]], gives = "set" },
-  { "set:has", "True where all of it is in this set.", args = "bodies  bodies  a body, set, name or list", gives = "boolean" },
-  { "body:point", "Where the point is now that was there at the start: x and y.", args = "place  point  {x, y} at the start",
-    gives = "number, number" },
+  { "set:has", "True where all of it is in this set.",
+    args = "bodies  bodies  a body, set, name or list", gives = "boolean" },
+  { "body:point", "Where the point is now that was there at the start: x and y.",
+    args = "place  point  {x, y} at the start", gives = "number, number" },
   { "model:contacts", "Contacts that carry force: { a, b, law, hold, slip, normal, shear, point, force }.",
     keys = "between  list?  two bodies, sets or names", gives = "table[]" },
   { "model:history", "Follows a number over time.", keys = [[

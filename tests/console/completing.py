@@ -43,7 +43,7 @@ def session_tab_completes_names_in_strings(place):
     s.type('m:fix("upp\t")\r')
     s.expect(r'm:fix\("upper"\)\s+^> $')
     s.type('m:history { name = "height\t')
-    s.expect(r'"height of the block$')
+    s.expect(r'"height ?of the block$')
     s.interrupt()
     s.type("m:break_on 'bearing.f\t'\r")
     s.expect("^1$")
