@@ -59,8 +59,6 @@ class Simulation {
   void drop_step() { state_.dt = 0; }
   /// The stage that runs, or was restored and waits for resume(); nullptr where there is none.
   [[nodiscard]] const StageProgress* stage() const { return stage_ ? &*stage_ : nullptr; }
-  /// The length of the step is looked at anew, after a change that may shorten it.
-  void forget_step() { state_.dt = 0; }
 
   [[nodiscard]] Snapshot snapshot();
   /// Goes back to a snapshot of this simulation. Within at_border: to one of the running stage, which then goes on from

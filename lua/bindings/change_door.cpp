@@ -82,7 +82,7 @@ int change(lua_State* L) {
     keys.finish();
   }
   const std::string said = law.empty() ? change_bearing(keys, m, bearing) : change_law(keys, m, law);
-  m.simulation().forget_step();
+  m.simulation().drop_step();
   m.note(fmt::format("changed at {:.6g} s: {}", m.time(), said));
   if (host(L).observer != nullptr) host(L).observer->note(said);
   return 0;

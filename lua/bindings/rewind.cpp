@@ -51,6 +51,8 @@ double ScriptModel::rewind(double time, Host& host) {
   if (running_ && !paused_) throw InputError("rewind: a stage runs; pause it first");
   const Checkpoint& found = require_checkpoint(*this, time);
   if (paused_) require_same_stage(*this, found);
+  if (paused_ && watch)
+    throw InputError("rewind: a pushover samples its curve as it goes and cannot go back; end it first with stop");
   const double left = simulation_->state().time, to = found.time();
   Branch branch;
   branch.from = to;

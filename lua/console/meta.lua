@@ -14,7 +14,8 @@ local type_of = {
   body = "trilith.body|string", bodies = "trilith.body|trilith.set|string|table", bearing = "trilith.bearing|string",
   seat = "trilith.seat|string", motion = "trilith.motion", rest = "boolean|table", ["body form"] = "string|table",
   ["contact law"] = "trilith.contact_law|string", ["direction law"] = "trilith.direction_law",
-  ["solid law"] = "trilith.solid_law", ["text or integer"] = "string|integer", storeys = "integer|table[]",
+  ["solid law"] = "trilith.solid_law", ["text or integer"] = "string|integer", course = "number|table",
+  place = "number[]|string", storeys = "integer|table[]",
 }
 
 local function gives_type(text)

@@ -200,7 +200,7 @@ local function run(session, chunk)
   return shown
 end
 
---- Reads one chunk: lines until it is whole. Its function, or nil and a message; false at the end of the input.
+--- Reads one chunk: lines until it is whole. Its function and text, or nil and a message; false where the input ends.
 local function read(session)
   local text = nil
   while true do
@@ -214,7 +214,7 @@ local function read(session)
     if text:find "^%s*=" then text = "return " .. text:gsub("^%s*=", "", 1) end
     if text:find "^%s*$" then return nil, nil end
     local chunk, message, unfinished = compile(text, session.environment)
-    if chunk then return chunk end
+    if chunk then return chunk, text end
     if not unfinished then return nil, (message:gsub("^console:1: ", "")) end
   end
 end
@@ -235,10 +235,9 @@ local function loop(session)
     local chunk, message = read(session)
     if chunk then
       ends = 0
-      local outer = console.session
-      console.session = session
+      -- What is typed in a pause is no part of the script: the results say it.
+      if session.model then core.note(session.model, ("console at %.6g s: %s"):format(session.model.time, message)) end
       local good = run(session, chunk)
-      console.session = outer
       all_good = good and all_good
       core.arm_lines()
       local why = session.model and core.pause_reason(session.model) or ""

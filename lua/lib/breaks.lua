@@ -22,6 +22,7 @@ local function filter_text(options)
 end
 
 local function on_event(model, stop, options)
+  core.listen(model, options[1], "break_on")
   local wanted = core.wanted(options, "break_on")
   stop.text = "event " .. options[1] .. filter_text(options)
   model_methods.on(model, options[1], function(event)

@@ -78,7 +78,7 @@ def session_break_is_taken_off(place):
 
 def session_wrong_breaks_are_told(place):
     s = place.console("-i", "fall.lua")
-    s.ask("m:break_on 'impcat'", r"on: there is no event 'impcat'; did you mean 'impact'\?")
+    s.ask("m:break_on 'impcat'", r"break_on: there is no event 'impcat'; did you mean 'impact'\?")
     s.ask("m:break_on { 'impact', bdy = 'x' }", r"break_on: unknown key 'bdy'; did you mean 'body'\?")
     s.ask("m:break_on(7)", r"break_on: takes an event, a function or a table; this is a number")
     s.ask("m:break_on { line = 'x' }", r"must be a number or a text such as")

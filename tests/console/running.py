@@ -1,4 +1,5 @@
 """Scripts and runs: what stays after a script, Ctrl-C, pauses, errors."""
+import subprocess
 import time
 
 from sessions import FALL, check, run_all
@@ -138,10 +139,14 @@ def session_results_of_a_pause_that_is_left_are_unfinished(place):
     s.expect(r"stage begun")
     s.interrupt()
     s.expect(r"s> $")
+    s.line("m:fix(block)")
+    s.expect(r"s> $")
     s.line("quit")
     s.expect(r"results so far, unfinished, are in fall\.h5\.part")
     s.ends(0)
     check(place.has("fall.h5.part") and not place.has("fall.h5"), "the wrong file is left")
+    told = subprocess.run([place.program, "info", "fall.h5.part"], cwd=place.folder, capture_output=True, text=True)
+    check("s: m:fix(block)" in told.stdout, "what was typed is not in the results:\n" + told.stdout)
 
 
 def session_quit_gives_its_code(place):

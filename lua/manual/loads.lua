@@ -1,0 +1,52 @@
+local course = "a factor, { ramp = seconds }, { smooth = seconds } or { {time, share}, ... }"
+
+return {
+  name = "loads", title = "Loads over time, pushes and quiet release",
+  { "model:point_load", "A force or moment on a body from now on. Gives its name.", keys = [[
+body    bodies          on what
+force   point?          the force [N]
+moment  number N m = 0  the moment
+at      place?          a point {x, y} of the body, or the name of a place; the centroid where left out
+follow  flag = false    it turns with the body
+course  course?         its share over time: ]] .. course .. [[
+
+name    text?           what results call it]], gives = "string" },
+  { "model:pressure", "A pressure on faces of a body from now on. Gives its name.", keys = [[
+body       bodies     on what
+value      number Pa  onto the face
+face       text?      top, bottom, left, right or all
+from       point?     or from this point of the outline
+to         point?     to this one, counter-clockwise
+direction  point?     where it acts; against the face where left out
+follow     flag?      it turns with the body
+course     course?    its share over time: ]] .. course .. [[
+
+name       text?      what results call it]], gives = "string" },
+  { "model:set_load", "A load's share from now on, reached smoothly.", keys = [[
+name      text          of the load
+factor    number        its share
+duration  number s = 0  over which it is reached]] },
+  { "model:release", "Lets a support, a load or a push go without a jolt.", keys = [[
+body      bodies?       bodies whose supports go; or
+load      text?         a load; or
+push      text?         a push
+x         flag = false  of bodies: this direction; all where none is given
+y         flag = false  this direction
+rotation  flag = false  this direction
+fade      number s = 1  over which it goes]] },
+  { "model:pushover", "A stage that pushes bodies steadily, and what that takes.", keys = [[
+body          bodies           what is pushed
+at            place?           a point {x, y} or the name of a place of one body
+direction     text = "x"       x, -x, y or -y
+pattern       text = "mass"    share of each body: mass, uniform or triangle
+rate          number m/s       how fast
+displacement  number m?        how far; or drift
+drift         number m?        until this drift
+storey        integer?         of this storey
+drop          number?          until the force has fallen to this share of its peak
+samples       integer?         of the curve
+damping       number = 0.8     share of the unbalanced force that brakes each body
+name          text?            what results call it
+dt            number s?        fixed step
+safety        number = 0.5     share of the longest stable step]], gives = "report" },
+}
