@@ -17,6 +17,9 @@ velocity      number m/s?        instead of samples: a steady velocity
 duration      number s?          of the steady velocity
 allow_drift   flag = false       it need not come to rest
 name          text?              what messages call it]], gives = "motion", beside = { duration = true } },
+  { "trilith.ramp", "A motion from rest to rest, smoothly: for supports that are moved.", keys = [[
+by        number           how far: m, or rad of a rotation
+duration  number s         how long]], gives = "motion" },
   { "motion:scale", "The same times a factor.", keys = [[
 pga     number m/s2?  so that the largest acceleration is this
 factor  number?       or times this]], gives = "motion" },
