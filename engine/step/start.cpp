@@ -20,6 +20,10 @@ FaceOverlap<double> face_overlap(const Work<2>& work, const NearPair& p) {
   return {ends(p.a0, p.a1), ends(p.b0, p.b1)};
 }
 
+/// Faces that share less than this of the smaller body's size are those of neighbours across a corner, which settling
+/// has pushed past each other by a hair; no mortar holds there.
+constexpr double least_shared = 1e-3;
+
 double smaller_size(const Model<2>& model, const NearPair& p) {
   return 2 * std::min(model.body_radius[model.piece_body[p.piece_a]], model.body_radius[model.piece_body[p.piece_b]]);
 }
@@ -61,7 +65,9 @@ void set_bonds(const Model<2>& model, State<2>& state, double reach) {
     if (bond_of(model.laws[pair.law]) == Bond::none || memory.bonds == 3) continue;
     if (!choose_face_pair(model, work, true, pair)) continue;
     const FaceOverlap<double> overlap = face_overlap(work, pair);
-    if (std::max(std::abs(overlap.gap_lo), std::abs(overlap.gap_hi)) > reach * smaller_size(model, pair)) continue;
+    const double size = smaller_size(model, pair);
+    if (std::max(std::abs(overlap.gap_lo), std::abs(overlap.gap_hi)) > reach * size) continue;
+    if (overlap.shared < least_shared * size) continue;
     change_memory(model, work, row, with_bond(memory, overlap), state);
   }
 }
