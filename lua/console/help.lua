@@ -4,7 +4,7 @@ local console, core, door = ...
 local function type_text(key)
   local text = key.type .. (key.unit ~= "" and " " .. key.unit or "")
   if key.preset then return text .. " = " .. key.preset end
-  return key.optional and text .. ", may be left out" or text
+  return key.optional and text .. ", optional" or text
 end
 
 local function add_keys(lines, keys)

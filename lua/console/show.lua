@@ -95,6 +95,7 @@ local of_deformed = { sxx = true, syy = true, sxy = true, plastic = true }
 local function is_shown(handle, kind, name)
   if kind == "model" then return of_model[name] end
   if kind == "body" and of_deformed[name] then return handle.kind ~= "rigid" end
+  if kind == "bearing" and (name == "force" or name == "displacement") then return false end -- by direction, below
   return name ~= "name" and name ~= "outline" and name ~= "names" and name ~= "t" and name ~= "values"
 end
 
