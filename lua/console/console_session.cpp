@@ -111,7 +111,7 @@ int load_console(lua_State* L) {
   lua_pushboolean(L, session_of(L).editor.terminal() ? 1 : 0);
   lua_setfield(L, -2, "terminal");
   for (const char* file :
-       {"show", "words", "manual", "help", "meta", "declared", "manual_run", "complete", "session"}) {
+       {"show", "words", "manual", "help", "meta", "pages", "declared", "manual_run", "complete", "session"}) {
     script::load_library_file(L, file);
     lua_pushvalue(L, 2);
     script::push_core(L);

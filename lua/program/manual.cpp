@@ -13,14 +13,21 @@ namespace {
 
 struct Options {
   std::string name, meta;
-  bool check = false;
+  bool check = false, markdown = false, pages = false;
 };
+
+std::string what_of(const Options& options) {
+  if (options.check) return "check";
+  if (options.markdown) return "markdown";
+  if (options.pages) return "pages";
+  return options.meta.empty() ? "" : "meta";
+}
 
 int run(const Options& options) {
   script::Host host;
   const ScriptState state = new_script_state(host);
   ConsoleSession session(state.get(), host);
-  const std::string what = options.check ? "check" : options.meta.empty() ? "" : "meta";
+  const std::string what = what_of(options);
   std::string text;
   const bool good = session.manual(state.get(), what, options.name, text);
   if (!good) {
@@ -44,6 +51,8 @@ void add_manual(CLI::App& app, int& code) {
   verb->add_option("--meta", options->meta,
                    "write the declarations for editors to FILE (- for here); see docs/editor.md")
       ->type_name("FILE");
+  verb->add_flag("--markdown", options->markdown, "the page NAME as Markdown; without NAME, the list of pages");
+  verb->add_flag("--pages", options->pages, "the names of the pages, a line each");
   verb->add_flag("--check", options->check, "say what of the interface is not declared");
   verb->callback([options, &code] { code = run(*options); });
 }
