@@ -23,6 +23,7 @@ int run_program(int argc, char** argv) {
     add_draw(app, code);
     add_plot(app, code);
     add_view(app, code);
+    add_report(app, code);
     add_motion(app, code);
     add_manual(app, code);
     add_info(app, code);

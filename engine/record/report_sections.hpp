@@ -1,0 +1,47 @@
+// Private to record/: the parts of a report (report.hpp), each of which writes whole elements.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "record/html_text.hpp"
+#include "record/report.hpp"
+
+namespace trilith::record {
+
+/// What every part needs, read once.
+struct ReportSource {
+  const ResultsReader& reader;
+  const Header& header;
+  std::vector<EventRow> events;   ///< all
+  std::vector<EventRow> of_note;  ///< see events_of_note
+  std::vector<StageRow> stages;
+  std::vector<Note> notes;
+};
+
+/// A figure in words as tables show it; masses from 10,000 kg in t.
+std::string shown_mass(double kilograms);
+/// Seconds to the millisecond.
+std::string shown_time(double seconds);
+
+/// Two sentences: how the run ended and what became of the structure; what failed first.
+std::string verdict(const ReportSource& source);
+
+void write_head(const ReportSource& source, HtmlText& html);
+void write_model(const ReportSource& source, HtmlText& html);
+void write_parameters(const ReportSource& source, HtmlText& html);
+void write_motions(const ReportSource& source, HtmlText& html);
+void write_stages(const ReportSource& source, HtmlText& html);
+void write_pictures(const ReportSource& source, HtmlText& html);
+void write_events(const ReportSource& source, HtmlText& html);
+void write_histories(const ReportSource& source, HtmlText& html);
+void write_energy(const ReportSource& source, HtmlText& html);
+/// Nothing where the file has no joints.
+void write_damage(const ReportSource& source, HtmlText& html);
+void write_seal(const ReportSource& source, const ReportProgress& progress, HtmlText& html);
+void write_reproduction(const ReportSource& source, HtmlText& html);
+
+/// The page's own style.
+const char* report_style();
+
+}  // namespace trilith::record

@@ -1,0 +1,69 @@
+// trilith report RESULT [-o FILE]
+#include "record/report.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "base/error.hpp"
+#include "record/picture_file.hpp"
+#include "screen.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct Options {
+  std::string result, out;
+};
+
+/// Tells how far it is, where there is a terminal and more than a moment has gone by.
+class ReportStatus {
+ public:
+  void operator()(double share) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - shown_ < std::chrono::milliseconds(200)) return;
+    shown_ = now;
+    screen_.status(fmt::format("sealing frames  {:.0f} %", 100 * share));
+  }
+  void clear() { screen_.clear(); }
+
+ private:
+  Screen screen_{stderr};
+  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
+};
+
+int report(const Options& options) {
+  const std::filesystem::path out = options.out.empty()
+                                        ? std::filesystem::path(options.result).replace_extension(".report.html")
+                                        : std::filesystem::path(options.out);
+  if (out.extension() != ".html" && out.extension() != ".htm")
+    throw InputError(fmt::format("'{}': a report ends with .html; a browser prints it to PDF", out.string()));
+  const record::ResultsReader reader(options.result);
+  ReportStatus status;
+  const std::string page = record::report_page(reader, [&](double share) { status(share); });
+  status.clear();
+  write_whole_file(out, page);
+  fmt::print("{}\n", out.string());
+  if (!reader.finished())
+    fmt::print("the run {}: the report goes as far as it had written\n",
+               reader.running() ? "still goes on" : "was stopped");
+  return ended_well;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& code) {
+  auto o = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("report", "Write the report of a run: one page that prints well");
+  verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
+      ->required()
+      ->type_name("RESULT");
+  verb->add_option("-o,--output", o->out, "the report, .html; RESULT with .report.html where not given")
+      ->type_name("FILE");
+  verb->callback([o, &code] { code = report(*o); });
+}
+
+}  // namespace trilith::program
