@@ -5,9 +5,10 @@
 
 namespace trilith::record {
 
-std::string report_page(const ResultsReader& reader, const ReportProgress& progress) {
+std::string report_page(const ResultsReader& reader, const std::vector<std::filesystem::path>& record_folders,
+                        const ReportProgress& progress) {
   const ReportSource source{reader,          reader.header(), reader.events(), events_of_note(reader),
-                            reader.stages(), reader.notes()};
+                            reader.stages(), reader.notes(),  record_folders};
   HtmlText html;
   html.raw("<!DOCTYPE html>\n").open("html", R"(lang="en")").open("head");
   html.raw(R"(<meta charset="utf-8"/>)")

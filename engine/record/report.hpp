@@ -1,8 +1,10 @@
 // The report of a run: one HTML page without scripts that reads well on a screen and prints well.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "record/results_reader.hpp"
 
@@ -15,6 +17,9 @@ using ReportProgress = std::function<void(double)>;
 /// at key times, chain of events, histories, energy, damage by storey, seal, how to run it again. A run that has not
 /// finished is reported up to its last flush, and said to be so; what a file does not hold is left out or said to be
 /// missing. Throws RecordError where the file cannot be read.
-std::string report_page(const ResultsReader& reader, const ReportProgress& progress = {});
+///
+/// `record_folders`: where records of ground motions are looked for by name, in this order.
+std::string report_page(const ResultsReader& reader, const std::vector<std::filesystem::path>& record_folders = {},
+                        const ReportProgress& progress = {});
 
 }  // namespace trilith::record

@@ -49,6 +49,12 @@ std::string mark_of(const EventRow& e) {
   return e.type == "bearing.changed" ? "changed" : "plain";
 }
 
+/// "bonds broken" from "bond broken".
+std::string several(const std::string& heading) {
+  const std::size_t end = std::min(heading.find(' '), heading.size());
+  return fmt::format("{}s{}", heading.substr(0, end), heading.substr(end));
+}
+
 /// What a line says; numbers are in the text where it was written by the run.
 std::string text_of(const EventRow& e) {
   if (!e.text.empty()) return e.text;
@@ -112,10 +118,9 @@ class TreeWriter {
     double last = 0;
     for (const std::size_t i : rows) count(i, counts, last);
     std::vector<std::string> parts;
-    std::size_t total = 0;
-    for (const auto& [what, n] : counts) parts.push_back(fmt::format("{} {}", n, what)), total += n;
+    for (const auto& [what, n] : counts) parts.push_back(fmt::format("{} {}", n, n == 1 ? what : several(what)));
     html_.open("li", R"(class="fold")").open("details");
-    html_.element("summary", fmt::format("and {} more ({}), {} to {}", total, fmt::join(parts, ", "),
+    html_.element("summary", fmt::format("and {}, {} to {}", fmt::join(parts, ", "),
                                          shown_time(tree_.rows[rows.front()].time), shown_time(last)));
     list(rows, true, depth + 1);
     html_.close().close();

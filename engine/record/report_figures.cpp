@@ -24,19 +24,6 @@ std::string inline_svg(std::string svg, std::string_view figure) {
   return svg;
 }
 
-/// What a drawing refuses is told in its place: the rest of the report is worth having.
-template <class Draw>
-void write_figure(HtmlText& html, std::string_view name, const std::string& caption, Draw draw) {
-  std::string svg;
-  try {
-    svg = inline_svg(draw().bytes(PictureFormat::svg), name);
-  } catch (const std::runtime_error& e) {
-    html.element("p", fmt::format("This figure could not be drawn: {}.", e.what()), R"(class="warning")");
-    return;
-  }
-  html.open("figure").raw(svg).element("figcaption", caption).close();
-}
-
 struct Moment {
   double time = 0;
   std::string why;
@@ -134,6 +121,18 @@ std::vector<KeyHistory> key_histories(const ReportSource& source) {
 }
 
 }  // namespace
+
+void write_figure(HtmlText& html, std::string_view name, const std::string& caption,
+                  const std::function<Canvas()>& draw) {
+  std::string svg;
+  try {
+    svg = inline_svg(draw().bytes(PictureFormat::svg), name);
+  } catch (const std::runtime_error& e) {
+    html.element("p", fmt::format("This figure could not be drawn: {}.", e.what()), R"(class="warning")");
+    return;
+  }
+  html.open("figure").raw(svg).element("figcaption", caption).close();
+}
 
 void write_pictures(const ReportSource& source, HtmlText& html) {
   html.element("h2", "Pictures at key times");

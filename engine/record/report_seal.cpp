@@ -94,7 +94,7 @@ void write_damage(const ReportSource& source, HtmlText& html) {
   for (const auto& [number, storey] : storeys)
     rows.push_back(row_of(number == 0 ? "none" : fmt::format("{}", number), storey));
   if (storeys.size() > 1) rows.push_back(row_of("all", all));
-  html.element("h2", "Damage by storey");
+  html.element("h2", storeys.rbegin()->first == 0 ? "Damage of joints" : "Damage by storey");
   html.table({"Storey", "Joints", "With a bond at the start", "Of these damaged", "Lost", "Mean damage"}, rows, 1);
   html.element(
       "p",

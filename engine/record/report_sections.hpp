@@ -1,9 +1,13 @@
 // Private to record/: the parts of a report (report.hpp), each of which writes whole elements.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "record/canvas.hpp"
 #include "record/html_text.hpp"
 #include "record/report.hpp"
 
@@ -17,6 +21,7 @@ struct ReportSource {
   std::vector<EventRow> of_note;  ///< see events_of_note
   std::vector<StageRow> stages;
   std::vector<Note> notes;
+  std::vector<std::filesystem::path> record_folders;
 };
 
 /// A figure in words as tables show it; masses from 10,000 kg in t.
@@ -26,6 +31,14 @@ std::string shown_time(double seconds);
 
 /// Two sentences: how the run ended and what became of the structure; what failed first.
 std::string verdict(const ReportSource& source);
+
+/// What the file says of each ground motion, in its words.
+std::vector<std::string> motion_texts(const ReportSource& source);
+
+/// An SVG in its place; `name` is this figure's alone. What the drawing refuses is told there: the rest of the report
+/// is worth having.
+void write_figure(HtmlText& html, std::string_view name, const std::string& caption,
+                  const std::function<Canvas()>& draw);
 
 void write_head(const ReportSource& source, HtmlText& html);
 void write_model(const ReportSource& source, HtmlText& html);

@@ -129,14 +129,14 @@ std::string first_failure(const ReportSource& source) {
                      what);
 }
 
+}  // namespace
+
 std::vector<std::string> motion_texts(const ReportSource& source) {
   std::vector<std::string> out = source.header.provenance.motions;
   for (const Note& note : source.notes)
     if (note.text.starts_with(motion_note)) out.push_back(note.text.substr(motion_note.size()));
   return out;
 }
-
-}  // namespace
 
 std::string shown_mass(double kilograms) {
   if (kilograms < 1e4) return fmt::format("{:.4g} kg", kilograms);
@@ -199,23 +199,6 @@ void write_parameters(const ReportSource& source, HtmlText& html) {
     html.close().element("td", row.unit).element("td", row.fallback).element("td", row.text).close();
   }
   html.close().close();
-}
-
-void write_motions(const ReportSource& source, HtmlText& html) {
-  const std::vector<std::string> motions = motion_texts(source);
-  html.element("h2", "Ground motion");
-  if (motions.empty()) {
-    html.element("p", "The file names no ground motion.");
-    return;
-  }
-  html.open("ul");
-  for (const std::string& motion : motions) html.element("li", motion);
-  html.close();
-  html.element(
-      "p",
-      "The results file holds what the motions are, not their samples, so that peaks, intensity and spectrum are "
-      "not given here; trilith motion FILE gives them for a record.",
-      R"(class="note")");
 }
 
 void write_stages(const ReportSource& source, HtmlText& html) {

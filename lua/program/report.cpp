@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "host.hpp"
 #include "record/picture_file.hpp"
 #include "screen.hpp"
 #include "verbs.hpp"
@@ -35,6 +36,14 @@ class ReportStatus {
   std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
 };
 
+/// Where the script looked: its own folder and the project's.
+std::vector<std::filesystem::path> record_folders_of(const record::ResultsReader& reader) {
+  std::vector<std::filesystem::path> folders = script::record_folders();
+  const std::filesystem::path script = reader.header().provenance.script_path;
+  folders.insert(folders.begin(), script.has_parent_path() ? script.parent_path() : std::filesystem::path("."));
+  return folders;
+}
+
 int report(const Options& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".report.html")
@@ -43,7 +52,7 @@ int report(const Options& options) {
     throw InputError(fmt::format("'{}': a report ends with .html; a browser prints it to PDF", out.string()));
   const record::ResultsReader reader(options.result);
   ReportStatus status;
-  const std::string page = record::report_page(reader, [&](double share) { status(share); });
+  const std::string page = record::report_page(reader, record_folders_of(reader), [&](double share) { status(share); });
   status.clear();
   write_whole_file(out, page);
   fmt::print("{}\n", out.string());

@@ -138,6 +138,26 @@ TEST_CASE("the same results give the same report, byte by byte, and another moti
   CHECK(digest(page) != digest(page_of(sample_header(), 5)));
 }
 
+TEST_CASE("a motion whose record is found is measured again as it was used, others are told to be missing") {
+  Header header = sample_header();
+  header.provenance.motions = {
+      "elcentro_1940_rest_ns.csv, scaled to PGA 0.8 g, x 1, time x 0.8, delayed 0.204 s on 'left <ground>' (x), from t "
+      "= "
+      "1.49667 s",
+      "elcentro_1940_rest_ns.csv, turned inside out on 'right ground' (x), from t = 0 s",
+      "nowhere.csv on 'right ground' (y), from t = 0 s"};
+  const std::filesystem::path path = scratch() / "motions.h5";
+  ResultsWriter(path, header).finish();
+  const std::string page = report_page(ResultsReader(path), {std::string(TRILITH_SOURCE_DIR) + "/scripts/records"});
+  CHECK(wrong_with(page) == "");
+  CHECK(has(page, "&#39;left &lt;ground&gt;&#39; (x): elcentro_1940_rest_ns.csv, scaled to PGA 0.8 g"));
+  CHECK(has(page, "<td class=\"n\">0.800 g</td>"));
+  CHECK(has(page, "turned inside out on"));
+  CHECK(has(page, "nowhere.csv on"));
+  CHECK(has(page, "the records were not found"));
+  CHECK(count_of(page, "<figure>") == 1);
+}
+
 TEST_CASE("texts of a file are text in its report, whatever stands in them") {
   Header header = sample_header();
   const std::string nasty = "<img src=x onerror=\"alert('&')\"></style></script>\x01\xff";
