@@ -157,7 +157,7 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
   std::string caption = "The structure";
   for (std::size_t i = 0; i < words.size(); ++i) caption += (i == 0 ? " " : "; ") + words[i];
   PictureStyle style;
-  style.height = scenes.size() > 1 ? 590 : 0;  // with its heading and words on one page of paper
+  style.height = scenes.size() > 1 ? 625 : 0;  // with its heading and words on one page of paper
   write_figure(html, "structure", caption + ".", [&] { return scene_canvas(scenes, columns_for(scenes[0]), style); });
 }
 

@@ -121,12 +121,12 @@ void write_motions(const ReportSource& source, HtmlText& html) {
   }
   if (texts.empty()) html.element("p", "The file names no ground motion.");
   if (!motions.empty()) {
-    html.table({"Motion", "PGA", "PGV", "PGD", "Arias", "D5–95"}, rows, 1);
-    html.element(
-        "p",
-        "The results file holds what was done to the records, not their samples: for these figures the records "
-        "were read again and the same was done to them.",
-        R"(class="note")");
+    html.table({"Motion", "PGA", "PGV", "PGD", "Arias", "Duration"}, rows, 1);
+    html.element("p",
+                 "Duration: from 5 to 95 % of the Arias intensity. The results file holds what was done to the "
+                 "records, not their samples: for these figures the records "
+                 "were read again and the same was done to them.",
+                 R"(class="note")");
     write_figure(html, "motion", fmt::format("The motion of {}; spectra of all motions, 5 % damped.", names.front()),
                  [&] {
                    Chart spectrum = spectrum_chart(motions);

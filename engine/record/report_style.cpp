@@ -65,7 +65,7 @@ pre { margin: 8px 0; padding: 8px 10px; background: #f4f4f1; font: 12px/1.45 "So
   h2, h3 { break-after: avoid; }
   .warning, .verdict { break-inside: avoid; }
   figure, tr { break-inside: avoid; }
-  figure svg { max-height: 215mm; }
+  figure svg { max-height: 225mm; }
   thead { display: table-header-group; }
   p, li { orphans: 3; widows: 3; }
   pre { font-size: 8pt; padding: 0; background: none; }

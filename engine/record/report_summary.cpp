@@ -62,21 +62,36 @@ double depth_of(const Header& header, const BodyRow& body) {
   return length > 0 ? std::abs(area) / length : 0;
 }
 
+/// How far the ground had moved in the mean of its bodies, m.
+Vec2 ground_way(const Header& header, const Frame& frame) {
+  Vec2 sum = Vec2::Zero();
+  int count = 0;
+  for (const BodyRow& body : header.bodies) {
+    if (is_free(body)) continue;
+    sum += place_of(frame.position, body.first_node) - place_of(header.node_position, body.first_node);
+    ++count;
+  }
+  return sum / std::max(count, 1);
+}
+
 /// "5 of 15 free bodies stood more than half their depth from where they began"; "" where that cannot be told.
 std::string moved_text(const ReportSource& source) {
   const Header& header = source.header;
   if (source.reader.frame_count() == 0 || header.dim != 2) return "";
   const Frame last = source.reader.frame(source.reader.frame_count() - 1);
+  const Vec2 ground = ground_way(header, last);
   std::size_t free = 0, moved = 0;
   for (const BodyRow& body : header.bodies) {
     if (!is_free(body)) continue;
     ++free;
-    const Vec2 way = place_of(last.position, body.first_node) - place_of(header.node_position, body.first_node);
+    const Vec2 way =
+        place_of(last.position, body.first_node) - place_of(header.node_position, body.first_node) - ground;
     moved += 2 * way.norm() > depth_of(header, body) ? 1 : 0;
   }
   if (free == 0) return "";
-  if (moved == 0) return "no body stood more than half its depth from where it began";
-  return fmt::format("{} of {} free bodies stood more than half their depth from where they began", moved, free);
+  if (moved == 0) return "no body stood more than half its depth from where it began on the ground";
+  return fmt::format("{} of {} free bodies stood more than half their depth from where they began on the ground", moved,
+                     free);
 }
 
 std::string why_text(const std::string& why) {
