@@ -56,9 +56,9 @@ TEST_CASE("the report of the bridge prints on a few pages and names what failed 
   const std::string pdf =
       browsed(here, here / "bridge.report.html", "bridge.pdf", "--no-pdf-header-footer --print-to-pdf=");
   CHECK(pdf.starts_with("%PDF"));
-  const std::size_t count = pdf.find("/Count ");
-  REQUIRE(count != std::string::npos);
-  const int pages = std::atoi(pdf.c_str() + count + 7);
+  int pages = 0;  // the root of the tree of pages has the largest count
+  for (std::size_t at = pdf.find("/Count "); at != std::string::npos; at = pdf.find("/Count ", at + 1))
+    pages = std::max(pages, std::atoi(pdf.c_str() + at + 7));
   CHECK(pages >= 5);
   CHECK(pages <= 14);
   CHECK(browsed(here, here / "bridge.report.html", "bridge.png", "--window-size=900,6000 --screenshot=").size() >
