@@ -145,7 +145,9 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
   const std::vector<Moment> moments = source.header.dim == 2 ? key_moments(source) : std::vector<Moment>{};
   for (const Moment& m : moments) {
     SceneChoice choice;
-    choice.cracks = !source.header.joints.empty() && !source.header.fields.empty();
+    choice.cracks =
+        !source.header.joints.empty() && std::any_of(source.header.fields.begin(), source.header.fields.end(),
+                                                     [](const Field& f) { return f.name == "joint_damage"; });
     scenes.push_back(results_scene(source.reader, m.time, choice));
     const std::string letter = moments.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + words.size())) : "";
     words.push_back(fmt::format("{}at {}, {}", letter, shown_time(*scenes.back().time), m.why));
