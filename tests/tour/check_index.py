@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The way in: docs/README.md leads to every page of the tour, links lead somewhere, README.md's first minutes hold.
+"""The way in: docs/README.md leads to every page of the tour and every guide, links lead somewhere, README.md's first minutes hold.
 
 usage: check_index.py SOURCE
 """
@@ -46,12 +46,12 @@ def first_minutes_trouble(source):
 
 
 def main(source):
-    tour = sorted(glob.glob(os.path.join(source, "docs/tour/*.md")))
-    pages = [os.path.join(source, "README.md"), os.path.join(source, "docs/README.md")] + tour
+    tour, guides = (sorted(glob.glob(os.path.join(source, "docs", part, "*.md"))) for part in ("tour", "guide"))
+    pages = [os.path.join(source, "README.md"), os.path.join(source, "docs/README.md")] + tour + guides
     trouble = [f"{os.path.relpath(p, source)}: leads to {t}, which is not there" for p in pages for t in dead_links(p)]
     with open(pages[1], encoding="utf8") as f:
         index = f.read()
-    trouble += [f"docs/README.md does not name {os.path.basename(p)}" for p in tour if os.path.basename(p) not in index]
+    trouble += [f"docs/README.md does not name {os.path.basename(p)}" for p in tour + guides if os.path.basename(p) not in index]
     told = "".join(open(p, encoding="utf8").read() for p in tour)
     scripts = sorted(os.path.basename(s) for s in glob.glob(os.path.join(source, "scripts/tour/*.lua")))
     trouble += [f"no page of the tour runs scripts/tour/{s}" for s in scripts if f"scripts/tour/{s}" not in told]
