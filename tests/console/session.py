@@ -70,7 +70,15 @@ class Session:
         """Types a line, waits for an answer and for the next prompt."""
         self.line(text)
         match = self.expect(pattern, seconds)
+        self.prompted()
         return match
+
+    def prompted(self, seconds=3):
+        """Waits until the screen ends with a prompt; lines after which something runs on show none, and that is fine.
+        A key such as Ctrl-D that comes before the prompt meets a terminal that is not ready for it."""
+        end = time.monotonic() + seconds
+        while not self.text.endswith("> ") and self.process.poll() is None and time.monotonic() < end:
+            self._take(0.05)
 
     def ends(self, code=0, seconds=20):
         end = time.monotonic() + seconds
