@@ -225,6 +225,7 @@ local function new_session(prompt, frames, thread)
   local session = { prompt = prompt, frames = frames, frame = 1, thread = thread, words = {}, acts = {} }
   session.environment = environment_of(session)
   console.add_words(session)
+  session.words.trilith = core.module -- there without `require`, as nobody wants to type it first
   return session
 end
 

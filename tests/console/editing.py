@@ -13,6 +13,13 @@ def session_expression_is_shown_and_ctrl_d_leaves(place):
     s.ends(0)
 
 
+def session_trilith_is_there_without_require(place):
+    s = place.console()
+    s.ask('trilith.build.block { width = 1, height = 1 } ~= nil', r"^true$")
+    s.line("local trilith = 7")
+    s.ask("trilith", r"^7$")
+
+
 def session_locals_of_a_line_are_seen_by_the_next(place):
     s = place.console()
     s.line("local width = 3")
