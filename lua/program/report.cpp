@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
 #include "base/error.hpp"
 #include "host.hpp"
 #include "record/picture_file.hpp"
-#include "screen.hpp"
+#include "share_status.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -18,22 +17,6 @@ namespace {
 
 struct Options {
   std::string result, out;
-};
-
-/// Tells how far it is, where there is a terminal and more than a moment has gone by.
-class ReportStatus {
- public:
-  void operator()(double share) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - shown_ < std::chrono::milliseconds(200)) return;
-    shown_ = now;
-    screen_.status(fmt::format("sealing frames  {:.0f} %", 100 * share));
-  }
-  void clear() { screen_.clear(); }
-
- private:
-  Screen screen_{stderr};
-  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
 };
 
 /// Where the script looked: its own folder and the project's.
@@ -51,7 +34,7 @@ int report(const Options& options) {
   if (out.extension() != ".html" && out.extension() != ".htm")
     throw InputError(fmt::format("'{}': a report ends with .html; a browser prints it to PDF", out.string()));
   const record::ResultsReader reader(options.result);
-  ReportStatus status;
+  ShareStatus status("sealing frames");
   const std::string page = record::report_page(reader, record_folders_of(reader), [&](double share) { status(share); });
   status.clear();
   write_whole_file(out, page);

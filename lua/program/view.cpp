@@ -1,14 +1,13 @@
 // trilith view RESULT [-o FILE]
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "base/error.hpp"
+#include "record/picture_file.hpp"
 #include "record/view_data.hpp"
-#include "screen.hpp"
+#include "share_status.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -18,36 +17,6 @@ struct Options {
   std::string result, out;
 };
 
-/// Tells how far it is, where there is a terminal and more than a moment has gone by.
-class ViewStatus {
- public:
-  void operator()(double share) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - shown_ < std::chrono::milliseconds(200)) return;
-    shown_ = now;
-    screen_.status(fmt::format("reading frames  {:.0f} %", 100 * share));
-  }
-  void clear() { screen_.clear(); }
-
- private:
-  Screen screen_{stderr};
-  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
-};
-
-/// The page takes its name when it is whole.
-void write_page(const std::filesystem::path& path, const std::string& page) {
-  const std::filesystem::path fresh = path.string() + ".new";
-  std::ofstream stream(fresh, std::ios::binary);
-  stream << page;
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(fresh, path, error);
-  if (stream && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(fresh, ignored);
-  throw InputError(fmt::format("'{}' cannot be written: is there such a folder, and room on the disk?", path.string()));
-}
-
 int view(const Options& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".html")
@@ -55,11 +24,11 @@ int view(const Options& options) {
   if (out.extension() != ".html" && out.extension() != ".htm")
     throw InputError(fmt::format("'{}': a page to view ends with .html", out.string()));
   const record::ResultsReader reader(options.result);
-  ViewStatus status;
+  ShareStatus status("reading frames");
   const std::string data = record::view_data(reader, {}, [&](double share) { status(share); });
   status.clear();
   const std::string title = std::filesystem::path(options.result).stem().string();
-  write_page(out, record::view_page(data, title));
+  write_whole_file(out, record::view_page(data, title));
   fmt::print("{}\n", out.string());
   if (!reader.finished())
     fmt::print("the run {}: the page holds what it had written\n", reader.running() ? "still goes on" : "was stopped");

@@ -119,7 +119,7 @@ TEST_CASE("trilith view refuses what is no page and what is no results file") {
   testing::check_refused(ask(here.path, "view nothing.h5"), "there is no such file");
   { record::ResultsWriter(here / "empty.h5", record::sample_header()).finish(); }
   testing::check_refused(ask(here.path, "view empty.h5 -o page.pdf"), "ends with .html");
-  testing::check_refused(ask(here.path, "view empty.h5 -o no/where/page.html"), "cannot be written");
+  testing::check_refused(ask(here.path, "view empty.h5 -o no/where/page.html"), "cannot write");
   CHECK(ask(here.path, "view").code == 2);
   CHECK(ask(here.path, "view empty.h5").out == "empty.html\n");
   browse(here / "empty.html", "tells_that_there_is_no_frame");
