@@ -8,11 +8,6 @@
 namespace trilith {
 namespace {
 
-FaceEnds<double> face_ends(const Work<2>& work, int from, int to) {
-  const SkinMotion &p = work.skin[from], &q = work.skin[to];
-  return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
-}
-
 ContactHold hold_of(const ContactMemory& memory, const ContactResultant& r, double mu) {
   if (memory.bonds != 0) return ContactHold::bonded;
   // Sliding shear stands at the limit, up to rounding.

@@ -12,6 +12,17 @@ namespace trilith {
 /// The numbers of law `law` times the model's thickness, for a step `dt` [s].
 FaceLaw face_law(const Model<2>& model, int law, double dt);
 
+/// The ends of the face between two skin points, as Work is placed.
+inline FaceEnds<double> face_ends(const Work<2>& work, int from, int to) {
+  const SkinMotion &p = work.skin[from], &q = work.skin[to];
+  return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
+}
+
+/// Where the two faces of a pair share length, as Work is placed.
+inline FaceOverlap<double> face_overlap(const Work<2>& work, const NearPair& p) {
+  return {face_ends(work, p.a0, p.a1), face_ends(work, p.b0, p.b1)};
+}
+
 /// Room for a piece's corners where they stand and, where its body deforms, their velocities.
 struct PieceCorners {
   std::array<Vec2, max_piece_corners> place, velocity;

@@ -50,11 +50,6 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
   return {at, -n.dot(velocity(nb, at) - velocity(na, at))};
 }
 
-FaceEnds<double> face_ends(const Work<2>& work, int from, int to) {
-  const SkinMotion &p = work.skin[from], &q = work.skin[to];
-  return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
-}
-
 /// A bond that began to soften or was lost: what it carried up to now, where, and by which of its limits.
 void notice_bond(const Model<2>& model, const State<2>& state, Work<2>& work, int row, EventType type) {
   const NearPair& p = work.pairs[row];

@@ -96,11 +96,7 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
     const ContactMemory& m = work.memory[row];
     if ((m.state & contact_touching) == 0 || (m.state & contact_general) != 0) continue;
     const NearPair& p = work.pairs[row];
-    const auto ends = [&](int i, int j) {
-      const SkinMotion &a = work.skin[i], &b = work.skin[j];
-      return FaceEnds<double>{a.x, a.y, b.x, b.y, 0, 0, 0, 0};
-    };
-    const FaceOverlap<double> o(ends(p.a0, p.a1), ends(p.b0, p.b1));
+    const FaceOverlap<double> o = face_overlap(work, p);
     const Vec2 d(o.dx, o.dy), n(o.dy, -o.dx), origin(work.skin[p.a0].x, work.skin[p.a0].y);
     const FaceLaw law = face_law(model, p.law, 0);
     add_contact(model, state, work, p, {origin + 0.5 * (o.lo + o.hi) * d, n, o.shared, law},

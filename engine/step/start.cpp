@@ -12,14 +12,6 @@
 namespace trilith {
 namespace {
 
-FaceOverlap<double> face_overlap(const Work<2>& work, const NearPair& p) {
-  const auto ends = [&](int i, int j) {
-    const SkinMotion &a = work.skin[i], &b = work.skin[j];
-    return FaceEnds<double>{a.x, a.y, b.x, b.y, 0, 0, 0, 0};
-  };
-  return {ends(p.a0, p.a1), ends(p.b0, p.b1)};
-}
-
 /// Faces that share less than this of the smaller body's size are those of neighbours across a corner, which settling
 /// has pushed past each other by a hair; no mortar holds there.
 constexpr double least_shared = 1e-3;

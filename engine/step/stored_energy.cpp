@@ -22,11 +22,7 @@ double half_store(const HalfGaps& gaps, double length, double hold, double kn) {
 }  // namespace
 
 double pressing_energy(const Work<2>& work, const NearPair& p, const ContactMemory& m, const FaceLaw& law) {
-  const auto ends = [&](int i, int j) {
-    const SkinMotion &a = work.skin[i], &b = work.skin[j];
-    return FaceEnds<double>{a.x, a.y, b.x, b.y, a.u, a.v, b.u, b.v};
-  };
-  const FaceOverlap<double> o(ends(p.a0, p.a1), ends(p.b0, p.b1));
+  const FaceOverlap<double> o = face_overlap(work, p);
   if (!o.sane) return 0;
   const std::array<HalfGaps, 2> gaps = half_gaps(o, m, law);
   return half_store(gaps[0], 0.5 * o.shared, bond_hold(m, 0, law), law.kn) +
