@@ -22,7 +22,7 @@ std::string_view header_line(TextLines& lines) {
 }
 
 /// Third line, e.g. "ACCELERATION TIME SERIES IN UNITS OF G. FILTER POINTS: ...".
-void require_unit_g(std::string_view line, const TextLines& lines) {
+void require_units_of_g(std::string_view line, const TextLines& lines) {
   const std::string lower = lower_case(line);
   const std::string mark = "units of ";
   const auto at = lower.find(mark);
@@ -54,7 +54,7 @@ PeerHeader read_header(TextLines& lines) {
   const auto comma = header.source.title.rfind(',');
   if (comma != std::string::npos) header.source.component = trimmed(header.source.title.substr(comma + 1));
   const std::string_view third = header_line(lines);
-  require_unit_g(third, lines);
+  require_units_of_g(third, lines);
   header.source.notes.emplace_back(third);
   read_counts(header_line(lines), header, lines);
   return header;

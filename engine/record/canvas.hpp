@@ -29,6 +29,9 @@ struct PageBox {
   bool overlaps(const PageBox& o) const { return x0 < o.x1 && o.x0 < x1 && y0 < o.y1 && o.y0 < y1; }
 };
 
+/// Free on each side of a picture [pt].
+inline constexpr double page_margin = 8;
+
 enum class Dash { solid, dashed, dotted, dash_dot };
 enum class Align { left, centre, right };
 

@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-constexpr double page_margin = 8, right_room = 10, panel_gap = 8, note_room = 11, block_gap = 14;
+constexpr double right_room = 10, panel_gap = 8, note_room = 11, block_gap = 14;
 
 /// A chart measured: everything but its place on the page.
 struct Block {

@@ -10,7 +10,7 @@ namespace trilith::record {
 namespace {
 
 /// What the text leaves out: numbers are in the text where it was written by the run.
-std::string text_of(const EventRow& e) {
+std::string text_beside_type(const EventRow& e) {
   if (!e.text.empty()) return e.text;
   std::string out;
   for (const std::string& name : {e.body_a_name, e.body_b_name, e.bearing_name})
@@ -41,7 +41,7 @@ std::string event_table(const std::vector<EventRow>& events) {
     const auto [i, depth] = pending.back();
     pending.pop_back();
     const EventRow& e = events[i];
-    out += fmt::format("{:>10.4f} s  {:<{}}  {:{}}{}\n", e.time, e.type, widest, "", 2 * depth, text_of(e));
+    out += fmt::format("{:>10.4f} s  {:<{}}  {:{}}{}\n", e.time, e.type, widest, "", 2 * depth, text_beside_type(e));
     for (const std::size_t effect : effects[i]) pending.emplace_back(effect, depth + 1);  // latest first: taken last
   }
   return out;

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "record/axis_ticks.hpp"
 #include "record/event_tree.hpp"
+#include "record/largest_value.hpp"
 #include "record/report_sections.hpp"
 #include "record/results_picture.hpp"
 
@@ -84,12 +85,6 @@ int columns_for(const Scene& scene) {
   return x1 - x0 > 2 * (y1 - y0) ? 1 : 2;
 }
 
-double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double v : values) most = std::isfinite(v) ? std::max(most, std::abs(v)) : most;
-  return most;
-}
-
 double time_of_largest(const std::vector<double>& times, const std::vector<double>& values) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -109,7 +104,7 @@ std::vector<KeyHistory> key_histories(const ReportSource& source) {
   std::vector<std::string> units;
   for (const Quantity& q : source.header.histories) {
     all.push_back({&q, source.reader.history(q.name), 0});
-    all.back().most = largest(all.back().values);
+    all.back().most = largest_value(all.back().values);
     if (std::find(units.begin(), units.end(), q.unit) == units.end()) units.push_back(q.unit);
   }
   const auto rank = [&](const KeyHistory& h) { return std::find(units.begin(), units.end(), h.quantity->unit); };
@@ -203,13 +198,13 @@ void write_energy(const ReportSource& source, HtmlText& html) {
   double most = 0;
   const auto add = [&](const std::string& name, const std::string& text, const std::vector<double>& values) {
     const double last = std::abs(values.back()) < 1e-9 * most ? 0 : values.back();
-    rows.push_back({name, text, quantity_text(last, "J"), quantity_text(largest(values), "J"),
+    rows.push_back({name, text, quantity_text(last, "J"), quantity_text(largest_value(values), "J"),
                     shown_time(time_of_largest(table.time, values))});
   };
-  for (const std::vector<double>& term : table.terms) most = std::max(most, largest(term));
+  for (const std::vector<double>& term : table.terms) most = std::max(most, largest_value(term));
   for (std::size_t i = 0; i < table.terms.size(); ++i) {
     const Quantity& term = source.header.energy_terms[i];
-    if (largest(table.terms[i]) > 0)
+    if (largest_value(table.terms[i]) > 0)
       add(term.name, term.description, table.terms[i]);
     else
       ++none;
@@ -218,7 +213,8 @@ void write_energy(const ReportSource& source, HtmlText& html) {
   html.table({"Term", "What it is", "At the end", "Largest", "At"}, rows, 2);
   std::string note;
   if (most > 0)
-    note = fmt::format("The residual is at most {:.2g} % of the largest term. ", 100 * largest(table.residual) / most);
+    note = fmt::format("The residual is at most {:.2g} % of the largest term. ",
+                       100 * largest_value(table.residual) / most);
   if (none > 0) note += fmt::format("{} terms that are zero throughout are left out.", none);
   if (!note.empty()) html.element("p", note, R"(class="note")");
   write_figure(html, "energy", "Energy by term over what was put in; below it the residual.", [&] {

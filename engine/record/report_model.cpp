@@ -7,18 +7,13 @@
 #include <set>
 #include <tuple>
 
+#include "record/body_mass.hpp"
 #include "record/report_sections.hpp"
 
 namespace trilith::record {
 namespace {
 
 constexpr std::size_t most_rows = 24;
-
-double mass_of(const Header& header, const BodyRow& body) {
-  double mass = 0;
-  for (int n = body.first_node; n < body.first_node + body.node_count; ++n) mass += header.node_mass[n];
-  return mass;
-}
 
 /// Bodies of one kind, material, first group and support.
 struct Sort {

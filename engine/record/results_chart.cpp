@@ -7,12 +7,14 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "record/largest_value.hpp"
 #include "record/results_picture.hpp"
 #include "world/energy.hpp"
 #include "world/event.hpp"
 
 namespace trilith {
 
+using record::largest_value;
 using record::Quantity;
 using record::ResultsReader;
 
@@ -45,29 +47,23 @@ void add(std::vector<double>& sum, const std::vector<double>& values, double fac
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += factor * values[k];
 }
 
-double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double v : values) most = std::max(most, std::abs(v));
-  return most;
-}
-
 constexpr const char* small_terms = "the rest";
 
 /// Terms too small to be seen become one, the last; those that are zero throughout are left out.
 std::vector<EnergyCurve> without_small(std::vector<EnergyCurve> curves) {
   constexpr double least_share = 0.01;
   double most = 0;
-  for (const EnergyCurve& c : curves) most = std::max(most, largest(c.energy));
+  for (const EnergyCurve& c : curves) most = std::max(most, largest_value(c.energy));
   EnergyCurve rest{small_terms, {}, false};
   std::vector<EnergyCurve> out;
   for (EnergyCurve& c : curves) {
     if (rest.energy.empty()) rest.energy.assign(c.energy.size(), 0.0);
-    if (largest(c.energy) < least_share * most)
+    if (largest_value(c.energy) < least_share * most)
       add(rest.energy, c.energy, 1);
     else
       out.push_back(std::move(c));
   }
-  if (largest(rest.energy) > 0) out.push_back(std::move(rest));
+  if (largest_value(rest.energy) > 0) out.push_back(std::move(rest));
   return out;
 }
 

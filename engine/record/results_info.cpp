@@ -4,9 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
+
+#include "record/largest_value.hpp"
 
 namespace trilith::record {
 namespace {
@@ -107,21 +108,15 @@ std::string events(const std::vector<EventRow>& rows) {
   return text;
 }
 
-double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
 std::string energy(const EnergyTable& table, const std::vector<Quantity>& terms) {
   if (table.time.empty()) return "";
   std::string text = fmt::format("energy at {:g} s\n", table.time.back());
   double most = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    most = std::max(most, largest(table.terms[i]));
+    most = std::max(most, largest_value(table.terms[i]));
     text += fmt::format("  {:<18}{:>14.6g} J\n", terms[i].name, table.terms[i].back());
   }
-  const double residual = largest(table.residual);
+  const double residual = largest_value(table.residual);
   text += fmt::format("  {:<18}{:>14.6g} J\n", "residual", table.residual.back());
   text += fmt::format("  largest residual {:.3g} J", residual);
   if (most > 0) text += fmt::format(", {:.2g} % of the largest term", 100 * residual / most);

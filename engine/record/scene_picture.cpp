@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-constexpr double page_margin = 8, column_gap = 14, row_gap = 10, head_gap = 4, legend_gap = 7;
+constexpr double column_gap = 14, row_gap = 10, head_gap = 4, legend_gap = 7;
 constexpr double least_panel_width = 190, least_plot_height = 46;
 
 TextStyle title_style(const PictureStyle& s, bool single) {

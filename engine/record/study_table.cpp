@@ -49,7 +49,7 @@ std::vector<std::byte> records_of(const std::vector<StudyColumn>& columns, const
   return bytes;
 }
 
-void write_provenance(hid_t file, const Provenance& provenance) {
+void write_study_provenance(hid_t file, const Provenance& provenance) {
   make_group(file, "/provenance", "where the study came from");
   const h5::Handle group(H5Oopen(file, "/provenance", H5P_DEFAULT), H5Oclose, "cannot open /provenance");
   for (const ProvenanceText& t : provenance_texts) h5::write_attribute(group.get(), t.name, provenance.*(t.member));
@@ -128,7 +128,7 @@ void write_study_table(const std::filesystem::path& path, const std::vector<Stud
     const std::size_t rows = rows_of(columns[0]);
     const std::vector<std::byte> records = records_of(columns, type, rows);
     write_table(file.get(), {"/cases", "", "one row for each case of the study"}, type, rows, records.data());
-    write_provenance(file.get(), provenance);
+    write_study_provenance(file.get(), provenance);
     file.close("cannot close it");
     sync_file(part);
     std::filesystem::rename(part, path);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "record/body_mass.hpp"
 #include "record/palette.hpp"
 #include "record/view_joints.hpp"
 #include "world/event_text.hpp"
@@ -27,7 +28,7 @@ bool is_of_note(const EventRow& event) {
   return is_important(type) && !(type == EventType::impact && event.first.value < slow_impact);
 }
 
-std::string heading_of(const std::string& type) {
+std::string heading_in_words(const std::string& type) {
   const EventTypeInfo* const info = info_of(type);
   if (info != nullptr) return std::string(event_heading(static_cast<EventType>(info - event_type_info.begin())));
   std::string text = type;
@@ -69,12 +70,6 @@ void write_run(const ResultsReader& reader, const ViewFrames& frames, std::size_
   json.end().key("notes").begin_list();
   for (const Note& note : reader.notes()) json.begin_list().number(note.time).text(note.text).end();
   json.end().end();
-}
-
-double mass_of(const Header& header, const BodyRow& body) {
-  double mass = 0;
-  for (int n = body.first_node; n < body.first_node + body.node_count; ++n) mass += header.node_mass[n];
-  return mass;
 }
 
 void write_bodies(const Header& header, const ViewFrames& frames, JsonText& json) {
@@ -163,7 +158,7 @@ void write_events(const std::vector<EventRow>& events, JsonText& json) {
   json.key("types").begin_list();
   for (const EventRow& e : events)
     if (order.emplace(e.type, static_cast<int>(order.size())).second)
-      json.begin_list().text(e.type).text(heading_of(e.type)).end();
+      json.begin_list().text(e.type).text(heading_in_words(e.type)).end();
   json.end().key("events").begin_list();
   for (const EventRow& e : events) {
     json.begin_list().number(static_cast<double>(e.id)).number(rounded(e.time, 1e6)).number(order[e.type]);

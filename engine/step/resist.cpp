@@ -13,7 +13,7 @@ struct Sums {
   double stored = 0, plastic = 0;
 };
 
-struct Pass {
+struct ElementPass {
   const Model<2>& model;
   const State<2>& state;
   Work<2>& work;
@@ -24,7 +24,7 @@ template <int N>
 struct ElementNodes {
   const Vec2 *position[N], *velocity[N];
   Vec2 *force[N], *damping[N];
-  TRILITH_INLINE ElementNodes(const Pass& pass, const Element& e) {
+  TRILITH_INLINE ElementNodes(const ElementPass& pass, const Element& e) {
     for (int i = 0; i < N; ++i) {
       const auto n = static_cast<std::size_t>(e.node[i]);
       position[i] = &pass.state.position[n], velocity[i] = &pass.state.velocity[n];
@@ -43,7 +43,7 @@ TRILITH_INLINE void add_damping(const Deformation<N>& now, const double* shape, 
 }
 
 template <int N>
-TRILITH_INLINE void resist_elastic(const Pass& pass, const ElementBatch& batch, Sums& sums) {
+TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, Sums& sums) {
   const double beta = pass.model.solids[batch.solid].damping();
   for (int i = batch.first; i < batch.first + batch.count; ++i) {
     const Element& e = pass.model.elements[i];
@@ -61,10 +61,11 @@ TRILITH_INLINE void resist_elastic(const Pass& pass, const ElementBatch& batch, 
   }
 }
 
-[[gnu::target_clones("avx2", "default")]] void resist_quads(const Pass& pass, const ElementBatch& batch, Sums& sums) {
+[[gnu::target_clones("avx2", "default")]] void resist_quads(const ElementPass& pass, const ElementBatch& batch,
+                                                            Sums& sums) {
   resist_elastic<4>(pass, batch, sums);
 }
-[[gnu::target_clones("avx2", "default")]] void resist_triangles(const Pass& pass, const ElementBatch& batch,
+[[gnu::target_clones("avx2", "default")]] void resist_triangles(const ElementPass& pass, const ElementBatch& batch,
                                                                 Sums& sums) {
   resist_elastic<3>(pass, batch, sums);
 }
@@ -78,7 +79,7 @@ TRILITH_INLINE void resist_elastic(const Pass& pass, const ElementBatch& batch, 
 }
 
 template <int N, class Law>
-void resist_inelastic(const Pass& pass, const ElementBatch& batch, const Law& law, Sums& sums) {
+void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const Law& law, Sums& sums) {
   const Plane plane = pass.model.solids[batch.solid].plane;
   constexpr int points = N == 4 ? 4 : 1;
   for (int i = batch.first; i < batch.first + batch.count; ++i) {
@@ -103,7 +104,7 @@ void resist_inelastic(const Pass& pass, const ElementBatch& batch, const Law& la
   }
 }
 
-void resist_batch(const Pass& pass, const ElementBatch& batch, Sums& sums) {
+void resist_batch(const ElementPass& pass, const ElementBatch& batch, Sums& sums) {
   std::visit(
       [&](const auto& law) {
         if constexpr (std::decay_t<decltype(law)>::is_elastic)

@@ -13,7 +13,7 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct DrawOptions {
   std::string result, at = "end", stage, out, view, units = "si";
   bool forces = false, ghost = false, cracks = false;
   std::string stress, thrust;
@@ -49,7 +49,7 @@ double time_of(const record::ResultsReader& reader, const Window& window, const 
   throw InputError(fmt::format("--at: '{}' is no time and no event of this run{}", text, name_hint(text, known)));
 }
 
-PictureStyle style_of(const Options& options) {
+PictureStyle style_of(const DrawOptions& options) {
   PictureStyle style;
   style.units = options.units == "us" ? LengthUnits::us : LengthUnits::si;
   if (options.view.empty()) return style;
@@ -61,7 +61,7 @@ PictureStyle style_of(const Options& options) {
   return style;
 }
 
-int draw(const Options& options) {
+int draw(const DrawOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".png")
                                         : std::filesystem::path(options.out);
@@ -85,7 +85,7 @@ int draw(const Options& options) {
 }  // namespace
 
 void add_draw(CLI::App& app, int& code) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<DrawOptions>();
   CLI::App* verb = app.add_subcommand("draw", "Draw the structure at one or more moments of a run");
   verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
       ->required()

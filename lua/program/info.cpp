@@ -11,12 +11,12 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct InfoOptions {
   std::string result;
   bool events = false, of_note = false;
 };
 
-int show_info(const Options& options) {
+int show_info(const InfoOptions& options) {
   const record::ResultsReader reader(options.result);
   if (!options.events && !options.of_note) {
     fmt::print("{}", record::info_text(reader));
@@ -29,7 +29,7 @@ int show_info(const Options& options) {
 }  // namespace
 
 void add_info(CLI::App& app, int& code) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<InfoOptions>();
   CLI::App* verb = app.add_subcommand("info", "Tell what a results file holds, finished or not");
   verb->add_option("result", o->result, "results file")->required()->type_name("RESULT");
   verb->add_flag("--events", o->events, "all events, each below the one that led to it");

@@ -11,19 +11,19 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct ManualOptions {
   std::string name, meta;
   bool check = false, markdown = false, pages = false;
 };
 
-std::string what_of(const Options& options) {
+std::string what_of(const ManualOptions& options) {
   if (options.check) return "check";
   if (options.markdown) return "markdown";
   if (options.pages) return "pages";
   return options.meta.empty() ? "" : "meta";
 }
 
-int run(const Options& options) {
+int show_manual(const ManualOptions& options) {
   script::Host host;
   const ScriptState state = new_script_state(host);
   ConsoleSession session(state.get(), host);
@@ -44,7 +44,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_manual(CLI::App& app, int& code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ManualOptions>();
   CLI::App* verb = app.add_subcommand("manual", "What the Lua interface has: the same text as help at the console");
   verb->add_option("name", options->name, "a function, a field, a page; without it, what pages there are")
       ->type_name("NAME");
@@ -54,7 +54,7 @@ void add_manual(CLI::App& app, int& code) {
   verb->add_flag("--markdown", options->markdown, "the page NAME as Markdown; without NAME, the list of pages");
   verb->add_flag("--pages", options->pages, "the names of the pages, a line each");
   verb->add_flag("--check", options->check, "say what of the interface is not declared");
-  verb->callback([options, &code] { code = run(*options); });
+  verb->callback([options, &code] { code = show_manual(*options); });
 }
 
 }  // namespace trilith::program

@@ -12,13 +12,13 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct MotionOptions {
   std::string file, out;
   std::optional<double> scale, peak, time_scale;
   bool reverse = false, no_picture = false;
 };
 
-GroundMotion read_scaled(const Options& options) {
+GroundMotion read_scaled(const MotionOptions& options) {
   GroundMotion motion = read_motion(options.file);
   if (options.scale) motion = motion.scaled(*options.scale);
   if (options.time_scale) motion = motion.time_scaled(*options.time_scale);
@@ -26,7 +26,7 @@ GroundMotion read_scaled(const Options& options) {
   return options.reverse ? motion.reversed() : motion;
 }
 
-int show_motion(const Options& options) {
+int show_motion(const MotionOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.file).stem().replace_extension(".png")
                                         : std::filesystem::path(options.out);
@@ -42,7 +42,7 @@ int show_motion(const Options& options) {
 }  // namespace
 
 void add_motion(CLI::App& app, int& code) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<MotionOptions>();
   CLI::App* verb = app.add_subcommand("motion", "Measure and draw a ground motion");
   verb->add_option("file", o->file, "record: PEER .AT2 or CSV")->required()->type_name("FILE");
   verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; FILE with .png, here, where not given")

@@ -13,7 +13,7 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct PlotOptions {
   std::string result, out, over;
   std::vector<std::string> more, names;
   bool list = false, events = false, lines = false;
@@ -42,7 +42,7 @@ std::vector<std::string> short_names(const std::vector<std::string>& paths) {
   return std::set(stems.begin(), stems.end()).size() == stems.size() ? stems : paths;
 }
 
-std::vector<Chart> charts_of(const std::vector<NamedResults>& results, const Options& options) {
+std::vector<Chart> charts_of(const std::vector<NamedResults>& results, const PlotOptions& options) {
   std::vector<std::string> names = options.names;
   const auto wants_ledger = std::find(names.begin(), names.end(), ledger);
   const bool energy = (wants_ledger != names.end() && !has_history(*results[0].reader, ledger)) ||
@@ -60,7 +60,7 @@ std::vector<Chart> charts_of(const std::vector<NamedResults>& results, const Opt
 }
 
 /// The table of a study.
-int plot_study(const Options& options, const std::filesystem::path& out) {
+int plot_study(const PlotOptions& options, const std::filesystem::path& out) {
   const std::vector<record::StudyColumn> columns = record::read_study_table(options.result);
   if (options.list) {
     const StudyNames names = study_names(columns);
@@ -74,7 +74,7 @@ int plot_study(const Options& options, const std::filesystem::path& out) {
   return ended_well;
 }
 
-int plot(const Options& options) {
+int plot(const PlotOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".plot.png")
                                         : std::filesystem::path(options.out);
@@ -105,7 +105,7 @@ int plot(const Options& options) {
 }  // namespace
 
 void add_plot(CLI::App& app, int& code) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<PlotOptions>();
   CLI::App* verb = app.add_subcommand(
       "plot", "Plot histories or the energy of one or more runs over time, or figures of a study over a parameter");
   verb->add_option("result", o->result, "results file, or table of a study")->required()->type_name("RESULT");

@@ -9,11 +9,11 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct RepairOptions {
   std::string result, out;
 };
 
-int repair_result(const Options& options) {
+int repair_result(const RepairOptions& options) {
   record::repair(options.result, options.out);
   fmt::print("{}: {} frames\n", options.out, record::ResultsReader(options.out).frame_count());
   return ended_well;
@@ -22,7 +22,7 @@ int repair_result(const Options& options) {
 }  // namespace
 
 void add_repair(CLI::App& app, int& code) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<RepairOptions>();
   CLI::App* verb = app.add_subcommand("repair", "Copy what a killed run had written to a clean results file");
   verb->add_option("result", o->result, "results file, finished or not")->required()->type_name("RESULT");
   verb->add_option("-o,--output", o->out, "the copy")->required()->type_name("FILE");

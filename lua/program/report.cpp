@@ -15,7 +15,7 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::string result, out;
 };
 
@@ -27,7 +27,7 @@ std::vector<std::filesystem::path> record_folders_of(const record::ResultsReader
   return folders;
 }
 
-int report(const Options& options) {
+int report(const ReportOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".report.html")
                                         : std::filesystem::path(options.out);
@@ -48,7 +48,7 @@ int report(const Options& options) {
 }  // namespace
 
 void add_report(CLI::App& app, int& code) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ReportOptions>();
   CLI::App* verb = app.add_subcommand("report", "Write the report of a run: one page that prints well");
   verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
       ->required()

@@ -13,7 +13,7 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string script, results, folder;
   std::vector<std::string> given;
   EventShow events = EventShow::important;
@@ -22,7 +22,7 @@ struct Options {
   int only = 0;
 };
 
-int run(const Options& options) {
+int run_as_asked(const RunOptions& options) {
   Live live(stdout, EventLines(options.events, options.least_impact), options.quiet);
   script::Host host;
   host.script = options.script;
@@ -47,7 +47,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_run(CLI::App& app, int& code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   CLI::App* verb = app.add_subcommand("run", "Run a Lua script");
   verb->add_option("script", options->script, "the script")->required()->type_name("SCRIPT");
   verb->add_option("parameters", options->given,
@@ -77,7 +77,7 @@ void add_run(CLI::App& app, int& code) {
   verb->add_flag("--profile", options->profile,
                  "say where the time went: parts of the step, contact laws, Lua callbacks");
   verb->add_flag("--params", options->list, "list the script's parameters and end");
-  verb->callback([options, &code] { code = run(*options); });
+  verb->callback([options, &code] { code = run_as_asked(*options); });
 }
 
 }  // namespace trilith::program

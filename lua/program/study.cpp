@@ -16,7 +16,7 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct StudyOptions {
   std::string script, out;
   std::vector<std::string> given, over;
   script::StudyChoice choice;
@@ -66,7 +66,7 @@ StudyParameter parameter_of(const std::string& text) {
   return p;
 }
 
-StudyOrder order_of(const Options& o) {
+StudyOrder order_of(const StudyOptions& o) {
   std::vector<StudyParameter> parameters;
   for (const std::string& text : o.over) parameters.push_back(parameter_of(text));
   script::CasesOfScript cases;
@@ -84,7 +84,7 @@ StudyOrder order_of(const Options& o) {
 }
 
 /// The script runs a case; what is varied stands on the command line.
-int run_over(const Options& o) {
+int run_over(const StudyOptions& o) {
   const StudyOrder order = order_of(o);
   if (o.choice.list) {
     script::list_cases(order);
@@ -102,7 +102,7 @@ int run_over(const Options& o) {
 }
 
 /// The script says what the study is.
-int run_own(const Options& o) {
+int run_own(const StudyOptions& o) {
   if (!o.out.empty()) throw InputError("study: --output goes with --over; the script's own study names its file");
   Live live(stdout, EventLines(), o.quiet);
   script::Host host;
@@ -125,7 +125,7 @@ int run_own(const Options& o) {
 }  // namespace
 
 void add_study(CLI::App& app, int& code) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<StudyOptions>();
   CLI::App* verb = app.add_subcommand("study", "Run many cases of a script, each in a process of its own");
   verb->add_option("script", o->script, "a script with trilith.study, or with --over one that runs a case")
       ->required()

@@ -13,11 +13,11 @@
 namespace trilith::program {
 namespace {
 
-struct Options {
+struct ViewOptions {
   std::string result, out;
 };
 
-int view(const Options& options) {
+int view(const ViewOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".html")
                                         : std::filesystem::path(options.out);
@@ -38,7 +38,7 @@ int view(const Options& options) {
 }  // namespace
 
 void add_view(CLI::App& app, int& code) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ViewOptions>();
   CLI::App* verb = app.add_subcommand("view", "Write a page that plays the run in any browser");
   verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
       ->required()

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -49,6 +51,17 @@ inline void check_sound(const std::vector<Part>& parts) {
     CHECK(names.insert(part.name).second);
   }
   CHECK(largest_overlap(parts) < 1e-12);
+}
+
+/// Every corner of a unit is a corner or a joint of its neighbours: coordinates within about `width` [m] share their
+/// bits.
+inline void check_one_grid(const std::vector<Part>& parts, double width) {
+  std::map<long, double> x, y;
+  for (const Part& part : parts)
+    for (const Vec2& p : part.outline) {
+      CHECK(x.emplace(std::lround(p.x() / width), p.x()).first->second == p.x());
+      CHECK(y.emplace(std::lround(p.y() / width), p.y()).first->second == p.y());
+    }
 }
 
 inline double total_area(const std::vector<Part>& parts) {

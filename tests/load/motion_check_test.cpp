@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "load/contains.hpp"
 #include "load/motion_measures.hpp"
 #include "load/motion_read.hpp"
 #include "load/record_folder.hpp"
@@ -15,12 +16,6 @@ using namespace trilith::testing;
 using doctest::Approx;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  const bool found = text.find(part) != std::string::npos;
-  if (!found) MESSAGE("'", text, "' does not contain '", part, "'");
-  return found;
-}
 
 /// Rest to rest, ending offset by the area under a velocity half sine: a = cos(pi t / T) on 0..T.
 std::vector<double> fling(int n) {

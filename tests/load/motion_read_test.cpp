@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "load/contains.hpp"
 #include "load/motion_check.hpp"
 #include "load/motion_measures.hpp"
 #include "load/record_folder.hpp"
@@ -44,12 +45,6 @@ std::string refusal(const std::string& text, const std::string& name = "made.csv
     return error.what();
   }
   return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  const bool found = text.find(part) != std::string::npos;
-  if (!found) MESSAGE("'", text, "' does not contain '", part, "'");
-  return found;
 }
 
 /// Reads or refuses: anything else (a crash, another exception, a NaN) is a failure.

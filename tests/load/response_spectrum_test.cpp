@@ -16,7 +16,6 @@ using doctest::Approx;
 
 namespace {
 
-constexpr double inch = 0.0254;
 constexpr double pi = std::numbers::pi;
 
 /// Largest displacement of the same oscillator by Runge-Kutta of order 4 in `parts` parts of a sample interval.
@@ -46,6 +45,7 @@ double peak_by_runge_kutta(const GroundMotion& motion, double period, double dam
 }  // namespace
 
 TEST_CASE("D1: peaks of elastic oscillators under the textbook El Centro") {
+  constexpr double inch = 0.0254;
   const auto folder = record_folder();
   if (!folder) return;
   const GroundMotion motion = read_motion(*folder / "elcentro_1940_textbook_ns.csv");

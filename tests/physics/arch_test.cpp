@@ -16,12 +16,6 @@ using namespace trilith::testing;
 
 namespace {
 
-constexpr double stiffness = 4e12;  // [Pa/m]
-
-Frictional joint(double mu) {
-  return {stiffness, 0.5 * stiffness, mu, 5e-9};
-}
-
 /// An arch of mid radius 1 m; its straight edges are so short that its weight is that of the curved one to 1e-3.
 Arch arch_of(int voussoirs, double thickness, double half_angle = 90 * degree) {
   Arch arch;
@@ -31,7 +25,7 @@ Arch arch_of(int voussoirs, double thickness, double half_angle = 90 * degree) {
 }
 
 std::unique_ptr<Simulation> settled(const Arch& arch, double mu) {
-  Scene scene(joint(mu));
+  Scene scene(stiff_joint(mu));
   add_parts(scene, build_arch(arch), "abutments");
   auto sim = std::make_unique<Simulation>(scene.builder.build());
   settle(*sim, 2, 1e-6);
@@ -63,23 +57,6 @@ double thrust(const Simulation& sim, const std::string& left, const std::string&
   for (int n = 0; n < model.nodes(); ++n)
     if (model.moves(n)) weight += model.mass[n] * standard_gravity;
   return force / weight;
-}
-
-/// Turns gravity on from tilt `from` at `rate` [rad/s]: the tilt at which something runs away at 20 mm/s, or `to`
-/// [rad].
-double tilt_on(Simulation& sim, double from, double to, double rate) {
-  const double start = sim.state().time;
-  Gravity& gravity = sim.edit_model().gravity;
-  gravity.field = Turn(from).apply(Vec2(0, -standard_gravity));
-  gravity.tilt_rate = rate, gravity.tilt_start = start;
-  RunListener listener;
-  listener.on_history = [&](const Instant& now) {
-    if (now.speed > 0.02) sim.stop();
-  };
-  StageOptions options;
-  options.duration = (to - from) / rate;
-  options.history_interval = 0.002;
-  return sim.run(options, listener).end == StageEnd::stopped ? from + rate * (sim.state().time - start) : to;
 }
 
 }  // namespace

@@ -15,10 +15,6 @@
 
 namespace trilith::testing {
 
-inline Polygon box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
-
 /// Adds parts of a builder: the one called "base" held, the others free, of the scene's material.
 inline void add_parts(Scene& scene, const std::vector<Part>& parts) {
   for (const Part& part : parts) {

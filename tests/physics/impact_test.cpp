@@ -8,12 +8,9 @@
 namespace trilith {
 namespace {
 
+using testing::box;
 using testing::near;
 using testing::Scene;
-
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 /// Restitution of a spring and dashpot in parallel whose sum never pulls (VALIDATION F2).
 double restitution(double zeta) {

@@ -27,4 +27,27 @@ inline double farthest(const Model<2>& model, const State<2>& state) {
   return most;
 }
 
+/// Near its limit a hinge is millimetres long: joints so stiff that it still turns by less than 1e-3.
+inline Frictional stiff_joint(double mu) {
+  constexpr double stiffness = 4e12;  // [Pa/m]
+  return {stiffness, 0.5 * stiffness, mu, 5e-9};
+}
+
+/// Turns gravity from tilt `from` on at `rate` [rad/s], up to tilt `to`: the tilt at which some unit runs away, at
+/// more than 20 mm/s [rad], or `to`.
+inline double tilt_on(Simulation& sim, double from, double to, double rate) {
+  const double start = sim.state().time;
+  Gravity& gravity = sim.edit_model().gravity;
+  gravity.field = Turn(from).apply(Vec2(0, -standard_gravity));
+  gravity.tilt_rate = rate, gravity.tilt_start = start;
+  RunListener listener;
+  listener.on_history = [&](const Instant& now) {
+    if (now.speed > 0.02) sim.stop();
+  };
+  StageOptions options;
+  options.duration = (to - from) / rate;
+  options.history_interval = 0.002;
+  return sim.run(options, listener).end == StageEnd::stopped ? from + rate * (sim.state().time - start) : to;
+}
+
 }  // namespace trilith::testing

@@ -12,13 +12,6 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Near its limit a hinge is millimetres long: joints so stiff that it still turns by less than 1e-3.
-constexpr double stiffness = 4e12;  // [Pa/m]
-
-Frictional joint(double mu) {
-  return {stiffness, 0.5 * stiffness, mu, 5e-9};
-}
-
 /// Lays a structure down on its joints under the damping of consolidation (dropped at once, the weight would tip what
 /// stands by a few percent), then lets it go: true if nothing has moved by `far` [m] after `duration` [s].
 bool stands(Scene& scene, double far, double duration = 1) {
@@ -37,7 +30,7 @@ bool stands(Scene& scene, double far, double duration = 1) {
 bool arch_stands(int voussoirs, double share, double turn = 0) {
   // Least t/R of n voussoirs of exact curved weight (VALIDATION A3), approached by 4 sub-edges.
   const double least = voussoirs == 7 ? .09624 : voussoirs == 11 ? .10491 : voussoirs == 15 ? .10627 : .10679;
-  Scene scene(joint(10), turn);
+  Scene scene(stiff_joint(10), turn);
   Arch arch;
   arch.voussoirs = voussoirs;
   arch.radius = 1;
@@ -57,7 +50,7 @@ TEST_CASE("A1: a harmonic stack of 1 to 5 blocks stands at 0.98 of the largest o
       CAPTURE(factor);
       HarmonicStack stack;
       stack.count = count, stack.factor = factor, stack.table_height = 0.5;
-      Scene scene(joint(0.7));
+      Scene scene(stiff_joint(0.7));
       add_parts(scene, build_harmonic_stack(stack), "table");
       CHECK(stands(scene, 0.01) == (factor < 1));
     }

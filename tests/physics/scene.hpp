@@ -19,6 +19,11 @@ inline doctest::Approx near(double expected, double share) {
   return doctest::Approx(expected).epsilon(share).scale(0);
 }
 
+/// The rectangle between two corners [m].
+inline Polygon box(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
 inline constexpr double degree = M_PI / 180;
 inline constexpr std::array<Support, 3> held{Support::fixed, Support::fixed, Support::fixed};
 

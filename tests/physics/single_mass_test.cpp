@@ -11,14 +11,11 @@
 namespace trilith {
 namespace {
 
+using testing::box;
 using testing::near;
 using testing::Scene;
 
 constexpr double inch = 0.0254;
-
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 /// A mass that can only move along x, on one bearing over a base that is driven along x. No gravity.
 struct Oscillator {

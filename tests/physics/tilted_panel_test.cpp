@@ -16,32 +16,14 @@ namespace {
 
 /// Toes near the limit are millimetres long, so joints are very stiff; damped near their critical damping, or their
 /// chatter walks units out of their place.
-constexpr Frictional joint(double mu) {
+constexpr Frictional panel_joint(double mu) {
   return {4e11, 2e11, mu, 5e-6};
-}
-
-/// Turns gravity from tilt `from` on at `rate` [rad/s], up to tilt `to`: the tilt at which some unit runs away, at
-/// more than 20 mm/s [rad], or `to`.
-double tilt_on(Simulation& sim, double from, double to, double rate) {
-  const double start = sim.state().time;
-  Gravity& gravity = sim.edit_model().gravity;
-  gravity.field = Turn(from).apply(Vec2(0, -standard_gravity));
-  gravity.tilt_rate = rate;
-  gravity.tilt_start = start;
-  RunListener listener;
-  listener.on_history = [&](const Instant& now) {
-    if (now.speed > 0.02) sim.stop();
-  };
-  StageOptions options;
-  options.duration = (to - from) / rate;
-  options.history_interval = 0.002;
-  return sim.run(options, listener).end == StageEnd::stopped ? from + rate * (sim.state().time - start) : to;
 }
 
 /// Horizontal factor at which a panel, settled upright, comes down: tilted fast to 0.9 of `least`, then by 0.5
 /// degrees a second.
 double factor_at_collapse(const RunningBond& bond, double mu, double least) {
-  Scene scene(joint(mu));
+  Scene scene(panel_joint(mu));
   add_parts(scene, build_running_bond(bond), "base");
   Simulation sim = scene.start();
   settle(sim, 2, 1e-6);

@@ -8,6 +8,7 @@
 using namespace trilith;
 using testing::ask;
 using testing::check_refused;
+using testing::program_is_missing;
 using testing::Said;
 
 namespace {
@@ -25,12 +26,6 @@ const record::Folder& folder() {
 
 bool is_picture(const std::filesystem::path& path, std::string_view head) {
   return record::bytes_of(path).starts_with(head);
-}
-
-bool program_is_missing() {
-  if (!testing::program_path().empty()) return false;
-  MESSAGE("skipped: the program is not built");
-  return true;
 }
 
 }  // namespace

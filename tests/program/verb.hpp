@@ -23,6 +23,13 @@ inline std::filesystem::path program_path() {
   return std::filesystem::exists(path) ? path : std::filesystem::path();
 }
 
+/// True, with a message that has the case listed as skipped, where the program was not built.
+inline bool program_is_missing() {
+  if (!program_path().empty()) return false;
+  MESSAGE("skipped: the program was not built");
+  return true;
+}
+
 struct Said {
   int code = -1;         ///< exit code; -1 where it was ended by a signal
   std::string out, err;  ///< what it wrote

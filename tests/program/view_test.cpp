@@ -6,15 +6,10 @@
 
 using namespace trilith;
 using testing::ask;
+using testing::program_is_missing;
 using testing::Said;
 
 namespace {
-
-bool program_is_missing() {
-  if (!testing::program_path().empty()) return false;
-  MESSAGE("skipped: the program was not built");
-  return true;
-}
 
 std::filesystem::path picture_folder() {
   const auto folder = testing::program_path().parent_path().parent_path() / "tests" / "view_pictures";

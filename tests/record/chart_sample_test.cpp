@@ -65,21 +65,9 @@ Chart spectrum_chart(const std::vector<double>& a, double dt) {
   return chart;
 }
 
-void check_texts(const Canvas& canvas) {
-  for (const PageBox& box : canvas.text_boxes()) {
-    CHECK(box.x0 >= 0);
-    CHECK(box.y0 >= 0);
-    CHECK(box.x1 <= canvas.width());
-    CHECK(box.y1 <= canvas.height());
-  }
-  for (std::size_t i = 0; i < canvas.text_boxes().size(); ++i)
-    for (std::size_t j = i + 1; j < canvas.text_boxes().size(); ++j)
-      CHECK_FALSE(canvas.text_boxes()[i].overlaps(canvas.text_boxes()[j]));
-}
-
 void show(const std::vector<Chart>& charts, Arrangement arrangement, const char* name) {
   const Canvas canvas = chart_canvas(charts, arrangement);
-  check_texts(canvas);
+  sample::check_texts(canvas);
   for (const char* ending : {".png", ".svg", ".pdf"})
     draw_charts(charts, arrangement, sample::picture_path((std::string(name) + ending).c_str()));
 }

@@ -38,7 +38,7 @@ void refused(const Scene& scene, const std::string& part, const PictureStyle& st
   }
 }
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -86,16 +86,16 @@ TEST_CASE("one stone of a hundred that flew far does not make the rest small, bu
 TEST_CASE("scenes that cannot be drawn are refused by name") {
   refused(Scene{}, "no body");
   Scene scene = block_on_ground();
-  scene.bodies[1].outline[2].y() = not_a_number;
+  scene.bodies[1].outline[2].y() = nowhere;
   refused(scene, "scene 'Block', body 'block': point 3");
   scene = block_on_ground();
   scene.bodies[1].outline.resize(2);
   refused(scene, "2 points");
   scene = block_on_ground();
-  scene.bodies[1].value = not_a_number;
+  scene.bodies[1].value = nowhere;
   refused(scene, "value");
   scene = block_on_ground();
-  scene.forces.push_back({{0, 0}, {0, not_a_number}});
+  scene.forces.push_back({{0, 0}, {0, nowhere}});
   refused(scene, "contact force");
   scene = block_on_ground();
   scene.bearings.push_back({{0, 0}, {2e9, 0}});

@@ -29,20 +29,8 @@ std::vector<Vec2> moved(std::vector<Vec2> outline, const Vec2& pivot, double deg
   return outline;
 }
 
-void check_texts(const Canvas& canvas) {
-  const auto& boxes = canvas.text_boxes();
-  for (const PageBox& box : boxes) {
-    CHECK(box.x0 >= 0);
-    CHECK(box.y0 >= 0);
-    CHECK(box.x1 <= canvas.width());
-    CHECK(box.y1 <= canvas.height());
-  }
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    for (std::size_t j = i + 1; j < boxes.size(); ++j) CHECK_FALSE(boxes[i].overlaps(boxes[j]));
-}
-
 void show(const std::vector<Scene>& scenes, int columns, const PictureStyle& style, const char* name) {
-  check_texts(scene_canvas(scenes, columns, style));
+  sample::check_texts(scene_canvas(scenes, columns, style));
   for (const char* ending : {".png", ".svg", ".pdf"})
     draw_panels(scenes, columns, style, sample::picture_path((std::string(name) + ending).c_str()));
 }

@@ -13,6 +13,7 @@
 #include "run/storeys.hpp"
 
 using namespace trilith;
+using testing::box;
 using testing::near;
 using testing::Scene;
 
@@ -20,10 +21,6 @@ namespace {
 
 const Bonded mortar{1e10, 4e9, 0.6, 1e-5, 1e5, 1e5};
 const Frictional dry{1e10, 4e9, 0.6, 1e-5};
-
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 void add(Scene& scene, const std::string& name, const Polygon& outline, std::vector<std::string> groups, bool fixed) {
   BodySpec spec;

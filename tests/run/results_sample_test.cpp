@@ -11,7 +11,7 @@ TEST_CASE("sample picture: a recorded span that loses its seat, drawn from its r
   const std::filesystem::path file = sample::picture_path("falling_span.h5");
   testing::record_falling_span(file);
   const record::ResultsReader reader(file);
-  std::vector<Scene> scenes;
+  std::vector<trilith::Scene> scenes;
   for (const double t : {0.0, 0.9, 1.4, 3.0}) scenes.push_back(results_scene(reader, t, {false, true}));
   draw_panels(scenes, 2, {}, sample::picture_path("falling_span.png"));
   draw_scene(results_scene(reader, 0.5, {true, false}), {}, sample::picture_path("falling_span_forces.png"));

@@ -12,12 +12,9 @@
 namespace trilith {
 namespace {
 
+using testing::box;
 using testing::near;
 using testing::Scene;
-
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 /// Two free bodies apart from each other, without gravity, linked by whatever `link` says.
 Model<2> linked_pair(BearingSpec link, double turn = 0) {

@@ -19,6 +19,7 @@
 namespace trilith {
 namespace {
 
+using testing::box;
 using testing::Scene;
 namespace fs = std::filesystem;
 
@@ -33,10 +34,6 @@ struct Folder {
   Folder& operator=(const Folder&) = delete;
   ~Folder() { fs::remove_all(path); }
 };
-
-Polygon box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 /// Two blocks on a base, the upper one held to the lower by a bearing, sliding.
 Model<2> small_model(double mu = 0.3) {
