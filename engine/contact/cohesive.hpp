@@ -3,7 +3,8 @@
 // Peak strengths are those of the bonded Coulomb law; both soften together and linearly, see contact/face_bond.hpp for
 // equations and sources. Each half of a face softens for itself. Unloading: to the origin where open, with ks in
 // shear. Dilation (off unless given): sliding opens the joint by tan(angle) times the slip, up to a slip from which on
-// the asperities are worn (limit as in Lourenco and Rots 1997); it ends where the faces part.
+// the asperities are worn (limit as in Lourenco and Rots 1997); it ends where the faces part. Compressive cap (off
+// unless given): see contact/face_crush.hpp; the depth crushed stays while the two bodies are near each other.
 #pragma once
 
 #include <array>
@@ -24,6 +25,8 @@ struct Cohesive {
   double energy_shear = 0;    ///< fracture energy of mode II, beside friction [J/m2]
   double dilation = 0;        ///< tan of the dilatancy angle
   double dilation_slip = 0;   ///< [m]
+  double compression = 0;     ///< [Pa]; 0: it does not crush
+  double crushing_depth = 0;  ///< [m]
 
   static constexpr std::string_view name = "cohesive";
   static constexpr std::string_view sentence = "mortar that softens in tension and shear by its fracture energies";
@@ -42,7 +45,11 @@ struct Cohesive {
         P{&Cohesive::energy_shear, "energy_shear", "J/m2", no_default, 0, unbounded, false,
           "fracture energy in shear (mode II), what friction takes not counted"},
         P{&Cohesive::dilation, "dilation", "1", 0, 0, 10, true, "opening per slip, tan of the dilatancy angle"},
-        P{&Cohesive::dilation_slip, "dilation_slip", "m", 0, 0, unbounded, true, "slip up to which the joint dilates"}};
+        P{&Cohesive::dilation_slip, "dilation_slip", "m", 0, 0, unbounded, true, "slip up to which the joint dilates"},
+        P{&Cohesive::compression, "compression", "Pa", 0, 0, unbounded, true,
+          "compressive strength, at which the mortar crushes; 0: it does not"},
+        P{&Cohesive::crushing_depth, "crushing_depth", "m", 0, 0, unbounded, true,
+          "depth by which it can crush before it is as stiff as ever, some share of the joint's thickness"}};
   }
 
   /// What the ranges above leave: an energy that the elastic energy at the peak already exceeds cannot soften.
@@ -59,6 +66,11 @@ struct Cohesive {
     };
     require(energy_tension, tension, kn, "tension", "tension", "kn");
     require(energy_shear, cohesion, ks, "shear", "cohesion", "ks");
+    if ((compression > 0) != (crushing_depth > 0))
+      throw InputError(fmt::format(
+          "cohesive: compression is {:g} Pa and crushing_depth {:g} m; give both, for mortar that crushes, or "
+          "neither; a joint of 10 mm may crush by some 2e-3 m",
+          compression, crushing_depth));
   }
 };
 

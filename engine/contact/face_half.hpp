@@ -101,16 +101,23 @@ struct HalfState {
   [[nodiscard]] TRILITH_INLINE T widest() const { return larger(bond0(), bond1()); }
 };
 
-/// The part of the shared length where a linear function is positive, as shares of both halves.
+/// The part of the shared length where a function is positive, as shares of both halves.
 template <class T>
 struct PositiveHalves {
   T from[2], to[2];
+  /// Linear over both from f_lo to f_hi: one division.
   TRILITH_INLINE PositiveHalves(T f_lo, T f_hi) {
     const T zero{}, one = zero + 1.0;
     const PositivePart<T> whole(f_lo, f_hi);
     const T from2 = whole.from + whole.from, to2 = whole.to + whole.to;
     from[0] = smaller(from2, one), to[0] = smaller(to2, one);
     from[1] = larger(from2 - one, zero), to[1] = larger(to2 - one, zero);
+  }
+  /// Linear over each half.
+  TRILITH_INLINE PositiveHalves(T first0, T first1, T second0, T second1) {
+    const PositivePart<T> first(first0, first1), second(second0, second1);
+    from[0] = first.from, to[0] = first.to;
+    from[1] = second.from, to[1] = second.to;
   }
 };
 
@@ -136,6 +143,13 @@ TRILITH_INLINE void respond_normal(const HalfState<T>* halves, const FaceLaw& la
   const HalfState<T>&first = halves[0], &second = halves[1];
   PositiveHalves<T> closed(-first.g0, -second.g1);
   PositiveHalves<T> pressed(-first.g0 - law.beta * first.r0, -second.g1 - law.beta * second.r1);
+  if constexpr (B == Bond::softening) {
+    if (law.crushing > 0) {  // each half has gaps of its own
+      closed = {-first.g0, -first.g1, -second.g0, -second.g1};
+      pressed = {-first.g0 - law.beta * first.r0, -first.g1 - law.beta * first.r1, -second.g0 - law.beta * second.r0,
+                 -second.g1 - law.beta * second.r1};
+    }
+  }
   for (const int h : {0, 1}) {
     const HalfState<T>& half = halves[h];
     const T c0 = -half.g0, q0 = c0 - law.beta * half.r0, q1 = -half.g1 - law.beta * half.r1;

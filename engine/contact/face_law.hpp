@@ -19,10 +19,12 @@ struct FaceLaw {
   bool loss_by_point;
 
   // A softening bond alone.
-  double last_opening = 0;   ///< at which no tension is left [m]; 0: does not soften
-  double last_slip = 0;      ///< at which no cohesion is left [m]
-  double dilation = 0;       ///< tan of the dilatancy angle
-  double dilation_slip = 0;  ///< up to which sliding opens the joint [m]
+  double last_opening = 0;    ///< at which no tension is left [m]; 0: does not soften
+  double last_slip = 0;       ///< at which no cohesion is left [m]
+  double dilation = 0;        ///< tan of the dilatancy angle
+  double dilation_slip = 0;   ///< up to which sliding opens the joint [m]
+  double crushing = 0;        ///< mean overlap at which a pressed joint crushes [m]; 0: never
+  double crushing_depth = 0;  ///< by which it can crush [m]
 
   /// Loss of shear strength per tension [1]: that of the Coulomb line, but such that cohesion and tension are both
   /// reached where tension is beyond the line's apex.

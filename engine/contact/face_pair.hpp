@@ -11,6 +11,7 @@
 
 #include "base/lanes.hpp"
 #include "contact/face_bond.hpp"
+#include "contact/face_crush.hpp"
 #include "contact/face_half.hpp"
 #include "contact/face_overlap.hpp"
 
@@ -25,6 +26,7 @@ struct FaceMemory {
   Mask<T> worn{};     ///< dilates no more
   T damage[2]{};      ///< softening bond: share of the strength of each half that is lost
   T set[2]{};         ///< gaps at both ends as the joint's mortar set [m]
+  T crushed[2]{};     ///< depth by which the mortar of each half is crushed [m]
 };
 
 template <class T>
@@ -162,7 +164,18 @@ TRILITH_INLINE T dilation_of(T slip, Mask<T> worn, const FaceLaw& law) {
   return select(worn, T{}, law.dilation * smaller(slip, law.dilation_slip + T{}));
 }
 
-/// Bonds after the normal stresses: what is left of them, and the energy they gave off [J].
+/// Softening mortar before its stresses: opened by dilation, crushed, and with the strength its opening leaves it.
+template <class T>
+TRILITH_INLINE void begin_softening(FaceHalves<T>& halves, const FaceMemory<T>& before, const FaceLaw& law,
+                                    FaceMemory<T>& after) {
+  if (law.dilation > 0) halves.open_by(dilation_of(before.slip, before.worn, law));
+  for (const int h : {0, 1}) {
+    if (law.crushing > 0) after.crushed[h] = crush(halves.half[h], before.crushed[h], law);
+    soften_by_opening(halves.half[h], before.damage[h], law);
+  }
+}
+
+/// Bonds after the normal stresses: what is left of them, and the energy that they and the crushing gave off [J].
 template <class T>
 TRILITH_INLINE T end_softening(const FaceHalves<T>& halves, const FaceMemory<T>& before, const FaceLaw& law,
                                FaceMemory<T>& after) {
@@ -170,6 +183,9 @@ TRILITH_INLINE T end_softening(const FaceHalves<T>& halves, const FaceMemory<T>&
   T lost = zero;
   for (const int k : {0, 1}) {
     const HalfState<T>& h = halves.half[k];
+    const T deeper = after.crushed[k] - before.crushed[k];
+    if (law.crushing > 0 && any(deeper > zero))
+      lost += crushing_loss(h, deeper, select(before.bonds[k], share_held(one - before.damage[k], law), zero), law);
     lost += opening_loss(h, before.damage[k], h.strength, before.bonds[k], law);
     after.bonds[k] = h.bonded & (h.strength > zero);
     after.damage[k] = select(after.bonds[k], one - h.strength, zero);
@@ -202,10 +218,7 @@ TRILITH_INLINE FaceResponse<T> respond_face_motion(const FaceMotion<T>& motion, 
     for (const int k : {0, 1}) out.memory.set[k] = before.set[k];
   }
   if constexpr (B == Bond::brittle) out.lost_fracture = lose_bonds(halves.half, before.shear_elastic, law);
-  if constexpr (B == Bond::softening) {
-    if (law.dilation > 0) halves.open_by(dilation_of(before.slip, before.worn, law));
-    for (const int h : {0, 1}) soften_by_opening(halves.half[h], before.damage[h], law);
-  }
+  if constexpr (B == Bond::softening) begin_softening(halves, before, law, out.memory);
   HalfResponse<T> s[2];
   T active[2];
   respond_normal<B>(halves.half, law, active, s);

@@ -39,7 +39,8 @@ struct HalfGaps {
 inline std::array<HalfGaps, 2> half_gaps(const FaceOverlap<double>& o, const ContactMemory& m, const FaceLaw& law) {
   const double opened = dilation_of(m, law), lo = o.gap_lo - opened, hi = o.gap_hi - opened, mid = 0.5 * (lo + hi);
   const JointFilling<double> mortar(m.set[0], m.set[1]);
-  return {{{lo, mid, mortar.half[0]}, {mid, hi, mortar.half[1]}}};
+  const double z0 = m.crushed[0], z1 = m.crushed[1];
+  return {{{lo + z0, mid + z0, mortar.half[0]}, {mid + z1, hi + z1, mortar.half[1]}}};
 }
 
 /// Elastic normal force of one half and its moment about the half's start. `hold`: see bond_hold.

@@ -5,31 +5,12 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <vector>
+
+#include "contact/overlap_energy.hpp"
+#include "contact/placed_edges.hpp"
 
 namespace trilith {
 namespace {
-
-/// Unit outward normals of a piece's edges, and whether they count as surface.
-struct Edges {
-  int count = 0;
-  std::array<Vec2, max_piece_corners> normal;
-  std::array<double, max_piece_corners> length;
-  std::array<bool, max_piece_corners> surface;
-
-  explicit Edges(const PlacedPiece& piece) : count(static_cast<int>(piece.corner.size())) {
-    bool any = false;
-    for (int i = 0; i < count; ++i) {
-      const Vec2 along = piece.corner[(i + 1) % count] - piece.corner[i];
-      length[i] = along.norm();
-      normal[i] = Vec2(along.y(), -along.x()) / length[i];
-      surface[i] = piece.is_face[i] != 0;
-      any = any || surface[i];
-    }
-    // A piece cut out of the inside of a body has no surface of its own: then every edge pushes back.
-    if (!any) std::fill_n(surface.begin(), count, true);
-  }
-};
 
 /// depth(f, v): how far corner v of the other piece lies inside face f [m].
 struct Depths {
@@ -37,7 +18,7 @@ struct Depths {
   std::array<double, max_piece_corners * max_piece_corners> value;
 
   /// Largest gap of a face that has all corners outside; 0 where there is none.
-  double fill(const PlacedPiece& owner, const Edges& edges, const PlacedPiece& other) {
+  double fill(const PlacedPiece& owner, const PlacedEdges& edges, const PlacedPiece& other) {
     corners = static_cast<int>(other.corner.size());
     double separation = 0;
     for (int f = 0; f < edges.count; ++f) {
@@ -79,7 +60,7 @@ struct Nearest {
 /// Next face of the lower envelope of depths at share `at`. Going up, the slopes of an envelope of lines only fall:
 /// only faces that fall faster than `steeper_than` count, so that rounding at a crossing cannot choose the last face
 /// again.
-Nearest nearest_from(const Depths& depths, const Edges& edges, int v, int w, double at, double to,
+Nearest nearest_from(const Depths& depths, const PlacedEdges& edges, int v, int w, double at, double to,
                      double steeper_than) {
   const auto slope_of = [&](int f) { return depths.at(f, w) - depths.at(f, v); };
   const auto depth_of = [&](int f) { return depths.at(f, v) + slope_of(f) * at; };
@@ -99,6 +80,14 @@ Nearest nearest_from(const Depths& depths, const Edges& edges, int v, int w, dou
     best.until = std::min(best.until, std::max(at, at + (depth_of(f) - best_depth) / (best.slope - slope)));
   }
   return best;
+}
+
+/// The part of `span` where a depth that is linear from d0 to d1 over all of the edge is above `crushed`.
+Span above(double crushed, double d0, double d1, const Span& span) {
+  const auto depth = [&](double share) { return d0 + (d1 - d0) * share - crushed; };
+  const double width = span.to - span.from;
+  const PositivePart<double> part(depth(span.from), depth(span.to));
+  return {span.from + width * part.from, span.from + width * part.to};
 }
 
 /// Adds `force` at point `x` to the two corners of edge e: same resultant, and same moment through a couple.
@@ -140,11 +129,12 @@ struct Sums {
 /// One side's faces inside the other piece: the walker presses its edges against the owner's nearest faces.
 struct Walk {
   const PlacedPiece& owner;
-  const Edges& owner_edges;
+  const PlacedEdges& owner_edges;
   const PlacedPiece& walker;
-  const Edges& walker_edges;
+  const PlacedEdges& walker_edges;
   const Depths& depths;  // of the walker's corners in the owner
   const FaceLaw& law;
+  double crushed;  // [m]
   bool walker_is_b;
   std::span<Vec2> on_owner, on_walker;
 
@@ -196,8 +186,11 @@ void Walk::run(Sums& sums) const {
       const Nearest nearest = nearest_from(depths, owner_edges, e, w, at, span.to, slope);
       if (nearest.face < 0) break;  // the last face of the envelope has been passed, up to rounding
       const double d0 = depths.at(nearest.face, e), d1 = depths.at(nearest.face, w);
-      const double phi0 = std::max(0.0, d0 + (d1 - d0) * at), phi1 = std::max(0.0, d0 + (d1 - d0) * nearest.until);
-      press(e, nearest.face, start + at * along, start + nearest.until * along, phi0, phi1, sums);
+      const Span pressed = crushed > 0 ? above(crushed, d0, d1, {at, nearest.until}) : Span{at, nearest.until};
+      const auto phi = [&](double share) { return std::max(0.0, d0 + (d1 - d0) * share - crushed); };
+      if (crushed <= 0 || pressed.from < pressed.to)
+        press(e, nearest.face, start + pressed.from * along, start + pressed.to * along, phi(pressed.from),
+              phi(pressed.to), sums);
       at = nearest.until;
       slope = nearest.slope;
     }
@@ -286,36 +279,56 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   out.lost_friction += half.lost_friction;
 }
 
-using Outline = std::vector<Vec2>;
+/// Two pieces that overlap, and how deep the corners of each lie in the other.
+struct Overlapping {
+  const PlacedPiece &a, &b;
+  const PlacedEdges &edges_a, &edges_b;
+  const Depths &b_in_a, &a_in_b;
 
-/// Keeps the part of `outline` where `inside_depth` (linear in x) is not negative.
-template <class Depth>
-Outline clip(const Outline& outline, Depth&& inside_depth) {
-  Outline kept;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 &p = outline[i], &q = outline[(i + 1) % outline.size()];
-    const double dp = inside_depth(p), dq = inside_depth(q);
-    if (dp >= 0) kept.push_back(p);
-    if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) kept.push_back(p + (dp / (dp - dq)) * (q - p));
+  [[nodiscard]] Sums press(const FaceLaw& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
+    Sums sums;
+    Walk{a, edges_a, b, edges_b, b_in_a, law, crushed, true, on_a, on_b}.run(sums);
+    Walk{b, edges_b, a, edges_a, a_in_b, law, crushed, false, on_b, on_a}.run(sums);
+    return sums;
   }
-  return kept;
+  [[nodiscard]] double excess(const FaceLaw& law, double crushed) const;
+  [[nodiscard]] double crushed_from(double before, const FaceLaw& law) const;
+};
+
+/// Mean overlap above that at which the mortar crushes [m].
+double Overlapping::excess(const FaceLaw& law, double crushed) const {
+  std::array<Vec2, max_piece_corners> on_a, on_b;
+  const Sums sums = press(law, crushed, on_a, on_b);
+  return sums.length > 0 ? sums.force.norm() / (law.kn * sums.length) - law.crushing : -law.crushing;
 }
 
-/// Integral over `outline` of the distance to the nearest surface face of `piece`.
-double depth_integral(const Outline& outline, const PlacedPiece& piece, const Edges& edges) {
-  double sum = 0;
-  const auto depth = [&](int f, const Vec2& x) { return edges.normal[f].dot(piece.corner[f] - x); };
-  for (int f = 0; f < edges.count; ++f) {
-    if (!edges.surface[f]) continue;
-    Outline cell = outline;
-    for (int g = 0; g < edges.count && cell.size() > 2; ++g)
-      if (g != f && edges.surface[g]) cell = clip(cell, [&](const Vec2& x) { return depth(g, x) - depth(f, x); });
-    for (std::size_t i = 2; i < cell.size(); ++i) {
-      const double area = 0.5 * cross(Vec2(cell[i - 1] - cell[0]), Vec2(cell[i] - cell[0]));
-      sum += area * (depth(f, cell[0]) + depth(f, cell[i - 1]) + depth(f, cell[i])) / 3;
-    }
+/// The depth by which the mortar is crushed now: such that the mean pressure of the springs is its strength at most.
+double Overlapping::crushed_from(double before, const FaceLaw& law) const {
+  FaceLaw springs = law;
+  springs.beta = 0;
+  double depth = before, over = excess(springs, depth), fall = 1;
+  for (int i = 0; i < 20 && over > 1e-9 * law.crushing; ++i) {
+    // The mean overlap falls by as much as the depth grows where faces are parallel, by half of it at corners.
+    const double deeper = over / fall, left = excess(springs, depth + deeper);
+    fall = std::clamp((over - left) / deeper, 0.3, 1.0);
+    depth += deeper, over = left;
   }
-  return sum;
+  return std::max(before, std::min(depth, law.crushing_depth));
+}
+
+/// Remembers how far the mortar is crushed. What that takes is found with the mean of the force before and now that the
+/// energy of the overlap gives way to crushing by, kept in own[1].
+void keep_crushed(const Overlapping& pair, const ContactMemory& before, double depth, const FaceLaw& law,
+                  OverlapResponse& out) {
+  if (!(depth > 0)) return;
+  const double deeper = depth - general_crushed(before), now = crushing_force(pair.a, pair.b, law.kn, depth);
+  const bool touched = (before.state & contact_touching) != 0;
+  const bool known = (before.state & contact_general) != 0 && before.own[1] > 0;  // else it is taken to be as now
+  const double last = !touched ? 0.0 : known ? before.own[1] : now;
+  out.lost_fracture = 0.5 * (last + now) * deeper;
+  out.memory.own[1] = now;
+  for (double& half : out.memory.crushed) half = depth;
+  out.memory.state |= contact_crushed;
 }
 
 }  // namespace
@@ -324,8 +337,9 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
                                 const FaceLaw& law, std::span<Vec2> on_a, std::span<Vec2> on_b) {
   assert(a.corner.size() <= max_piece_corners && b.corner.size() <= max_piece_corners);
   OverlapResponse out;
-  const Edges edges_a(a), edges_b(b);
+  const PlacedEdges edges_a(a), edges_b(b);
   static thread_local Depths b_in_a, a_in_b;  // large; filled anew at every call
+  out.memory = before.parted();
   // Where the two part, their elastic shear is let go, and the last damping force works for half a step more.
   const double merged = merging_loss(before, law.ks);
   out.lost_friction = merged + let_go_all(before, law.ks);
@@ -335,15 +349,16 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   out.separation = a_in_b.fill(b, edges_b, a);
   if (out.separation > 0) return out;
 
-  Sums sums;
-  Walk{a, edges_a, b, edges_b, b_in_a, law, true, on_a, on_b}.run(sums);
-  Walk{b, edges_b, a, edges_a, a_in_b, law, false, on_b, on_a}.run(sums);
+  const Overlapping pair{a, b, edges_a, edges_b, b_in_a, a_in_b};
+  const double before_crushed = general_crushed(before);
+  const double crushed = law.crushing > 0 ? pair.crushed_from(before_crushed, law) : before_crushed;
+  const Sums sums = pair.press(law, crushed, on_a, on_b);
   if (!(sums.length > 0)) return out;
   out.touching = true;
   out.force = sums.force;
   out.length = sums.length;
   out.memory.slip = before.slip;
-  out.memory.state = contact_touching | contact_general;
+  out.memory.state |= contact_touching | contact_general;
   out.memory.damping_force[0] = sums.damping.x();
   out.memory.damping_force[1] = sums.damping.y();
   out.memory.own[0] = sums.damping_moment;
@@ -353,16 +368,12 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
     out.lost_friction = merged;
     add_friction(a, b, before, law, sums, on_a, on_b, out);
   }
+  keep_crushed(pair, before, crushed, law, out);
   return out;
 }
 
-double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, double kn) {
-  const Edges edges_a(a), edges_b(b);
-  Outline common(b.corner.begin(), b.corner.end());
-  for (int f = 0; f < edges_a.count && common.size() > 2; ++f)
-    common = clip(common, [&](const Vec2& x) { return edges_a.normal[f].dot(a.corner[f] - x); });
-  if (common.size() < 3) return 0;
-  return 0.5 * kn * (depth_integral(common, a, edges_a) + depth_integral(common, b, edges_b));
+double general_crushed(const ContactMemory& memory) {
+  return std::max(memory.crushed[0], memory.crushed[1]);
 }
 
 }  // namespace trilith

@@ -8,6 +8,9 @@
 // combined finite-discrete element method", 2004, ch. 2; Feng and Owen, Int. J. Numer. Meth. Engng 61, 2004.)
 // Damping acts on the closing speed along each face's normal, total pressure never below 0. Friction acts on the
 // resultant, at the centre of pressure.
+//
+// Mortar crushed by a depth z takes the place of phi by phi - z where that is above 0, in energy and pressure alike. It
+// is crushed on while the mean pressure is above its strength; faces that had two depths go on with the greater.
 #pragma once
 
 #include <span>
@@ -40,18 +43,18 @@ struct PlacedPiece {
 struct OverlapResponse {
   ContactMemory memory;
   bool touching = false;
-  double separation = 0;                       ///< lower bound of the distance where not touching [m]
-  Vec2 force = Vec2::Zero();                   ///< normal resultant on b [N]
-  Vec2 centre = Vec2::Zero();                  ///< centre of pressure [m]
-  double length = 0;                           ///< length in contact [m]
-  double lost_damping = 0, lost_friction = 0;  ///< [J]
+  double separation = 0;       ///< lower bound of the distance where not touching [m]
+  Vec2 force = Vec2::Zero();   ///< normal resultant on b [N]
+  Vec2 centre = Vec2::Zero();  ///< centre of pressure [m]
+  double length = 0;           ///< length in contact [m]
+  double lost_damping = 0, lost_friction = 0, lost_fracture = 0;  ///< [J]
 };
 
 /// `on_a`, `on_b`: force per corner [N], same sizes as the pieces' corners, added to.
 OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
                                 const FaceLaw& law, std::span<Vec2> on_a, std::span<Vec2> on_b);
 
-/// Elastic energy W of the overlap [J]; `kn` times thickness [N/m2].
-double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, double kn);
+/// Depth that the crushed mortar of a contact of general shape has [m].
+double general_crushed(const ContactMemory& memory);
 
 }  // namespace trilith

@@ -45,7 +45,7 @@ void write_counts(const std::vector<EventRow>& events, HtmlText& html) {
 std::string mark_of(const EventRow& e) {
   if (e.type == "bearing.failed" || e.type == "seat.lost") return "lost";
   if (is_failure(e)) return "failed";
-  if (e.type == "bearing.yielded" || e.type == "bond.cracked") return "yielded";
+  if (e.type == "bearing.yielded" || e.type == "bond.cracked" || e.type == "joint.crushed") return "yielded";
   return e.type == "bearing.changed" ? "changed" : "plain";
 }
 

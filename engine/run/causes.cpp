@@ -9,6 +9,7 @@ bool can_cause(EventType type) {
   switch (type) {
     case EventType::bond_cracked:
     case EventType::bond_broken:
+    case EventType::joint_crushed:
     case EventType::bearing_failed:
     case EventType::bearing_changed:
     case EventType::seat_lost:

@@ -31,7 +31,7 @@ std::string step_text(double shortest, double longest) {
 }
 
 bool comes_in_crowds(EventType type) {
-  return type == EventType::impact || type == EventType::bond_broken || type == EventType::bond_cracked;
+  return type == EventType::impact || is_of_joint(type);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -50,6 +51,7 @@ bool has_place(EventType type) {
   switch (type) {
     case EventType::bond_cracked:
     case EventType::bond_broken:
+    case EventType::joint_crushed:
     case EventType::bearing_yielded:
     case EventType::bearing_failed:
     case EventType::bearing_changed:
@@ -60,6 +62,10 @@ bool has_place(EventType type) {
     default:
       return false;
   }
+}
+
+double mode_number(std::string_view mode) {
+  return static_cast<double>(std::find(joint_modes.begin(), joint_modes.end(), mode) - joint_modes.begin());
 }
 
 /// Vectors of two numbers lie in a row, as the file wants them.
@@ -207,8 +213,7 @@ void Recording::event(const Event& event, const Instant& now) {
   row.has_place = has_place(event.type);
   if (row.has_place) row.place[0] = event.x, row.place[1] = event.y;
   if (!info.value_name.empty()) row.first = {std::string(info.value_name), std::string(info.value_unit), event.value};
-  if (event.type == EventType::bond_cracked || event.type == EventType::bond_broken)
-    row.second = {"mode", "1", event.text == "shear" ? 1.0 : 0.0};
+  if (is_of_joint(event.type)) row.second = {"mode", "1", mode_number(event.text)};
   row.cause = event.cause;
   row.text = event_text(event, now.model);
   writer_.append_event(std::move(row));

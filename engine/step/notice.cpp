@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/face_resultant.hpp"
+#include "contact/overlap_energy.hpp"
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
@@ -63,7 +64,27 @@ void notice_bond(const Model<2>& model, const State<2>& state, Work<2>& work, in
   Event e = event_now(state, type, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
   e.value = carried.force.norm();
   e.x = carried.point.x(), e.y = carried.point.y();
-  e.text = pulled ? "tension" : "shear";
+  e.text = joint_modes[pulled ? 0 : 1];
+  work.events.push_back(e);
+}
+
+/// Of a contact that touches now.
+ContactResultant resultant_now(const Model<2>& model, const Work<2>& work, int row) {
+  for (const GeneralContact& g : work.general_touching)
+    if (g.row == row) return general_resultant(g.centre, g.force, work.memory[row]);
+  const NearPair& p = work.pairs[row];
+  return face_resultant(face_ends(work, p.a0, p.a1), face_ends(work, p.b0, p.b1), work.memory[row],
+                        face_law(model, p.law, 0));
+}
+
+/// Mortar that begins to crush: what it carries now, and where.
+void notice_crushing(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
+  const NearPair& p = work.pairs[row];
+  Event e = event_now(state, EventType::joint_crushed, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
+  const ContactResultant carried = resultant_now(model, work, row);
+  e.value = carried.force.norm();
+  e.x = carried.point.x(), e.y = carried.point.y();
+  e.text = joint_modes[2];
   work.events.push_back(e);
 }
 
@@ -93,6 +114,8 @@ void notice_contact(const Model<2>& model, State<2>& state, Work<2>& work, int r
   const int a = model.piece_body[p.piece_a], b = model.piece_body[p.piece_b];
   const bool was = (before.state & contact_touching) != 0, is = (after.state & contact_touching) != 0;
   notice_bonds(model, state, work, row);
+  if ((before.state & contact_crushed) == 0 && (after.state & contact_crushed) != 0)
+    notice_crushing(model, state, work, row);
   if (was == is) return;
   if (!is) {
     state.parted.push_back({state.contact[row], state.time});

@@ -76,7 +76,8 @@ TRILITH_INLINE LaneMask has_bit(const LaneMask& word, std::int64_t bit) {
 }
 
 constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
-                       general_bit = std::int64_t{contact_general} << 32, worn_bit = std::int64_t{contact_worn} << 32;
+                       general_bit = std::int64_t{contact_general} << 32, worn_bit = std::int64_t{contact_worn} << 32,
+                       crushed_bit = std::int64_t{contact_crushed} << 32;
 
 /// Arrays of State and Work that the rows of a batch are read from and written to.
 struct Pass {
@@ -153,6 +154,7 @@ TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
   if constexpr (B != Bond::none) load(&ContactMemory::set, m.face.set[0], m.face.set[1]);
   if constexpr (B == Bond::softening) {
     load(&ContactMemory::own, m.face.damage[0], m.face.damage[1]);
+    load(&ContactMemory::crushed, m.face.crushed[0], m.face.crushed[1]);
     m.face.worn = has_bit(word, worn_bit);
   }
   return m;
@@ -160,11 +162,12 @@ TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
 
 /// A response as rows again, to be written where they belong.
 struct RowResponse {
-  RowPairs elastic, total, damping, active, slip_bits, damage, set, a0, a1, b0, b1;
+  RowPairs elastic, total, damping, active, slip_bits, damage, set, crushed, a0, a1, b0, b1;
   TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m) {
     const LaneMask none{};
+    const LaneMask crushed = larger(m.crushed[0], m.crushed[1]) > Lanes{};
     return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (m.worn & (none + worn_bit)) |
-                    (none + touching_bit));
+                    (crushed & (none + crushed_bit)) | (none + touching_bit));
   }
   TRILITH_INLINE explicit RowResponse(const FaceResponse<Lanes>& r)
       : elastic(r.memory.shear_elastic[0], r.memory.shear_elastic[1]),
@@ -174,6 +177,7 @@ struct RowResponse {
         slip_bits(r.memory.slip, word_of(r.memory)),
         damage(r.memory.damage[0], r.memory.damage[1]),
         set(r.memory.set[0], r.memory.set[1]),
+        crushed(r.memory.crushed[0], r.memory.crushed[1]),
         a0(r.ax0, r.ay0),
         a1(r.ax1, r.ay1),
         b0(r.bx0, r.by0),
@@ -189,6 +193,7 @@ TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse& r, i
   store_pair(&after.slip, r.slip_bits.of(i));
   store_pair(after.own, r.damage.of(i));
   store_pair(after.set, r.set.of(i));
+  store_pair(after.crushed, r.crushed.of(i));
   const NearPair& p = pass.pairs[row];
   const auto add = [&](int skin, const Pair& force) {
     double* on = pass.skin_force[skin].data();
@@ -221,6 +226,7 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Row
       const FaceMemory<Lanes>&m = memory.face, &n = r.memory;
       const Lanes none{};
       turns |= (larger(m.damage[0], m.damage[1]) <= none) & (larger(n.damage[0], n.damage[1]) > none);
+      turns |= (larger(m.crushed[0], m.crushed[1]) <= none) & (larger(n.crushed[0], n.crushed[1]) > none);
     }
   }
   const RowResponse out(r);
@@ -238,7 +244,7 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Row
     if (r.touching[i] != 0)
       write_row(pass, row, out, i);
     else
-      pass.after[row] = {};
+      pass.after[row] = pass.before[row].parted();
     if (turns[i] != 0) pass.work.turned.push_back(row);
   }
 }
@@ -291,6 +297,7 @@ FaceLaw face_law(const Model<2>& model, int law, double dt) {
           out.last_opening = 2 * l.energy_tension / l.tension;
           out.last_slip = 2 * l.energy_shear / l.cohesion;
           out.dilation = l.dilation, out.dilation_slip = l.dilation_slip;
+          out.crushing = l.compression / l.kn, out.crushing_depth = l.crushing_depth;
         }
         return out;
       },
@@ -336,7 +343,7 @@ void sort_out(const State<2>& state, const Work<2>& work, const std::vector<int>
   fresh.resize(facing.size());
   std::size_t touched = 0, rest = 0, others = 0;
   for (const int row : facing) {  // without branches: which rows touch is hard to guess
-    const bool was = (state.memory[row].state & contact_touching) != 0;
+    const bool was = (state.memory[row].state & (contact_touching | contact_crushed)) != 0;
     rows[touched] = fresh[rest] = row;
     touched += was ? 1 : 0;
     rest += was ? 0 : 1;

@@ -61,11 +61,18 @@ void add_to_skin(const Model<2>& model, int piece, const Corners& force, Work<2>
   for (int c = 0; c < model.corners_of(piece); ++c) work.skin_force[model.corner_skin[first + c]] += force[c];
 }
 
+/// What two faces held that their contact does not as one of general shape: by dilation, and by a half that is crushed
+/// less than the other.
+void book_change_of_shape(Work<2>& work, const NearPair& pair, const ContactMemory& before, const FaceLaw& law) {
+  if (law.dilation > 0) work.given[EnergyTerm::contact_friction] += dilation_energy(work, pair, before, law);
+  if (law.crushing > 0) work.given[EnergyTerm::contact_fracture] += crushing_energy(work, pair, before, law);
+}
+
 void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, int row, double dt) {
   const ContactMemory& before = state.memory[row];
   ContactMemory& after = work.memory[row];
   const bool was = (before.state & contact_touching) != 0;
-  after = {};
+  after = before.parted();
   if (!was && work.travel < work.asleep_until[row]) return;
   const NearPair& pair = work.pairs[row];
   if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) {
@@ -80,11 +87,12 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   std::fill_n(on_b.begin(), b.corner.size(), Vec2::Zero());
   const FaceLaw law = face_law(model, pair.law, dt);
   const OverlapResponse r = respond_overlap(a, b, before, law, on_a, on_b);
-  if (law.dilation > 0 && was && (before.state & contact_general) == 0)
-    work.given[EnergyTerm::contact_friction] += dilation_energy(work, pair, before, law);
-  if (was != r.touching || before.bonds != 0) work.turned.push_back(row);
+  if (was && (before.state & contact_general) == 0) book_change_of_shape(work, pair, before, law);
+  if (was != r.touching || before.bonds != 0 || (before.state & contact_crushed) != (r.memory.state & contact_crushed))
+    work.turned.push_back(row);
   work.given[EnergyTerm::contact_damping] += r.lost_damping;
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
+  work.given[EnergyTerm::contact_fracture] += r.lost_fracture;
   if (!r.touching) {
     // Each of the two may come nearer by the path of the fastest point.
     work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * r.separation;

@@ -24,8 +24,8 @@ ContactMemory with_bond(ContactMemory memory, const FaceOverlap<double>& o) {
   memory.bonds = 3;
   memory.state |= contact_touching;
   memory.own[0] = memory.own[1] = 0;
-  memory.set[0] = o.gap_lo;
-  memory.set[1] = o.gap_hi;
+  memory.set[0] = o.gap_lo + memory.crushed[0];
+  memory.set[1] = o.gap_hi + memory.crushed[1];
   return memory;
 }
 

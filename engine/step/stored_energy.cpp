@@ -4,6 +4,7 @@
 #include <array>
 
 #include "contact/face_resultant.hpp"
+#include "contact/overlap_energy.hpp"
 #include "step/contact_rows.hpp"
 
 namespace trilith {
@@ -40,11 +41,12 @@ double face_energy(const Work<2>& work, const NearPair& p, const ContactMemory& 
 
 double general_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, const GeneralContact& g) {
   const NearPair& p = work.pairs[g.row];
+  const ContactMemory& m = work.memory[g.row];
   const FaceLaw law = face_law(model, p.law, 0);
   PieceCorners corners_a, corners_b;
-  const double normal = overlap_energy(placed_piece(model, state, work, p.piece_a, corners_a),
-                                       placed_piece(model, state, work, p.piece_b, corners_b), law.kn);
-  const ContactMemory& m = work.memory[g.row];
+  const double normal =
+      overlap_energy(placed_piece(model, state, work, p.piece_a, corners_a),
+                     placed_piece(model, state, work, p.piece_b, corners_b), law.kn, general_crushed(m));
   const double shear = m.shear_elastic[0] + m.shear_elastic[1], stiffness = law.ks * (m.active[0] + m.active[1]);
   return normal + (stiffness > 0 ? 0.5 * shear * shear / stiffness : 0);
 }
@@ -55,6 +57,14 @@ double dilation_energy(const Work<2>& work, const NearPair& pair, const ContactM
   ContactMemory bare = memory;
   bare.state |= contact_worn;
   return pressing_energy(work, pair, memory, law) - pressing_energy(work, pair, bare, law);
+}
+
+double crushing_energy(const Work<2>& work, const NearPair& pair, const ContactMemory& memory, const FaceLaw& law) {
+  ContactMemory even = memory;
+  even.state |= contact_worn;
+  ContactMemory worn = even;
+  for (double& half : even.crushed) half = std::max(memory.crushed[0], memory.crushed[1]);
+  return pressing_energy(work, pair, worn, law) - pressing_energy(work, pair, even, law);
 }
 
 double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {

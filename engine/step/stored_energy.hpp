@@ -15,4 +15,7 @@ double pressing_energy(const Work<2>& work, const NearPair& pair, const ContactM
 /// What of it dilation holds: let go where the contact goes over to general shape [J].
 double dilation_energy(const Work<2>& work, const NearPair& pair, const ContactMemory& memory, const FaceLaw& law);
 
+/// What of it one half holds because it is crushed less than the other: let go likewise [J].
+double crushing_energy(const Work<2>& work, const NearPair& pair, const ContactMemory& memory, const FaceLaw& law);
+
 }  // namespace trilith

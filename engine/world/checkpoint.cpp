@@ -129,6 +129,7 @@ void walk(W& file, ContactMemory& m) {
   for (const int h : {0, 1}) file.number(m.damping_force[h]);
   for (const int h : {0, 1}) file.number(m.own[h]);
   for (const int h : {0, 1}) file.number(m.set[h]);
+  for (const int h : {0, 1}) file.number(m.crushed[h]);
   for (const int h : {0, 1}) file.number(m.active[h]);
   file.number(m.slip);
   file.pair(m.bonds, m.state);
@@ -206,7 +207,7 @@ bool is_contact_of(const Model<2>& model, ContactKey key) {
 }
 
 void read_contacts(Reader& file, const Model<2>& model, State<2>& s) {
-  const std::size_t count = file.open_count(15);
+  const std::size_t count = file.open_count(17);
   s.contact.resize(count);
   s.memory.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -215,7 +216,7 @@ void read_contacts(Reader& file, const Model<2>& model, State<2>& s) {
     if (!is_contact_of(model, s.contact[i]) || (i > 0 && s.contact[i - 1] >= s.contact[i]))
       file.fail("has a contact of pieces that are not there, or out of order");
     if (s.memory[i].empty() || s.memory[i].bonds > 3 ||
-        s.memory[i].state > (contact_touching | contact_general | contact_worn))
+        s.memory[i].state > (contact_touching | contact_general | contact_worn | contact_crushed))
       file.fail("has a contact in no known state");
   }
 }

@@ -16,7 +16,7 @@ enum class EnergyTerm : int {
   strain,  ///< elastic energy of deformable bodies
   contact_damping,
   contact_friction,
-  contact_fracture,  ///< elastic energy of a bond at its loss, less that at its setting
+  contact_fracture,  ///< elastic energy of a bond at its loss, less that at its setting; crushing of mortar
   bearing_damping,
   bearing_inner,    ///< plastic and frictional
   bearing_failure,  ///< elastic energy of a bearing at its failure
@@ -44,7 +44,7 @@ inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
     {"strain", "elastic energy of deformable bodies", +1},
     {"contact_damping", "given off by contact damping", +1},
     {"contact_friction", "given off by sliding friction, and elastic shear let go by length that parts", +1},
-    {"contact_fracture", "given off by bonds at their loss, less what they began with", +1},
+    {"contact_fracture", "given off by bonds at their loss, less what they began with, and by crushing mortar", +1},
     {"bearing_damping", "given off by the dashpots of bearings", +1},
     {"bearing_inner", "given off by yielding or sliding bearings", +1},
     {"bearing_failure", "given off by bearings at their failure", +1},

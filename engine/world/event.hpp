@@ -13,6 +13,7 @@ enum class EventType : int {
   stage_ended,
   bond_cracked,
   bond_broken,
+  joint_crushed,
   bearing_yielded,
   bearing_failed,
   bearing_changed,
@@ -22,7 +23,14 @@ enum class EventType : int {
   impact,
   body_at_rest,
 };
-inline constexpr int event_types = 12;
+inline constexpr int event_types = 13;
+
+/// Of a mortar joint: its Event::text is the mode, a name of joint_modes.
+constexpr bool is_of_joint(EventType type) {
+  return type == EventType::bond_cracked || type == EventType::bond_broken || type == EventType::joint_crushed;
+}
+/// How a joint fails; results hold the place in this list.
+inline constexpr std::array<std::string_view, 3> joint_modes{"tension", "shear", "compression"};
 
 struct EventTypeInfo {
   std::string_view name;        ///< as in scripts and results
@@ -35,6 +43,7 @@ inline constexpr std::array<EventTypeInfo, event_types> event_type_info{{
     {"stage.ended", "", ""},
     {"bond.cracked", "force", "N"},
     {"bond.broken", "force", "N"},
+    {"joint.crushed", "force", "N"},
     {"bearing.yielded", "displacement", "m"},
     {"bearing.failed", "displacement", "m"},
     {"bearing.changed", "displacement", "m"},
@@ -54,7 +63,7 @@ struct Event {
   int body_a = -1, body_b = -1, bearing = -1;
   double value = 0;     ///< see EventTypeInfo
   double x = 0, y = 0;  ///< where [m]
-  std::string text;     ///< the rest in words: the mode of a bond's failure, tension or shear
+  std::string text;     ///< the rest in words: the mode of a joint's failure, tension, shear or compression
 };
 
 }  // namespace trilith

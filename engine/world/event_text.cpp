@@ -60,6 +60,8 @@ std::string event_text(const Event& e, const Model<2>& model) {
       return fmt::format("bond of {} and {} broke in {} at {:.3g} kN", a, b, e.text, 1e-3 * e.value);
     case EventType::bond_cracked:
       return fmt::format("bond of {} and {} cracked in {} at {:.3g} kN", a, b, e.text, 1e-3 * e.value);
+    case EventType::joint_crushed:
+      return fmt::format("joint of {} and {} crushed in {} at {:.3g} kN", a, b, e.text, 1e-3 * e.value);
     case EventType::bearing_yielded:
       return failed_text(e, model, "yielded");
     case EventType::bearing_failed:
@@ -82,8 +84,9 @@ std::string event_text(const Event& e, const Model<2>& model) {
 
 std::string_view event_heading(EventType type) {
   constexpr std::array<std::string_view, event_types> headings = {
-      "stage begun",     "stage ended",  "bond cracked", "bond broken", "bearing yielded", "bearing failed",
-      "bearing changed", "contact made", "contact lost", "seat lost",   "impact",          "body at rest"};
+      "stage begun",     "stage ended",    "bond cracked",    "bond broken",  "joint crushed",
+      "bearing yielded", "bearing failed", "bearing changed", "contact made", "contact lost",
+      "seat lost",       "impact",         "body at rest"};
   return headings[static_cast<std::size_t>(type)];
 }
 

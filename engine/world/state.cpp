@@ -31,6 +31,7 @@ void add(Hash& hash, const ContactMemory& m) {
     hash.add(m.active[h]);
     hash.add(m.own[h]);
     hash.add(m.set[h]);
+    hash.add(m.crushed[h]);
   }
   hash.add(m.slip);
   hash.add(static_cast<std::uint64_t>(m.bonds) << 32 | m.state);

@@ -54,7 +54,7 @@ void push_event(lua_State* L, int model_index, const Event& e) {
   set_text(L, "value_name", info_of(e).value_name);
   set_number(L, "x", e.x);
   set_number(L, "y", e.y);
-  if (e.type == EventType::bond_cracked || e.type == EventType::bond_broken) set_text(L, "mode", e.text);
+  if (is_of_joint(e.type)) set_text(L, "mode", e.text);
   set_text(L, "text", event_text(e, m.if_built()->model()));
   set_bodies(L, model_index, e);
   if (e.bearing >= 0) {

@@ -23,7 +23,7 @@ value       number    see value_name
 value_name  text      what the value is
 x           number m  where
 y           number m  where
-mode        text?     of a bond: "tension" or "shear"
+mode        text?     of a joint: "tension", "shear" or "compression"
 text        text      in words
 bodies      list      the bodies concerned
 body        body?     the first of them

@@ -2,71 +2,18 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "contact/cohesive.hpp"
-#include "contact/face_scene.hpp"
+#include "contact/mortar_joint.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
 
 namespace {
 
-constexpr double kn = 1e9, ks = 4e8, mu = 0.7, cohesion = 2e5, tension = 1e5, gi = 20, gii = 125;
-
-FaceLaw mortar(double dt = 1e-4) {
-  FaceLaw law{kn, ks, mu, 0, cohesion, tension, dt, true};
-  law.last_opening = 2 * gi / tension;
-  law.last_slip = 2 * gii / cohesion;
-  return law;
-}
-
-/// A joint of 1 m2 led through openings and slips; work is that of the forces that lead it.
-struct Joint {
-  FaceLaw law = mortar();
-  Turn turn{0.0};
-  FaceMemory<double> memory = no_memory(true);
-  double gap = 0, slip = 0;                                  // [m]
-  double normal = 0, shear = 0;                              // pulling apart and along, on b [N]
-  double work = 0, fracture = 0, friction = 0, damping = 0;  // [J]
-
-  void to(double next_gap, double next_slip) {
-    const Vec2 speed((next_slip - slip) / law.dt, (next_gap - gap) / law.dt), still = Vec2::Zero();
-    // b's face is longer than a's, so that all of a's stays covered.
-    const Faces f = turned({rigid_face({1, 0}, {0, 0}, still, 0),
-                            rigid_face({-1 + next_slip, next_gap}, {2 + next_slip, next_gap}, speed, 0)},
-                           turn);
-    const FaceResponse<double> r = respond_face_pair<Bond::softening>(f.a, f.b, 1.0, memory, law);
-    REQUIRE(r.is_face_pair);
-    const Vec2 on_b = turn.undo(Vec2(on_b0(r) + on_b1(r)));
-    work -= 0.5 * (on_b.y() - normal) * (next_gap - gap) + 0.5 * (on_b.x() - shear) * (next_slip - slip);
-    normal = -on_b.y(), shear = -on_b.x();
-    fracture += r.lost_fracture, friction += r.lost_friction, damping += r.lost_damping;
-    memory = r.touching ? r.memory : no_memory(false);
-    gap = next_gap, slip = next_slip;
-  }
-  /// In `steps` equal steps; `see` after each.
-  void lead(
-      double next_gap, double next_slip, int steps, const std::function<void()>& see = [] {}) {
-    const double g0 = gap, s0 = slip;
-    for (int i = 1; i <= steps; ++i) {
-      to(g0 + (next_gap - g0) * i / steps, s0 + (next_slip - s0) * i / steps);
-      see();
-    }
-  }
-  [[nodiscard]] double damage() const { return std::max(memory.damage[0], memory.damage[1]); }
-  /// Elastic energy of the joint, uniformly open or closed [J].
-  [[nodiscard]] double stored() const {
-    double sum = 0;
-    for (const int h : {0, 1}) {
-      const double hold = gap <= 0 ? 1 : memory.bonds[h] ? share_held(1 - memory.damage[h], law) : 0;
-      sum += 0.5 * kn * hold * gap * gap * 0.5;
-      if (memory.active[h] > 0)
-        sum += 0.5 * memory.shear_elastic[h] * memory.shear_elastic[h] / (ks * memory.active[h]);
-    }
-    return sum;
-  }
-};
+using Joint = MortarJoint;
+constexpr double kn = Joint::kn, ks = Joint::ks, mu = Joint::mu, cohesion = Joint::cohesion, tension = Joint::tension,
+                 gi = Joint::gi, gii = Joint::gii;
 
 doctest::Approx near(double value, double share) {
   return doctest::Approx(value).epsilon(share).scale(0);

@@ -1,5 +1,5 @@
 // Properties of the contact of convex pieces of any shape and pose.
-#include "contact/overlap_pair.hpp"
+#include "contact/overlap_energy.hpp"
 
 #include <doctest/doctest.h>
 

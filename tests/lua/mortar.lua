@@ -25,3 +25,15 @@ assert(message(function()
   n:contact { between = { "*", "*" }, law = trilith.cohesive { kn = 1e8, ks = 5e7, mu = 0.7, cohesion = 3e4,
     tension = 19150, energy_tension = 1, energy_shear = 50 } }
 end):find("energy_tension is 1 J/m2, must be above", 1, true))
+
+-- Mortar that crushes: a block on a joint too weak for what comes down on it.
+local c = trilith.model { name = "crushing", thickness = 1 }
+c:contact { between = { "*", "*" }, name = "mortar", law = trilith.cohesive { kn = 1e10, ks = 5e9, mu = 0.7,
+  cohesion = 3e4, tension = 19150, energy_tension = 10, energy_shear = 50, compression = 2e5, crushing_depth = 5e-3 } }
+c:body { name = "base", outline = { { -1, -0.5 }, { 2, -0.5 }, { 2, 0 }, { -1, 0 } }, support = "fixed", mass = 1 }
+c:body { name = "block", outline = { { 0, 0 }, { 1, 0 }, { 1, 0.5 }, { 0, 0.5 } }, mass = 1000, velocity = { 0, -1 } }
+local crushed = {}
+c:on("joint.crushed", function(e) crushed[#crushed + 1] = e end)
+c:run { duration = 0.1, dt = 1e-5 }
+assert(#crushed == 1 and crushed[1].mode == "compression" and crushed[1].text:find "crushed in compression at 200 kN")
+near(c.energy.contact_fracture, 525, 10)

@@ -1,0 +1,73 @@
+#include "contact/overlap_energy.hpp"
+
+#include <vector>
+
+#include "contact/placed_edges.hpp"
+
+namespace trilith {
+namespace {
+
+using Outline = std::vector<Vec2>;
+
+/// Keeps the part of `outline` where `inside_depth` (linear in x) is not negative.
+template <class Depth>
+Outline clip(const Outline& outline, Depth&& inside_depth) {
+  Outline kept;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &p = outline[i], &q = outline[(i + 1) % outline.size()];
+    const double dp = inside_depth(p), dq = inside_depth(q);
+    if (dp >= 0) kept.push_back(p);
+    if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) kept.push_back(p + (dp / (dp - dq)) * (q - p));
+  }
+  return kept;
+}
+
+/// Where a point lies deeper in a piece than its mortar is crushed: the area, and the integral of how much deeper.
+struct Pressed {
+  double area = 0, depth = 0;  // [m2], [m3] per metre of thickness
+
+  Pressed& operator+=(const Pressed& more) {
+    area += more.area, depth += more.depth;
+    return *this;
+  }
+};
+
+/// Over `outline`; depths are those below the nearest surface face of `piece`.
+Pressed pressed_in(const Outline& outline, const PlacedPiece& piece, const PlacedEdges& edges, double crushed) {
+  Pressed sum;
+  const auto depth = [&](int f, const Vec2& x) { return edges.normal[f].dot(piece.corner[f] - x) - crushed; };
+  for (int f = 0; f < edges.count; ++f) {
+    if (!edges.surface[f]) continue;
+    Outline cell = outline;
+    for (int g = 0; g < edges.count && cell.size() > 2; ++g)
+      if (g != f && edges.surface[g]) cell = clip(cell, [&](const Vec2& x) { return depth(g, x) - depth(f, x); });
+    if (crushed > 0) cell = clip(cell, [&](const Vec2& x) { return depth(f, x); });
+    for (std::size_t i = 2; i < cell.size(); ++i) {
+      const double area = 0.5 * cross(Vec2(cell[i - 1] - cell[0]), Vec2(cell[i] - cell[0]));
+      sum += {area, area * (depth(f, cell[0]) + depth(f, cell[i - 1]) + depth(f, cell[i])) / 3};
+    }
+  }
+  return sum;
+}
+
+Pressed pressed_between(const PlacedPiece& a, const PlacedPiece& b, double crushed) {
+  const PlacedEdges edges_a(a), edges_b(b);
+  Outline common(b.corner.begin(), b.corner.end());
+  for (int f = 0; f < edges_a.count && common.size() > 2; ++f)
+    common = clip(common, [&](const Vec2& x) { return edges_a.normal[f].dot(a.corner[f] - x); });
+  if (common.size() < 3) return {};
+  Pressed sum = pressed_in(common, a, edges_a, crushed);
+  return sum += pressed_in(common, b, edges_b, crushed);
+}
+
+}  // namespace
+
+double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, double kn, double crushed) {
+  return 0.5 * kn * pressed_between(a, b, crushed).depth;
+}
+
+double crushing_force(const PlacedPiece& a, const PlacedPiece& b, double kn, double crushed) {
+  return 0.5 * kn * pressed_between(a, b, crushed).area;
+}
+
+}  // namespace trilith

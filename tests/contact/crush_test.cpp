@@ -1,0 +1,184 @@
+// Mortar that crushes: the cap of one joint, of halves pressed from one end, and of contacts of any shape.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "contact/cohesive.hpp"
+#include "contact/mortar_joint.hpp"
+#include "contact/overlap_energy.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+constexpr double strength = 2e6, kn = MortarJoint::kn;  // [Pa], [Pa/m]
+
+MortarJoint crushing_joint() {
+  MortarJoint joint;
+  joint.law.crushing = strength / kn, joint.law.crushing_depth = 0.02;
+  return joint;
+}
+
+/// The elastic normal force of both halves on faces that are `first` and `second` apart at their ends [N].
+struct Pressed {
+  FaceResponse<double> response;
+  double force = 0;
+};
+
+Pressed press(double first, double second, const FaceMemory<double>& memory, const FaceLaw& law) {
+  const Vec2 still = Vec2::Zero();
+  const FaceEnds<double> a = rigid_face({1, 0}, {0, 0}, still, 0), b = rigid_face({0, first}, {1, second}, still, 0);
+  Pressed out{respond_face_pair<Bond::softening>(a, b, 1.0, memory, law)};
+  out.force = on_b0(out.response).y() + on_b1(out.response).y();
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "pressed beyond its strength mortar carries just that, and what it is crushed by takes the rest of the work") {
+  MortarJoint joint = crushing_joint();
+  const double first = strength / kn;
+  joint.lead(-0.999 * first, 0, 100);
+  CHECK(joint.fracture == 0.0);
+  CHECK(joint.normal == doctest::Approx(-0.999 * strength).epsilon(1e-12));
+  joint.lead(-5 * first, 0, 1000, [&] { CHECK(-joint.normal <= strength * (1 + 1e-12)); });
+  CHECK(-joint.normal == doctest::Approx(strength).epsilon(1e-12));
+  CHECK(joint.memory.crushed[0] == doctest::Approx(4 * first).epsilon(1e-12));
+  CHECK(joint.fracture == doctest::Approx(strength * 4 * first).epsilon(1e-5));
+  CHECK(joint.work == doctest::Approx(joint.fracture + joint.stored()).epsilon(1e-9));
+  // Back along kn, to nothing where the crushed mortar ends; then the bond pulls.
+  joint.lead(-4.5 * first, 0, 10);
+  CHECK(joint.normal == doctest::Approx(-0.5 * strength).epsilon(1e-9));
+  joint.lead(-4 * first, 0, 10);
+  CHECK(std::abs(joint.normal) < 1e-9 * strength);
+  const double opening = 0.5 * MortarJoint::tension / kn;
+  joint.lead(-4 * first + opening, 0, 10);
+  CHECK(joint.normal == doctest::Approx(0.5 * MortarJoint::tension).epsilon(1e-6));
+}
+
+TEST_CASE("crushed mortar stays crushed while the faces are apart") {
+  MortarJoint joint = crushing_joint();
+  const double first = strength / kn;
+  joint.lead(-3 * first, 0, 100);
+  joint.lead(2e-3, 0, 4000);
+  CHECK_FALSE((joint.memory.bonds[0] || joint.memory.bonds[1]));
+  const double given = joint.fracture;
+  joint.lead(-1.99 * first, 0, 100);
+  CHECK(joint.normal == 0.0);
+  joint.lead(-2.5 * first, 0, 100);
+  CHECK(joint.normal == doctest::Approx(-0.5 * strength).epsilon(1e-9));
+  CHECK(joint.fracture == given);
+}
+
+TEST_CASE("mortar crushes by its greatest depth and is then as stiff as ever") {
+  MortarJoint joint = crushing_joint();
+  const double first = strength / kn;
+  joint.law.crushing_depth = 3 * first;
+  joint.lead(-6 * first, 0, 600);
+  CHECK(joint.memory.crushed[0] == doctest::Approx(3 * first).epsilon(1e-12));
+  CHECK(joint.normal == doctest::Approx(-3 * strength).epsilon(1e-9));
+  CHECK(joint.work == doctest::Approx(joint.fracture + joint.stored()).epsilon(1e-9));
+}
+
+TEST_CASE("a compressive strength without a depth to crush by is refused, and the other way round") {
+  Cohesive law{kn, 4e8, 0.7, 0, 2e5, 1e5, 20, 125, 0, 0, strength, 0};
+  CHECK_THROWS_WITH_AS(law.check(), doctest::Contains("compression is 2e+06 Pa and crushing_depth 0 m; give both"),
+                       InputError);
+  law.crushing_depth = 2e-3;
+  CHECK_NOTHROW(law.check());
+  law.compression = 0;
+  CHECK_THROWS_AS(law.check(), InputError);
+}
+
+TEST_CASE("faces carry no more than the strength over the length they press on, whatever their gaps have been") {
+  std::mt19937_64 bits(11);  // gaps of up to 4 mm, a depth of up to 20
+  const FaceLaw law = crushing_joint().law;
+  for (int trial = 0; trial < 200; ++trial) {
+    FaceMemory<double> memory = no_memory(false);
+    double g0 = 0, g1 = 0;
+    for (int leg = 0; leg < 4; ++leg) {
+      const double from0 = g0, from1 = g1;
+      const double to0 = random_between(bits, -4e-3, 1e-3), to1 = random_between(bits, -4e-3, 1e-3);
+      for (int i = 1; i <= 50; ++i) {
+        g0 = from0 + (to0 - from0) * i / 50, g1 = from1 + (to1 - from1) * i / 50;
+        const Pressed now = press(g0, g1, memory, law);
+        const FaceMemory<double>& after = now.response.memory;
+        CHECK(now.force <= strength * (after.active[0] + after.active[1]) * (1 + 1e-9));
+        CHECK(now.response.lost_fracture >= 0.0);
+        for (const int h : {0, 1}) CHECK(after.crushed[h] >= memory.crushed[h]);
+        memory = now.response.touching ? after : no_memory(false);
+        for (const int h : {0, 1}) memory.crushed[h] = after.crushed[h];
+      }
+    }
+  }
+}
+
+TEST_CASE("a face pressed from one end carries a triangle of stress with its mean at the strength") {
+  const Pressed now = press(-5e-3, 5e-3, no_memory(false), crushing_joint().law);
+  // The overlap that is left falls by 1 cm in 1 m from twice strength / kn.
+  const double most = strength / kn, length = 2 * most / 1e-2;
+  CHECK(now.response.memory.active[1] == doctest::Approx(length).epsilon(1e-4));
+  CHECK(now.response.memory.active[0] < 1e-4);
+  CHECK(now.force == doctest::Approx(strength * length).epsilon(1e-4));
+}
+
+namespace {
+
+const Polygon lower{{-1, -1}, {1, -1}, {1, 0}, {-1, 0}}, upper{{-0.5, 0}, {0.5, 0}, {0.5, 1}, {-0.5, 1}};
+
+/// What an upper block feels that stands at `at`, turned by `angle`, where the mortar is crushed by `depth`.
+struct General {
+  OverlapResponse response;
+  double energy;
+
+  General(const Vec2& at, double angle, double depth, const FaceLaw& law) {
+    const std::vector<std::uint8_t> faces(4, 1);
+    Polygon corners;
+    for (const Vec2& p : upper) corners.push_back(at + Turn(angle).apply(p));
+    const PlacedPiece a{lower, faces, Vec2(0, -0.5), Vec2::Zero(), 0}, b{corners, faces, at, Vec2::Zero(), 0};
+    ContactMemory memory;
+    memory.crushed[0] = depth, memory.crushed[1] = 0.5 * depth;
+    if (depth > 0) memory.state = contact_crushed;
+    std::vector<Vec2> on_a(4, Vec2::Zero()), on_b(4, Vec2::Zero());
+    response = respond_overlap(a, b, memory, law, on_a, on_b);
+    energy = overlap_energy(a, b, law.kn, depth);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a contact of any shape whose mortar is crushed has the force that its energy falls by") {
+  FaceLaw law = crushing_joint().law;
+  law.crushing = 1;  // more than any overlap here
+  const double h = 1e-7, depth = 2e-3;
+  for (const double angle : {0.0, 0.02, -0.3, 0.7})
+    for (const double down : {1e-3, 4e-3, 2e-2}) {
+      const Vec2 at(0.1, 0.5 * std::sin(std::abs(angle)) - down);
+      const Vec2 dx(h, 0), dy(0, h);
+      const double fx =
+          (General(at - dx, angle, depth, law).energy - General(at + dx, angle, depth, law).energy) / (2 * h);
+      const double fy =
+          (General(at - dy, angle, depth, law).energy - General(at + dy, angle, depth, law).energy) / (2 * h);
+      const General now(at, angle, depth, law);
+      CHECK(now.response.force.x() == doctest::Approx(fx).epsilon(1e-5).scale(1e-4 * kn * down));
+      CHECK(now.response.force.y() == doctest::Approx(fy).epsilon(1e-5).scale(1e-4 * kn * down));
+      CHECK(now.energy < General(at, angle, 0, law).energy);
+    }
+}
+
+TEST_CASE("a contact of any shape crushes until it carries its strength over the length it is pressed on") {
+  const FaceLaw law = crushing_joint().law;
+  const Vec2 at(0, -5e-3);
+  const OverlapResponse last = General(at, 0, 0, law).response;
+  const double depth = last.memory.crushed[0];
+  // The length counts the bits of the block's sides that are below the surface.
+  CHECK(last.force.y() == doctest::Approx(strength * last.length).epsilon(1e-3));
+  CHECK(last.length == doctest::Approx(1).epsilon(0.005));
+  CHECK(depth == doctest::Approx(5e-3 - strength / kn).epsilon(0.005));
+  // Pressed from nothing to its strength in this one step.
+  CHECK(last.lost_fracture == doctest::Approx(0.5 * strength * depth).epsilon(0.01));
+  CHECK((last.memory.state & contact_crushed) != 0);
+}
