@@ -4,9 +4,9 @@
 
 namespace trilith {
 
-template <>
-State<2> initial_state(const Model<2>& model) {
-  State<2> state;
+template <int D>
+State<D> initial_state(const Model<D>& model) {
+  State<D> state;
   state.position = model.start_position;
   state.rotation = model.start_rotation;
   state.velocity = model.start_velocity;
@@ -20,6 +20,8 @@ State<2> initial_state(const Model<2>& model) {
   state.resting.assign(model.bodies.size(), 1);
   return state;
 }
+
+template State<2> initial_state(const Model<2>& model);
 
 namespace {
 

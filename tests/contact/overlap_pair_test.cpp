@@ -15,8 +15,8 @@ using namespace trilith::testing;
 
 namespace {
 
-constexpr double kn = 1e8;
-constexpr FaceLaw elastic{kn, 0, 0, 0, 0, 0, 1e-4, false};
+constexpr double stiffness = 1e8;
+constexpr FaceLaw springs{stiffness, 0, 0, 0, 0, 0, 1e-4, false};
 
 /// A body of convex pieces, in the axes of its node.
 struct Shape {
@@ -81,7 +81,7 @@ Eigen::Vector3d slope_of_energy(const Shape& a, const Pose& pa, const Shape& b, 
       Pose moved = pb;
       if (k < 2) moved.place[k] += step;
       if (k == 2) moved.angle += step;
-      return feel(a, pa, b, moved, elastic).energy;
+      return feel(a, pa, b, moved, springs).energy;
     };
     slope[k] = -(8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
   }
@@ -117,12 +117,12 @@ void check_slope(Make&& make, int count) {
   for (int i = 0; i < count; ++i) {
     const Shape a(make(bits)), b(make(bits));
     const Pose pa{Vec2::Zero(), random_between(bits, -M_PI, M_PI)}, pb = random_pose(bits, a, b, 1.0);
-    const Felt felt = feel(a, pa, b, pb, elastic);
+    const Felt felt = feel(a, pa, b, pb, springs);
     if (!felt.touching) continue;
     ++touching;
     const Eigen::Vector3d force(felt.on_b.x(), felt.on_b.y(), felt.moment_b), slope = slope_of_energy(a, pa, b, pb);
     // The energy has kinks in its second slope where a corner passes a face: there the difference is of order h.
-    const double apart = (force - slope).norm() / (felt.pressure + kn * 1e-4);
+    const double apart = (force - slope).norm() / (felt.pressure + stiffness * 1e-4);
     worst = std::max(worst, apart);
     CHECK(apart < 1e-4);
   }
@@ -142,7 +142,7 @@ TEST_CASE("the general contact's force is the falling slope of its energy, for b
 
 TEST_CASE("the general contact's forces are equal and opposite, in sum and in moment, with damping and friction too") {
   std::mt19937_64 bits(29);
-  const FaceLaw rough{kn, 0.5 * kn, 0.6, 1e-3, 0, 0, 1e-4, false};
+  const FaceLaw rough{stiffness, 0.5 * stiffness, 0.6, 1e-3, 0, 0, 1e-4, false};
   for (int i = 0; i < 400; ++i) {
     const Shape a(random_convex(bits)), b(random_convex(bits));
     const Pose pa{Vec2::Zero(), 0.3, {0.2, -0.1}, 0.5}, pb = random_pose(bits, a, b, 0.9);
@@ -164,7 +164,7 @@ TEST_CASE("the general contact does not depend on the axes") {
     const Turn turn(angle);
     const Pose ta{turn.apply(pa.place), pa.angle + angle, turn.apply(pa.velocity), pa.spin};
     const Pose tb{turn.apply(pb.place), pb.angle + angle, turn.apply(pb.velocity), pb.spin};
-    const FaceLaw rough{kn, 0.5 * kn, 0.6, 1e-3, 0, 0, 1e-4, false};
+    const FaceLaw rough{stiffness, 0.5 * stiffness, 0.6, 1e-3, 0, 0, 1e-4, false};
     const Felt one = feel(a, pa, b, pb, rough), two = feel(a, ta, b, tb, rough);
     CHECK((turn.apply(one.on_b) - two.on_b).norm() <= 1e-8 * (1 + one.pressure));
     CHECK(std::abs(one.moment_b - two.moment_b) <= 1e-8 * (1 + one.pressure));
@@ -184,7 +184,7 @@ TEST_CASE("pieces apart feel nothing, and are told a distance that is not too la
     std::vector<Vec2> on_a(a.pieces[0].size(), Vec2::Zero()), on_b(cb.size(), Vec2::Zero());
     const OverlapResponse r =
         respond_overlap({a.pieces[0], a.is_face[0], Vec2::Zero(), Vec2::Zero(), 0},
-                        {cb, b.is_face[0], pb.place, pb.velocity, pb.spin}, {}, elastic, on_a, on_b);
+                        {cb, b.is_face[0], pb.place, pb.velocity, pb.spin}, {}, springs, on_a, on_b);
     CHECK_FALSE(r.touching);
     CHECK(r.separation > 0);
     CHECK(r.separation <= separation * (1 + 1e-12));
@@ -198,14 +198,14 @@ TEST_CASE("for flat faces the general contact has the force of the face contact,
     const Shape a(rectangle({-2, -1}, {2, 0})), b(rectangle({-0.5, 0}, {0.5, 1}));
     Pose pb;
     pb.place = {0.1, -depth};
-    const Felt felt = feel(a, {}, b, pb, elastic);
+    const Felt felt = feel(a, {}, b, pb, springs);
     const Faces f{rigid_face({2, 0}, {-2, 0}, Vec2::Zero(), 0),
                   rigid_face({-0.4, -depth}, {0.6, -depth}, Vec2::Zero(), 0)};
-    const FaceResponse<double> r = respond_face_pair<Bond::none>(f.a, f.b, 1.0, no_memory(), elastic);
+    const FaceResponse<double> r = respond_face_pair<Bond::none>(f.a, f.b, 1.0, no_memory(), springs);
     const double face_force = (on_b0(r) + on_b1(r)).y();
-    CHECK(face_force == doctest::Approx(kn * depth).epsilon(1e-12).scale(0));
+    CHECK(face_force == doctest::Approx(stiffness * depth).epsilon(1e-12).scale(0));
     CHECK(felt.on_b.y() == doctest::Approx(face_force).epsilon(depth).scale(0));
     CHECK(std::abs(felt.on_b.x()) <= 1e-9 * face_force);
-    CHECK(felt.energy == doctest::Approx(0.5 * kn * depth * depth).epsilon(depth).scale(0));
+    CHECK(felt.energy == doctest::Approx(0.5 * stiffness * depth * depth).epsilon(depth).scale(0));
   }
 }
