@@ -34,6 +34,84 @@ double kinetic_energy(const Model<2>& model, const State<2>& state, int n, const
   return sum;
 }
 
+/// Lengths of time that a step has to do with [s].
+struct StepSpan {
+  double last, next;  ///< the step behind and the one ahead
+  double between;     ///< from the middle of the one to that of the other
+};
+
+/// One step of any node.
+[[gnu::noinline]] void advance_node(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside& outside,
+                                    const StepOptions& options, const StepSpan& span, int n) {
+  const Dofs v = velocity_of(state, n);
+  const NodeForces f = node_forces(model, work, n, v, outside, options.rest);
+  const Dofs next = speed_ahead(model, state, n, v, f, span.between, span.next);
+  Dofs path;
+  for (const int k : {0, 1, 2}) path[k] = 0.5 * (span.last * v[k] + span.next * next[k]);
+  add_work(f, path, state.given);
+  state.velocity[n] = {next[0], next[1]};
+  state.spin[n] = next[2];
+  state.position[n] += Vec2(span.next * next[0], span.next * next[1]);
+  state.rotation[n] += span.next * next[2];
+}
+
+/// True where forces, weight and steady loads are all that nodes go by: no dampings of their own, no course of a load.
+bool goes_plainly(const Model<2>& model, const Outside& outside, const StepOptions& options) {
+  return !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.moment == nullptr && outside.trim == nullptr;
+}
+
+/// Free to move; and to turn where it `turns`, else fixed against that and not turning.
+template <bool turns>
+[[gnu::always_inline]] inline bool is_free(const Model<2>& model, const State<2>& state, int n) {
+  const auto& s = model.support[n];
+  if (s[0] != Support::free || s[1] != Support::free) return false;
+  return turns ? s[2] == Support::free : s[2] == Support::fixed && state.spin[n] == 0;
+}
+
+/// advance_node for a run of free nodes that go plainly: the same sums without the terms that are 0, kept in registers.
+/// Returns the first node after the run.
+template <bool turns>
+int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside& outside,
+                 const StepSpan& span, int n) {
+  const Vec2* damping = work.element_damping.empty() ? nullptr : work.element_damping.data();
+  double gravity = state.given[EnergyTerm::gravity], load = state.given[EnergyTerm::load],
+         element_damping = state.given[EnergyTerm::element_damping];
+  for (; n < model.nodes() && is_free<turns>(model, state, n); ++n) {
+    const double mass = model.mass[n];
+    const Vec2 &force = work.force[n], &steady = outside.load[n];
+    Vec2 &v = state.velocity[n], &place = state.position[n];
+    const double u = v.x() + force.x() / mass * span.between, w = v.y() + force.y() / mass * span.between;
+    const double x = 0.5 * (span.last * v.x() + span.next * u), y = 0.5 * (span.last * v.y() + span.next * w);
+    gravity -= mass * outside.field.x() * x + mass * outside.field.y() * y;
+    load += steady.x() * x + steady.y() * y;
+    if (damping != nullptr) element_damping -= damping[n].x() * x + damping[n].y() * y;
+    v = {u, w};
+    place = {place.x() + span.next * u, place.y() + span.next * w};
+    if constexpr (turns) {
+      state.spin[n] += work.moment[n] / model.inertia[n] * span.between;
+      state.rotation[n] += span.next * state.spin[n];
+    }
+  }
+  state.given[EnergyTerm::gravity] = gravity;
+  state.given[EnergyTerm::load] = load;
+  state.given[EnergyTerm::element_damping] = element_damping;
+  return n;
+}
+
+void advance_nodes(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
+                   const StepSpan& span) {
+  const Outside outside(model, state, work);
+  const bool plain = goes_plainly(model, outside, options);
+  for (int n = 0; n < model.nodes();) {
+    if (plain && is_free<true>(model, state, n))
+      n = advance_free<true>(model, state, work, outside, span, n);
+    else if (plain && is_free<false>(model, state, n))
+      n = advance_free<false>(model, state, work, outside, span, n);
+    else
+      advance_node(model, state, work, outside, options, span, n++);
+  }
+}
+
 }  // namespace
 
 Energy energy_now(const Model<2>& model, const State<2>& state, const Work<2>& work, const StepOptions& options) {
@@ -64,21 +142,8 @@ void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOp
   state.bearing.swap(work.bearing);
   state.plastic.swap(work.plastic);
   const double dt = options.dt, last = state.last_dt, span = 0.5 * (last + dt);
-  const Outside outside(model, state, work);
-  Energy given = work.given;
-  for (int n = 0; n < model.nodes(); ++n) {
-    const Dofs v = velocity_of(state, n);
-    const NodeForces f = node_forces(model, work, n, v, outside, options.rest);
-    const Dofs next = speed_ahead(model, state, n, v, f, span, dt);
-    Dofs path;
-    for (const int k : {0, 1, 2}) path[k] = 0.5 * (last * v[k] + dt * next[k]);
-    add_work(f, path, given);
-    state.velocity[n] = {next[0], next[1]};
-    state.spin[n] = next[2];
-    state.position[n] += Vec2(dt * next[0], dt * next[1]);
-    state.rotation[n] += dt * next[2];
-  }
-  state.given = given;
+  state.given = work.given;
+  advance_nodes(model, state, work, options, {last, dt, span});
   state.time += dt;
   state.last_dt = dt;
   ++state.step;
