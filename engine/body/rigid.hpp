@@ -39,15 +39,24 @@ double place_rigid(const NodeMotion& node, std::span<const Vec2> skin, std::span
   return fastest;
 }
 
-/// spread: forces at skin points to the force and moment at the node; the transpose of `place`.
+/// What forces at skin points come to at the node.
+struct NodeLoad {
+  double x = 0, y = 0;  ///< [N]
+  double moment = 0;    ///< [N m]
+};
+
+/// spread: forces at skin points to the force and moment at the node; the transpose of `place`. Plain doubles here too.
 template <class Point>
-void spread_rigid(const Vec2& node_position, std::span<const Point> skin, std::span<const Vec2> skin_force, Vec2& force,
-                  double& moment) {
+NodeLoad spread_rigid(const Vec2& node, std::span<const Point> skin, std::span<const Vec2> skin_force) {
+  const double x = node.x(), y = node.y();
+  NodeLoad sum;
   for (std::size_t i = 0; i < skin.size(); ++i) {
-    const Vec2& f = skin_force[i];
-    force += f;
-    moment += (skin[i].x - node_position.x()) * f.y() - (skin[i].y - node_position.y()) * f.x();
+    const double fx = skin_force[i].x(), fy = skin_force[i].y();
+    sum.x += fx;
+    sum.y += fy;
+    sum.moment += (skin[i].x - x) * fy - (skin[i].y - y) * fx;
   }
+  return sum;
 }
 
 }  // namespace trilith

@@ -38,14 +38,34 @@ void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt, 
 namespace {
 
 /// place of a deformable body: its skin points are its nodes. Returns the largest speed squared.
-double place_nodes(const State<2>& state, const Body& body, Work<2>& work) {
+double place_nodes(const State<2>& state, const BodyRow& body, Work<2>& work) {
   double fastest = 0;
   for (int i = 0; i < body.skins; ++i) {
-    const Vec2 &x = state.position[body.first_node + i], &v = state.velocity[body.first_node + i];
-    work.skin[body.first_skin + i] = {x.x(), x.y(), v.x(), v.y()};
+    const Vec2 &x = state.position[body.node + i], &v = state.velocity[body.node + i];
+    work.skin[body.skin + i] = {x.x(), x.y(), v.x(), v.y()};
     fastest = std::max(fastest, v.squaredNorm());
   }
   return fastest;
+}
+
+/// place of a rigid body.
+double place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+  const int n = body.node;
+  const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
+  return place_rigid({state.position[n], state.rotation[n], state.velocity[n], state.spin[n]},
+                     std::span(model.skin_place).subspan(first, count), std::span(work.skin).subspan(first, count));
+}
+
+void list_bodies(const Model<2>& model, Work<2>& work) {
+  work.body.clear();
+  for (const Body& b : model.bodies) work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, b.deforms()});
+}
+
+/// True where some node of the body is free to move.
+bool moves(const Model<2>& model, const BodyRow& body) {
+  for (int n = body.node; n < body.node + body.nodes; ++n)
+    if (model.moves(n)) return true;
+  return false;
 }
 
 /// A bearing with an end on a deformable body. Its force acts on both bodies along one line, through b's point.
@@ -60,10 +80,10 @@ void add_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, st
 }
 
 /// spread of a deformable body, and what its elements give.
-void spread_nodes(const Body& body, Work<2>& work) {
+void spread_nodes(const BodyRow& body, Work<2>& work) {
   for (int i = 0; i < body.nodes; ++i) {
-    const int n = body.first_node + i;
-    work.force[n] = work.skin_force[body.first_skin + i] + work.element_force[n] + work.element_damping[n];
+    const int n = body.node + i;
+    work.force[n] = work.skin_force[body.skin + i] + work.element_force[n] + work.element_damping[n];
     work.moment[n] = 0;
   }
 }
@@ -71,24 +91,14 @@ void spread_nodes(const Body& body, Work<2>& work) {
 }  // namespace
 
 void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  if (!work.valid) list_bodies(model, work);
   work.skin.resize(model.skin_place.size());
   work.skin_force.resize(model.skin_place.size());
   double fastest = 0, fastest_moving = 0;
-  for (const Body& body : model.bodies) {
-    const int n = body.first_node;
-    if (body.deforms()) {
-      const double speed2 = place_nodes(state, body, work);
-      fastest = std::max(fastest, speed2);
-      if (model.body_moves(static_cast<int>(&body - model.bodies.data())))
-        fastest_moving = std::max(fastest_moving, speed2);
-      continue;
-    }
-    const NodeMotion node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
-    const auto first = static_cast<std::size_t>(body.first_skin), count = static_cast<std::size_t>(body.skins);
-    const double speed2 = place_rigid(node, std::span(model.skin_place).subspan(first, count),
-                                      std::span(work.skin).subspan(first, count));
+  for (const BodyRow& body : work.body) {
+    const double speed2 = body.deforms ? place_nodes(state, body, work) : place_body(model, state, body, work);
     fastest = std::max(fastest, speed2);
-    if (model.moves(n)) fastest_moving = std::max(fastest_moving, speed2);
+    if (speed2 > fastest_moving && moves(model, body)) fastest_moving = speed2;
   }
   work.fastest = std::sqrt(fastest);
   work.fastest_moving = std::sqrt(fastest_moving);
@@ -125,56 +135,70 @@ void find(const Model<2>& model, State<2>& state, Work<2>& work) {
   work.turned.reserve(work.pairs.size());
 }
 
-void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
-  const auto nodes = static_cast<std::size_t>(model.nodes());
-  work.force.resize(nodes);
-  work.moment.resize(nodes);
-  const Vec2 field = model.gravity.at(state.time);
+namespace {
+
+/// spread of a rigid body.
+void spread_body(const State<2>& state, const BodyRow& body, Work<2>& work) {
+  const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
+  const NodeLoad load =
+      spread_rigid(state.position[body.node], std::span<const SkinMotion>(work.skin).subspan(first, count),
+                   std::span<const Vec2>(work.skin_force).subspan(first, count));
+  work.force[body.node] = {load.x, load.y};
+  work.moment[body.node] = load.moment;
+}
+
+/// A bearing between two rigid bodies, or with an end on a deformable one.
+void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
+  const Bearing<2>& b = model.bearings[i];
+  if (b.element_a >= 0 || b.element_b >= 0) return add_bearing(model, state, work, i);
+  const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
+  const Vec2 point = state.position[nb] + Turn(state.rotation[nb]).apply(b.point_b);
+  const Vec2& f = work.bearing_force[i];
+  work.force[nb] += f;
+  work.force[na] -= f;
+  work.moment[nb] += cross(Vec2(point - state.position[nb]), f) + work.bearing_moment[i];
+  work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
+}
+
+double squared(double x, double y) {
+  return x * x + y * y;
+}
+
+/// Adds what acts on the nodes from outside, and finds the largest forces carried and left over. Sizes are compared
+/// squared; the root keeps their order.
+void add_outside(const Model<2>& model, const Vec2& field, Work<2>& work) {
   const bool loaded = !work.load.empty();
-  const std::vector<Vec2>& load = loaded ? work.load : model.load;
+  const Vec2* load = loaded ? work.load.data() : model.load.data();
   double unbalanced = 0, carried = 0;
-  for (const Body& body : model.bodies) {
-    if (body.deforms()) {
-      spread_nodes(body, work);
-      continue;
-    }
-    const int n = body.first_node;
-    const auto first = static_cast<std::size_t>(body.first_skin), count = static_cast<std::size_t>(body.skins);
-    Vec2 force = Vec2::Zero();
-    double moment = 0;
-    spread_rigid(state.position[n], std::span<const SkinMotion>(work.skin).subspan(first, count),
-                 std::span<const Vec2>(work.skin_force).subspan(first, count), force, moment);
-    work.force[n] = force;
-    work.moment[n] = moment;
-  }
-  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    const Bearing<2>& b = model.bearings[i];
-    if (b.element_a >= 0 || b.element_b >= 0) {
-      add_bearing(model, state, work, i);
-      continue;
-    }
-    const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
-    const Vec2 point = state.position[nb] + Turn(state.rotation[nb]).apply(b.point_b);
-    const Vec2& f = work.bearing_force[i];
-    work.force[nb] += f;
-    work.force[na] -= f;
-    work.moment[nb] += cross(Vec2(point - state.position[nb]), f) + work.bearing_moment[i];
-    work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
-  }
-  for (std::size_t n = 0; n < nodes; ++n) {
-    const Vec2 steady = model.mass[n] * field + load[n];
-    const double reacts = work.force[n].norm();
-    work.force[n] += steady;
+  for (int n = 0; n < model.nodes(); ++n) {
+    Vec2& force = work.force[n];
+    const double reacts = squared(force.x(), force.y());
+    const double x = model.mass[n] * field.x() + load[n].x(), y = model.mass[n] * field.y() + load[n].y();
+    force = {force.x() + x, force.y() + y};
     if (loaded) work.moment[n] += work.load_moment[n];
-    if (!model.moves(static_cast<int>(n))) continue;
-    carried = std::max({carried, reacts, steady.norm()});
-    Vec2 left = work.force[n];
-    for (const int k : {0, 1})
-      if (model.support[n][k] != Support::free) left[k] = 0;
-    unbalanced = std::max(unbalanced, left.norm());
+    if (!model.moves(n)) continue;
+    carried = std::max({carried, reacts, squared(x, y)});
+    const auto& support = model.support[n];
+    unbalanced = std::max(
+        unbalanced, squared(support[0] == Support::free ? force.x() : 0, support[1] == Support::free ? force.y() : 0));
   }
-  work.unbalanced = unbalanced;
-  work.carried = carried;
+  work.unbalanced = std::sqrt(unbalanced);
+  work.carried = std::sqrt(carried);
+}
+
+}  // namespace
+
+void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  work.force.resize(model.mass.size());
+  work.moment.resize(model.mass.size());
+  for (const BodyRow& body : work.body) {
+    if (body.deforms)
+      spread_nodes(body, work);
+    else
+      spread_body(state, body, work);
+  }
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
+  add_outside(model, model.gravity.at(state.time), work);
 }
 
 }  // namespace trilith

@@ -224,23 +224,34 @@ void notice_seat(const Model<2>& model, State<2>& state, Work<2>& work, std::siz
   work.events.push_back(e);
 }
 
+/// True where a component of the first node's velocity alone shows that a body moves, as that of most does.
+bool plainly_moves(const Model<2>& model, const State<2>& state, int node) {
+  const Vec2& v = state.velocity[node];
+  return std::max(std::abs(v.x()), std::abs(v.y())) > model.still_speed && model.moves(node);
+}
+
 void notice_rest(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t b) {
-  const int n = model.bodies[b].first_node;
   if (!model.body_moves(static_cast<int>(b))) return;
-  const Vec2& v = state.velocity[n];
-  // Most bodies move, and most of them show it by one component.
-  const double least = std::max(std::abs(v.x()), std::abs(v.y()));
-  double speed = least;
-  if (least <= model.still_speed) {
-    speed = v.norm() + std::abs(state.spin[n]) * model.body_radius[b];
-    for (int i = 1; i < model.bodies[b].nodes; ++i) speed = std::max(speed, state.velocity[n + i].norm());
-  }
+  const int n = model.bodies[b].first_node;
+  double speed = state.velocity[n].norm() + std::abs(state.spin[n]) * model.body_radius[b];
+  for (int i = 1; i < model.bodies[b].nodes; ++i) speed = std::max(speed, state.velocity[n + i].norm());
   if (speed > model.still_speed) {
     state.moved_at[b] = state.time;
     state.resting[b] = 0;
   } else if (state.resting[b] == 0 && state.time - state.moved_at[b] >= model.still_time) {
     state.resting[b] = 1;
     work.events.push_back(event_now(state, EventType::body_at_rest, static_cast<int>(b), -1));
+  }
+}
+
+void notice_bodies(const Model<2>& model, State<2>& state, Work<2>& work) {
+  for (std::size_t b = 0; b < work.body.size(); ++b) {
+    if (!plainly_moves(model, state, work.body[b].node)) {
+      notice_rest(model, state, work, b);
+      continue;
+    }
+    state.moved_at[b] = state.time;
+    state.resting[b] = 0;
   }
 }
 
@@ -262,7 +273,7 @@ void notice(const Model<2>& model, State<2>& state, Work<2>& work) {
     account_failed(state, work, i);
   }
   for (std::size_t i = 0; i < model.seats.size(); ++i) notice_seat(model, state, work, i);
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) notice_rest(model, state, work, b);
+  notice_bodies(model, state, work);
 }
 
 }  // namespace trilith

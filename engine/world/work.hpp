@@ -36,6 +36,13 @@ struct alignas(32) SkinMotion {
   double x, y, u, v;
 };
 
+/// Where the rows of a body are: all that a pass over the bodies reads of Body, without its names.
+struct BodyRow {
+  int node, nodes;  ///< the first, and how many
+  int skin, skins;
+  bool deforms;
+};
+
 /// What the general contact of one row came to, for the step estimate, events and recording.
 struct GeneralContact {
   int row;
@@ -49,6 +56,7 @@ struct Work {
   bool valid = false;  ///< false: pairs must be found anew. Writer: detect
 
   // Writer: place
+  std::vector<BodyRow> body;     ///< [body], anew where the pairs must be found anew
   std::vector<SkinMotion> skin;  ///< [skin]
   double fastest = 0;            ///< largest speed of any skin point m/s
   double fastest_moving = 0;     ///< ... of a body that is free to move m/s
