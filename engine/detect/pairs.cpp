@@ -147,33 +147,46 @@ void apply_bearings(const Model<2>& model, std::span<const BearingMemory> bearin
 
 namespace {
 
-bool nodes_moved(const State<2>& state, const Work<2>& work, const Body& body, double most) {
-  for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
-    if ((state.position[n] - work.found_position[n]).squaredNorm() > most * most) return true;
-  return false;
+/// The middle of what all nodes have moved by since the pairs were found, between the least and the most of it.
+Vec2 moved_together(const State<2>& state, const Work<2>& work) {
+  Vec2 least = Vec2::Constant(unbounded), most = Vec2::Constant(-unbounded);
+  for (std::size_t n = 0; n < state.position.size(); ++n) {
+    const Vec2 moved = state.position[n] - work.found_position[n];
+    least = least.cwiseMin(moved), most = most.cwiseMax(moved);
+  }
+  return 0.5 * (least + most);
+}
+
+/// The farthest that a point of a body has moved beside what all have moved by together, an upper bound.
+double body_moved(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t b,
+                  const Vec2& together) {
+  const BodyRow& body = work.body[b];
+  double most = 0;
+  for (int n = body.node; n < body.node + body.nodes; ++n)
+    most = std::max(most, (state.position[n] - work.found_position[n] - together).norm());
+  if (body.deforms) return most;
+  return most + model.body_radius[b] * std::abs(state.rotation[body.node] - work.found_rotation[body.node]);
 }
 
 }  // namespace
 
-bool pairs_outdated(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (!work.valid) return true;
+  if (work.travel < work.look_again) return false;
+  const Vec2 together = moved_together(state, work);
+  double moved = 0;
+  for (std::size_t b = 0; b < work.body.size(); ++b)
+    moved = std::max(moved, body_moved(model, state, work, b, together));
+  // A node moves no faster than the fastest skin point, turning takes the farthest point from it at twice that at most,
+  // and each component of what all move by together is no faster either.
   const double most = 0.5 * work.margin;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const int node = model.bodies[b].first_node;
-    if (model.bodies[b].deforms()) {
-      if (nodes_moved(state, work, model.bodies[b], most)) return true;
-      continue;
-    }
-    const double moved = (state.position[node] - work.found_position[node]).norm() +
-                         model.body_radius[b] * std::abs(state.rotation[node] - work.found_rotation[node]);
-    if (moved > most) return true;
-  }
-  return false;
+  work.look_again = work.travel + (most * (1 - 1e-6) - moved) / 5;
+  return moved > most;
 }
 
 void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.margin = search_margin(model);
-  work.travel = 0;
+  work.travel = work.look_again = 0;
   work.found_position = state.position;
   work.found_rotation = state.rotation;
   work.pairs.clear();

@@ -1,7 +1,8 @@
 // Pairs of pieces that may touch before the next search, and the faces of theirs that look at each other.
 //
 // Three levels: boxes on a grid, widened by a margin; facing of faces; the exact overlap, which is the contact
-// kernel's own. The list holds until some body has moved half the margin.
+// kernel's own. The list holds until some body has moved half the margin beside what all have moved by together, as
+// those of a structure do that goes with its ground.
 #pragma once
 
 #include <span>
@@ -12,8 +13,9 @@
 
 namespace trilith {
 
-/// True where the list in `work` may miss a contact at the present pose.
-bool pairs_outdated(const Model<2>& model, const State<2>& state, const Work<2>& work);
+/// True where the list in `work` may miss a contact at the present pose. Bodies are looked at only once the fastest
+/// point has travelled so far that one of them may have moved half the margin.
+bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work);
 
 /// Finds the pairs at the present pose (work.skin must be placed). Writes the detect part of `work`.
 void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work);

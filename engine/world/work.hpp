@@ -71,6 +71,7 @@ struct Work {
   std::vector<RateBound> face_bound;   ///< [body] lying on its stiffest face
   double margin = 0;                   ///< boxes are widened by this m
   double travel = 0;                   ///< path of the fastest skin point since then, an upper bound m
+  double look_again = 0;               ///< no body has moved half the margin while `travel` is below this m
 
   // Writer: respond
   std::vector<ContactMemory> memory;             ///< [contact] trial
