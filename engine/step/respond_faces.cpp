@@ -3,49 +3,24 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <span>
 
 #include "contact/face_pair.hpp"
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
+#include "step/face_columns.hpp"
+#include "step/near_faces.hpp"
 
 namespace trilith {
 namespace {
 
-static_assert(lane_count == 4, "columns and rows are written for four lanes");
 static_assert(offsetof(ContactMemory, bonds) == offsetof(ContactMemory, slip) + sizeof(double) &&
                   offsetof(ContactMemory, state) == offsetof(ContactMemory, bonds) + sizeof(std::uint32_t),
               "slip, bonds and state are moved as one pair");
 static_assert(std::endian::native == std::endian::little, "bonds and state are read as one number");
 
 using Four = std::array<Lanes, lane_count>;
-using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-
-TRILITH_INLINE Pair load_pair(const double* two) {
-  Pair v;
-  __builtin_memcpy(&v, __builtin_assume_aligned(two, 16), sizeof v);
-  return v;
-}
-TRILITH_INLINE void store_pair(double* two, const Pair& v) {
-  __builtin_memcpy(__builtin_assume_aligned(two, 16), &v, sizeof v);
-}
-TRILITH_INLINE Lanes join(const Pair& low, const Pair& high) {
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
-}
-/// Numbers 0 and 2, or 1 and 3, of both in turn.
-TRILITH_INLINE Lanes even(const Lanes& a, const Lanes& b) {
-  return __builtin_shufflevector(a, b, 0, 4, 2, 6);
-}
-TRILITH_INLINE Lanes odd(const Lanes& a, const Lanes& b) {
-  return __builtin_shufflevector(a, b, 1, 5, 3, 7);
-}
-
-/// Two neighbouring numbers of four rows, as two columns.
-TRILITH_INLINE void load_columns(const double* const* row, Lanes& c0, Lanes& c1) {
-  const Lanes r02 = join(load_pair(row[0]), load_pair(row[2])), r13 = join(load_pair(row[1]), load_pair(row[3]));
-  c0 = even(r02, r13);
-  c1 = odd(r02, r13);
-}
 
 /// Two columns as a pair for each of four rows.
 struct RowPairs {
@@ -90,15 +65,13 @@ struct Pass {
   Work<2>& work;
 };
 
-/// Four rows at once; beyond the end of the list the last row again, not `valid`.
+/// Four rows of a list at once. Beyond its end the list holds its last row again, which is not `valid` there.
 struct Rows {
-  int row[lane_count];
-  LaneMask valid;
-  TRILITH_INLINE Rows(const int* list, std::size_t left) {
-    for (std::size_t i = 0; i < lane_count; ++i) {
-      row[i] = list[std::min(i, left - 1)];
-      valid[i] = i < left ? -1 : 0;
-    }
+  const int* row;
+  LaneMask valid{-1, -1, -1, -1};
+  TRILITH_INLINE Rows(const int* list, std::size_t left) : row(list) {
+    if (left >= lane_count) return;
+    for (std::size_t i = left; i < lane_count; ++i) valid[i] = 0;
   }
 };
 
@@ -106,13 +79,8 @@ TRILITH_INLINE FaceMotion<Lanes> load_motion(const Pass& pass, const Rows& rows)
   const NearPair* p[lane_count];
   for (int i = 0; i < lane_count; ++i) p[i] = &pass.pairs[rows.row[i]];
   const auto ends = [&](int NearPair::*end, Lanes& x, Lanes& y, Lanes& u, Lanes& v) {
-    const double *place[lane_count], *velocity[lane_count];
-    for (int i = 0; i < lane_count; ++i) {
-      const SkinMotion& s = pass.skin[p[i]->*end];
-      place[i] = &s.x, velocity[i] = &s.u;
-    }
-    load_columns(place, x, y);
-    load_columns(velocity, u, v);
+    load_ends(pass.skin, p, end, &SkinMotion::x, x, y);
+    load_ends(pass.skin, p, end, &SkinMotion::u, u, v);
   };
   FaceEnds<Lanes> a, b;
   ends(&NearPair::a0, a.x0, a.y0, a.u0, a.v0);
@@ -250,7 +218,7 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Row
 }
 
 template <Bond B>
-TRILITH_INLINE void respond_batch(const Pass& pass, const std::vector<int>& rows) {
+TRILITH_INLINE void respond_batch(const Pass& pass, std::span<const int> rows) {
   const FaceLaw law = pass.law;
   GivenOff given;
   // In blocks, motions first: two short loops leave the processor more to do at once than one long one.
@@ -271,15 +239,15 @@ TRILITH_INLINE void respond_batch(const Pass& pass, const std::vector<int>& rows
 
 // One copy for wide registers and one for any machine: the same operations, so the same bits.
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_plain(const Pass& pass,
-                                                                               const std::vector<int>& rows) {
+                                                                               std::span<const int> rows) {
   respond_batch<Bond::none>(pass, rows);
 }
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_brittle(const Pass& pass,
-                                                                                 const std::vector<int>& rows) {
+                                                                                 std::span<const int> rows) {
   respond_batch<Bond::brittle>(pass, rows);
 }
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_softening(const Pass& pass,
-                                                                                   const std::vector<int>& rows) {
+                                                                                   std::span<const int> rows) {
   respond_batch<Bond::softening>(pass, rows);
 }
 
@@ -320,51 +288,16 @@ const std::vector<int>& facing_now(const Model<2>& model, const State<2>& state,
   return batch.now;
 }
 
-/// True where the line along one of the two faces keeps the two pieces apart, for certain: both ends of the other face
-/// lie beyond it, and no corner next to them can reach back. What does not touch now remembers nothing and does
-/// nothing.
-bool clearly_apart(const SkinMotion* skin, const NearPair& p) {
-  constexpr double slack = 1e-12;  // of the face's length, far above the rounding of positions
-  const SkinMotion &a0 = skin[p.a0], &a1 = skin[p.a1], &b0 = skin[p.b0], &b1 = skin[p.b1];
-  const double ax = a1.x - a0.x, ay = a1.y - a0.y, bx = b1.x - b0.x, by = b1.y - b0.y;
-  const double x0 = b0.x - a0.x, y0 = b0.y - a0.y, x1 = b1.x - a0.x, y1 = b1.y - a0.y;
-  const double cosine = ax * bx + ay * by, sine = ax * by - ay * bx;
-  // Height of b's ends over a's face, and of a's ends over b's, times its length.
-  const double over_a = std::min(ay * x0 - ax * y0, ay * x1 - ax * y1);
-  const double over_b = std::min(bx * y0 - by * x0, bx * y0 - by * x0 + sine);
-  const bool parallel = (p.corner <= 1) & (std::abs(sine) < -0.5 * cosine);
-  return parallel & ((over_a > slack * (ax * ax + ay * ay)) | (over_b > slack * (bx * bx + by * by)));
-}
-
-/// Of the `facing` rows those that touched at the last step, and then those that may touch now: `rows`.
-void sort_out(const State<2>& state, const Work<2>& work, const std::vector<int>& facing, std::vector<int>& rows,
-              std::vector<int>& fresh) {
-  rows.resize(facing.size());
-  fresh.resize(facing.size());
-  std::size_t touched = 0, rest = 0, others = 0;
-  for (const int row : facing) {  // without branches: which rows touch is hard to guess
-    const bool was = (state.memory[row].state & (contact_touching | contact_crushed)) != 0;
-    rows[touched] = fresh[rest] = row;
-    touched += was ? 1 : 0;
-    rest += was ? 0 : 1;
-  }
-  for (std::size_t i = 0; i < rest; ++i) {
-    const int row = fresh[i];
-    fresh[others] = row;
-    others += clearly_apart(work.skin.data(), work.pairs[row]) ? 0 : 1;
-  }
-  std::copy_n(fresh.begin(), others, rows.begin() + static_cast<std::ptrdiff_t>(touched));
-  rows.resize(touched + others);
-}
-
 }  // namespace
 
 void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {
   StepClock clock(times);
   work.general_now.clear();
   for (FaceBatch& batch : work.batches) {
-    sort_out(state, work, facing_now(model, state, work, batch), work.face_rows, work.fresh_rows);
-    if (work.face_rows.empty()) continue;
+    const std::size_t count =
+        sort_out(state, work, facing_now(model, state, work, batch), work.face_rows, work.fresh_rows);
+    if (count == 0) continue;
+    const std::span<const int> rows(work.face_rows.data(), count);
     const Pass pass{work.skin.data(),
                     work.pairs.data(),
                     state.memory.data(),
@@ -374,13 +307,13 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
                     work};
     switch (bond_of(model.laws[batch.law])) {
       case Bond::none:
-        respond_plain(pass, work.face_rows);
+        respond_plain(pass, rows);
         break;
       case Bond::brittle:
-        respond_brittle(pass, work.face_rows);
+        respond_brittle(pass, rows);
         break;
       case Bond::softening:
-        respond_softening(pass, work.face_rows);
+        respond_softening(pass, rows);
         break;
     }
     clock.mark_law(batch.law);
