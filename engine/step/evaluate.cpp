@@ -160,8 +160,9 @@ void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
   work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
 }
 
-double squared(double x, double y) {
-  return x * x + y * y;
+double squared_size(const Pair& v) {
+  const Pair squares = v * v;
+  return squares[0] + squares[1];
 }
 
 /// Adds what acts on the nodes from outside, and finds the largest forces carried and left over. Sizes are compared
@@ -169,18 +170,18 @@ double squared(double x, double y) {
 void add_outside(const Model<2>& model, const Vec2& field, Work<2>& work) {
   const bool loaded = !work.load.empty();
   const Vec2* load = loaded ? work.load.data() : model.load.data();
+  const Pair pull{field.x(), field.y()};
   double unbalanced = 0, carried = 0;
   for (int n = 0; n < model.nodes(); ++n) {
-    Vec2& force = work.force[n];
-    const double reacts = squared(force.x(), force.y());
-    const double x = model.mass[n] * field.x() + load[n].x(), y = model.mass[n] * field.y() + load[n].y();
-    force = {force.x() + x, force.y() + y};
+    const Pair reacts = load_pair(work.force[n].data()), steady = model.mass[n] * pull + load_pair(load[n].data());
+    Pair left = reacts + steady;
+    store_pair(work.force[n].data(), left);
     if (loaded) work.moment[n] += work.load_moment[n];
     if (!model.moves(n)) continue;
-    carried = std::max({carried, reacts, squared(x, y)});
-    const auto& support = model.support[n];
-    unbalanced = std::max(
-        unbalanced, squared(support[0] == Support::free ? force.x() : 0, support[1] == Support::free ? force.y() : 0));
+    carried = std::max(carried, std::max(squared_size(reacts), squared_size(steady)));
+    for (const int k : {0, 1})
+      if (model.support[n][k] != Support::free) left[k] = 0;
+    unbalanced = std::max(unbalanced, squared_size(left));
   }
   work.unbalanced = std::sqrt(unbalanced);
   work.carried = std::sqrt(carried);

@@ -19,15 +19,19 @@ struct Local {
   Eigen::Matrix3d k = Eigen::Matrix3d::Zero(), c = Eigen::Matrix3d::Zero();
 };
 
-/// A spring of stiffness k along unit direction e at `arm` from the node, spread over `length` along `spread`.
+/// A spring of stiffness k along unit direction e at `arm` from the node, spread over `length` along `spread`. Without
+/// matrices in between: this is done four times for every contact.
 void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, double beta, double length, const Vec2& spread,
                 double weight) {
-  const Eigen::Vector3d b(e.x(), e.y(), cross(arm, e));
-  Eigen::Matrix3d m = weight * k * b * b.transpose();
-  const double lever = cross(spread, e);
-  m(2, 2) += weight * k * lever * lever * length * length / 12;
-  local.k += m;
-  local.c += beta * m;
+  const double stiffness = weight * k, lever = cross(spread, e);
+  const double b[3] = {e.x(), e.y(), cross(arm, e)};
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) {
+      double m = stiffness * b[row] * b[column];
+      if (row + column == 4) m += stiffness * lever * lever * length * length / 12;
+      local.k(row, column) += m;
+      local.c(row, column) += beta * m;
+    }
 }
 
 /// Where a contact is and how stiff: `length` along left_of(normal), its middle at `at`.
