@@ -12,7 +12,7 @@ inline constexpr int lane_count = 4;
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
-using Pair = double __attribute__((vector_size(2 * sizeof(double))));  ///< one register on any machine
+using LanePair = double __attribute__((vector_size(2 * sizeof(double))));  ///< one register on any machine
 using LaneMask = std::int64_t __attribute__((vector_size(lane_count * sizeof(std::int64_t))));
 
 /// The result of comparing two T.
@@ -30,12 +30,12 @@ using Mask = typename MaskOf<T>::type;
 #define TRILITH_INLINE [[gnu::always_inline]] inline
 
 /// Two neighbouring numbers, at an address that is a multiple of 16.
-TRILITH_INLINE Pair load_pair(const double* two) {
-  Pair v;
+TRILITH_INLINE LanePair load_pair(const double* two) {
+  LanePair v;
   __builtin_memcpy(&v, __builtin_assume_aligned(two, 16), sizeof v);
   return v;
 }
-TRILITH_INLINE void store_pair(double* two, const Pair& v) {
+TRILITH_INLINE void store_pair(double* two, const LanePair& v) {
   __builtin_memcpy(__builtin_assume_aligned(two, 16), &v, sizeof v);
 }
 

@@ -23,13 +23,13 @@ struct NodeMotion {
 template <class Point>
 double place_rigid(const NodeMotion& node, std::span<const Vec2> skin, std::span<Point> out) {
   const double c = std::cos(node.rotation), s = std::sin(node.rotation);
-  const Pair to_x{c, s}, to_y{-s, c}, spin{-node.spin, node.spin};  // columns of the turn; spin x (y, x)
-  const Pair origin{node.position.x(), node.position.y()}, velocity{node.velocity.x(), node.velocity.y()};
+  const LanePair to_x{c, s}, to_y{-s, c}, spin{-node.spin, node.spin};  // columns of the turn; spin x (y, x)
+  const LanePair origin{node.position.x(), node.position.y()}, velocity{node.velocity.x(), node.velocity.y()};
   double fastest = 0;
   for (std::size_t i = 0; i < skin.size(); ++i) {
     const double x = skin[i].x(), y = skin[i].y();
-    const Pair arm = to_x * x + to_y * y;
-    const Pair rate = velocity + spin * __builtin_shufflevector(arm, arm, 1, 0), squares = rate * rate;
+    const LanePair arm = to_x * x + to_y * y;
+    const LanePair rate = velocity + spin * __builtin_shufflevector(arm, arm, 1, 0), squares = rate * rate;
     store_pair(&out[i].x, origin + arm);
     store_pair(&out[i].u, rate);
     fastest = std::max(fastest, squares[0] + squares[1]);
@@ -46,12 +46,12 @@ struct NodeLoad {
 /// spread: forces at skin points to the force and moment at the node; the transpose of `place`.
 template <class Point>
 NodeLoad spread_rigid(const Vec2& node, std::span<const Point> skin, std::span<const Vec2> skin_force) {
-  const Pair origin{node.x(), node.y()};
-  Pair sum{};
+  const LanePair origin{node.x(), node.y()};
+  LanePair sum{};
   double moment = 0;
   for (std::size_t i = 0; i < skin.size(); ++i) {
-    const Pair force = load_pair(skin_force[i].data()), arm = load_pair(&skin[i].x) - origin;
-    const Pair turning = arm * __builtin_shufflevector(force, force, 1, 0);
+    const LanePair force = load_pair(skin_force[i].data()), arm = load_pair(&skin[i].x) - origin;
+    const LanePair turning = arm * __builtin_shufflevector(force, force, 1, 0);
     sum += force;
     moment += turning[0] - turning[1];
   }

@@ -15,18 +15,18 @@
 namespace trilith {
 
 struct Cohesive {
-  double kn = 0;              ///< [Pa/m]
-  double ks = 0;              ///< [Pa/m]
-  double mu = 0;              ///< tan of the friction angle
-  double beta = 0;            ///< [s]
-  double cohesion = 0;        ///< [Pa]
-  double tension = 0;         ///< [Pa]
-  double energy_tension = 0;  ///< fracture energy of mode I [J/m2]
-  double energy_shear = 0;    ///< fracture energy of mode II, beside friction [J/m2]
-  double dilation = 0;        ///< tan of the dilatancy angle
-  double dilation_slip = 0;   ///< [m]
-  double compression = 0;     ///< [Pa]; 0: it does not crush
-  double crushing_depth = 0;  ///< [m]
+  double kn = 0;                 ///< [Pa/m]
+  double ks = 0;                 ///< [Pa/m]
+  double mu = 0;                 ///< tan of the friction angle
+  double beta = 0;               ///< [s]
+  double cohesion = 0;           ///< [Pa]
+  double tension = 0;            ///< [Pa]
+  double energy_tension = 0;     ///< fracture energy of mode I [J/m2]
+  double energy_shear = 0;       ///< fracture energy of mode II, beside friction [J/m2]
+  double dilation = 0;           ///< tan of the dilatancy angle
+  double dilation_slip = 0;      ///< [m]
+  double compression = 0;        ///< [Pa]; 0: it does not crush
+  double crushing_depth = 2e-3;  ///< [m]
 
   static constexpr std::string_view name = "cohesive";
   static constexpr std::string_view sentence = "mortar that softens in tension and shear by its fracture energies";
@@ -48,8 +48,8 @@ struct Cohesive {
         P{&Cohesive::dilation_slip, "dilation_slip", "m", 0, 0, unbounded, true, "slip up to which the joint dilates"},
         P{&Cohesive::compression, "compression", "Pa", 0, 0, unbounded, true,
           "compressive strength, at which the mortar crushes; 0: it does not"},
-        P{&Cohesive::crushing_depth, "crushing_depth", "m", 0, 0, unbounded, true,
-          "depth by which it can crush before it is as stiff as ever, some share of the joint's thickness"}};
+        P{&Cohesive::crushing_depth, "crushing_depth", "m", 2e-3, 0, unbounded, false,
+          "depth by which it can crush before it is as stiff as ever, a share of the joint's thickness"}};
   }
 
   /// What the ranges above leave: an energy that the elastic energy at the peak already exceeds cannot soften.
@@ -66,11 +66,6 @@ struct Cohesive {
     };
     require(energy_tension, tension, kn, "tension", "tension", "kn");
     require(energy_shear, cohesion, ks, "shear", "cohesion", "ks");
-    if ((compression > 0) != (crushing_depth > 0))
-      throw InputError(fmt::format(
-          "cohesive: compression is {:g} Pa and crushing_depth {:g} m; give both, for mortar that crushes, or "
-          "neither; a joint of 10 mm may crush by some 2e-3 m",
-          compression, crushing_depth));
   }
 };
 

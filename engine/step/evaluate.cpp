@@ -160,8 +160,8 @@ void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
   work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
 }
 
-double squared_size(const Pair& v) {
-  const Pair squares = v * v;
+double squared_size(const LanePair& v) {
+  const LanePair squares = v * v;
   return squares[0] + squares[1];
 }
 
@@ -170,11 +170,11 @@ double squared_size(const Pair& v) {
 void add_outside(const Model<2>& model, const Vec2& field, Work<2>& work) {
   const bool loaded = !work.load.empty();
   const Vec2* load = loaded ? work.load.data() : model.load.data();
-  const Pair pull{field.x(), field.y()};
+  const LanePair pull{field.x(), field.y()};
   double unbalanced = 0, carried = 0;
   for (int n = 0; n < model.nodes(); ++n) {
-    const Pair reacts = load_pair(work.force[n].data()), steady = model.mass[n] * pull + load_pair(load[n].data());
-    Pair left = reacts + steady;
+    const LanePair reacts = load_pair(work.force[n].data()), steady = model.mass[n] * pull + load_pair(load[n].data());
+    LanePair left = reacts + steady;
     store_pair(work.force[n].data(), left);
     if (loaded) work.moment[n] += work.load_moment[n];
     if (!model.moves(n)) continue;

@@ -8,7 +8,7 @@ namespace trilith {
 
 static_assert(lane_count == 4, "columns and rows are written for four lanes");
 
-TRILITH_INLINE Lanes join(const Pair& low, const Pair& high) {
+TRILITH_INLINE Lanes join(const LanePair& low, const LanePair& high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3);
 }
 /// Numbers 0 and 2, or 1 and 3, of both in turn.

@@ -29,9 +29,9 @@ struct RowPairs {
     const Lanes low = even(c0, c1), high = odd(c0, c1);
     row02 = low, row13 = high;
   }
-  TRILITH_INLINE Pair of(int row) const {
+  TRILITH_INLINE LanePair of(int row) const {
     const Lanes& v = row % 2 == 0 ? row02 : row13;
-    return row < 2 ? Pair{v[0], v[1]} : Pair{v[2], v[3]};
+    return row < 2 ? LanePair{v[0], v[1]} : LanePair{v[2], v[3]};
   }
 };
 
@@ -163,7 +163,7 @@ TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse& r, i
   store_pair(after.set, r.set.of(i));
   store_pair(after.crushed, r.crushed.of(i));
   const NearPair& p = pass.pairs[row];
-  const auto add = [&](int skin, const Pair& force) {
+  const auto add = [&](int skin, const LanePair& force) {
     double* on = pass.skin_force[skin].data();
     store_pair(on, load_pair(on) + force);
   };
