@@ -5,6 +5,7 @@
 // turn.
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <ctime>
@@ -32,6 +33,14 @@ double peak_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// What runs now and how much of it is done, on a terminal; the figures take the line's place.
+void tell(const std::string& what, double share = 0) {
+  if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K{}  {:.0f} %", what, 100 * share);
+}
+void clear_line() {
+  if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
 }
 
 Model<2> bench_model(int courses, BodyKind kind = BodyKind::rigid, int divisions = 1) {
@@ -77,6 +86,8 @@ int touching(const Work<2>& work) {
 }
 
 void bench_wall(int courses, double dt, double seconds) {
+  const std::string name = fmt::format("wall of {} courses", courses);
+  tell(wall + ", settling");
   Simulation settle(bench_model(courses));
   StageOptions rest;
   rest.name = "settle";
@@ -95,6 +106,7 @@ void bench_wall(int courses, double dt, double seconds) {
   for (int i = 0; i < steps; ++i) {
     evaluate(model, state, work, state.last_dt);
     if (i % 32 == 0) stable_step(model, state, work);
+    if (i % 1000 == 0) tell(wall + ", shaken", static_cast<double>(i) / steps);
     if (i % 100 == 0) pairs += touching(work), general += static_cast<double>(work.general_touching.size());
     advance(model, state, work, {dt, {}});
   }
@@ -122,6 +134,7 @@ void bench_wall(int courses, double dt, double seconds) {
   double rest_of = whole;
   for (const auto& [name, ns] : stage) rest_of -= ns;
   stage["6 advance, notice, step estimate"] = rest_of;
+  clear_line();
   const double facing_pairs = facing(work), units = static_cast<double>(model.bodies.size() - 1);
   fmt::print("wall of {:.0f} units, {:.0f} touching pairs ({:.1f} general) of {:.0f} facing, dt {:g} s\n", units,
              mean_pairs, general / (steps / 100), facing_pairs, dt);
@@ -140,6 +153,7 @@ void bench_kinds(double seconds) {
   };
   for (const Kind& k :
        {Kind{"rigid", BodyKind::rigid, 1}, Kind{"quad", BodyKind::quad, 1}, Kind{"2 x 2 mesh", BodyKind::mesh, 2}}) {
+    tell(fmt::format("wall of 444 units as {}, settling and shaken", k.name));
     Simulation sim(bench_model(24, k.kind, k.divisions));
     StageOptions options;
     options.name = "settle", options.duration = 0.1, options.rest_share = 0.8, options.safety = 0.8;
@@ -149,6 +163,7 @@ void bench_kinds(double seconds) {
     const double begin = now();
     const StageReport report = sim.run(options);
     const double spent = now() - begin;
+    clear_line();
     fmt::print("wall of 444 units as {}: {:.2f} s per simulated second, {} steps of {:.3g} s, {:.1f} us a step\n",
                k.name, spent / seconds, report.steps, report.shortest_dt,
                1e6 * spent / static_cast<double>(report.steps));

@@ -20,15 +20,16 @@ MortarJoint crushing_joint() {
   return joint;
 }
 
-/// The elastic normal force of both halves on faces that are `first` and `second` apart at their ends [N].
+/// The elastic normal force of both halves on faces that are `at_left` and `at_right` apart at their ends [N].
 struct Pressed {
   FaceResponse<double> response;
   double force = 0;
 };
 
-Pressed press(double first, double second, const FaceMemory<double>& memory, const FaceLaw& law) {
+Pressed press(double at_left, double at_right, const FaceMemory<double>& memory, const FaceLaw& law) {
   const Vec2 still = Vec2::Zero();
-  const FaceEnds<double> a = rigid_face({1, 0}, {0, 0}, still, 0), b = rigid_face({0, first}, {1, second}, still, 0);
+  const FaceEnds<double> a = rigid_face({1, 0}, {0, 0}, still, 0),
+                         b = rigid_face({0, at_left}, {1, at_right}, still, 0);
   Pressed out{respond_face_pair<Bond::softening>(a, b, 1.0, memory, law)};
   out.force = on_b0(out.response).y() + on_b1(out.response).y();
   return out;

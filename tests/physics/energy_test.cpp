@@ -127,7 +127,7 @@ TEST_CASE("the ledger of a rocking block closes") {
   check_closed("rocking block", b);
 }
 
-TEST_CASE("the ledgers of walls, heaps, drums and of a span that lose their hold close" * doctest::test_suite("long")) {
+TEST_CASE("the ledgers of eight structures that lose their hold close" * doctest::test_suite("long")) {
   for (const testing::Collapse& c : testing::collapses()) {
     Simulation sim(c.model());
     const Books b = keep_books(sim, stage(c.duration, c.name == "leaning stack" ? 0.01 : 0.05));

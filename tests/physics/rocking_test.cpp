@@ -100,7 +100,7 @@ TEST_CASE("K1: mass and inertia from the shape give Housner's constants") {
   }
 }
 
-TEST_CASE("K2: a block lifts where the base acceleration passes g b/h") {
+TEST_CASE("K2: a block lifts where the base acceleration passes g b/h" * doctest::test_suite("long")) {
   for (const Housner shape : {Housner{0.2, 0.6}, Housner{0.25, 1.0}, Housner{0.3, 0.4}}) {
     const double g = standard_gravity, limit = g * shape.b / shape.h, mass = 100, kn = 2e10 * mass / (2 * shape.b);
     const double sunk = mass * g / (kn * 2 * shape.b);
@@ -159,7 +159,8 @@ void lean_gravity(Scene& scene, double angle) {
 
 }  // namespace
 
-TEST_CASE("K3: a tilted block topples at atan(b/h) or slides at atan(mu), whichever is first") {
+TEST_CASE("K3: a tilted block topples at atan(b/h) or slides at atan(mu) as one or the other comes first" *
+          doctest::test_suite("long")) {
   struct Case {
     double width, height, mu, expected;
     bool slides;
@@ -248,7 +249,8 @@ bool overturns(const Housner& shape, double peak, int halves, double beta, doubl
 
 }  // namespace
 
-TEST_CASE("K6: on two narrow feet a block that lands without bouncing keeps Housner's restitution") {
+TEST_CASE("K6: on two narrow feet a block that lands without bouncing keeps Housner's restitution" *
+          doctest::test_suite("long")) {
   struct Case {
     Housner shape;
     double q, expected;
@@ -276,7 +278,8 @@ TEST_CASE("K6: on its whole base a block makes its own restitution, between Hous
   }
 }
 
-TEST_CASE("K7: a half sine of 1 Hz overturns a 0.4 x 1.2 m block at 0.60 g and not at 0.55 g") {
+TEST_CASE("K7: a half sine of 1 Hz overturns a 0.4 x 1.2 m block at 0.60 g and not at 0.55 g" *
+          doctest::test_suite("long")) {
   for (const double foot : {0.0, 0.05}) {
     CHECK_FALSE(overturns({0.2, 0.6}, 0.55, 1, 1e-5, foot));
     CHECK(overturns({0.2, 0.6}, 0.60, 1, 1e-5, foot));
@@ -284,7 +287,8 @@ TEST_CASE("K7: a half sine of 1 Hz overturns a 0.4 x 1.2 m block at 0.60 g and n
   }
 }
 
-TEST_CASE("K8: a full sine of 1 Hz overturns a 0.4 x 1.2 m block at 0.46 and 0.80 g and not at 0.38 g") {
+TEST_CASE("K8: a full sine of 1 Hz overturns a 0.4 x 1.2 m block at 0.46 and 0.80 g and not at 0.38 g" *
+          doctest::test_suite("long")) {
   for (const double foot : {0.0, 0.05}) {
     CHECK_FALSE(overturns({0.2, 0.6}, 0.38, 2, 1e-5, foot));
     CHECK(overturns({0.2, 0.6}, 0.46, 2, 1e-5, foot));

@@ -42,7 +42,7 @@ std::string browsed(const record::Folder& here, const std::filesystem::path& pag
 
 }  // namespace
 
-TEST_CASE("the report of the bridge prints on a few pages and names what failed first") {
+TEST_CASE("the report of the bridge prints on a few pages and names what failed first" * doctest::test_suite("long")) {
   if (is_missing(testing::program_path()) || is_missing("/usr/bin/chromium")) return;
   const record::Folder here;
   const Said run = ask(here.path, fmt::format("run '{}/scripts/bridge.lua' --quiet out=bridge.h5", TRILITH_SOURCE_DIR));
