@@ -86,7 +86,7 @@ int touching(const Work<2>& work) {
 }
 
 void bench_wall(int courses, double dt, double seconds) {
-  const std::string name = fmt::format("wall of {} courses", courses);
+  const std::string wall = fmt::format("wall of {} courses", courses);
   tell(wall + ", settling");
   Simulation settle(bench_model(courses));
   StageOptions rest;
