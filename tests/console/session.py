@@ -54,7 +54,7 @@ class Session:
         self.text += ESCAPES.sub("", data.decode("utf8", "replace"))
         return bool(data)
 
-    def expect(self, pattern, seconds=20):
+    def expect(self, pattern, seconds=60):
         """Waits for a regular expression; gives the match."""
         end = time.monotonic() + seconds
         while True:
@@ -66,7 +66,7 @@ class Session:
             if left <= 0 or (not self._take(left) and self.process.poll() is not None):
                 raise Failed(f"no {pattern!r} after {self.typed[-1:]}; the screen:\n{self.text[-2500:]}")
 
-    def ask(self, text, pattern, seconds=20):
+    def ask(self, text, pattern, seconds=60):
         """Types a line, waits for an answer and for the next prompt."""
         self.line(text)
         match = self.expect(pattern, seconds)
@@ -80,7 +80,7 @@ class Session:
         while not self.text.endswith("> ") and self.process.poll() is None and time.monotonic() < end:
             self._take(0.05)
 
-    def ends(self, code=0, seconds=20):
+    def ends(self, code=0, seconds=60):
         end = time.monotonic() + seconds
         while self.process.poll() is None and time.monotonic() < end:
             self._take(0.05)
