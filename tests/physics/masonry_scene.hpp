@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,8 @@ inline double farthest(const Model<2>& model, const State<2>& state) {
 }
 
 /// Near its limit a hinge is millimetres long: joints so stiff that it still turns by less than 1e-3.
-inline Frictional stiff_joint(double mu) {
-  constexpr double stiffness = 4e12;  // [Pa/m]
-  return {stiffness, 0.5 * stiffness, mu, 5e-9};
+inline Frictional stiff_joint(double mu, double stiffness = 4e12) {
+  return {stiffness, 0.5 * stiffness, mu, 5e-9 * std::sqrt(4e12 / stiffness)};
 }
 
 /// Turns gravity from tilt `from` on at `rate` [rad/s], up to tilt `to`: the tilt at which some unit runs away, at
