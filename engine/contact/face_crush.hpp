@@ -3,11 +3,10 @@
 // Each half keeps the depth z it is crushed by; its stresses come from the gap g + z. While the mean stress over the
 // part of the half that is pressed would exceed the compressive strength, z grows until it does not: where all of the
 // half is pressed, until the mean overlap is strength / kn; where it is pressed from one end on, its stress is a
-// triangle, and the overlap of that end stays at twice that. Mortar is thin: beyond a greatest depth it is
-// crushed no more. Unloading and loading again up to there are elastic (the
-// cap of Lourenco and Rots, "Multisurface interface model for analysis of masonry structures", J. Eng. Mech. 123(7),
-// 1997, without their hardening and softening; each half counts as one point of integration). The damping acts on the
-// elastic part of the motion only.
+// triangle, and the overlap of that end stays at twice that. Mortar is thin: beyond a greatest depth it is crushed no
+// more. Unloading and loading again up to there are elastic (the cap of Lourenco and Rots, "Multisurface interface
+// model for analysis of masonry structures", J. Eng. Mech. 123(7), 1997, without their hardening and softening; each
+// half counts as one point of integration). The damping acts on the elastic part of the motion only.
 #pragma once
 
 #include "contact/face_half.hpp"

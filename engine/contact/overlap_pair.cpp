@@ -297,7 +297,8 @@ struct Overlapping {
 
 /// Mean overlap above that at which the mortar crushes [m].
 double Overlapping::excess(const FaceLaw& law, double crushed) const {
-  std::array<Vec2, max_piece_corners> on_a, on_b;
+  std::array<Vec2, max_piece_corners> on_a, on_b;  // asked for by the walk, and left
+  on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
   const Sums sums = press(law, crushed, on_a, on_b);
   return sums.length > 0 ? sums.force.norm() / (law.kn * sums.length) - law.crushing : -law.crushing;
 }
