@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <new>
+#include <string>
 
 #include "open.hpp"
 
@@ -20,10 +21,33 @@ int end_host(lua_State* L) {
   return 0;
 }
 
+/// Takes the words that follow the script in the interpreter's table `arg`, as the program takes its own command line.
+/// What is no NAME=VALUE is left for trilith.params to refuse: a script without it may read `arg` by itself.
+void read_arg(lua_State* L, Host& host) {
+  lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
+  lua_pushliteral(L, "arg");
+  const bool is_there = lua_rawget(L, -2) == LUA_TTABLE;  // raw: strict globals may refuse names that are not there
+  for (lua_Integer i = 0; is_there; ++i) {
+    const bool is_text = lua_rawgeti(L, -1, i) == LUA_TSTRING;
+    const std::string word = is_text ? lua_tostring(L, -1) : "";
+    lua_pop(L, 1);
+    if (!is_text && i > 0) break;
+    host.command_line += (i == 0 ? "lua " : " ") + word;
+    if (i > 0) host.arguments.push_back(word);
+  }
+  lua_pop(L, 2);
+  for (const std::string& word : host.arguments) {
+    const bool lists = word == "--params" || word == "--help";
+    host.list_parameters = host.list_parameters || lists;
+    if (!lists) host.given.push_back(word);
+  }
+}
+
 void make_host(lua_State* L) {
   auto* host = new (lua_newuserdatauv(L, sizeof(Host), 0)) Host();
   trilith::script::set_host(L, *host);
   host->records = trilith::script::record_folders();
+  read_arg(L, *host);
 }
 
 }  // namespace

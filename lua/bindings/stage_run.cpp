@@ -129,14 +129,23 @@ StageReport listen(lua_State* L, ScriptModel& model, Host& h, Go&& go) {
   return report;
 }
 
+/// A stage begins before anything has read the command line: parameters are declared later, or never. Under a stock
+/// interpreter words of another form may be the script's own.
+void refuse_unread_arguments(const Host& h) {
+  if (h.list_parameters && !h.script.empty()) throw InputError(parameters_listed);
+  if (h.given_used) return;
+  if (h.list_parameters) throw InputError("no parameters are declared before the first stage; see trilith.params");
+  for (const std::string& word : h.given)
+    if (word.find('=', 1) != std::string::npos && word.front() != '-')
+      throw InputError(
+          fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", word));
+}
+
 }  // namespace
 
 StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, std::int64_t steps) {
   Host& h = host(L);
-  if (h.list_parameters) throw InputError(parameters_listed);
-  if (!h.given_used && !h.given.empty())
-    throw InputError(
-        fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", h.given.front()));
+  refuse_unread_arguments(h);
   return listen(L, model, h, [&](RunListener listener) {
     std::int64_t taken = 0;
     if (steps > 0)

@@ -4,6 +4,7 @@
 
 #include "base/units.hpp"
 #include "doors.hpp"
+#include "parameter_list.hpp"
 
 namespace trilith::script {
 namespace {
@@ -136,6 +137,33 @@ void take_from_host(Host& host, Declaration& d) {
   }
 }
 
+/// A stock interpreter was given --params or --help: prints the list. The library ends the script then.
+void print_list(const Host& h) {
+  const auto& words = h.arguments;
+  if (std::find(words.begin(), words.end(), "--help") != words.end())
+    fmt::print(
+        "Give NAME=VALUE after the script, in the declared unit or one given, as in pga=0.6g; --params lists what "
+        "there "
+        "is.\n");
+  fmt::print("{}", parameter_lines(h, "the script"));
+}
+
+/// Refuses what is left of the command line once all parameters have taken theirs.
+void refuse_leftover(const Host& h, const std::vector<std::string>& names) {
+  if (h.given.empty()) return;
+  const std::string& word = h.given.front();
+  if (word.starts_with("-"))
+    throw InputError(fmt::format("there is no option '{}'{}; other options are those of 'trilith run'", word,
+                                 name_hint(word, {"--params", "--help"})));
+  const std::size_t at = word.find('=');
+  if (at == std::string::npos || at == 0) throw InputError(fmt::format("'{}' is not NAME=VALUE", word));
+  const std::string name = word.substr(0, at);
+  if (names.empty())
+    throw InputError(fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", word));
+  throw InputError(fmt::format("there is no parameter '{}'{}", name, name_hint(name, names)));
+}
+
+/// trilith.params{...}: the values; nil where a stock interpreter has listed them, for the library to end the script.
 int params(lua_State* L) {
   Host& h = host(L);
   if (h.given_used) throw InputError("params: called a second time; declare all parameters in one table");
@@ -155,15 +183,24 @@ int params(lua_State* L) {
     push_value(L, d);
     lua_setfield(L, 2, name.c_str());
   }
-  if (h.list_parameters) throw InputError(parameters_listed);
-  if (!h.given.empty()) {
-    const std::string name = h.given.front().substr(0, h.given.front().find('='));
-    throw InputError(fmt::format("there is no parameter '{}'{}", name, name_hint(name, names)));
+  if (h.list_parameters && !h.script.empty()) throw InputError(parameters_listed);
+  if (h.list_parameters) {
+    print_list(h);
+    lua_pushnil(L);
+    return 1;
   }
+  refuse_leftover(h, names);
   return 1;
 }
 
 }  // namespace
+
+std::string parameter_lines(const Host& host, const std::string& title) {
+  std::string lines;
+  for (const auto& p : host.parameters)
+    lines += fmt::format("{:<16} {:>10} {:<6} {}\n", p.name, p.value, p.unit, p.text);
+  return lines.empty() ? title + " declares no parameters\n" : lines;
+}
 
 void open_units(lua_State* L) {
   set_function(L, "units", guarded<units>);

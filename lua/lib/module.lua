@@ -26,6 +26,14 @@ function trilith.model(options)
   return model
 end
 
+local declare, exit = trilith.params, os.exit
+--- trilith.params{...}; without values they were listed, as asked of a stock interpreter, and the script is done.
+function trilith.params(declared)
+  local values = declare(declared)
+  if not values then exit(true, true) end
+  return values
+end
+
 core.event.__tostring = function(event) return ("%.4f s  %s"):format(event.time, event.text) end
 
 local function names_of(t)

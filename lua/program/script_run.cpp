@@ -7,6 +7,7 @@
 #include "figures_reading.hpp"
 #include "guard.hpp"
 #include "interrupt.hpp"
+#include "parameter_list.hpp"
 #include "record/picture_file.hpp"
 #include "script_state.hpp"
 #include "verbs.hpp"
@@ -33,11 +34,6 @@ int take_figures(lua_State* L) {
   return 0;
 }
 
-void list_parameters(const script::Host& host) {
-  for (const auto& p : host.parameters) fmt::print("{:<16} {:>10} {:<6} {}\n", p.name, p.value, p.unit, p.text);
-  if (host.parameters.empty()) fmt::print("{} declares no parameters\n", host.script);
-}
-
 }  // namespace
 
 int run_script(script::Host& host) {
@@ -53,7 +49,7 @@ int run_script(script::Host& host) {
   if (host.list_parameters) {
     const std::string message = good ? "" : message_at_top(L);
     if (!good && message.find(script::parameters_listed) == std::string::npos) return report_error(host, message);
-    list_parameters(host);
+    fmt::print("{}", script::parameter_lines(host, host.script));
     return ended_well;
   }
   if (good && !host.case_folder.empty()) {
