@@ -8,11 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "source_dir.hpp"
+
 namespace trilith::testing {
 
 /// A record the project carries itself.
 inline std::filesystem::path own_record(const std::string& name) {
-  return std::filesystem::path(TRILITH_SOURCE_DIR) / "scripts" / "records" / name;
+  return std::filesystem::path(source_dir()) / "scripts" / "records" / name;
 }
 
 /// The folder of the larger set of records: $TRILITH_RECORDS, or beside the project. None, with a message, where
@@ -21,7 +23,7 @@ inline std::optional<std::filesystem::path> record_folder() {
   const char* given = std::getenv("TRILITH_RECORDS");
   const std::filesystem::path folder =
       given != nullptr ? std::filesystem::path(given)
-                       : std::filesystem::path(TRILITH_SOURCE_DIR) / ".." / "shared" / "data" / "ground_motions";
+                       : std::filesystem::path(source_dir()) / ".." / "shared" / "data" / "ground_motions";
   if (std::filesystem::exists(folder / "manifest.csv")) return folder;
   MESSAGE("skipped: no ground motion records in '", folder.string(), "'; set TRILITH_RECORDS to their folder");
   return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include "program/verb.hpp"
 #include "run/falling_span.hpp"
+#include "source_dir.hpp"
 
 using namespace trilith;
 using testing::ask;
@@ -110,7 +111,7 @@ TEST_CASE("unfinished results are told as such, drawn, and repaired to a clean f
 TEST_CASE("trilith motion prints the figures of a record and draws it") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
-  const std::string record = std::string("'") + TRILITH_SOURCE_DIR + "/scripts/records/elcentro_1940_rest_ns.csv'";
+  const std::string record = "'" + testing::source_dir() + "/scripts/records/elcentro_1940_rest_ns.csv'";
   const Said said = ask(here, "motion " + record);
   CHECK(said.code == 0);
   CHECK(said.says("PGA                  0.34874 g"));

@@ -8,6 +8,7 @@
 
 #include "program/verb.hpp"
 #include "run/falling_span.hpp"
+#include "source_dir.hpp"
 
 using namespace trilith;
 using testing::ask;
@@ -45,7 +46,8 @@ std::string browsed(const record::Folder& here, const std::filesystem::path& pag
 TEST_CASE("the report of the bridge prints on a few pages and names what failed first" * doctest::test_suite("long")) {
   if (is_missing(testing::program_path()) || is_missing("/usr/bin/chromium")) return;
   const record::Folder here;
-  const Said run = ask(here.path, fmt::format("run '{}/scripts/bridge.lua' --quiet out=bridge.h5", TRILITH_SOURCE_DIR));
+  const Said run =
+      ask(here.path, fmt::format("run '{}/scripts/bridge.lua' --quiet out=bridge.h5", testing::source_dir()));
   REQUIRE_MESSAGE(run.code == 0, run.err);
   CHECK(ask(here.path, "report bridge.h5").out == "bridge.report.html\n");
   const std::string page = record::bytes_of(here / "bridge.report.html");

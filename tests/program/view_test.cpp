@@ -3,6 +3,7 @@
 
 #include "program/verb.hpp"
 #include "run/falling_span.hpp"
+#include "source_dir.hpp"
 
 using namespace trilith;
 using testing::ask;
@@ -19,7 +20,7 @@ std::filesystem::path picture_folder() {
 
 /// Walks through `page` in a browser; see view_page.py.
 void browse(const std::filesystem::path& page, const std::string& steps) {
-  const std::string script = std::string(TRILITH_SOURCE_DIR) + "/tests/program/view_page.py";
+  const std::string script = testing::source_dir() + "/tests/program/view_page.py";
   const std::string command =
       "/usr/bin/python3 '" + script + "' '" + picture_folder().string() + "' '" + page.string() + "' " + steps;
   const int status = std::system(command.c_str());
@@ -49,7 +50,7 @@ m:shake { body = "wall.base", x = trilith.motion "elcentro_1940_rest_ns.csv":sca
 TEST_CASE("the page of the bridge plays to the end, goes to the first failure and shows the failed bearing's history") {
   if (program_is_missing()) return;
   const record::Folder here;
-  const std::string script = std::string("'") + TRILITH_SOURCE_DIR + "/scripts/bridge.lua'";
+  const std::string script = "'" + testing::source_dir() + "/scripts/bridge.lua'";
   const Said run = ask(here.path, "run " + script + " --quiet out=bridge.h5");
   REQUIRE_MESSAGE(run.code == 0, run.err);
   const Said said = ask(here.path, "view bridge.h5");

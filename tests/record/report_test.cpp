@@ -10,6 +10,7 @@
 #include "record/event_tree.hpp"
 #include "record/html_text.hpp"
 #include "record/sample_run.hpp"
+#include "source_dir.hpp"
 
 using namespace trilith::record;
 
@@ -148,7 +149,7 @@ TEST_CASE("a motion whose record is found is measured again as it was used, othe
       "nowhere.csv on 'right ground' (y), from t = 0 s"};
   const std::filesystem::path path = scratch() / "motions.h5";
   ResultsWriter(path, header).finish();
-  const std::string page = report_page(ResultsReader(path), {std::string(TRILITH_SOURCE_DIR) + "/scripts/records"});
+  const std::string page = report_page(ResultsReader(path), {trilith::testing::source_dir() + "/scripts/records"});
   CHECK(wrong_with(page) == "");
   CHECK(has(page, "&#39;left &lt;ground&gt;&#39; (x): elcentro_1940_rest_ns.csv, scaled to PGA 0.8 g"));
   CHECK(has(page, "<td class=\"n\">0.800 g</td>"));

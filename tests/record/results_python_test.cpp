@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "record/sample_run.hpp"
+#include "source_dir.hpp"
 
 using namespace trilith::record;
 
@@ -11,7 +12,7 @@ namespace {
 
 // The code blocks of docs/results.md that open with "```<language>".
 std::string documented(const std::string& language) {
-  std::istringstream page(bytes_of(TRILITH_SOURCE_DIR "/docs/results.md"));
+  std::istringstream page(bytes_of(trilith::testing::source_dir() + "/docs/results.md"));
   std::string line, code;
   bool inside = false;
   while (std::getline(page, line)) {
