@@ -6,7 +6,9 @@
 #include <array>
 #include <functional>
 #include <numeric>
+#include <system_error>
 
+#include "base/fresh_file.hpp"
 #include "record/file_driver.hpp"
 #include "record/growing_set.hpp"
 
@@ -78,6 +80,7 @@ void copy_rows(hid_t source, hid_t to, const std::string& name, std::int64_t row
   const std::size_t row_bytes =
       std::accumulate(extent.begin() + 1, extent.end(), H5Tget_size(type.get()),
                       [](std::size_t a, hsize_t b) { return a * static_cast<std::size_t>(b); });
+  if (row_bytes == 0) throw h5::Failure(fmt::format("{} is damaged: its rows have no width", name));
   extent[0] = static_cast<hsize_t>(rows);
   const h5::Handle target = make_target(to, name, type.get(), extent, row_bytes);
   copy_attributes(source, target.get(), {});
@@ -187,15 +190,16 @@ std::int64_t counter(const Committed& committed, const std::string& name) {
 }
 
 // In the format of HDF5 1.8: every program of the last fifteen years opens it, and its headers carry checksums.
-void write_clean_copy(hid_t from, const std::filesystem::path& to, bool finished) {
+void write_clean_copy(hid_t from, const std::filesystem::path& to, bool finished) try {
+  FreshFile file(to);
   const h5::Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "cannot make a property list");
   const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a property list");
   h5::FileStatus status;
-  h5::use_driver(access.get(), status);
+  h5::use_driver(access.get(), file.descriptor(), status);
   h5::check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "cannot set the format");
   H5Pset_obj_track_times(creation.get(), false);
   H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
-  const hid_t id = H5Fcreate(to.c_str(), H5F_ACC_TRUNC, creation.get(), access.get());
+  const hid_t id = H5Fcreate(file.path().c_str(), H5F_ACC_TRUNC, creation.get(), access.get());
   h5::require_written(status, "cannot create the file");
   h5::Handle target(id, H5Fclose, "cannot create the file");
   copy_attributes(from, target.get(), {"finished"});
@@ -203,6 +207,9 @@ void write_clean_copy(hid_t from, const std::filesystem::path& to, bool finished
   h5::write_attribute(target.get(), "finished", finished ? 1 : 0);
   target.close("cannot close the file");
   h5::require_written(status, "cannot write the file");
+  file.take_place();
+} catch (const std::system_error& error) {
+  throw h5::Failure(fmt::format("cannot write the file: {}", error.code().message()));
 }
 
 }  // namespace trilith::record

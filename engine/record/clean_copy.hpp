@@ -18,8 +18,9 @@ void write_committed(hid_t dataset, const Committed& committed);
 /// The counter of the given name, e.g. "frames"; throws Failure where there is none.
 std::int64_t counter(const Committed& committed, const std::string& name);
 
-/// Writes `to` anew: every object of `from`, growing data sets cut to their committed rows and compressed, attribute
-/// `finished` as given. The bytes depend on the rows alone, not on when they were flushed. Throws Failure.
+/// Writes every object of `from` to a new file that takes the place of `to`: growing data sets cut to their committed
+/// rows and compressed, attribute `finished` as given. The bytes depend on the rows alone, not on when they were
+/// flushed. Throws Failure, and leaves `to` as it was.
 void write_clean_copy(hid_t from, const std::filesystem::path& to, bool finished);
 
 }  // namespace trilith::record

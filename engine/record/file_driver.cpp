@@ -39,6 +39,7 @@ const Device& of(const H5FD_t* file) {
 
 struct Info {
   FileStatus* status;
+  int descriptor;
 };
 
 // Reads what the file holds; zeros beyond its end. 0 or errno.
@@ -96,26 +97,24 @@ void keep(Device& file, haddr_t at, std::size_t size, const unsigned char* data)
   });
 }
 
-H5FD_t* open_device(const char* name, unsigned flags, hid_t access, haddr_t) {
+// HDF5 opens a file it is to create twice: once to see whether it has it open, and then to empty it.
+H5FD_t* open_device(const char*, unsigned flags, hid_t access, haddr_t) {
   const auto* info = static_cast<const Info*>(H5Pget_driver_info(access));
-  int mode = (flags & H5F_ACC_RDWR) ? O_RDWR : O_RDONLY;
-  if (flags & H5F_ACC_TRUNC) mode |= O_TRUNC;
-  if (flags & H5F_ACC_CREAT) mode |= O_CREAT;
-  if (flags & H5F_ACC_EXCL) mode |= O_EXCL;
-  const int descriptor = ::open(name, mode | O_CLOEXEC, 0666);
+  if (info == nullptr) return nullptr;
+  const int descriptor = ::fcntl(info->descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   struct stat about {};
-  if (descriptor < 0 || ::fstat(descriptor, &about) != 0) {
-    if (info) info->status->error = errno;
+  if (descriptor < 0 || ((flags & H5F_ACC_TRUNC) && ::ftruncate(descriptor, 0) != 0) ||
+      ::fstat(descriptor, &about) != 0) {
+    info->status->error = errno;
     if (descriptor >= 0) ::close(descriptor);
     return nullptr;
   }
-  if (info) info->status->error = 0;  // HDF5 may have tried before, without creating
   auto file = std::make_unique<Device>();
   file->descriptor = descriptor;
   file->device = about.st_dev;
   file->inode = about.st_ino;
   file->end_of_file = static_cast<haddr_t>(about.st_size);
-  file->status = info ? info->status : nullptr;
+  file->status = info->status;
   return file.release();
 }
 
@@ -224,10 +223,10 @@ void require_written(const FileStatus& status, std::string_view what) {
   if (status.error != 0) throw Failure(fmt::format("{}: {}", what, std::strerror(status.error)));
 }
 
-void use_driver(hid_t access, FileStatus& status) {
+void use_driver(hid_t access, int descriptor, FileStatus& status) {
   static const H5FD_class_t driver = make_driver();
   const Handle id(H5FDregister(&driver), H5FDunregister, "cannot register the file driver");
-  const Info info{&status};
+  const Info info{&status, descriptor};
   check(H5Pset_driver(access, id.get(), &info), "cannot set the file driver");
 }
 

@@ -18,7 +18,8 @@ struct FileStatus {
 /// Throws Failure with the system's reason where a write has failed.
 void require_written(const FileStatus& status, std::string_view what);
 
-/// Lets files opened with access list `access` write through this driver and report to `status`.
-void use_driver(hid_t access, FileStatus& status);
+/// Lets a file opened with access list `access` be what `descriptor` has open, whatever its name leads to by then,
+/// write through this driver and report to `status`. `descriptor` stays the caller's.
+void use_driver(hid_t access, int descriptor, FileStatus& status);
 
 }  // namespace trilith::record::h5

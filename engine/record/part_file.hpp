@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "record/file_driver.hpp"
 #include "record/hdf5_handle.hpp"
@@ -18,19 +19,24 @@ void require_writable(const std::filesystem::path& name);
 /// True while another writer holds the part file at `path`.
 bool is_being_written(const std::filesystem::path& path);
 
-/// Makes a finished file durable: flushes it and its folder's entry to the disk.
-void sync_file(const std::filesystem::path& path);
+/// Opens a results file for reading as any HDF5 file; where a writer holds it or died holding it, as a reader beside
+/// that writer. Throws Failure where neither works.
+h5::Handle open_written(const std::filesystem::path& path);
 
 /// The part file, held open, locked against a second writer, and closed without fuss whatever happened before.
 class PartFile {
  public:
-  /// Creates the file, replacing one left by a killed run. Throws RecordError.
-  explicit PartFile(const std::filesystem::path& path);
+  /// Creates the part of the results file `name`. What an earlier run left there gets a name of its own, as
+  /// "run.unfinished1.h5", unless it holds no row. Throws RecordError: unwritable, another run is writing it, a file
+  /// that is not ours.
+  explicit PartFile(const std::filesystem::path& name);
   ~PartFile();
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  /// See ResultsWriter.
+  std::string kept_from_before() const;
   hid_t file() const { return file_.get(); }
   /// Switches to single-writer-multiple-reader mode: from here on no new objects.
   void start_swmr();
@@ -44,12 +50,18 @@ class PartFile {
   void abandon();
   /// Abandons and removes the file.
   void remove();
+  /// The same, and what an earlier run left gets its name back: as if this had never been.
+  void undo();
 
  private:
-  void lock();
-  void require_replaceable() const;
+  bool open_new();
+  void set_aside();
+  void lock(int descriptor) const;
+  void create();
 
-  std::filesystem::path path_;
+  std::filesystem::path name_, path_;
+  std::filesystem::path kept_;  // what an earlier run left; "": nothing
+  std::string left_;            // what it holds
   int descriptor_ = -1;
   h5::FileStatus status_;
   h5::Handle file_;

@@ -33,8 +33,8 @@ std::string state(const ResultsReader& reader) {
   if (!reader.finished())
     return fmt::format("{}: NOT finished, the run ended before its end; what follows is up to its last flush\n", path);
   std::string text = fmt::format("{}: finished\n", path);
-  if (reader.newer_part()) text += fmt::format("  a later run has left or is writing {}.part\n", path);
-  return text;
+  const std::string newer = newer_run_text(reader);
+  return newer.empty() ? text : fmt::format("{}  {}\n", text, newer);
 }
 
 std::string provenance(const Provenance& from) {
@@ -130,6 +130,13 @@ std::string notes(const std::vector<Note>& rows) {
 }
 
 }  // namespace
+
+std::string newer_run_text(const ResultsReader& reader) {
+  if (!reader.finished() || !reader.newer_part()) return "";
+  const std::string path = reader.path().string();
+  return fmt::format("these are the results of an earlier run; a later one {} {}.part",
+                     reader.newer_part_running() ? "is writing" : "ended before its end and left", path);
+}
 
 std::string info_text(const ResultsReader& reader) {
   const Header& header = reader.header();

@@ -11,4 +11,7 @@ namespace trilith::record {
 /// by type, energy and notes, as lines ending in '\n'. Throws RecordError where the file cannot be read to its end.
 std::string info_text(const ResultsReader& reader);
 
+/// A line where these are finished results beside what a later run has left or is writing; else "".
+std::string newer_run_text(const ResultsReader& reader);
+
 }  // namespace trilith::record

@@ -1,7 +1,6 @@
 #include "record/results_reader.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,19 +15,6 @@
 
 namespace trilith::record {
 namespace {
-
-// Opens as any HDF5 file; where a writer holds it or died holding it, as a reader beside that writer.
-h5::Handle open_file(const std::filesystem::path& path) {
-  const hid_t plain = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (plain >= 0) return h5::Handle(plain, H5Fclose, "");
-  const std::string why = h5::reason();
-  // The pause between attempts doubles from 1 ns: 25 attempts take 30 ms, HDF5's default of 100 would take for ever.
-  const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a property list");
-  h5::check(H5Pset_metadata_read_attempts(access.get(), 25), "cannot set the number of attempts");
-  const hid_t beside = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get());
-  if (beside >= 0) return h5::Handle(beside, H5Fclose, "");
-  throw h5::Failure(fmt::format("cannot be opened: {}; it may be cut or damaged", why));
-}
 
 void require_hdf5(const std::filesystem::path& path) {
   std::error_code error;
@@ -105,7 +91,7 @@ class ResultsReader::Body {
     guarded([&] {
       require_hdf5(path);
       file = {};
-      file = open_file(path);
+      file = open_written(path);
       require_ours(file.get());
       finished = h5::read_int(file.get(), "finished") == 1;
       header = read_header(file.get());
@@ -141,8 +127,13 @@ bool ResultsReader::running() const {
   return is_being_written(body_->path);
 }
 bool ResultsReader::newer_part() const {
-  std::error_code error;
-  return std::filesystem::exists(part_path(body_->path), error);
+  const std::filesystem::path part = part_path(body_->path);
+  std::error_code error, none;
+  const auto written = std::filesystem::last_write_time(part, none);
+  return !none && written >= std::filesystem::last_write_time(body_->path, error);
+}
+bool ResultsReader::newer_part_running() const {
+  return newer_part() && is_being_written(part_path(body_->path));
 }
 void ResultsReader::refresh() {
   body_->open();
@@ -243,17 +234,7 @@ void repair(const std::filesystem::path& from, const std::filesystem::path& to) 
   std::error_code error;
   if (std::filesystem::equivalent(reader.path(), to, error))
     throw RecordError(fmt::format("results file '{}': cannot be repaired in place; name another file", to.string()));
-  const std::filesystem::path fresh = to.string() + ".new";
-  const h5::Quiet quiet;
-  try {
-    write_clean_copy(reader.body_->file.get(), fresh, reader.finished());
-    sync_file(fresh);
-    if (::rename(fresh.c_str(), to.c_str()) != 0)
-      throw h5::Failure(fmt::format("cannot rename '{}': {}", fresh.string(), std::strerror(errno)));
-  } catch (const h5::Failure& failure) {
-    ::unlink(fresh.c_str());
-    throw RecordError(fmt::format("results file '{}': {}", to.string(), failure.what()));
-  }
+  reader.body_->guarded([&] { write_clean_copy(reader.body_->file.get(), to, reader.finished()); });
 }
 
 }  // namespace trilith::record

@@ -33,6 +33,7 @@ class ResultsReader {
   bool finished() const;                      ///< the run wrote it to its end
   bool running() const;                       ///< a writer holds it now
   bool newer_part() const;                    ///< beside this finished file a later run left, or writes, `<path>.part`
+  bool newer_part_running() const;            ///< ... and that run still goes on
   /// Sees what has been flushed since.
   void refresh();
 

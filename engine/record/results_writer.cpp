@@ -1,7 +1,6 @@
 #include "record/results_writer.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cassert>
 #include <cmath>
@@ -48,6 +47,7 @@ class ResultsWriter::Body {
   void flush();
   void finish();
   void require_open() const;
+  std::string kept_from_before() const { return file_->kept_from_before(); }
 
   std::filesystem::path path, part;
 
@@ -94,12 +94,12 @@ ResultsWriter::Body::Body(std::filesystem::path name, const Header& header, Writ
   for (const BearingRow& bearing : header.bearings) bearings_.push_back(bearing.name);
   require_writable(path);
   const h5::Quiet quiet;
-  file_.emplace(part);
+  file_.emplace(path);
   try {
     create(header);
   } catch (const std::runtime_error& failure) {
     discard();
-    file_->remove();
+    file_->undo();
     throw RecordError(fmt::format("results file '{}': {}", path.string(), failure.what()));
   }
 }
@@ -336,21 +336,13 @@ void ResultsWriter::Body::write_rows() {
 }
 
 void ResultsWriter::Body::finish() {
-  const std::filesystem::path fresh = path.string() + ".new";
+  require_open();
+  require_writable(path);  // something else may have come to stand there while the run went
   guarded([&] {
     write_rows();
     committed_.reset();
     layout_.reset();
-    try {
-      write_clean_copy(file_->file(), fresh, true);
-      sync_file(fresh);
-      if (::rename(fresh.c_str(), path.c_str()) != 0)
-        throw h5::Failure(fmt::format("cannot rename '{}': {}", fresh.string(), std::strerror(errno)));
-      sync_file(path);
-    } catch (const h5::Failure&) {
-      ::unlink(fresh.c_str());
-      throw;
-    }
+    write_clean_copy(file_->file(), path, true);
   });
   finished_ = true;
   const h5::Quiet quiet;
@@ -395,6 +387,9 @@ const std::filesystem::path& ResultsWriter::path() const {
 }
 const std::filesystem::path& ResultsWriter::part() const {
   return body_->part;
+}
+std::string ResultsWriter::kept_from_before() const {
+  return body_->kept_from_before();
 }
 
 }  // namespace trilith::record

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "record/results.hpp"
@@ -19,7 +20,8 @@ struct WriterOptions {
 /// While it runs, rows go to `<path>.part` (finished = 0), which any number of readers may follow. finish() copies
 /// them, compressed, to a clean file, marks it finished and renames it to `<path>`; only then an earlier results file
 /// of that name is replaced. A writer destroyed without finish(), or killed, leaves `<path>.part`, readable up to the
-/// last flush. After an error the writer refuses further calls with the same message; what was flushed stays readable.
+/// last flush. What an earlier run left so is not lost either: it gets a name of its own, and kept_from_before() says
+/// so. After an error the writer refuses further calls with the same message; what was flushed stays readable.
 class ResultsWriter {
  public:
   /// Creates `<path>.part` with everything of `header`. Throws RecordError (unwritable, no such folder, full disk, a
@@ -55,6 +57,8 @@ class ResultsWriter {
   const std::filesystem::path& path() const;
   /// Where the rows are now.
   const std::filesystem::path& part() const;
+  /// Says under which name the unfinished results of an earlier run are kept, where there were any; else "".
+  std::string kept_from_before() const;
 
  private:
   class Body;

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <system_error>
 
+#include "base/fresh_file.hpp"
+#include "record/file_driver.hpp"
 #include "record/growing_set.hpp"
-#include "record/part_file.hpp"
 #include "record/results_layout.hpp"
 #include "record/set_reading.hpp"
 
@@ -117,10 +119,14 @@ void require_study_path(const std::filesystem::path& path) {
 void write_study_table(const std::filesystem::path& path, const std::vector<StudyColumn>& columns,
                        const Provenance& provenance, bool complete) {
   assert(!columns.empty());
-  const std::filesystem::path part = part_path(path);
   const h5::Quiet quiet;
   try {
-    h5::Handle file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "cannot create it");
+    FreshFile fresh(path);
+    const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a property list");
+    h5::FileStatus status;
+    h5::use_driver(access.get(), fresh.descriptor(), status);
+    h5::Handle file(H5Fcreate(fresh.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
+                    "cannot create it");
     h5::write_attribute(file.get(), "format", format_name);
     h5::write_attribute(file.get(), "format_version", 1);
     h5::write_attribute(file.get(), "finished", complete ? 1 : 0);
@@ -130,8 +136,10 @@ void write_study_table(const std::filesystem::path& path, const std::vector<Stud
     write_table(file.get(), {"/cases", "", "one row for each case of the study"}, type, rows, records.data());
     write_study_provenance(file.get(), provenance);
     file.close("cannot close it");
-    sync_file(part);
-    std::filesystem::rename(part, path);
+    h5::require_written(status, "cannot be written");
+    fresh.take_place();
+  } catch (const std::system_error& e) {
+    throw RecordError(fmt::format("{}: cannot be written: {}", path.string(), e.code().message()));
   } catch (const std::exception& e) {
     throw RecordError(fmt::format("{}: {}", path.string(), e.what()));
   }

@@ -1,10 +1,12 @@
 #include "run/recording.hpp"
 
 #include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include "step/element_stress.hpp"
 #include "world/event_text.hpp"
@@ -74,6 +76,13 @@ std::span<const double> numbers(const std::vector<Vec2>& vectors) {
   return {vectors.empty() ? nullptr : vectors.front().data(), 2 * vectors.size()};
 }
 
+/// [s], to some milliseconds; read without a call of the system, so that it may be asked after every step.
+double wall_clock() {
+  struct timespec now {};
+  ::clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 record::Header whole_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options,
                             const std::optional<RecordedFields>& fields) {
   record::Header header = recording_header(model, state, options);
@@ -90,7 +99,7 @@ Recording::Recording(std::filesystem::path path, const Model<2>& model, const St
       with_velocity_(options.with_velocity),
       flush_frames_(options.flush_frames),
       flush_interval_(options.flush_seconds),
-      flushed_(std::chrono::steady_clock::now()),
+      flushed_(wall_clock()),
       drives_known_(model.drives.size()),
       time_(state.time) {}
 
@@ -100,6 +109,7 @@ RunListener Recording::listener() {
   if (!histories_.empty()) out.on_history = [this](const Instant& now) { history(now); };
   out.on_energy = [this](const Instant& now, const Energy& e) { energy(now, e); };
   out.on_event = [this](const Event& e, const Instant& now) { event(e, now); };
+  out.on_step = [this](const Instant&) { step(); };
   return out;
 }
 
@@ -127,6 +137,8 @@ void Recording::frame(const Instant& now) {
   if (fields_) row.fields = fields_->take(now, touching_);
   writer_.append_frame(row);
   ++frames_since_;
+  // With the first one on the disk, a run that is killed early can be drawn and told.
+  if (!std::exchange(has_frame_, true)) return flush();
   flush_when_due();
 }
 
@@ -249,12 +261,20 @@ void Recording::note(std::string_view text) {
   writer_.append_note(time_, text);
 }
 
+void Recording::step() {
+  if (rows_wait_) flush_when_due();
+}
+
 void Recording::flush_when_due() {
-  const auto now = std::chrono::steady_clock::now();
-  if (frames_since_ < flush_frames_ && now - flushed_ < flush_interval_) return;
+  rows_wait_ = true;
+  if (frames_since_ >= flush_frames_ || wall_clock() - flushed_ >= flush_interval_) flush();
+}
+
+void Recording::flush() {
   writer_.flush();
   frames_since_ = 0;
-  flushed_ = std::chrono::steady_clock::now();
+  rows_wait_ = false;
+  flushed_ = wall_clock();
 }
 
 void Recording::finish() {
@@ -266,7 +286,7 @@ void Recording::abandon(std::string_view why) noexcept {
   try {
     note(fmt::format("the run ended early: {}", why));
     end_stage(time_, "broken off");
-    writer_.flush();
+    flush();
   } catch (const std::exception&) {  // the writer has said it before; what was flushed stays
     stage_open_ = false;
   }

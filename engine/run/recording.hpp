@@ -1,7 +1,6 @@
 // Turns a running simulation into a results file. Reads Instant, writes nothing back.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -42,6 +41,9 @@ class Recording {
   void energy(const Instant& now, const Energy& energy);
   /// Events "stage.begun" and "stage.ended" open and close rows of the table of stages.
   void event(const Event& event, const Instant& now);
+  /// After each step: brings rows to the disk that have waited long enough, though no further ones come. Costs a look
+  /// at a coarse clock where rows wait, and nothing else.
+  void step();
   /// This file goes on where `before` was left off: its residual counts from the same start.
   void continue_ledger(const Recording& before);
   /// A line of text that belongs to the run; time of the last row.
@@ -54,6 +56,8 @@ class Recording {
 
   [[nodiscard]] const EnergyCheck& energy_check() const { return check_; }
   [[nodiscard]] const std::filesystem::path& path() const { return writer_.path(); }
+  /// See record::ResultsWriter.
+  [[nodiscard]] std::string kept_from_before() const { return writer_.kept_from_before(); }
   /// Where the rows are until finish().
   [[nodiscard]] const std::filesystem::path& part() const { return writer_.part(); }
 
@@ -65,15 +69,16 @@ class Recording {
   void take_bearings(const Instant& now);
   void take_stress(const Instant& now);
   void flush_when_due();
+  void flush();
 
   std::optional<RecordedFields> fields_;
   record::ResultsWriter writer_;
   std::vector<RecordedHistory> histories_;
   bool with_velocity_;
   int flush_frames_;
-  std::chrono::duration<double> flush_interval_;
-  std::chrono::steady_clock::time_point flushed_;
+  double flush_interval_, flushed_;  // wall clock [s]
   int frames_since_ = 0;
+  bool has_frame_ = false, rows_wait_ = false;
   std::int32_t stage_ = -1;
   bool stage_open_ = false;
   std::size_t drives_known_;

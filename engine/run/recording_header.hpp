@@ -26,8 +26,8 @@ struct RecordingOptions {
   std::vector<RecordedHistory> histories;
   bool with_velocity = false;
   bool with_joints = false;  ///< joints, what became of them, and the mean stress of bodies, in every frame
-  int flush_frames = 50;     ///< bring rows to the disk after so many frames ...
-  double flush_seconds = 2;  ///< ... or so many seconds of wall clock, whichever comes first
+  int flush_frames = 50;     ///< bring rows to the disk with the first frame, after so many more ...
+  double flush_seconds = 1;  ///< ... or so many seconds of wall clock, whichever comes first
   bool sync = true;          ///< against loss of power too
 };
 

@@ -1,8 +1,6 @@
 #include "world/checkpoint.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cerrno>
@@ -12,9 +10,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/fresh_file.hpp"
 #include "base/hash.hpp"
 #include "world/fingerprint.hpp"
 
@@ -278,50 +278,15 @@ void check_head(std::span<const std::uint64_t> words, const std::filesystem::pat
                      "set them as they were when it was saved, and change them after loading");
 }
 
-/// An open file that is closed and removed unless kept.
-class NewFile {
- public:
-  explicit NewFile(std::filesystem::path path)
-      : path_(std::move(path)), handle_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {}
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-  ~NewFile() {
-    if (handle_ >= 0) ::close(handle_);
-    if (made_ && !kept_) ::unlink(path_.c_str());
-  }
-  [[nodiscard]] bool write(std::span<const std::byte> bytes) {
-    made_ = handle_ >= 0;
-    if (!made_) return false;
-    while (!bytes.empty()) {
-      const ssize_t done = ::write(handle_, bytes.data(), bytes.size());
-      if (done < 0 && errno == EINTR) continue;
-      if (done <= 0) return false;
-      bytes = bytes.subspan(static_cast<std::size_t>(done));
-    }
-    return ::fsync(handle_) == 0;
-  }
-  [[nodiscard]] bool rename_to(const std::filesystem::path& name) {
-    const int handle = std::exchange(handle_, -1);
-    if (::close(handle) != 0 || ::rename(path_.c_str(), name.c_str()) != 0) return false;
-    kept_ = true;
-    return true;
-  }
-
- private:
-  std::filesystem::path path_;
-  int handle_;
-  bool made_ = false, kept_ = false;
-};
-
 }  // namespace
 
-void save_state(const State<2>& state, const Model<2>& model, const std::filesystem::path& path) {
+void save_state(const State<2>& state, const Model<2>& model, const std::filesystem::path& path) try {
   const std::vector<std::uint64_t> words = words_of(state, model_fingerprint(model));
-  std::filesystem::path part = path;
-  part += ".part";
-  NewFile file(part);
-  if (!file.write(std::as_bytes(std::span(words))) || !file.rename_to(path))
-    throw InputError(fmt::format("{} cannot be written: {}", title(path), std::strerror(errno)));
+  FreshFile file(path);
+  file.write({reinterpret_cast<const char*>(words.data()), words.size() * sizeof(words[0])});
+  file.take_place();
+} catch (const std::system_error& error) {
+  throw InputError(fmt::format("{} cannot be written: {}", title(path), error.code().message()));
 }
 
 State<2> load_state(const Model<2>& model, const std::filesystem::path& path) {

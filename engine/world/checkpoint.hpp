@@ -25,9 +25,9 @@ namespace trilith {
 
 inline constexpr std::uint64_t checkpoint_version = 5;
 
-/// Writes `state` of `model` to `path`: first under the name `path`.part, which is then forced to the disk and renamed,
-/// so that at any time `path` is a whole checkpoint, the old or the new one. Throws InputError where it cannot be
-/// written; then nothing is left of the new one.
+/// Writes `state` of `model` to `path`: first under a name of its own, which is then forced to the disk and renamed, so
+/// that at any time `path` is a whole checkpoint, the old or the new one. Throws InputError where it cannot be written;
+/// then nothing is left of the new one.
 void save_state(const State<2>& state, const Model<2>& model, const std::filesystem::path& path);
 
 /// Reads a state that save_state wrote. Throws InputError where the file is missing, no checkpoint, of another version

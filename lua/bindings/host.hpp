@@ -96,8 +96,11 @@ struct Host {
   /// Folder of the script, "." where it has none.
   [[nodiscard]] std::filesystem::path folder() const;
   [[nodiscard]] record::Provenance provenance(const std::vector<std::string>& motions) const;
-  /// Completes all results files or, where `error` is not "", leaves them as unfinished, with that reason.
+  /// Completes all results files or, where `error` is not "", leaves them as unfinished, with that reason. Tells the
+  /// observer what became of them.
   void finish(const std::string& error);
+  /// The same; what became of them comes back, a line for each.
+  std::vector<std::string> close(const std::string& error);
 };
 
 /// Where the project's own ground motions are: where installed, or in the source tree it was built from.

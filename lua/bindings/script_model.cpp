@@ -34,10 +34,17 @@ record::Provenance Host::provenance(const std::vector<std::string>& motions) con
 }
 
 void Host::finish(const std::string& error) {
+  for (const std::string& line : close(error))
+    if (observer != nullptr) observer->note(line);
+}
+
+std::vector<std::string> Host::close(const std::string& error) {
+  std::vector<std::string> lines;
   for (const auto& model : std::exchange(recorded, {})) {
-    const std::string said = model->finish(error);
-    if (observer != nullptr && !said.empty()) observer->note(said);
+    std::string said = model->finish(error);
+    if (!said.empty()) lines.push_back(std::move(said));
   }
+  return lines;
 }
 
 void ScriptModel::require_open(const std::string& what) const {
@@ -125,6 +132,10 @@ void ScriptModel::open_recording(Host& host) {
   options.with_joints = results->with_joints;
   if (!recorded_from_) recorded_from_ = simulation_->state();
   recording_ = std::make_unique<Recording>(results->file, simulation_->model(), *recorded_from_, std::move(options));
+  const std::string kept = recording_->kept_from_before();
+  if (kept.empty()) return;
+  if (host.observer != nullptr) host.observer->clear();
+  fmt::print(stderr, "note: {}\n", kept);
 }
 
 RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* observer) {
@@ -146,7 +157,8 @@ RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* obs
     if (observer != nullptr) observer->event(e, now);
     script.on_event(e, now);
   };
-  all.on_step = [observer, &script](const Instant& now) {
+  all.on_step = [this, observer, &script](const Instant& now) {
+    if (recording_) recording_->step();
     if (observer != nullptr) observer->step(now);
     script.on_step(now);
   };

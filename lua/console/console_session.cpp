@@ -7,6 +7,7 @@
 #include "guard.hpp"
 #include "interrupt.hpp"
 #include "open.hpp"
+#include "script_run.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -62,6 +63,7 @@ int read(lua_State* L) {
   editor.complete_with([L](const std::string& before) { return complete(L, before); });
   std::string line;
   const LineEditor::Read was = editor.read(text_at(L, 1), line);
+  if (ending_signal() != 0) end_by_signal(host);
   if (editor.terminal()) forget_interrupts();  // one that came while nothing ran
   if (was == LineEditor::Read::line)
     lua_pushlstring(L, line.data(), line.size());
@@ -132,6 +134,7 @@ ConsoleSession::ConsoleSession(lua_State* L, script::Host& host) : host_(host) {
 }
 
 bool ConsoleSession::was_interrupted() {
+  if (ending_signal() != 0) end_by_signal(host_);
   if (!editor.terminal() || interrupts() == 0) return false;
   forget_interrupts();
   return true;
@@ -187,6 +190,7 @@ bool ConsoleSession::manual(lua_State* L, const std::string& what, const std::st
 
 void ConsoleSession::on_interrupt(lua_State* L, lua_Debug* at) {
   ConsoleSession& session = session_of(L);
+  if (ending_signal() != 0) end_by_signal(session.host_);
   // A running stage pauses at its next step border; a second interrupt does not wait for it.
   if (session.host_.running > 0 && interrupts() == 1 && session.editor.terminal()) {
     lua_sethook(L, nullptr, 0, 0);

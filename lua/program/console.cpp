@@ -58,6 +58,7 @@ int run(const Options& options) {
   if (session.editor.terminal()) fmt::print("Trilith {}. `help` says what there is, Ctrl-D leaves.\n", TRILITH_VERSION);
   if (!host.script.empty()) run_before(L, host, session);
   const bool good = session.top(L) && session.failure.empty();
+  if (ending_signal() != 0) return close_by_signal(host);
   host.finish(session.failure);
   live.clear();
   if (!session.editor.terminal() && interrupts() > 0) return interrupted;

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "comma_list.hpp"
+#include "newer_run.hpp"
 #include "record/results_findings.hpp"
 #include "record/results_picture.hpp"
 #include "verbs.hpp"
@@ -79,6 +80,7 @@ int draw(const DrawOptions& options) {
   const int columns = options.columns > 0 ? options.columns : scenes.size() <= 3 ? 1 : 2;
   draw_panels(scenes, columns, style, out);
   fmt::print("{}\n", out.string());
+  tell_of_newer_run(reader);
   return ended_well;
 }
 

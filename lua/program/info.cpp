@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "newer_run.hpp"
 #include "record/event_table.hpp"
 #include "record/results_info.hpp"
 #include "record/results_picture.hpp"
@@ -22,6 +23,7 @@ int show_info(const InfoOptions& options) {
     fmt::print("{}", record::info_text(reader));
     return ended_well;
   }
+  tell_of_newer_run(reader);
   fmt::print("{}", record::event_table(options.of_note ? events_of_note(reader) : reader.events()));
   return ended_well;
 }

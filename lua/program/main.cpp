@@ -1,6 +1,10 @@
 // The program: a thin layer over the engine and its door.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -43,10 +47,18 @@ int run_program(int argc, char** argv) {
   return code;
 }
 
+/// Opens what of the standard streams is closed to /dev/null, so that no file takes its place: what is printed would
+/// go into it.
+void keep_standard_descriptors() {
+  for (int wanted = STDIN_FILENO; wanted <= STDERR_FILENO; ++wanted)
+    if (::fcntl(wanted, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0) std::_Exit(wrong_input);
+}
+
 }  // namespace
 }  // namespace trilith::program
 
 int main(int argc, char** argv) {
+  trilith::program::keep_standard_descriptors();
   try {
     return trilith::program::run_program(argc, argv);
   } catch (const std::exception& e) {

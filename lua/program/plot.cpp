@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "newer_run.hpp"
 #include "record/results_picture.hpp"
 #include "record/study_chart.hpp"
 #include "verbs.hpp"
@@ -99,6 +100,7 @@ int plot(const PlotOptions& options) {
     for (Chart& chart : charts) chart.marks = event_marks(readers[0]);
   draw_charts(charts, Arrangement::below, out);
   fmt::print("{}\n", out.string());
+  for (const record::ResultsReader& reader : readers) tell_of_newer_run(reader);
   return ended_well;
 }
 

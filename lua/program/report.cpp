@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "host.hpp"
+#include "newer_run.hpp"
 #include "record/picture_file.hpp"
 #include "share_status.hpp"
 #include "verbs.hpp"
@@ -39,6 +40,7 @@ int report(const ReportOptions& options) {
   status.clear();
   write_whole_file(out, page);
   fmt::print("{}\n", out.string());
+  tell_of_newer_run(reader);
   if (!reader.finished())
     fmt::print("the run {}: the report goes as far as it had written\n",
                reader.running() ? "still goes on" : "was stopped");

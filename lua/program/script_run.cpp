@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 
+#include "doors.hpp"
 #include "figures_reading.hpp"
 #include "guard.hpp"
 #include "interrupt.hpp"
@@ -16,11 +18,17 @@ namespace trilith::program {
 namespace {
 
 int report_error(script::Host& host, const std::string& message) {
-  const bool stopped = interrupts() > 0;
+  if (signal_code() != 0) return close_by_signal(host);
   if (host.observer != nullptr) host.observer->clear();
-  host.finish(stopped ? "interrupted" : message);
+  host.finish(message);
   fmt::print(stderr, "{}\n", message);
-  return stopped ? interrupted : wrong_input;
+  return wrong_input;
+}
+
+/// A hook. No script can catch what ends the program; an interrupt is an error.
+void on_signal(lua_State* L, lua_Debug* at) {
+  if (ending_signal() != 0) end_by_signal(script::host(L));
+  raise_interrupt(L, at);
 }
 
 /// Keeps what the script came to in the folder of its case.
@@ -43,7 +51,7 @@ int run_script(script::Host& host) {
   }
   const ScriptState state = new_script_state(host);
   lua_State* L = state.get();
-  const InterruptScope scope(L, raise_interrupt);
+  const InterruptScope scope(L, on_signal);
   if (load_script(L, host) != LUA_OK) return report_error(host, message_at_top(L));
   bool good = lua_pcall(L, 0, 1, 1) == LUA_OK;
   if (host.list_parameters) {
@@ -67,10 +75,22 @@ int run_script(script::Host& host) {
   if (!host.given_used && !host.given.empty())
     return report_error(host, fmt::format("{} declares no parameters, so '{}' has no place; see trilith.params",
                                           host.script, host.given.front()));
+  if (signal_code() != 0) return close_by_signal(host);
   host.finish("");
-  if (interrupts() > 0) return interrupted;
   write_figures(host);
   return ended_well;
+}
+
+int close_by_signal(script::Host& host) {
+  if (host.observer != nullptr) host.observer->clear();
+  const std::vector<std::string> kept = host.close(signal_text());
+  fmt::print(stderr, "{}\n", signal_text());
+  for (const std::string& line : kept) fmt::print(stderr, "{}\n", line);
+  return signal_code();
+}
+
+void end_by_signal(script::Host& host) {
+  std::exit(close_by_signal(host));
 }
 
 std::string program_path() {

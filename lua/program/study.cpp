@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <csignal>
 #include <memory>
 
 #include "assignment.hpp"
 #include "base/error.hpp"
 #include "comma_list.hpp"
+#include "interrupt.hpp"
 #include "live.hpp"
 #include "script_run.hpp"
 #include "study_order.hpp"
@@ -22,12 +22,6 @@ struct StudyOptions {
   script::StudyChoice choice;
   bool quiet = false;
 };
-
-volatile std::sig_atomic_t was_interrupted = 0;
-extern "C" void note_interrupt(int signal) {
-  std::signal(signal, SIG_DFL);
-  was_interrupted = 1;
-}
 
 /// "0.4", "0.4 g": a number, and the unit after it.
 bool read_number(const std::string& text, double& value, std::string& unit) {
@@ -91,14 +85,14 @@ int run_over(const StudyOptions& o) {
     return ended_well;
   }
   Live live(stdout, EventLines(), o.quiet);
-  std::signal(SIGINT, note_interrupt);
+  const InterruptScope scope(nullptr, nullptr);
   StudyWatch watch;
   watch.line = [&live](const std::string& text, bool strong) { live.line(text, strong); };
   watch.status = [&live](const std::string& text) { live.status(text); };
-  watch.goes_on = [] { return was_interrupted == 0; };
+  watch.goes_on = [] { return signal_code() == 0; };
   run_study(order, watch);
   live.clear();
-  return was_interrupted != 0 ? interrupted : ended_well;
+  return signal_code() != 0 ? signal_code() : ended_well;
 }
 
 /// The script says what the study is.

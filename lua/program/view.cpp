@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "newer_run.hpp"
 #include "record/picture_file.hpp"
 #include "record/view_data.hpp"
 #include "share_status.hpp"
@@ -30,6 +31,7 @@ int view(const ViewOptions& options) {
   const std::string title = std::filesystem::path(options.result).stem().string();
   write_whole_file(out, record::view_page(data, title));
   fmt::print("{}\n", out.string());
+  tell_of_newer_run(reader);
   if (!reader.finished())
     fmt::print("the run {}: the page holds what it had written\n", reader.running() ? "still goes on" : "was stopped");
   return ended_well;

@@ -44,6 +44,36 @@ TEST_CASE("trilith draw makes a picture of one moment or panels of several, in t
   CHECK(ask(here, "draw span.h5 --view=-2,-1,4,7 -o view.svg").code == 0);
 }
 
+TEST_CASE("what shows finished results says so where a later run has left a part beside them") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  testing::record_falling_span(here / "span.h5");
+  std::filesystem::copy_file(here / "span.h5", here / "other.h5");
+  const auto note_of = [&](const char* arguments) {
+    const Said said = ask(here.path, arguments);
+    CHECK_MESSAGE(said.code == 0, said.err);
+    return said.err;
+  };
+  const std::vector<const char*> verbs{"draw span.h5",   "plot span.h5",          "view span.h5",
+                                       "report span.h5", "info span.h5 --events", "plot other.h5 -r span.h5"};
+  for (const char* verb : verbs) CHECK_MESSAGE(note_of(verb).empty(), verb);
+  {
+    const record::Header header = record::sample_header();
+    record::ResultsWriter writer(here / "span.h5", header);
+    record::SampleRow(header, 0).append_to(writer);
+    for (const char* verb : verbs)
+      CHECK(note_of(verb).find("a later one is writing span.h5.part") != std::string::npos);
+  }
+  for (const char* verb : verbs) {
+    const std::string note = note_of(verb);
+    CHECK(note ==
+          "note: span.h5: these are the results of an earlier run; a later one ended before its end and left "
+          "span.h5.part\n");
+  }
+  CHECK(ask(here.path, "info span.h5").says("a later one ended before its end and left span.h5.part"));
+  CHECK(note_of("draw span.h5.part").empty());
+}
+
 TEST_CASE("trilith draw refuses times, stages, views and files that are not there, in one line") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
+
 #include "record/provenance.hpp"
 #include "record/sample_run.hpp"
 
@@ -54,8 +56,27 @@ TEST_CASE("the info text of a finished file mentions a later run beside it") {
   ResultsWriter(folder / "run.h5", header).finish();
   CHECK(says(info_text(ResultsReader(folder / "run.h5")), "run.h5: finished"));
   CHECK(!says(info_text(ResultsReader(folder / "run.h5")), "later run"));
+  CHECK(newer_run_text(ResultsReader(folder / "run.h5")).empty());
+  {
+    const ResultsWriter writer(folder / "run.h5", header);
+    CHECK(says(newer_run_text(ResultsReader(folder / "run.h5")), "a later one is writing"));
+    CHECK(newer_run_text(ResultsReader(folder / "run.h5.part")).empty());
+  }
+  CHECK(says(info_text(ResultsReader(folder / "run.h5")), "a later one ended before its end and left"));
+}
+
+TEST_CASE("a part that is older than the finished file beside it is no later run") {
+  const Folder folder;
+  const Header header = sample_header();
   { const ResultsWriter writer(folder / "run.h5", header); }
-  CHECK(says(info_text(ResultsReader(folder / "run.h5")), "a later run has left or is writing"));
+  std::filesystem::rename(folder / "run.h5.part", folder / "old");
+  ResultsWriter(folder / "run.h5", header).finish();
+  std::filesystem::rename(folder / "old", folder / "run.h5.part");
+  const auto finished = std::filesystem::last_write_time(folder / "run.h5");
+  std::filesystem::last_write_time(folder / "run.h5.part", finished - std::chrono::seconds(1));
+  CHECK(newer_run_text(ResultsReader(folder / "run.h5")).empty());
+  std::filesystem::last_write_time(folder / "run.h5.part", finished + std::chrono::seconds(1));
+  CHECK_FALSE(newer_run_text(ResultsReader(folder / "run.h5")).empty());
 }
 
 TEST_CASE("the program knows its compiler, its platform and the time") {

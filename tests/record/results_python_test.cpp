@@ -98,3 +98,26 @@ assert f.attrs["finished"] == 0 and f["frames/position"].shape == (30, 3, 2)
 )";
   CHECK(run_python(folder, plain, "") == 0);
 }
+
+TEST_CASE("a data set without width is damage that repair names and leaves no file of") {
+  if (!has_python()) return;
+  const Folder folder;
+  const Header header = sample_header();
+  {
+    ResultsWriter writer(folder / "run.h5", header);
+    append_rows(writer, header, 4);
+    writer.finish();
+  }
+  const char* narrow = R"(
+import h5py
+f = h5py.File("run.h5", "r+")
+attributes = dict(f["frames/velocity"].attrs)
+del f["frames/velocity"]
+d = f.create_dataset("frames/velocity", (4, 0, 3), "f8")
+for name, value in attributes.items(): d.attrs[name] = value
+)";
+  REQUIRE(run_python(folder, narrow, "") == 0);
+  CHECK_THROWS_WITH_AS(repair(folder / "run.h5", folder / "copy.h5"),
+                       doctest::Contains("run.h5': velocity is damaged: its rows have no width"), RecordError);
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path), std::filesystem::directory_iterator()) == 2);
+}

@@ -145,6 +145,56 @@ TEST_CASE("a killed run can be read up to its last flush") {
   CHECK(reader.events().size() >= 2);
 }
 
+TEST_CASE("the first frame is safe before the first step") {
+  const record::Folder folder;
+  Simulation simulation(dropped_block(0.3));
+  Recording recording(folder / "fall.h5", simulation.model(), simulation.state(), options());
+  RunListener listener = recording.listener();
+  std::size_t frames = 0, events = 0;
+  listener.on_step = [&](const Instant&) {
+    const record::ResultsReader reader(folder / "fall.h5");
+    frames = reader.frame_count();
+    events = reader.events().size();
+    simulation.stop();
+  };
+  listener.on_energy = [&, inner = listener.on_energy](const Instant& now, const Energy& e) {
+    if (frames == 0) CHECK(record::ResultsReader(folder / "fall.h5").frame_count() == 1);
+    inner(now, e);
+  };
+  simulation.run(fall_stage(), listener);
+  CHECK(frames == 1);
+  CHECK(events == 1);
+}
+
+TEST_CASE("rows that wait reach the disk in time though no further ones come") {
+  for (const bool soon : {true, false}) {
+    const record::Folder folder;
+    Simulation simulation(dropped_block(0.3));
+    RecordingOptions o = options();
+    o.flush_seconds = soon ? 0.02 : 1e9;
+    Recording recording(folder / "fall.h5", simulation.model(), simulation.state(), std::move(o));
+    RunListener listener = recording.listener();
+    const auto hit = [&] { return record::ResultsReader(folder / "fall.h5").events().size() > 1; };
+    bool has_hit = false, seen = false;
+    listener.on_event = [&, inner = listener.on_event](const Event& e, const Instant& now) {
+      inner(e, now);
+      has_hit = has_hit || e.type == EventType::impact;
+    };
+    listener.on_step = [&](const Instant&) {
+      if (!has_hit) return;
+      for (int i = 0; !seen && (soon || i < 50); ++i) {  // steps of a run that records nothing more
+        recording.step();
+        seen = hit();
+      }
+      simulation.stop();
+    };
+    StageOptions stage = fall_stage();
+    stage.frame_interval = stage.history_interval = stage.energy_interval = 100;
+    simulation.run(stage, listener);
+    CHECK(seen == soon);
+  }
+}
+
 TEST_CASE("an abandoned recording says why and stays unfinished") {
   const record::Folder folder;
   {
