@@ -30,7 +30,7 @@ bool PushoverRecorder::step(const Instant& now) {
     begun_ = true;
     first_place_ = at->origin + at->motion->displacement(0);
     first_drift_ = drift;
-    next_ = now.state.time - now.dt + interval_;
+    next_ = now.state.time - now.state.last_dt + interval_;
   }
   const double dt = now.dt;
   time_ += dt * now.state.time, displacement_ += dt * (place - first_place_), force_ += dt * now.work.push_force[index];

@@ -18,13 +18,20 @@ namespace {
 
 /// The step is looked at anew every so many steps.
 constexpr std::int64_t steps_between_estimates = 32;
+/// The largest share of the longest stable step: above it impacts miss their energy by a fifth.
+constexpr double longest_safety = 0.9;
+/// A step below this [s], or below this share of its stage, is no step: time would stand still.
+constexpr double shortest_step = 1e-12, shortest_share = 1e-9;
 
 void check(const StageOptions& o) {
   const std::string owner = fmt::format("stage '{}'", o.name);
   require_positive(o.duration, owner + ": duration", "s");
   require_not_negative(o.dt, owner + ": dt", "s");
-  if (!(o.safety > 0 && o.safety <= 1))
-    throw InputError(fmt::format("{}: safety is {:g}, must be above 0 and at most 1", owner, o.safety));
+  if (!(o.safety > 0 && o.safety <= longest_safety))
+    throw InputError(
+        fmt::format("{}: safety is {:g}, must be above 0 and at most {:g}: close to 1 a step is stable and yet "
+                    "too coarse to keep energy",
+                    owner, o.safety, longest_safety));
   if (!(o.rest_share >= 0 && o.rest_share < 1))
     throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
   for (const double v : {o.frame_interval, o.history_interval, o.energy_interval})
@@ -60,9 +67,14 @@ Simulation::Simulation(Model<2> model, State<2> state)
 
 Model<2>& Simulation::edit_model() {
   assert(!running_ || at_border_);
-  work_.valid = false;
-  kept_model_.reset();
+  edited();
   return model_;
+}
+
+/// The model has another content from now on.
+void Simulation::edited() {
+  work_.valid = evaluated_ = false;
+  kept_model_.reset();
 }
 
 void Simulation::edit(const std::function<void(Model<2>&)>& change) {
@@ -82,27 +94,64 @@ void Simulation::set_bonds(double reach) {
   drop_work();
 }
 
+/// evaluate, then the length of the step to come, then the forces of displacement control, which depend on it.
 void Simulation::refresh() {
-  evaluate(model_, state_, work_, state_.last_dt);
-  const double dt = state_.dt > 0 ? state_.dt : state_.last_dt;
-  if (dt > 0) lead(model_, state_, work_, {dt, {}});
-}
-void Simulation::drop_work() {
-  work_ = Work<2>{};
+  if (evaluated_) return;
+  evaluate(model_, state_, work_, state_.last_dt, times_);
+  StepClock clock(times_);
+  next_ = choose_step();
+  clock.mark(StepPart::estimate);
+  if (next_.dt > 0) lead(model_, state_, work_, {step_length(), rest_});
+  evaluated_ = true;
 }
 
-void Simulation::choose_step(const StageOptions& options) {
+void Simulation::drop_work() {
+  work_ = Work<2>{};
+  evaluated_ = false;
+}
+
+/// As it was found before, but where a running stage asks for another one or some steps have gone by.
+NextStep Simulation::choose_step() const {
+  if (!stage_) return {state_.dt, state_.safety, 0};
+  const StageOptions& options = stage_->options;
   // A stage that asks for another step than the one before is heard at once.
   const double safety = options.dt > 0 ? 0 : options.safety;
   const bool other = state_.safety != safety || (options.dt > 0 && state_.dt != options.dt);
-  if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return;
-  const StableStep s = stable_step(model_, state_, work_);
-  if (options.dt > s.dt)
+  if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return {state_.dt, state_.safety, 0};
+  const double longest = stable_step(model_, state_, work_).dt;
+  return {options.dt > 0 ? options.dt : settled_step(longest, options.safety), safety, longest};
+}
+
+/// The step to come ends with the stage at the latest.
+double Simulation::step_length() const {
+  if (!stage_ || state_.time >= stage_->end - 1e-9 * stage_->options.duration) return next_.dt;
+  return std::min(next_.dt, stage_->end - state_.time);
+}
+
+/// Throws InputError where the step to come is longer than a stable one, or so short that no stage would end.
+void Simulation::require_step(const StageOptions& options) const {
+  if (next_.longest == 0) return;
+  if (options.dt > next_.longest)
     throw InputError(fmt::format(
         "stage '{}': dt is {:g} s, the longest stable step is {:.4g} s at t = {:.4g} s; leave dt out, or: {}",
-        options.name, options.dt, s.dt, state_.time, explain_step(model_, state_, work_)));
-  state_.dt = options.dt > 0 ? options.dt : settled_step(s.dt, options.safety);
-  state_.safety = safety;
+        options.name, options.dt, next_.longest, state_.time, explain_step(model_, state_, work_)));
+  const double shortest = std::max(shortest_step, shortest_share * options.duration);
+  if (next_.dt < shortest)
+    throw InputError(fmt::format(
+        "stage '{}': the step is {:.3g} s at t = {:.4g} s, must be at least {:.3g} s ({:g} s, and {:g} of the "
+        "stage's {:g} s), or it would hardly end; see what governs the step, and whether its stiffness "
+        "has the unit that was meant: {}",
+        options.name, next_.dt, state_.time, shortest, shortest_step, shortest_share, options.duration,
+        explain_step(model_, state_, work_)));
+}
+
+Energy Simulation::energy() const {
+  return energy_now(model_, state_, work_, {step_length(), rest_});
+}
+
+Instant Simulation::instant() const {
+  const double ratio = work_.carried > 0 ? work_.unbalanced / work_.carried : 0;
+  return {model_, state_, work_, stage_->options, stage_->report.begun, step_length(), work_.fastest_moving, ratio};
 }
 
 void Simulation::tell(EventType type, const std::string& text, const RunListener& listener, const Instant& now) {
@@ -115,17 +164,12 @@ void Simulation::tell(EventType type, const std::string& text, const RunListener
   if (listener.on_event) listener.on_event(e, now);
 }
 
-void Simulation::tell_events(const RunListener& listener, const Instant& now) {
-  for (Event& e : work_.events) {
-    causes_.name(e);
-    if (listener.on_event) listener.on_event(e, now);
-  }
-}
-
 StageReport Simulation::run(const StageOptions& options, const RunListener& listener) {
   check(options);
   assert(!running_);
   stage_.emplace(options, state_.time);
+  rest_ = {options.rest_share};
+  evaluated_ = false;
   return go_on(listener);
 }
 
@@ -166,7 +210,7 @@ void Simulation::run_on(const RunListener& listener, const RunLimit& limit) {
 
 Snapshot Simulation::snapshot() {
   if (!kept_model_) kept_model_ = std::make_shared<const Model<2>>(model_);
-  return {state_, kept_model_, causes_, stage_};
+  return {state_, kept_model_, causes_, stage_, rest_};
 }
 
 void Simulation::restore(const Snapshot& snapshot) {
@@ -176,6 +220,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   kept_model_ = snapshot.model;
   causes_ = snapshot.causes;
   stage_ = snapshot.stage;
+  rest_ = snapshot.rest;
   drop_work();
 }
 
@@ -206,32 +251,34 @@ void Simulation::tell_samples(const RunListener& listener, const Instant& now, b
   if ((stage.histories.due(state_.time, now.dt) || (ends && options.history_interval > 0)) && listener.on_history)
     listener.on_history(now);
   if ((stage.energies.due(state_.time, now.dt) || (ends && options.energy_interval > 0)) && listener.on_energy)
-    listener.on_energy(now, energy_now(model_, state_, work_, {now.dt, {options.rest_share}}));
+    listener.on_energy(now, energy());
+}
+
+/// After a step, with the new state evaluated: tells what happened in it. What handlers read is of one instant, that of
+/// the state; what they change holds from the next step on, which is then looked at anew.
+void Simulation::tell_step(const RunListener& listener) {
+  StepClock clock(times_);
+  const Instant now = instant();
+  for (Event& e : work_.events) {
+    causes_.name(e);
+    if (listener.on_event) listener.on_event(e, now);
+  }
+  if (listener.on_step) listener.on_step(now);
+  if (listener.change_model && listener.change_model(model_)) edited();
+  clock.mark(StepPart::listen);
 }
 
 /// From one step border to the next, or to the end of the stage.
 void Simulation::pass(const RunListener& listener) {
   StageProgress& stage = *stage_;
-  const StageOptions& options = stage.options;
   StageReport& report = stage.report;
-  evaluate(model_, state_, work_, state_.last_dt, times_);
+  refresh();
+  require_step(stage.options);
   StepClock clock(times_);
-  choose_step(options);
-  clock.mark(StepPart::estimate);
-  const bool last = state_.time >= stage.end - 1e-9 * options.duration;
-  const double dt = last ? state_.dt : std::min(state_.dt, stage.end - state_.time);
-  lead(model_, state_, work_, {dt, {options.rest_share}});
-  const Instant now{model_,
-                    state_,
-                    work_,
-                    options,
-                    report.begun,
-                    dt,
-                    work_.fastest_moving,
-                    work_.carried > 0 ? work_.unbalanced / work_.carried : 0};
+  const Instant now = instant();
   report.speed = now.speed;
   report.ratio = now.ratio;
-  if (stage.first) tell(EventType::stage_begun, options.name, listener, now);
+  if (stage.first) tell(EventType::stage_begun, stage.options.name, listener, now);
   const bool over = ends(now);
   stage.first = false;
   if (!over || report.end != StageEnd::diverged) tell_samples(listener, now, over);
@@ -239,21 +286,18 @@ void Simulation::pass(const RunListener& listener) {
   if (over) {
     report.ended = state_.time;
     stage.over = true;
-    tell(EventType::stage_ended, fmt::format("{}: {}", options.name, name_of(report.end)), listener, now);
+    tell(EventType::stage_ended, fmt::format("{}: {}", stage.options.name, name_of(report.end)), listener, now);
     return;
   }
-  report.shortest_dt = report.steps == 0 ? dt : std::min(report.shortest_dt, dt);
-  report.longest_dt = std::max(report.longest_dt, dt);
+  report.shortest_dt = report.steps == 0 ? now.dt : std::min(report.shortest_dt, now.dt);
+  report.longest_dt = std::max(report.longest_dt, now.dt);
   ++report.steps;
-  advance(model_, state_, work_, {dt, {options.rest_share}}, times_);
-  clock.skip();
-  if (!work_.events.empty()) tell_events(listener, now);
-  if (listener.on_step) listener.on_step(now);
-  if (listener.change_model && listener.change_model(model_)) {
-    work_.valid = false;
-    kept_model_.reset();
-  }
-  clock.mark(StepPart::listen);
+  state_.dt = next_.dt;
+  state_.safety = next_.safety;
+  evaluated_ = false;
+  advance(model_, state_, work_, {now.dt, rest_}, times_);
+  refresh();
+  tell_step(listener);
   if (times_ != nullptr) ++times_->steps;
   if (!listener.at_border) return;
   const Flagged border(at_border_);

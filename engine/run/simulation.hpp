@@ -11,6 +11,7 @@
 #include "run/causes.hpp"
 #include "run/stage.hpp"
 #include "run/stage_progress.hpp"
+#include "step/central_difference.hpp"
 #include "step/step_times.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
@@ -24,6 +25,7 @@ struct Snapshot {
   std::shared_ptr<const Model<2>> model;  ///< as it was then; shared by all snapshots between two changes of it
   Causes causes;
   std::optional<StageProgress> stage;  ///< the stage that ran then
+  RestDamping rest;                    ///< of that stage, or of the last one
 };
 
 /// Where a nested run pauses: the first limit that is reached. Counted from its call.
@@ -31,6 +33,13 @@ struct RunLimit {
   std::int64_t steps = 0;       ///< 0: no limit
   double time = unbounded;      ///< [s]
   std::function<bool()> leave;  ///< pauses once this gives true
+};
+
+/// The step to come, as State will have it once it is taken.
+struct NextStep {
+  double dt = 0;       ///< [s]; 0: there is none yet
+  double safety = 0;   ///< see State::safety
+  double longest = 0;  ///< the longest stable one [s], where it was looked for just now; else 0
 };
 
 class Simulation {
@@ -73,8 +82,12 @@ class Simulation {
   void measure(StepTimes* times) { times_ = times; }
   /// Asks a running stage to end at the next step border. May be called from a signal handler or another thread.
   void stop() { stop_.store(true, std::memory_order_relaxed); }
-  /// Evaluates at the present pose, so that forces and contacts can be read before the first step.
+  /// Everything that can be read is of one instant from then on: the present state, evaluated, with the forces of the
+  /// step to come. Changes no bit of State; costs nothing where it was done. Handlers find it done, histories see the
+  /// same.
   void refresh();
+  /// The ledger at the present instant, as the energy history has it. After refresh().
+  [[nodiscard]] Energy energy() const;
   /// Drops everything that is not State; no result changes by it.
   void drop_work();
 
@@ -83,8 +96,12 @@ class Simulation {
   void pass(const RunListener& listener);
   bool ends(const Instant& now);
   void tell_samples(const RunListener& listener, const Instant& now, bool ends);
-  void choose_step(const StageOptions& options);
-  void tell_events(const RunListener& listener, const Instant& now);
+  [[nodiscard]] NextStep choose_step() const;
+  [[nodiscard]] double step_length() const;
+  [[nodiscard]] Instant instant() const;
+  void require_step(const StageOptions& options) const;
+  void tell_step(const RunListener& listener);
+  void edited();
   void tell(EventType type, const std::string& text, const RunListener& listener, const Instant& now);
 
   Model<2> model_;
@@ -94,6 +111,9 @@ class Simulation {
   std::optional<StageProgress> stage_;
   std::shared_ptr<const Model<2>> kept_model_;  // a copy of model_, where none was changed since
   StepTimes* times_ = nullptr;
+  NextStep next_;           // found by refresh()
+  RestDamping rest_;        // of the present stage, or of the last one
+  bool evaluated_ = false;  // work_ and next_ are those of state_ and model_
   std::atomic<bool> stop_{false};
   bool running_ = false, at_border_ = false;
 };

@@ -21,7 +21,7 @@ struct StageOptions {
   double duration = 0;    ///< longest time the stage may last [s], above 0
   double end_time = 0;    ///< it ends at this time, where that is above the present one; else after `duration` [s]
   double dt = 0;          ///< fixed step [s]; 0: found and kept stable by itself
-  double safety = 0.5;    ///< share of the longest stable step that is taken, 0 to 1. At 0.5 a bounce keeps its
+  double safety = 0.5;    ///< share of the longest stable step that is taken, above 0 to 0.9. At 0.5 a bounce keeps its
                           ///< energy to some percent, at 0.1 to a tenth of one
   double rest_share = 0;  ///< damping of consolidation (RestDamping), 0 to below 1
 
@@ -58,8 +58,9 @@ struct Instant {
   double ratio;  ///< unbalanced force over largest carried force
 };
 
-/// Who listens to a run. All are called between evaluations, in this order; none may write State, Model or Work, but
-/// for change_model, which is the step border: what it changes holds from the next evaluation on.
+/// Who listens to a run. All are called at an evaluated instant, in this order; none may write State, Model or Work, but
+/// for change_model, which is the step border: what it changes holds from then on. Events tell of the step behind, the
+/// instant they come with is the one after it.
 struct RunListener {
   std::function<void(const Instant&)> on_frame, on_history;
   std::function<void(const Instant&, const Energy&)> on_energy;

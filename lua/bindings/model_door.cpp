@@ -5,7 +5,6 @@
 #include "body_reading.hpp"
 #include "doors.hpp"
 #include "model_door.hpp"
-#include "step/central_difference.hpp"
 #include "step/stable_step.hpp"
 
 namespace trilith::script {
@@ -26,8 +25,7 @@ double ratio_of(const ModelBox& m) {
 }
 
 Energy energy_of(ScriptModel& m) {
-  const Simulation& s = m.evaluated();
-  return energy_now(s.model(), s.state(), s.work(), {s.state().last_dt, {m.rest_share()}});
+  return m.evaluated().energy();
 }
 
 /// All terms of the ledger [J] by name, and their residual.

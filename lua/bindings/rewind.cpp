@@ -66,14 +66,12 @@ double ScriptModel::rewind(double time, Host& host) {
   for (History& h : histories) h.values.resize(std::min(h.values.size(), found.samples));
   timers = found.timers;
   wake_at = found.wake_at;
-  rest_share_ = found.snapshot.stage->options.rest_share;
   const auto begun = static_cast<std::size_t>(
       std::count_if(events.begin(), events.end(), [](const Event& e) { return e.type == EventType::stage_begun; }));
   stages_run_.resize(begun);
   branch.checkpoints = checkpoints.take_after(to);
   branch.checkpoints.push_back(std::move(end));
   undone = std::move(branch);
-  stale_ = true;
   broken_.clear();
   if (recording_) {
     const std::unique_ptr<Recording> before = std::move(recording_);

@@ -58,15 +58,13 @@ void ScriptModel::require_open(const std::string& what) const {
 Simulation& ScriptModel::simulation() {
   if (!simulation_) {
     simulation_ = std::make_unique<Simulation>(builder.build());
-    stale_ = true;
   }
   return *simulation_;
 }
 
 const Simulation& ScriptModel::evaluated() {
   Simulation& s = simulation();
-  if ((!running_ || paused_) && stale_) s.refresh();
-  stale_ = false;
+  s.refresh();
   return s;
 }
 
@@ -82,7 +80,6 @@ void ScriptModel::change(std::function<void(Model<2>&)> what) {
     return;
   }
   what(simulation().edit_model());
-  stale_ = true;
 }
 
 Model<2> ScriptModel::lone_body(int body) const {
@@ -208,7 +205,6 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
     options.energy_interval = results->energy;
   }
   if (host.console != nullptr && !checkpoints_chosen) checkpoints.on = true;
-  rest_share_ = options.rest_share;
   if (host.profile.wanted) {
     s.measure(&host.profile.times);
     host.profile.laws = s.model().law_names;
@@ -224,7 +220,6 @@ StageReport ScriptModel::guarded_run(const std::function<StageReport()>& go, Hos
     Scope& operator=(const Scope&) = delete;
     ~Scope() {
       model.running_ = false;
-      model.stale_ = true;
       model.changes_.clear();
     }
   } scope(*this);
@@ -246,13 +241,13 @@ void ScriptModel::run_on(const RunLimit& limit, const RunListener& listener, Hos
   paused_ = false;
   struct Scope {
     ScriptModel& model;
-    ~Scope() { model.paused_ = model.stale_ = true; }
+    ~Scope() { model.paused_ = true; }
   } scope{*this};
   simulation_->run_on(listen_with(listener, host.observer), limit);
 }
 
 void ScriptModel::pause(const std::function<void()>& ask) {
-  paused_ = stale_ = true;
+  paused_ = true;
   struct Scope {
     bool& paused;
     ~Scope() { paused = false; }

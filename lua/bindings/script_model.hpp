@@ -118,8 +118,6 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   void break_off(const std::string& why) { broken_ = why; }
   /// Ends the recording, if any; see Host::finish. What became of it, in words; "" where there is none.
   std::string finish(const std::string& error);
-  /// Damping of consolidation in the last stage, for the ledger.
-  [[nodiscard]] double rest_share() const { return rest_share_; }
 
  private:
   void begin_recording(Host& host);
@@ -136,8 +134,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Recording> recording_;
   std::optional<Findings> findings_;
-  bool running_ = false, paused_ = false, stale_ = true, recording_begun_ = false;
-  double rest_share_ = 0;
+  bool running_ = false, paused_ = false, recording_begun_ = false;
   std::optional<State<2>> recorded_from_;  // where all branches of the results begin
   int branches_ = 1;                       // files of results so far
   std::vector<StageOptions> stages_run_;   // one for each event "stage.begun"

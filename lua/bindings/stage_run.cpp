@@ -77,7 +77,7 @@ class Handlers {
     l.on_event = [this](const Event& e, const Instant&) { event(e); };
     l.on_step = [this](const Instant& now) {
       if (model_.watch) model_.watch(now);
-      step(now.state.time, now.dt);
+      step(now.state.time, now.state.last_dt);
     };
     l.on_history = [this](const Instant&) { sample_functions(); };
     if (host_.console != nullptr) l.at_border = [this, nested] { border(nested); };

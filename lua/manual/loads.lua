@@ -48,5 +48,5 @@ samples       integer?         of the curve
 damping       number = 0.8     share of the unbalanced force that brakes each body
 name          text?            what results call it
 dt            number s?        fixed step
-safety        number = 0.5     share of the longest stable step]], gives = "report" },
+safety        number = 0.5     share of the longest stable step, at most 0.9]], gives = "report" },
 }

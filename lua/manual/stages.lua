@@ -14,7 +14,7 @@ to          number s?     or until this time
 name        text = "run"  what results call it
 damping     number = 0    share of the unbalanced force that brakes each body
 dt          number s?     fixed step; found by itself where left out
-safety      number = 0.5  share of the longest stable step
+safety      number = 0.5  share of the longest stable step, at most 0.9
 until_rest  rest?         end at rest: ]] .. rest, gives = "report" },
   { "model:consolidate", "To rest under dead load, with a damping of its own.", keys = [[
 duration  number s = 60           at most
@@ -26,7 +26,7 @@ grow      number s = 0.5          gravity comes on over this time
 fresh     flag = false            mortar is fresh: joints are bonded as they stand at the end
 name      text = "consolidation"  what results call it
 dt        number s?               fixed step
-safety    number = 0.5            share of the longest stable step]], gives = "report" },
+safety    number = 0.5            share of the longest stable step, at most 0.9]], gives = "report" },
   { "model:shake", "Bodies follow ground motions.", keys = drive .. [[
 
 duration  number s?       how long; to the end of the motions where left out
@@ -34,7 +34,7 @@ still     rest?           end at rest after the motions: ]] .. rest .. [[
 
 name      text = "shake"  what results call it
 dt        number s?       fixed step
-safety    number = 0.5    share of the longest stable step]], gives = "report" },
+safety    number = 0.5    share of the longest stable step, at most 0.9]], gives = "report" },
   { "model:drive", "A body follows a motion from now on.", keys = drive },
   { "model:fix", "Holds bodies, in some directions or all.", args = [[
 bodies      bodies  a body, set, name, group or list of these
