@@ -1,7 +1,9 @@
 // trilith study SCRIPT [NAME=VALUE ...] [--over NAME=V1,V2,...]
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
 
 #include "assignment.hpp"
@@ -32,18 +34,29 @@ bool read_number(const std::string& text, double& value, std::string& unit) {
   return true;
 }
 
-/// "1..8" as whole numbers; false where it is something else.
+/// "1..8" as whole numbers, "0.1..0.5:5" as five evenly spaced ones; false where it is something else.
 bool read_range(const std::string& text, std::vector<StudyValue>& values) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) return false;
+  const std::size_t colon = std::min(text.find(':', dots), text.size());
   const std::string what = fmt::format("study: '{}'", text);
-  const double from = number_of(text.substr(0, dots), what), to = number_of(text.substr(dots + 2), what);
-  if (!(to >= from) || to - from > 1e6) throw InputError(what + ": the second number must be above the first");
-  for (double v = from; v <= to; ++v) values.emplace_back(v);
+  const double from = number_of(text.substr(0, dots), what),
+               to = number_of(text.substr(dots + 2, colon - dots - 2), what);
+  if (!(to >= from)) throw InputError(what + ": the second number must be above the first");
+  const auto is_whole = [](double v) { return v == std::floor(v); };
+  if (colon == text.size() && !(is_whole(from) && is_whole(to)))
+    throw InputError(fmt::format("{} does not say how many values; write {}:5 for five, evenly spaced", what, text));
+  const double count = colon == text.size() ? to - from + 1 : number_of(text.substr(colon + 1), what);
+  if (count == 1 && from == to) return values.emplace_back(from), true;
+  if (!(is_whole(count) && count >= 2 && count <= 1e6))
+    throw InputError(fmt::format("{}: {:g} values, must be a whole number from 2 to 1000000", what, count));
+  // Twelve digits, so that what is 0.3 in decimals is not 0.30000000000000004.
+  for (double i = 0, last = count - 1; i < count; ++i)
+    values.emplace_back(number_of(fmt::format("{:.12g}", (from * (last - i) + to * i) / last), what));
   return true;
 }
 
-/// "mu=0.2,0.4,0.6", "copy=1..8", "base=rocking,bonded", "pga=0.4g,0.6g".
+/// "mu=0.2,0.4,0.6", "copy=1..8", "zeta=0.1..0.5:5", "base=rocking,bonded", "pga=0.4g,0.6g".
 StudyParameter parameter_of(const std::string& text) {
   StudyParameter p{text.substr(0, text.find('=')), "", {}};
   const std::string list = text.substr(p.name.size() + 1);
@@ -127,9 +140,9 @@ void add_study(CLI::App& app, int& code) {
   verb->add_option("parameters", o->given, "parameters that are the same in all cases")
       ->type_name("NAME=VALUE")
       ->check(CLI::Validator(is_assignment, "", ""));
-  verb->add_option(
-          "--over", o->over,
-          "a parameter and its values, as in mu=0.2,0.4 or copy=1..8; given again: every value with every other")
+  verb->add_option("--over", o->over,
+                   "a parameter and its values, as in mu=0.2,0.4 or copy=1..8 or zeta=0.1..0.5:5 (how many); given "
+                   "again: every value with every other")
       ->type_name("NAME=VALUES")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
