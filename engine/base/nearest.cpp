@@ -35,6 +35,10 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
       best = name;
     }
   }
+  if (!best.empty() || given.size() < 3) return best;
+  // Nothing is spelled alike: a word broken off may stand for the only one that begins so.
+  const auto begins = [&](const std::string& name) { return name.starts_with(given); };
+  if (std::count_if(known.begin(), known.end(), begins) == 1) best = *std::find_if(known.begin(), known.end(), begins);
   return best;
 }
 

@@ -11,7 +11,8 @@ namespace trilith {
 /// (restricted Damerau-Levenshtein distance).
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The nearest of `known` to `given`, or "" where none is within a third of its length (at least 1).
+/// The nearest of `known` to `given`; where none is within a third of its length (at least 1), the only one that begins
+/// with it, if it has three letters; else "".
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known);
 
 /// "; did you mean 'height'?" or, where nothing is near, "; known: a, b, c".

@@ -8,25 +8,14 @@
 #include "base/nearest.hpp"
 #include "contact/overlap_pair.hpp"
 #include "shape/convex_parts.hpp"
-#include "shape/overlap.hpp"
 #include "world/check.hpp"
 #include "world/element_rows.hpp"
 #include "world/flatness.hpp"
-#include "world/pose.hpp"
+#include "world/names.hpp"
+#include "world/usual.hpp"
 
 namespace trilith {
 namespace {
-
-void require_name(const std::string& name, std::string_view kind) {
-  if (name.empty()) throw InputError(fmt::format("{} without a name; give each one of its own", kind));
-}
-
-template <class Rows, class Name>
-void require_new(const Rows& rows, const std::string& name, std::string_view kind, Name&& name_of) {
-  for (const auto& row : rows)
-    if (name_of(row) == name)
-      throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
-}
 
 double mass_of(const BodySpec& spec, double area, double thickness, const std::vector<Material>& materials) {
   const std::string owner = fmt::format("body '{}'", spec.name);
@@ -39,25 +28,6 @@ double mass_of(const BodySpec& spec, double area, double thickness, const std::v
   for (const Material& m : materials)
     if (m.name == spec.material) return m.density * volume;
   throw InputError(fmt::format("{}: give a density, mass or weight, or a material that has a density", owner));
-}
-
-/// The piece of a body whose surface faces come nearest to a point at the start.
-int piece_at(const Model<2>& model, int body, const Vec2& point) {
-  const Body& b = model.bodies[body];
-  int best = b.first_piece;
-  double least = unbounded;
-  for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
-    for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
-      if (model.edge_is_face[first + c] == 0) continue;
-      const auto place = [&](int corner) {
-        const int skin = model.corner_skin[first + corner % count];
-        return Vec2(model.start_position[model.skin_node[skin]] + model.skin_place[skin]);
-      };
-      const std::array face{place(c), place(c + 1)};
-      const double distance = boundary_point(face, point).distance;
-      if (distance < least) least = distance, best = piece;
-    }
-  return best;
 }
 
 }  // namespace
@@ -77,7 +47,10 @@ std::vector<std::string> ModelBuilder::law_names() const {
 void ModelBuilder::add_material(const Material& material) {
   require_name(material.name, "material");
   require_new(materials_, material.name, "material", [](const Material& m) { return m.name; });
-  require_positive(material.density, fmt::format("material '{}': density", material.name), "kg/m3");
+  const std::string owner = fmt::format("material '{}'", material.name);
+  require_positive(material.density, owner + ": density", "kg/m3");
+  add_doubt(notes_, owner, "density", "kg/m3", material.density);
+  if (material.solid) std::visit([&](const auto& l) { add_doubts(notes_, owner, l); }, material.solid->law);
   materials_.push_back(material);
 }
 
@@ -103,6 +76,7 @@ void ModelBuilder::add_body(BodySpec spec) {
   mass_of(spec, 1.0, thickness, materials_);
   if (spec.kind != BodyKind::rigid) check_deformable(spec, owner);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
+  if (spec.density) add_doubt(notes_, owner, "density", "kg/m3", *spec.density);
   bodies_.push_back(std::move(spec));
 }
 
@@ -113,6 +87,7 @@ void ModelBuilder::add_law(const std::string& name, const ContactLaw& law) {
       [&](const auto& l) {
         check_parameters(l);
         if constexpr (requires { l.check(); }) l.check();
+        add_doubts(notes_, fmt::format("contact law '{}'", name), l);
         if constexpr (requires { l.note(); })
           if (const std::string note = l.note(); !note.empty())
             notes_.push_back(fmt::format("contact law '{}': {}", name, note));
@@ -127,37 +102,6 @@ void ModelBuilder::set_contact(const std::string& a, const std::string& b, const
   if (std::find(known.begin(), known.end(), law) == known.end())
     throw InputError(fmt::format("contact of '{}' and '{}': there is no law '{}'{}", a, b, law, name_hint(law, known)));
   contacts_.push_back({a, b, law});
-}
-
-void ModelBuilder::add_bearing(const BearingSpec& spec) {
-  require_name(spec.name, "bearing");
-  require_new(bearings_, spec.name, "bearing", [](const BearingSpec& b) { return b.name; });
-  const std::string owner = fmt::format("bearing '{}'", spec.name);
-  if (require_body(spec.body_a, owner) == require_body(spec.body_b, owner))
-    throw InputError(fmt::format("{}: links body '{}' to itself; name two bodies", owner, spec.body_a));
-  for (const double v : {spec.point_a.x(), spec.point_a.y(), spec.point_b.x(), spec.point_b.y(), spec.angle})
-    require_finite(v, owner + ": point or angle");
-  for (const double limit : spec.limit)
-    if (!(limit > 0)) throw InputError(fmt::format("{}: limit displacement is {:g}, must be above 0", owner, limit));
-  for (const DirectionLaw& law : spec.law)
-    std::visit(
-        [](const auto& l) {
-          if constexpr (!std::is_same_v<std::decay_t<decltype(l)>, std::monostate>) check_parameters(l);
-          if constexpr (std::is_same_v<std::decay_t<decltype(l)>, Table>) l.check();
-        },
-        law);
-  bearings_.push_back(spec);
-}
-
-void ModelBuilder::add_seat(const SeatSpec& spec) {
-  const std::string owner = fmt::format("seat '{}'", spec.name);
-  require_name(spec.name, "seat");
-  require_body(spec.body, owner);
-  require_body(spec.support, owner);
-  for (const double v : {spec.end.x(), spec.end.y(), spec.edge.x(), spec.edge.y()})
-    require_finite(v, owner + ": end or edge");
-  require_positive(spec.inward.norm(), owner + ": length of the inward direction", "");
-  seats_.push_back(spec);
 }
 
 int ModelBuilder::require_body(const std::string& name, const std::string& owner) const {
@@ -196,25 +140,50 @@ void ModelBuilder::check_deformable(BodySpec& spec, const std::string& owner) {
 }
 
 Model<2> ModelBuilder::build() {
+  std::vector<std::string> faults, notes;
+  Model<2> model = assemble(faults, notes);
+  if (!faults.empty()) throw InputError(faults.front());
+  notes_.insert(notes_.end(), notes.begin(), notes.end());
+  return model;
+}
+
+std::vector<std::string> ModelBuilder::faults() const {
+  std::vector<std::string> faults, notes;
+  assemble(faults, notes);
+  return faults;
+}
+
+/// The model, of use only where no fault is found. Each part is tried, so that all faults are.
+Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
   Model<2> model;
-  model.thickness = require_positive(thickness, "model: thickness", "m");
+  const auto attempt = [&](auto&& part) {
+    try {
+      part();
+    } catch (const InputError& e) {
+      faults.emplace_back(e.what());
+    }
+  };
+  attempt([&] { model.thickness = require_positive(thickness, "model: thickness", "m"); });
+  attempt([&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
   model.gravity.field = gravity;
-  model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s");
   model.impact_speed = impact_speed;
   model.apart_time = apart_time;
   model.still_speed = still_speed;
   model.still_time = still_time;
-  if (bodies_.empty()) throw InputError("model: there is no body; add one at least");
-  for (const BodySpec& spec : bodies_) append_body(spec, model);
+  if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
+  for (const BodySpec& spec : bodies_) attempt([&] { append_body(spec, model); });
+  const bool whole = faults.empty();
+  check_contacts(faults);
+  if (!whole) return model;
   model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
   model.drive_of.assign(model.mass.size(), {-1, -1, -1});
   fill_contact_table(model);
-  for (const BearingSpec& spec : bearings_) append_bearing(spec, model);
-  for (const SeatSpec& spec : seats_) append_seat(spec, model);
-  check_overlaps(model, overlap_allowed, notes_);
+  for (const BearingSpec& spec : bearings_) attempt([&] { append_bearing(spec, model); });
+  for (const SeatSpec& spec : seats_) attempt([&] { append_seat(spec, model); });
+  check_overlaps(model, overlap_allowed, faults, notes);
   std::vector<std::uint8_t> floating;
   for (const BodySpec& b : bodies_) floating.push_back(b.floating ? 1 : 0);
-  check_held_up(model, floating);
+  check_held_up(model, floating, faults);
   return model;
 }
 
@@ -372,94 +341,6 @@ void ModelBuilder::append_pieces(const Polygon& outline, int body, Model<2>& mod
       model.edge_is_face.push_back(edges.is_face[c]);
       model.edge_corner.push_back(edges.flatness[c]);
     }
-  }
-}
-
-void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) const {
-  Bearing<2> b;
-  b.name = spec.name;
-  b.body_a = require_body(spec.body_a, spec.name);
-  b.body_b = require_body(spec.body_b, spec.name);
-  const std::string owner = fmt::format("bearing '{}'", spec.name);
-  const Anchor a = tie_point(model, b.body_a, spec.point_a, owner),
-               at_b = tie_point(model, b.body_b, spec.point_b, owner);
-  b.point_a = a.place, b.element_a = a.element;
-  b.point_b = at_b.place, b.element_b = at_b.element;
-  b.angle = spec.angle;
-  b.law = spec.law;
-  b.limit = spec.limit;
-  const bool deforms = a.element >= 0 || at_b.element >= 0;
-  const State<2> start = deforms ? initial_state(model) : State<2>{};
-  b.rest = Turn(spec.angle)
-               .undo(deforms ? Vec2(anchor_pose(model, start, at_b).place - anchor_pose(model, start, a).place)
-                             : Vec2(spec.point_b - spec.point_a));
-  b.holds_off_contact = spec.holds_off_contact;
-  b.starts_waiting = spec.starts_waiting;
-  if (!spec.contact_after.empty()) {
-    const std::vector<std::string> known = law_names();
-    const auto it = std::find(known.begin(), known.end(), spec.contact_after);
-    if (it == known.end())
-      throw InputError(fmt::format("bearing '{}': becomes contact law '{}', which is not there{}", spec.name,
-                                   spec.contact_after, name_hint(spec.contact_after, known)));
-    b.contact_after = static_cast<int>(it - known.begin());
-  }
-  b.piece_a = piece_at(model, b.body_a, spec.point_a);
-  b.piece_b = piece_at(model, b.body_b, spec.point_b);
-  if (!spec.becomes_bearing.empty()) {
-    std::vector<std::string> known;
-    for (const BearingSpec& other : bearings_) known.push_back(other.name);
-    const auto it = std::find(known.begin(), known.end(), spec.becomes_bearing);
-    if (it == known.end())
-      throw InputError(fmt::format("bearing '{}': becomes bearing '{}', which is not there{}", spec.name,
-                                   spec.becomes_bearing, name_hint(spec.becomes_bearing, known)));
-    b.becomes_bearing = static_cast<int>(it - known.begin());
-  }
-  model.bearings.push_back(std::move(b));
-}
-
-void ModelBuilder::append_seat(const SeatSpec& spec, Model<2>& model) const {
-  Seat seat;
-  seat.name = spec.name;
-  seat.body = require_body(spec.body, spec.name);
-  seat.support = require_body(spec.support, spec.name);
-  const std::string owner = fmt::format("seat '{}'", spec.name);
-  const Anchor end = tie_point(model, seat.body, spec.end, owner),
-               edge = tie_point(model, seat.support, spec.edge, owner);
-  seat.end = end.place, seat.end_element = end.element;
-  seat.edge = edge.place, seat.edge_element = edge.element;
-  seat.inward = spec.inward.normalized();
-  model.seats.push_back(std::move(seat));
-}
-
-void ModelBuilder::fill_contact_table(Model<2>& model) const {
-  for (const auto& [name, law] : laws_) {
-    model.laws.push_back(law);
-    model.law_names.push_back(name);
-  }
-  // Bodies of one material and one set of groups share a surface, unless a statement names one of them.
-  std::map<std::pair<std::string, std::vector<std::string>>, int> surface;
-  std::vector<const Body*> example;
-  for (Body& body : model.bodies) {
-    std::vector<std::string> key = body.groups;
-    for (const Contact& c : contacts_)
-      if (c.a == body.name || c.b == body.name) key.push_back(body.name);
-    const auto [it, fresh] = surface.try_emplace({body.material, key}, static_cast<int>(surface.size()));
-    body.surface = it->second;
-    if (fresh) example.push_back(&body);
-  }
-  const auto fits = [](const Body& body, const std::string& name) {
-    return name == "*" || body.material == name || body.name == name ||
-           std::find(body.groups.begin(), body.groups.end(), name) != body.groups.end();
-  };
-  model.surfaces = static_cast<int>(surface.size());
-  model.law_of.assign(surface.size() * surface.size(), -1);
-  for (const Contact& c : contacts_) {
-    const auto law = std::find(model.law_names.begin(), model.law_names.end(), c.law);
-    const int index = c.law == "none" ? -1 : static_cast<int>(law - model.law_names.begin());
-    for (std::size_t i = 0; i < example.size(); ++i)
-      for (std::size_t j = 0; j < example.size(); ++j)
-        if ((fits(*example[i], c.a) && fits(*example[j], c.b)) || (fits(*example[i], c.b) && fits(*example[j], c.a)))
-          model.law_of[i * surface.size() + j] = index;
   }
 }
 

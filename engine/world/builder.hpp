@@ -88,8 +88,8 @@ class ModelBuilder {
   void add_material(const Material& material);
   void add_body(BodySpec spec);
   void add_law(const std::string& name, const ContactLaw& law);
-  /// Which law holds between two materials or groups ("*": any). The last statement that fits a pair of bodies wins.
-  /// `law` "none": they never touch.
+  /// Which law holds between two materials, groups or bodies ("*": any), which may be added later. The last statement
+  /// that fits a pair of bodies wins. `law` "none": they never touch.
   void set_contact(const std::string& a, const std::string& b, const std::string& law);
   void add_bearing(const BearingSpec& spec);
   void add_seat(const SeatSpec& spec);
@@ -97,12 +97,17 @@ class ModelBuilder {
   /// Adds a line to notes(): what was repaired or chosen before bodies came here.
   void note(const std::string& line) { notes_.push_back(line); }
 
-  /// Checks everything and makes the model. Throws InputError: overlapping bodies, bodies on nothing, ...
+  /// Checks everything and makes the model. Throws InputError with the first of faults().
   Model<2> build();
+
+  /// All that keeps build() from making the model, a line for each: overlapping bodies, bodies on nothing, contacts
+  /// between names that are not there, ... Empty where nothing does.
+  [[nodiscard]] std::vector<std::string> faults() const;
 
   /// What was repaired or is worth knowing; complete after build().
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] const std::vector<BodySpec>& bodies() const { return bodies_; }
+  [[nodiscard]] const std::vector<BearingSpec>& bearings() const { return bearings_; }
   [[nodiscard]] std::vector<std::string> body_names() const;
   [[nodiscard]] std::vector<std::string> law_names() const;
 
@@ -110,6 +115,10 @@ class ModelBuilder {
   struct Contact {
     std::string a, b, law;
   };
+  Model<2> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
+  void check_contacts(std::vector<std::string>& faults) const;
+  void check_links(const BearingSpec& spec, const std::string& owner) const;
+  void require_near(const std::string& body, const Vec2& point, const std::string& what) const;
   void check_deformable(BodySpec& spec, const std::string& owner);
   void append_body(const BodySpec& spec, Model<2>& model) const;
   void append_deformable(const BodySpec& spec, Model<2>& model) const;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/error.hpp"
 #include "shape/overlap.hpp"
 #include "shape/polygon.hpp"
 
@@ -56,27 +55,41 @@ int root_of(std::vector<int>& parent, int i) {
 
 }  // namespace
 
-void check_overlaps(const Model<2>& model, double allowed, std::vector<std::string>& notes) {
-  double worst = 0, deepest = 0;
-  int body_a = -1, body_b = -1;
+void check_overlaps(const Model<2>& model, double allowed, std::vector<std::string>& faults,
+                    std::vector<std::string>& notes) {
+  struct DeepPair {
+    double share, depth;
+    int body_a, body_b;
+  };
+  std::vector<DeepPair> found;
   for_near_pieces(model, 0, [&](int p, int q, double separation) {
-    const int a = model.piece_body[p], b = model.piece_body[q];
     if (separation >= 0 || !may_touch(model, p, q)) return;
+    const auto [a, b] = std::minmax(model.piece_body[p], model.piece_body[q]);
     const double share = -separation / (2 * std::min(model.body_radius[a], model.body_radius[b]));
-    if (share <= worst) return;
-    worst = share, deepest = -separation, body_a = a, body_b = b;
+    if (share >= 1e-12) found.push_back({share, -separation, a, b});
   });
-  if (body_a < 0 || worst < 1e-12) return;
-  const std::string what = fmt::format("bodies '{}' and '{}' overlap by {:.4g} m at the start",
-                                       model.bodies[body_a].name, model.bodies[body_b].name, deepest);
-  if (worst > allowed)
-    throw InputError(fmt::format(
-        "{} ({:.2g} of the smaller one's size, at most {:g} is allowed); move one of them, or raise overlap_allowed",
-        what, worst, allowed));
-  notes.push_back(what + "; within what is allowed");
+  // Of two bodies their deepest pieces count; then the deepest come first.
+  const auto bodies = [](const DeepPair& o) { return std::pair(o.body_a, o.body_b); };
+  std::stable_sort(found.begin(), found.end(), [&](const DeepPair& l, const DeepPair& r) {
+    return bodies(l) != bodies(r) ? bodies(l) < bodies(r) : l.share > r.share;
+  });
+  found.erase(std::unique(found.begin(), found.end(),
+                          [&](const DeepPair& l, const DeepPair& r) { return bodies(l) == bodies(r); }),
+              found.end());
+  std::stable_sort(found.begin(), found.end(), [](const DeepPair& l, const DeepPair& r) { return l.share > r.share; });
+  for (const DeepPair& o : found) {
+    const std::string what = fmt::format("bodies '{}' and '{}' overlap by {:.4g} m at the start",
+                                         model.bodies[o.body_a].name, model.bodies[o.body_b].name, o.depth);
+    if (o.share > allowed)
+      faults.push_back(fmt::format(
+          "{} ({:.2g} of the smaller one's size, at most {:g} is allowed); move one of them, or raise overlap_allowed",
+          what, o.share, allowed));
+    else if (&o == &found.front())
+      notes.push_back(what + "; within what is allowed");
+  }
 }
 
-void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& floating) {
+void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults) {
   if (model.gravity.field.isZero()) return;
   const auto bodies = static_cast<int>(model.bodies.size());
   std::vector<int> parent(static_cast<std::size_t>(bodies + 1));
@@ -99,7 +112,7 @@ void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& float
   });
   for (int b = 0; b < bodies; ++b)
     if (floating[b] == 0 && root_of(parent, b) != root_of(parent, bodies))
-      throw InputError(
+      faults.push_back(
           fmt::format("body '{}' stands on nothing: no contact or bearing leads from it to a fixed or driven body; "
                       "set it on something, give a contact law for its material, or say floating = true",
                       model.bodies[b].name));

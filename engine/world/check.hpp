@@ -9,12 +9,13 @@
 
 namespace trilith {
 
-/// Throws InputError where two bodies that may touch overlap deeper at the start than `allowed` times the smaller one's
-/// size; names them and the depth. Shallower overlaps are noted. All pairs are looked at, the deepest is reported.
-void check_overlaps(const Model<2>& model, double allowed, std::vector<std::string>& notes);
+/// A fault for each two bodies that may touch and overlap deeper at the start than `allowed` times the smaller one's
+/// size: their names and the depth, the deepest for its size first. Where there is none, the deepest is noted.
+void check_overlaps(const Model<2>& model, double allowed, std::vector<std::string>& faults,
+                    std::vector<std::string>& notes);
 
-/// Throws InputError where gravity acts on a free body that neither touches, nor is linked to, anything that leads to a
-/// fixed or driven body. `floating`: [body] 1 where that is meant.
-void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& floating);
+/// A fault for each free body on which gravity acts and that neither touches, nor is linked to, anything that leads to
+/// a fixed or driven body. `floating`: [body] 1 where that is meant.
+void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults);
 
 }  // namespace trilith

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "doors.hpp"
+#include "world/usual.hpp"
 
 namespace trilith::script {
 namespace {
@@ -83,6 +84,11 @@ int change(lua_State* L) {
   }
   const std::string said = law.empty() ? change_bearing(keys, m, bearing) : change_law(keys, m, law);
   m.simulation().drop_step();
+  std::vector<std::string> doubts;
+  for (const auto& [name, value] : m.laws)
+    if (name == law) std::visit([&](const auto& l) { add_doubts(doubts, "change: law '" + law + "'", l); }, value);
+  for (const std::string& doubt : doubts)
+    if (host(L).observer != nullptr) host(L).observer->note(doubt);
   m.note(fmt::format("changed at {:.6g} s: {}", m.time(), said));
   if (host(L).observer != nullptr) host(L).observer->note(said);
   return 0;

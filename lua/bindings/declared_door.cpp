@@ -2,6 +2,7 @@
 // scripts.
 #include "doors.hpp"
 #include "open.hpp"
+#include "world/usual.hpp"
 
 namespace trilith::script {
 namespace {
@@ -63,7 +64,8 @@ struct PushLaw {
         set_text(L, "name", p.name);
         set_text(L, "unit", p.unit);
         set_text(L, "doc", p.sentence);
-        set_text(L, "range", p.range());
+        const std::string usual = usual_text(p.name, p.unit);
+        set_text(L, "range", p.range() + (usual.empty() ? "" : ", ") + usual);
         if (!p.required()) {
           lua_pushnumber(L, p.preset);
           lua_setfield(L, -2, "preset");

@@ -40,6 +40,7 @@ std::span<const Property<ModelBox>> debug_properties();
 void open_debug(lua_State* L);
 void open_compare(lua_State* L);
 void open_change(lua_State* L);
+void open_lint(lua_State* L);  ///< for the library: faults, doubts, damping of contacts, what is usual
 
 /// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.
 void push_event(lua_State* L, int model_index, const Event& event);

@@ -123,6 +123,14 @@ std::vector<int> bodies_at(lua_State* L, int index, const ScriptModel& model, co
   return list;
 }
 
+std::vector<int> some_bodies_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner) {
+  std::vector<int> list = bodies_at(L, index, model, owner);
+  if (list.empty())
+    throw InputError(fmt::format(
+        "{}: the set of bodies is empty, so nothing would be done; see what its m:bodies{{...}} asks for", owner));
+  return list;
+}
+
 int body_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner) {
   if (const auto* body = test_handle<BodyHandle>(L, index)) {
     require_same(*body, model, owner);

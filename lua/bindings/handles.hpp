@@ -97,6 +97,8 @@ void push_set(lua_State* L, int model_index, std::vector<int> bodies);
 /// Bodies named at `index`: a body, a set, a name, a group's name, or a list of these. InputError where it is nothing
 /// of the model; `owner` begins the message.
 std::vector<int> bodies_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
+/// The same for what is to be done to bodies: InputError too where there is none, as in an empty set.
+std::vector<int> some_bodies_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
 /// One body: a body or a name.
 int body_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
 /// The same under a key; its name, "" with a problem noted where it is missing or wrong.

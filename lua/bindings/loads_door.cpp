@@ -19,7 +19,7 @@ std::vector<int> read_bodies(Keys& keys, const ScriptModel& m) {
     keys.missing("body", "a body, a set or a name");
   } else {
     try {
-      bodies = bodies_at(keys.lua(), -1, m, "body");
+      bodies = some_bodies_at(keys.lua(), -1, m, "body");
     } catch (const InputError& e) {
       keys.problem(e.what());
     }
@@ -238,11 +238,30 @@ int set_load(lua_State* L) {
   return 0;
 }
 
-void release_bodies(ScriptModel& m, const std::vector<int>& bodies, const std::array<bool, 3>& on, double fade) {
-  m.change([bodies, on, fade, box = &m](Model<2>& model) {
+std::string directions_text(const std::array<bool, 3>& on) {
+  constexpr std::array names{"x", "y", "rotation"};
+  std::string text;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (on[k]) text += fmt::format("{}{}", text.empty() ? "" : ", ", names[k]);
+  return text;
+}
+
+/// `place`: of the script, for a message at the step border, where it is the run's line that is known.
+void release_bodies(ScriptModel& m, const std::vector<int>& bodies, const std::array<bool, 3>& on, double fade,
+                    const std::string& place) {
+  const bool waits = m.running() && !m.paused();
+  m.change([bodies, on, fade, box = &m, place = waits ? place : ""](Model<2>& model) {
     int freed = 0;
     for (const int body : bodies) freed += release_supports(model, box->if_built()->state(), body, on, fade);
-    if (freed > 0) box->simulation().drop_step();
+    if (freed > 0) {
+      box->simulation().drop_step();
+      return;
+    }
+    const Body& first = model.bodies[bodies.front()];
+    throw InputError(fmt::format(
+        "release: {}{} free already in {}, so there is nothing to let go", place,
+        bodies.size() == 1 ? fmt::format("body '{}' is", first.name) : fmt::format("the {} bodies are", bodies.size()),
+        directions_text(on)));
   });
 }
 
@@ -272,7 +291,7 @@ int release(lua_State* L) {
       release_push(model, s.state(), s.work(), push, fade);
     });
   } else {
-    release_bodies(m, bodies, on, fade);
+    release_bodies(m, bodies, on, fade, user_place(L));
   }
   return 0;
 }

@@ -1,4 +1,6 @@
 // Models: making them, and what can be read of them.
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,6 +30,18 @@ Energy energy_of(ScriptModel& m) {
   return m.evaluated().energy();
 }
 
+/// __index of that table, for what is not there.
+int no_such_term(lua_State* L) {
+  std::vector<std::string> known;
+  for (const EnergyTermInfo& term : energy_term_info) known.emplace_back(term.name);
+  known.emplace_back("residual");
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : what_is(L, 2);
+  const std::string near = nearest_name(name, known);
+  throw InputError(fmt::format("the energy ledger has no '{}'{} are {}", name,
+                               near.empty() ? "; its terms" : fmt::format("; did you mean '{}'? Its terms", near),
+                               fmt::join(known, ", ")));
+}
+
 /// All terms of the ledger [J] by name, and their residual.
 void push_energy(lua_State* L, const ModelBox& box) {
   const Energy e = energy_of(box.get());
@@ -38,6 +52,8 @@ void push_energy(lua_State* L, const ModelBox& box) {
   }
   lua_pushnumber(L, e.balance());
   lua_setfield(L, -2, "residual");
+  if (luaL_newmetatable(L, "trilith.energy") != 0) set_function(L, "__index", guarded<no_such_term>);
+  lua_setmetatable(L, -2);
 }
 
 void push_notes(lua_State* L, const ModelBox& box) {

@@ -241,6 +241,9 @@ int history(lua_State* L) {
 int results(lua_State* L) {
   ScriptModel& m = self(L);
   if (m.running() || m.time() > 0) throw InputError("results: must be asked for before the first stage");
+  if (m.results)
+    throw InputError(fmt::format("results: asked for already, into '{}'; a model has one file, so give all in one call",
+                                 m.results->file));
   Keys keys(L, 2, "results");
   ResultsOptions r;
   r.file = keys.text("file");

@@ -5,6 +5,7 @@
 #include "doors.hpp"
 #include "load/motion_check.hpp"
 #include "stage_run.hpp"
+#include "world/usual.hpp"
 
 namespace trilith::script {
 namespace {
@@ -123,7 +124,7 @@ DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
     keys.missing("body", "a body, a set or a name");
   } else {
     try {
-      order.bodies = bodies_at(L, -1, m, "body");
+      order.bodies = some_bodies_at(L, -1, m, "body");
     } catch (const InputError& e) {
       keys.problem(e.what());
     }
@@ -249,7 +250,7 @@ std::array<bool, 3> directions_at(lua_State* L, int index, const char* owner) {
 
 int set_supports(lua_State* L, const char* owner, Support support) {
   ScriptModel& m = self(L);
-  const std::vector<int> bodies = bodies_at(L, 2, m, owner);
+  const std::vector<int> bodies = some_bodies_at(L, 2, m, owner);
   const std::array<bool, 3> on = directions_at(L, 3, owner);
   m.change([bodies, on, support](Model<2>& model) {
     for (const int body : bodies)
@@ -265,6 +266,17 @@ int free_bodies(lua_State* L) {
   return set_supports(L, "free", Support::free);
 }
 
+/// A number that is allowed but not usual gets a note, at once where a stage runs.
+void tell_doubt(lua_State* L, ScriptModel& m, const std::string& owner, std::string_view name, std::string_view unit,
+                double value) {
+  std::vector<std::string> doubts;
+  add_doubt(doubts, owner, name, unit, value);
+  for (const std::string& text : doubts) {
+    if (m.running() && host(L).observer != nullptr) host(L).observer->note(text);
+    if (!m.running()) m.builder.note(text);
+  }
+}
+
 /// m:tilt{ rate =, by = }: from now on gravity turns; `by` is where it stops.
 int tilt(lua_State* L) {
   ScriptModel& m = self(L);
@@ -272,6 +284,8 @@ int tilt(lua_State* L) {
   const double rate = keys.number("rate", "rad/s"), by = keys.number("by", "rad", unbounded);
   if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate has the sign", by));
   keys.finish();
+  tell_doubt(L, m, "tilt", "rate", "rad/s", rate);
+  tell_doubt(L, m, "tilt", "by", "rad", by);
   const ScriptModel* const self_model = &m;
   m.change([rate, by, self_model](Model<2>& model) {
     const double now = self_model->if_built()->state().time;
@@ -285,7 +299,9 @@ int tilt(lua_State* L) {
 }
 
 int stop(lua_State* L) {
-  self(L).stop();
+  ScriptModel& m = self(L);
+  if (!m.running()) throw InputError("stop: no stage runs; call it from a handler or a story while one does");
+  m.stop();
   return 0;
 }
 

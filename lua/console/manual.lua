@@ -21,6 +21,8 @@ local function read_key(line)
   key.optional = key.optional > 0 or preset ~= nil
   local number, unit = kind:match "^(number) (.+)$"
   key.type, key.unit = number or kind, unit or ""
+  local usual = number and core.usual(name, unit) or ""
+  if usual ~= "" then key.doc = ("%s (%s)"):format(doc, usual) end
   return key
 end
 

@@ -4,13 +4,42 @@ local model_methods = core.members "model"
 
 local checks = {}
 
+local most_faults = 10 -- told one by one
+local least_damping, usual_damping = 0.01, 0.1 -- shares of critical
+
+--- What keeps the model from being built. True where nothing does.
+function checks.faults(model, add)
+  local faults = core.faults(model)
+  for i = 1, math.min(#faults, most_faults) do add(faults[i]) end
+  if #faults > most_faults then add(("and %d more that keep it from being built"):format(#faults - most_faults)) end
+  return #faults == 0
+end
+
+function checks.doubts(model, add)
+  for _, text in ipairs(core.doubts(model)) do add(text) end
+end
+
+-- Of a model with faults nothing is known of its contacts.
+function checks.damping(model, add, whole)
+  local damped = whole and core.damping(model, least_damping) or {}
+  for _, law in ipairs(core.contact_laws(model)) do
+    local d = damped[law.name]
+    local better = d and
+      ("beta = %.2g s gives %g %% of critical"):format(2*usual_damping/d.frequency, 100*usual_damping)
+    if law.beta == 0 then
+      add(("law '%s' has no damping (beta = 0): what strikes it bounces for ever; %s")
+        :format(law.name, better or "give beta = 2*zeta/omega"))
+    elseif d and d.less > 0 then
+      add(("law '%s' damps %d of %d contacts by less than %g %% of critical ('%s' and '%s' by %.2g %%, with "
+        .. "beta = %g s and omega = %.3g rad/s): what stands on them may rattle and walk; %s"):format(law.name, d.less,
+        d.all, 100*least_damping, d.a.name, d.b.name, 100*d.share, law.beta, d.frequency, better))
+    end
+  end
+end
+
 function checks.laws(model, add)
   for _, law in ipairs(core.contact_laws(model)) do
     local kind, name = tostring(law):match "^(%w+)", law.name
-    if law.beta == 0 then
-      add(("law '%s' has no damping (beta = 0): what strikes it bounces for ever; give beta = 2*zeta/omega")
-        :format(name))
-    end
     if kind ~= "frictional" and law.mu > 0 and law.tension > law.cohesion / law.mu then
       add(("law '%s': tension %g Pa is above cohesion/mu = %g Pa, so shear fails first in pure tension; is that meant?")
         :format(name, law.tension, law.cohesion / law.mu))
@@ -86,11 +115,16 @@ function checks.recording(model, add)
   end
 end
 
---- m:lint(): a list of findings, and the same in words.
+local of_any, of_whole = { "doubts", "laws", "damping" }, { "bodies", "sinking", "bearings", "rest", "recording" }
+
+--- m:lint(): a list of findings, and the same in words. Faults that keep the model from being built are findings too.
 function model_methods.lint(model)
   local found = {}
-  for _, name in ipairs { "laws", "bodies", "sinking", "bearings", "rest", "recording" } do
-    checks[name](model, function(text) found[#found + 1] = text end)
+  local function add(text) found[#found + 1] = text end
+  local whole = checks.faults(model, add)
+  for _, name in ipairs(of_any) do checks[name](model, add, whole) end
+  if whole then
+    for _, name in ipairs(of_whole) do checks[name](model, add) end
   end
   found.text = #found == 0 and "nothing found" or "- " .. table.concat(found, "\n- ")
   return setmetatable(found, core.findings)

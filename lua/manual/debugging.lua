@@ -30,5 +30,6 @@ on     flag = true         false: none are taken]], gives = "findings" },
 law      text?   a contact law, with its numbers: mu = 0.4
 bearing  text?   or a bearing
 limit    table?  its limits { along = , axial = , turning = }]] },
-  { "model:lint", "What of a model is likely not meant, each with the next thing to try.", gives = "findings" },
+  { "model:lint", "What keeps a model from being built, and what of it is likely not meant, each with the next "
+    .. "thing to try.", gives = "findings" },
 }

@@ -14,3 +14,9 @@ TEST_CASE("the nearest name is offered only when it is near") {
   CHECK(nearest_name("heigth", {"width", "height", "depth"}) == "height");
   CHECK(nearest_name("zzzz", {"width", "height"}).empty());
 }
+
+TEST_CASE("a word broken off stands for the only name that begins so") {
+  CHECK(nearest_name("kin", {"gravity", "kinetic"}) == "kinetic");
+  CHECK(nearest_name("bea", {"bearing_elastic", "bearing_damping"}).empty());
+  CHECK(nearest_name("ki", {"gravity", "kinetic"}).empty());
+}

@@ -39,7 +39,19 @@ local function closed()
   return w
 end
 
+local function with_contact(a, b)
+  local w = with_block("up", 0)
+  w:contact { between = { a, b }, law = stone }
+  return w
+end
+local function with_results()
+  local w = new()
+  w:results { file = "first.h5" }
+  return w
+end
+
 local m, b = new(), built()
+local nobody = b:bodies { name = "nobody" }
 local cases = {
   -- units and parameters
   { function() return trilith.units "ft inhc" end, "there is no unit 'inhc'; did you mean 'inch'?" },
@@ -167,8 +179,19 @@ local cases = {
   { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 }, limit = { allong = 1 } } end,
     "bearing 'B': limit: unknown key 'allong'; did you mean 'along'?" },
   { function() return b.bearings.B2 end, "there is no bearing 'B2'; did you mean 'B1'?" },
+  { function() built():bearing { name = "B", between = { "base", "block" }, at = { 0, 0 } } end,
+    "bearing 'B': has no law, so it carries nothing; give along, axial or turning a law such as trilith.linear{...}" },
+  { function() built():bearing { name = "B", between = { "base", "block" }, at = { 0, 0 }, along = spring,
+      becomes = "frictional 1" } end,
+    "bearing 'B': becomes 'frictional 1' at its limit, but has none; give limit = { along = }, axial or turning" },
+  { function() built():bearing { name = "B", between = { "base", "block" }, at = { 0.5, 3 }, along = spring } end,
+    "bearing 'B': its point (0.5, 3) is 2 m away from body 'block', which is 1.41 m large; give a point in it or near "
+      .. "it, in m" },
   { function() m:seat { name = "s", body = "base", support = "base", edge = { 0, 0 } } end,
     "seat 's': 'at_end' is missing; give {x, y}" },
+  { function() built():seat { name = "s", body = "block", support = "base", at_end = { 0, 0 }, edge = { 7, 0 } } end,
+    "seat 's': its point (7, 0) is 5 m away from body 'base', which is 4.12 m large; give a point in it or near it, "
+      .. "in m" },
   -- motions
   { function() trilith.motion "elcentro_1940_rest_sn.csv" end,
     { "motion: there is no file 'elcentro_1940_rest_sn.csv' in .*; did you mean 'elcentro_1940_rest_ns.csv'%?" } },
@@ -199,6 +222,30 @@ local cases = {
     "fix: directions are the text 'xz', must be a text of x, y and r, as in \"xy\"" },
   { function() b:fix(7) end, "fix: 7 is no body; give a body, a set, a name, or a list of these" },
   { function() b:fix(m:body "base") end, "fix: body 'base' belongs to another model" },
+  { function() b:fix(nobody) end,
+    "fix: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+  { function() b:free(nobody) end,
+    "free: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+  { function() b:release { body = nobody } end,
+    "release: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+  { function() b:release { body = "block" } end,
+    "release: body 'block' is free already in x, y, rotation, so there is nothing to let go" },
+  { function() b:release { body = { "block", "other" }, y = true } end,
+    "release: the 2 bodies are free already in y, so there is nothing to let go" },
+  { function() b:point_load { body = nobody, force = { 1, 0 } } end,
+    "point_load: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+  { function() b:pressure { body = nobody, face = "top", value = 1 } end,
+    "pressure: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+  { function() b:drive { body = nobody, x = quake } end,
+    "drive: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+  { function() b:shake { body = nobody, x = quake } end,
+    "shake: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+  { function() b:stop() end, "stop: no stage runs; call it from a handler or a story while one does" },
+  { function() return b.energy.kin end,
+    "the energy ledger has no 'kin'; did you mean 'kinetic'? Its terms are kinetic, gravity, contact_elastic, "
+      .. "bearing_elastic, strain, contact_damping, contact_friction, contact_fracture, bearing_damping, "
+      .. "bearing_inner, bearing_failure, plastic, element_damping, mass_damping, rest_damping, support, load, "
+      .. "residual" },
   -- handlers and histories
   { function() m:on("bearing.faild", print) end,
     "on: there is no event 'bearing.faild'; did you mean 'bearing.failed'?" },
@@ -215,7 +262,13 @@ local cases = {
   { function() m:history { name = "h", of = 3 } end, "history 'h': 'of' is 3, must be a function" },
   { function() m:results { frames = 1 } end, "results: 'file' is missing; give a text" },
   { function() m:results { file = "x.h5", frames = 0 } end, "results: 'frames' is 0 s, must be above 0" },
+  { function() with_results():results { file = "second.h5" } end,
+    "results: asked for already, into 'first.h5'; a model has one file, so give all in one call" },
   -- what is known only when the model is built
+  { function() with_contact("stone", "qq"):run { duration = 1 } end,
+    "contact of 'stone' and 'qq': there is no material, group or body 'qq'; known: *, stone" },
+  { function() with_contact("uup", "stone"):run { duration = 1 } end,
+    "contact of 'uup' and 'stone': there is no material, group or body 'uup'; did you mean 'up'?" },
   { function() trilith.model({}):run { duration = 1 } end, "model: there is no body; add one at least" },
   { function() with_block("in", -0.5):run { duration = 1 } end,
     "bodies 'base' and 'in' overlap by 0.5 m at the start (0.35 of the smaller one's size, at most 1e-06 "

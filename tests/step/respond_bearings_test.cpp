@@ -52,7 +52,7 @@ std::vector<BearingSpec> many_links() {
   links[0].point_a = {1, 0.3}, links[0].point_b = {2, 0.1};      // on both outlines, of finite length
   links[1].point_a = links[1].point_b = {1.6, 0.5};              // zero length, outside both bodies
   links[2].point_a = {0.5, 0.3}, links[2].point_b = {2.5, 0.5};  // inside both
-  links[3].point_a = {-2, 3}, links[3].point_b = {4, -1};        // far off
+  links[3].point_a = {-0.6, 1.4}, links[3].point_b = {4, -1};    // off by nearly the size of the bodies
   for (BearingSpec& l : links) {
     l.law = {Linear{4e3, 30}, ElasticPlastic{6e3, 200, 0.1, 10}, Linear{500, 5}};
     l.angle = 0.4;

@@ -1,0 +1,30 @@
+#include "run/contact_damping.hpp"
+
+#include <cmath>
+#include <variant>
+
+#include "world/pose.hpp"
+
+namespace trilith {
+
+std::vector<ContactDamping> contact_damping(const Model<2>& model, const std::vector<Joint>& joints) {
+  std::vector<ContactDamping> all;
+  for (const Joint& joint : joints) {
+    const int law =
+        model.law_of[model.bodies[joint.body_a].surface * model.surfaces + model.bodies[joint.body_b].surface];
+    double yielding = 0;  // 1/m1 + 1/m2
+    for (const int body : {joint.body_a, joint.body_b})
+      if (model.body_moves(body)) yielding += 1 / body_mass(model, body);
+    const double length = (joint.place[1] - joint.place[0]).norm();
+    if (law < 0 || !(yielding > 0)) continue;
+    std::visit(
+        [&](const auto& l) {
+          const double frequency = std::sqrt(l.kn * length * model.thickness * yielding);
+          all.push_back({joint.body_a, joint.body_b, law, frequency, 0.5 * l.beta * frequency});
+        },
+        model.laws[law]);
+  }
+  return all;
+}
+
+}  // namespace trilith

@@ -1,0 +1,109 @@
+// What m:lint() asks of a model: its faults, numbers that are not usual, contacts that are hardly damped.
+#include "doors.hpp"
+#include "run/contact_damping.hpp"
+#include "world/usual.hpp"
+
+namespace trilith::script {
+namespace {
+
+void push_texts(lua_State* L, const std::vector<std::string>& texts) {
+  lua_createtable(L, static_cast<int>(texts.size()), 0);
+  lua_Integer i = 0;
+  for (const std::string& text : texts) {
+    lua_pushlstring(L, text.data(), text.size());
+    lua_rawseti(L, -2, ++i);
+  }
+}
+
+/// core.faults(model): what keeps it from being built; empty once it is.
+int faults(lua_State* L) {
+  const ScriptModel& m = handle<ModelBox>(L, 1).get();
+  push_texts(L, m.built() ? std::vector<std::string>{} : m.builder.faults());
+  return 1;
+}
+
+template <class Law>
+void add_doubts_of(std::vector<std::string>& list, const std::string& owner, const Law& law) {
+  std::visit(
+      [&](const auto& l) {
+        if constexpr (Declared<std::decay_t<decltype(l)>>) add_doubts(list, owner, l);
+      },
+      law);
+}
+
+/// core.doubts(model): numbers that are allowed but not usual, as they are now.
+int doubts(lua_State* L) {
+  const ScriptModel& m = handle<ModelBox>(L, 1).get();
+  std::vector<std::string> list;
+  for (const Material& material : m.materials) {
+    const std::string owner = fmt::format("material '{}'", material.name);
+    add_doubt(list, owner, "density", "kg/m3", material.density);
+    if (material.solid) add_doubts_of(list, owner, material.solid->law);
+  }
+  for (const BodySpec& body : m.builder.bodies())
+    if (body.density) add_doubt(list, fmt::format("body '{}'", body.name), "density", "kg/m3", *body.density);
+  for (const auto& [name, law] : m.laws) add_doubts_of(list, fmt::format("contact law '{}'", name), law);
+  for (const BearingSpec& bearing : m.builder.bearings())
+    for (const DirectionLaw& law : bearing.law) add_doubts_of(list, fmt::format("bearing '{}'", bearing.name), law);
+  if (m.if_built() != nullptr) add_doubt(list, "tilt", "rate", "rad/s", m.if_built()->model().gravity.tilt_rate);
+  push_texts(L, list);
+  return 1;
+}
+
+void set_number(lua_State* L, const char* key, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, key);
+}
+
+/// core.damping(model, share): by law { share, frequency, a, b } of its least damped contact, `all` its contacts, and
+/// `less` those below the share of critical that is given.
+int damping(lua_State* L) {
+  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  const double share = lua_tonumber(L, 2);
+  const Model<2>& model = m.simulation().model();
+  const std::vector<ContactDamping> all = contact_damping(model, m.findings().joints);
+  lua_newtable(L);
+  for (std::size_t law = 0; law < model.laws.size(); ++law) {
+    const ContactDamping* least = nullptr;
+    int count = 0, less = 0;
+    for (const ContactDamping& c : all) {
+      if (c.law != static_cast<int>(law)) continue;
+      ++count;
+      less += c.share < share ? 1 : 0;
+      if (least == nullptr || c.frequency < least->frequency) least = &c;
+    }
+    if (least == nullptr) continue;
+    lua_createtable(L, 0, 6);
+    set_number(L, "share", least->share);
+    set_number(L, "frequency", least->frequency);
+    lua_pushinteger(L, count);
+    lua_setfield(L, -2, "all");
+    lua_pushinteger(L, less);
+    lua_setfield(L, -2, "less");
+    push_body(L, 1, least->body_a);
+    lua_setfield(L, -2, "a");
+    push_body(L, 1, least->body_b);
+    lua_setfield(L, -2, "b");
+    lua_setfield(L, -2, model.law_names[law].c_str());
+  }
+  return 1;
+}
+
+/// core.usual(name, unit): what is usual for such a number, in words; "" where all that is allowed is.
+int usual(lua_State* L) {
+  const std::string name = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "",
+                    unit = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+  lua_pushstring(L, usual_text(name, unit.empty() ? "1" : unit).c_str());
+  return 1;
+}
+
+}  // namespace
+
+void open_lint(lua_State* L) {
+  set_function(L, "faults", guarded<faults>);
+  set_function(L, "doubts", guarded<doubts>);
+  set_function(L, "damping", guarded<damping>);
+  set_function(L, "usual", guarded<usual>);
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,107 @@
+-- Numbers that are allowed but not usual get a note, m:lint() lists them and all faults, and contacts that are hardly
+-- damped.
+local trilith = require "trilith"
+local deg = trilith.units "deg"
+
+local function count(list, text)
+  local n = 0
+  for _, line in ipairs(list) do if line:find(text, 1, true) then n = n + 1 end end
+  return n
+end
+local function told(list, text, times)
+  assert(count(list, text) == times, ("not %d times '%s':\n%s"):format(times, text, table.concat(list, "\n")))
+end
+local function has(list, text) told(list, text, 1) end
+local function lacks(list, text) told(list, text, 0) end
+
+-- Two blocks on a base; what is not usual is given by `odd`.
+local function model(odd)
+  local m = trilith.model { name = "lint" }
+  m:material { name = "stone", density = odd.density or 2400 }
+  m:contact { between = { "*", "*" }, name = "joint",
+              law = trilith.frictional { kn = 1e9, ks = 5e8, mu = odd.mu or 0.6, beta = odd.beta or 1e-3 } }
+  m:block { name = "base", width = 4, height = 1, at = { -1, -1 }, material = "stone", support = "fixed" }
+  m:block { name = "low", width = 1, height = 0.5, material = "stone" }
+  m:block { name = "top", width = 1, height = 0.5, at = { 0, 0.5 }, material = "stone", density = odd.own }
+  return m
+end
+
+-- Each is told once, when it is given and by lint; what is just usual is not.
+local friction = "contact law 'joint': mu = 35 is above the usual 2: it is the tangent of the friction angle"
+local damping = "contact law 'joint': beta = 1 s is above the usual 0.1 s: no step is as long"
+local density = "material 'stone': density = 2.4 kg/m3 is below the usual 25 kg/m3: is it in t/m3 or g/cm3?"
+for _, case in ipairs {
+  { { mu = 35 }, friction }, { { beta = 1 }, damping }, { { density = 2.4 }, density },
+  { { own = 2.4 }, "body 'top': density = 2.4 kg/m3 is below the usual 25 kg/m3" },
+} do
+  local m = model(case[1])
+  has(m.notes, case[2])
+  has(m:lint(), case[2])
+  assert(#m.notes == 1)
+end
+local usual = model { mu = 2, beta = 0.1, density = 25, own = 25 }
+assert(#usual.notes == 0)
+lacks(usual:lint(), "usual")
+
+local sliding = model {}
+sliding:bearing { name = "B", between = { "low", "top" }, at = { 0.5, 0.5 },
+                  along = trilith.friction { mu = 35, stiffness = 1e6 } }
+has(sliding.notes, "bearing 'B': mu = 35 is above the usual 2")
+has(sliding:lint(), "bearing 'B': mu = 35 is above the usual 2")
+
+local turned = model {}
+turned:run { duration = 1e-3 }
+turned:tilt { rate = 0.5, by = 30*deg }
+lacks(turned.notes, "tilt")
+lacks(turned:lint(), "tilt")
+turned:tilt { rate = 4, by = 30 }
+has(turned.notes, "tilt: rate = 4 rad/s is above the usual 0.5 rad/s: is it in degrees?")
+has(turned.notes, "tilt: by = 30 rad is above the usual 3.2 rad: is it in degrees?")
+has(turned:lint(), "tilt: rate = 4 rad/s is above the usual 0.5 rad/s")
+
+-- A law changed later is looked at as it is now.
+local changed = model { mu = 35 }
+changed:run { duration = 1e-3 }
+changed:change { law = "joint", mu = 0.6 }
+lacks(changed:lint(), "mu = ")
+changed:change { law = "joint", mu = 40 }
+has(changed:lint(), "contact law 'joint': mu = 40 is above the usual 2")
+
+-- Faults are listed, all of them, and nothing is thrown; then the model is still open and can be put right.
+local wrong = model { mu = 35 }
+wrong:contact { between = { "stone", "qq" }, law = "joint" }
+wrong:block { name = "in", width = 1, height = 0.5, at = { 0.5, 0.25 }, material = "stone" }
+wrong:block { name = "up", width = 1, height = 0.5, at = { 0, 5 }, material = "stone" }
+wrong:block { name = "higher", width = 1, height = 0.5, at = { 0, 7 }, material = "stone" }
+wrong:bearing { name = "B", between = { "low", "top" }, at = { 0.5, 0.5 }, along = trilith.linear { stiffness = 1e6 },
+                limit = { along = 0.1 }, becomes = "C" }
+local found = wrong:lint()
+has(found, "contact of 'stone' and 'qq': there is no material, group or body 'qq'")
+has(found, "bodies 'low' and 'in' overlap by 0.25 m")
+has(found, "bodies 'top' and 'in' overlap by 0.25 m")
+has(found, "body 'up' stands on nothing")
+has(found, "body 'higher' stands on nothing")
+has(found, "bearing 'B': becomes bearing 'C', which is not there")
+has(found, friction)
+assert(#found == 7 and found.text:find "^%- contact of", found.text)
+local good, message = pcall(wrong.run, wrong, { duration = 1 })
+assert(not good and message:find(found[1], 1, true), message)
+wrong:block { name = "more", width = 1, height = 0.5, at = { 9, 9 }, material = "stone" }
+has(wrong:lint(), "body 'more' stands on nothing")
+
+local empty = trilith.model {}
+has(empty:lint(), "model: there is no body; add one at least")
+for i = 1, 30 do empty:body { name = "b" .. i, outline = { { i, 0 }, { i + 0.5, 0 }, { i, 1 } }, mass = 1 } end
+found = empty:lint()
+has(found, "and 20 more that keep it from being built")
+assert(#found == 11)
+
+-- Contacts damped by less than 1 % of critical. One block alone: omega = sqrt(kn b/m); both move: m1 m2/(m1 + m2).
+local omega = math.sqrt(1e9 / (2400 * 0.5))
+lacks(model { beta = 2 * 0.0101 / omega }:lint(), "of critical")
+local one = model { beta = 2 * 0.009 / omega }:lint()
+has(one, "law 'joint' damps 1 of 2 contacts by less than 1 % of critical ('base' and 'low' by 0.9 %, with beta = ")
+has(one, ("beta = %.2g s gives 10 %% of critical"):format(0.2 / omega))
+has(model { beta = 2 * 0.009 / omega / math.sqrt(2) }:lint(), "law 'joint' damps 2 of 2 contacts by less than 1 %")
+has(model { beta = 0 }:lint(),
+    ("has no damping (beta = 0): what strikes it bounces for ever; beta = %.2g s gives 10 %%"):format(0.2 / omega))
