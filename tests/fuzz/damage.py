@@ -1,0 +1,137 @@
+"""Damaged results files, from a seed: bytes, lengths, and the structure that h5py can reach."""
+import random
+import shutil
+
+import h5py
+import numpy as np
+
+VERBS = [["info"], ["info", "--events"], ["info", "--of-note"],
+         ["draw", "--at", "0,0.05,end", "--forces", "--cracks", "--ghost"],
+         ["draw", "--stress", "major", "-o", "stress.svg"], ["draw", "--thrust", "pile", "-o", "thrust.svg"],
+         ["plot"], ["plot", "energy", "--events", "-o", "energy.svg"], ["plot", "--list"], ["view"], ["report"],
+         ["repair", "-o", "copy.h5"]]
+NUMBERS = [0, -1, 1, 2**31 - 1, -2**31, 2**62, -2**63, float("nan"), float("inf"), -1e300, 1e300, 1e-300]
+
+
+def flip(draw, path):
+    with open(path, "r+b") as file:
+        data = bytearray(file.read())
+        for _ in range(draw.choice([1, 2, 5, 20, 200])):
+            at = draw.randrange(len(data))
+            data[at] = draw.choice([data[at] ^ (1 << draw.randrange(8)), draw.randrange(256), 0, 255])
+        file.seek(0)
+        file.write(data)
+
+
+def cut(draw, path):
+    with open(path, "r+b") as file:
+        size = file.seek(0, 2)
+        file.truncate(draw.choice([draw.randrange(size), size - 1, draw.randrange(min(size, 4096))]))
+
+
+def objects(file):
+    names = []
+    file.visit(names.append)
+    return names
+
+
+def wild_number(draw, dtype):
+    number = draw.choice(NUMBERS)
+    if dtype.kind in "iu":
+        if not np.isfinite(number):
+            number = -7
+        info = np.iinfo(dtype)
+        number = int(max(info.min, min(info.max, number)))
+    return number
+
+
+def put_numbers(draw, dataset):
+    data = dataset[()]
+    if not isinstance(data, np.ndarray) or data.size == 0:
+        if np.ndim(data) == 0 and dataset.dtype.names:
+            data = np.array(data)
+        else:
+            return
+    flat = data.reshape(-1)
+    at = draw.randrange(flat.size)
+    if dataset.dtype.names:
+        name = draw.choice(dataset.dtype.names)
+        kind = dataset.dtype[name]
+        text = draw.choice([b"", b"\xff" * 300, b"a\x1b[2Jb", b"<b>&"])
+        flat[name][at] = wild_number(draw, kind) if kind.kind in "iuf" else text
+    elif dataset.dtype.kind in "iuf":
+        flat[at] = wild_number(draw, dataset.dtype)
+    dataset[...] = data
+
+
+def reshape(draw, file, name):
+    old = file[name]
+    attributes = dict(old.attrs)
+    shape = [draw.choice([0, 1, 2, n, n + 1, 2 * n]) for n in old.shape]
+    if draw.random() < 0.3:
+        shape = shape[:-1] if draw.random() < 0.5 else shape + [draw.choice([0, 1, 3])]
+    others = ["f8", "i4", "S5", "i1", h5py.string_dtype(), "u8", "c16"]
+    dtype = old.dtype if draw.random() < 0.6 else draw.choice(others)
+    del file[name]
+    new = file.create_dataset(name, tuple(shape), dtype)
+    for key, value in attributes.items():
+        if draw.random() < 0.95:
+            new.attrs[key] = value
+
+
+def change_attribute(draw, item):
+    if not item.attrs:
+        return
+    name = draw.choice(sorted(item.attrs))
+    dice = draw.random()
+    if dice < 0.3:
+        del item.attrs[name]
+    elif dice < 0.6:
+        item.attrs[name] = draw.choice(["", "x", 0, -1, 2**40, 1.5, "frames", "contacts", np.zeros((2, 3)),
+                                        [b"a", b"b"]])
+    else:
+        item.attrs[name] = np.bytes_(b"\xff\x00\x1b[2J" + b"x" * draw.randrange(50))
+
+
+def restructure(draw, path):
+    with h5py.File(path, "r+") as file:
+        for _ in range(draw.choice([1, 1, 1, 2, 4])):
+            names = objects(file)
+            name = draw.choice(names)
+            item = file[name]
+            dice = draw.random()
+            if dice < 0.15:
+                del file[name]
+            elif dice < 0.3:
+                change_attribute(draw, draw.choice([item, file]))
+            elif dice < 0.35:
+                other = draw.choice(names)
+                del file[name]
+                if other in file:
+                    file[name] = file[other]
+                else:
+                    file[name] = h5py.SoftLink("/" + draw.choice([name, "nowhere"]))
+            elif isinstance(item, h5py.Dataset) and dice < 0.6:
+                reshape(draw, file, name)
+            elif isinstance(item, h5py.Dataset):
+                put_numbers(draw, item)
+
+
+def damage(seed, base, path):
+    """A copy of `base` at `path`, damaged."""
+    draw = random.Random(seed)
+    shutil.copy(base, path)
+    way = draw.choice([flip, flip, cut, restructure, restructure, restructure, restructure])
+    try:
+        way(draw, path)
+    except (OSError, KeyError, ValueError, TypeError, RuntimeError, OverflowError):
+        pass  # h5py does not do it; what it did so far is damage enough
+
+
+def verbs(seed):
+    """Those that are shown the file: repair, which touches everything, and some of the others."""
+    return [VERBS[-1], *random.Random(seed).sample(VERBS[:-1], 3)]
+
+
+def command_of(program, verb, path):
+    return [program, verb[0], path, *verb[1:]]
