@@ -192,7 +192,7 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.pairs.clear();
   for (const auto& [p, q] : meeting_boxes(piece_boxes(model, work, 0.5 * work.margin))) {
     const int body_p = model.piece_body[p], body_q = model.piece_body[q];
-    if (body_p == body_q) continue;
+    if (body_p == body_q || state.left[body_p] != 0 || state.left[body_q] != 0) continue;
     if (!model.body_moves(body_p) && !model.body_moves(body_q)) continue;
     NearPair pair{p, q, contact_law(model, body_p, body_q), 0, 0, 0, 0, 0, 1.0, false};
     if (pair.law < 0) continue;

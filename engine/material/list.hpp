@@ -45,14 +45,20 @@ inline bool same_numbers(const SolidLaw& a, const SolidLaw& b) {
       a);
 }
 
+/// The laws here take stress from the stretch less 1, over the area of the reference shape. Squeezed to half its length
+/// a solid has a true (logarithmic) strain of 0.69 instead of 0.5, and what is left of its area is anyone's guess:
+/// beyond this the law says nothing any more, well before an element turns inside out at 1.
+inline constexpr double usual_strain_limit = 0.5;
+
 /// A solid as bodies are made of it.
 struct Solid {
   SolidLaw law;
   Plane plane = Plane::stress;
   ElementForm form = ElementForm::assumed;
+  double strain_limit = usual_strain_limit;  ///< largest principal strain, of either sign, it is made for [1]
 
   friend bool operator==(const Solid& a, const Solid& b) {
-    return a.plane == b.plane && a.form == b.form && same_numbers(a.law, b.law);
+    return a.plane == b.plane && a.form == b.form && a.strain_limit == b.strain_limit && same_numbers(a.law, b.law);
   }
   [[nodiscard]] bool is_elastic() const {
     return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::is_elastic; }, law);
@@ -77,7 +83,8 @@ inline Stress point_stress(const Solid& solid, const PlaneVector& strain, const 
 inline std::string describe(const Solid& solid) {
   return std::visit([](const auto& l) { return describe(l); }, solid.law) +
          (solid.plane == Plane::stress ? ", plane stress" : ", plane strain") +
-         (solid.form == ElementForm::plain ? ", plain elements" : "");
+         (solid.form == ElementForm::plain ? ", plain elements" : "") +
+         (solid.strain_limit != usual_strain_limit ? fmt::format(", strains up to {:g}", solid.strain_limit) : "");
 }
 
 }  // namespace trilith

@@ -44,7 +44,7 @@ void write_counts(const std::vector<EventRow>& events, HtmlText& html) {
 
 std::string mark_of(const EventRow& e) {
   if (e.type == "bearing.failed" || e.type == "seat.lost") return "lost";
-  if (is_failure(e)) return "failed";
+  if (is_failure(e) || e.type == "body.passed" || e.type == "element.overstrained") return "failed";
   if (e.type == "bearing.yielded" || e.type == "bond.cracked" || e.type == "joint.crushed") return "yielded";
   return e.type == "bearing.changed" ? "changed" : "plain";
 }
@@ -52,7 +52,9 @@ std::string mark_of(const EventRow& e) {
 /// "bonds broken" from "bond broken".
 std::string several(const std::string& heading) {
   const std::size_t end = std::min(heading.find(' '), heading.size());
-  return fmt::format("{}s{}", heading.substr(0, end), heading.substr(end));
+  const std::string first = heading.substr(0, end), rest = heading.substr(end);
+  return first.ends_with('y') ? fmt::format("{}ies{}", first.substr(0, end - 1), rest)
+                              : fmt::format("{}s{}", first, rest);
 }
 
 /// What a line says; numbers are in the text where it was written by the run.
@@ -159,7 +161,7 @@ void write_events(const ReportSource& source, HtmlText& html) {
   const EventTree tree = event_tree(source.events, tree_rows(source.of_note, left_out), open_lines);
   write_counts(source.events, html);
   if (tree.rows.empty()) {
-    html.element("p", "Nothing failed, and nothing hit anything hard.");
+    html.element("p", "No bearing, seat or bond was lost, and nothing hit anything hard.");
     return;
   }
   std::string note =

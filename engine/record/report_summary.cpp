@@ -9,6 +9,7 @@
 #include "record/axis_ticks.hpp"
 #include "record/event_tree.hpp"
 #include "record/report_sections.hpp"
+#include "record/results_verdict.hpp"
 
 namespace trilith::record {
 namespace {
@@ -74,24 +75,26 @@ Vec2 ground_way(const Header& header, const Frame& frame) {
   return sum / std::max(count, 1);
 }
 
-/// "5 of 15 free bodies stood more than half their depth from where they began"; "" where that cannot be told.
-std::string moved_text(const ReportSource& source) {
+/// Bodies that were free, and those of them that stood elsewhere at the end.
+struct Moved {
+  std::size_t free = 0, moved = 0;
+};
+
+/// More than half its depth from where it began counts. Nothing where that cannot be told.
+Moved moved_bodies(const ReportSource& source) {
   const Header& header = source.header;
-  if (source.reader.frame_count() == 0 || header.dim != 2) return "";
+  Moved out;
+  if (source.reader.frame_count() == 0 || header.dim != 2) return out;
   const Frame last = source.reader.frame(source.reader.frame_count() - 1);
   const Vec2 ground = ground_way(header, last);
-  std::size_t free = 0, moved = 0;
   for (const BodyRow& body : header.bodies) {
     if (!is_free(body)) continue;
-    ++free;
+    ++out.free;
     const Vec2 way =
         place_of(last.position, body.first_node) - place_of(header.node_position, body.first_node) - ground;
-    moved += 2 * way.norm() > depth_of(header, body) ? 1 : 0;
+    out.moved += 2 * way.norm() > depth_of(header, body) ? 1 : 0;
   }
-  if (free == 0) return "";
-  if (moved == 0) return "no body stood more than half its depth from where it began on the ground";
-  return fmt::format("{} of {} free bodies stood more than half their depth from where they began on the ground", moved,
-                     free);
+  return out;
 }
 
 std::string why_text(const std::string& why) {
@@ -114,6 +117,7 @@ std::string ending(const ReportSource& source) {
                      shown_time(last.end - last.begin), last.name);
 }
 
+/// What was lost, of all that can be; "nothing failed" where nothing was, and all stands where it began.
 std::string losses(const ReportSource& source) {
   const auto count = [&](std::string_view type) {
     return static_cast<std::size_t>(
@@ -124,9 +128,17 @@ std::string losses(const ReportSource& source) {
     parts.push_back(fmt::format("{} of {} failed", n, counted(source.header.bearings.size(), "bearing", "bearings")));
   if (const std::size_t n = count("seat.lost"); n > 0) parts.push_back(counted(n, "seat was", "seats were") + " lost");
   if (const std::size_t n = count("bond.broken"); n > 0) parts.push_back(counted(n, "bond", "bonds") + " broke");
-  if (parts.empty()) parts.emplace_back("nothing failed");
-  if (const std::string moved = moved_text(source); !moved.empty()) parts.push_back(moved);
-  return listed(parts);
+  if (const std::size_t n = count("body.left"); n > 0)
+    parts.push_back(counted(n, "body", "bodies") + " left the bounds");
+  const Moved bodies = moved_bodies(source);
+  if (bodies.moved > 0)
+    parts.push_back(
+        fmt::format("{} of {} free bodies stood more than half their depth from where they began on the ground",
+                    bodies.moved, bodies.free));
+  if (parts.empty() && results_verdict(source.events).sound()) parts.emplace_back("nothing failed");
+  if (bodies.moved == 0 && bodies.free > 0)
+    parts.emplace_back("no body stood more than half its depth from where it began on the ground");
+  return parts.empty() ? "nothing is told of it" : listed(parts);
 }
 
 /// Name of the stage and how long it had run at the event.
@@ -187,6 +199,8 @@ void write_head(const ReportSource& source, HtmlText& html) {
                      ? "Not finished: a run is writing this file. What follows is up to its last flush."
                      : "Not finished: the run ended before its end. What follows is up to its last flush.",
                  R"(class="warning")");
+  const Verdict found = results_verdict(source.events);
+  if (!found.sound()) html.element("p", fmt::format("This run is {}.", found.text()), R"(class="warning")");
   html.element("p", verdict(source), R"(class="verdict")");
   std::vector<std::string> remarks;
   for (const Note& note : source.notes)

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "record/largest_value.hpp"
+#include "record/results_verdict.hpp"
 
 namespace trilith::record {
 namespace {
@@ -35,6 +36,12 @@ std::string state(const ResultsReader& reader) {
   std::string text = fmt::format("{}: finished\n", path);
   const std::string newer = newer_run_text(reader);
   return newer.empty() ? text : fmt::format("{}  {}\n", text, newer);
+}
+
+std::string verdict(const Verdict& found) {
+  std::string text = found.sound() ? "" : fmt::format("  {}\n", found.text());
+  if (found.left() > 0) text += fmt::format("  bodies that left the bounds: {}\n", found.left());
+  return text;
 }
 
 std::string provenance(const Provenance& from) {
@@ -140,8 +147,9 @@ std::string newer_run_text(const ResultsReader& reader) {
 
 std::string info_text(const ResultsReader& reader) {
   const Header& header = reader.header();
-  return state(reader) + provenance(header.provenance) + model(header) + stages(reader.stages()) + records(reader) +
-         events(reader.events()) + energy(reader.energy(), header.energy_terms) + notes(reader.notes());
+  return state(reader) + verdict(results_verdict(reader.events())) + provenance(header.provenance) + model(header) +
+         stages(reader.stages()) + records(reader) + events(reader.events()) +
+         energy(reader.energy(), header.energy_terms) + notes(reader.notes());
 }
 
 }  // namespace trilith::record

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "record/results_findings.hpp"
+#include "record/results_verdict.hpp"
 #include "world/event_text.hpp"
 
 namespace trilith {
@@ -149,6 +150,19 @@ void add_stage(const ResultsReader& reader, const Frame& frame, Scene& scene) {
   if (stage.begin > 0) scene.stage = fmt::format("{:.2f} s into the stage", frame.time - stage.begin);
 }
 
+/// Leaves out bodies that had left the bounds, so that the picture is of what is still there; but not all.
+void drop_left(const std::vector<record::EventRow>& events, double time, Scene& scene) {
+  std::vector<bool> left(scene.bodies.size());
+  for (const record::EventRow& e : events)
+    if (e.type == "body.left" && e.time <= time && e.body_a >= 0 && e.body_a < static_cast<int>(left.size()))
+      left[static_cast<std::size_t>(e.body_a)] = true;
+  if (std::find(left.begin(), left.end(), false) == left.end()) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (!left[i]) std::swap(scene.bodies[kept++], scene.bodies[i]);
+  scene.bodies.resize(kept);
+}
+
 std::string event_before(const ResultsReader& reader, double time) {
   std::string out;
   for (const record::EventRow& e : events_of_note(reader)) {
@@ -197,6 +211,7 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
   scene.time = frame.time;
   add_stage(reader, frame, scene);
   scene.event = event_before(reader, frame.time);
+  scene.verdict = record::results_verdict(reader.events()).text();
   add_bodies(header, frame, scene);
   if (!header.bearings.empty()) add_bearings(header, frame, scene);
   if (choice.forces) add_forces(header, frame, scene);
@@ -206,6 +221,7 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
   if (choice.magnify != 1)
     scene.stage += fmt::format("{}displacements x {:g}", scene.stage.empty() ? "" : ", ", choice.magnify);
   if (choice.ghost) add_ghosts(header, reader.frame(0), scene);
+  drop_left(reader.events(), frame.time, scene);
   return scene;
 }
 

@@ -56,12 +56,13 @@ struct SceneCrack {
   CrackMark mark = CrackMark::opened;
 };
 
-/// What is seen at one moment. Title first, below it time, stage and event in one line, as far as given.
+/// What is seen at one moment. Title first, below it time, stage, event and verdict in one line, as far as given.
 struct Scene {
   std::string title;
   std::optional<double> time = std::nullopt;  ///< s
   std::string stage = {};
   std::string event = {};
+  std::string verdict = {};  ///< why the run is not to be trusted
   std::vector<SceneBody> bodies = {};
   std::vector<SceneForce> forces = {};
   std::vector<SceneBearing> bearings = {};

@@ -8,6 +8,7 @@
 
 #include "record/body_mass.hpp"
 #include "record/palette.hpp"
+#include "record/results_verdict.hpp"
 #include "record/view_joints.hpp"
 #include "world/event_text.hpp"
 
@@ -58,6 +59,7 @@ void write_run(const ResultsReader& reader, const ViewFrames& frames, std::size_
   json.text("name", reader.path().stem().stem().string()).text("state", state_of(reader));
   json.text("script", from.script).text("script_path", from.script_path).text("program", from.program_version);
   json.text("commit", from.git_commit).text("platform", from.platform).text("command", from.command_line);
+  json.text("verdict", results_verdict(reader.events()).text());
   json.text("started", from.start_time).number("dim", reader.header().dim);
   json.number("frame_stride", static_cast<double>(frames.frame_stride));
   json.number("contact_stride", static_cast<double>(frames.contact_stride));

@@ -103,6 +103,26 @@ std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state
   return stress;
 }
 
+WorstBodies worst_bodies(const Model<2>& model, const Work<2>& work) {
+  WorstBodies worst;
+  for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
+    if (!model.body_moves(b)) continue;
+    const Body& body = model.bodies[b];
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+      if (!model.moves(n)) continue;
+      Vec2 left = work.force[n];
+      for (const int k : {0, 1})
+        if (model.support[n][k] != Support::free) left[k] = 0;
+      if (worst.unbalanced < 0 || left.norm() > worst.force) worst.unbalanced = b, worst.force = left.norm();
+    }
+    for (int s = body.first_skin; s < body.first_skin + body.skins; ++s) {
+      const double speed = std::hypot(work.skin[s].u, work.skin[s].v);
+      if (worst.fastest < 0 || speed > worst.speed) worst.fastest = b, worst.speed = speed;
+    }
+  }
+  return worst;
+}
+
 std::vector<ThrustPoint> thrust_line(std::span<const int> chain, std::span<const TouchingContact> touching) {
   std::vector<ThrustPoint> line;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {

@@ -28,6 +28,14 @@ struct MeanStress {
 std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state, const Work<2>& work,
                                     std::span<const TouchingContact> touching);
 
+/// The moving body with the largest unbalanced force, and the fastest one; -1 where none moves.
+struct WorstBodies {
+  int unbalanced = -1, fastest = -1;
+  double force = 0;  ///< unbalanced [N]
+  double speed = 0;  ///< of a point of the fastest [m/s]
+};
+WorstBodies worst_bodies(const Model<2>& model, const Work<2>& work);
+
 /// A point of the line of thrust: where the force between two neighbours of a chain acts.
 struct ThrustPoint {
   int body_a, body_b;

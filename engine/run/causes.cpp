@@ -14,6 +14,9 @@ bool can_cause(EventType type) {
     case EventType::bearing_changed:
     case EventType::seat_lost:
     case EventType::impact:
+    case EventType::body_left:
+    case EventType::body_passed:
+    case EventType::element_overstrained:
       return true;
     default:
       return false;

@@ -60,6 +60,9 @@ bool has_place(EventType type) {
     case EventType::contact_made:
     case EventType::seat_lost:
     case EventType::impact:
+    case EventType::body_left:
+    case EventType::body_passed:
+    case EventType::element_overstrained:
       return true;
     default:
       return false;

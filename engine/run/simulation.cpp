@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
+#include "run/stage_end.hpp"
+#include "run/watch.hpp"
 #include "step/central_difference.hpp"
 #include "step/evaluate.hpp"
 #include "step/lead.hpp"
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
+#include "step/take_out.hpp"
+#include "world/event_text.hpp"
 
 namespace trilith {
 namespace {
@@ -58,12 +63,21 @@ class Flagged {
 }  // namespace
 
 Simulation::Simulation(Model<2> model)
-    : model_(std::move(model)), state_(start_state(model_)), causes_(static_cast<int>(model_.bodies.size())) {}
+    : model_(std::move(model)),
+      state_(start_state(model_)),
+      causes_(static_cast<int>(model_.bodies.size())),
+      watch_(std::make_unique<Watch>()) {}
 
 Simulation::Simulation(Model<2> model, State<2> state)
-    : model_(std::move(model)), state_(std::move(state)), causes_(static_cast<int>(model_.bodies.size())) {
+    : model_(std::move(model)),
+      state_(std::move(state)),
+      causes_(static_cast<int>(model_.bodies.size())),
+      watch_(std::make_unique<Watch>()) {
   assert(state_.position.size() == model_.mass.size());
+  all_left_ = hold_left(model_, state_);
 }
+
+Simulation::~Simulation() = default;
 
 Model<2>& Simulation::edit_model() {
   assert(!running_ || at_border_);
@@ -74,6 +88,7 @@ Model<2>& Simulation::edit_model() {
 /// The model has another content from now on.
 void Simulation::edited() {
   work_.valid = evaluated_ = false;
+  watch_->doubt();
   kept_model_.reset();
 }
 
@@ -97,6 +112,7 @@ void Simulation::set_bonds(double reach) {
 /// evaluate, then the length of the step to come, then the forces of displacement control, which depend on it.
 void Simulation::refresh() {
   if (evaluated_) return;
+  if (!work_.valid) all_left_ = hold_left(model_, state_);
   evaluate(model_, state_, work_, state_.last_dt, times_);
   StepClock clock(times_);
   next_ = choose_step();
@@ -154,22 +170,33 @@ Instant Simulation::instant() const {
   return {model_, state_, work_, stage_->options, stage_->report.begun, step_length(), work_.fastest_moving, ratio};
 }
 
-void Simulation::tell(EventType type, const std::string& text, const RunListener& listener, const Instant& now) {
-  Event e;
-  e.type = type;
-  e.time = state_.time;
-  e.step = state_.step;
-  e.text = text;
-  causes_.name(e);
-  if (listener.on_event) listener.on_event(e, now);
+/// Every event of a run goes through here.
+void Simulation::tell(Event event, const RunListener& listener, const Instant& now) {
+  causes_.name(event);
+  if (concerns_verdict(event.type)) verdict_.add(event.type, event.time, event.value, event_text(event, model_));
+  if (listener.on_event) listener.on_event(event, now);
+}
+
+/// That the stage has ended; before it, why it is not to be trusted, where it is not.
+void Simulation::tell_end(const RunListener& listener, const Instant& now) {
+  const StageReport& report = stage_->report;
+  if (report.end == StageEnd::diverged) tell(diverged_event(now, report), listener, now);
+  if (report.end == StageEnd::not_at_rest && now.stage.must_rest) tell(unsettled_event(now), listener, now);
+  tell(stage_event(EventType::stage_ended, now, fmt::format("{}: {}", now.stage.name, name_of(report.end))), listener,
+       now);
 }
 
 StageReport Simulation::run(const StageOptions& options, const RunListener& listener) {
   check(options);
   assert(!running_);
+  if (verdict_.has(Fault::diverged))
+    throw InputError(
+        fmt::format("stage '{}': cannot begin, as the run {}; go back to before that, or build the model anew",
+                    options.name, verdict_.fault(Fault::diverged).first));
   stage_.emplace(options, state_.time);
   rest_ = {options.rest_share};
   evaluated_ = false;
+  watch_->reset();
   return go_on(listener);
 }
 
@@ -210,7 +237,7 @@ void Simulation::run_on(const RunListener& listener, const RunLimit& limit) {
 
 Snapshot Simulation::snapshot() {
   if (!kept_model_) kept_model_ = std::make_shared<const Model<2>>(model_);
-  return {state_, kept_model_, causes_, stage_, rest_};
+  return {state_, kept_model_, causes_, stage_, rest_, verdict_};
 }
 
 void Simulation::restore(const Snapshot& snapshot) {
@@ -219,27 +246,41 @@ void Simulation::restore(const Snapshot& snapshot) {
   if (kept_model_ != snapshot.model) model_ = *snapshot.model;
   kept_model_ = snapshot.model;
   causes_ = snapshot.causes;
+  verdict_ = snapshot.verdict;
+  all_left_ = hold_left(model_, state_);
+  watch_->reset();
   stage_ = snapshot.stage;
   rest_ = snapshot.rest;
   drop_work();
 }
 
+/// Lets bodies go that have come outside the bounds.
+void Simulation::see_off() {
+  const std::vector<int> bodies = watch_->leaving(model_, state_, work_);
+  if (bodies.empty()) return;
+  leaving_ = take_out(model_, state_, work_, {step_length(), rest_}, bodies);
+  all_left_ = hold_left(model_, state_);
+  kept_model_.reset();
+}
+
 /// Sets the report where the stage ends at this instant.
-bool Simulation::ends(const Instant& now) {
+bool Simulation::ends(const RunListener& listener, const Instant& now) {
   StageProgress& stage = *stage_;
   const StageOptions& options = stage.options;
   const bool last = state_.time >= stage.end - 1e-9 * options.duration;
   const bool calm = now.speed <= options.still_speed && now.ratio <= options.still_ratio;
   if (!calm || state_.time < stage.report.begun + options.still_from) stage.still_since = state_.time;
   const bool rests = options.until_rest && state_.time - stage.still_since >= options.still_hold && !stage.first;
-  const bool stopped = stop_.load(std::memory_order_relaxed);
-  const bool broken = !std::isfinite(now.speed) || !std::isfinite(work_.unbalanced);
-  if (!last && !rests && !stopped && !broken) return false;
-  stage.report.end = broken               ? StageEnd::diverged
-                     : rests              ? StageEnd::rest
-                     : stopped            ? StageEnd::stopped
-                     : options.until_rest ? StageEnd::not_at_rest
-                                          : StageEnd::time;
+  const bool stopped = stop_.load(std::memory_order_relaxed), ending = last || rests || stopped || all_left_;
+  const std::optional<Divergence> diverged = watch_->look(now, ending);
+  if (!ending && !diverged) return false;
+  if (diverged && diverged->event) tell(*diverged->event, listener, now);
+  set_end(stage.report, now, diverged,
+          rests                ? StageEnd::rest
+          : stopped            ? StageEnd::stopped
+          : all_left_          ? StageEnd::all_left
+          : options.until_rest ? StageEnd::not_at_rest
+                               : StageEnd::time);
   return true;
 }
 
@@ -259,10 +300,7 @@ void Simulation::tell_samples(const RunListener& listener, const Instant& now, b
 void Simulation::tell_step(const RunListener& listener) {
   StepClock clock(times_);
   const Instant now = instant();
-  for (Event& e : work_.events) {
-    causes_.name(e);
-    if (listener.on_event) listener.on_event(e, now);
-  }
+  for (const Event& e : work_.events) tell(e, listener, now);
   if (listener.on_step) listener.on_step(now);
   if (listener.change_model && listener.change_model(model_)) edited();
   clock.mark(StepPart::listen);
@@ -274,19 +312,20 @@ void Simulation::pass(const RunListener& listener) {
   StageReport& report = stage.report;
   refresh();
   require_step(stage.options);
+  see_off();
   StepClock clock(times_);
   const Instant now = instant();
   report.speed = now.speed;
   report.ratio = now.ratio;
-  if (stage.first) tell(EventType::stage_begun, stage.options.name, listener, now);
-  const bool over = ends(now);
+  if (stage.first) tell(stage_event(EventType::stage_begun, now, stage.options.name), listener, now);
+  for (Event& e : std::exchange(leaving_, {})) tell(std::move(e), listener, now);
+  const bool over = ends(listener, now);
   stage.first = false;
   if (!over || report.end != StageEnd::diverged) tell_samples(listener, now, over);
   clock.mark(StepPart::record);
   if (over) {
-    report.ended = state_.time;
     stage.over = true;
-    tell(EventType::stage_ended, fmt::format("{}: {}", stage.options.name, name_of(report.end)), listener, now);
+    tell_end(listener, now);
     return;
   }
   report.shortest_dt = report.steps == 0 ? now.dt : std::min(report.shortest_dt, now.dt);

@@ -15,6 +15,7 @@
 #include "step/step_times.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
+#include "world/verdict.hpp"
 #include "world/work.hpp"
 
 namespace trilith {
@@ -26,6 +27,7 @@ struct Snapshot {
   Causes causes;
   std::optional<StageProgress> stage;  ///< the stage that ran then
   RestDamping rest;                    ///< of that stage, or of the last one
+  Verdict verdict;
 };
 
 /// Where a nested run pauses: the first limit that is reached. Counted from its call.
@@ -41,16 +43,21 @@ struct NextStep {
   double safety = 0;   ///< see State::safety
   double longest = 0;  ///< the longest stable one [s], where it was looked for just now; else 0
 };
+class Watch;
 
 class Simulation {
  public:
   /// Starts from start_state(model).
   explicit Simulation(Model<2> model);
-  /// Continues from a state of that model.
+  /// Continues from a state of that model; what has left the bounds by it stays out.
   Simulation(Model<2> model, State<2> state);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+  ~Simulation();
 
   /// Runs one stage to its end. Throws InputError for options out of range and for a fixed step that is not stable.
-  /// What listeners throw ends the run and is passed on; the state is then that of the last whole step.
+  /// What listeners throw ends the run and is passed on; the state is then that of the last whole step. Throws
+  /// InputError too after a stage that diverged: its state means nothing.
   StageReport run(const StageOptions& options, const RunListener& listener = {});
   /// Runs a stage that restore() has brought back to its end.
   StageReport resume(const RunListener& listener = {});
@@ -60,6 +67,8 @@ class Simulation {
   [[nodiscard]] const State<2>& state() const { return state_; }
   [[nodiscard]] const Work<2>& work() const { return work_; }
   [[nodiscard]] const Model<2>& model() const { return model_; }
+  /// Of all stages so far.
+  [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   /// For changes between stages (supports, drives, damping, gravity), or at the border of a step.
   Model<2>& edit_model();
   /// The same by a function; where it frees a degree of freedom, drop_step.
@@ -94,7 +103,8 @@ class Simulation {
  private:
   StageReport go_on(const RunListener& listener);
   void pass(const RunListener& listener);
-  bool ends(const Instant& now);
+  void see_off();
+  bool ends(const RunListener& listener, const Instant& now);
   void tell_samples(const RunListener& listener, const Instant& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;
   [[nodiscard]] double step_length() const;
@@ -102,18 +112,23 @@ class Simulation {
   void require_step(const StageOptions& options) const;
   void tell_step(const RunListener& listener);
   void edited();
-  void tell(EventType type, const std::string& text, const RunListener& listener, const Instant& now);
+  void tell(Event event, const RunListener& listener, const Instant& now);
+  void tell_end(const RunListener& listener, const Instant& now);
 
   Model<2> model_;
   State<2> state_;
   Work<2> work_;
   Causes causes_;
+  Verdict verdict_;
   std::optional<StageProgress> stage_;
   std::shared_ptr<const Model<2>> kept_model_;  // a copy of model_, where none was changed since
   StepTimes* times_ = nullptr;
   NextStep next_;           // found by refresh()
   RestDamping rest_;        // of the present stage, or of the last one
   bool evaluated_ = false;  // work_ and next_ are those of state_ and model_
+  std::unique_ptr<Watch> watch_;
+  std::vector<Event> leaving_;  // events of bodies that left at this instant, to be told
+  bool all_left_ = false;       // nothing is free to move any more, as all of that has left
   std::atomic<bool> stop_{false};
   bool running_ = false, at_border_ = false;
 };

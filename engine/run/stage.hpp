@@ -10,9 +10,9 @@
 namespace trilith {
 
 /// Why a stage ended.
-enum class StageEnd { time, rest, stopped, not_at_rest, diverged };
+enum class StageEnd { time, rest, stopped, not_at_rest, diverged, all_left };
 constexpr const char* name_of(StageEnd e) {
-  constexpr const char* names[] = {"time", "rest", "stopped", "not at rest", "diverged"};
+  constexpr const char* names[] = {"time", "rest", "stopped", "not at rest", "diverged", "all left"};
   return names[static_cast<int>(e)];
 }
 
@@ -31,6 +31,9 @@ struct StageOptions {
   double still_ratio = 1;        ///< ... and the unbalanced force at most this share of the largest carried one ...
   double still_hold = 0.5;       ///< ... for this long [s]
 
+  bool must_rest = false;  ///< with until_rest: where it is not reached, the run's verdict says so
+  bool watched = true;     ///< speeds and energies beyond what was put in end the stage as diverged
+
   double frame_interval = 0;    ///< [s]; 0: none
   double history_interval = 0;  ///< [s]; 0: none
   double energy_interval = 0;   ///< [s]; 0: none
@@ -44,6 +47,8 @@ struct StageReport {
   double shortest_dt = 0, longest_dt = 0;  ///< [s]
   double speed = 0, ratio = 0;             ///< fastest skin point and unbalanced ratio at the end
   std::string reason;                      ///< in words, where it did not end as asked: what, where, what to try
+  std::string found;                       ///< where it diverged: what and where alone
+  double sound_until = 0;                  ///< where it diverged: the last instant that was looked at and sound [s]
 };
 
 /// What a running stage looks like at one instant.
@@ -58,9 +63,9 @@ struct Instant {
   double ratio;  ///< unbalanced force over largest carried force
 };
 
-/// Who listens to a run. All are called at an evaluated instant, in this order; none may write State, Model or Work, but
-/// for change_model, which is the step border: what it changes holds from then on. Events tell of the step behind, the
-/// instant they come with is the one after it.
+/// Who listens to a run. All are called at an evaluated instant, in this order; none may write State, Model or Work,
+/// but for change_model, which is the step border: what it changes holds from then on. Events tell of the step behind,
+/// the instant they come with is the one after it.
 struct RunListener {
   std::function<void(const Instant&)> on_frame, on_history;
   std::function<void(const Instant&, const Energy&)> on_energy;

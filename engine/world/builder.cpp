@@ -1,4 +1,5 @@
 #include "world/builder.hpp"
+#include "world/bounds.hpp"
 
 #include <fmt/format.h>
 
@@ -184,6 +185,7 @@ Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<st
   std::vector<std::uint8_t> floating;
   for (const BodySpec& b : bodies_) floating.push_back(b.floating ? 1 : 0);
   check_held_up(model, floating, faults);
+  attempt([&] { set_bounds(model, bounds); });
   return model;
 }
 

@@ -177,6 +177,7 @@ void walk_rest(W& file, State<2>& s) {
     file.number(s.moved_at[i]);
     file.flag(s.resting[i]);
   }
+  for (std::size_t i = 0, n = file.count(s.left.size()); i < n; ++i) file.flag(s.left[i]);
   for (std::size_t i = 0, n = file.count(s.given.value.size()); i < n; ++i) file.number(s.given.value[i]);
 }
 
@@ -255,7 +256,7 @@ std::vector<std::uint64_t> read_words(const std::filesystem::path& path) {
   return words;
 }
 
-void check_head(std::span<const std::uint64_t> words, const std::filesystem::path& path, const Fingerprint& print) {
+void check_head(std::span<const std::uint64_t> words, const std::filesystem::path& path, std::uint64_t structure) {
   if (words[1] == swapped_mark)
     throw InputError(title(path) +
                      " was written on a machine of the other byte order; it can only be read on one of that kind");
@@ -268,11 +269,16 @@ void check_head(std::span<const std::uint64_t> words, const std::filesystem::pat
     throw InputError(title(path) + " is cut off or has something after its end; take an earlier one");
   if (words.back() != digest(words.first(words.size() - 1)))
     throw InputError(title(path) + " is damaged: its digest does not fit its contents; take an earlier one");
-  if (words[3] != print.structure)
+  if (words[3] != structure)
     throw InputError(
         title(path) +
         " belongs to another model: bodies, laws or bearings differ; load it with the model it was saved from");
-  if (words[4] != print.conditions)
+}
+
+/// Once it is known which bodies have left, as these are held whatever the model says.
+void check_conditions(std::span<const std::uint64_t> words, const std::filesystem::path& path,
+                      std::uint64_t conditions) {
+  if (words[4] != conditions)
     throw InputError(title(path) +
                      " belongs to this model under other supports, motions, gravity, damping or loads; "
                      "set them as they were when it was saved, and change them after loading");
@@ -281,7 +287,7 @@ void check_head(std::span<const std::uint64_t> words, const std::filesystem::pat
 }  // namespace
 
 void save_state(const State<2>& state, const Model<2>& model, const std::filesystem::path& path) try {
-  const std::vector<std::uint64_t> words = words_of(state, model_fingerprint(model));
+  const std::vector<std::uint64_t> words = words_of(state, model_fingerprint(model, state));
   FreshFile file(path);
   file.write({reinterpret_cast<const char*>(words.data()), words.size() * sizeof(words[0])});
   file.take_place();
@@ -291,7 +297,7 @@ void save_state(const State<2>& state, const Model<2>& model, const std::filesys
 
 State<2> load_state(const Model<2>& model, const std::filesystem::path& path) {
   const std::vector<std::uint64_t> words = read_words(path);
-  check_head(words, path, model_fingerprint(model));
+  check_head(words, path, model_fingerprint(model).structure);
   State<2> state = initial_state(model);  // for the number of rows
   const std::span<const std::uint64_t> all(words);
   Reader file(all.subspan(head_words, words.size() - head_words - 1), title(path));
@@ -302,6 +308,7 @@ State<2> load_state(const Model<2>& model, const std::filesystem::path& path) {
   walk_rest(file, state);
   file.done();
   check_bearings(file, state);
+  check_conditions(words, path, model_fingerprint(model, state).conditions);
   return state;
 }
 

@@ -26,8 +26,9 @@ enum class EnergyTerm : int {
   rest_damping,  ///< the damping of consolidation
   support,       ///< put in by moving supports
   load,          ///< put in by steady forces
+  left_bounds,   ///< what bodies held when they left the bounds
 };
-inline constexpr int energy_terms = 17;
+inline constexpr int energy_terms = 18;
 
 struct EnergyTermInfo {
   std::string_view name, sentence;
@@ -54,6 +55,7 @@ inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
     {"rest_damping", "given off by the damping of consolidation", +1},
     {"support", "put in by moving supports", -1},
     {"load", "put in by steady forces", -1},
+    {"left_bounds", "given off by bodies that left the bounds, which took it along", +1},
 }};
 
 struct Energy {

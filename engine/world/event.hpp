@@ -22,8 +22,13 @@ enum class EventType : int {
   seat_lost,
   impact,
   body_at_rest,
+  body_left,
+  body_passed,
+  element_overstrained,
+  stage_diverged,
+  stage_unsettled,
 };
-inline constexpr int event_types = 13;
+inline constexpr int event_types = 18;
 
 /// Of a mortar joint: its Event::text is the mode, a name of joint_modes.
 constexpr bool is_of_joint(EventType type) {
@@ -52,6 +57,11 @@ inline constexpr std::array<EventTypeInfo, event_types> event_type_info{{
     {"seat.lost", "speed", "m/s"},
     {"impact", "closing speed", "m/s"},
     {"body.rest", "", ""},
+    {"body.left", "speed", "m/s"},
+    {"body.passed", "overlap", "m"},
+    {"element.overstrained", "strain", "1"},
+    {"stage.diverged", "sound until", "s"},
+    {"stage.unsettled", "unbalanced", "1"},
 }};
 
 struct Event {
@@ -63,7 +73,8 @@ struct Event {
   int body_a = -1, body_b = -1, bearing = -1;
   double value = 0;     ///< see EventTypeInfo
   double x = 0, y = 0;  ///< where [m]
-  std::string text;     ///< the rest in words: the mode of a joint's failure, tension, shear or compression
+  std::string text;     ///< the rest in words: the mode of a joint's failure (tension, shear or compression), which
+                        ///< element of its body, why a stage diverged or did not settle
 };
 
 }  // namespace trilith

@@ -38,6 +38,12 @@ std::string changed_text(const Event& e, const Model<2>& model) {
                      body_name(model, b.body_b), how);
 }
 
+/// The squeezing of an element that has no area left is 1.
+std::string strain_text(double strain) {
+  if (strain <= -1) return "turned inside out";
+  return fmt::format("was {} by {:.3g} %", strain < 0 ? "squeezed" : "stretched", 100 * std::abs(strain));
+}
+
 /// From "shaking: rest".
 std::string ended_text(const std::string& text) {
   const std::size_t at = text.rfind(": ");
@@ -48,7 +54,8 @@ std::string ended_text(const std::string& text) {
 }  // namespace
 
 std::string event_text(const Event& e, const Model<2>& model) {
-  const bool turned = e.type != EventType::seat_lost && stands(model, e.body_a) && !stands(model, e.body_b);
+  const bool turned =
+      e.type != EventType::seat_lost && e.body_b >= 0 && stands(model, e.body_a) && !stands(model, e.body_b);
   const std::string a = body_name(model, turned ? e.body_b : e.body_a);
   const std::string b = body_name(model, turned ? e.body_a : e.body_b);
   switch (e.type) {
@@ -78,15 +85,31 @@ std::string event_text(const Event& e, const Model<2>& model) {
       return fmt::format("{} hit {} at {:.3g} m/s", a, b, e.value);
     case EventType::body_at_rest:
       return fmt::format("{} came to rest", a);
+    case EventType::body_left:
+      return fmt::format("{} left the bounds at {:.3g} m/s", a, e.value);
+    case EventType::body_passed:
+      return fmt::format("{} went through {} ({} deep)", a, b, size_text(e.value));
+    case EventType::element_overstrained:
+      return fmt::format("{} of {} {}", e.text, a, strain_text(e.value));
+    case EventType::stage_diverged:
+      return fmt::format("diverged, as {}", e.text);
+    case EventType::stage_unsettled:
+      return fmt::format("did not come to rest: {}", e.text);
   }
   return {};
 }
 
+std::optional<EventType> event_type_called(std::string_view name) {
+  for (int i = 0; i < event_types; ++i)
+    if (event_type_info[static_cast<std::size_t>(i)].name == name) return static_cast<EventType>(i);
+  return std::nullopt;
+}
+
 std::string_view event_heading(EventType type) {
   constexpr std::array<std::string_view, event_types> headings = {
-      "stage begun",     "stage ended",    "bond cracked",    "bond broken",  "joint crushed",
-      "bearing yielded", "bearing failed", "bearing changed", "contact made", "contact lost",
-      "seat lost",       "impact",         "body at rest"};
+      "stage begun",    "stage ended",     "bond cracked", "bond broken",  "joint crushed", "bearing yielded",
+      "bearing failed", "bearing changed", "contact made", "contact lost", "seat lost",     "impact",
+      "body at rest",   "body left",       "body passed",  "overstrained", "diverged",      "not at rest"};
   return headings[static_cast<std::size_t>(type)];
 }
 

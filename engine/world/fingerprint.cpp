@@ -101,6 +101,7 @@ void add(Hash& hash, const Seat& s) {
 void add(Hash& hash, const Solid& s) {
   std::visit([&](const auto& l) { add_law(hash, l); }, s.law);
   hash.add(static_cast<std::uint64_t>(s.plane)), hash.add(static_cast<std::uint64_t>(s.form));
+  add(hash, s.strain_limit);
 }
 
 void add(Hash& hash, const Element& e) {
@@ -162,6 +163,7 @@ std::uint64_t structure_of(const Model<2>& m) {
 std::uint64_t conditions_of(const Model<2>& m) {
   Hash hash;
   add(hash, m.gravity.field);
+  add(hash, m.bounds.low), add(hash, m.bounds.high);
   for (const double v : {m.gravity.tilt_rate, m.gravity.tilt_start, m.gravity.tilt_end, m.gravity.grow_start,
                          m.gravity.grow_end, m.mass_damping, m.impact_speed, m.apart_time, m.still_speed, m.still_time})
     add(hash, v);
@@ -174,6 +176,16 @@ std::uint64_t conditions_of(const Model<2>& m) {
 
 Fingerprint model_fingerprint(const Model<2>& model) {
   return {structure_of(model), conditions_of(model)};
+}
+
+Fingerprint model_fingerprint(Model<2> model, const State<2>& state) {
+  for (std::size_t b = 0; b < state.left.size(); ++b) {
+    if (state.left[b] == 0) continue;
+    const Body& body = model.bodies[b];
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+      model.support[n].fill(Support::fixed), model.drive_of[n].fill(-1);
+  }
+  return model_fingerprint(model);
 }
 
 }  // namespace trilith

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "world/model.hpp"
+#include "world/state.hpp"
 
 namespace trilith {
 
@@ -18,5 +19,7 @@ struct Fingerprint {
 };
 
 Fingerprint model_fingerprint(const Model<2>& model);
+/// The same whatever the supports of bodies that have left the bounds by `state` are: they are held there.
+Fingerprint model_fingerprint(Model<2> model, const State<2>& state);
 
 }  // namespace trilith

@@ -89,6 +89,15 @@ struct Gravity {
   }
 };
 
+/// Where bodies are followed. What leaves stands still from then on and is no longer part of the step.
+struct Bounds {
+  Vec2 low = Vec2::Constant(-unbounded), high = Vec2::Constant(unbounded);  ///< opposite corners [m]
+
+  [[nodiscard]] bool hold(const Vec2& x) const {
+    return (x.array() >= low.array()).all() && (x.array() <= high.array()).all();
+  }
+};
+
 /// A body's end resting on a support. Its length left is how far the end reaches over the edge of the seat.
 struct Seat {
   std::string name;
@@ -104,6 +113,7 @@ struct Model {
   double thickness = 1;  ///< out of plane, of every contact [m]
   Gravity gravity;
   double mass_damping = 0;  ///< C = mass_damping * M, on velocities relative to rest [1/s]
+  Bounds bounds;            ///< wide ones around where all begins, unless chosen: see default_bounds
 
   // Nodes: one row per node.
   std::vector<double> mass;                                  ///< [node] kg

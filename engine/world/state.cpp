@@ -18,6 +18,7 @@ State<D> initial_state(const Model<D>& model) {
   state.seat_lost.resize(model.seats.size());
   state.moved_at.assign(model.bodies.size(), 0);
   state.resting.assign(model.bodies.size(), 1);
+  state.left.assign(model.bodies.size(), 0);
   return state;
 }
 
@@ -76,7 +77,12 @@ std::uint64_t state_hash(const State<2>& state) {
     hash.add(state.moved_at[i]);
     hash.add(std::uint64_t{state.resting[i]});
   }
-  for (const double v : state.given.value) hash.add(v);
+  // What has not happened adds nothing, so that a run in which nothing leaves has the hash it always had.
+  for (std::size_t i = 0; i < state.left.size(); ++i)
+    if (state.left[i] != 0) hash.add(std::uint64_t{i});
+  for (std::size_t i = 0; i < state.given.value.size(); ++i)
+    if (static_cast<EnergyTerm>(i) != EnergyTerm::left_bounds || state.given.value[i] != 0)
+      hash.add(state.given.value[i]);
   return hash.value();
 }
 

@@ -53,6 +53,7 @@ struct State {
   std::vector<std::uint8_t> seat_lost;  ///< [seat]
   std::vector<double> moved_at;         ///< [body] when it was last faster than Model::still_speed s
   std::vector<std::uint8_t> resting;    ///< [body] 1: has been still for Model::still_time
+  std::vector<std::uint8_t> left;       ///< [body] 1: has left Model::bounds; it stands still there and touches nothing
 
   Energy given;  ///< running sums of the ledger (the terms that are not found from the state)
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "doors.hpp"
+#include "run/body_forces.hpp"
 #include "stage_run.hpp"
 #include "step/contact_resultants.hpp"
 
@@ -206,27 +207,6 @@ int timed(lua_State* L) {
   return 1;
 }
 
-struct Worst {
-  int body = -1;
-  double force = 0;
-};
-
-/// The moving body with the largest unbalanced force.
-Worst worst_of(const Model<2>& model, const Work<2>& work) {
-  Worst worst;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Body& body = model.bodies[b];
-    for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
-      if (!model.moves(n)) continue;
-      Vec2 left = work.force[n];
-      for (const int k : {0, 1})
-        if (model.support[n][k] != Support::free) left[k] = 0;
-      if (worst.body < 0 || left.norm() > worst.force) worst = {static_cast<int>(b), left.norm()};
-    }
-  }
-  return worst;
-}
-
 std::string contacts_text(const Simulation& s, int body) {
   std::vector<TouchingContact> touching;
   contact_resultants(s.model(), s.work(), touching);
@@ -243,22 +223,22 @@ std::string contacts_text(const Simulation& s, int body) {
 
 void push_worst(lua_State* L, const ModelBox& box) {
   const Simulation& s = box.get().evaluated();
-  const Worst worst = worst_of(s.model(), s.work());
+  const WorstBodies worst = worst_bodies(s.model(), s.work());
   lua_createtable(L, 0, 4);
   luaL_setmetatable(L, "trilith.findings");
-  if (worst.body < 0) {
+  if (worst.unbalanced < 0) {
     set_text(L, "text", "no body moves");
     return;
   }
   const double ratio = s.work().carried > 0 ? worst.force / s.work().carried : 0;
-  push_body(L, 1, worst.body);
+  push_body(L, 1, worst.unbalanced);
   lua_setfield(L, -2, "body");
   set_number(L, "force", worst.force);
   set_number(L, "ratio", ratio);
   set_text(L, "text",
            fmt::format("{}: {:.4g} N unbalanced, {:.3g} of the largest force carried",
-                       s.model().bodies[worst.body].name, worst.force, ratio) +
-               contacts_text(s, worst.body));
+                       s.model().bodies[worst.unbalanced].name, worst.force, ratio) +
+               contacts_text(s, worst.unbalanced));
 }
 
 const std::array door_properties{

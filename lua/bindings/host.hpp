@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "record/results.hpp"
 #include "run/stage.hpp"
 #include "run/study_figures.hpp"
 #include "step/step_times.hpp"
+#include "world/verdict.hpp"
 
 struct lua_State;
 
@@ -92,6 +94,8 @@ struct Host {
   StudyChoice study;
   std::vector<StudyFigure> figures;                    ///< that the script came to: what it returned
   std::vector<std::shared_ptr<ScriptModel>> recorded;  ///< models that write results; they live until finish()
+  /// Of all models that ran, by their titles; they outlive the models.
+  std::vector<std::pair<std::string, std::shared_ptr<const Verdict>>> verdicts;
 
   /// Folder of the script, "." where it has none.
   [[nodiscard]] std::filesystem::path folder() const;
@@ -101,6 +105,8 @@ struct Host {
   void finish(const std::string& error);
   /// The same; what became of them comes back, a line for each.
   std::vector<std::string> close(const std::string& error);
+  /// A line for each model whose run is not to be trusted.
+  [[nodiscard]] std::vector<std::string> doubts() const;
 };
 
 /// Where the project's own ground motions are: where installed, or in the source tree it was built from.

@@ -89,6 +89,19 @@ const char* const bearings_field = "bearings";
 const char* const seats_field = "seats";
 const char* const storeys_field = "storeys";
 
+void push_verdict(lua_State* L, const ModelBox& box) {
+  const Verdict& verdict = box.get().verdict();
+  lua_createtable(L, 0, 4);
+  lua_pushboolean(L, verdict.sound() ? 1 : 0);
+  lua_setfield(L, -2, "sound");
+  lua_pushnumber(L, verdict.sound() ? box.get().time() : verdict.sound_until());
+  lua_setfield(L, -2, "sound_until");
+  lua_pushinteger(L, verdict.left());
+  lua_setfield(L, -2, "left");
+  push_text(L, verdict.text());
+  lua_setfield(L, -2, "text");
+}
+
 using P = Property<ModelBox>;
 const std::array model_properties{
     P{"name", "", "its name", nullptr, [](lua_State* L, const ModelBox& m) { push_text(L, m.get().name); }},
@@ -110,6 +123,8 @@ const std::array model_properties{
     P{"storeys", "", "storeys by number, from groups \"storey 1\", ...", nullptr, push_own<storeys_field>},
     P{"events", "", "all events so far", nullptr, push_events},
     P{"hash", "", "sixteen digits of the state's bits", nullptr, push_hash},
+    P{"verdict", "", "whether the run may be trusted: sound, sound_until [s], text, and bodies that left", nullptr,
+      push_verdict},
     P{"notes", "", "what was repaired or is worth knowing", nullptr, push_notes},
 };
 

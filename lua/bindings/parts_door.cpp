@@ -26,13 +26,16 @@ std::optional<Solid> read_solid(Keys& keys) {
   }
   solid.plane = keys.choice("plane", {"stress", "strain"}, 0) == 0 ? Plane::stress : Plane::strain;
   solid.form = keys.choice("form", {"assumed", "plain"}, 0) == 0 ? ElementForm::assumed : ElementForm::plain;
+  solid.strain_limit = keys.number("strain_limit", "1", usual_strain_limit);
+  if (!(solid.strain_limit > 0))
+    keys.problem(fmt::format("'strain_limit' is {:g}, must be above 0", solid.strain_limit));
   if (elastic || given) return solid;
-  for (const std::string_view key : {"nu", "damping", "plane", "form"})
+  for (const std::string_view key : {"nu", "damping", "plane", "form", "strain_limit"})
     if (keys.has(key)) keys.problem(fmt::format("'{}' is given without E; give E too", key));
   return std::nullopt;
 }
 
-/// m:material{ name =, density = | unit_weight =, E =, nu =, damping =, solid =, plane =, form = }
+/// m:material{ name =, density = | unit_weight =, E =, nu =, damping =, solid =, plane =, form =, strain_limit = }
 int add_material(lua_State* L) {
   ScriptModel& m = self(L);
   m.require_open("material");

@@ -61,6 +61,7 @@ double ScriptModel::rewind(double time, Host& host) {
   for (const History& h : histories) branch.samples.push_back(h.values);
   Checkpoint end = checkpoint();
   simulation_->restore(found.snapshot);
+  *verdict_ = simulation_->verdict();
   events.resize(found.events);
   history_times.resize(found.samples);
   for (History& h : histories) h.values.resize(std::min(h.values.size(), found.samples));

@@ -47,6 +47,13 @@ std::vector<std::string> Host::close(const std::string& error) {
   return lines;
 }
 
+std::vector<std::string> Host::doubts() const {
+  std::vector<std::string> lines;
+  for (const auto& [title, verdict] : verdicts)
+    if (!verdict->sound()) lines.push_back(fmt::format("the run of {} is {}", title, verdict->text()));
+  return lines;
+}
+
 void ScriptModel::require_open(const std::string& what) const {
   if (running_)
     throw InputError(fmt::format("{}: cannot be added while a stage runs; add it before the first stage", what));
@@ -79,7 +86,7 @@ void ScriptModel::change(std::function<void(Model<2>&)> what) {
     changes_.push_back(std::move(what));
     return;
   }
-  what(simulation().edit_model());
+  simulation().edit(what);
 }
 
 Model<2> ScriptModel::lone_body(int body) const {
@@ -186,7 +193,9 @@ bool ScriptModel::apply_changes(Model<2>& model) {
   if (changes_.empty()) return false;
   std::vector<std::function<void(Model<2>&)>> now;
   now.swap(changes_);
+  const int free_before = model.free_dofs();
   for (const auto& what : now) what(model);
+  if (model.free_dofs() > free_before) simulation_->drop_step();
   return true;
 }
 
@@ -205,6 +214,11 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
     options.energy_interval = results->energy;
   }
   if (host.console != nullptr && !checkpoints_chosen) checkpoints.on = true;
+  if (!options.watched) {
+    const std::string said = fmt::format("speeds and energies of the stage '{}' are not watched", options.name);
+    note(said);
+    if (host.observer != nullptr) host.observer->note(said);
+  }
   if (host.profile.wanted) {
     s.measure(&host.profile.times);
     host.profile.laws = s.model().law_names;
@@ -219,10 +233,13 @@ StageReport ScriptModel::guarded_run(const std::function<StageReport()>& go, Hos
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
     ~Scope() {
+      *model.verdict_ = model.simulation_->verdict();
       model.running_ = false;
       model.changes_.clear();
     }
   } scope(*this);
+  const auto known = [&](const auto& entry) { return entry.second == verdict_; };
+  if (std::none_of(host.verdicts.begin(), host.verdicts.end(), known)) host.verdicts.emplace_back(title(), verdict_);
   StageReport report;
   const auto begun = std::chrono::steady_clock::now();
   try {
@@ -233,6 +250,7 @@ StageReport ScriptModel::guarded_run(const std::function<StageReport()>& go, Hos
     throw;
   }
   host.profile.times.all += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  if (report.end == StageEnd::diverged) note(report.reason);
   if (host.observer != nullptr) host.observer->stage_ended(report);
   return report;
 }
@@ -278,6 +296,7 @@ std::string ScriptModel::finish(const std::string& error) {
   if (!recording_) return "";
   const std::unique_ptr<Recording> recording = std::move(recording_);
   std::string why = error.empty() ? broken_ : error;
+  if (why.empty() && verdict_->has(Fault::diverged)) why = verdict_->fault(Fault::diverged).first;
   if (why.empty() && simulation_->stage() != nullptr) why = "a stage that was gone back into was not run to its end";
   if (!why.empty()) {
     recording->abandon(why);

@@ -118,6 +118,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   void break_off(const std::string& why) { broken_ = why; }
   /// Ends the recording, if any; see Host::finish. What became of it, in words; "" where there is none.
   std::string finish(const std::string& error);
+  /// Whether its run may be trusted so far.
+  [[nodiscard]] const Verdict& verdict() const { return *verdict_; }
 
  private:
   void begin_recording(Host& host);
@@ -133,6 +135,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
 
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Recording> recording_;
+  std::shared_ptr<Verdict> verdict_ = std::make_shared<Verdict>();
   std::optional<Findings> findings_;
   bool running_ = false, paused_ = false, recording_begun_ = false;
   std::optional<State<2>> recorded_from_;  // where all branches of the results begin

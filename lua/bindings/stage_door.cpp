@@ -5,6 +5,7 @@
 #include "doors.hpp"
 #include "load/motion_check.hpp"
 #include "stage_run.hpp"
+#include "world/bounds.hpp"
 #include "world/usual.hpp"
 
 namespace trilith::script {
@@ -45,6 +46,7 @@ bool read_rest_table(Keys& keys, std::string_view key, StageOptions& o) {
 void read_step(Keys& keys, StageOptions& o) {
   o.dt = keys.number("dt", "s", 0);
   o.safety = keys.number("safety", "1", o.safety);
+  o.watched = keys.flag("watch", true);
 }
 
 int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o) {
@@ -98,7 +100,8 @@ int consolidate(lua_State* L) {
   read_step(keys, o);
   const double grow = keys.number("grow", "s", 0.5);
   if (!(grow >= 0)) keys.problem(fmt::format("'grow' is {:g} s, must not be below 0", grow));
-  const bool fresh = keys.flag("fresh", false);
+  const bool fresh = keys.flag("fresh", false), or_go_on = keys.flag("or_go_on", false);
+  o.must_rest = !or_go_on;
   keys.finish();
   if (fresh && m.running()) throw InputError("consolidate: a stage runs already; mortar cannot be fresh within it");
   if (m.simulation().state().step == 0) {
@@ -106,9 +109,19 @@ int consolidate(lua_State* L) {
     m.change([grow](Model<2>& model) { model.gravity.grow_end = grow; });
   }
   if (fresh) m.simulation().lift_bonds();
-  const int results = finish_stage(L, m, o);
-  if (fresh) m.simulation().set_bonds();
-  return results;
+  const StageReport report = run_stage(L, m, o);
+  if (report.end == StageEnd::not_at_rest && !or_go_on)
+    throw InputError(fmt::format("{} did not come to rest in {:g} s: {}; or_go_on = true goes on all the same", o.name,
+                                 o.duration, report.reason));
+  if (report.end == StageEnd::not_at_rest) {
+    const std::string said =
+        fmt::format("{} did not come to rest, and goes on all the same: {}", o.name, report.reason);
+    m.note(said);
+    if (host(L).observer != nullptr) host(L).observer->note(said);
+  }
+  if (fresh && report.end != StageEnd::diverged) m.simulation().set_bonds();
+  push_report(L, report);
+  return 1;
 }
 
 /// What is to follow which motion.
@@ -298,6 +311,28 @@ int tilt(lua_State* L) {
   return 0;
 }
 
+/// m:bounds{ left =, right =, bottom =, top = }: what leaves them is followed no more.
+int bounds(lua_State* L) {
+  ScriptModel& m = self(L);
+  Keys keys(L, 2, "bounds");
+  Bounds chosen;
+  const std::array low{"left", "bottom"}, high{"right", "top"};
+  bool any = false;
+  for (const std::size_t k : {0UL, 1UL}) {
+    any = keys.has(low[k]) || any;
+    any = keys.has(high[k]) || any;
+    chosen.low[static_cast<int>(k)] = keys.number(low[k], "m", -unbounded);
+    chosen.high[static_cast<int>(k)] = keys.number(high[k], "m", unbounded);
+  }
+  if (!any) keys.problem("no side is given; give left, right, bottom or top");
+  keys.finish();
+  if (m.built())
+    m.change([chosen](Model<2>& model) { set_bounds(model, chosen); });
+  else
+    m.builder.bounds = chosen;
+  return 0;
+}
+
 int stop(lua_State* L) {
   ScriptModel& m = self(L);
   if (!m.running()) throw InputError("stop: no stage runs; call it from a handler or a story while one does");
@@ -308,7 +343,8 @@ int stop(lua_State* L) {
 const std::array door_methods{
     Method{"run", guarded<run>, "run{duration= | to=, name=, dt=, until_rest=}: a stage"},
     Method{"consolidate", guarded<consolidate>,
-           "consolidate{duration=, ratio=, speed=, hold=, damping=, grow=, fresh=}: to rest under dead load; fresh "
+           "consolidate{duration=, ratio=, speed=, hold=, damping=, grow=, fresh=, or_go_on=}: to rest under dead "
+           "load; fresh "
            "mortar sets at its end"},
     Method{"shake", guarded<shake>,
            "shake{motions={{body=, x=, y=}, ...}, duration=, still={speed=, hold=}}: bodies follow ground motions"},
@@ -316,6 +352,8 @@ const std::array door_methods{
     Method{"fix", guarded<fix>, "fix(bodies, \"xyr\"): holds these directions"},
     Method{"free", guarded<free_bodies>, "free(bodies, \"xyr\"): frees these directions"},
     Method{"tilt", guarded<tilt>, "tilt{rate=, by=}: gravity turns from now on"},
+    Method{"bounds", guarded<bounds>,
+           "bounds{left=, right=, bottom=, top=}: what leaves them is an event and stands still from then on"},
     Method{"stop", guarded<stop>, "stop(): ends the running stage at the next step border"},
 };
 

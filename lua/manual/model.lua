@@ -22,7 +22,8 @@ nu           number?           Poisson's ratio
 damping      number s?         stress per strain rate over E
 solid        solid law?        instead of E: a law such as trilith.mohr_coulomb{...}
 plane        text = "stress"   "stress" or "strain"
-form         text = "assumed"  "assumed" or "plain": the element]], gives = "string" },
+form         text = "assumed"  "assumed" or "plain": the element
+strain_limit  number = 0.5     strain its elements are made for; beyond, the stage diverges]], gives = "string" },
   { "model:contact", "Which law holds between materials, groups or bodies. Later calls win.", keys = [[
 between  names          two names of materials, groups or bodies; "*" for any
 law      contact law    a law, the name of one, or "none"
@@ -80,7 +81,7 @@ by_group        table?           what holds for a group alone]] },
   fields = {
     model = { name = "string", energy = "table", bearings = "trilith.bearing[]", seats = "trilith.seat[]",
       storeys = "trilith.storey[]", events = "trilith.event[]", hash = "string", notes = "string[]",
-      worst = "trilith.findings" },
+      worst = "trilith.findings", verdict = "table" },
     body = { name = "string", material = "string", groups = "string[]", outline = "number[][]", kind = "string",
       resting = "boolean" },
     ["set of bodies"] = { names = "string[]" },

@@ -15,6 +15,7 @@ name        text = "run"  what results call it
 damping     number = 0    share of the unbalanced force that brakes each body
 dt          number s?     fixed step; found by itself where left out
 safety      number = 0.5  share of the longest stable step, at most 0.9
+watch       flag = true   speeds and energies that nothing gave end it as diverged
 until_rest  rest?         end at rest: ]] .. rest, gives = "report" },
   { "model:consolidate", "To rest under dead load, with a damping of its own.", keys = [[
 duration  number s = 60           at most
@@ -24,9 +25,11 @@ hold      number s?               for how long
 damping   number = 0.8            share of the unbalanced force that brakes each body
 grow      number s = 0.5          gravity comes on over this time
 fresh     flag = false            mortar is fresh: joints are bonded as they stand at the end
+or_go_on  flag = false            where rest is not reached: a note instead of an error
 name      text = "consolidation"  what results call it
 dt        number s?               fixed step
-safety    number = 0.5            share of the longest stable step, at most 0.9]], gives = "report" },
+safety    number = 0.5            share of the longest stable step, at most 0.9
+watch     flag = true             speeds and energies that nothing gave end it as diverged]], gives = "report" },
   { "model:shake", "Bodies follow ground motions.", keys = drive .. [[
 
 duration  number s?       how long; to the end of the motions where left out
@@ -34,7 +37,8 @@ still     rest?           end at rest after the motions: ]] .. rest .. [[
 
 name      text = "shake"  what results call it
 dt        number s?       fixed step
-safety    number = 0.5    share of the longest stable step, at most 0.9]], gives = "report" },
+safety    number = 0.5    share of the longest stable step, at most 0.9
+watch     flag = true     speeds and energies that nothing gave end it as diverged]], gives = "report" },
   { "model:drive", "A body follows a motion from now on.", keys = drive },
   { "model:fix", "Holds bodies, in some directions or all.", args = [[
 bodies      bodies  a body, set, name, group or list of these
@@ -45,5 +49,11 @@ directions  text?   of x, y and r, as in "xy"]] },
   { "model:tilt", "Gravity turns from now on.", keys = [[
 rate  number rad/s  counter-clockwise
 by    number rad?   where it stops]] },
+  { "model:bounds", "What leaves them is an event, stands still from then on and touches nothing. Sides that are not "
+    .. "given are 10 times the extent of all bodies at the start away from them, at least 100 m.", keys = [[
+left    number m?  least x
+right   number m?  greatest x
+bottom  number m?  least y
+top     number m?  greatest y]] },
   { "model:stop", "Ends the running stage at the next step border." },
 }

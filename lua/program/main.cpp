@@ -17,7 +17,10 @@ namespace {
 int run_program(int argc, char** argv) {
   CLI::App app{"Structures of separate bodies, through an earthquake to the last stone", "trilith"};
   app.set_version_flag("--version", "trilith " TRILITH_VERSION);
-  app.footer("trilith alone opens a console; trilith -i SCRIPT runs a script and stays.");
+  app.footer(
+      "trilith alone opens a console; trilith -i SCRIPT runs a script and stays.\n"
+      "Exit codes: 0 all went well, 1 wrong input or an error in a script, 2 wrong words on the command line,\n"
+      "3 a run that is not to be trusted (it says why), 130 interrupted.");
   app.require_subcommand(1);
   int code = ended_well;
   try {

@@ -17,12 +17,20 @@
 namespace trilith::program {
 namespace {
 
+/// Says what runs are not to be trusted; true where there are any.
+bool tell_doubts(const script::Host& host) {
+  const std::vector<std::string> doubts = host.doubts();
+  if (host.observer != nullptr) host.observer->clear();
+  for (const std::string& line : doubts) fmt::print(stderr, "{}\n", line);
+  return !doubts.empty();
+}
+
 int report_error(script::Host& host, const std::string& message) {
   if (signal_code() != 0) return close_by_signal(host);
   if (host.observer != nullptr) host.observer->clear();
   host.finish(message);
   fmt::print(stderr, "{}\n", message);
-  return wrong_input;
+  return tell_doubts(host) ? not_trusted : wrong_input;
 }
 
 /// A hook. No script can catch what ends the program; an interrupt is an error.
@@ -78,7 +86,7 @@ int run_script(script::Host& host) {
   if (signal_code() != 0) return close_by_signal(host);
   host.finish("");
   write_figures(host);
-  return ended_well;
+  return tell_doubts(host) ? not_trusted : ended_well;
 }
 
 int close_by_signal(script::Host& host) {

@@ -1,5 +1,7 @@
 #include "script_state.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -17,8 +19,11 @@ int exit_script(lua_State* L) {
   const bool good =
       lua_isnoneornil(L, 1) || (lua_isboolean(L, 1) ? lua_toboolean(L, 1) != 0 : lua_tointeger(L, 1) == 0);
   const int code = good ? ended_well : lua_isinteger(L, 1) != 0 ? static_cast<int>(lua_tointeger(L, 1)) : wrong_input;
-  static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)))->finish(good ? "" : "the script called os.exit");
-  std::exit(code);
+  auto& host = *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
+  host.finish(good ? "" : "the script called os.exit");
+  const std::vector<std::string> doubts = host.doubts();
+  for (const std::string& line : doubts) fmt::print(stderr, "{}\n", line);
+  std::exit(good && !doubts.empty() ? not_trusted : code);
 }
 
 /// print(...), on lines of its own: the status goes first. Upvalues: the host, and Lua's print.

@@ -6,7 +6,13 @@
 namespace trilith::program {
 
 /// How the program ends.
-enum ExitCode : int { ended_well = 0, wrong_input = 1, wrong_usage = 2, interrupted = 130 };
+enum ExitCode : int {
+  ended_well = 0,
+  wrong_input = 1,
+  wrong_usage = 2,
+  not_trusted = 3,  ///< a run diverged, did not come to rest where it had to, or let bodies pass through each other
+  interrupted = 130
+};
 
 /// A verb sets `code` when it has run.
 void add_console(CLI::App& app, int& code);

@@ -71,6 +71,8 @@ assert(m.speed == 0 and (left + right).speed == 0)
 m:free(left)
 m:tilt { rate = 0.5, by = 0.1 }
 m:run { duration = 0.3 }
+assert(left.speed < 0.1) -- freed, they find a step of their own: that of the stage before was long, as nothing moved
+assert(m.verdict.sound and m.verdict.text == "" and m.verdict.left == 0)
 assert(m.energy.kinetic >= 0 and type(m.energy.residual) == "number" and m.residual == m.energy.residual)
 assert(m:explain_dt():find "governs")
 assert(m.hash:match "^%x%x%x%x%x%x%x%x%x%x%x%x%x%x%x%x$")

@@ -3,10 +3,11 @@ import { upperBound } from "./run.js";
 import { byId, make, seconds } from "./words.js";
 
 const rowHeight = 44;
+const faults = ["body.passed", "element.overstrained"];
 
 /** The colour of an event's mark: what fails, what moves, what is told. */
 export function eventColour(type, theme, palette) {
-  if (type.endsWith("failed") || type === "seat.lost") return theme.dark ? "#ff6a3c" : palette.failed;
+  if (type.endsWith("failed") || type === "seat.lost" || faults.includes(type)) return theme.dark ? "#ff6a3c" : palette.failed;
   if (type.startsWith("bond.")) return theme.dark ? "#ff8f6b" : "#d9653b";
   if (type === "bearing.yielded") return palette.yielded;
   if (type === "bearing.changed") return palette.changed;

@@ -143,7 +143,8 @@ class App {
   tellAbout() {
     const { about } = this.run;
     byId("title").textContent = about.name;
-    byId("state").textContent = this.run.frames ? states[about.state] : `no frame yet: ${states[about.state] || "nothing to play"}`;
+    const state = this.run.frames ? states[about.state] : `no frame yet: ${states[about.state] || "nothing to play"}`;
+    byId("state").textContent = [state, about.verdict].filter(Boolean).join("; ");
     byId("state").hidden = !byId("state").textContent;
     const row = (k, v) => (v ? [make("dt", {}, k), make("dd", {}, v)] : []);
     const thinned = [];

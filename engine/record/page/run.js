@@ -72,6 +72,7 @@ export class Run {
     this.joints = rows.map(([event, body, edge, from, to, mode]) => ({ event: this.events[event], body, edge, from, to, mode,
       broken: this.events[event].type === "bond.broken" }));
     for (const body of this.bodies) body.lost = [];
+    for (const event of this.events) if (event.type === "body.left") this.bodies[event.a].leaves = event.time;
     const seen = new Set();
     for (const event of this.events) {
       // Of a joint that breaks half by half the first half counts.

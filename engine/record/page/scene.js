@@ -88,18 +88,23 @@ export class Scene {
     const { context: c } = this;
     c.lineJoin = "round";
     const small = this.camera.scale * this.usualSize < 14;
+    const faint = (body) => (body.leaves <= this.run.now.time ? 0.25 : 1); // it has left the bounds
     for (const body of this.order) {
+      c.globalAlpha = faint(body);
       c.fillStyle = fills[body.index];
       this.outline(body);
       c.fill();
     }
+    c.globalAlpha = 1;
     if (cells) this.drawElements(cells);
     for (const body of this.order) {
+      c.globalAlpha = faint(body);
       this.outline(body);
       c.strokeStyle = body.free ? theme.outline : theme["ground-line"];
       c.lineWidth = body.free ? (small ? 0.5 : 1) : 1.2;
       c.stroke();
     }
+    c.globalAlpha = 1;
   }
 
   drawStart(theme) {

@@ -1,0 +1,76 @@
+#include "run/stage_end.hpp"
+
+#include <fmt/format.h>
+
+#include "run/body_forces.hpp"
+
+namespace trilith {
+namespace {
+
+/// "pier is worst, with 3.1e-03 of the largest force unbalanced (1e-05 is asked for)"
+std::string unbalanced_text(const Instant& now, const WorstBodies& worst) {
+  return fmt::format("{} is worst, with {:.2g} of the largest force unbalanced ({:g} is asked for)",
+                     now.model.bodies[worst.unbalanced].name, now.ratio, now.stage.still_ratio);
+}
+
+std::string moving_text(const Instant& now, const WorstBodies& worst) {
+  return fmt::format("{} is fastest, at {:.2g} m/s ({:g} m/s is asked for)", now.model.bodies[worst.fastest].name,
+                     worst.speed, now.stage.still_speed);
+}
+
+std::string unsettled_text(const Instant& now, const WorstBodies& worst) {
+  const bool pulled = now.ratio > now.stage.still_ratio && worst.unbalanced >= 0;
+  const bool moves = worst.speed > now.stage.still_speed && worst.fastest >= 0;
+  if (pulled && moves) return unbalanced_text(now, worst) + "; " + moving_text(now, worst);
+  if (pulled) return unbalanced_text(now, worst);
+  if (moves) return moving_text(now, worst);
+  return fmt::format("still for less than the {:g} s asked for", now.stage.still_hold);
+}
+
+}  // namespace
+
+Event stage_event(EventType type, const Instant& now, const std::string& text) {
+  Event e;
+  e.type = type;
+  e.time = now.state.time;
+  e.step = now.state.step;
+  e.text = text;
+  return e;
+}
+
+void set_end(StageReport& report, const Instant& now, const std::optional<Divergence>& diverged, StageEnd end) {
+  report.end = diverged ? StageEnd::diverged : end;
+  report.ended = now.state.time;
+  if (diverged) {
+    report.found = diverged->found;
+    report.sound_until = diverged->sound_until;
+    report.reason = diverged->found + "; " + diverged->advice;
+  } else if (end == StageEnd::not_at_rest) {
+    report.reason = unsettled_reason(now);
+  } else if (end == StageEnd::all_left) {
+    report.reason =
+        "all bodies that were free to move have left the bounds; where they are to be followed farther, "
+        "give wider ones";
+  }
+}
+
+Event diverged_event(const Instant& now, const StageReport& report) {
+  Event e = stage_event(EventType::stage_diverged, now, report.found);
+  e.value = report.sound_until;
+  return e;
+}
+
+std::string unsettled_reason(const Instant& now) {
+  const std::string what = unsettled_text(now, worst_bodies(now.model, now.work));
+  return what + "; give more duration, or look at how it moves: it may be unable to stand";
+}
+
+Event unsettled_event(const Instant& now) {
+  const WorstBodies worst = worst_bodies(now.model, now.work);
+  Event e = stage_event(EventType::stage_unsettled, now, unsettled_text(now, worst));
+  e.body_a = now.ratio > now.stage.still_ratio ? worst.unbalanced : worst.fastest;
+  e.value = now.ratio;
+  return e;
+}
+
+}  // namespace trilith

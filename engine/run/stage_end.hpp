@@ -1,0 +1,26 @@
+// How a stage ends where it does not end well: what is told of it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "run/stage.hpp"
+#include "run/watch.hpp"
+
+namespace trilith {
+
+/// An event of the stage as a whole.
+Event stage_event(EventType type, const Instant& now, const std::string& text);
+
+/// How the stage ends: as diverged, or as `end`; and the reason in words where that is not as asked.
+void set_end(StageReport& report, const Instant& now, const std::optional<Divergence>& diverged, StageEnd end);
+
+/// For a stage that diverges: what happened, as StageReport::found says it.
+Event diverged_event(const Instant& now, const StageReport& report);
+
+/// Where rest was not reached: which body is worst, by how much, and what to try.
+std::string unsettled_reason(const Instant& now);
+/// The same as an event, without advice.
+Event unsettled_event(const Instant& now);
+
+}  // namespace trilith

@@ -1,0 +1,248 @@
+#include "run/watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "record/axis_ticks.hpp"
+#include "run/body_forces.hpp"
+#include "run/stage_end.hpp"
+#include "step/central_difference.hpp"
+#include "world/element_rows.hpp"
+#include "world/event_text.hpp"
+#include "world/pose.hpp"
+
+namespace trilith {
+namespace {
+
+/// Magnitudes are looked at every so many steps, and whenever the fastest point has doubled its speed.
+constexpr std::int64_t steps_between_looks = 1024;
+constexpr double least_speed = 0.01;  // slower than this nothing is looked at for its speed [m/s]
+/// Sound in hard rock: no law of contact here means anything for blows faster than what carries them away [m/s].
+constexpr double rock_sound = 5000;
+/// Energies that would move all bodies no faster than this are not worth a word [m/s].
+constexpr double trifling_speed = 1e-3;
+
+/// A corner of an element: its two edges at the start and now.
+struct Corner {
+  Vec2 first, second, first_now, second_now;
+};
+
+Corner corner_of(const Model<2>& model, const State<2>& state, const Element& e, int i) {
+  const double* const shape = &model.element_number[e.first_number];
+  const int next = (i + 1) % e.nodes, before = (i + e.nodes - 1) % e.nodes;
+  const auto start = [&](int k) { return Vec2(shape[2 * k], shape[2 * k + 1]); };
+  const auto now = [&](int k) { return state.position[e.node[k]]; };
+  return {start(next) - start(i), start(before) - start(i), now(next) - now(i), now(before) - now(i)};
+}
+
+/// Both principal stretches there; the lesser one has the sign of the corner's area.
+struct Stretches {
+  double least, most;
+};
+
+Stretches stretches_at(const Corner& c) {
+  const double area = cross(c.first, c.second);
+  const Vec2 g(c.second.y() / area, -c.second.x() / area), h(-c.first.y() / area, c.first.x() / area);
+  const double xx = c.first_now.x() * g.x() + c.second_now.x() * h.x(),
+               xy = c.first_now.x() * g.y() + c.second_now.x() * h.y(),
+               yx = c.first_now.y() * g.x() + c.second_now.y() * h.x(),
+               yy = c.first_now.y() * g.y() + c.second_now.y() * h.y();
+  const double p = 0.5 * std::hypot(xx + yy, yx - xy), q = 0.5 * std::hypot(xx - yy, xy + yx);
+  return {p - q, p + q};
+}
+
+/// How far all nodes may go, at least, before the stretches there change by 1: an edge changes by no more than twice
+/// the path, and the stretches by no more than the deformation gradient does.
+double path_per_stretch(const Corner& c) {
+  const double size = std::sqrt(c.first.squaredNorm() + c.second.squaredNorm());
+  return std::abs(cross(c.first, c.second)) / (2 * std::sqrt(2.0) * size);
+}
+
+/// Of an element, with the path that all points may go, at least, before it comes to its limit.
+ElementStretch stretch_of(const Model<2>& model, const State<2>& state, int element, double& room) {
+  const Element& e = model.elements[element];
+  const double limit = model.solids[e.solid].strain_limit;
+  ElementStretch worst{element, 0, unbounded};
+  for (int i = 0; i < e.nodes; ++i) {
+    const Corner c = corner_of(model, state, e, i);
+    const Stretches s = stretches_at(c);
+    const double squeezed = s.least - std::max(0.0, 1 - limit), stretched = 1 + limit - s.most;
+    const double spare = std::min(squeezed, stretched);
+    room = std::min(room, spare * path_per_stretch(c));
+    if (spare < worst.spare) worst = {element, squeezed < stretched ? s.least - 1 : s.most - 1, spare};
+  }
+  return worst;
+}
+
+/// Largest velocity of a motion, exact at its samples [m/s].
+double peak_velocity(const GroundMotion& motion) {
+  double peak = 0;
+  for (const MotionAt& sample : motion.samples()) peak = std::max(peak, std::abs(sample.velocity));
+  return peak;
+}
+
+/// What start, present and all motions give in speed, the turning of driven bodies included.
+double given_speed(const Instant& now) {
+  double speed = now.work.fastest;
+  const double reach =
+      now.model.body_radius.empty() ? 0 : *std::max_element(now.model.body_radius.begin(), now.model.body_radius.end());
+  for (const Drive& d : now.model.drives) speed += (d.dof == 2 ? reach : 1) * peak_velocity(*d.motion);
+  for (const Push& p : now.model.pushes) speed += peak_velocity(*p.motion);
+  return speed;
+}
+
+/// Motion and elastic energy that is there now [J].
+double held(const Energy& e) {
+  return e[EnergyTerm::kinetic] + e[EnergyTerm::contact_elastic] + e[EnergyTerm::bearing_elastic] +
+         e[EnergyTerm::strain];
+}
+
+double given_off(const Energy& e) {
+  double sum = 0;
+  for (int i = 0; i < energy_terms; ++i)
+    if (energy_term_info[i].given_off()) sum += e.value[i];
+  return sum;
+}
+
+/// Put in by supports, loads and weight [J].
+double put_in(const Energy& e) {
+  return e[EnergyTerm::support] + e[EnergyTerm::load] - e[EnergyTerm::gravity];
+}
+
+/// Sound in the stiffest solid, by its body's density, and at least in rock [m/s].
+double sound_speed(const Model<2>& model) {
+  double most = rock_sound;
+  for (std::size_t e = 0; e < model.elements.size(); ++e) {
+    const Element& element = model.elements[e];
+    if (e > 0 && model.elements[e - 1].body == element.body) continue;
+    const double young = std::visit([](const auto& law) { return law.young; }, model.solids[element.solid].law);
+    const double volume = model.bodies[element.body].area * element.thickness;
+    most = std::max(most, std::sqrt(young * volume / body_mass(model, element.body)));
+  }
+  return most;
+}
+
+std::string element_name(const Model<2>& model, int element) {
+  int first = element;
+  while (first > 0 && model.elements[first - 1].body == model.elements[element].body) --first;
+  return fmt::format("element {}", element - first + 1);
+}
+
+}  // namespace
+
+ElementStretch element_stretch(const Model<2>& model, const State<2>& state, int element) {
+  double room = unbounded;
+  return stretch_of(model, state, element, room);
+}
+
+void Watch::reset() {
+  *this = {};
+}
+
+std::optional<Divergence> Watch::look_at_elements(const Instant& now) {
+  if (now.model.elements.empty()) return std::nullopt;
+  element_room_ -= now.work.fastest * now.state.last_dt;
+  if (element_room_ > 0) return std::nullopt;
+  ElementStretch worst{-1, 0, unbounded};
+  double room = unbounded;
+  for (int e = 0; e < static_cast<int>(now.model.elements.size()); ++e) {
+    if (now.state.left[now.model.elements[e].body] != 0) continue;
+    const ElementStretch s = stretch_of(now.model, now.state, e, room);
+    if (s.spare < worst.spare) worst = s;
+  }
+  element_room_ = (1 - 1e-9) * room;
+  if (worst.spare > 0) return std::nullopt;
+  const Element& element = now.model.elements[worst.element];
+  Event event = stage_event(EventType::element_overstrained, now, element_name(now.model, worst.element));
+  event.body_a = element.body;
+  event.value = worst.strain;
+  Vec2 middle = Vec2::Zero();
+  for (int i = 0; i < element.nodes; ++i) middle += now.state.position[element.node[i]] / element.nodes;
+  event.x = middle.x(), event.y = middle.y();
+  const double limit = now.model.solids[element.solid].strain_limit;
+  return Divergence{fmt::format("{} (its solid is made for {:g} %)", event_text(event, now.model), 100 * limit),
+                    "take a stiffer solid or less load, let it come on more slowly, or give the material a larger "
+                    "strain_limit where it is made for more",
+                    now.state.time - now.state.last_dt, event};
+}
+
+void Watch::count_from(const Instant& now, const Energy& energy) {
+  counts_ = true;
+  from_ = energy;
+  free_dofs_ = now.model.free_dofs();
+  given_speed_ = given_speed(now);
+  most_energy_ = held(energy);
+}
+
+std::optional<Divergence> Watch::look_at_magnitudes(const Instant& now) {
+  const Energy e = energy_now(now.model, now.state, now.work, {now.dt, {now.stage.rest_share}});
+  // What was freed or left took its motion along: from here on.
+  if (!counts_ || now.model.free_dofs() != free_dofs_) count_from(now, e);
+  const double start = held(from_), given = std::max(0.0, put_in(e) - put_in(from_));
+  const double lost = given_off(e) - given_off(from_), made = held(e) + lost - start - (put_in(e) - put_in(from_));
+  double mass = 0;
+  for (int n = 0; n < now.model.nodes(); ++n)
+    if (now.model.moves(n)) mass += now.model.mass[n];
+  const double most = std::max(most_energy_, start + given), trifle = 0.5 * mass * trifling_speed * trifling_speed;
+  const auto fastest = [&] {
+    const int body = worst_bodies(now.model, now.work).fastest;
+    return fmt::format("{} is fastest, at {:.3g} m/s", body >= 0 ? now.model.bodies[body].name : "?", now.speed);
+  };
+  if (!(made <= most + trifle))
+    return Divergence{fmt::format("{} more energy is there than the {} that were put in; {}", quantity_text(made, "J"),
+                                  quantity_text(most, "J"), fastest()),
+                      "take a smaller safety, or see what is stiff and near it with explain_dt",
+                      sound_until_,
+                      {}};
+  const double fall = now.model.gravity.field.norm() * (now.model.bounds.high - now.model.bounds.low).norm();
+  const double limit = given_speed_ + std::sqrt(2 * fall) + sound_speed(now.model);
+  if (now.speed > limit)
+    return Divergence{
+        fmt::format("{}, where start, motions and fall give less and sound in its solid runs at {:.3g} m/s", fastest(),
+                    sound_speed(now.model)),
+        "look at loads and masses near it; a speed that is meant is given at the start",
+        sound_until_,
+        {}};
+  most_energy_ = std::max({most_energy_, start + given, held(e) + lost - std::max(0.0, made)});
+  looked_speed_ = std::max(now.speed, least_speed);
+  next_look_ = now.state.step + steps_between_looks;
+  sound_until_ = now.state.time;
+  return std::nullopt;
+}
+
+std::optional<Divergence> Watch::look(const Instant& now, bool last) {
+  if (!std::isfinite(now.speed) || !std::isfinite(now.work.unbalanced))
+    return Divergence{"speeds or forces are no longer finite numbers",
+                      "take a smaller safety or less load",
+                      counts_ ? sound_until_ : now.begun,
+                      {}};
+  if (auto found = look_at_elements(now)) return found;
+  if (!now.stage.watched) return std::nullopt;
+  if (counts_ && !last && now.speed <= 2 * looked_speed_ && now.state.step < next_look_) return std::nullopt;
+  return look_at_magnitudes(now);
+}
+
+std::vector<int> Watch::leaving(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+  std::vector<int> out;
+  bounds_room_ -= work.fastest * state.last_dt;
+  if (bounds_room_ > 0) return out;
+  double room = unbounded;
+  for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
+    if (state.left[b] != 0 || !model.body_moves(b)) continue;
+    const Body& body = model.bodies[b];
+    double inside = -unbounded;  // how far the innermost node is from the bounds
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+      inside = std::max(inside, std::min((state.position[n] - model.bounds.low).minCoeff(),
+                                         (model.bounds.high - state.position[n]).minCoeff()));
+    if (inside < 0)
+      out.push_back(b);
+    else
+      room = std::min(room, inside);
+  }
+  bounds_room_ = (1 - 1e-9) * room;
+  return out;
+}
+
+}  // namespace trilith

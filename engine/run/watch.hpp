@@ -1,0 +1,58 @@
+// Watches a run for what cannot be: elements beyond what their solid is made for, speeds and energies that nothing
+// gave. It looks seldom: the path of the fastest point since it last looked tells how long nothing can have happened.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/stage.hpp"
+
+namespace trilith {
+
+/// What ends a stage as diverged.
+struct Divergence {
+  std::string found;           ///< what and where: "element 1 of q was squeezed by 51 % (its solid is made for 50 %)"
+  std::string advice;          ///< what to try
+  double sound_until = 0;      ///< the last instant that was looked at and sound [s]
+  std::optional<Event> event;  ///< of the element, where it is one
+};
+
+/// An element's largest principal strain, by the deformation gradient at its corners.
+struct ElementStretch {
+  int element = -1;
+  double strain = 0;  ///< stretch less 1; -1 and below: a corner has no area left, or is turned inside out [1]
+  double spare = 0;   ///< how much more the element is made for; not above 0 where it is too much [1]
+};
+ElementStretch element_stretch(const Model<2>& model, const State<2>& state, int element);
+
+class Watch {
+ public:
+  /// Forgets all, as for another stage or state: what is there now counts as given.
+  void reset();
+  /// Looks at everything at the next instant: the model was changed.
+  void doubt() { element_room_ = bounds_room_ = 0; }
+  /// To be called at every evaluated instant. What it finds depends on the instant alone for elements, and for the rest
+  /// on when it looked before.
+  std::optional<Divergence> look(const Instant& now, bool last);
+  /// Bodies that have just come outside the bounds with all of their nodes, in order. Call it at every instant too.
+  std::vector<int> leaving(const Model<2>& model, const State<2>& state, const Work<2>& work);
+
+ private:
+  std::optional<Divergence> look_at_elements(const Instant& now);
+  std::optional<Divergence> look_at_magnitudes(const Instant& now);
+  void count_from(const Instant& now, const Energy& energy);
+
+  double element_room_ = 0;  // path of the fastest point until an element may be at its limit [m]
+  double bounds_room_ = 0;   // ... until a node may be outside the bounds [m]
+  double sound_until_ = 0;   // [s]
+  bool counts_ = false;
+  Energy from_;                 // ledger from which energies count
+  int free_dofs_ = 0;           // then
+  double given_speed_ = 0;      // that bodies had then, and motions have [m/s]
+  double most_energy_ = 0;      // that was there, or put in, at any look [J]
+  double looked_speed_ = 0;     // fastest point when it last looked at magnitudes [m/s]
+  std::int64_t next_look_ = 0;  // at this step
+};
+
+}  // namespace trilith

@@ -1,0 +1,92 @@
+#include "step/take_out.hpp"
+
+#include <algorithm>
+
+#include "step/evaluate.hpp"
+#include "step/lead.hpp"
+#include "world/pose.hpp"
+
+namespace trilith {
+namespace {
+
+Event event_of(const State<2>& state, EventType type, int body) {
+  Event e;
+  e.type = type;
+  e.time = state.time;
+  e.step = state.step;
+  e.body_a = body;
+  return e;
+}
+
+Event left_event(const Model<2>& model, const State<2>& state, int body) {
+  const Pose pose = body_pose(model, state, body);
+  Event e = event_of(state, EventType::body_left, body);
+  e.value = pose.velocity.norm();
+  e.x = pose.place.x(), e.y = pose.place.y();
+  return e;
+}
+
+/// Ends the bearings of bodies that have left.
+void end_bearings(const Model<2>& model, State<2>& state, const Work<2>& work, std::vector<Event>& events) {
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    const Bearing<2>& b = model.bearings[i];
+    BearingMemory& memory = state.bearing[i];
+    if (state.left[b.body_a] == 0 && state.left[b.body_b] == 0) continue;
+    if (is_live(memory.status)) {
+      Event e = event_of(state, EventType::bearing_failed, b.body_a);
+      const Vec2 at = anchor_pose(model, state, anchor_a(b)).place;
+      e.body_b = b.body_b, e.bearing = static_cast<int>(i);
+      e.value = work.bearing_displacement[i].norm();
+      e.x = at.x(), e.y = at.y();
+      events.push_back(e);
+    }
+    if (is_live(memory.status) || memory.status == BearingStatus::waiting) memory.status = BearingStatus::failed;
+  }
+}
+
+void stop(const Model<2>& model, State<2>& state, int body) {
+  const Body& b = model.bodies[body];
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) state.velocity[n] = Vec2::Zero(), state.spin[n] = 0;
+}
+
+}  // namespace
+
+std::vector<Event> take_out(Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options,
+                            std::span<const int> bodies) {
+  const double before = energy_now(model, state, work, options).balance();
+  std::vector<Event> events;
+  for (const int b : bodies) {
+    events.push_back(left_event(model, state, b));
+    state.left[b] = 1;
+  }
+  end_bearings(model, state, work, events);
+  for (const int b : bodies) stop(model, state, b);
+  std::erase_if(state.parted, [&](const Parted& p) {
+    return state.left[model.piece_body[first_piece(p.contact)]] != 0 ||
+           state.left[model.piece_body[second_piece(p.contact)]] != 0;
+  });
+  hold_left(model, state);
+  work.valid = false;
+  evaluate(model, state, work, state.last_dt);
+  lead(model, state, work, options);
+  const double taken = before - energy_now(model, state, work, options).balance();
+  state.given[EnergyTerm::left_bounds] += taken;
+  work.given[EnergyTerm::left_bounds] += taken;
+  return events;
+}
+
+bool hold_left(Model<2>& model, const State<2>& state) {
+  bool any = false;
+  for (std::size_t b = 0; b < state.left.size(); ++b) {
+    if (state.left[b] == 0) continue;
+    any = true;
+    const Body& body = model.bodies[b];
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+      model.support[n].fill(Support::fixed);
+      model.drive_of[n].fill(-1);
+    }
+  }
+  return any && model.free_dofs() == 0;
+}
+
+}  // namespace trilith

@@ -1,0 +1,200 @@
+// What a run watches itself for: elements beyond their solid, energies and speeds that nothing gave, rest that is not
+// reached; and what its verdict says.
+#include "run/watch.hpp"
+
+#include "physics/solids.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+constexpr double young = 1e7;
+
+/// A square of 1 m that stands on its two lower nodes; `push` would squeeze it by that share at rest.
+Simulation pressed_square(double push, double limit) {
+  Material soft = elastic("soft", 2400, young, 0);
+  soft.solid->strain_limit = limit;
+  BodySpec spec = grid_body("q", box(0, 0, 1, 1), "soft", 1, 1);
+  spec.holds.push_back({{0, 0}, {1, 0}, {Support::fixed, Support::fixed}});
+  spec.load = {0, -2 * push * young};  // spread like the mass: the upper half of it acts
+  return Simulation(alone(soft, spec));
+}
+
+struct Told {
+  StageReport report;
+  std::vector<Event> events;
+  [[nodiscard]] const Event* find(EventType type) const {
+    for (const Event& e : events)
+      if (e.type == type) return &e;
+    return nullptr;
+  }
+};
+
+Told run_told(Simulation& sim, StageOptions options, RunListener listener = {}) {
+  Told told;
+  listener.on_event = [&](const Event& e, const Instant&) { told.events.push_back(e); };
+  told.report = sim.run(options, listener);
+  return told;
+}
+
+StageOptions calm_stage(double duration) {
+  StageOptions options;
+  options.name = "press";
+  options.duration = duration;
+  options.rest_share = 0.8;
+  return options;
+}
+
+/// A block of 1 m in empty space.
+Model<2> lone_block(double speed) {
+  ModelBuilder builder;
+  builder.gravity = Vec2::Zero();
+  builder.add_material({"stone", 2000});
+  BodySpec spec;
+  spec.name = "block", spec.outline = box(0, 0, 1, 1), spec.material = "stone", spec.floating = true;
+  spec.velocity = {speed, 0};
+  builder.add_body(spec);
+  return builder.build();
+}
+
+StageOptions plain_stage(double duration, double dt) {
+  StageOptions options;
+  options.name = "flight";
+  options.duration = duration;
+  options.dt = dt;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("an element's stretch is that of its deformation gradient and no turn changes it") {
+  const Model<2> model = alone(elastic("soft", 2000, young, 0.2), grid_body("q", box(0, 0, 2, 1), "soft", 1, 1));
+  const auto stretched = [&](const Eigen::Matrix2d& gradient) {
+    State<2> state = initial_state(model);
+    for (Vec2& x : state.position) x = gradient * x;
+    return element_stretch(model, state, 0);
+  };
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(2.3).toRotationMatrix();
+  const auto diagonal = [](double a, double b) { return Eigen::Matrix2d{{a, 0}, {0, b}}; };
+  CHECK(stretched(turn).strain == doctest::Approx(0).epsilon(1e-12));
+  CHECK(stretched(turn * diagonal(1.3, 0.9)).strain == near(0.3, 1e-12));
+  CHECK(stretched(turn * diagonal(1.3, 0.6)).strain == near(-0.4, 1e-12));
+  CHECK(stretched(turn * diagonal(1, 0.51)).spare > 0);
+  CHECK(stretched(turn * diagonal(1, 0.49)).spare < 0);
+  CHECK(stretched(diagonal(1, -0.2)).strain == near(-1.2, 1e-12));  // a mirror image, which no turn brings back
+}
+
+TEST_CASE("an element squeezed or stretched beyond what its solid is made for ends the stage as diverged") {
+  for (const double side : {1.0, -1.0}) {
+    Simulation held = pressed_square(0.35 * side, 0.5), crushed = pressed_square(0.55 * side, 0.5);
+    CHECK(run_told(held, calm_stage(1)).report.end == StageEnd::time);
+    CHECK(held.verdict().sound());
+    StageOptions fine = calm_stage(1);
+    fine.dt = 1e-4;  // so that the limit is met to a percent or two
+    const Told told = run_told(crushed, fine);
+    REQUIRE(told.report.end == StageEnd::diverged);
+    CHECK(told.report.ended < 1);
+    const Event* const strained = told.find(EventType::element_overstrained);
+    REQUIRE(strained != nullptr);
+    CHECK(strained->body_a == 0);
+    CHECK(strained->value == near(-0.5 * side, 0.02));
+    CHECK(told.report.reason.find("element 1 of q was") == 0);
+    CHECK_FALSE(crushed.verdict().sound());
+    CHECK(crushed.verdict().sound_until() < told.report.ended);
+    CHECK(crushed.verdict().text().find("element 1 of q") != std::string::npos);
+    CHECK_THROWS_AS(crushed.run(calm_stage(1)), InputError);
+  }
+  Simulation rubber = pressed_square(0.55, 0.9);
+  CHECK(run_told(rubber, calm_stage(1)).report.end == StageEnd::time);
+}
+
+TEST_CASE("an element that turns inside out is found however much strain its solid is made for") {
+  Simulation crushed = pressed_square(5, 100);
+  const Told told = run_told(crushed, calm_stage(1));
+  REQUIRE(told.report.end == StageEnd::diverged);
+  CHECK(told.find(EventType::element_overstrained)->value <= -1);
+  for (const Vec2& x : crushed.state().position) CHECK(x.y() > -0.1);
+}
+
+TEST_CASE("energy that nothing put in ends the stage as diverged and names the fastest body") {
+  const auto run_with = [](double factor, bool watched) {
+    Simulation sim(lone_block(3));
+    RunListener listener;
+    listener.change_model = [&, done = false](Model<2>& model) mutable {
+      if (done || sim.state().step < 50) return false;
+      model.mass[0] *= factor;  // with the speed it has, this makes energy
+      return done = true;
+    };
+    StageOptions options = plain_stage(1, 1e-2);
+    options.watched = watched;
+    return run_told(sim, options, listener).report;
+  };
+  const StageReport made = run_with(2.5, true);
+  CHECK(made.end == StageEnd::diverged);
+  CHECK(made.reason.find("block is fastest") != std::string::npos);
+  CHECK(made.sound_until <= 0.51);
+  CHECK(run_with(1.5, true).end == StageEnd::time);
+  CHECK(run_with(2.5, false).end == StageEnd::time);
+}
+
+TEST_CASE("a speed that start or motion give is right and one beyond sound that a load makes is not") {
+  Simulation shot(lone_block(2e4));
+  StageOptions options = plain_stage(2e-3, 1e-5);
+  CHECK(run_told(shot, options).report.end == StageEnd::time);
+  const auto pushed = [&](double force) {
+    Model<2> model = lone_block(0);
+    model.load[0] = {force, 0};
+    Simulation sim(std::move(model));
+    return run_told(sim, plain_stage(0.01, 1e-5)).report;
+  };
+  CHECK(pushed(0.9 * 2000 * 5000 / 0.01).end == StageEnd::time);
+  const StageReport fast = pushed(1.1 * 2000 * 5000 / 0.01);
+  CHECK(fast.end == StageEnd::diverged);
+  CHECK(fast.reason.find("sound") != std::string::npos);
+}
+
+TEST_CASE("a body that is let go by a moving support takes its motion along and is not blamed for it") {
+  Model<2> model = lone_block(0);
+  const auto motion = std::make_shared<GroundMotion>(std::vector<double>{0, 0}, 10.0, MotionStart{4, 0});
+  for (const int k : {1, 2}) set_support(model, 0, k, Support::fixed);
+  set_drive(model, 0, 0, motion, 0, model.start_position[0].x());
+  Simulation sim(std::move(model));
+  RunListener listener;
+  listener.change_model = [&](Model<2>& m) {
+    if (sim.state().step != 20) return false;
+    set_support(m, 0, 0, Support::free);
+    return true;
+  };
+  CHECK(run_told(sim, plain_stage(1, 1e-2), listener).report.end == StageEnd::time);
+  CHECK(sim.state().velocity[0].x() == near(4, 1e-6));
+}
+
+TEST_CASE("a stage that must come to rest and does not names its worst body and its run is not to be trusted") {
+  const auto settle_for = [](double duration, bool must) {
+    Scene scene(Frictional{1e8, 4e7, 0.6, 2e-3});
+    scene.fixed("ground", box(-3, -1, 3, 0));
+    scene.block("lower", box(-0.5, 0, 0.5, 0.5), 1000);
+    scene.block("upper", box(-0.5, 0.5, 0.5, 1), 1000);
+    Simulation sim = scene.start();
+    StageOptions options = calm_stage(duration);
+    options.until_rest = true;
+    options.still_ratio = 1e-5;
+    options.must_rest = must;
+    const Told told = run_told(sim, options);
+    return std::tuple(told, sim.verdict());
+  };
+  const auto [hasty, doubt] = settle_for(0.05, true);
+  CHECK(hasty.report.end == StageEnd::not_at_rest);
+  const Event* const unsettled = hasty.find(EventType::stage_unsettled);
+  REQUIRE(unsettled != nullptr);
+  CHECK(unsettled->body_a >= 1);
+  CHECK(hasty.report.reason.find("er is worst") != std::string::npos);  // lower or upper
+  CHECK(doubt.has(Fault::not_at_rest));
+  const auto [quiet, accepted] = settle_for(0.05, false);
+  CHECK(quiet.report.end == StageEnd::not_at_rest);
+  CHECK(accepted.sound());
+  const auto [whole, sound] = settle_for(20, true);
+  CHECK(whole.report.end == StageEnd::rest);
+  CHECK(sound.sound());
+}
