@@ -7,12 +7,14 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/terminal_text.hpp"
 
 namespace trilith {
 
 /// Throws InputError where there is no name.
 inline void require_name(const std::string& name, std::string_view kind) {
   if (name.empty()) throw InputError(fmt::format("{} without a name; give each one of its own", kind));
+  require_printable(name, kind);
 }
 
 /// Throws InputError where a row is called so already; name_of(row) is its name.

@@ -43,14 +43,18 @@ void read_successor(Keys& keys, ScriptModel& m, BearingSpec& spec) {
   lua_State* L = keys.lua();
   const int type = keys.push("becomes");
   if (type == LUA_TSTRING) {
-    const std::string name = lua_tostring(L, -1);
+    const std::string name = text_at(L, -1);
     const auto laws = m.builder.law_names();
     (std::find(laws.begin(), laws.end(), name) != laws.end() ? spec.contact_after : spec.becomes_bearing) = name;
   } else if (const auto* law = type == LUA_TNIL ? nullptr : test_handle<ContactLawValue>(L, -1)) {
     keys.finish();
     spec.contact_after = require_law(m, *law, "");
   } else if (const auto* bearing = type == LUA_TNIL ? nullptr : test_handle<BearingHandle>(L, -1)) {
-    spec.becomes_bearing = bearing->model().bearings[static_cast<std::size_t>(bearing->index)];
+    try {
+      spec.becomes_bearing = m.bearings[static_cast<std::size_t>(require_own(*bearing, m, "").index)];
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
   } else if (type != LUA_TNIL) {
     keys.wrong("becomes", "a contact law, or the name of one or of another bearing");
   }
@@ -58,19 +62,22 @@ void read_successor(Keys& keys, ScriptModel& m, BearingSpec& spec) {
 }
 
 /// The two bodies under `between`: handles or names.
-void read_between(Keys& keys, BearingSpec& spec) {
+void read_between(Keys& keys, const ScriptModel& m, BearingSpec& spec) {
   lua_State* L = keys.lua();
   const int type = keys.push("between");
   if (type == LUA_TTABLE && lua_rawlen(L, -1) == 2) {
     for (int i = 1; i <= 2; ++i) {
       lua_rawgeti(L, -1, i);
       std::string& body = i == 1 ? spec.body_a : spec.body_b;
-      if (const auto* b = test_handle<BodyHandle>(L, -1))
-        body = b->model().builder.bodies()[static_cast<std::size_t>(b->index)].name;
-      else if (lua_type(L, -1) == LUA_TSTRING)
-        body = lua_tostring(L, -1);
-      else
+      if (lua_type(L, -1) != LUA_TSTRING && test_handle<BodyHandle>(L, -1) == nullptr) {
         keys.problem(fmt::format("entry {} of 'between' is {}, must be a body or its name", i, what_is(L, -1)));
+      } else {
+        try {
+          body = m.builder.bodies()[static_cast<std::size_t>(row_at<BodyHandle>(L, -1, m, ""))].name;
+        } catch (const InputError& e) {
+          keys.problem(e.what());
+        }
+      }
       lua_pop(L, 1);
     }
   } else if (type == LUA_TNIL) {
@@ -88,7 +95,7 @@ int add_bearing(lua_State* L) {
   BearingSpec spec;
   spec.name = keys.text("name");
   keys.name_owner(spec.name);
-  read_between(keys, spec);
+  read_between(keys, m, spec);
   read_points(keys, spec);
   spec.angle = keys.number("angle", "rad", 0);
   read_directions(keys, spec);
@@ -109,8 +116,8 @@ int add_seat(lua_State* L) {
   SeatSpec spec;
   spec.name = keys.text("name");
   keys.name_owner(spec.name);
-  spec.body = body_name(keys, "body");
-  spec.support = body_name(keys, "support");
+  spec.body = body_name(keys, "body", m);
+  spec.support = body_name(keys, "support", m);
   spec.end = keys.point("at_end");
   spec.edge = keys.point("edge");
   spec.inward = keys.point("inward", spec.inward);
@@ -257,7 +264,7 @@ std::span<const Method> Kind<BearingHandle>::methods() {
   return {};
 }
 std::string Kind<BearingHandle>::title(const BearingHandle& b) {
-  return b.box->model ? fmt::format("bearing '{}'", name_of_row(b)) : "bearing of a closed model";
+  return b.open() ? fmt::format("bearing '{}'", name_of_row(b)) : "bearing of a closed model";
 }
 std::span<const std::pair<const char*, lua_CFunction>> Kind<BearingHandle>::metamethods() {
   return {};
@@ -273,7 +280,7 @@ std::span<const Method> Kind<SeatHandle>::methods() {
   return {};
 }
 std::string Kind<SeatHandle>::title(const SeatHandle& s) {
-  return s.box->model ? fmt::format("seat '{}'", name_of_seat(s)) : "seat of a closed model";
+  return s.open() ? fmt::format("seat '{}'", name_of_seat(s)) : "seat of a closed model";
 }
 std::span<const std::pair<const char*, lua_CFunction>> Kind<SeatHandle>::metamethods() {
   return {};

@@ -144,7 +144,7 @@ const std::array body_methods{
 
 BodyHandle member(const BodySet& set, std::size_t i) {
   BodyHandle b;
-  b.box = set.box;
+  b.owner = set.owner;
   b.index = set.bodies[i];
   return b;
 }
@@ -188,7 +188,7 @@ std::vector<int> other_side(lua_State* L, const BodySet& set) {
 std::pair<std::vector<int>, std::vector<int>> operands(lua_State* L) {
   const int owner = test_handle<BodySet>(L, 1) != nullptr || test_handle<BodyHandle>(L, 1) != nullptr ? 1 : 2;
   push_model_of(L, owner);
-  const ScriptModel& model = static_cast<const ModelBox*>(lua_touserdata(L, -1))->get();
+  const ScriptModel& model = handle<ModelBox>(L, -1).get();
   return {bodies_at(L, 1, model, "set"), bodies_at(L, 2, model, "set")};
 }
 
@@ -213,20 +213,23 @@ int intersect_sets(lua_State* L) {
   return 1;
 }
 int set_length(lua_State* L) {
-  lua_pushinteger(L, static_cast<lua_Integer>(handle<BodySet>(L, 1).bodies.size()));
+  const auto& set = handle<BodySet>(L, 1);
+  require_open(set);
+  lua_pushinteger(L, static_cast<lua_Integer>(set.bodies.size()));
   return 1;
 }
 int sets_equal(lua_State* L) {
   const auto *a = test_handle<BodySet>(L, 1), *b = test_handle<BodySet>(L, 2);
-  lua_pushboolean(L, a != nullptr && b != nullptr && a->box == b->box && a->bodies == b->bodies ? 1 : 0);
+  lua_pushboolean(L, a != nullptr && b != nullptr && a->owner.same(b->owner) && a->bodies == b->bodies ? 1 : 0);
   return 1;
 }
 /// Called by a generic for: `for body in set do`. The control value is the body before.
 int next_of_set(lua_State* L) {
   const auto& set = handle<BodySet>(L, 1);
   const auto* before = test_handle<BodyHandle>(L, 3);
-  const auto it =
-      before == nullptr ? set.bodies.begin() : std::upper_bound(set.bodies.begin(), set.bodies.end(), before->index);
+  const auto it = before == nullptr ? set.bodies.begin()
+                                    : std::upper_bound(set.bodies.begin(), set.bodies.end(),
+                                                       require_own(*before, set.model(), "set").index);
   if (it == set.bodies.end()) return 0;
   lua_getiuservalue(L, 1, 1);
   push_body(L, -1, *it);
@@ -258,7 +261,7 @@ std::span<const Method> Kind<BodyHandle>::methods() {
   return body_methods;
 }
 std::string Kind<BodyHandle>::title(const BodyHandle& b) {
-  return b.box->model ? fmt::format("body '{}'", spec(b).name) : "body of a closed model";
+  return b.open() ? fmt::format("body '{}'", spec(b).name) : "body of a closed model";
 }
 std::span<const std::pair<const char*, lua_CFunction>> Kind<BodyHandle>::metamethods() {
   return body_operators;
@@ -274,7 +277,7 @@ std::span<const Method> Kind<BodySet>::methods() {
   return set_methods;
 }
 std::string Kind<BodySet>::title(const BodySet& s) {
-  return fmt::format("set of {} bodies", s.bodies.size());
+  return s.open() ? fmt::format("set of {} bodies", s.bodies.size()) : "set of bodies of a closed model";
 }
 std::span<const std::pair<const char*, lua_CFunction>> Kind<BodySet>::metamethods() {
   return set_operators;

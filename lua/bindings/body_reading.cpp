@@ -18,7 +18,7 @@ void read_support(Keys& keys, std::array<Support, 3>& support) {
   lua_State* L = keys.lua();
   const int type = keys.push("support");
   if (type == LUA_TSTRING) {
-    support.fill(support_at(keys, "support", lua_tostring(L, -1)));
+    support.fill(support_at(keys, "support", text_at(L, -1)));
   } else if (type == LUA_TTABLE) {
     Keys own(L, -1, "support");
     const std::array names{"x", "y", "rotation"};
@@ -46,7 +46,7 @@ void read_divisions(Keys& keys, std::array<int, 2>& divisions) {
     lua_pop(L, 1);
     if (good && (n < 1 || n > 1000))
       keys.problem(fmt::format("'mesh' has {} divisions of a side, must be 1 to 1000", n));
-    if (good) divisions[static_cast<std::size_t>(i)] = static_cast<int>(n);
+    if (good && n >= 1 && n <= 1000) divisions[static_cast<std::size_t>(i)] = static_cast<int>(n);
   }
   if (!good) keys.wrong("mesh", "two whole numbers {nx, ny}, divisions along the first and second side");
   lua_pop(L, 1);
@@ -111,7 +111,7 @@ void read_by_group(Keys& keys, BodyOptions& o) {
   if (type == LUA_TTABLE) {
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
       if (lua_type(L, -2) == LUA_TSTRING)
-        names.emplace_back(lua_tostring(L, -2));
+        names.push_back(text_at(L, -2));
       else
         keys.problem("by_group: its keys must be names of groups or parts");
     }
@@ -161,7 +161,7 @@ BodyForm read_body_form(Keys& keys, const BodyForm& preset) {
   BodyForm form = preset;
   const int type = keys.push("body");
   if (type == LUA_TSTRING) {
-    const std::string text = lua_tostring(L, -1);
+    const std::string text = text_at(L, -1);
     form = {text == "quad" ? BodyKind::quad : BodyKind::rigid, {1, 1}};
     if (text != "rigid" && text != "quad") keys.problem(fmt::format("'body' is '{}', must be {}", text, wanted));
   } else if (type == LUA_TTABLE) {

@@ -14,7 +14,7 @@ ScriptModel& model_at(lua_State* L) {
 
 /// core.fail(text): an error of input at the user's line.
 int fail(lua_State* L) {
-  throw InputError(lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "something is wrong");
+  throw InputError(lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "something is wrong");
 }
 
 std::vector<std::string> event_names() {
@@ -26,11 +26,11 @@ std::vector<std::string> event_names() {
 /// core.listen(model, name, owner): from now on such events are handed to the library. "*": all.
 int listen(lua_State* L) {
   ScriptModel& m = model_at(L);
-  const std::string owner = lua_type(L, 3) == LUA_TSTRING ? lua_tostring(L, 3) : "on";
+  const std::string owner = lua_type(L, 3) == LUA_TSTRING ? text_at(L, 3) : "on";
   if (lua_type(L, 2) != LUA_TSTRING)
     throw InputError(
         fmt::format("{}: {} is no event; give a name such as \"bearing.failed\", or \"*\"", owner, what_is(L, 2)));
-  const std::string name = lua_tostring(L, 2);
+  const std::string name = text_at(L, 2);
   const std::vector<std::string> names = event_names();
   const auto it = std::find(names.begin(), names.end(), name);
   if (name != "*" && it == names.end())
@@ -39,11 +39,17 @@ int listen(lua_State* L) {
   return 0;
 }
 
+/// Shortest interval of a clock [s]: the number of its ticks is counted.
+constexpr double shortest_interval = 1e-9;
+
 /// core.timer(model, interval): index of a new clock.
 int timer(lua_State* L) {
   ScriptModel& m = model_at(L);
   if (lua_type(L, 2) != LUA_TNUMBER || !(lua_tonumber(L, 2) > 0) || !std::isfinite(lua_tonumber(L, 2)))
     throw InputError(fmt::format("every: the interval is {}, must be a number of seconds above 0", what_is(L, 2)));
+  if (lua_tonumber(L, 2) < shortest_interval)
+    throw InputError(
+        fmt::format("every: the interval is {:g} s, must be at least {:g} s", lua_tonumber(L, 2), shortest_interval));
   m.timers.push_back({m.time(), lua_tonumber(L, 2), 1});
   lua_pushinteger(L, static_cast<lua_Integer>(m.timers.size()));
   return 1;
@@ -64,8 +70,7 @@ int step_handler(lua_State* L) {
 
 /// core.own(model): the model's own table.
 int own(lua_State* L) {
-  handle<ModelBox>(L, 1);
-  lua_getiuservalue(L, 1, 1);
+  push_own_table(L, 1);
   return 1;
 }
 
@@ -74,7 +79,7 @@ int named_row(lua_State* L, const std::vector<std::string>& names, const char* k
     const lua_Integer i = lua_tointeger(L, 2);
     return i >= 1 && i <= static_cast<lua_Integer>(names.size()) ? static_cast<int>(i) - 1 : -1;
   }
-  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : what_is(L, 2);
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : what_is(L, 2);
   const auto it = std::find(names.begin(), names.end(), name);
   if (it == names.end()) throw InputError(fmt::format("there is no {} '{}'{}", kind, name, name_hint(name, names)));
   return static_cast<int>(it - names.begin());
@@ -114,11 +119,31 @@ int seat_count(lua_State* L) {
   return 1;
 }
 
-/// core.traced(thread, message): the message with the thread's traceback, marked as whole.
+/// core.traced(thread, message): the message with the thread's traceback, marked as whole; an error object as it is.
 int traced(lua_State* L) {
   lua_settop(L, 2);
   if (lua_tothread(L, 1) == nullptr) throw InputError("traced: takes a thread and a message");
   add_thread_traceback(L, lua_tothread(L, 1));
+  return 1;
+}
+
+/// core.name_of(model, kind, thing, owner): the name of a body, bearing or seat of the model, which is given itself or
+/// by name. A name that is not there is an error once the model is built; before, it may still come.
+int name_of(lua_State* L) {
+  const ScriptModel& m = model_at(L);
+  const std::string kind = text_at(L, 2), owner = text_at(L, 4);
+  if (lua_type(L, 3) == LUA_TSTRING && !m.built()) {
+    lua_settop(L, 3);
+    return 1;
+  }
+  std::string name;
+  if (kind == Kind<BearingHandle>::name)
+    name = m.bearings[static_cast<std::size_t>(row_at<BearingHandle>(L, 3, m, owner))];
+  else if (kind == Kind<SeatHandle>::name)
+    name = m.seats[static_cast<std::size_t>(row_at<SeatHandle>(L, 3, m, owner))];
+  else
+    name = m.builder.bodies()[static_cast<std::size_t>(row_at<BodyHandle>(L, 3, m, owner))].name;
+  lua_pushlstring(L, name.data(), name.size());
   return 1;
 }
 
@@ -127,17 +152,17 @@ int hint(lua_State* L) {
   std::vector<std::string> known;
   const auto count = lua_type(L, 2) == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, 2)) : 0;
   for (lua_Integer i = 1; i <= count; ++i) {
-    if (lua_rawgeti(L, 2, i) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -1));
+    if (lua_rawgeti(L, 2, i) == LUA_TSTRING) known.emplace_back(text_at(L, -1));
     lua_pop(L, 1);
   }
-  const std::string text = name_hint(lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "", known);
+  const std::string text = name_hint(lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "", known);
   lua_pushstring(L, text.c_str());
   return 1;
 }
 
 /// core.members(kind): the table of a kind's members, for the library to add methods to.
 int members(lua_State* L) {
-  const std::string key = std::string("trilith.") + (lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "");
+  const std::string key = std::string("trilith.") + (lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "");
   if (luaL_getmetatable(L, key.c_str()) != LUA_TTABLE) throw InputError(fmt::format("there is no kind '{}'", key));
   lua_getfield(L, -1, "members");
   return 1;
@@ -170,6 +195,7 @@ void open_core(lua_State* L) {
   set_function(L, "storey_count", guarded<storeys>);
   set_function(L, "bearing_count", guarded<bearing_count>);
   set_function(L, "seat_count", guarded<seat_count>);
+  set_function(L, "name_of", guarded<name_of>);
   set_function(L, "traced", guarded<traced>);
   set_function(L, "hint", guarded<hint>);
   set_function(L, "members", guarded<members>);

@@ -114,7 +114,7 @@ int checkpoints(lua_State* L) {
 /// core.pause(model, why): the run pauses at the next step border. False where there is no console.
 int pause(lua_State* L) {
   ScriptModel& m = self(L);
-  m.pause_reason = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "asked for";
+  m.pause_reason = lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "asked for";
   const bool can = host(L).console != nullptr;
   if (!can) {
     if (host(L).observer != nullptr) host(L).observer->note("no console to pause at: " + m.pause_reason);
@@ -147,7 +147,7 @@ int resume(lua_State* L) {
 
 /// core.note(model, text): to the results file.
 int note(lua_State* L) {
-  self(L).note(lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "");
+  self(L).note(lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "");
   return 0;
 }
 
@@ -166,7 +166,7 @@ int has_console(lua_State* L) {
 
 /// core.open_console(why): here, in Lua code.
 int open_console(lua_State* L) {
-  const std::string why = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "";
+  const std::string why = lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "";
   if (host(L).console == nullptr) return 0;
   lua_pushnil(L);
   host(L).console->open(L, why);
@@ -198,8 +198,7 @@ int timed(lua_State* L) {
   lua_Debug info;
   lua_pushvalue(L, 1);
   lua_getinfo(L, ">S", &info);
-  h.profile.callbacks.push_back(
-      {fmt::format("{} at {}:{}", lua_tostring(L, 2), info.short_src, info.linedefined), 0, 0});
+  h.profile.callbacks.push_back({fmt::format("{} at {}:{}", text_at(L, 2), info.short_src, info.linedefined), 0, 0});
   lua_settop(L, 1);
   lua_pushinteger(L, static_cast<lua_Integer>(h.profile.callbacks.size()) - 1);
   lua_pushlightuserdata(L, &h);

@@ -43,7 +43,7 @@ bool push_any_kind(lua_State* L, std::string_view name) {
 
 /// core.properties(kind): list of { name, unit, doc, number, settable }; nil where there is no such kind.
 int properties(lua_State* L) {
-  const std::string name = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "";
+  const std::string name = lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "";
   return push_any_kind<ModelBox, BodyHandle, BodySet, BearingHandle, SeatHandle, HistoryHandle, StoreyHandle,
                        MotionValue, ContactLawValue, DirectionLawValue, SolidLawValue>(L, name)
              ? 1
@@ -134,7 +134,7 @@ int kind_of(lua_State* L) {
 int is_built(lua_State* L) {
   push_model_of(L, 1);
   const auto* box = test_handle<ModelBox>(L, -1);
-  lua_pushboolean(L, box != nullptr && box->model && box->model->built() ? 1 : 0);
+  lua_pushboolean(L, box != nullptr && box->open() && box->model->built() ? 1 : 0);
   return 1;
 }
 

@@ -43,7 +43,7 @@ void set_bodies(lua_State* L, int model_index, const Event& e) {
 void push_event(lua_State* L, int model_index, const Event& e) {
   model_index = lua_absindex(L, model_index);
   lua_checkstack(L, 10);
-  const ScriptModel& m = static_cast<const ModelBox*>(lua_touserdata(L, model_index))->get();
+  const ScriptModel& m = handle<ModelBox>(L, model_index).get();
   lua_createtable(L, 0, 14);
   set_text(L, "type", info_of(e).name);
   set_number(L, "time", e.time);

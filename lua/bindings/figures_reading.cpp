@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/terminal_text.hpp"
 #include "keys.hpp"
 
 namespace trilith::script {
@@ -15,7 +16,7 @@ void read_value(lua_State* L, StudyFigure& figure) {
   } else if (type == LUA_TBOOLEAN) {
     figure.value = lua_toboolean(L, -1) != 0 ? 1.0 : 0.0;
   } else if (type == LUA_TSTRING) {
-    figure.value = std::string(lua_tostring(L, -1));
+    figure.value = text_at(L, -1);
   } else {
     throw InputError(fmt::format("figure '{}' is {}, must be a number, a flag, a text or {{value, unit = }}",
                                  figure.name, what_is(L, -1)));
@@ -48,7 +49,8 @@ std::vector<StudyFigure> figures_at(lua_State* L, int index) {
   for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING)
       throw InputError(fmt::format("a figure that the script gives has no name; give {{ name = value, ... }}"));
-    figures.push_back(figure_at_top(L, lua_tostring(L, -2)));
+    require_printable(text_at(L, -2), "figure");
+    figures.push_back(figure_at_top(L, text_at(L, -2)));
   }
   std::sort(figures.begin(), figures.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   return figures;

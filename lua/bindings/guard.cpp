@@ -1,20 +1,97 @@
 #include "guard.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <exception>
 #include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/terminal_text.hpp"
 
 namespace trilith::script {
 namespace {
 
 constexpr const char* whole_message = "trilith.whole_message";
+constexpr const char* error_object = "trilith.error_object";
 /// Chunks of the library that is compiled in are named so; they are not the user's.
 constexpr std::string_view library_prefix = "=trilith/";
 
+/// Guarded functions at work in this thread, and what they may still use.
+struct AtWork {
+  int calls = 0;
+  std::vector<std::shared_ptr<void>> kept;
+};
+thread_local AtWork at_work;
+
+struct Call {
+  Call() { ++at_work.calls; }
+  Call(const Call&) = delete;
+  Call& operator=(const Call&) = delete;
+  ~Call() {
+    if (--at_work.calls == 0 && !at_work.kept.empty()) std::exchange(at_work.kept, {}).clear();
+  }
+};
+
 void push_message(lua_State* L, const std::exception& e, bool whole) {
-  if (whole)
-    lua_pushstring(L, e.what());
-  else
-    lua_pushstring(L, (user_place(L) + e.what()).c_str());
+  // It may quote what the script gave, and stock lua writes it to the terminal as it is.
+  const std::string text = terminal_text(e.what());
+  lua_pushstring(L, whole ? text.c_str() : (user_place(L) + text).c_str());
+}
+
+/// Pushes the error object that a ScriptError is about.
+void take_error_object(lua_State* L) {
+  lua_getfield(L, LUA_REGISTRYINDEX, error_object);
+  lua_pushnil(L);
+  lua_setfield(L, LUA_REGISTRYINDEX, error_object);
+}
+
+/// The text that a value's __tostring, or a number, gives; "" where there is none. What __tostring raises passes.
+int own_text(lua_State* L) {
+  if (lua_type(L, 1) == LUA_TNUMBER)
+    luaL_tolstring(L, 1, nullptr);
+  else if (luaL_callmeta(L, 1, "__tostring") == 0)
+    lua_pushliteral(L, "");
+  return 1;
+}
+
+std::string plain_value(lua_State* L, int index) {
+  switch (lua_type(L, index)) {
+    case LUA_TSTRING:
+      return fmt::format("\"{}\"", text_at(L, index));
+    case LUA_TNUMBER:
+      return lua_isinteger(L, index) != 0 ? fmt::format("{}", lua_tointeger(L, index))
+                                          : fmt::format("{:g}", lua_tonumber(L, index));
+    case LUA_TBOOLEAN:
+      return lua_toboolean(L, index) != 0 ? "true" : "false";
+    default:
+      return luaL_typename(L, index);
+  }
+}
+
+/// "{ 1, code = 5 }": the list of a table, then its names in their order, each up to a few.
+std::string contents(lua_State* L, int table) {
+  constexpr std::size_t most = 8;
+  std::vector<std::string> list, named;
+  const auto count = static_cast<lua_Integer>(std::min<std::size_t>(lua_rawlen(L, table), most));
+  for (lua_Integer i = 1; i <= count; ++i, lua_pop(L, 1)) {
+    lua_rawgeti(L, table, i);
+    list.push_back(plain_value(L, -1));
+  }
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) named.push_back(text_at(L, -2) + " = " + plain_value(L, -1));
+  std::sort(named.begin(), named.end());
+  named.resize(std::min(named.size(), most));
+  list.insert(list.end(), named.begin(), named.end());
+  return list.empty() ? "{}" : fmt::format("{{ {} }}", fmt::join(list, ", "));
+}
+
+/// Message handler: add_traceback that leaves error objects as they are.
+int trace_text(lua_State* L) {
+  lua_settop(L, 1);
+  add_thread_traceback(L, L);
+  return 1;
 }
 
 }  // namespace
@@ -29,6 +106,16 @@ std::string user_place(lua_State* L) {
   return "";
 }
 
+void let_go(std::shared_ptr<void> value) {
+  if (at_work.calls > 0) at_work.kept.push_back(std::move(value));
+}
+
+std::string text_at(lua_State* L, int index) {
+  std::size_t length = 0;
+  const char* text = lua_type(L, index) == LUA_TSTRING ? lua_tolstring(L, index, &length) : nullptr;
+  return text != nullptr ? std::string(text, length) : "";
+}
+
 void mark_whole(lua_State* L) {
   lua_pushvalue(L, -1);
   lua_setfield(L, LUA_REGISTRYINDEX, whole_message);
@@ -36,9 +123,13 @@ void mark_whole(lua_State* L) {
 
 int run_guarded(lua_State* L, lua_CFunction body) {
   try {
+    const Call call;
     return body(L);
   } catch (const ScriptError& e) {
-    push_message(L, e, true);
+    if (e.is_object())
+      take_error_object(L);
+    else
+      push_message(L, e, true);
   } catch (const std::exception& e) {
     push_message(L, e, false);
   }
@@ -47,11 +138,7 @@ int run_guarded(lua_State* L, lua_CFunction body) {
 }
 
 void add_thread_traceback(lua_State* L, lua_State* thread) {
-  if (lua_type(L, -1) != LUA_TSTRING) {
-    if (luaL_callmeta(L, -1, "__tostring") == 0)
-      lua_pushfstring(L, "(error object is a %s value)", luaL_typename(L, -1));
-    lua_replace(L, -2);
-  }
+  if (lua_type(L, -1) != LUA_TSTRING) return;
   lua_getfield(L, LUA_REGISTRYINDEX, whole_message);
   const bool whole = lua_rawequal(L, -2, -1) != 0;
   lua_pop(L, 1);
@@ -62,23 +149,45 @@ void add_thread_traceback(lua_State* L, lua_State* thread) {
   mark_whole(L);
 }
 
+std::string error_text(lua_State* L, int index) {
+  index = lua_absindex(L, index);
+  if (lua_type(L, index) == LUA_TSTRING) return text_at(L, index);
+  lua_checkstack(L, 8);
+  lua_pushcfunction(L, own_text);
+  lua_pushvalue(L, index);
+  std::string text;
+  if (lua_pcall(L, 1, 1, 0) == LUA_OK) text = text_at(L, -1);
+  lua_pop(L, 1);
+  if (!text.empty()) return text;
+  return fmt::format("(error object is a {} value{})", luaL_typename(L, index),
+                     lua_type(L, index) == LUA_TTABLE ? ": " + contents(L, index) : "");
+}
+
 int add_traceback(lua_State* L) {
   lua_settop(L, 1);
+  if (lua_type(L, 1) != LUA_TSTRING) {
+    const std::string text = error_text(L, 1);
+    lua_pushlstring(L, text.data(), text.size());
+    lua_replace(L, 1);
+  }
   add_thread_traceback(L, L);
   return 1;
 }
 
 void call(lua_State* L, int arguments, int results) {
   const int handler = lua_gettop(L) - arguments;
-  lua_pushcfunction(L, add_traceback);
+  lua_pushcfunction(L, trace_text);
   lua_insert(L, handler);
   const int status = lua_pcall(L, arguments, results, handler);
   lua_remove(L, handler);
   if (status == LUA_OK) return;
-  const char* text = lua_tostring(L, -1);
-  const std::string message = text != nullptr ? text : "an error without a message";
-  lua_pop(L, 1);
-  throw ScriptError(message);
+  const bool is_object = lua_type(L, -1) != LUA_TSTRING;
+  const std::string message = error_text(L, -1);
+  if (is_object)
+    lua_setfield(L, LUA_REGISTRYINDEX, error_object);
+  else
+    lua_pop(L, 1);
+  throw ScriptError(message, is_object);
 }
 
 }  // namespace trilith::script

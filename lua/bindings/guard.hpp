@@ -5,6 +5,7 @@
 // code. So no longjmp ever crosses an object with a destructor, and the same code is right under both builds of Lua.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -12,11 +13,20 @@
 
 namespace trilith::script {
 
-/// A Lua error on its way through C++: its message is whole (place and traceback are in it).
+/// A Lua error on its way through C++: its message is whole (place and traceback are in it). An error object that is no
+/// text waits in the Lua state, and goes on as it was; the message then says what it is.
 class ScriptError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit ScriptError(const std::string& message, bool is_object = false)
+      : std::runtime_error(message), is_object_(is_object) {}
+  [[nodiscard]] bool is_object() const { return is_object_; }
+
+ private:
+  bool is_object_;
 };
+
+/// Keeps `value` until no guarded function is at work: a finalizer may run in the midst of one that still uses it.
+void let_go(std::shared_ptr<void> value);
 
 /// Runs `body`; what it throws becomes a Lua error with the user's script and line in front.
 int run_guarded(lua_State* L, lua_CFunction body);
@@ -27,14 +37,21 @@ int guarded(lua_State* L) {
 }
 
 /// Calls the function below `arguments` values on the stack, as lua_pcall does, leaving `results` values. Throws
-/// ScriptError with message and traceback where it fails.
+/// ScriptError where it fails: a text with its traceback, or the error object as it was raised.
 void call(lua_State* L, int arguments, int results);
 
-/// Message handler for lua_pcall: adds a traceback, but for errors of input, where the one line says it all.
+/// Message handler for lua_pcall where an error is told: makes it a text, and adds a traceback, but for errors of
+/// input, where the one line says it all.
 int add_traceback(lua_State* L);
 
-/// The same with the traceback of `thread`; the message is on top of the stack, and is replaced.
+/// Adds the traceback of `thread` to the message on top of the stack; an error object that is no text is left as it is.
 void add_thread_traceback(lua_State* L, lua_State* thread);
+
+/// The value at `index` as a text for people: what its __tostring says, or what it holds. Raises nothing.
+std::string error_text(lua_State* L, int index);
+
+/// The text at `index` with all its bytes, "" where there is none.
+std::string text_at(lua_State* L, int index);
 
 /// Marks the string on top of the stack as whole: add_traceback leaves it as it is.
 void mark_whole(lua_State* L);

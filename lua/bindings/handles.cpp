@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/terminal_text.hpp"
+
 namespace trilith::script {
 namespace {
 
@@ -10,7 +12,7 @@ template <class H>
 void push_row(lua_State* L, int model_index, int row, const char* table) {
   model_index = lua_absindex(L, model_index);
   lua_checkstack(L, 8);
-  lua_getiuservalue(L, model_index, 1);
+  push_own_table(L, model_index);
   lua_pushstring(L, table);
   if (lua_rawget(L, -2) != LUA_TTABLE) {
     lua_pop(L, 1);
@@ -21,10 +23,7 @@ void push_row(lua_State* L, int model_index, int row, const char* table) {
   }
   if (lua_rawgeti(L, -1, row + 1) == LUA_TNIL) {
     lua_pop(L, 1);
-    H h;
-    h.box = static_cast<const ModelBox*>(lua_touserdata(L, model_index));
-    h.index = row;
-    push_handle<H>(L, h, 1);
+    push_handle<H>(L, row_of<H>(handle<ModelBox>(L, model_index).get(), row), 1);
     lua_pushvalue(L, model_index);
     lua_setiuservalue(L, -2, 1);
     lua_pushvalue(L, -1);
@@ -47,23 +46,31 @@ void add_named(std::vector<int>& list, const ScriptModel& model, const std::stri
   for (const BodySpec& b : bodies)
     for (const std::string& g : b.groups)
       if (std::find(known.begin(), known.end(), g) == known.end()) known.push_back(g);
-  throw InputError(fmt::format("{}: there is no body or group '{}'{}", owner, name, name_hint(name, known)));
+  throw InputError(fmt::format("{}: there is no body or group '{}'{}", owner, one_line(name), name_hint(name, known)));
+}
+
+std::string names_begin(const std::string& owner) {
+  return owner.empty() ? "" : owner + ": ";
 }
 
 template <class H>
-void require_same(const H& h, const ScriptModel& model, const std::string& owner) {
-  if (&h.model() != &model) throw InputError(fmt::format("{}: {} belongs to another model", owner, Kind<H>::title(h)));
+std::vector<std::string> names_of(const ScriptModel& model) {
+  if constexpr (std::is_same_v<H, BodyHandle>)
+    return model.builder.body_names();
+  else if constexpr (std::is_same_v<H, BearingHandle>)
+    return model.bearings;
+  else
+    return model.seats;
 }
 
 void add_bodies(std::vector<int>& list, lua_State* L, int index, const ScriptModel& model, const std::string& owner) {
   if (const auto* body = test_handle<BodyHandle>(L, index)) {
-    require_same(*body, model, owner);
-    list.push_back(body->index);
+    list.push_back(require_own(*body, model, owner).index);
   } else if (const auto* set = test_handle<BodySet>(L, index)) {
-    require_same(*set, model, owner);
-    list.insert(list.end(), set->bodies.begin(), set->bodies.end());
+    const std::vector<int>& bodies = require_own(*set, model, owner).bodies;
+    list.insert(list.end(), bodies.begin(), bodies.end());
   } else if (lua_type(L, index) == LUA_TSTRING) {
-    add_named(list, model, lua_tostring(L, index), owner);
+    add_named(list, model, text_at(L, index), owner);
   } else if (lua_type(L, index) == LUA_TTABLE && lua_rawlen(L, index) > 0) {
     const int table = lua_absindex(L, index);
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, table));
@@ -83,11 +90,29 @@ void add_bodies(std::vector<int>& list, lua_State* L, int index, const ScriptMod
 
 }  // namespace
 
+ScriptModel& ModelBox::get() const {
+  if (!open()) throw InputError("the model is closed");
+  return *model;
+}
+
+void ModelBox::close() {
+  if (!model) return;
+  model->closed = true;
+  let_go(std::exchange(model, nullptr));
+}
+
 void push_model_of(lua_State* L, int index) {
   if (test_handle<ModelBox>(L, index) != nullptr)
     lua_pushvalue(L, index);
-  else
+  else if (lua_type(L, index) == LUA_TUSERDATA)
     lua_getiuservalue(L, index, 1);
+  else
+    lua_pushnil(L);
+}
+
+void push_own_table(lua_State* L, int model_index) {
+  require_open(handle<ModelBox>(L, model_index));
+  if (lua_getiuservalue(L, model_index, 1) != LUA_TTABLE) throw InputError("the model has lost its own table");
 }
 
 void push_body(lua_State* L, int model_index, int body) {
@@ -110,7 +135,7 @@ void push_set(lua_State* L, int model_index, std::vector<int> bodies) {
   model_index = lua_absindex(L, model_index);
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  push_handle<BodySet>(L, {static_cast<const ModelBox*>(lua_touserdata(L, model_index)), std::move(bodies)}, 1);
+  push_handle<BodySet>(L, {Owner(handle<ModelBox>(L, model_index).model), std::move(bodies)}, 1);
   lua_pushvalue(L, model_index);
   lua_setiuservalue(L, -2, 1);
 }
@@ -131,38 +156,59 @@ std::vector<int> some_bodies_at(lua_State* L, int index, const ScriptModel& mode
   return list;
 }
 
-int body_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner) {
-  if (const auto* body = test_handle<BodyHandle>(L, index)) {
-    require_same(*body, model, owner);
-    return body->index;
-  }
-  if (lua_type(L, index) == LUA_TSTRING) return model.require_body(lua_tostring(L, index), owner);
-  throw InputError(fmt::format("{}: {} is no body; give a body or its name", owner, what_is(L, index)));
+template <class H>
+int row_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner) {
+  if (const auto* h = test_handle<H>(L, index)) return require_own(*h, model, owner).index;
+  if (lua_type(L, index) != LUA_TSTRING)
+    throw InputError(fmt::format("{}{} is no {}; give a {} or its name", names_begin(owner), what_is(L, index),
+                                 Kind<H>::name, Kind<H>::name));
+  const std::string name = text_at(L, index);
+  const std::vector<std::string> names = names_of<H>(model);
+  const auto it = std::find(names.begin(), names.end(), name);
+  if (it == names.end())
+    throw InputError(fmt::format("{}there is no {} '{}'{}", names_begin(owner), Kind<H>::name, one_line(name),
+                                 name_hint(name, names)));
+  return static_cast<int>(it - names.begin());
 }
+template int row_at<BodyHandle>(lua_State*, int, const ScriptModel&, const std::string&);
+template int row_at<BearingHandle>(lua_State*, int, const ScriptModel&, const std::string&);
+template int row_at<SeatHandle>(lua_State*, int, const ScriptModel&, const std::string&);
 
-std::string body_name(Keys& keys, std::string_view key) {
+std::string body_name(Keys& keys, std::string_view key, const ScriptModel& model) {
   lua_State* L = keys.lua();
   std::string name;
-  if (keys.push(key) == LUA_TNIL)
+  if (keys.push(key) == LUA_TNIL) {
     keys.missing(key, "a body or its name");
-  else if (const auto* body = test_handle<BodyHandle>(L, -1))
-    name = body->model().builder.bodies()[body->index].name;
-  else if (lua_type(L, -1) == LUA_TSTRING)
-    name = lua_tostring(L, -1);
-  else
+  } else if (lua_type(L, -1) != LUA_TSTRING && test_handle<BodyHandle>(L, -1) == nullptr) {
     keys.wrong(key, "a body or its name");
+  } else {
+    try {
+      name = model.builder.bodies()[static_cast<std::size_t>(row_at<BodyHandle>(L, -1, model, ""))].name;
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  }
   lua_pop(L, 1);
   return name;
 }
 
 bool matches(std::string_view pattern, std::string_view name) {
-  if (pattern.empty()) return name.empty();
-  if (pattern.front() != '*')
-    return !name.empty() && (pattern.front() == '?' || pattern.front() == name.front()) &&
-           matches(pattern.substr(1), name.substr(1));
-  for (std::size_t skip = 0; skip <= name.size(); ++skip)
-    if (matches(pattern.substr(1), name.substr(skip))) return true;
-  return false;
+  constexpr std::size_t none = std::string_view::npos;
+  std::size_t p = 0, n = 0, star = none, taken = 0;  // the last '*' takes what lies before name[taken]
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      taken = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p, ++n;
+    } else if (star != none) {
+      p = star + 1;  // an earlier '*' need not take more: what stands between it and this one matches already
+      n = ++taken;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == none;
 }
 
 }  // namespace trilith::script

@@ -1,4 +1,7 @@
 // The handles that scripts hold: a model, and rows of a model. A row's user value is its model, so that it lives on.
+//
+// Handles outlive models: a model may be closed, and at the end of a script finalizers read what is gone. So a row
+// holds its model weakly and asks each time (Owner), and whatever is given a handle goes through require_own.
 #pragma once
 
 #include <memory>
@@ -13,18 +16,35 @@ namespace trilith::script {
 /// User value 1 of its userdata is the model's own table for the library: handlers, cached handles, stories.
 struct ModelBox {
   std::shared_ptr<ScriptModel> model;
+  [[nodiscard]] bool open() const { return model != nullptr && !model->closed; }
   /// The model, or InputError where it has been closed.
-  [[nodiscard]] ScriptModel& get() const {
-    if (!model) throw InputError("the model is closed");
-    return *model;
+  [[nodiscard]] ScriptModel& get() const;
+  /// From now on the model is closed for all its handles. It is freed once no call of the interface is at work.
+  void close();
+};
+
+/// The model that a handle belongs to.
+class Owner {
+ public:
+  Owner() = default;
+  explicit Owner(const std::shared_ptr<ScriptModel>& model) : model_(model) {}
+  [[nodiscard]] bool open() const { return ModelBox{model_.lock()}.open(); }
+  /// The model, or InputError where it has been closed. It is there until the present call of the interface ends.
+  [[nodiscard]] ScriptModel& get() const { return ModelBox{model_.lock()}.get(); }
+  [[nodiscard]] bool same(const Owner& other) const {
+    return !model_.owner_before(other.model_) && !other.model_.owner_before(model_);
   }
+
+ private:
+  std::weak_ptr<ScriptModel> model_;
 };
 
 /// A row of a model; user value 1 is the model.
 struct Row {
-  const ModelBox* box = nullptr;
+  Owner owner = {};
   int index = 0;
-  [[nodiscard]] ScriptModel& model() const { return box->get(); }
+  [[nodiscard]] bool open() const { return owner.open(); }
+  [[nodiscard]] ScriptModel& model() const { return owner.get(); }
 };
 struct BodyHandle : Row {};
 struct BearingHandle : Row {};
@@ -34,9 +54,10 @@ struct StoreyHandle : Row {};  ///< index: its number less 1
 
 /// Bodies of one model, in rising order; user value 1 is the model.
 struct BodySet {
-  const ModelBox* box = nullptr;
-  std::vector<int> bodies;
-  [[nodiscard]] ScriptModel& model() const { return box->get(); }
+  Owner owner = {};
+  std::vector<int> bodies = {};
+  [[nodiscard]] bool open() const { return owner.open(); }
+  [[nodiscard]] ScriptModel& model() const { return owner.get(); }
 };
 
 /// A ground motion; `steady` ones need not come to rest.
@@ -84,8 +105,33 @@ TRILITH_KIND(DirectionLawValue, "direction law");
 TRILITH_KIND(SolidLawValue, "solid law");
 #undef TRILITH_KIND
 
-/// Pushes the model that the row or set at `index` belongs to (the model itself for a model).
+/// `h`, where it belongs to `model`. InputError, begun with `owner` unless that is "", where its model is another one
+/// or has been closed.
+template <class H>
+const H& require_own(const H& h, const ScriptModel& model, const std::string& owner) {
+  const std::string begin = owner.empty() ? "" : owner + ": ";
+  if (!h.open())
+    throw InputError(fmt::format("{}a {} of a closed model is given; give one of this model", begin, Kind<H>::name));
+  if (&h.model() != &model) throw InputError(fmt::format("{}{} belongs to another model", begin, Kind<H>::title(h)));
+  return h;
+}
+/// Row of the body, bearing or seat at `index`: a handle of `model`, or the name of one. InputError as require_own, and
+/// where there is no such name.
+template <class H>
+int row_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
+/// A handle for C++: of a body, bearing, seat or storey of `model`.
+template <class H>
+H row_of(ScriptModel& model, int index) {
+  H h;
+  h.owner = Owner(model.shared_from_this());
+  h.index = index;
+  return h;
+}
+
+/// Pushes the model that the row or set at `index` belongs to (the model itself for a model), nil where it is neither.
 void push_model_of(lua_State* L, int index);
+/// Pushes the model's own table, for the library; InputError where there is none.
+void push_own_table(lua_State* L, int model_index);
 /// Pushes the handle of a body, bearing or seat; the same one each time. `model_index`: of the model's userdata.
 void push_body(lua_State* L, int model_index, int body);
 void push_bearing(lua_State* L, int model_index, int bearing);
@@ -99,12 +145,11 @@ void push_set(lua_State* L, int model_index, std::vector<int> bodies);
 std::vector<int> bodies_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
 /// The same for what is to be done to bodies: InputError too where there is none, as in an empty set.
 std::vector<int> some_bodies_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
-/// One body: a body or a name.
-int body_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
-/// The same under a key; its name, "" with a problem noted where it is missing or wrong.
-std::string body_name(Keys& keys, std::string_view key);
+/// The name of the body under a key, given as a body or by name; "" with a problem noted where it is missing or wrong.
+std::string body_name(Keys& keys, std::string_view key, const ScriptModel& model);
 
-/// True where `name` matches `pattern`, in which '*' stands for any text and '?' for any letter.
+/// True where `name` matches `pattern`, in which '*' stands for any text and '?' for any letter. The time it takes is
+/// at most the product of their lengths.
 bool matches(std::string_view pattern, std::string_view name);
 
 }  // namespace trilith::script

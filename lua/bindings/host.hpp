@@ -88,6 +88,8 @@ struct Host {
   RunObserver* observer = nullptr;
   Console* console = nullptr;  ///< nullptr: nothing pauses
   int running = 0;             ///< stages that run
+  /// Whether Ctrl-C was pressed and nobody took it. nullptr: under stock lua, see InterruptWatch.
+  bool (*interrupted)() = nullptr;
   Profile profile;
   std::vector<std::string> arguments;  ///< `given`, kept whole
   std::filesystem::path case_folder;   ///< "" or where all results go, under the last part of the script's own names

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/terminal_text.hpp"
+
 namespace trilith::script {
 namespace {
 
@@ -18,7 +20,7 @@ std::string what_is(lua_State* L, int index) {
     case LUA_TNUMBER:
       return number_text(lua_tonumber(L, index));
     case LUA_TSTRING:
-      return fmt::format("the text '{}'", lua_tostring(L, index));
+      return fmt::format("the text '{}'", text_at(L, index));
     case LUA_TBOOLEAN:
       return lua_toboolean(L, index) != 0 ? "true" : "false";
     case LUA_TNIL:
@@ -51,6 +53,14 @@ std::optional<Vec2> point_at(lua_State* L, int index) {
   return p;
 }
 
+std::optional<int> count_at(lua_State* L, int index) {
+  constexpr lua_Integer most = 1000000000;
+  int whole = 0;
+  const lua_Integer value = lua_type(L, index) == LUA_TNUMBER ? lua_tointegerx(L, index, &whole) : 0;
+  if (whole == 0 || value < -most || value > most) return {};
+  return static_cast<int>(value);
+}
+
 Keys::Keys(lua_State* L, int index, std::string owner)
     : L_(L), index_(lua_absindex(L, index)), owner_(std::move(owner)) {
   if (lua_type(L, index) != LUA_TTABLE)
@@ -60,7 +70,7 @@ Keys::Keys(lua_State* L, int index, std::string owner)
 }
 
 void Keys::name_owner(const std::string& name) {
-  if (!name.empty()) owner_ = fmt::format("{} '{}'", owner_, name);
+  if (!name.empty()) owner_ = fmt::format("{} '{}'", owner_, one_line(name));
 }
 
 void Keys::problem(const std::string& what) {
@@ -127,11 +137,10 @@ int Keys::count(std::string_view key, int preset) {
     lua_pop(L_, 1);
     return preset;
   }
-  int whole = 0;
-  const lua_Integer value = lua_type(L_, -1) == LUA_TNUMBER ? lua_tointegerx(L_, -1, &whole) : 0;
-  if (whole == 0 || value < -1000000000 || value > 1000000000) wrong(key, "a whole number");
+  const std::optional<int> value = count_at(L_, -1);
+  if (!value) wrong(key, "a whole number");
   lua_pop(L_, 1);
-  return static_cast<int>(value);
+  return value.value_or(preset);
 }
 
 bool Keys::flag(std::string_view key, bool preset) {
@@ -142,6 +151,16 @@ bool Keys::flag(std::string_view key, bool preset) {
   return value;
 }
 
+std::string Keys::printable(std::string_view key) {
+  std::string text = text_at(L_, -1);
+  try {
+    require_printable(text, fmt::format("'{}'", key));
+  } catch (const InputError& e) {
+    problem(e.what());
+  }
+  return text;
+}
+
 std::string Keys::text(std::string_view key) {
   if (!has(key)) missing(key, "a text");
   return text(key, "");
@@ -150,7 +169,7 @@ std::string Keys::text(std::string_view key) {
 std::string Keys::text(std::string_view key, const std::string& preset) {
   const int type = push(key);
   if (type != LUA_TNIL && type != LUA_TSTRING) wrong(key, "a text");
-  const std::string value = type == LUA_TSTRING ? lua_tostring(L_, -1) : preset;
+  const std::string value = type == LUA_TSTRING ? printable(key) : preset;
   lua_pop(L_, 1);
   return value;
 }
@@ -197,7 +216,7 @@ std::vector<Vec2> Keys::points(std::string_view key) {
 std::vector<std::string> Keys::names(std::string_view key) {
   std::vector<std::string> list;
   const int type = push(key);
-  if (type == LUA_TSTRING) list.emplace_back(lua_tostring(L_, -1));
+  if (type == LUA_TSTRING) list.push_back(printable(key));
   if (type != LUA_TNIL && type != LUA_TSTRING && type != LUA_TTABLE) wrong(key, "a name or a list of names");
   if (type == LUA_TTABLE) {
     const auto count = static_cast<lua_Integer>(lua_rawlen(L_, -1));
@@ -205,7 +224,7 @@ std::vector<std::string> Keys::names(std::string_view key) {
       if (lua_rawgeti(L_, -1, i) != LUA_TSTRING)
         problem(fmt::format("name {} of '{}' is {}, must be a text", i, key, what_is(L_, -1)));
       else
-        list.emplace_back(lua_tostring(L_, -1));
+        list.push_back(printable(key));
       lua_pop(L_, 1);
     }
   }
@@ -232,7 +251,7 @@ void Keys::report_unknown() const {
       lua_pop(L_, 2);
       throw InputError(fmt::format("{}: {} stands there without a key; write key = value", owner_, what));
     }
-    const std::string key = lua_tostring(L_, -2);
+    const std::string key = text_at(L_, -2);
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     if (!any || key < first) first = key;
     any = true;

@@ -32,7 +32,7 @@ class Keys {
   double number(std::string_view key, std::string_view unit);  ///< must be there
   double number(std::string_view key, std::string_view unit, double preset);
   std::optional<double> maybe_number(std::string_view key, std::string_view unit);
-  int count(std::string_view key, int preset);
+  int count(std::string_view key, int preset);  ///< `preset` too where it is wrong
   bool flag(std::string_view key, bool preset);
   std::string text(std::string_view key);  ///< must be there
   std::string text(std::string_view key, const std::string& preset);
@@ -81,6 +81,8 @@ class Keys {
   void finish();
 
  private:
+  /// The text on top of the stack, which is under `key`; a problem where it holds control characters.
+  std::string printable(std::string_view key);
   double read_number(std::string_view key, std::string_view unit);
   void report_unknown() const;
 
@@ -94,6 +96,9 @@ class Keys {
 
 /// "a number", "a string 'abc'", "nil": what the value at `index` is, for messages.
 std::string what_is(lua_State* L, int index);
+
+/// The whole number at `index`; nothing where it is none, or not within -1e9 and 1e9.
+std::optional<int> count_at(lua_State* L, int index);
 
 /// Reads {x, y} at `index`; nothing where it is not two finite numbers.
 std::optional<Vec2> point_at(lua_State* L, int index);

@@ -39,9 +39,28 @@ struct Method {
 template <class H>
 struct Kind;
 
+/// Its address marks what was made as a handle of this kind.
+template <class H>
+inline constexpr char kind_mark = 0;
+
+/// What the userdata of a handle holds. Having the metatable is not enough: debug.setmetatable gives it to anything.
+template <class H>
+struct Held {
+  const void* mark = &kind_mark<H>;  ///< nullptr once its destructor has run
+  H value;
+};
+
+/// A handle that knows whether its model is open; one that is destroyed says that it is not.
+template <class H>
+concept OfModel = requires(const H& h) {
+  {h.open()};
+};
+
 template <class H>
 H* test_handle(lua_State* L, int index) {
-  return static_cast<H*>(luaL_testudata(L, index, Kind<H>::key));
+  auto* held = static_cast<Held<H>*>(luaL_testudata(L, index, Kind<H>::key));
+  if (held == nullptr || lua_rawlen(L, index) != sizeof(Held<H>) || held->mark != &kind_mark<H>) return nullptr;
+  return &held->value;
 }
 
 /// The handle at `index`, or InputError: "method must be called on a body, with ':'".
@@ -77,10 +96,18 @@ void push_property(lua_State* L, const Property<H>& p, const H& h) {
     p.push(L, h);
 }
 
+/// InputError where the model of a handle is closed: then it has no members any more.
+template <class H>
+void require_open(const H& h) {
+  if constexpr (OfModel<H>)
+    if (!h.open()) throw InputError("the model is closed");
+}
+
 /// __index: upvalue 1 holds name -> light userdata of the property, or the method.
 template <class H>
 int read_member(lua_State* L) {
   H& h = handle<H>(L, 1);
+  require_open(h);
   lua_pushvalue(L, 2);
   const int found = lua_rawget(L, lua_upvalueindex(1));
   if (found == LUA_TLIGHTUSERDATA) {
@@ -92,7 +119,7 @@ int read_member(lua_State* L) {
     if (Kind<H>::read_item(L, h)) return 1;
   if (lua_type(L, 2) != LUA_TSTRING)
     throw InputError(fmt::format("a {} has no members by {}", Kind<H>::name, luaL_typename(L, 2)));
-  const std::string name = lua_tostring(L, 2);
+  const std::string name = text_at(L, 2);
   throw InputError(fmt::format("{} has no '{}'{}", Kind<H>::title(h), name,
                                name_hint(name, member_names<H>(L, lua_upvalueindex(1)))));
 }
@@ -100,7 +127,8 @@ int read_member(lua_State* L) {
 template <class H>
 int write_member(lua_State* L) {
   H& h = handle<H>(L, 1);
-  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
+  require_open(h);
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : luaL_typename(L, 2);
   const Property<H>* p = find_property<H>(name);
   if (p == nullptr) throw InputError(fmt::format("{} has no '{}' that could be set", Kind<H>::title(h), name));
   if (p->set == nullptr) throw InputError(fmt::format("'{}' of {} can be read, not set", name, Kind<H>::title(h)));
@@ -115,18 +143,24 @@ int describe_handle(lua_State* L) {
   return 1;
 }
 
+/// __gc. Finalizers of the script may run later and still read the handle: an empty one stays behind.
 template <class H>
 int destroy_handle(lua_State* L) {
-  static_cast<H*>(lua_touserdata(L, 1))->~H();
+  H* h = test_handle<H>(L, 1);
+  if (h == nullptr) return 0;
+  if constexpr (requires { h->close(); }) h->close();
+  h->~H();
+  new (h) H();
+  if constexpr (!OfModel<H>) static_cast<Held<H>*>(lua_touserdata(L, 1))->mark = nullptr;
   return 0;
 }
 
 /// Pushes a new handle that holds `value`.
 template <class H>
 H& push_handle(lua_State* L, H value, int uservalues = 0) {
-  H* h = new (lua_newuserdatauv(L, sizeof(H), uservalues)) H(std::move(value));
+  auto* held = new (lua_newuserdatauv(L, sizeof(Held<H>), uservalues)) Held<H>{&kind_mark<H>, std::move(value)};
   luaL_setmetatable(L, Kind<H>::key);
-  return *h;
+  return held->value;
 }
 
 inline void set_function(lua_State* L, const char* name, lua_CFunction f) {

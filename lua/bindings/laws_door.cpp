@@ -78,7 +78,7 @@ struct AddDirectionLaw {
 template <class Law>
 bool push_declared(lua_State* L, const Law& law) {
   if (lua_type(L, 2) != LUA_TSTRING) return false;
-  const std::string key = lua_tostring(L, 2);
+  const std::string key = text_at(L, 2);
   std::vector<std::string> known;
   bool found = false;
   std::visit(

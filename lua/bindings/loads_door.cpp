@@ -104,7 +104,7 @@ std::vector<std::optional<Vec2>> read_places(Keys& keys, const Model<2>& model, 
   lua_State* L = keys.lua();
   std::vector<std::optional<Vec2>> places(bodies.size());
   const int type = keys.push("at");
-  const std::string name = type == LUA_TSTRING ? lua_tostring(L, -1) : "";
+  const std::string name = type == LUA_TSTRING ? text_at(L, -1) : "";
   const auto point = type == LUA_TTABLE ? point_at(L, -1) : std::nullopt;
   if (type != LUA_TNIL && type != LUA_TSTRING && !point) keys.wrong("at", "{x, y} or the name of a place");
   lua_pop(L, 1);

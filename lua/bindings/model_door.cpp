@@ -81,7 +81,7 @@ void push_hash(lua_State* L, const ModelBox& box) {
 /// A list of the model that the library made, by name: bearings, seats.
 template <const char* const& field>
 void push_own(lua_State* L, const ModelBox&) {
-  lua_getiuservalue(L, 1, 1);
+  push_own_table(L, 1);
   lua_pushstring(L, field);
   lua_rawget(L, -2);
 }
@@ -138,7 +138,8 @@ int explain_dt(lua_State* L) {
 int close_model(lua_State* L) {
   auto& box = handle<ModelBox>(L, 1);
   if (box.get().running()) throw InputError(fmt::format("{}: cannot be closed while a stage runs", box.model->title()));
-  const std::shared_ptr<ScriptModel> model = std::move(box.model);
+  const std::shared_ptr<ScriptModel> model = box.model;
+  box.close();
   auto& recorded = host(L).recorded;
   recorded.erase(std::remove(recorded.begin(), recorded.end(), model), recorded.end());
   const std::string said = model->finish("");
@@ -228,7 +229,7 @@ std::span<const Method> Kind<ModelBox>::methods() {
   return methods;
 }
 std::string Kind<ModelBox>::title(const ModelBox& m) {
-  return m.model ? m.model->title() : "closed model";
+  return m.open() ? m.model->title() : "closed model";
 }
 std::span<const std::pair<const char*, lua_CFunction>> Kind<ModelBox>::metamethods() {
   return {};

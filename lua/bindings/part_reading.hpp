@@ -49,11 +49,9 @@ inline std::vector<int> read_counts(Keys& keys, std::string_view key, int preset
       lua_rawgeti(L, -1, i);
     else
       lua_pushvalue(L, -1);
-    int whole = 0;
-    const lua_Integer value = lua_type(L, -1) == LUA_TNUMBER ? lua_tointegerx(L, -1, &whole) : 0;
-    if (whole == 0 || value < -1000000000 || value > 1000000000)
-      keys.wrong(key, "a whole number or a list of whole numbers");
-    counts.push_back(static_cast<int>(value));
+    const std::optional<int> value = count_at(L, -1);
+    if (!value) keys.wrong(key, "a whole number or a list of whole numbers");
+    counts.push_back(value.value_or(preset));
     lua_pop(L, 1);
   }
   lua_pop(L, 1);

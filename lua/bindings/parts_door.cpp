@@ -65,7 +65,7 @@ std::string law_name(Keys& keys, ScriptModel& m, const std::string& name) {
     keys.finish();
     law = require_law(m, *value, name);
   } else if (lua_type(L, -1) == LUA_TSTRING)
-    law = lua_tostring(L, -1);
+    law = text_at(L, -1);
   else
     keys.wrong("law", "a contact law, the name of one, or \"none\"");
   lua_pop(L, 1);
@@ -192,7 +192,7 @@ std::optional<Mesh> read_mesh(Keys& keys) {
 int body(lua_State* L) {
   ScriptModel& m = self(L);
   if (lua_type(L, 2) == LUA_TSTRING) {
-    push_body(L, 1, m.require_body(lua_tostring(L, 2), "body"));
+    push_body(L, 1, m.require_body(text_at(L, 2), "body"));
     return 1;
   }
   m.require_open("body");

@@ -40,6 +40,7 @@ void read_pushed(Keys& keys, const ScriptModel& m, PushOrder& o) {
   } else {
     try {
       o.bodies = bodies_at(L, -1, m, "body");
+      if (o.bodies.empty()) keys.problem("no body is given");
     } catch (const InputError& e) {
       keys.problem(e.what());
     }
@@ -47,7 +48,7 @@ void read_pushed(Keys& keys, const ScriptModel& m, PushOrder& o) {
   lua_pop(L, 1);
   const int type = keys.push("at");
   if (type == LUA_TSTRING)
-    o.place = lua_tostring(L, -1);
+    o.place = text_at(L, -1);
   else if (type != LUA_TNIL && !(o.at = point_at(L, -1)))
     keys.wrong("at", "{x, y} or the name of a place");
   if (type != LUA_TNIL && o.bodies.size() > 1) keys.problem("'at' is a point of one body; several are given");

@@ -116,55 +116,40 @@ std::vector<std::string> number_names() {
   return names;
 }
 
-/// Follows the number `what` of the handle on top of the stack.
+/// Follows the number `what` of a handle.
 template <class H>
-bool follow(Keys& keys, History& history, const std::string& what) {
-  const H* h = test_handle<H>(keys.lua(), -1);
-  if (h == nullptr) return false;
+void follow(Keys& keys, History& history, const std::string& what, const H& h) {
   const Property<H>* p = find_property<H>(what);
   if (p == nullptr || p->number == nullptr) {
     keys.problem(
         fmt::format("'what' is '{}', no number of a {}{}", what, Kind<H>::name, name_hint(what, number_names<H>())));
-    return true;
+    return;
   }
-  history.sample = [copy = *h, p] { return p->number(copy); };
+  history.sample = [h, p] { return p->number(h); };
   history.unit = p->unit;
-  history.sentence = fmt::format("{} of {}", p->doc, Kind<H>::title(*h));
-  return true;
+  history.sentence = fmt::format("{} of {}", p->doc, Kind<H>::title(h));
 }
 
-/// The thing a history is of, or a text that names one.
-template <class H, class Find>
-bool follow_key(Keys& keys, std::string_view key, History& history, const std::string& what, Find&& find) {
+/// Follows the thing under `key`, a handle or a name; false where it is not there.
+template <class H>
+bool follow_key(Keys& keys, std::string_view key, History& history, const std::string& what, ScriptModel& m) {
   lua_State* L = keys.lua();
   const int type = keys.push(key);
-  if (type == LUA_TNIL) {
-    lua_pop(L, 1);
-    return false;
-  }
-  if (type == LUA_TSTRING) {
-    const std::string name = lua_tostring(L, -1);
-    lua_pop(L, 1);
+  if (type != LUA_TNIL && type != LUA_TSTRING && test_handle<H>(L, -1) == nullptr) {
+    keys.wrong(key, fmt::format("a {} or its name", Kind<H>::name));
+  } else if (type != LUA_TNIL) {
     try {
-      find(name);
+      follow(keys, history, what, row_of<H>(m, row_at<H>(L, -1, m, "")));
     } catch (const InputError& e) {
       keys.problem(e.what());
-      return true;
     }
   }
-  if (!follow<H>(keys, history, what)) keys.wrong(key, fmt::format("a {} or its name", Kind<H>::name));
   lua_pop(L, 1);
-  return true;
-}
-
-int row_named(const std::vector<std::string>& names, const std::string& name, const char* kind) {
-  const auto it = std::find(names.begin(), names.end(), name);
-  if (it == names.end()) throw InputError(fmt::format("there is no {} '{}'{}", kind, name, name_hint(name, names)));
-  return static_cast<int>(it - names.begin());
+  return type != LUA_TNIL;
 }
 
 /// A number of the model itself.
-void follow_model(Keys& keys, History& h, const std::string& what) {
+void follow_model(Keys& keys, History& h, const std::string& what, ScriptModel& m) {
   const Property<ModelBox>* p = find_property<ModelBox>(what);
   if (p == nullptr || p->number == nullptr) {
     if (!what.empty())
@@ -173,33 +158,28 @@ void follow_model(Keys& keys, History& h, const std::string& what) {
                       name_hint(what, number_names<ModelBox>())));
     return;
   }
-  const auto* box = static_cast<const ModelBox*>(lua_touserdata(keys.lua(), 1));
-  h.sample = [box, p] { return p->number(*box); };
+  h.sample = [owner = Owner(m.shared_from_this()), p] { return p->number(ModelBox{owner.get().shared_from_this()}); };
   h.unit = p->unit;
   h.sentence = p->doc;
 }
 
-void read_followed(Keys& keys, History& h, const ScriptModel& m) {
-  lua_State* L = keys.lua();
+/// Follows the storey under `storey`; false where it is not there.
+bool follow_storey(Keys& keys, History& h, const std::string& what, ScriptModel& m) {
+  if (!keys.has("storey")) return false;
+  const int storey = keys.count("storey", 0), storeys = storey_count(m);
+  if (storey < 1 || storey > storeys)
+    keys.problem(fmt::format("there is no storey {}; there are {}", storey, storeys));
+  else
+    follow(keys, h, what, row_of<StoreyHandle>(m, storey - 1));
+  return true;
+}
+
+void read_followed(Keys& keys, History& h, ScriptModel& m) {
   const std::string what = keys.text("what");
-  const int storey = keys.count("storey", 0);
-  if (storey != 0) {
-    if (storey < 1 || storey > storey_count(m))
-      keys.problem(fmt::format("there is no storey {}; there are {}", storey, storey_count(m)));
-    push_storey(L, 1, storey - 1);
-    follow<StoreyHandle>(keys, h, what);
-    lua_pop(L, 1);
-  }
-  const bool owned =
-      storey != 0 ||
-      follow_key<BodyHandle>(keys, "body", h, what,
-                             [&](const std::string& n) { push_body(L, 1, m.require_body(n, "body")); }) ||
-      follow_key<BearingHandle>(
-          keys, "bearing", h, what,
-          [&](const std::string& n) { push_bearing(L, 1, row_named(m.bearings, n, "bearing")); }) ||
-      follow_key<SeatHandle>(keys, "seat", h, what,
-                             [&](const std::string& n) { push_seat(L, 1, row_named(m.seats, n, "seat")); });
-  if (!owned) follow_model(keys, h, what);
+  const bool owned = follow_storey(keys, h, what, m) || follow_key<BodyHandle>(keys, "body", h, what, m) ||
+                     follow_key<BearingHandle>(keys, "bearing", h, what, m) ||
+                     follow_key<SeatHandle>(keys, "seat", h, what, m);
+  if (!owned) follow_model(keys, h, what, m);
   keys.know({"body", "bearing", "seat", "storey", "every"});
 }
 
@@ -323,7 +303,7 @@ std::span<const Method> Kind<HistoryHandle>::methods() {
   return {};
 }
 std::string Kind<HistoryHandle>::title(const HistoryHandle& h) {
-  return h.box->model ? fmt::format("history '{}'", row(h).name) : "history of a closed model";
+  return h.open() ? fmt::format("history '{}'", row(h).name) : "history of a closed model";
 }
 std::span<const std::pair<const char*, lua_CFunction>> Kind<HistoryHandle>::metamethods() {
   return history_operators;

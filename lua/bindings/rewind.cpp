@@ -74,6 +74,7 @@ double ScriptModel::rewind(double time, Host& host) {
   branch.checkpoints.push_back(std::move(end));
   undone = std::move(branch);
   broken_.clear();
+  pause_reason.clear();
   if (recording_) {
     const std::unique_ptr<Recording> before = std::move(recording_);
     continue_recording(host, left, *before);

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/terminal_text.hpp"
 #include "record/axis_ticks.hpp"
 #include "world/pose.hpp"
 
@@ -109,7 +110,8 @@ int ScriptModel::require_body(const std::string& body, const std::string& owner)
   const auto& all = builder.bodies();
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].name == body) return static_cast<int>(i);
-  throw InputError(fmt::format("{}: there is no body '{}'{}", owner, body, name_hint(body, builder.body_names())));
+  throw InputError(
+      fmt::format("{}: there is no body '{}'{}", owner, one_line(body), name_hint(body, builder.body_names())));
 }
 
 void ScriptModel::begin_recording(Host& host) {
@@ -235,6 +237,7 @@ StageReport ScriptModel::guarded_run(const std::function<StageReport()>& go, Hos
     ~Scope() {
       *model.verdict_ = model.simulation_->verdict();
       model.running_ = false;
+      model.pause_reason.clear();  // of a step border that this stage did not come to
       model.changes_.clear();
     }
   } scope(*this);

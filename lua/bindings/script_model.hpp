@@ -49,6 +49,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   explicit ScriptModel(std::string model_name) : name(std::move(model_name)) {}
 
   std::string name;
+  bool closed = false;  ///< for all handles, whoever still holds it
   ModelBuilder builder;
   BodyForm body_form;
   std::vector<std::pair<std::string, ContactLaw>> laws;  ///< as given to the builder

@@ -249,7 +249,7 @@ int drive(lua_State* L) {
 std::array<bool, 3> directions_at(lua_State* L, int index, const char* owner) {
   if (lua_isnoneornil(L, index)) return {true, true, true};
   std::array<bool, 3> on{};
-  const std::string text = lua_type(L, index) == LUA_TSTRING ? lua_tostring(L, index) : "?";
+  const std::string text = lua_type(L, index) == LUA_TSTRING ? text_at(L, index) : "?";
   for (const char c : text) {
     const std::size_t k = std::string_view("xyr").find(c);
     if (k != std::string_view::npos)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "doors.hpp"
+#include "interrupt_watch.hpp"
 
 namespace trilith::script {
 namespace {
@@ -11,26 +12,22 @@ namespace {
 /// The library's functions in the model's own table, at fixed places of the stack while the stage runs.
 class Handlers {
  public:
-  Handlers(lua_State* L, ScriptModel& model, Host& h) : L_(L), model_(model), host_(h), first_(lua_gettop(L) + 1) {
+  Handlers(lua_State* L, ScriptModel& model, Host& h)
+      : L_(L), model_(model), host_(h), watch_(L, h), first_(lua_gettop(L) + 1) {
     lua_checkstack(L, 40);
-    lua_getiuservalue(L, 1, 1);
+    push_own_table(L, 1);
     const int own = lua_gettop(L);
     for (const char* name : {"dispatch", "tick", "wake", "stepped", "sample"}) {
       lua_pushstring(L, name);
       lua_rawget(L, own);
     }
     lua_remove(L, own);
-    lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_MAINTHREAD);
-    main_ = lua_tothread(L, -1);
-    lua_pop(L, 1);
-    hook_ = lua_gethook(main_);
   }
   Handlers(const Handlers&) = delete;
   Handlers& operator=(const Handlers&) = delete;
   ~Handlers() { lua_settop(L_, first_ - 1); }
 
-  /// An interrupt (of the program or of stock lua) sets a hook that raises once Lua code runs.
-  [[nodiscard]] bool interrupted() const { return lua_gethook(main_) != hook_; }
+  [[nodiscard]] bool interrupted() const { return watch_.pressed(); }
 
   void event(const Event& e) {
     if ((model_.wanted_events >> static_cast<unsigned>(e.type) & 1U) == 0) return;
@@ -108,9 +105,8 @@ class Handlers {
   lua_State* L_;
   ScriptModel& model_;
   Host& host_;
+  InterruptWatch watch_;
   int first_;
-  lua_State* main_ = nullptr;
-  lua_Hook hook_ = nullptr;
 };
 
 /// Calls go(listener) with the script's handlers listening.

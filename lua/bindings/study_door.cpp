@@ -6,6 +6,7 @@
 #include "base/units.hpp"
 #include "doors.hpp"
 #include "figures_reading.hpp"
+#include "interrupt_watch.hpp"
 #include "run/study.hpp"
 #include "study_order.hpp"
 #include "study_reading.hpp"
@@ -118,13 +119,6 @@ void push_study(lua_State* L, const StudyOrder& order, const std::vector<StudyOu
   lua_setfield(L, -2, "failed");
 }
 
-lua_State* main_state(lua_State* L) {
-  lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_MAINTHREAD);
-  lua_State* const main = lua_tothread(L, -1);
-  lua_pop(L, 1);
-  return main;
-}
-
 StudyOrder order_of(Host& h, StudyPlan plan, const Wanted& wanted) {
   CasesOfScript cases;
   cases.program = h.study.program;
@@ -165,12 +159,11 @@ int study(lua_State* L) {
     list_cases(order);
     throw InputError(script_is_done);
   }
-  lua_State* const main = main_state(L);
-  const lua_Hook hook = lua_gethook(main);
+  const InterruptWatch interrupt(L, h);
   StudyWatch watch;
   watch.line = [&h](const std::string& text, bool strong) { h.observer->line(text, strong); };
   watch.status = [&h](const std::string& text) { h.observer->status(text); };
-  watch.goes_on = [main, hook] { return lua_gethook(main) == hook; };
+  watch.goes_on = [&interrupt] { return !interrupt.pressed(); };
   const std::vector<StudyOutcome> outcomes = run_study(order, watch);
   push_study(L, order, outcomes);
   return 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "base/terminal_text.hpp"
+
 namespace trilith::script {
 namespace {
 
@@ -12,7 +14,8 @@ std::vector<std::string> sorted_names(lua_State* L, const std::string& owner) {
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING)
       throw InputError(fmt::format("{}: {} stands there without a name", owner, what_is(L, -1)));
-    names.emplace_back(lua_tostring(L, -2));
+    names.push_back(text_at(L, -2));
+    require_printable(names.back(), owner + ": name");
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -31,7 +34,7 @@ StudyValue value_at_top(lua_State* L, const std::string& name) {
     case LUA_TBOOLEAN:
       return lua_toboolean(L, -1) != 0;
     case LUA_TSTRING:
-      return std::string(lua_tostring(L, -1));
+      return text_at(L, -1);
     default:
       throw InputError(
           fmt::format("study: a value of '{}' is {}, must be a number, a text or a flag", name, what_is(L, -1)));
@@ -128,7 +131,7 @@ StudyPlan samples_at_top(lua_State* L, int count, int seed) {
 
 StudyTake take_at_top(lua_State* L, const std::string& history) {
   const auto& takes = study_takes();
-  const std::string text = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+  const std::string text = lua_type(L, -1) == LUA_TSTRING ? text_at(L, -1) : "";
   const auto it = std::find(takes.begin(), takes.end(), text);
   if (it == takes.end())
     throw InputError(fmt::format("study: of history '{}' {} is taken, must be one of {}", history, what_is(L, -1),

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/terminal_text.hpp"
 #include "base/units.hpp"
 #include "doors.hpp"
 #include "parameter_list.hpp"
@@ -49,7 +50,7 @@ void read_preset(lua_State* L, Declaration& d, Keys* keys) {
   if (d.type == LUA_TNUMBER)
     d.number = lua_tonumber(L, -1);
   else if (d.type == LUA_TSTRING)
-    d.text = lua_tostring(L, -1);
+    d.text = text_at(L, -1);
   else if (d.type == LUA_TBOOLEAN)
     d.flag = lua_toboolean(L, -1) != 0;
   else if (keys != nullptr)
@@ -71,7 +72,7 @@ Declaration read_declaration(lua_State* L, const std::string& name) {
   lua_rawgeti(L, -1, 1);
   read_preset(L, d, &keys);
   lua_pop(L, 1);
-  if (lua_rawgeti(L, -1, 2) == LUA_TSTRING) d.sentence = lua_tostring(L, -1);
+  if (lua_rawgeti(L, -1, 2) == LUA_TSTRING) d.sentence = text_at(L, -1);
   lua_pop(L, 1);
   d.unit = keys.text("unit", "");
   d.choices = keys.names("choices");
@@ -119,7 +120,8 @@ std::vector<std::string> sorted_keys(lua_State* L, int table) {
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING)
       throw InputError(fmt::format("params: {} stands there without a name", what_is(L, -1)));
-    names.emplace_back(lua_tostring(L, -2));
+    names.push_back(text_at(L, -2));
+    require_printable(names.back(), "parameter");
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -27,11 +27,10 @@ script::Host& host_of(lua_State* L) {
   return *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
 }
 
-std::string text_at(lua_State* L, int index) {
-  std::size_t length = 0;
-  const char* text = lua_tolstring(L, index, &length);
-  return text != nullptr ? std::string(text, length) : "";
-}
+using script::text_at;
+
+/// How long Lua code may go on after Ctrl-C before it is taken for endless [s]; a handler comes to its end before.
+constexpr double longest_wait = 0.5;
 
 /// What Tab offers, from console.complete(before, session): first letter (from 1), names. Session: stack index 2 of
 /// door.read, which is at work.
@@ -90,6 +89,13 @@ int write_error(lua_State* L) {
   return write_to(L, stderr);
 }
 
+/// door.told(): an error has come to where it is told; where it is an interrupt, that is over.
+int told(lua_State* L) {
+  quench_interrupt();
+  if (session_of(L).editor.terminal()) forget_interrupts();
+  return 0;
+}
+
 /// door.quit(code, why): ends the program; results are complete where `why` is "".
 int quit(lua_State* L) {
   script::Host& host = host_of(L);
@@ -105,9 +111,13 @@ int load_console(lua_State* L) {
   lua_pushvalue(L, -1);
   lua_setfield(L, LUA_REGISTRYINDEX, console_table);
   lua_newtable(L);  // door
-  const luaL_Reg functions[] = {
-      {"read", script::guarded<read>}, {"write", script::guarded<write>}, {"write_error", script::guarded<write_error>},
-      {"quit", script::guarded<quit>}, {"traced", script::add_traceback}, {nullptr, nullptr}};
+  const luaL_Reg functions[] = {{"read", script::guarded<read>},
+                                {"write", script::guarded<write>},
+                                {"write_error", script::guarded<write_error>},
+                                {"quit", script::guarded<quit>},
+                                {"traced", script::add_traceback},
+                                {"told", script::guarded<told>},
+                                {nullptr, nullptr}};
   lua_pushlightuserdata(L, host);
   luaL_setfuncs(L, functions, 1);
   lua_pushboolean(L, session_of(L).editor.terminal() ? 1 : 0);
@@ -191,12 +201,13 @@ bool ConsoleSession::manual(lua_State* L, const std::string& what, const std::st
 void ConsoleSession::on_interrupt(lua_State* L, lua_Debug* at) {
   ConsoleSession& session = session_of(L);
   if (ending_signal() != 0) end_by_signal(session.host_);
-  // A running stage pauses at its next step border; a second interrupt does not wait for it.
-  if (session.host_.running > 0 && interrupts() == 1 && session.editor.terminal()) {
-    lua_sethook(L, nullptr, 0, 0);
+  // A running stage pauses at its next step border, if the handler at work comes to its end; a second interrupt does
+  // not wait for that.
+  if (session.host_.running > 0 && interrupts() == 1 && !is_raised() && session.editor.terminal() &&
+      since_interrupt() < longest_wait) {
+    wait_with_interrupt(L, 1000);
     return;
   }
-  if (session.editor.terminal()) forget_interrupts();
   raise_interrupt(L, at);
 }
 

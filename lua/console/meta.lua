@@ -15,7 +15,8 @@ local type_of = {
   seat = "trilith.seat|string", motion = "trilith.motion", rest = "boolean|table", ["body form"] = "string|table",
   ["contact law"] = "trilith.contact_law|string", ["direction law"] = "trilith.direction_law",
   ["solid law"] = "trilith.solid_law", ["text or integer"] = "string|integer", course = "number|table",
-  place = "number[]|string", storeys = "integer|table[]",
+  place = "number[]|string", ["two bodies"] = "table[]",
+  ["bearing or law"] = "trilith.bearing|trilith.contact_law|string", storeys = "integer|table[]",
 }
 
 local function gives_type(text)

@@ -158,6 +158,7 @@ end
 --- A message handler: the message without the console's own part of the traceback, and without a place that says
 --- nothing. The locals of what failed are kept.
 function console.told(message)
+  door.told()
   keep_failed()
   message = door.traced(message)
   local lines = {}

@@ -23,7 +23,7 @@ end
 
 local function on_event(model, stop, options)
   core.listen(model, options[1], "break_on")
-  local wanted = core.wanted(options, "break_on")
+  local wanted = core.wanted(model, options, "break_on")
   stop.text = "event " .. options[1] .. filter_text(options)
   model_methods.on(model, options[1], function(event)
     if not stop.off and core.fits(event, wanted) then pause_at(model, stop, tostring(event)) end
@@ -67,7 +67,8 @@ end
 function core.is_users(source) return not source:find "^trilith/" and source ~= "console" end
 
 local function on_line(stop, place)
-  local file, line = tostring(place):match "^(.-):?(%d+)$"
+  local text = (type(place) == "string" or math.type(place) == "integer") and tostring(place) or ""
+  local file, line = text:match "^(.-):?(%d+)$"
   if not line then
     core.fail(("break_on: 'line' is %s, must be a number or a text such as \"bridge.lua:12\""):format(tostring(place)))
   end
@@ -90,6 +91,9 @@ function model_methods.break_on(model, options)
     if key ~= 1 and not is_break_key[key] then
       core.fail(("break_on: unknown key '%s'%s"):format(tostring(key), core.hint(tostring(key), break_keys)))
     end
+  end
+  if options.once ~= nil and type(options.once) ~= "boolean" then
+    core.fail(("break_on: 'once' is %s, must be true or false"):format(tostring(options.once)))
   end
   local breaks = core.own(model).breaks
   local stop = { number = #breaks + 1, once = options.once }

@@ -6,8 +6,6 @@ local wait_keys = { "body", "bearing", "seat", "group", "above", "within" }
 local is_wait_key = {}
 for _, key in ipairs(wait_keys) do is_wait_key[key] = true end
 
-local function name_of(thing) return type(thing) == "string" and thing or thing.name end
-
 local function has_body(event, name)
   for _, body in ipairs(event.bodies) do
     if body.name == name then return true end
@@ -53,19 +51,19 @@ local function check_wait(options)
 end
 
 --- What core.fits wants to know of an event and its filters.
-function core.wanted(options, owner)
+function core.wanted(model, options, owner)
   local above = options.above
   if above ~= nil and (type(above) ~= "number" or above ~= above or above < 0) then
     core.fail(("%s: 'above' is %s, must be a number not below 0"):format(owner, tostring(above)))
   end
-  return {
-    event = options[1],
-    body = options.body and name_of(options.body),
-    bearing = options.bearing and name_of(options.bearing),
-    seat = options.seat and name_of(options.seat),
-    group = options.group,
-    above = above,
-  }
+  if options.group ~= nil and type(options.group) ~= "string" then
+    core.fail(("%s: 'group' is %s, must be the name of one"):format(owner, tostring(options.group)))
+  end
+  local wanted = { event = options[1], group = options.group, above = above }
+  for _, kind in ipairs { "body", "bearing", "seat" } do
+    wanted[kind] = options[kind] ~= nil and core.name_of(model, kind, options[kind], owner) or nil
+  end
+  return wanted
 end
 
 core.made[#core.made + 1] = function(model, own)
@@ -127,8 +125,8 @@ function model_methods.wait(model, options)
   end
   check_wait(options)
   if options[1] then core.listen(model, options[1], "wait") end
+  local wanted = core.wanted(model, options, "wait")
   if not coroutine.isyieldable() then core.fail "wait: only within a story, see m:story(function() ... end)" end
-  local wanted = core.wanted(options, "wait")
   wanted.is_wait = true
   wanted.until_time = options.within and model.time + options.within
   return coroutine.yield(wanted)

@@ -40,7 +40,7 @@ parts    table   list of { name, outline, groups }
 options  table?  what bodies take, and fixed = , by_group = ]], gives = "set" },
   { "model:bearing", "A bearing between two bodies: laws along, across and for turning.", keys = [[
 name               text           its name
-between            names          two bodies, or their names
+between            two bodies     or their names
 at                 point?         where it is; or from and to
 from               point?         its point on the first body
 to                 point?         its point on the second
@@ -49,7 +49,7 @@ along              direction law?  force along
 axial              direction law?  force across
 turning            direction law?  moment
 limit              table?         { along = , axial = , turning = }: displacements that end it
-becomes            text?          what is there after it failed: another bearing, or a contact law
+becomes            bearing or law?  what is there after it failed: another bearing, or a contact law
 waiting            flag = false   it goes live only as another's successor
 holds_off_contact  flag = false   it stands for the flat contact it sits in]], gives = "bearing" },
   { "model:seat", "A body's end on the edge of a support: how much is left is followed.", keys = [[

@@ -9,7 +9,7 @@ name      names?  of these names]], gives = "set" },
   { "body:point", "Where the point is now that was there at the start: x and y.",
     args = "place  point  {x, y} at the start", gives = "number, number" },
   { "model:contacts", "Contacts that carry force: { a, b, law, hold, slip, normal, shear, point, force }.",
-    keys = "between  list?  two bodies, sets or names", gives = "table[]" },
+    keys = "between  two bodies?  or sets, or names", gives = "table[]" },
   { "model:history", "Follows a number over time.", keys = [[
 name     text       what results call it
 what     text?      which number of

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "assignment.hpp"
+#include "base/terminal_text.hpp"
 #include "console_session.hpp"
 #include "interrupt.hpp"
 #include "live.hpp"
@@ -28,7 +29,7 @@ void run_before(lua_State* L, script::Host& host, ConsoleSession& session) {
   if (host.observer != nullptr) host.observer->clear();
   if (!good) {
     session.failure = message_at_top(L);
-    fmt::print(stderr, "{}\n", session.failure);
+    fmt::print(stderr, "{}\n", terminal_text(session.failure));
   } else if (!host.given_used && !host.given.empty()) {
     fmt::print(stderr, "{} declares no parameters, so '{}' has no place; see trilith.params\n", host.script,
                host.given.front());
@@ -55,6 +56,7 @@ int run(const Options& options) {
   ConsoleSession session(L, host);
   host.console = &session;
   const InterruptScope scope(L, ConsoleSession::on_interrupt, 3);
+  host.interrupted = is_interrupted;
   if (session.editor.terminal()) fmt::print("Trilith {}. `help` says what there is, Ctrl-D leaves.\n", TRILITH_VERSION);
   if (!host.script.empty()) run_before(L, host, session);
   const bool good = session.top(L) && session.failure.empty();

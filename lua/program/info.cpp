@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "base/terminal_text.hpp"
 #include "newer_run.hpp"
 #include "record/event_table.hpp"
 #include "record/results_info.hpp"
@@ -20,11 +21,11 @@ struct InfoOptions {
 int show_info(const InfoOptions& options) {
   const record::ResultsReader reader(options.result);
   if (!options.events && !options.of_note) {
-    fmt::print("{}", record::info_text(reader));
+    fmt::print("{}", terminal_text(record::info_text(reader)));
     return ended_well;
   }
   tell_of_newer_run(reader);
-  fmt::print("{}", record::event_table(options.of_note ? events_of_note(reader) : reader.events()));
+  fmt::print("{}", terminal_text(record::event_table(options.of_note ? events_of_note(reader) : reader.events())));
   return ended_well;
 }
 

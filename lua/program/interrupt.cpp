@@ -1,40 +1,73 @@
 #include "interrupt.hpp"
 
+#include <ctime>
+
 #include "guard.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
 namespace {
 
-lua_State* volatile watched_state = nullptr;
-lua_Hook volatile watched_hook = nullptr;
-volatile std::sig_atomic_t count = 0, most = 1, ending = 0;
+/// A hook of the script's own that an interrupt has pushed aside.
+struct PushedAside {
+  lua_State* thread = nullptr;
+  lua_Hook hook = nullptr;
+  int mask = 0, count = 0;
+};
 
-void set_hook() {
-  if (watched_state != nullptr)
-    lua_sethook(watched_state, watched_hook, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
+constexpr int every_event = LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT;
+/// What may run between one raise and the next: finalizers and message handlers come to their end.
+constexpr int instructions_between = 1000000;
+
+lua_State* volatile running_thread = nullptr;
+lua_Hook volatile watched_hook = nullptr;
+PushedAside aside;
+volatile std::sig_atomic_t count = 0, most = 1, ending = 0, raised = 0;
+volatile std::time_t first_second = 0;
+volatile long first_nanosecond = 0;
+
+void arm(lua_State* L) {
+  const lua_Hook own = lua_gethook(L);
+  if (own != nullptr && own != watched_hook) aside = {L, own, lua_gethookmask(L), lua_gethookcount(L)};
+  lua_sethook(L, watched_hook, every_event, 1);
+}
+
+void disarm(lua_State* L) {
+  if (lua_gethook(L) != watched_hook) return;
+  if (aside.thread == L)
+    lua_sethook(L, aside.hook, aside.mask, aside.count);
+  else
+    lua_sethook(L, nullptr, 0, 0);
+  if (aside.thread == L) aside = {};
 }
 
 extern "C" void on_interrupt(int signal) {
+  if (count == 0) {
+    std::timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    first_second = now.tv_sec;
+    first_nanosecond = now.tv_nsec;
+  }
   count = count + 1;
   if (count >= most) std::signal(signal, SIG_DFL);
-  set_hook();
+  if (running_thread != nullptr) arm(running_thread);
 }
 
 extern "C" void on_ending(int signal) {
   if (ending == 0) ending = signal;
   std::signal(signal, signal == SIGTERM ? SIG_DFL : SIG_IGN);
-  set_hook();
+  if (running_thread != nullptr) arm(running_thread);
 }
 
 }  // namespace
 
-InterruptScope::InterruptScope(lua_State* L, lua_Hook hook, int patience) {
+InterruptScope::InterruptScope(lua_State* L, lua_Hook hook, int patience) : main_(L) {
   count = 0;
-  most = patience;
+  raised = 0;
   ending = 0;
+  most = patience;
   watched_hook = hook;
-  watched_state = L;
+  running_thread = L;
   previous_ = std::signal(SIGINT, on_interrupt);
   struct sigaction action {};
   action.sa_handler = on_ending;  // without SA_RESTART: a console that waits for a line waits no longer
@@ -49,17 +82,28 @@ InterruptScope::~InterruptScope() {
   // A pipe that nobody reads is told of at each line; the last ones must not end the program in another way.
   for (std::size_t i = 0; i < before_.size(); ++i)
     if (ending == 0) ::sigaction(ending_signals[i], &before_[i], nullptr);
-  watched_state = nullptr;
+  if (main_ != nullptr) disarm(main_);
+  running_thread = nullptr;
 }
 
 int interrupts() {
   return count;
 }
 
+bool is_interrupted() {
+  return signal_code() != 0;
+}
+
+double since_interrupt() {
+  std::timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec - first_second) + 1e-9 * static_cast<double>(now.tv_nsec - first_nanosecond);
+}
+
 void forget_interrupts() {
-  if (watched_state != nullptr && lua_gethook(watched_state) == watched_hook) lua_sethook(watched_state, nullptr, 0, 0);
+  quench_interrupt();
   count = 0;
-  if (watched_state != nullptr) std::signal(SIGINT, on_interrupt);
+  if (running_thread != nullptr) std::signal(SIGINT, on_interrupt);
 }
 
 int ending_signal() {
@@ -86,10 +130,36 @@ std::string signal_text() {
 }
 
 void raise_interrupt(lua_State* L, lua_Debug*) {
-  lua_sethook(L, nullptr, 0, 0);
+  if (!is_interrupted()) {  // a coroutine that waited, or was made, while there was one
+    disarm(L);
+    return;
+  }
+  raised = 1;
+  wait_with_interrupt(L, instructions_between);
   lua_pushliteral(L, "interrupted");
   script::mark_whole(L);
   lua_error(L);
+}
+
+void wait_with_interrupt(lua_State* L, int instructions) {
+  lua_sethook(L, watched_hook, LUA_MASKCOUNT, instructions);
+}
+
+bool is_raised() {
+  return raised != 0;
+}
+
+void quench_interrupt() {
+  raised = 0;
+  if (running_thread != nullptr) disarm(running_thread);
+}
+
+lua_State* switch_thread(lua_State* thread) {
+  lua_State* const before = running_thread;
+  if (before == nullptr) return nullptr;
+  running_thread = thread;
+  if (thread != nullptr && is_interrupted() && lua_gethook(thread) != watched_hook) arm(thread);
+  return before;
 }
 
 }  // namespace trilith::program

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/terminal_text.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -65,7 +66,7 @@ int main(int argc, char** argv) {
   try {
     return trilith::program::run_program(argc, argv);
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "trilith: %s\n", e.what());
+    std::fprintf(stderr, "trilith: %s\n", trilith::terminal_text(e.what()).c_str());
     return trilith::program::wrong_input;
   }
 }

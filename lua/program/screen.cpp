@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "base/terminal_text.hpp"
+
 namespace trilith::program {
 namespace {
 
@@ -51,16 +53,16 @@ void Screen::line(const std::string& text, bool strong) {
   if (shown_) std::fputs("\r\033[K", out_);
   shown_ = false;
   if (strong && colours_)
-    std::fputs(fmt::format("\033[1m{}\033[0m\n", text).c_str(), out_);
+    std::fputs(fmt::format("\033[1m{}\033[0m\n", terminal_text(text)).c_str(), out_);
   else
-    std::fputs(fmt::format("{}\n", text).c_str(), out_);  // where nobody reads, a run goes on
+    std::fputs(fmt::format("{}\n", terminal_text(text)).c_str(), out_);  // where nobody reads, a run goes on
   std::fflush(out_);
 }
 
 void Screen::status(const std::string& text) {
   if (!terminal_) return;
   // One column less than there are: a full line would move the cursor on.
-  std::fputs(fmt::format("\r{}\033[K", cut_text(text, columns_of(out_) - 1)).c_str(), out_);
+  std::fputs(fmt::format("\r{}\033[K", cut_text(terminal_text(text), columns_of(out_) - 1)).c_str(), out_);
   std::fflush(out_);
   shown_ = true;
 }

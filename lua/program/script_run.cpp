@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/terminal_text.hpp"
 #include "doors.hpp"
 #include "figures_reading.hpp"
 #include "guard.hpp"
@@ -29,7 +30,7 @@ int report_error(script::Host& host, const std::string& message) {
   if (signal_code() != 0) return close_by_signal(host);
   if (host.observer != nullptr) host.observer->clear();
   host.finish(message);
-  fmt::print(stderr, "{}\n", message);
+  fmt::print(stderr, "{}\n", terminal_text(message));
   return tell_doubts(host) ? not_trusted : wrong_input;
 }
 
@@ -60,6 +61,7 @@ int run_script(script::Host& host) {
   const ScriptState state = new_script_state(host);
   lua_State* L = state.get();
   const InterruptScope scope(L, on_signal);
+  host.interrupted = is_interrupted;
   if (load_script(L, host) != LUA_OK) return report_error(host, message_at_top(L));
   bool good = lua_pcall(L, 0, 1, 1) == LUA_OK;
   if (host.list_parameters) {

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "guard.hpp"
+#include "interrupt.hpp"
 #include "open.hpp"
 #include "verbs.hpp"
 
@@ -39,6 +40,7 @@ int print_apart(lua_State* L) {
 int set_up(lua_State* L) {
   auto& host = *static_cast<script::Host*>(lua_touserdata(L, 1));
   luaL_openlibs(L);
+  open_interruptible_calls(L);
   lua_pushlightuserdata(L, &host);
   lua_getglobal(L, "print");
   lua_pushcclosure(L, print_apart, 2);

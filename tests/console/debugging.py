@@ -149,6 +149,27 @@ def session_rewind_change_and_compare(place):
     s.ask("m:compare()", r"bearing\.failed  B1\s+before at .* s, now not")
 
 
+def session_a_pause_that_did_not_come_leaves_nothing_behind(place):
+    place.write("stale.lua", FALL + """wrong = true
+m:break_on { 'impact', above = 1.5 }
+m:on('impact', function() if wrong then error 'at fault' end end)
+""")
+    s = place.console("-i", "stale.lua")
+    s.ask("m:run { duration = 1 }", r"at fault.*^> $")
+    hit = float(s.ask("m.time", r"^([0-9.]+)$").group(1))
+    s.ask("m:rewind(0.1)", r"back at.*^> $")
+    s.line("wrong = false")
+    s.expect(r"^> $")
+    s.line("m:continue()")
+    s.expect(r"Paused: ([0-9.]+) s  block hit base.*s> $")
+    check(s.text.count("Paused") == 1, "it paused without a reason")
+    check(float(s.ask("m.time", r"^([0-9.]+)$").group(1)) >= hit - 1e-3, "it paused before the block hit")
+    s.line("continue")
+    s.expect(r"stage ended.*^> $")
+    s.ask("m:run { duration = 0.05 }.ending", r"^time$")
+    check(s.text.count("Paused") == 1, "it paused again")
+
+
 def session_rewind_that_cannot_be(place):
     s = place.console("-i", "fall.lua")
     s.ask("m:rewind(1)", r"rewind: the model has not run yet")

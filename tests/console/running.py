@@ -87,6 +87,95 @@ def session_ctrl_c_ends_an_endless_loop(place):
     s.ask("1 + 1", r"^2$")
 
 
+# Loops that never end, each of which writes that it has begun. The first Ctrl-C ends them, and the console goes on.
+LOOPS = {
+    "a function": "local function f() print 'begun' while true do end end f()",
+    "a coroutine": "coroutine.wrap(function() print 'begun' while true do end end)()",
+    "a resumed coroutine": "print(coroutine.resume(coroutine.create(function() print 'begun' while true do end end)))",
+    "coroutines one in the other": "coroutine.wrap(function() coroutine.wrap(function() print 'begun' while true do end "
+                                   "end)() end)()",
+    "coroutines without end": "print 'begun' while true do coroutine.resume(coroutine.create(function() "
+                              "while true do end end)) end",
+    "pcall": "pcall(function() print 'begun' while true do end end)",
+    "pcall in pcall": "pcall(pcall, function() print 'begun' while true do end end) while true do end",
+    "pcall without end": "print 'begun' while true do pcall(function() while true do end end) end",
+    "xpcall without end": "print 'begun' while true do xpcall(function() while true do end end, print) end",
+    "pcall of errors": "print 'begun' while true do pcall(error) end",
+    "a sort": "print 'begun' while true do table.sort({ 3, 1, 2 }, function(a, b) return a < b end) end",
+    "readings": "print 'begun' while true do m:bodies {} end",
+    "a script's own hook": "debug.sethook(function() end, 'c') print 'begun' while true do end",
+    "handlers": "m:every(0.01, function() print 'begun' while true do end end) m:run { duration = 1 }",
+    "handlers that catch": "m:every(0.01, function() print 'begun' while true do pcall(function() while true do end end) "
+                           "end end) m:run { duration = 1 }",
+    "stories": "m:story(function() m:wait(0.01) print 'begun' while true do end end) m:run { duration = 1 }",
+    "handlers of a run in a coroutine": "m:every(0.01, function() print 'begun' while true do end end) "
+                                        "coroutine.wrap(function() m:run { duration = 1 } end)()",
+    "runs without end": "m:on_step(function() print 'begun' while true do end end) "
+                        "while true do pcall(m.run, m, { duration = 1 }) end",
+}
+
+
+def session_the_first_ctrl_c_ends_every_loop(place):
+    for name, loop in LOOPS.items():
+        s = place.console("-i", "fall.lua")
+        s.line(loop)
+        s.expect(r"^begun\r?$")
+        s.interrupt()
+        s.expect(r"^interrupted$")
+        s.expect(r"^> $")
+        s.ask("1 + 1", r"^2$")
+        s.ask("pcall(error, 'caught')", r"false\s+caught")  # other errors are caught as before
+        s.line("quit()")
+        s.ends(0)
+
+
+def session_the_first_ctrl_c_ends_every_loop_of_a_script(place):
+    for name, loop in LOOPS.items():
+        place.write("loop.lua", FALL + loop + "\n")
+        s = place.start("run", "loop.lua")
+        s.expect(r"^begun$")
+        s.interrupt()
+        s.expect(r"interrupted$")
+        s.ends(130)
+
+
+def session_ctrl_c_pauses_a_run_whose_handlers_come_to_their_end(place):
+    place.write("busy.lua", FALL + """m:on_step(function()
+  coroutine.wrap(function() for i = 1, 2000 do pcall(math.sin, i) end end)()
+end)
+m:run { duration = 1e9 }
+""")
+    s = place.start("-i", "busy.lua")
+    s.expect(r"stage begun")
+    s.interrupt()
+    s.expect(r"Paused: interrupted\..*s> $")
+    s.line("continue")
+    s.expect(RUNNING)
+    s.interrupt()
+    s.expect(r"Paused: interrupted\..*s> $")
+    s.line("stop")
+    s.expect(r"stage ended.*stopped")
+
+
+def session_a_hook_of_the_script_outlives_ctrl_c(place):
+    s = place.console("-i", "fall.lua")
+    s.line("calls = 0; debug.sethook(function() calls = calls + 1 end, 'c'); print 'begun' while true do end")
+    s.expect(r"^begun$")
+    s.interrupt()
+    s.expect(r"^interrupted\s+^> $")
+    s.line("was = calls; math.abs(1); print('more', calls > was)")
+    s.expect(r"^more\s+true$")
+
+
+def session_error_objects_are_told_in_words(place):
+    s = place.console("-i", "fall.lua")
+    s.line("m:every(0.01, function() error { code = 5, why = 'so' } end)")
+    s.expect("^> $")
+    s.ask("m:run { duration = 1 }", r"error object is a table value: \{ code = 5, why = \"so\" \}.*^> $")
+    s.ask("select(2, pcall(m.run, m, { duration = 1 })).code", r"^5$")
+    s.ask("error(setmetatable({}, { __tostring = function() return 'in its own words' end }))", r"^in its own words")
+
+
 def session_error_is_told_and_the_session_goes_on(place):
     s = place.console("-i", "fall.lua")
     s.ask("m:fix 'blokc'", r"^fix: there is no body or group 'blokc'; did you mean 'block'\?\s+^> $")

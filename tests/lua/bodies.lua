@@ -55,3 +55,19 @@ local own = m:body { name = "own", material = "stone", floating = true,
   mesh = { nodes = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, elements = { { 1, 2, 3 }, { 1, 3, 4 } } } }
 assert(own.kind == "mesh")
 near(own.mass, 2000, 1e-12)
+
+-- names by pattern: '*' stands for any text and '?' for any letter, in a time that does not grow with the stars
+local names, long = trilith.model {}, ("a"):rep(60)
+for i, name in ipairs { "a", "ab", "abc", "S1.left", "S1.right", "S12.left", long } do
+  names:block { name = name, width = 0.1, height = 0.1, at = { i, 0 }, mass = 1, floating = true }
+end
+for pattern, found in pairs {
+  ["*"] = "a ab abc S1.left S1.right S12.left " .. long, ["*?"] = "a ab abc S1.left S1.right S12.left " .. long,
+  ["a"] = "a", ["?"] = "a", ["??"] = "ab", ["a?*"] = "ab abc " .. long, ["*b"] = "ab", ["*b*"] = "ab abc",
+  ["S*.left"] = "S1.left S12.left", ["S?.*"] = "S1.left S1.right", ["S1*left"] = "S1.left S12.left", ["**c"] = "abc",
+  ["*.*t"] = "S1.left S1.right S12.left", ["a*b*c"] = "abc", ["*f?"] = "S1.left S12.left", [""] = "", ["abcd"] = "",
+  ["b"] = "", [("*a"):rep(40) .. "b"] = "", [("*a"):rep(60)] = long, [("?*"):rep(60)] = long,
+} do
+  local got = table.concat(names:bodies { name = pattern }.names, " ")
+  assert(got == found, ("%s: %s"):format(pattern, got))
+end

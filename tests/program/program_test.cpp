@@ -103,6 +103,26 @@ TEST_CASE("trilith plot draws histories and energy, of several runs too, and lis
   check_refused(ask(here, "plot span.h5 span.z"), "no history 'span.z'; did you mean 'span.x'?");
 }
 
+TEST_CASE("control characters in a results file do not reach the terminal") {
+  if (program_is_missing()) return;
+  const record::Folder here;
+  record::Header header = record::sample_header();
+  header.histories[0].name = "top\033[31m";
+  header.provenance.motions = {"\033]0;title\a"};
+  record::ResultsWriter writer(here / "old.h5", header);
+  record::SampleRow row(header, 0);
+  row.event.text = "\033[2Ja span fell\xC2\x9B";
+  row.append_to(writer);
+  writer.finish();
+  CHECK(ask(here.path, "info old.h5").says("top\\27[31m"));
+  for (const char* list : {"info old.h5", "info old.h5 --events", "info old.h5 --of-note"}) {
+    const Said said = ask(here.path, list);
+    CHECK(said.code == 0);
+    CHECK(said.out.find_first_of("\033\a") == std::string::npos);
+  }
+  CHECK(ask(here.path, "info old.h5 --events").says("\\27[2Ja span fell\\194\\155"));
+}
+
 TEST_CASE("trilith info tells what a file holds and lists its events below their causes") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
