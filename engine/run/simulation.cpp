@@ -27,6 +27,8 @@ constexpr std::int64_t steps_between_estimates = 32;
 constexpr double longest_safety = 0.9;
 /// A step below this [s], or below this share of its stage, is no step: time would stand still.
 constexpr double shortest_step = 1e-12, shortest_share = 1e-9;
+/// A stage of so long [s] is meant to end by something else: rest, a number of steps, the person at the console.
+constexpr double open_ended = 1e8;
 
 void check(const StageOptions& o) {
   const std::string owner = fmt::format("stage '{}'", o.name);
@@ -151,7 +153,8 @@ void Simulation::require_step(const StageOptions& options) const {
     throw InputError(fmt::format(
         "stage '{}': dt is {:g} s, the longest stable step is {:.4g} s at t = {:.4g} s; leave dt out, or: {}",
         options.name, options.dt, next_.longest, state_.time, explain_step(model_, state_, work_)));
-  const double shortest = std::max(shortest_step, shortest_share * options.duration);
+  const double share = options.duration < open_ended ? shortest_share : 0;
+  const double shortest = std::max(shortest_step, share * options.duration);
   if (next_.dt < shortest)
     throw InputError(fmt::format(
         "stage '{}': the step is {:.3g} s at t = {:.4g} s, must be at least {:.3g} s ({:g} s, and {:g} of the "

@@ -185,7 +185,9 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant& now) {
   double mass = 0;
   for (int n = 0; n < now.model.nodes(); ++n)
     if (now.model.moves(n)) mass += now.model.mass[n];
-  const double most = std::max(most_energy_, start + given), trifle = 0.5 * mass * trifling_speed * trifling_speed;
+  // Kinetic energy of the leapfrog scheme is below 0 where a velocity turns round.
+  const double most = std::max({0.0, most_energy_, start + given}),
+               trifle = 0.5 * mass * trifling_speed * trifling_speed;
   const auto fastest = [&] {
     const int body = worst_bodies(now.model, now.work).fastest;
     return fmt::format("{} is fastest, at {:.3g} m/s", body >= 0 ? now.model.bodies[body].name : "?", now.speed);

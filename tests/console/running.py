@@ -35,7 +35,7 @@ def session_ctrl_c_pauses_a_run_and_continue_goes_on(place):
 
 def session_ctrl_c_pauses_a_run_typed_at_the_console(place):
     s = place.console("-i", "fall.lua")
-    s.line("r = m:run { duration = 1e9 }")
+    s.line("r = m:run { duration = 1e4 }")
     s.expect(r"stage begun")
     s.interrupt()
     s.expect(r"Paused: interrupted\..*s> $")
@@ -48,7 +48,7 @@ def session_locals_are_read_and_set_in_a_pause(place):
     place.write("local.lua", FALL + """local limit = 5
 local function go()
   local inner = limit * 2
-  m:run { duration = 1e9 }
+  m:run { duration = 1e4 }
   print("inner is", inner, "limit is", limit)
 end
 go()
@@ -143,7 +143,7 @@ def session_ctrl_c_pauses_a_run_whose_handlers_come_to_their_end(place):
     place.write("busy.lua", FALL + """m:on_step(function()
   coroutine.wrap(function() for i = 1, 2000 do pcall(math.sin, i) end end)()
 end)
-m:run { duration = 1e9 }
+m:run { duration = 1e4 }
 """)
     s = place.start("-i", "busy.lua")
     s.expect(r"stage begun")
@@ -224,7 +224,7 @@ def session_ctrl_d_in_a_pause_asks_once(place):
 
 
 def session_results_of_a_pause_that_is_left_are_unfinished(place):
-    place.write("results.lua", FALL + "m:results { file = 'fall.h5' }\nm:run { duration = 1e9 }\n")
+    place.write("results.lua", FALL + "m:results { file = 'fall.h5' }\nm:run { duration = 1e4 }\n")
     s = place.start("-i", "results.lua")
     s.expect(r"stage begun")
     s.interrupt()

@@ -25,7 +25,7 @@ class Place:
         os.makedirs(folder)
         self.write("fall.lua", FALL)
         self.write("run.lua", FALL + "local report = m:run { duration = 1 }\nprint('the script goes on', report.ending)\n")
-        self.write("long.lua", FALL + "m:run { duration = 1e9 }\nprint 'the script goes on'\n")
+        self.write("long.lua", FALL + "m:run { duration = 1e4 }\nprint 'the script goes on'\n")
 
     def write(self, name, text):
         with open(os.path.join(self.folder, name), "w") as f:

@@ -185,9 +185,11 @@ TEST_CASE(
   CHECK(state_hash(straight.state()) == state_hash(again.state()));
   StageOptions options;
   options.duration = 0.1;
-  dropped.run(options, each_step([&](const Instant& now) {
-                if (now.state.step % 50 == 0) const_cast<Work<2>&>(now.work) = Work<2>{};
-              }));
+  RunListener drops;
+  drops.at_border = [&] {
+    if (dropped.state().step % 50 == 0) dropped.drop_work();
+  };
+  dropped.run(options, drops);
   CHECK(state_hash(straight.state()) == state_hash(dropped.state()));
   const auto path = std::filesystem::temp_directory_path() / "trilith_deformable_test.state";
   save_state(straight.state(), straight.model(), path);

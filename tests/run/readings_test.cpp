@@ -163,6 +163,7 @@ TEST_CASE("a step at which time would stand still is refused with what governs i
   CHECK(refusal(1e8, 1.1e-9, 1) == "");
   CHECK(refusal(1e8, 0.9e-12, 1e-4) != "");
   CHECK(refusal(1e8, 1.1e-12, 1e-4) == "");
+  CHECK(refusal(1e8, 1e-5, 1e9) == "");  // meant to end by something else than time
 }
 
 TEST_CASE("nine tenths of the longest stable step are the most that is taken") {
