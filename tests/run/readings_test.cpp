@@ -6,11 +6,11 @@
 #include "physics/scene.hpp"
 #include "step/contact_resultants.hpp"
 
-namespace trilith {
-namespace {
-
+using namespace trilith;
 using testing::box;
 using testing::Scene;
+
+namespace {
 
 /// All that a reader can see of one instant, as numbers.
 struct Reading {
@@ -172,4 +172,3 @@ TEST_CASE("nine tenths of the longest stable step are the most that is taken") {
 }
 
 }  // namespace
-}  // namespace trilith
