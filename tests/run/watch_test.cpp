@@ -172,7 +172,7 @@ TEST_CASE("a body that is let go by a moving support takes its motion along and 
 
 TEST_CASE("a stage that must come to rest and does not names its worst body and its run is not to be trusted") {
   const auto settle_for = [](double duration, bool must) {
-    Scene scene(Frictional{1e8, 4e7, 0.6, 2e-3});
+    testing::Scene scene(Frictional{1e8, 4e7, 0.6, 2e-3});
     scene.fixed("ground", box(-3, -1, 3, 0));
     scene.block("lower", box(-0.5, 0, 0.5, 0.5), 1000);
     scene.block("upper", box(-0.5, 0.5, 0.5, 1), 1000);
