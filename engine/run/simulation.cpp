@@ -118,8 +118,9 @@ void Simulation::refresh() {
   evaluate(model_, state_, work_, state_.last_dt, times_);
   StepClock clock(times_);
   next_ = choose_step();
+  swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   clock.mark(StepPart::estimate);
-  if (next_.dt > 0) lead(model_, state_, work_, {step_length(), rest_});
+  if (next_.dt > 0) lead(model_, state_, work_, {swept_.dt, rest_});
   evaluated_ = true;
 }
 
@@ -141,13 +142,19 @@ NextStep Simulation::choose_step() const {
 }
 
 /// The step to come ends with the stage at the latest.
-double Simulation::step_length() const {
+double Simulation::whole_step() const {
   if (!stage_ || state_.time >= stage_->end - 1e-9 * stage_->options.duration) return next_.dt;
   return std::min(next_.dt, stage_->end - state_.time);
 }
 
 /// Throws InputError where the step to come is longer than a stable one, or so short that no stage would end.
 void Simulation::require_step(const StageOptions& options) const {
+  if (options.dt > 0 && swept_.piece_a >= 0)
+    throw InputError(
+        fmt::format("stage '{}': dt is {:g} s, must be at most {:.2g} s at t = {:.4g} s, or one body could go through "
+                    "another unseen: {}; "
+                    "leave dt out, and the step is cut short where it has to be",
+                    options.name, options.dt, swept_.needed(), state_.time, explain_sweep(model_, swept_)));
   if (next_.longest == 0) return;
   if (options.dt > next_.longest)
     throw InputError(fmt::format(
@@ -165,12 +172,12 @@ void Simulation::require_step(const StageOptions& options) const {
 }
 
 Energy Simulation::energy() const {
-  return energy_now(model_, state_, work_, {step_length(), rest_});
+  return energy_now(model_, state_, work_, {swept_.dt, rest_});
 }
 
 Instant Simulation::instant() const {
   const double ratio = work_.carried > 0 ? work_.unbalanced / work_.carried : 0;
-  return {model_, state_, work_, stage_->options, stage_->report.begun, step_length(), work_.fastest_moving, ratio};
+  return {model_, state_, work_, stage_->options, stage_->report.begun, swept_.dt, work_.fastest_moving, ratio};
 }
 
 /// Every event of a run goes through here.
@@ -261,7 +268,7 @@ void Simulation::restore(const Snapshot& snapshot) {
 void Simulation::see_off() {
   const std::vector<int> bodies = watch_->leaving(model_, state_, work_);
   if (bodies.empty()) return;
-  leaving_ = take_out(model_, state_, work_, {step_length(), rest_}, bodies);
+  leaving_ = take_out(model_, state_, work_, {swept_.dt, rest_}, bodies);
   all_left_ = hold_left(model_, state_);
   kept_model_.reset();
 }

@@ -13,6 +13,7 @@
 #include "run/stage_progress.hpp"
 #include "step/central_difference.hpp"
 #include "step/step_times.hpp"
+#include "step/sweep.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 #include "world/verdict.hpp"
@@ -107,7 +108,7 @@ class Simulation {
   bool ends(const RunListener& listener, const Instant& now);
   void tell_samples(const RunListener& listener, const Instant& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;
-  [[nodiscard]] double step_length() const;
+  [[nodiscard]] double whole_step() const;
   [[nodiscard]] Instant instant() const;
   void require_step(const StageOptions& options) const;
   void tell_step(const RunListener& listener);
@@ -124,8 +125,9 @@ class Simulation {
   std::shared_ptr<const Model<2>> kept_model_;  // a copy of model_, where none was changed since
   StepTimes* times_ = nullptr;
   NextStep next_;           // found by refresh()
+  SweptStep swept_;         // ... and what of it is taken
   RestDamping rest_;        // of the present stage, or of the last one
-  bool evaluated_ = false;  // work_ and next_ are those of state_ and model_
+  bool evaluated_ = false;  // work_, next_ and swept_ are those of state_ and model_
   std::unique_ptr<Watch> watch_;
   std::vector<Event> leaving_;  // events of bodies that left at this instant, to be told
   bool all_left_ = false;       // nothing is free to move any more, as all of that has left

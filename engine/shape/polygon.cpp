@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace trilith {
@@ -51,6 +52,18 @@ Polygon rectangle(const Vec2& low, const Vec2& high) {
 double polygon_size(std::span<const Vec2> points) {
   const Box2 box = bounding_box(points);
   return (box.high - box.low).norm();
+}
+
+double least_width(std::span<const Vec2> outline) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 along = outline[(i + 1) % outline.size()] - outline[i];
+    const double length = along.norm();
+    double farthest = 0;
+    for (const Vec2& p : outline) farthest = std::max(farthest, cross(along, p - outline[i]));
+    if (length > 0) least = std::min(least, farthest / length);
+  }
+  return least;
 }
 
 int orientation(std::span<const Vec2> outline) {

@@ -53,6 +53,9 @@ Polygon rectangle(const Vec2& low, const Vec2& high);
 /// Diagonal of the bounding box, m: the size that tolerances refer to.
 double polygon_size(std::span<const Vec2> points);
 
+/// Least distance between two parallel lines that a convex outline of at least 3 points fits between, m.
+double least_width(std::span<const Vec2> outline);
+
 /// +1 where the points run counter-clockwise, -1 clockwise, 0 where the area is zero.
 int orientation(std::span<const Vec2> outline);
 

@@ -13,6 +13,7 @@
 #include "world/element_rows.hpp"
 #include "world/flatness.hpp"
 #include "world/names.hpp"
+#include "world/thickness.hpp"
 #include "world/usual.hpp"
 
 namespace trilith {
@@ -179,6 +180,7 @@ Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<st
   model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
   model.drive_of.assign(model.mass.size(), {-1, -1, -1});
   fill_contact_table(model);
+  find_thickness(model);
   for (const BearingSpec& spec : bearings_) attempt([&] { append_bearing(spec, model); });
   for (const SeatSpec& spec : seats_) attempt([&] { append_seat(spec, model); });
   check_overlaps(model, overlap_allowed, faults, notes);

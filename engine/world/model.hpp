@@ -136,6 +136,8 @@ struct Model {
   std::vector<int> corner_skin;            ///< [corner] counter-clockwise
   std::vector<std::uint8_t> edge_is_face;  ///< [corner] edge from this corner to the next: 1 surface, 0 inner cut
   std::vector<double> edge_corner;         ///< [corner] flatness of the edge's two ends, see world/flatness.hpp [1]
+  std::vector<double> piece_thickness;     ///< [piece] of its body where it is, see world/thickness.hpp m
+  double least_thickness = unbounded;      ///< of all pieces that may touch something [m]
 
   // Finite elements of deformable bodies.
   std::vector<Solid> solids;

@@ -1,0 +1,134 @@
+#include "detect/swept_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "detect/grid.hpp"
+#include "detect/pairs.hpp"
+
+namespace trilith {
+namespace {
+
+/// What goes farther than this in a step [m] has run away, and meets nothing.
+constexpr double beyond_all = 1e30;
+
+/// How a body moves: all its points within `spread` of `velocity`.
+struct Pace {
+  Vec2 velocity;      ///< [m/s]
+  double spread = 0;  ///< [m/s]
+  double bend = 0;    ///< largest acceleration of a point from turning [m/s2]
+  [[nodiscard]] double against(const Pace& other) const {
+    return (velocity - other.velocity).norm() + spread + other.spread;
+  }
+};
+
+struct Range {
+  Vec2 low = Vec2::Constant(unbounded), high = Vec2::Constant(-unbounded);
+  void add(const Vec2& v) { low = low.cwiseMin(v), high = high.cwiseMax(v); }
+  [[nodiscard]] Vec2 middle() const { return 0.5 * (low + high); }
+  [[nodiscard]] double half() const { return 0.5 * (high - low).norm(); }
+};
+
+std::vector<Pace> paces(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+  std::vector<Pace> out(work.body.size());
+  for (std::size_t b = 0; b < out.size(); ++b) {
+    const BodyRow& body = work.body[b];
+    const double spin = state.spin[body.node], radius = model.body_radius[b];
+    out[b] = {state.velocity[body.node], std::abs(spin) * radius, spin * spin * radius};
+    if (!body.deforms) continue;
+    Range range;
+    for (int n = body.node; n < body.node + body.nodes; ++n) range.add(state.velocity[n]);
+    out[b] = {range.middle(), range.half(), 0};
+  }
+  return out;
+}
+
+/// Component `k` of the velocity that half of the bodies are below [m/s]: one that flies does not count among many.
+double median(const std::vector<Pace>& paces, int k) {
+  std::vector<double> speeds;
+  for (const Pace& p : paces) speeds.push_back(p.velocity[k]);
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return *middle;
+}
+
+/// The way that a piece goes, beside what all go together at `common` [m/s].
+Box swept_box(const Model<2>& model, const Work<2>& work, int piece, const Vec2& common, const Pace& pace, double dt) {
+  Range range;
+  for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c) {
+    const SkinMotion& s = work.skin[model.corner_skin[c]];
+    const Vec2 at(s.x, s.y);
+    range.add(at);
+    range.add(at + dt * (Vec2(s.u, s.v) - common));
+  }
+  const double widen = std::min(0.5 * pace.bend * dt * dt, 2 * pace.spread * std::abs(dt));
+  return {range.low.x() - widen, range.low.y() - widen, range.high.x() + widen, range.high.y() + widen};
+}
+
+/// What of a sweep does not depend on the pair.
+struct Sweep {
+  const Model<2>& model;
+  const State<2>& state;
+  std::vector<Pace> pace;  ///< [body]
+  Vec2 common;             ///< [m/s]
+  double fastest = 0;      ///< beside `common` [m/s]
+  double time, share;      ///< [s], [1]
+
+  [[nodiscard]] double speed(int piece) const {
+    const Pace& p = pace[model.piece_body[piece]];
+    return (p.velocity - common).norm() + p.spread;
+  }
+  /// Any pair that counts has one piece that is fast for the thinnest of all, and one that is thin for the fastest.
+  [[nodiscard]] bool is_fast(int piece) const { return 2 * speed(piece) * time > share * model.least_thickness; }
+  [[nodiscard]] bool is_thin(int piece) const {
+    return (speed(piece) + fastest) * time > share * model.piece_thickness[piece];
+  }
+  [[nodiscard]] bool counts(int p, int q) const {
+    const int a = model.piece_body[p], b = model.piece_body[q];
+    if (a == b || state.left[a] != 0 || state.left[b] != 0) return false;
+    if ((!model.body_moves(a) && !model.body_moves(b)) || contact_law(model, a, b) < 0) return false;
+    return pace[a].against(pace[b]) * time > share * std::min(model.piece_thickness[p], model.piece_thickness[q]);
+  }
+};
+
+std::vector<int> fewest(const Sweep& sweep) {
+  std::vector<int> fast, thin;
+  for (int p = 0; p < sweep.model.pieces(); ++p) {
+    if (sweep.is_fast(p)) fast.push_back(p);
+    if (sweep.is_thin(p)) thin.push_back(p);
+  }
+  return fast.size() < thin.size() ? fast : thin;
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                                             double dt, double share) {
+  Sweep sweep{model, state, paces(model, state, work), Vec2::Zero(), 0, std::abs(dt), share};
+  sweep.common = {median(sweep.pace, 0), median(sweep.pace, 1)};
+  for (const Pace& p : sweep.pace)
+    sweep.fastest = std::max(sweep.fastest, (p.velocity - sweep.common).norm() + p.spread);
+  std::vector<std::pair<int, int>> found;
+  const double farthest = 2 * sweep.fastest * sweep.time;
+  if (!(farthest > share * model.least_thickness && farthest < beyond_all)) return found;
+  const std::vector<int> few = fewest(sweep);
+  if (few.empty()) return found;
+  std::vector<Box> boxes(static_cast<std::size_t>(model.pieces()));
+  for (int p = 0; p < model.pieces(); ++p)
+    boxes[p] = swept_box(model, work, p, sweep.common, sweep.pace[model.piece_body[p]], dt);
+  const auto keep = [&](int p, int q) {
+    if (sweep.counts(p, q)) found.emplace_back(std::min(p, q), std::max(p, q));
+  };
+  if (32 * few.size() > boxes.size()) {
+    for (const auto& [p, q] : meeting_boxes(boxes)) keep(p, q);
+    return found;
+  }
+  for (const int p : few)
+    for (int q = 0; q < model.pieces(); ++q)
+      if (q != p && boxes[p].meets(boxes[q])) keep(p, q);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+}  // namespace trilith
