@@ -186,7 +186,7 @@ bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work)
 
 void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.margin = search_margin(model);
-  work.travel = work.look_again = 0;
+  work.travel = work.look_again = work.clear_path = 0;
   work.found_position = state.position;
   work.found_rotation = state.rotation;
   work.pairs.clear();

@@ -13,6 +13,7 @@
 #include "step/central_difference.hpp"
 #include "step/evaluate.hpp"
 #include "step/lead.hpp"
+#include "step/passed.hpp"
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
 #include "step/take_out.hpp"
@@ -322,12 +323,14 @@ void Simulation::pass(const RunListener& listener) {
   StageReport& report = stage.report;
   refresh();
   require_step(stage.options);
+  std::vector<Event> passed = notice_passed(model_, state_, work_);  // before what has left is taken out
   see_off();
   StepClock clock(times_);
   const Instant now = instant();
   report.speed = now.speed;
   report.ratio = now.ratio;
   if (stage.first) tell(stage_event(EventType::stage_begun, now, stage.options.name), listener, now);
+  for (Event& e : passed) tell(std::move(e), listener, now);
   for (Event& e : std::exchange(leaving_, {})) tell(std::move(e), listener, now);
   const bool over = ends(listener, now);
   stage.first = false;

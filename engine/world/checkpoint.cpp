@@ -197,6 +197,8 @@ std::vector<std::uint64_t> words_of(State<2> state, const Fingerprint& print) {
   }
   file.count(state.parted.size());
   for (Parted& p : state.parted) walk(file, p);
+  file.count(state.passed.size());
+  for (ContactKey& bodies : state.passed) file.key(bodies);
   walk_rest(file, state);
   file.words[head_words - 1] = file.words.size() - head_words;
   file.words.push_back(digest(file.words));
@@ -233,6 +235,17 @@ void read_parted(Reader& file, const Model<2>& model, State<2>& s) {
 void check_bearings(const Reader& file, const State<2>& s) {
   for (const BearingMemory& m : s.bearing)
     if (m.status > BearingStatus::changed || m.failed_direction > 2) file.fail("has a bearing in no known state");
+}
+
+void read_passed(Reader& file, const Model<2>& model, State<2>& s) {
+  s.passed.resize(file.open_count(1));
+  const int bodies = static_cast<int>(model.bodies.size());
+  for (std::size_t i = 0; i < s.passed.size(); ++i) {
+    file.key(s.passed[i]);
+    const int a = first_piece(s.passed[i]), b = second_piece(s.passed[i]);
+    if (a < 0 || a >= b || b >= bodies || (i > 0 && s.passed[i - 1] >= s.passed[i]))
+      file.fail("has bodies that passed that are not there, or out of order");
+  }
 }
 
 std::string title(const std::filesystem::path& path) {
@@ -305,6 +318,7 @@ State<2> load_state(const Model<2>& model, const std::filesystem::path& path) {
   walk_nodes(file, state);
   read_contacts(file, model, state);
   read_parted(file, model, state);
+  read_passed(file, model, state);
   walk_rest(file, state);
   file.done();
   check_bearings(file, state);

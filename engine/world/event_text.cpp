@@ -88,7 +88,7 @@ std::string event_text(const Event& e, const Model<2>& model) {
     case EventType::body_left:
       return fmt::format("{} left the bounds at {:.3g} m/s", a, e.value);
     case EventType::body_passed:
-      return fmt::format("{} went through {} ({} deep)", a, b, size_text(e.value));
+      return fmt::format("{} passed into {}: {} deep {}", a, b, size_text(e.value), e.text);
     case EventType::element_overstrained:
       return fmt::format("{} of {} {}", e.text, a, strain_text(e.value));
     case EventType::stage_diverged:

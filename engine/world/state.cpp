@@ -69,6 +69,7 @@ std::uint64_t state_hash(const State<2>& state) {
     hash.add(p.contact);
     hash.add(p.time);
   }
+  for (const ContactKey bodies : state.passed) hash.add(bodies);
   for (const BearingMemory& m : state.bearing) add(hash, m);
   for (const PlasticMemory& p : state.plastic)
     for (const double v : {p.xx, p.yy, p.zz, p.xy, p.measure}) hash.add(v);

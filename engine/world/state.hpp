@@ -48,6 +48,7 @@ struct State {
   std::vector<ContactKey> contact;      ///< [contact]
   std::vector<ContactMemory> memory;    ///< [contact]
   std::vector<Parted> parted;           ///< in the order of parting, then by key
+  std::vector<ContactKey> passed;       ///< of bodies, not pieces: one has been seen too deep in the other; sorted
   std::vector<BearingMemory> bearing;   ///< [bearing]
   std::vector<PlasticMemory> plastic;   ///< [plastic point] of inelastic elements
   std::vector<std::uint8_t> seat_lost;  ///< [seat]

@@ -16,7 +16,7 @@ std::string words_of(const FaultCount& fault, Fault type) {
       return fault.first;
     case Fault::passed:
       if (fault.count == 1) return fault.first;
-      return fmt::format("{} times something went through another, first: {}", fault.count, fault.first);
+      return fmt::format("{} times one body passed into another, first: {}", fault.count, fault.first);
   }
   return {};
 }

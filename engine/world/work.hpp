@@ -110,6 +110,8 @@ struct Work {
   double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
 
   std::vector<Event> events;  ///< of this step. Writer: commit
+  double clear_path = 0;      ///< until the next search no two pieces get too deep into each other before the fastest
+                              ///< point has gone this far m. Writer: the watch of step/passed.hpp; detect makes it 0
 };
 
 }  // namespace trilith

@@ -1,0 +1,179 @@
+#include "step/passed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "detect/moving_piece.hpp"
+#include "detect/pairs.hpp"
+#include "detect/swept_pairs.hpp"
+#include "step/sweep.hpp"
+
+namespace trilith {
+namespace {
+
+/// A point of a body that turns is at no instant of a step faster than three times its fastest point at the end: the
+/// node goes no faster, and turning takes the farthest point from it at twice that at most. Two of them close in.
+constexpr double path_per_depth = 6;
+
+double deepest_allowed(const Model<2>& model, int p, int q) {
+  return passed_share * std::min(model.piece_thickness[p], model.piece_thickness[q]);
+}
+
+ContactKey bodies_of(const Model<2>& model, int p, int q) {
+  const int a = model.piece_body[p], b = model.piece_body[q];
+  return contact_key(std::min(a, b), std::max(a, b));
+}
+
+bool is_told(const Model<2>& model, const State<2>& state, int p, int q) {
+  return std::binary_search(state.passed.begin(), state.passed.end(), bodies_of(model, p, q));
+}
+
+/// Two pieces as they are at one instant.
+struct Two {
+  MovingPiece a, b;
+  PieceOverlap overlap;
+
+  Two(const Model<2>& model, const State<2>& state, int p, int q, double later = 0)
+      : a(moving_piece(model, state, p, later)), b(moving_piece(model, state, q, later)), overlap(overlap_of(a, b)) {}
+
+  /// Along the faces [m].
+  [[nodiscard]] double shared_length() const {
+    const Vec2 along = left_of(overlap.normal);
+    double from = -unbounded, to = unbounded;
+    for (const MovingPiece* piece : {&a, &b}) {
+      double low = unbounded, high = -unbounded;
+      for (int c = 0; c < piece->corners; ++c)
+        low = std::min(low, along.dot(piece->at[c])), high = std::max(high, along.dot(piece->at[c]));
+      from = std::max(from, low), to = std::min(to, high);
+    }
+    return to - from;
+  }
+  /// Of the fastest corners against each other, along the normal [m/s].
+  [[nodiscard]] double closing_speed() const {
+    double low[2] = {unbounded, unbounded}, high[2] = {-unbounded, -unbounded};
+    for (const int side : {0, 1}) {
+      const MovingPiece& piece = side == 0 ? a : b;
+      for (int c = 0; c < piece.corners; ++c) {
+        const double speed = overlap.normal.dot(piece.velocity[c]);
+        low[side] = std::min(low[side], speed), high[side] = std::max(high[side], speed);
+      }
+    }
+    return std::max(high[0] - low[1], high[1] - low[0]);
+  }
+};
+
+double speed_of(const Model<2>& model, const State<2>& state, int body) {
+  return state.velocity[model.bodies[body].first_node].norm();
+}
+
+/// 1 / mass of what may move, 0 of what may not [1/kg].
+double mobility(const Model<2>& model, int piece) {
+  const Body& body = model.bodies[model.piece_body[piece]];
+  double mass = 0;
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) mass += model.mass[n];
+  return model.body_moves(model.piece_body[piece]) ? 1 / mass : 0;
+}
+
+/// The stiffness that would keep two pieces half as deep as is told [Pa/m]: the elastic energy there is the energy of
+/// their motion, what the contact holds now and what their weight has still to give.
+double holding_stiffness(const Model<2>& model, const State<2>& state, int p, int q, const Two& two) {
+  const double most = 0.5 * deepest_allowed(model, p, q), length = two.shared_length() * model.thickness,
+               speed = two.closing_speed(), depth = two.overlap.depth;
+  const double mass = 1 / (mobility(model, p) + mobility(model, q));
+  const int law = contact_law(model, model.piece_body[p], model.piece_body[q]);
+  const double kn = std::visit([](const auto& l) { return l.kn; }, model.laws[law]);
+  const double twice =
+      mass * (speed * speed + 2 * model.gravity.at(state.time).norm() * most) + kn * length * depth * depth;
+  return twice / (length * most * most);
+}
+
+void tell(const Model<2>& model, State<2>& state, int p, int q, const Two& two, std::vector<Event>& told) {
+  const PieceOverlap& overlap = two.overlap;
+  const ContactKey key = bodies_of(model, p, q);
+  state.passed.insert(std::lower_bound(state.passed.begin(), state.passed.end(), key), key);
+  Event e;
+  e.type = EventType::body_passed;
+  e.time = state.time, e.step = state.step;
+  const bool turned = speed_of(model, state, second_piece(key)) > speed_of(model, state, first_piece(key));
+  e.body_a = turned ? second_piece(key) : first_piece(key), e.body_b = turned ? first_piece(key) : second_piece(key);
+  e.value = overlap.depth;
+  e.x = overlap.at.x(), e.y = overlap.at.y();
+  e.text =
+      fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; kn of {:.1e} Pa/m would hold it", two.closing_speed(),
+                  deepest_allowed(model, p, q) / passed_share, holding_stiffness(model, state, p, q, two));
+  told.push_back(e);
+}
+
+/// Overlap along the normal of the first of two faces that look at each other, no less than that of the pieces [m].
+double beneath_face(const Model<2>& model, const Work<2>& work, const NearPair& pair) {
+  const SkinMotion &from = work.skin[pair.a0], &to = work.skin[pair.a1];
+  const double x = to.x - from.x, y = to.y - from.y;
+  double deepest = 0;
+  for (int c = model.piece_first[pair.piece_b]; c < model.piece_first[pair.piece_b + 1]; ++c) {
+    const SkinMotion& corner = work.skin[model.corner_skin[c]];
+    deepest = std::max(deepest, x * (corner.y - from.y) - y * (corner.x - from.x));
+  }
+  return deepest / std::hypot(x, y);
+}
+
+/// How much deeper the pieces of a row may get [m]; not above 0: they are too deep, and that is told now. Of those that
+/// are not half as deep as that, at least half.
+double room_of(const Model<2>& model, State<2>& state, const Work<2>& work, int row, std::vector<Event>& told) {
+  const NearPair& pair = work.pairs[row];
+  const int p = pair.piece_a, q = pair.piece_b;
+  const double allowed = deepest_allowed(model, p, q);
+  if ((work.memory[row].state & contact_touching) == 0) return 0.5 * allowed;
+  if (pair.facing > 0 && beneath_face(model, work, pair) <= 0.5 * allowed) return 0.5 * allowed;
+  if (is_told(model, state, p, q)) return 0.5 * allowed;
+  const Two two(model, state, p, q);
+  if (two.overlap.depth > allowed) tell(model, state, p, q, two, told);
+  return allowed - two.overlap.depth;
+}
+
+/// Looks at all pairs, and finds how long that will do.
+void look_now(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
+  double room = unbounded;
+  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row)
+    if (const double left = room_of(model, state, work, row, told); left > 0) room = std::min(room, left);
+  // Until the next search no two points come nearer to each other than by the margin.
+  work.clear_path = room > work.margin ? unbounded : room / path_per_depth;
+}
+
+/// Where a bearing held a contact off, it may begin deep.
+void look_at_new(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
+  for (const int row : work.turned) {
+    const NearPair& pair = work.pairs[row];
+    if (room_of(model, state, work, row, told) < 0.5 * deepest_allowed(model, pair.piece_a, pair.piece_b))
+      work.clear_path = 0;
+  }
+}
+
+/// Follows two pieces through the last step.
+void look_back(const Model<2>& model, State<2>& state, int p, int q, std::vector<Event>& told) {
+  const double allowed = deepest_allowed(model, p, q), growth = allowed * depth_per_step / passed_share;
+  for (double left = state.last_dt; left > 0;) {
+    const Two two(model, state, p, q, -left);
+    if (two.overlap.depth > allowed) return tell(model, state, p, q, two, told);
+    const double time = time_to_depth(two.a, two.b, left, growth);
+    if (!(time > 0)) return;  // what moves is no number any more
+    left -= time;
+  }
+}
+
+}  // namespace
+
+std::vector<Event> notice_passed(const Model<2>& model, State<2>& state, Work<2>& work) {
+  std::vector<Event> told;
+  // Through the whole of a piece and out again within a step: only what goes farther than it is thick.
+  if (!goes_slowly(model, work, state.last_dt, 1))
+    for (const auto& [p, q] : swept_pairs(model, state, work, -state.last_dt, 1))
+      if (!is_told(model, state, p, q)) look_back(model, state, p, q, told);
+  work.clear_path -= work.fastest * state.last_dt;
+  look_at_new(model, state, work, told);
+  if (work.clear_path <= 0) look_now(model, state, work, told);
+  return told;
+}
+
+}  // namespace trilith
