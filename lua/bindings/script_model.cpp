@@ -1,8 +1,8 @@
 #include "script_model.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -181,6 +181,14 @@ RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* obs
 }
 
 void ScriptModel::take_histories(double time, Recording* recording) {
+  // A row that an interrupt broke off is left out.
+  const std::size_t rows = history_times.size();
+  const bool whole =
+      std::ranges::all_of(histories, [&](const History& h) { return h.sample || h.values.size() > rows; });
+  if (!whole) {
+    for (History& h : histories) h.values.resize(rows);
+    return;
+  }
   std::vector<double> row;
   row.reserve(histories.size());
   for (History& h : histories) {

@@ -1,6 +1,7 @@
 #include "stage_run.hpp"
 
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include "doors.hpp"
@@ -27,33 +28,38 @@ class Handlers {
   Handlers& operator=(const Handlers&) = delete;
   ~Handlers() { lua_settop(L_, first_ - 1); }
 
-  [[nodiscard]] bool interrupted() const { return watch_.pressed(); }
+  /// After the stage: an interrupt leaves the results unfinished, and goes on as the error it may have been.
+  void end() {
+    if (host_.console == nullptr && interrupted()) model_.break_off("interrupted");
+    if (broken_off_) std::rethrow_exception(broken_off_);
+  }
 
   void event(const Event& e) {
     if ((model_.wanted_events >> static_cast<unsigned>(e.type) & 1U) == 0) return;
+    if (leaves()) return;
     begin(dispatch);
     push_event(L_, 1, e);
-    call(L_, 1, 0);
+    run(1);
   }
 
   void step(double time, double dt) {
-    if (host_.console == nullptr && interrupted()) model_.stop();
+    if (leaves()) return;
     for (std::size_t i = 0; i < model_.timers.size(); ++i) {
       if (model_.timers[i].due() > time + 0.5 * dt) continue;
       model_.timers[i].next =
           static_cast<std::int64_t>((time + 0.5 * dt - model_.timers[i].start) / model_.timers[i].interval) + 1;
       begin(tick);
       lua_pushinteger(L_, static_cast<lua_Integer>(i) + 1);
-      call(L_, 1, 0);
+      run(1);
     }
     if (model_.wake_at <= time + 1e-12) {
       model_.wake_at = unbounded;
       begin(wake);
-      call(L_, 0, 0);
+      run(0);
     }
     if (model_.has_step_handler) {
       begin(stepped);
-      call(L_, 0, 0);
+      run(0);
     }
   }
 
@@ -81,32 +87,58 @@ class Handlers {
     return l;
   }
 
-  /// Values of the histories that Lua functions give.
+  /// Values of the histories that Lua functions give; an interrupt leaves some out.
   void sample_functions() {
     for (std::size_t i = 0; i < model_.histories.size(); ++i) {
       History& h = model_.histories[i];
       if (h.sample) continue;
+      if (leaves()) return;
+      const int top = lua_gettop(L_);
       begin(sample);
       lua_pushinteger(L_, static_cast<lua_Integer>(i) + 1);
-      call(L_, 1, 1);
-      const bool good = lua_type(L_, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L_, -1));
-      const std::string given = good ? "" : what_is(L_, -1);
-      if (good) h.values.push_back(lua_tonumber(L_, -1));
-      lua_pop(L_, 1);
-      if (!good)
-        throw InputError(fmt::format("history '{}': its function gave {}, must give a finite number", h.name, given));
+      if (run(1, 1)) h.values.push_back(number_of(h));
+      lua_settop(L_, top);
     }
   }
 
  private:
   enum Function { dispatch, tick, wake, stepped, sample };
+  [[nodiscard]] bool interrupted() const { return watch_.pressed(); }
   void begin(Function f) { lua_pushvalue(L_, first_ + f); }
+
+  /// Whether an interrupt or a signal ends the stage: at its next border, as stopped, and without any more Lua code.
+  bool leaves() {
+    if (host_.console != nullptr || !interrupted()) return false;
+    model_.stop();
+    return true;
+  }
+
+  /// Calls what begin() and the arguments put on the stack. False where an interrupt broke it off: it has not failed.
+  bool run(int arguments, int results = 0) {
+    try {
+      call(L_, arguments, results);
+      return true;
+    } catch (const ScriptError&) {
+      if (!leaves()) throw;
+      broken_off_ = std::current_exception();
+      return false;
+    }
+  }
+
+  /// The number on top of the stack, what the function of a history gave. Throws InputError for anything else.
+  [[nodiscard]] double number_of(const History& h) const {
+    const double value = lua_type(L_, -1) == LUA_TNUMBER ? lua_tonumber(L_, -1) : unbounded;
+    if (std::isfinite(value)) return value;
+    throw InputError(
+        fmt::format("history '{}': its function gave {}, must give a finite number", h.name, what_is(L_, -1)));
+  }
 
   lua_State* L_;
   ScriptModel& model_;
   Host& host_;
   InterruptWatch watch_;
   int first_;
+  std::exception_ptr broken_off_;  ///< what an interrupt raised in a handler; it goes on where the stage has ended
 };
 
 /// Calls go(listener) with the script's handlers listening.
@@ -121,7 +153,7 @@ StageReport listen(lua_State* L, ScriptModel& model, Host& h, Go&& go) {
   } running(h.running);
   Handlers handlers(L, model, h);
   const StageReport report = go(handlers.listener(false));
-  if (h.console == nullptr && handlers.interrupted()) model.break_off("interrupted");
+  handlers.end();
   return report;
 }
 

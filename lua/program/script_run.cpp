@@ -34,9 +34,11 @@ int report_error(script::Host& host, const std::string& message) {
   return tell_doubts(host) ? not_trusted : wrong_input;
 }
 
-/// A hook. No script can catch what ends the program; an interrupt is an error.
+/// A hook. No script can catch what ends the program; an interrupt is an error, and so is a signal within a stage,
+/// which is to end first.
 void on_signal(lua_State* L, lua_Debug* at) {
-  if (ending_signal() != 0) end_by_signal(script::host(L));
+  script::Host& host = script::host(L);
+  if (ending_signal() != 0 && host.running == 0) end_by_signal(host);
   raise_interrupt(L, at);
 }
 
