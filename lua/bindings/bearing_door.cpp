@@ -200,52 +200,55 @@ void push_bodies(lua_State* L, const BearingHandle& b) {
   lua_rawseti(L, -2, 2);
 }
 
-using P = Property<BearingHandle>;
+using BearingProperty = Property<BearingHandle>;
 const std::array bearing_properties{
-    P{"name", "", "its name", nullptr,
-      [](lua_State* L, const BearingHandle& b) { lua_pushstring(L, name_of_row(b).c_str()); }},
-    P{"status", "", "waiting, intact, yielded, failed or changed", nullptr,
-      [](lua_State* L, const BearingHandle& b) {
-        lua_pushstring(L, name_of(b.model().simulation().state().bearing[static_cast<std::size_t>(b.index)].status));
-      }},
-    P{"bodies", "", "the two bodies it links", nullptr, push_bodies},
-    P{"force", "", "forces of its laws { along, axial, turning } [N, N, N m]", nullptr, push_directions<force_of>},
-    P{"displacement", "", "{ along, axial, turning } since it was placed [m, m, rad]", nullptr,
-      push_directions<displacement_of>},
-    P{"force_along", "N", "force of the law along", force<along>},
-    P{"force_axial", "N", "force of the axial law", force<axial>},
-    P{"moment", "N m", "moment of the law of turning", force<turning>},
-    P{"displacement_along", "m", "displacement along", displacement<along>},
-    P{"displacement_axial", "m", "axial displacement", displacement<axial>},
-    P{"turning", "rad", "rotation of the second body against the first", displacement<turning>},
-    P{"limited", "", "true where some displacement ends it", nullptr,
-      [](lua_State* L, const BearingHandle& b) {
-        const auto& limit = live(b).bearing.limit;
-        lua_pushboolean(L, std::any_of(limit.begin(), limit.end(), [](double l) { return std::isfinite(l); }));
-      }},
-    P{"share", "1", "largest displacement over its limit", share_of},
+    BearingProperty{"name", "", "its name", nullptr,
+                    [](lua_State* L, const BearingHandle& b) { lua_pushstring(L, name_of_row(b).c_str()); }},
+    BearingProperty{"status", "", "waiting, intact, yielded, failed or changed", nullptr,
+                    [](lua_State* L, const BearingHandle& b) {
+                      lua_pushstring(
+                          L, name_of(b.model().simulation().state().bearing[static_cast<std::size_t>(b.index)].status));
+                    }},
+    BearingProperty{"bodies", "", "the two bodies it links", nullptr, push_bodies},
+    BearingProperty{"force", "", "forces of its laws { along, axial, turning } [N, N, N m]", nullptr,
+                    push_directions<force_of>},
+    BearingProperty{"displacement", "", "{ along, axial, turning } since it was placed [m, m, rad]", nullptr,
+                    push_directions<displacement_of>},
+    BearingProperty{"force_along", "N", "force of the law along", force<along>},
+    BearingProperty{"force_axial", "N", "force of the axial law", force<axial>},
+    BearingProperty{"moment", "N m", "moment of the law of turning", force<turning>},
+    BearingProperty{"displacement_along", "m", "displacement along", displacement<along>},
+    BearingProperty{"displacement_axial", "m", "axial displacement", displacement<axial>},
+    BearingProperty{"turning", "rad", "rotation of the second body against the first", displacement<turning>},
+    BearingProperty{"limited", "", "true where some displacement ends it", nullptr,
+                    [](lua_State* L, const BearingHandle& b) {
+                      const auto& limit = live(b).bearing.limit;
+                      lua_pushboolean(
+                          L, std::any_of(limit.begin(), limit.end(), [](double l) { return std::isfinite(l); }));
+                    }},
+    BearingProperty{"share", "1", "largest displacement over its limit", share_of},
 };
 
 const std::string& name_of_seat(const SeatHandle& s) {
   return s.model().seats[static_cast<std::size_t>(s.index)];
 }
 
-using S = Property<SeatHandle>;
+using SeatProperty = Property<SeatHandle>;
 const std::array seat_properties{
-    S{"name", "", "its name", nullptr,
-      [](lua_State* L, const SeatHandle& s) { lua_pushstring(L, name_of_seat(s).c_str()); }},
-    S{"length", "m", "how far the end still reaches over the edge",
-      [](const SeatHandle& s) {
-        const Simulation& sim = s.model().simulation();
-        return seat_length(sim.model(), sim.state(), sim.model().seats[static_cast<std::size_t>(s.index)]);
-      }},
-    S{"lost", "", "true once the end has left its seat", nullptr,
-      [](lua_State* L, const SeatHandle& s) {
-        lua_pushboolean(L, s.model().simulation().state().seat_lost[static_cast<std::size_t>(s.index)]);
-      }},
+    SeatProperty{"name", "", "its name", nullptr,
+                 [](lua_State* L, const SeatHandle& s) { lua_pushstring(L, name_of_seat(s).c_str()); }},
+    SeatProperty{"length", "m", "how far the end still reaches over the edge",
+                 [](const SeatHandle& s) {
+                   const Simulation& sim = s.model().simulation();
+                   return seat_length(sim.model(), sim.state(), sim.model().seats[static_cast<std::size_t>(s.index)]);
+                 }},
+    SeatProperty{"lost", "", "true once the end has left its seat", nullptr,
+                 [](lua_State* L, const SeatHandle& s) {
+                   lua_pushboolean(L, s.model().simulation().state().seat_lost[static_cast<std::size_t>(s.index)]);
+                 }},
 };
 
-const std::array door_methods{
+const std::array bearing_method_list{
     Method{"bearing", guarded<add_bearing>,
            "bearing{name=, between=, at= | from=, to=, along=, axial=, turning=, limit=, becomes=, waiting=}"},
     Method{"seat", guarded<add_seat>, "seat{name=, body=, support=, at_end=, edge=, inward=}"},
@@ -254,7 +257,7 @@ const std::array door_methods{
 }  // namespace
 
 std::span<const Method> bearing_methods() {
-  return door_methods;
+  return bearing_method_list;
 }
 
 std::span<const Property<BearingHandle>> Kind<BearingHandle>::properties() {

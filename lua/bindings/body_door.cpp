@@ -85,41 +85,46 @@ double mean_stress(const BodyHandle& b, Value&& value) {
   return area > 0 ? sum / area : 0;
 }
 
-using P = Property<BodyHandle>;
+using BodyProperty = Property<BodyHandle>;
 const std::array body_properties{
-    P{"name", "", "its name", nullptr, [](lua_State* L, const BodyHandle& b) { push_text(L, spec(b).name); }},
-    P{"material", "", "name of its material", nullptr,
-      [](lua_State* L, const BodyHandle& b) { push_text(L, spec(b).material); }},
-    P{"groups", "", "names of its groups", nullptr, push_groups},
-    P{"outline", "", "its corners {x, y} where they are now [m]", nullptr, push_outline},
-    P{"x", "m", "place of the centroid", [](const BodyHandle& b) { return place(b).x(); }},
-    P{"y", "m", "height of the centroid", [](const BodyHandle& b) { return place(b).y(); }},
-    P{"rotation", "rad", "counter-clockwise turn since the start", rotation},
-    P{"vx", "m/s", "velocity of the centroid along x", [](const BodyHandle& b) { return velocity(b).x(); }},
-    P{"vy", "m/s", "velocity of the centroid along y", [](const BodyHandle& b) { return velocity(b).y(); }},
-    P{"spin", "rad/s", "rate of rotation", spin},
-    P{"ux", "m", "displacement along x since the start", [](const BodyHandle& b) { return moved(b).x(); }},
-    P{"uy", "m", "displacement along y since the start", [](const BodyHandle& b) { return moved(b).y(); }},
-    P{"speed", "m/s", "speed of the centroid", [](const BodyHandle& b) { return velocity(b).norm(); }},
-    P{"mass", "kg", "mass", [](const BodyHandle& b) { return b.model().mass_of(b.index); }},
-    P{"inertia", "kg m2", "moment of inertia about the centroid",
-      [](const BodyHandle& b) { return b.model().inertia_of(b.index); }},
-    P{"area", "m2", "area of the outline", [](const BodyHandle& b) { return polygon_moments(spec(b).outline).area; }},
-    P{"kind", "", "\"rigid\", \"quad\" or \"mesh\"", nullptr,
-      [](lua_State* L, const BodyHandle& b) { push_text(L, std::string(name_of(spec(b).kind))); }},
-    P{"sxx", "Pa", "mean stress along x of a deformable body",
-      [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xx; }); }},
-    P{"syy", "Pa", "mean stress along y of a deformable body",
-      [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).yy; }); }},
-    P{"sxy", "Pa", "mean shear stress of a deformable body",
-      [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xy; }); }},
-    P{"plastic", "1", "mean plastic measure of a deformable body",
-      [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return e.plastic; }); }},
-    P{"resting", "", "true while it has been still for the model's still_time", nullptr,
-      [](lua_State* L, const BodyHandle& b) {
-        const Simulation* s = b.model().if_built();
-        lua_pushboolean(L, s != nullptr && s->state().resting[b.index] != 0 ? 1 : 0);
-      }},
+    BodyProperty{"name", "", "its name", nullptr,
+                 [](lua_State* L, const BodyHandle& b) { push_text(L, spec(b).name); }},
+    BodyProperty{"material", "", "name of its material", nullptr,
+                 [](lua_State* L, const BodyHandle& b) { push_text(L, spec(b).material); }},
+    BodyProperty{"groups", "", "names of its groups", nullptr, push_groups},
+    BodyProperty{"outline", "", "its corners {x, y} where they are now [m]", nullptr, push_outline},
+    BodyProperty{"x", "m", "place of the centroid", [](const BodyHandle& b) { return place(b).x(); }},
+    BodyProperty{"y", "m", "height of the centroid", [](const BodyHandle& b) { return place(b).y(); }},
+    BodyProperty{"rotation", "rad", "counter-clockwise turn since the start", rotation},
+    BodyProperty{"vx", "m/s", "velocity of the centroid along x", [](const BodyHandle& b) { return velocity(b).x(); }},
+    BodyProperty{"vy", "m/s", "velocity of the centroid along y", [](const BodyHandle& b) { return velocity(b).y(); }},
+    BodyProperty{"spin", "rad/s", "rate of rotation", spin},
+    BodyProperty{"ux", "m", "displacement along x since the start", [](const BodyHandle& b) { return moved(b).x(); }},
+    BodyProperty{"uy", "m", "displacement along y since the start", [](const BodyHandle& b) { return moved(b).y(); }},
+    BodyProperty{"speed", "m/s", "speed of the centroid", [](const BodyHandle& b) { return velocity(b).norm(); }},
+    BodyProperty{"mass", "kg", "mass", [](const BodyHandle& b) { return b.model().mass_of(b.index); }},
+    BodyProperty{"inertia", "kg m2", "moment of inertia about the centroid",
+                 [](const BodyHandle& b) { return b.model().inertia_of(b.index); }},
+    BodyProperty{"area", "m2", "area of the outline",
+                 [](const BodyHandle& b) { return polygon_moments(spec(b).outline).area; }},
+    BodyProperty{"kind", "", "\"rigid\", \"quad\" or \"mesh\"", nullptr,
+                 [](lua_State* L, const BodyHandle& b) { push_text(L, std::string(name_of(spec(b).kind))); }},
+    BodyProperty{
+        "sxx", "Pa", "mean stress along x of a deformable body",
+        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xx; }); }},
+    BodyProperty{
+        "syy", "Pa", "mean stress along y of a deformable body",
+        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).yy; }); }},
+    BodyProperty{
+        "sxy", "Pa", "mean shear stress of a deformable body",
+        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xy; }); }},
+    BodyProperty{"plastic", "1", "mean plastic measure of a deformable body",
+                 [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return e.plastic; }); }},
+    BodyProperty{"resting", "", "true while it has been still for the model's still_time", nullptr,
+                 [](lua_State* L, const BodyHandle& b) {
+                   const Simulation* s = b.model().if_built();
+                   lua_pushboolean(L, s != nullptr && s->state().resting[b.index] != 0 ? 1 : 0);
+                 }},
 };
 
 /// body:point{x, y}: where a point that was there at the start is now.
@@ -164,20 +169,21 @@ void push_names(lua_State* L, const BodySet& set) {
   }
 }
 
-using S = Property<BodySet>;
+using SetProperty = Property<BodySet>;
 const std::array set_properties{
-    S{"count", "1", "number of bodies", [](const BodySet& s) { return static_cast<double>(s.bodies.size()); }},
-    S{"names", "", "their names", nullptr, push_names},
-    S{"mass", "kg", "sum of the masses",
-      [](const BodySet& s) {
-        double sum = 0;
-        for (const int b : s.bodies) sum += s.model().mass_of(b);
-        return sum;
-      }},
-    S{"speed", "m/s", "of the fastest centroid",
-      [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return velocity(b).norm(); }); }},
-    S{"drift", "m", "largest displacement since the start",
-      [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return moved(b).norm(); }); }},
+    SetProperty{"count", "1", "number of bodies",
+                [](const BodySet& s) { return static_cast<double>(s.bodies.size()); }},
+    SetProperty{"names", "", "their names", nullptr, push_names},
+    SetProperty{"mass", "kg", "sum of the masses",
+                [](const BodySet& s) {
+                  double sum = 0;
+                  for (const int b : s.bodies) sum += s.model().mass_of(b);
+                  return sum;
+                }},
+    SetProperty{"speed", "m/s", "of the fastest centroid",
+                [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return velocity(b).norm(); }); }},
+    SetProperty{"drift", "m", "largest displacement since the start",
+                [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return moved(b).norm(); }); }},
 };
 
 std::vector<int> other_side(lua_State* L, const BodySet& set) {
@@ -245,12 +251,13 @@ int set_has(lua_State* L) {
 
 const std::array set_methods{Method{"has", guarded<set_has>, "has(body or set): true where all of it is in this set"}};
 
-using M = std::pair<const char*, lua_CFunction>;
+using NamedFunction = std::pair<const char*, lua_CFunction>;
 constexpr std::array set_operators{
-    M{"__add", guarded<join_sets>},  M{"__sub", guarded<subtract_sets>}, M{"__mul", guarded<intersect_sets>},
-    M{"__len", guarded<set_length>}, M{"__eq", guarded<sets_equal>},     M{"__call", guarded<next_of_set>},
+    NamedFunction{"__add", guarded<join_sets>},      NamedFunction{"__sub", guarded<subtract_sets>},
+    NamedFunction{"__mul", guarded<intersect_sets>}, NamedFunction{"__len", guarded<set_length>},
+    NamedFunction{"__eq", guarded<sets_equal>},      NamedFunction{"__call", guarded<next_of_set>},
 };
-constexpr std::array body_operators{M{"__add", guarded<join_sets>}};
+constexpr std::array body_operators{NamedFunction{"__add", guarded<join_sets>}};
 
 }  // namespace
 

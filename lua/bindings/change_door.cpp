@@ -94,7 +94,7 @@ int change(lua_State* L) {
   return 0;
 }
 
-const std::array door_methods{
+const std::array change_method_list{
     Method{"change", guarded<change>, "change{law=, mu=, ...} or change{bearing=, limit=}: another number from now on"},
 };
 
@@ -113,7 +113,7 @@ int contact_laws(lua_State* L) {
 }  // namespace
 
 std::span<const Method> change_methods() {
-  return door_methods;
+  return change_method_list;
 }
 
 void open_change(lua_State* L) {

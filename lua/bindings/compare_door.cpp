@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "doors.hpp"
+#include "table_fields.hpp"
 #include "world/pose.hpp"
 
 namespace trilith::script {
@@ -42,11 +43,6 @@ std::vector<Moved> moved_most(const Model<2>& model, const Pair& pair) {
   }
   std::stable_sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) { return a.distance > b.distance; });
   return moved;
-}
-
-void set_number(lua_State* L, const char* key, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, key);
 }
 
 void push_moved(lua_State* L, const std::vector<Moved>& moved) {

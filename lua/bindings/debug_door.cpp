@@ -7,26 +7,14 @@
 #include "run/body_forces.hpp"
 #include "stage_run.hpp"
 #include "step/contact_resultants.hpp"
+#include "table_fields.hpp"
 
 namespace trilith::script {
 namespace {
 
-ScriptModel& self(lua_State* L) {
-  return handle<ModelBox>(L, 1).get();
-}
-
-void set_number(lua_State* L, const char* key, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, key);
-}
-void set_text(lua_State* L, const char* key, const std::string& text) {
-  lua_pushlstring(L, text.data(), text.size());
-  lua_setfield(L, -2, key);
-}
-
 /// m:step(n): n steps more, of the stage that pauses, or of one of its own.
 int step(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   const lua_Integer n = lua_isnoneornil(L, 2) ? 1 : lua_tointeger(L, 2);
   if (n < 1 || (!lua_isnoneornil(L, 2) && lua_isinteger(L, 2) == 0))
     throw InputError(fmt::format("step: takes a number of steps from 1 on; this is {}", what_is(L, 2)));
@@ -57,7 +45,7 @@ double time_to_go_to(lua_State* L, const ScriptModel& m) {
 
 /// m:rewind(seconds) or m:rewind{ to = time }: gives the time it is then.
 int rewind(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   const double left = m.time();
   const double to = m.rewind(time_to_go_to(L, m), host(L));
   if (RunObserver* observer = host(L).observer)
@@ -78,7 +66,7 @@ std::string checkpoints_text(const Checkpoints& c) {
 
 /// m:checkpoints{ every =, count =, bytes =, on = }: sets what is given; gives what there is.
 int checkpoints(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Checkpoints& c = m.checkpoints;
   lua_settop(L, 2);
   if (!lua_isnil(L, 2)) {
@@ -113,7 +101,7 @@ int checkpoints(lua_State* L) {
 
 /// core.pause(model, why): the run pauses at the next step border. False where there is no console.
 int pause(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   m.pause_reason = lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "asked for";
   const bool can = host(L).console != nullptr;
   if (!can) {
@@ -126,13 +114,13 @@ int pause(lua_State* L) {
 
 /// core.paused(model)
 int paused(lua_State* L) {
-  lua_pushboolean(L, self(L).paused() ? 1 : 0);
+  lua_pushboolean(L, this_model(L).paused() ? 1 : 0);
   return 1;
 }
 
 /// core.pause_reason(model): why the run paused in what a console ran, once; "" where it did not.
 int pause_reason(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   const std::string why = std::exchange(m.pause_reason, "");
   lua_pushlstring(L, why.data(), why.size());
   return 1;
@@ -141,19 +129,19 @@ int pause_reason(lua_State* L) {
 /// core.resume(model): the stage that rewind has brought back goes on.
 int resume(lua_State* L) {
   lua_settop(L, 1);
-  push_report(L, resume_stage(L, self(L)));
+  push_report(L, resume_stage(L, this_model(L)));
   return 1;
 }
 
 /// core.note(model, text): to the results file.
 int note(lua_State* L) {
-  self(L).note(lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "");
+  this_model(L).note(lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "");
   return 0;
 }
 
 /// core.records(model): whether results or histories were asked for.
 int records(lua_State* L) {
-  const ScriptModel& m = self(L);
+  const ScriptModel& m = this_model(L);
   lua_pushboolean(L, m.results || !m.histories.empty() || !host(L).results_file.empty() ? 1 : 0);
   return 1;
 }
@@ -244,7 +232,7 @@ const std::array door_properties{
     Property<ModelBox>{"worst", "", "body with the largest unbalanced force, and its contacts", nullptr, push_worst},
 };
 
-const std::array door_methods{
+const std::array debug_method_list{
     Method{"step", guarded<step>, "step(n): n steps more"},
     Method{"rewind", guarded<rewind>, "rewind(seconds) or rewind{to=}: back to a checkpoint in memory"},
     Method{"checkpoints", guarded<checkpoints>, "checkpoints{every=, count=, bytes=, on=}: what is kept to go back to"},
@@ -256,7 +244,7 @@ std::span<const Property<ModelBox>> debug_properties() {
   return door_properties;
 }
 std::span<const Method> debug_methods() {
-  return door_methods;
+  return debug_method_list;
 }
 
 void open_debug(lua_State* L) {

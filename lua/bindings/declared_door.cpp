@@ -2,15 +2,11 @@
 // scripts.
 #include "doors.hpp"
 #include "open.hpp"
+#include "table_fields.hpp"
 #include "world/usual.hpp"
 
 namespace trilith::script {
 namespace {
-
-void set_text(lua_State* L, const char* key, std::string_view text) {
-  lua_pushlstring(L, text.data(), text.size());
-  lua_setfield(L, -2, key);
-}
 
 template <class H>
 void push_properties(lua_State* L) {

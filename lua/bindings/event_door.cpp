@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "doors.hpp"
+#include "table_fields.hpp"
 #include "world/event_text.hpp"
 
 namespace trilith::script {
@@ -9,19 +10,6 @@ namespace {
 
 const EventTypeInfo& info_of(const Event& e) {
   return event_type_info[static_cast<std::size_t>(e.type)];
-}
-
-void set_text(lua_State* L, const char* key, std::string_view text) {
-  lua_pushlstring(L, text.data(), text.size());
-  lua_setfield(L, -2, key);
-}
-void set_number(lua_State* L, const char* key, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, key);
-}
-void set_integer(lua_State* L, const char* key, std::int64_t value) {
-  lua_pushinteger(L, value);
-  lua_setfield(L, -2, key);
 }
 
 void set_bodies(lua_State* L, int model_index, const Event& e) {

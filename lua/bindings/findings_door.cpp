@@ -5,6 +5,7 @@
 #include "doors.hpp"
 #include "run/body_forces.hpp"
 #include "run/recorded_fields.hpp"
+#include "table_fields.hpp"
 
 namespace trilith::script {
 namespace {
@@ -71,17 +72,21 @@ double drift_of_top(const ModelBox& box) {
   return top_drift(now.sim.model(), now.sim.state(), now.findings.storeys, now.findings.base);
 }
 
-using M = Property<ModelBox>;
+using FindingProperty = Property<ModelBox>;
 const std::array model_findings{
-    M{"base_shear", "N", "horizontal force of contacts and bearings on the base (group base, or what cannot move)",
-      base_shear},
-    M{"top_drift", "m", "horizontal displacement of the topmost storey against the base", drift_of_top},
-    M{"damage", "1", "part of all bonds that is lost",
-      [](const ModelBox& box) { return mean_damage(box.get(), [](const auto&, const auto&) { return true; }); }},
-    M{"largest_opening", "m", "of all joints since the start",
-      [](const ModelBox& box) { return largest_joint(box, [](const JointMotion& j) { return j.opening; }); }},
-    M{"largest_slip", "m", "of all joints since the start",
-      [](const ModelBox& box) { return largest_joint(box, [](const JointMotion& j) { return std::abs(j.slip); }); }},
+    FindingProperty{"base_shear", "N",
+                    "horizontal force of contacts and bearings on the base (group base, or what cannot move)",
+                    base_shear},
+    FindingProperty{"top_drift", "m", "horizontal displacement of the topmost storey against the base", drift_of_top},
+    FindingProperty{
+        "damage", "1", "part of all bonds that is lost",
+        [](const ModelBox& box) { return mean_damage(box.get(), [](const auto&, const auto&) { return true; }); }},
+    FindingProperty{
+        "largest_opening", "m", "of all joints since the start",
+        [](const ModelBox& box) { return largest_joint(box, [](const JointMotion& j) { return j.opening; }); }},
+    FindingProperty{
+        "largest_slip", "m", "of all joints since the start",
+        [](const ModelBox& box) { return largest_joint(box, [](const JointMotion& j) { return std::abs(j.slip); }); }},
 };
 
 using S = Property<StoreyHandle>;
@@ -93,11 +98,6 @@ const std::array storey_properties{
       [](const StoreyHandle& h) { return height_of(h) > 0 ? drift_of(h) / height_of(h) : 0; }},
     S{"damage", "1", "part of its bonds that is lost", damage_of},
 };
-
-void set_number(lua_State* L, const char* key, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, key);
-}
 
 void push_joint(lua_State* L, const Present& now, const Joint& joint) {
   const JointMotion motion = joint_motion(joint, now.sim.work());
@@ -171,7 +171,7 @@ int stresses(lua_State* L) {
   return 1;
 }
 
-const std::array door_methods{
+const std::array finding_method_list{
     Method{"joints", guarded<joints>, "joints(): list of {a, b, opening, slip, damage, storey, x, y}"},
     Method{"thrust_line", guarded<thrust>, "thrust_line(bodies): list of {a, b, x, y, fx, fy} through a chain"},
     Method{"stresses", guarded<stresses>, "stresses(): mean stress {xx, yy, xy, major, minor} by body's name [Pa]"},
@@ -189,7 +189,7 @@ std::span<const Property<ModelBox>> finding_properties() {
   return model_findings;
 }
 std::span<const Method> finding_methods() {
-  return door_methods;
+  return finding_method_list;
 }
 
 std::span<const Property<StoreyHandle>> Kind<StoreyHandle>::properties() {

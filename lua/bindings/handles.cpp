@@ -95,6 +95,10 @@ ScriptModel& ModelBox::get() const {
   return *model;
 }
 
+ScriptModel& this_model(lua_State* L) {
+  return handle<ModelBox>(L, 1).get();
+}
+
 void ModelBox::close() {
   if (!model) return;
   model->closed = true;

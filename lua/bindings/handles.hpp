@@ -105,6 +105,9 @@ TRILITH_KIND(DirectionLawValue, "direction law");
 TRILITH_KIND(SolidLawValue, "solid law");
 #undef TRILITH_KIND
 
+/// The model whose method is called: argument 1. InputError where it is none, or closed.
+ScriptModel& this_model(lua_State* L);
+
 /// `h`, where it belongs to `model`. InputError, begun with `owner` unless that is "", where its model is another one
 /// or has been closed.
 template <class H>

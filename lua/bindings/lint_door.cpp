@@ -1,6 +1,7 @@
 // What m:lint() asks of a model: its faults, numbers that are not usual, contacts that are hardly damped.
 #include "doors.hpp"
 #include "run/contact_damping.hpp"
+#include "table_fields.hpp"
 #include "world/usual.hpp"
 
 namespace trilith::script {
@@ -48,11 +49,6 @@ int doubts(lua_State* L) {
   if (m.if_built() != nullptr) add_doubt(list, "tilt", "rate", "rad/s", m.if_built()->model().gravity.tilt_rate);
   push_texts(L, list);
   return 1;
-}
-
-void set_number(lua_State* L, const char* key, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, key);
 }
 
 /// core.damping(model, share): by law { share, frequency, a, b } of its least damped contact, `all` its contacts, and

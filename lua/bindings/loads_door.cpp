@@ -9,10 +9,6 @@
 namespace trilith::script {
 namespace {
 
-ScriptModel& self(lua_State* L) {
-  return handle<ModelBox>(L, 1).get();
-}
-
 std::vector<int> read_bodies(Keys& keys, const ScriptModel& m) {
   std::vector<int> bodies;
   if (keys.push("body") == LUA_TNIL) {
@@ -119,7 +115,7 @@ std::vector<std::optional<Vec2>> read_places(Keys& keys, const Model<2>& model, 
 
 /// m:point_load{ body =, force =, moment =, at =, follow =, course =, name = }: its name.
 int point_load(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "point_load");
   PointLoadSpec spec;
   spec.name = keys.text("name", "");
@@ -185,7 +181,7 @@ std::vector<FacePart> chosen_faces(const Model<2>& model, int body, const FaceCh
 
 /// m:pressure{ body =, face = | from =, to =, value =, follow =, direction =, course =, name = }: its name.
 int pressure(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "pressure");
   PressureSpec spec;
   spec.name = keys.text("name", "");
@@ -228,7 +224,7 @@ void change_share(ScriptModel& m, const std::string& name, double share, double 
 
 /// m:set_load{ name =, factor =, duration = }: its share from now on, reached smoothly.
 int set_load(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "set_load");
   const std::string name = keys.text("name");
   const double share = keys.number("factor", "1"), duration = read_span(keys, "duration", 0);
@@ -267,7 +263,7 @@ void release_bodies(ScriptModel& m, const std::vector<int>& bodies, const std::a
 
 /// m:release{ body =, x =, y =, rotation =, fade = } or { load =, fade = } or { push =, fade = }
 int release(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "release");
   const bool of_load = keys.has("load"), of_push = keys.has("push"), of_body = keys.has("body");
   const std::string load = keys.text("load", ""), push = keys.text("push", "");
@@ -296,7 +292,7 @@ int release(lua_State* L) {
   return 0;
 }
 
-const std::array door_methods{
+const std::array load_method_list{
     Method{
         "point_load", guarded<point_load>,
         "point_load{body=, force={x, y}, moment=, at=, follow=, course=, name=}: a force from now on; gives its name"},
@@ -312,7 +308,7 @@ const std::array door_methods{
 }  // namespace
 
 std::span<const Method> load_methods() {
-  return door_methods;
+  return load_method_list;
 }
 
 }  // namespace trilith::script

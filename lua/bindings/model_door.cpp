@@ -102,30 +102,33 @@ void push_verdict(lua_State* L, const ModelBox& box) {
   lua_setfield(L, -2, "text");
 }
 
-using P = Property<ModelBox>;
+using ModelProperty = Property<ModelBox>;
 const std::array model_properties{
-    P{"name", "", "its name", nullptr, [](lua_State* L, const ModelBox& m) { push_text(L, m.get().name); }},
-    P{"time", "s", "time of the simulation", [](const ModelBox& m) { return m.get().time(); }},
-    P{"dt", "s", "length of the last step, 0 before the first",
-      [](const ModelBox& m) { return simulation_of(m) != nullptr ? simulation_of(m)->state().last_dt : 0; }},
-    P{"steps", "1", "steps taken",
-      [](const ModelBox& m) {
-        return simulation_of(m) != nullptr ? static_cast<double>(simulation_of(m)->state().step) : 0;
-      }},
-    P{"thickness", "m", "out of the plane", [](const ModelBox& m) { return m.get().builder.thickness; }},
-    P{"speed", "m/s", "fastest point of all moving bodies",
-      [](const ModelBox& m) { return simulation_of(m) != nullptr ? m.get().evaluated().work().fastest_moving : 0; }},
-    P{"ratio", "1", "unbalanced force over the largest carried one", ratio_of},
-    P{"residual", "J", "of the energy ledger", [](const ModelBox& m) { return energy_of(m.get()).balance(); }},
-    P{"energy", "", "all terms of the energy ledger [J], and their residual", nullptr, push_energy},
-    P{"bearings", "", "bearings by name: m.bearings[\"S3.left\"]", nullptr, push_own<bearings_field>},
-    P{"seats", "", "seats by name", nullptr, push_own<seats_field>},
-    P{"storeys", "", "storeys by number, from groups \"storey 1\", ...", nullptr, push_own<storeys_field>},
-    P{"events", "", "all events so far", nullptr, push_events},
-    P{"hash", "", "sixteen digits of the state's bits", nullptr, push_hash},
-    P{"verdict", "", "whether the run may be trusted: sound, sound_until [s], text, and bodies that left", nullptr,
-      push_verdict},
-    P{"notes", "", "what was repaired or is worth knowing", nullptr, push_notes},
+    ModelProperty{"name", "", "its name", nullptr, [](lua_State* L, const ModelBox& m) { push_text(L, m.get().name); }},
+    ModelProperty{"time", "s", "time of the simulation", [](const ModelBox& m) { return m.get().time(); }},
+    ModelProperty{
+        "dt", "s", "length of the last step, 0 before the first",
+        [](const ModelBox& m) { return simulation_of(m) != nullptr ? simulation_of(m)->state().last_dt : 0; }},
+    ModelProperty{"steps", "1", "steps taken",
+                  [](const ModelBox& m) {
+                    return simulation_of(m) != nullptr ? static_cast<double>(simulation_of(m)->state().step) : 0;
+                  }},
+    ModelProperty{"thickness", "m", "out of the plane", [](const ModelBox& m) { return m.get().builder.thickness; }},
+    ModelProperty{
+        "speed", "m/s", "fastest point of all moving bodies",
+        [](const ModelBox& m) { return simulation_of(m) != nullptr ? m.get().evaluated().work().fastest_moving : 0; }},
+    ModelProperty{"ratio", "1", "unbalanced force over the largest carried one", ratio_of},
+    ModelProperty{"residual", "J", "of the energy ledger",
+                  [](const ModelBox& m) { return energy_of(m.get()).balance(); }},
+    ModelProperty{"energy", "", "all terms of the energy ledger [J], and their residual", nullptr, push_energy},
+    ModelProperty{"bearings", "", "bearings by name: m.bearings[\"S3.left\"]", nullptr, push_own<bearings_field>},
+    ModelProperty{"seats", "", "seats by name", nullptr, push_own<seats_field>},
+    ModelProperty{"storeys", "", "storeys by number, from groups \"storey 1\", ...", nullptr, push_own<storeys_field>},
+    ModelProperty{"events", "", "all events so far", nullptr, push_events},
+    ModelProperty{"hash", "", "sixteen digits of the state's bits", nullptr, push_hash},
+    ModelProperty{"verdict", "", "whether the run may be trusted: sound, sound_until [s], text, and bodies that left",
+                  nullptr, push_verdict},
+    ModelProperty{"notes", "", "what was repaired or is worth knowing", nullptr, push_notes},
 };
 
 int explain_dt(lua_State* L) {
@@ -216,8 +219,8 @@ int make_model(lua_State* L) {
 }
 
 std::span<const Property<ModelBox>> Kind<ModelBox>::properties() {
-  static const std::vector<P> all = [] {
-    std::vector<P> list(model_properties.begin(), model_properties.end());
+  static const std::vector<ModelProperty> all = [] {
+    std::vector<ModelProperty> list(model_properties.begin(), model_properties.end());
     for (const auto part : {finding_properties(), pushover_properties(), debug_properties()})
       list.insert(list.end(), part.begin(), part.end());
     return list;

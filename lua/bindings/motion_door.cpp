@@ -108,7 +108,7 @@ int make_ramp(lua_State* L) {
   return 1;
 }
 
-const MotionValue& self(lua_State* L) {
+const MotionValue& this_motion(lua_State* L) {
   return handle<MotionValue>(L, 1);
 }
 
@@ -119,7 +119,7 @@ double number_argument(lua_State* L, int index, const char* what) {
 }
 
 int scale(lua_State* L) {
-  const MotionValue& m = self(L);
+  const MotionValue& m = this_motion(L);
   Keys keys(L, 2, "scale");
   const auto pga = keys.maybe_number("pga", "m/s2"), factor = keys.maybe_number("factor", "1");
   if (pga.has_value() == factor.has_value()) keys.problem("give either pga (in m/s2) or factor");
@@ -128,51 +128,53 @@ int scale(lua_State* L) {
   return 1;
 }
 int scale_as(lua_State* L) {
-  const MotionValue& m = self(L);
+  const MotionValue& m = this_motion(L);
   push_motion(L, m.motion->scaled_as(*handle<MotionValue>(L, 2).motion), m.steady);
   return 1;
 }
 int time_scale(lua_State* L) {
-  push_motion(L, self(L).motion->time_scaled(number_argument(L, 2, "time_scale")), self(L).steady);
+  push_motion(L, this_motion(L).motion->time_scaled(number_argument(L, 2, "time_scale")), this_motion(L).steady);
   return 1;
 }
 int delay(lua_State* L) {
-  push_motion(L, self(L).motion->delayed(number_argument(L, 2, "delay")), self(L).steady);
+  push_motion(L, this_motion(L).motion->delayed(number_argument(L, 2, "delay")), this_motion(L).steady);
   return 1;
 }
 int reverse(lua_State* L) {
-  push_motion(L, self(L).motion->reversed(), self(L).steady);
+  push_motion(L, this_motion(L).motion->reversed(), this_motion(L).steady);
   return 1;
 }
 int start_velocity(lua_State* L) {
-  push_motion(L, self(L).motion->with_start_velocity(number_argument(L, 2, "start_velocity")), self(L).steady);
+  push_motion(L, this_motion(L).motion->with_start_velocity(number_argument(L, 2, "start_velocity")),
+              this_motion(L).steady);
   return 1;
 }
 /// motion:at(t): acceleration, velocity, displacement.
 int motion_at(lua_State* L) {
-  const MotionAt at = self(L).motion->at(number_argument(L, 2, "at"));
+  const MotionAt at = this_motion(L).motion->at(number_argument(L, 2, "at"));
   lua_pushnumber(L, at.acceleration);
   lua_pushnumber(L, at.velocity);
   lua_pushnumber(L, at.displacement);
   return 3;
 }
 
-using P = Property<MotionValue>;
+using MotionProperty = Property<MotionValue>;
 const std::array motion_properties{
-    P{"pga", "m/s2", "largest acceleration",
-      [](const MotionValue& m) { return std::abs(motion_peaks(*m.motion).acceleration.value); }},
-    P{"pgv", "m/s", "largest velocity",
-      [](const MotionValue& m) { return std::abs(motion_peaks(*m.motion).velocity.value); }},
-    P{"pgd", "m", "largest displacement",
-      [](const MotionValue& m) { return std::abs(motion_peaks(*m.motion).displacement.value); }},
-    P{"duration", "s", "from the first sample to the last", [](const MotionValue& m) { return m.motion->duration(); }},
-    P{"end_time", "s", "time of the last sample, delay included",
-      [](const MotionValue& m) { return m.motion->end_time(); }},
-    P{"dt", "s", "step of the samples", [](const MotionValue& m) { return m.motion->step(); }},
-    P{"npts", "1", "number of samples",
-      [](const MotionValue& m) { return static_cast<double>(m.motion->samples().size()); }},
-    P{"description", "", "what it is, in one line", nullptr,
-      [](lua_State* L, const MotionValue& m) { lua_pushstring(L, m.motion->description().c_str()); }},
+    MotionProperty{"pga", "m/s2", "largest acceleration",
+                   [](const MotionValue& m) { return std::abs(motion_peaks(*m.motion).acceleration.value); }},
+    MotionProperty{"pgv", "m/s", "largest velocity",
+                   [](const MotionValue& m) { return std::abs(motion_peaks(*m.motion).velocity.value); }},
+    MotionProperty{"pgd", "m", "largest displacement",
+                   [](const MotionValue& m) { return std::abs(motion_peaks(*m.motion).displacement.value); }},
+    MotionProperty{"duration", "s", "from the first sample to the last",
+                   [](const MotionValue& m) { return m.motion->duration(); }},
+    MotionProperty{"end_time", "s", "time of the last sample, delay included",
+                   [](const MotionValue& m) { return m.motion->end_time(); }},
+    MotionProperty{"dt", "s", "step of the samples", [](const MotionValue& m) { return m.motion->step(); }},
+    MotionProperty{"npts", "1", "number of samples",
+                   [](const MotionValue& m) { return static_cast<double>(m.motion->samples().size()); }},
+    MotionProperty{"description", "", "what it is, in one line", nullptr,
+                   [](lua_State* L, const MotionValue& m) { lua_pushstring(L, m.motion->description().c_str()); }},
 };
 
 const std::array motion_methods{

@@ -9,10 +9,6 @@
 namespace trilith::script {
 namespace {
 
-ScriptModel& self(lua_State* L) {
-  return handle<ModelBox>(L, 1).get();
-}
-
 /// The solid that deformable bodies are made of: `solid`, or E, nu and damping of a linear elastic one.
 std::optional<Solid> read_solid(Keys& keys) {
   Solid solid;
@@ -37,7 +33,7 @@ std::optional<Solid> read_solid(Keys& keys) {
 
 /// m:material{ name =, density = | unit_weight =, E =, nu =, damping =, solid =, plane =, form =, strain_limit = }
 int add_material(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   m.require_open("material");
   Keys keys(L, 2, "material");
   Material material;
@@ -89,7 +85,7 @@ void check_side(Keys& keys, const ScriptModel& m, const std::string& side) {
 
 /// m:contact{ between = {"a", "b"}, law =, name = }
 int add_contact(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   m.require_open("contact");
   Keys keys(L, 2, "contact");
   const std::vector<std::string> between = keys.names("between");
@@ -190,7 +186,7 @@ std::optional<Mesh> read_mesh(Keys& keys) {
 
 /// m:body{ name =, outline = | shape = | mesh =, ... } makes one; m:body "name" finds one.
 int body(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   if (lua_type(L, 2) == LUA_TSTRING) {
     push_body(L, 1, m.require_body(text_at(L, 2), "body"));
     return 1;
@@ -223,7 +219,7 @@ void push_added(lua_State* L, const ScriptModel& m, int first, bool single) {
 
 /// m:add(parts, { material =, ... })
 int add_parts(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   m.require_open("add");
   if (lua_type(L, 2) != LUA_TTABLE)
     throw InputError(fmt::format("add: takes a list of parts, as from trilith.build; this is {}", what_is(L, 2)));
@@ -281,7 +277,7 @@ int make_part(lua_State* L) {
 template <std::size_t row>
 int add_made(lua_State* L) {
   const PartMaker& maker = part_makers()[row];
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   m.require_open(std::string(maker.name));
   Keys keys(L, 2, std::string(maker.name));
   const MakeParts make = maker.read(keys);

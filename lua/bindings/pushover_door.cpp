@@ -195,22 +195,22 @@ double push_displacement(const ModelBox& box) {
   return push_place(s->state(), p) - p.origin;
 }
 
-const std::array door_methods{
+const std::array pushover_method_list{
     Method{"pushover", guarded<pushover>,
            "pushover{body=, at=, direction=, pattern=, rate=, displacement=, drift=, storey=, drop=}: a stage "
            "that pushes steadily"},
 };
 
-using M = Property<ModelBox>;
+using PushoverProperty = Property<ModelBox>;
 const std::array door_properties{
-    M{"push_force", "N", "force of all pushes now, along them", sum_of_pushes},
-    M{"push_displacement", "m", "displacement of the latest push since it began", push_displacement},
+    PushoverProperty{"push_force", "N", "force of all pushes now, along them", sum_of_pushes},
+    PushoverProperty{"push_displacement", "m", "displacement of the latest push since it began", push_displacement},
 };
 
 }  // namespace
 
 std::span<const Method> pushover_methods() {
-  return door_methods;
+  return pushover_method_list;
 }
 std::span<const Property<ModelBox>> pushover_properties() {
   return door_properties;

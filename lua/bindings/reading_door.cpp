@@ -8,17 +8,13 @@
 namespace trilith::script {
 namespace {
 
-ScriptModel& self(lua_State* L) {
-  return handle<ModelBox>(L, 1).get();
-}
-
 bool any_matches(const std::vector<std::string>& patterns, const std::string& name) {
   return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return matches(p, name); });
 }
 
 /// m:bodies{ group =, material =, name = }: those that fit all that is given; '*' and '?' stand for letters.
 int bodies(lua_State* L) {
-  const ScriptModel& m = self(L);
+  const ScriptModel& m = this_model(L);
   lua_settop(L, 2);
   if (lua_isnil(L, 2)) {
     lua_newtable(L);
@@ -73,7 +69,7 @@ void push_contact(lua_State* L, const Simulation& s, const TouchingContact& c) {
 
 /// m:contacts{ between = {a, b} }: those that carry force, with the force on b.
 int contacts(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   lua_settop(L, 2);
   if (lua_isnil(L, 2)) {
     lua_newtable(L);
@@ -186,7 +182,7 @@ void read_followed(Keys& keys, History& h, ScriptModel& m) {
 /// m:history{ name =, body = | bearing = | seat = , what = } or { name =, unit =, of = function }; without an owner
 /// `what` is a number of the model. The function, if any, is kept by the library.
 int history(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   if (m.running()) throw InputError("history: cannot be added while a stage runs");
   if (m.recording())
     throw InputError("history: cannot be added once results are recorded; add it before the first stage");
@@ -219,7 +215,7 @@ int history(lua_State* L) {
 
 /// m:results{ file =, frames =, histories =, energy =, velocities =, joints = }
 int results(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   if (m.running() || m.time() > 0) throw InputError("results: must be asked for before the first stage");
   if (m.results)
     throw InputError(fmt::format("results: asked for already, into '{}'; a model has one file, so give all in one call",
@@ -239,7 +235,7 @@ int results(lua_State* L) {
   return 0;
 }
 
-const std::array door_methods{
+const std::array reading_method_list{
     Method{"bodies", guarded<bodies>, "bodies{group=, material=, name=}: a set; '*' and '?' stand for letters"},
     Method{"contacts", guarded<contacts>, "contacts{between={a, b}}: those that carry force"},
     Method{"history", guarded<history>,
@@ -267,20 +263,20 @@ double extreme(const HistoryHandle& h, double sign) {
   return row(h).values.empty() ? 0 : sign * most;
 }
 
-using P = Property<HistoryHandle>;
+using HistoryProperty = Property<HistoryHandle>;
 const std::array history_properties{
-    P{"name", "", "its name", nullptr,
-      [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).name.c_str()); }},
-    P{"unit", "", "SI unit of its values", nullptr,
-      [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).unit.c_str()); }},
-    P{"t", "", "times [s]", nullptr,
-      [](lua_State* L, const HistoryHandle& h) { push_array(L, h.model().history_times); }},
-    P{"values", "", "values, one for each time", nullptr,
-      [](lua_State* L, const HistoryHandle& h) { push_array(L, row(h).values); }},
-    P{"last", "", "latest value, 0 before the first",
-      [](const HistoryHandle& h) { return row(h).values.empty() ? 0 : row(h).values.back(); }},
-    P{"max", "", "largest value", [](const HistoryHandle& h) { return extreme(h, 1); }},
-    P{"min", "", "smallest value", [](const HistoryHandle& h) { return extreme(h, -1); }},
+    HistoryProperty{"name", "", "its name", nullptr,
+                    [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).name.c_str()); }},
+    HistoryProperty{"unit", "", "SI unit of its values", nullptr,
+                    [](lua_State* L, const HistoryHandle& h) { lua_pushstring(L, row(h).unit.c_str()); }},
+    HistoryProperty{"t", "", "times [s]", nullptr,
+                    [](lua_State* L, const HistoryHandle& h) { push_array(L, h.model().history_times); }},
+    HistoryProperty{"values", "", "values, one for each time", nullptr,
+                    [](lua_State* L, const HistoryHandle& h) { push_array(L, row(h).values); }},
+    HistoryProperty{"last", "", "latest value, 0 before the first",
+                    [](const HistoryHandle& h) { return row(h).values.empty() ? 0 : row(h).values.back(); }},
+    HistoryProperty{"max", "", "largest value", [](const HistoryHandle& h) { return extreme(h, 1); }},
+    HistoryProperty{"min", "", "smallest value", [](const HistoryHandle& h) { return extreme(h, -1); }},
 };
 
 int history_length(lua_State* L) {
@@ -293,7 +289,7 @@ constexpr std::array history_operators{std::pair<const char*, lua_CFunction>{"__
 }  // namespace
 
 std::span<const Method> reading_methods() {
-  return door_methods;
+  return reading_method_list;
 }
 
 std::span<const Property<HistoryHandle>> Kind<HistoryHandle>::properties() {

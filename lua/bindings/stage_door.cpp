@@ -11,10 +11,6 @@
 namespace trilith::script {
 namespace {
 
-ScriptModel& self(lua_State* L) {
-  return handle<ModelBox>(L, 1).get();
-}
-
 /// An optional table of the rest criterion: { speed =, ratio =, hold =, from = }. True where it is there.
 void read_rest(Keys& keys, StageOptions& o) {
   o.still_speed = keys.number("speed", "m/s", o.still_speed);
@@ -69,7 +65,7 @@ void read_nothing_for_nil(lua_State* L) {
 }
 
 int run(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "run");
   StageOptions o;
   o.name = keys.text("name", "run");
@@ -87,7 +83,7 @@ int run(lua_State* L) {
 }
 
 int consolidate(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   read_nothing_for_nil(L);
   Keys keys(L, 2, "consolidate");
   StageOptions o;
@@ -218,7 +214,7 @@ std::vector<DriveOrder> read_drives(Keys& keys, const ScriptModel& m) {
 }
 
 int shake(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "shake");
   StageOptions o;
   o.name = keys.text("name", "shake");
@@ -236,7 +232,7 @@ int shake(lua_State* L) {
 }
 
 int drive(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "drive");
   const std::vector<DriveOrder> orders = read_drives(keys, m);
   keys.finish();
@@ -262,7 +258,7 @@ std::array<bool, 3> directions_at(lua_State* L, int index, const char* owner) {
 }
 
 int set_supports(lua_State* L, const char* owner, Support support) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   const std::vector<int> bodies = some_bodies_at(L, 2, m, owner);
   const std::array<bool, 3> on = directions_at(L, 3, owner);
   m.change([bodies, on, support](Model<2>& model) {
@@ -292,7 +288,7 @@ void tell_doubt(lua_State* L, ScriptModel& m, const std::string& owner, std::str
 
 /// m:tilt{ rate =, by = }: from now on gravity turns; `by` is where it stops.
 int tilt(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "tilt");
   const double rate = keys.number("rate", "rad/s"), by = keys.number("by", "rad", unbounded);
   if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate has the sign", by));
@@ -313,7 +309,7 @@ int tilt(lua_State* L) {
 
 /// m:bounds{ left =, right =, bottom =, top = }: what leaves them is followed no more.
 int bounds(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "bounds");
   Bounds chosen;
   const std::array low{"left", "bottom"}, high{"right", "top"};
@@ -334,13 +330,13 @@ int bounds(lua_State* L) {
 }
 
 int stop(lua_State* L) {
-  ScriptModel& m = self(L);
+  ScriptModel& m = this_model(L);
   if (!m.running()) throw InputError("stop: no stage runs; call it from a handler or a story while one does");
   m.stop();
   return 0;
 }
 
-const std::array door_methods{
+const std::array stage_method_list{
     Method{"run", guarded<run>, "run{duration= | to=, name=, dt=, until_rest=}: a stage"},
     Method{"consolidate", guarded<consolidate>,
            "consolidate{duration=, ratio=, speed=, hold=, damping=, grow=, fresh=, or_go_on=}: to rest under dead "
@@ -360,7 +356,7 @@ const std::array door_methods{
 }  // namespace
 
 std::span<const Method> stage_methods() {
-  return door_methods;
+  return stage_method_list;
 }
 
 }  // namespace trilith::script
