@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
+#include "base/portable.hpp"
 
 namespace trilith {
 
@@ -41,7 +41,8 @@ inline Vec2 left_of(const Vec2& v) {
 /// Turns vectors by one angle; the cosine and sine are found once.
 struct Turn {
   double c, s;
-  explicit Turn(double angle) : c(std::cos(angle)), s(std::sin(angle)) {}
+  explicit Turn(double angle) : Turn(portable::sine_cosine(angle)) {}
+  explicit Turn(const portable::SineCosine& of) : c(of.cosine), s(of.sine) {}
   [[nodiscard]] Vec2 apply(const Vec2& v) const { return {c * v.x() - s * v.y(), s * v.x() + c * v.y()}; }
   [[nodiscard]] Vec2 undo(const Vec2& v) const { return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()}; }
 };

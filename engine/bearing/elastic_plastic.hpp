@@ -47,8 +47,8 @@ struct ElasticPlastic {
     out.memory.force = stiffness * (m.displacement - out.memory.inner);
     const double moved = out.memory.inner - before.inner, middle = 0.5 * (out.memory.inner + before.inner);
     out.lost_inner = (0.5 * (out.memory.force + before.force) - h * middle) * moved;
-    out.stored = 0.5 * stiffness * std::pow(m.displacement - out.memory.inner, 2) +
-                 0.5 * h * out.memory.inner * out.memory.inner;
+    const double bent = m.displacement - out.memory.inner;
+    out.stored = 0.5 * stiffness * (bent * bent) + 0.5 * h * out.memory.inner * out.memory.inner;
     add_dashpot(damping, m, before, out);
     return out;
   }

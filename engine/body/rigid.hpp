@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "base/lanes.hpp"
+#include "base/portable.hpp"
 #include "base/space.hpp"
 
 namespace trilith {
@@ -22,7 +22,7 @@ struct NodeMotion {
 /// `Point` has x, y [m], u, v [m/s], side by side at a multiple of 16. Returns the largest speed squared.
 template <class Point>
 double place_rigid(const NodeMotion& node, std::span<const Vec2> skin, std::span<Point> out) {
-  const double c = std::cos(node.rotation), s = std::sin(node.rotation);
+  const auto [s, c] = portable::sine_cosine(node.rotation);
   const LanePair to_x{c, s}, to_y{-s, c}, spin{-node.spin, node.spin};  // columns of the turn; spin x (y, x)
   const LanePair origin{node.position.x(), node.position.y()}, velocity{node.velocity.x(), node.velocity.y()};
   double fastest = 0;

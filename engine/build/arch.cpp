@@ -7,6 +7,7 @@
 #include <random>
 
 #include "base/error.hpp"
+#include "base/portable.hpp"
 #include "shape/random_convex.hpp"
 
 namespace trilith {
@@ -23,14 +24,14 @@ struct Mark {
 };
 
 double crown_angle(const Arch& arch, double radius) {
-  return std::asin(arch.offset / radius);
+  return portable::asin(arch.offset / radius);
 }
 
 Vec2 point_at(const Arch& arch, const Mark& mark, double radius) {
   if (mark.to_crown == 1) return arch.centre + Vec2(0, std::sqrt(radius * radius - arch.offset * arch.offset));
   double angle = mark.angle;
   if (mark.to_crown > 0) angle += mark.to_crown * (crown_angle(arch, radius) - angle);
-  return arch.centre + Vec2(mark.side * (radius * std::sin(angle) - arch.offset), radius * std::cos(angle));
+  return arch.centre + Vec2(mark.side * (radius * portable::sin(angle) - arch.offset), radius * portable::cos(angle));
 }
 
 double inner(const Arch& arch) {
@@ -192,7 +193,7 @@ void set_span_and_rise(Arch& arch, double span, double rise) {
   // Pythagoras: segmental (low - rise)^2 + half^2 = low^2; pointed low - offset = half and low^2 - offset^2 = rise^2
   const double low = pointed ? (rise * rise / half + half) / 2 : (half * half / rise + rise) / 2;
   arch.offset = pointed ? low - half : 0;
-  arch.half_angle = rise >= half ? quarter : std::asin(half / low);
+  arch.half_angle = rise >= half ? quarter : portable::asin(half / low);
   arch.radius = low + arch.thickness / 2;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/portable.hpp"
 
 namespace trilith {
 
@@ -15,7 +16,7 @@ Part build_block(const Block& block) {
   const bool centred = block.anchor == BlockAnchor::centre;
   const double left = centred ? -w / 2 : 0, right = centred ? w / 2 : w;
   const double low = centred ? -h / 2 : 0, high = centred ? h / 2 : h;
-  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [s, c] = portable::sine_cosine(angle);
   Part part{block.name, {}, block.groups};
   for (const Vec2& p : {Vec2(left, low), Vec2(right, low), Vec2(right, high), Vec2(left, high)})
     part.outline.emplace_back(x + (c * p.x() - s * p.y()), y + (s * p.x() + c * p.y()));

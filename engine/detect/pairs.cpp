@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable.hpp"
 #include "contact/face_overlap.hpp"
 #include "detect/grid.hpp"
 #include "shape/polygon.hpp"
@@ -62,7 +63,8 @@ double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece)
   for (int e = 0; e < model.corners_of(piece); ++e) {
     const Edge edge = edge_of(model, piece, e);
     const SkinMotion &p = work.skin[edge.s0], &q = work.skin[edge.s1];
-    if (model.edge_is_face[model.piece_first[piece] + e]) least = std::min(least, std::hypot(q.x - p.x, q.y - p.y));
+    if (model.edge_is_face[model.piece_first[piece] + e])
+      least = std::min(least, portable::hypot(q.x - p.x, q.y - p.y));
   }
   return 0.5 * least;
 }
@@ -73,7 +75,8 @@ void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
     const double arm = model.bodies[body].deforms() ? half_shortest_face(model, work, piece) : model.body_radius[body];
     return work.margin / std::max(arm, work.margin);
   };
-  const double angle = std::tan(std::min(1.0, face_pair_max_tilt + 0.5 * (turn(pair.piece_a) + turn(pair.piece_b))));
+  const double angle =
+      portable::tan(std::min(1.0, face_pair_max_tilt + 0.5 * (turn(pair.piece_a) + turn(pair.piece_b))));
   pair.facing = 0;
   for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
     const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
@@ -208,7 +211,7 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
   int found = 0;
   double nearest = unbounded;
-  const double angle = std::tan(face_pair_max_tilt);
+  const double angle = portable::tan(face_pair_max_tilt);
   for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
     const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
     if (!overlap.sane) return;

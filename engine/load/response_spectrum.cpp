@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "base/portable.hpp"
 #include "load/motion_measures.hpp"
 
 namespace trilith {
@@ -30,9 +31,9 @@ class Recurrence {
         omega_(2 * std::numbers::pi / period),
         damping_(damping),
         damped_omega_(omega_ * std::sqrt(1 - damping * damping)),
-        decay_(std::exp(-damping * omega_ * step)),
-        cosine_(decay_ * std::cos(damped_omega_ * step)),
-        sine_(decay_ * std::sin(damped_omega_ * step)) {}
+        decay_(portable::exp(-damping * omega_ * step)),
+        cosine_(decay_ * portable::cos(damped_omega_ * step)),
+        sine_(decay_ * portable::sin(damped_omega_ * step)) {}
 
   double step() const { return step_; }
 
@@ -139,7 +140,8 @@ std::vector<double> spectrum_periods(double from, double to, int count) {
                                  count, from, to));
   std::vector<double> periods;
   periods.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) periods.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
+  for (int i = 0; i < count; ++i)
+    periods.push_back(from * portable::pow(to / from, static_cast<double>(i) / (count - 1)));
   periods.back() = to;
   return periods;
 }

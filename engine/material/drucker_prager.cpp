@@ -5,18 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable.hpp"
+
 namespace trilith {
 namespace {
 
-/// Slope of the cone that touches Mohr-Coulomb of angle `angle` in plane strain: eta; and xi for the cohesion.
-double cone_slope(double angle) {
-  const double t = std::tan(angle);
-  return 3 * t / std::sqrt(9 + 12 * t * t);
-}
-double cone_share(double angle) {
-  const double t = std::tan(angle);
-  return 3 / std::sqrt(9 + 12 * t * t);
-}
+/// The cone that touches Mohr-Coulomb of angle `angle` in plane strain: its slope eta, and xi for the cohesion
+/// (3 tan and 3, over sqrt(9 + 12 tan^2)).
+struct Cone {
+  double slope, share;
+  explicit Cone(double angle) {
+    const auto [s, c] = portable::sine_cosine(angle);
+    const double size = std::sqrt(9 * c * c + 12 * s * s);
+    slope = 3 * s / size, share = 3 * c / size;
+  }
+};
 
 struct Deviator {
   double mean, xx, yy, zz, xy, size;  ///< size: sqrt(J2)
@@ -31,15 +34,15 @@ struct Returned {
   double mean, size;
 };
 
-double top_of(const DruckerPrager& law) {
-  const double eta = cone_slope(law.friction);
-  return eta > 0 ? std::min(law.tension, cone_share(law.friction) * law.cohesion / eta) : law.tension;
+double top_of(const DruckerPrager& law, const Cone& cone) {
+  return cone.slope > 0 ? std::min(law.tension, cone.share * law.cohesion / cone.slope) : law.tension;
 }
 
 Returned return_to_cone(const DruckerPrager& law, const Deviator& trial) {
   const double shear = law.young / (2 * (1 + law.poisson)), bulk = law.young / (3 * (1 - 2 * law.poisson));
-  const double eta = cone_slope(law.friction), flow = cone_slope(law.dilation), top = top_of(law);
-  const double limit = cone_share(law.friction) * law.cohesion;
+  const Cone cone(law.friction);
+  const double eta = cone.slope, flow = Cone(law.dilation).slope, top = top_of(law, cone);
+  const double limit = cone.share * law.cohesion;
   const double excess = trial.size + eta * trial.mean - limit;
   if (excess > 0) {
     const double g = excess / (shear + bulk * eta * flow), mean = trial.mean - bulk * flow * g;
@@ -115,7 +118,8 @@ void DruckerPrager::check() const {
 
 double DruckerPrager::excess(const Stress& stress) const {
   const Deviator d(stress);
-  return std::max(d.size + cone_slope(friction) * d.mean - cone_share(friction) * cohesion, d.mean - tension);
+  const Cone cone(friction);
+  return std::max(d.size + cone.slope * d.mean - cone.share * cohesion, d.mean - tension);
 }
 
 PointResponse DruckerPrager::respond(Plane plane, const PlaneVector& strain, const PlasticMemory& before) const {

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/portable.hpp"
 #include "material/principal_return.hpp"
 
 namespace trilith {
@@ -18,7 +19,7 @@ struct Principal {
   Eigen::Vector3d value;
   double c2, s2;
   explicit Principal(const Stress& s) {
-    const double half = 0.5 * (s.xx - s.yy), radius = std::hypot(half, s.xy), middle = 0.5 * (s.xx + s.yy);
+    const double half = 0.5 * (s.xx - s.yy), radius = portable::hypot(half, s.xy), middle = 0.5 * (s.xx + s.yy);
     value = {middle + radius, middle - radius, s.zz};
     c2 = radius > 0 ? half / radius : 1;
     s2 = radius > 0 ? s.xy / radius : 0;
@@ -26,9 +27,11 @@ struct Principal {
 };
 
 YieldPlane shear_plane(const MohrCoulomb& law, int i, int j) {
-  YieldPlane p{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 2 * law.cohesion * std::cos(law.friction)};
-  p.normal[i] = 1 + std::sin(law.friction), p.normal[j] = -(1 - std::sin(law.friction));
-  p.flow[i] = 1 + std::sin(law.dilation), p.flow[j] = -(1 - std::sin(law.dilation));
+  const auto [sine, cosine] = portable::sine_cosine(law.friction);
+  const double flow = portable::sin(law.dilation);
+  YieldPlane p{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 2 * law.cohesion * cosine};
+  p.normal[i] = 1 + sine, p.normal[j] = -(1 - sine);
+  p.flow[i] = 1 + flow, p.flow[j] = -(1 - flow);
   return p;
 }
 
@@ -65,7 +68,7 @@ Eigen::Matrix3d principal_stiffness(const MohrCoulomb& law, Plane plane) {
 
 /// All principal stresses at the tip of the surface: what is left where no set of planes answers.
 Eigen::Vector3d plastic_to_tip(const MohrCoulomb& law, Plane plane, const Eigen::Vector3d& trial) {
-  const double tip = law.friction > 0 ? std::min(law.tension, law.cohesion / std::tan(law.friction)) : law.tension;
+  const double tip = law.friction > 0 ? std::min(law.tension, law.cohesion / portable::tan(law.friction)) : law.tension;
   Eigen::Vector3d over = trial - Eigen::Vector3d::Constant(tip);
   if (plane == Plane::stress) over[2] = 0;
   const double p = law.poisson;
@@ -103,8 +106,8 @@ void MohrCoulomb::check() const {
 double MohrCoulomb::excess(const Stress& stress) const {
   const Eigen::Vector3d s = Principal(stress).value;
   const double most = s.maxCoeff(), least = s.minCoeff();
-  return std::max(most - least + (most + least) * std::sin(friction) - 2 * cohesion * std::cos(friction),
-                  most - tension);
+  const auto [sine, cosine] = portable::sine_cosine(friction);
+  return std::max(most - least + (most + least) * sine - 2 * cohesion * cosine, most - tension);
 }
 
 PointResponse MohrCoulomb::respond(Plane plane, const PlaneVector& strain, const PlasticMemory& before) const {

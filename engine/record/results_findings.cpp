@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/portable.hpp"
 
 namespace trilith {
 
@@ -53,7 +54,7 @@ Vec2 follow(const Header& header, const BodyRow& body, const std::vector<Vec2>& 
 }
 
 double pick(std::string_view name, double xx, double yy, double xy) {
-  const double mean = 0.5 * (xx + yy), radius = std::hypot(0.5 * (xx - yy), xy);
+  const double mean = 0.5 * (xx + yy), radius = portable::hypot(0.5 * (xx - yy), xy);
   if (name == "major") return mean + radius;
   if (name == "minor") return mean - radius;
   return name == "xx" ? xx : name == "yy" ? yy : xy;
@@ -102,7 +103,7 @@ void add_cracks(const Header& header, const Frame& frame, Scene& scene) {
     const auto end = [&](const double* at) {
       return follow(header, header.bodies[joint.body_a], scene.bodies[joint.body_a].outline, {at[0], at[1]});
     };
-    const double length = std::hypot(joint.end_1[0] - joint.end_0[0], joint.end_1[1] - joint.end_0[1]);
+    const double length = portable::hypot(joint.end_1[0] - joint.end_0[0], joint.end_1[1] - joint.end_0[1]);
     if (std::max(opening[j], std::abs(slip[j])) > length) continue;  // the two are no longer neighbours
     const CrackMark mark = opening[j] >= std::abs(slip[j]) ? CrackMark::opened : CrackMark::slid;
     scene.cracks.push_back({end(joint.end_0), end(joint.end_1), mark});
@@ -120,7 +121,7 @@ void add_thrust_line(const Header& header, const Frame& frame, std::string_view 
     double weight = 0;
     for (const record::ContactForce& c : frame.contacts) {
       if (std::minmax(c.body_a, c.body_b) != std::minmax(chain[i], chain[i + 1])) continue;
-      const double size = std::hypot(c.force[0], c.force[1]);
+      const double size = portable::hypot(c.force[0], c.force[1]);
       point += size * Vec2(c.point[0], c.point[1]);
       weight += size;
     }

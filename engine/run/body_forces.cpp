@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable.hpp"
 #include "step/evaluate.hpp"
 #include "world/pose.hpp"
 
@@ -70,10 +71,10 @@ Vec2 force_on(const Model<2>& model, const Work<2>& work, std::span<const int> b
 }
 
 double MeanStress::major() const {
-  return 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);
+  return 0.5 * (xx + yy) + portable::hypot(0.5 * (xx - yy), xy);
 }
 double MeanStress::minor() const {
-  return 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
+  return 0.5 * (xx + yy) - portable::hypot(0.5 * (xx - yy), xy);
 }
 
 std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state, const Work<2>& work,
@@ -116,7 +117,7 @@ WorstBodies worst_bodies(const Model<2>& model, const Work<2>& work) {
       if (worst.unbalanced < 0 || left.norm() > worst.force) worst.unbalanced = b, worst.force = left.norm();
     }
     for (int s = body.first_skin; s < body.first_skin + body.skins; ++s) {
-      const double speed = std::hypot(work.skin[s].u, work.skin[s].v);
+      const double speed = portable::hypot(work.skin[s].u, work.skin[s].v);
       if (worst.fastest < 0 || speed > worst.speed) worst.fastest = b, worst.speed = speed;
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable.hpp"
 #include "record/axis_ticks.hpp"
 #include "run/body_forces.hpp"
 #include "run/stage_end.hpp"
@@ -49,7 +50,7 @@ Stretches stretches_at(const Corner& c) {
                xy = c.first_now.x() * g.y() + c.second_now.x() * h.y(),
                yx = c.first_now.y() * g.x() + c.second_now.y() * h.x(),
                yy = c.first_now.y() * g.y() + c.second_now.y() * h.y();
-  const double p = 0.5 * std::hypot(xx + yy, yx - xy), q = 0.5 * std::hypot(xx - yy, xy + yx);
+  const double p = 0.5 * portable::hypot(xx + yy, yx - xy), q = 0.5 * portable::hypot(xx - yy, xy + yx);
   return {p - q, p + q};
 }
 

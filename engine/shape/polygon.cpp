@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/portable.hpp"
+
 namespace trilith {
 
 double signed_area(std::span<const Vec2> outline) {
@@ -83,7 +85,7 @@ bool is_convex(std::span<const Vec2> outline) {
   double turned = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 in = outline[i] - outline[(i + n - 1) % n], out = outline[(i + 1) % n] - outline[i];
-    const double turn = std::atan2(cross(in, out), in.dot(out));
+    const double turn = portable::atan2(cross(in, out), in.dot(out));
     if (turn < -kStraightAngle) return false;
     turned += turn;
   }

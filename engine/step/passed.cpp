@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable.hpp"
 #include "detect/moving_piece.hpp"
 #include "detect/pairs.hpp"
 #include "detect/swept_pairs.hpp"
@@ -115,7 +116,7 @@ double beneath_face(const Model<2>& model, const Work<2>& work, const NearPair& 
     const SkinMotion& corner = work.skin[model.corner_skin[c]];
     deepest = std::max(deepest, x * (corner.y - from.y) - y * (corner.x - from.x));
   }
-  return deepest / std::hypot(x, y);
+  return deepest / portable::hypot(x, y);
 }
 
 /// How much deeper the pieces of a row may get [m]; not above 0: they are too deep, and that is told now. Of those that

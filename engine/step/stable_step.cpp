@@ -268,7 +268,14 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
 }
 
 double settled_step(double stable, double safety) {
-  return std::exp2(std::floor(8 * std::log2(stable * safety)) / 8);
+  // The rungs 2^(k/8) from a half to below 1.
+  constexpr std::array<double, 8> rungs{0x1.0000000000000p-1, 0x1.172b83c7d517bp-1, 0x1.306fe0a31b715p-1,
+                                        0x1.4bfdad5362a27p-1, 0x1.6a09e667f3bcdp-1, 0x1.8ace5422aa0dbp-1,
+                                        0x1.ae89f995ad3adp-1, 0x1.d5818dcfba487p-1};
+  int exponent = 0;
+  const double wanted = stable * safety, share = std::frexp(wanted, &exponent);
+  if (!(wanted > 0 && std::isfinite(wanted))) return wanted;
+  return std::ldexp(*(std::upper_bound(rungs.begin(), rungs.end(), share) - 1), exponent);
 }
 
 std::string explain_step(const Model<2>& model, const State<2>& state, const Work<2>& work) {

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable.hpp"
+
 namespace trilith {
 namespace {
 
 double turn_between(const Vec2& in, const Vec2& out) {
-  return std::atan2(cross(in, out), in.dot(out));
+  return portable::atan2(cross(in, out), in.dot(out));
 }
 
 double flatness_of(double turn) {
-  return turn > 0.25 * M_PI ? 1.0 : 1.0 / std::tan(std::max(turn, kStraightAngle));
+  return turn > 0.25 * M_PI ? 1.0 : 1.0 / portable::tan(std::max(turn, kStraightAngle));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/portable.hpp"
 #include "body/solid_element.hpp"
 
 namespace trilith {
@@ -20,8 +21,8 @@ struct Cloud {
 /// The turn that takes `from` nearest to `to`, both from their weighed means; its rate for the velocities of `to`.
 struct BestTurn {
   double dot = 0, turn = 0;
-  [[nodiscard]] double angle() const { return dot != 0 || turn != 0 ? std::atan2(turn, dot) : 0; }
-  [[nodiscard]] double size() const { return std::hypot(dot, turn); }
+  [[nodiscard]] double angle() const { return dot != 0 || turn != 0 ? portable::atan2(turn, dot) : 0; }
+  [[nodiscard]] double size() const { return portable::hypot(dot, turn); }
 };
 
 Vec2 mean_start(const Model<2>& model, const Cloud& c) {
