@@ -18,10 +18,11 @@ local p = trilith.params {
 local m = trilith.model { name = "masonry wall", thickness = 8*inch }
 local brick = m:material { name = "brick", unit_weight = 120*pcf, E = 1.5e6*psi, nu = 0.2 }
 local concrete = m:material { name = "concrete", unit_weight = 150*pcf }
-local kn, mass = p.kn/inch, 120*pcf*16*8*8*inch^3/g
+local kn, mass = p.kn/inch, 120*pcf*16*inch*(8*inch)^2/g
 local beta = 2*0.1/math.sqrt(kn*16*8*inch^2/mass) -- 10 % of critical for one unit on its bed joint
 m:contact { between = { "*", "*" }, name = "mortar", law = trilith.bonded {
-  kn = kn, ks = 0.4*kn, mu = math.tan(p.friction), beta = beta, tension = p.tension, cohesion = p.cohesion*p.tension } }
+  kn = kn, ks = 0.4*kn, mu = trilith.math.tan(p.friction), beta = beta,
+  tension = p.tension, cohesion = p.cohesion*p.tension } }
 local sill, side = 2*ft + 8*inch, 4*ft
 local function window(storey, x) return { storey = storey, x = x, sill = sill, width = side, height = side } end
 local wall = m:wall {

@@ -36,6 +36,7 @@ int fill(lua_State* L) {
   lua_newtable(L);
   add_version(L);
   open_units(L);
+  open_math(L);
   open_laws(L);
   open_motions(L);
   open_build(L);

@@ -29,7 +29,7 @@ end
 
 local function check_there(list, manual)
   for _, entry in ipairs(manual.list) do
-    local owner = entry.owner == "trilith" and core.module or entry.owner == "trilith.build" and core.module.build
+    local owner = console.table_of(entry.owner)
       or console.kind_names[entry.owner] and core.members(console.kind_names[entry.owner])
     if not entry.is_row and (not owner or rawget(owner, entry.member) == nil) then
       complain(list, "%s is declared but not there", entry.name)
@@ -39,7 +39,7 @@ end
 
 -- An unknown key makes a constructor say which ones it knows.
 local function keys_known(entry, things)
-  local owner = entry.owner == "trilith" and core.module or entry.owner == "trilith.build" and core.module.build
+  local owner = console.table_of(entry.owner)
   local given = { zz_no_such_key_zz = 1 }
   local good, message
   if owner then

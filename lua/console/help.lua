@@ -106,7 +106,7 @@ local function names_known()
 end
 
 local function text_named(text, value_of)
-  if text == "trilith" or text == "trilith.build" then return owner_text(text) end
+  if console.table_of(text) then return owner_text(text) end
   local page = page_text(text)
   local found = console.entries_named(text, value_of)
   if page and #found == 0 then return page end
@@ -130,8 +130,8 @@ end
 
 local function function_name(f)
   for _, entry in ipairs(console.manual().list) do
-    local owner = entry.owner == "trilith" and core.module or entry.owner == "trilith.build" and core.module.build
-    local members = owner or (console.kind_names[entry.owner] and core.members(console.kind_names[entry.owner]))
+    local members = console.table_of(entry.owner)
+      or (console.kind_names[entry.owner] and core.members(console.kind_names[entry.owner]))
     if members and rawget(members, entry.member) == f then return entry end
   end
   return nil
@@ -145,6 +145,7 @@ function console.help_text(value, value_of)
   if kind then return tostring(value) .. "\n" .. owner_text(console.owner_of(kind)) end
   if value == core.module then return owner_text "trilith" end
   if value == core.module.build then return owner_text "trilith.build" end
+  if value == core.module.math then return owner_text "trilith.math" end
   if type(value) == "function" then
     local entry = function_name(value)
     if entry then return console.entry_text(entry) end

@@ -134,6 +134,12 @@ function console.manual()
   return manual
 end
 
+--- The table of functions that an owner of entries names: the module or one in it; nil for kinds of handles.
+function console.table_of(owner)
+  local inner = owner:match "^trilith%.(%w+)$"
+  return owner == "trilith" and core.module or inner and rawget(core.module, inner) or nil
+end
+
 --- The name in declarations of a kind of handle: "set" for "set of bodies".
 function console.owner_of(kind)
   for owner, name in pairs(kind_names) do

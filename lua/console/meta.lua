@@ -75,7 +75,7 @@ local function add_function(lines, entry)
   if entry.gives then lines[#lines + 1] = "---@return " .. gives_type(entry.gives) end
   local owner = entry.owner
   local place
-  if owner == "trilith" or owner == "trilith.build" then
+  if console.table_of(owner) then
     place = owner .. "." .. entry.member
   else
     place = class_of[owner]:gsub("%.", "_") .. ":" .. entry.member
@@ -111,7 +111,7 @@ function console.meta_text()
     add_class(lines, owner)
   end
   lines[#lines + 1] = "---@class trilith"
-  lines[#lines + 1] = "local trilith = { build = {} }\n"
+  lines[#lines + 1] = "local trilith = { build = {}, math = {} }\n"
   for _, entry in ipairs(manual.list) do
     if not entry.is_field then
       if entry.type then

@@ -52,3 +52,4 @@ local function strict(t, title)
 end
 strict(trilith, "trilith")
 strict(trilith.build, "trilith.build")
+strict(trilith.math, "trilith.math")

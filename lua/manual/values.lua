@@ -2,6 +2,26 @@ return {
   name = "values", title = "Units, parameters, laws and motions",
   { "trilith.units", "Factors that turn a number with a unit into SI: local ft, kip = trilith.units \"ft kip\".",
     args = "names  text  unit names, separated by blanks", gives = "number..." },
+  -- As in Lua's `math`, which calls the C library (docs/decisions/0012-same-bits.md).
+  { "trilith.math.sin", "Sine, the same bits on every processor.", args = "angle  number rad  any", gives = "number" },
+  { "trilith.math.cos", "Cosine, the same bits on every processor.", args = "angle  number rad  any",
+    gives = "number" },
+  { "trilith.math.tan", "Tangent, the same bits on every processor.", args = "angle  number rad  any",
+    gives = "number" },
+  { "trilith.math.asin", "Arc sine [rad], the same bits on every processor.", args = "x  number  -1 to 1",
+    gives = "number" },
+  { "trilith.math.acos", "Arc cosine [rad], the same bits on every processor.", args = "x  number  -1 to 1",
+    gives = "number" },
+  { "trilith.math.atan", "Angle of (x, y) from the x axis [rad], the same bits on every processor.", args = [[
+y  number      height
+x  number = 1  distance]], gives = "number" },
+  { "trilith.math.exp", "Exponential, the same bits on every processor.", args = "x  number  any", gives = "number" },
+  { "trilith.math.log", "Natural logarithm, the same bits on every processor.", args = "x  number  above 0",
+    gives = "number" },
+  { "trilith.math.pow", "base^exponent, the same bits on every processor; Lua's ^ has them for squares alone.",
+    args = [[
+base      number  what is raised
+exponent  number  to which power]], gives = "number" },
   { "trilith.params", "Parameters of the script, set by trilith run model.lua name=value.",
     args = "declared  table  name = { default, unit = , choices = , \"sentence\" }", gives = "table" },
   { "trilith.version", "Version of the program.", type = "string" },

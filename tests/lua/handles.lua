@@ -53,7 +53,8 @@ end
 local functions, shared = {}, {}
 local function add(name, args, keys, with)
   local owner, member = name:match "^(.-)[:.]([%w_]+)$"
-  if name:find "^trilith%.build%." then owner, member = "trilith.build", name:match "[%w_]+$" end
+  local inner = name:match "^trilith%.%l+%."
+  if inner then owner, member = inner:sub(1, -2), name:match "[%w_]+$" end
   functions[#functions + 1] = { name = name, owner = owner, member = member, args = read_keys(args),
     keys = read_keys(keys), with = with, takes_table = keys ~= nil }
 end
@@ -70,7 +71,8 @@ end
 
 local function call(f, self, ...)
   if f.owner == "trilith" then return trilith[f.member](...) end
-  if f.owner == "trilith.build" then return trilith.build[f.member](...) end
+  local inner = f.owner:match "^trilith%.(%l+)$"
+  if inner then return trilith[inner][f.member](...) end
   return self[f.member](self, ...)
 end
 
