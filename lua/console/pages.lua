@@ -17,13 +17,27 @@ local function add_keys(lines, keys, title)
   for _, key in ipairs(keys) do lines[#lines + 1] = key_row(key) end
 end
 
+--- Those that all bodies take stand with model:body alone; whoever takes more tells the rest.
+local function add_keys_of_bodies(lines, entry)
+  local told, body = {}, "model:body"
+  for _, other in ipairs(console.manual().list) do
+    if other.name == body and entry.name ~= body then
+      for _, key in ipairs(other.with) do told[key.name] = true end
+    end
+  end
+  local more = {}
+  for _, key in ipairs(entry.with) do more[#more + 1] = not told[key.name] and key or nil end
+  lines[#lines + 1] = "\nAnd what " .. (entry.name == body and "all bodies take:" or "bodies take, see `model:body`.")
+  add_keys(lines, more, "key")
+end
+
 local function add_entry(lines, entry)
   local doc = entry.doc:find "[.:]$" and entry.doc or entry.doc .. "."
   lines[#lines + 1] = ("\n### `%s`\n\n%s"):format(console.call_text(entry), doc)
   if entry.gives then lines[#lines] = lines[#lines] .. " Gives: " .. entry.gives .. "." end
   add_keys(lines, entry.args, "argument")
   add_keys(lines, entry.keys, "key")
-  if #entry.with > 0 then lines[#lines + 1] = "\nAnd what bodies take, see `model:body`." end
+  if #entry.with > 0 then add_keys_of_bodies(lines, entry) end
 end
 
 local function field_row(entry)
