@@ -225,9 +225,11 @@ void require_written(const FileStatus& status, std::string_view what) {
 
 void use_driver(hid_t access, int descriptor, FileStatus& status) {
   static const H5FD_class_t driver = make_driver();
-  const Handle id(H5FDregister(&driver), H5FDunregister, "cannot register the file driver");
+  // Registered once and for all: a file that holds the last reference to its driver closes through what it has freed.
+  static const hid_t id = H5FDregister(&driver);
+  check(id, "cannot register the file driver");
   const Info info{&status, descriptor};
-  check(H5Pset_driver(access, id.get(), &info), "cannot set the file driver");
+  check(H5Pset_driver(access, id, &info), "cannot set the file driver");
 }
 
 }  // namespace trilith::record::h5
