@@ -1,15 +1,10 @@
-"""Damaged results files, from a seed: bytes, lengths, and the structure that h5py can reach."""
+"""Damage to HDF5 files, from a seed: bytes, lengths, and the structure that h5py can reach."""
 import random
 import shutil
 
 import h5py
 import numpy as np
 
-VERBS = [["info"], ["info", "--events"], ["info", "--of-note"],
-         ["draw", "--at", "0,0.05,end", "--forces", "--cracks", "--ghost"],
-         ["draw", "--stress", "major", "-o", "stress.svg"], ["draw", "--thrust", "pile", "-o", "thrust.svg"],
-         ["plot"], ["plot", "energy", "--events", "-o", "energy.svg"], ["plot", "--list"], ["view"], ["report"],
-         ["repair", "-o", "copy.h5"]]
 NUMBERS = [0, -1, 1, 2**31 - 1, -2**31, 2**62, -2**63, float("nan"), float("inf"), -1e300, 1e300, 1e-300]
 
 
@@ -117,21 +112,53 @@ def restructure(draw, path):
                 put_numbers(draw, item)
 
 
-def damage(seed, base, path):
-    """A copy of `base` at `path`, damaged."""
+def resize(draw, old):
+    """What a data set may be instead: its shape and type."""
+    ways = {"empty": lambda n: 0, "short": lambda n: max(0, n - 1), "long": lambda n: n + 1}
+    way = ways[draw.choice(sorted(ways))]
+    at = draw.randrange(len(old.shape)) if old.shape else 0
+    return tuple(way(n) if place == at else n for place, n in enumerate(old.shape)), old.dtype
+
+
+def one_set(draw, file, name):
+    """One thing of one data set: no width, gone, one row less or more, another type, huge, a group or a link instead."""
+    old, way = file[name], draw.choice(["width", "width", "gone", "type", "huge", "group", "scalar", "loop"])
+    shape, dtype = resize(draw, old)
+    attributes = dict(old.attrs)
+    del file[name]
+    if way == "gone":
+        return
+    if way == "group":
+        new = file.create_group(name)
+    elif way == "loop":
+        file[name] = h5py.SoftLink("/" + name)
+        return
+    elif way == "huge":
+        new = file.create_dataset(name, (2**40, *old.shape[1:]), dtype, chunks=(1024, *[max(1, n) for n in old.shape[1:]]))
+    elif way == "scalar":
+        new = file.create_dataset(name, (), dtype)
+    elif way == "type":
+        new = file.create_dataset(name, old.shape, draw.choice(["f8", "i4", "S5", h5py.string_dtype(), "c16", "u1"]))
+    else:
+        new = file.create_dataset(name, shape, dtype, maxshape=(None, *shape[1:]) if shape and draw.random() < 0.5 else None)
+    for key, value in attributes.items():
+        new.attrs[key] = value
+
+
+def one_of_structure(draw, path):
+    with h5py.File(path, "r+") as file:
+        sets = [name for name in objects(file) if isinstance(file[name], h5py.Dataset)]
+        one_set(draw, file, draw.choice(sets))
+
+
+def damaged(seed, base, path):
+    """The bytes of the file `base` after damage, which is done at `path`."""
     draw = random.Random(seed)
     shutil.copy(base, path)
-    way = draw.choice([flip, flip, cut, restructure, restructure, restructure, restructure])
+    way = draw.choice([flip, flip, cut, restructure, restructure, one_of_structure, one_of_structure, one_of_structure])
     try:
         way(draw, path)
     except (OSError, KeyError, ValueError, TypeError, RuntimeError, OverflowError):
         pass  # h5py does not do it; what it did so far is damage enough
-
-
-def verbs(seed):
-    """Those that are shown the file: repair, which touches everything, and some of the others."""
-    return [VERBS[-1], *random.Random(seed).sample(VERBS[:-1], 3)]
-
-
-def command_of(program, verb, path):
-    return [program, verb[0], path, *verb[1:]]
+    with open(path, "rb") as file:
+        return file.read()

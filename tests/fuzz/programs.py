@@ -1,180 +1,200 @@
-"""Random Lua programs over the whole interface, as the program itself declares it (trilith manual), from a seed."""
+"""Random Lua programs over the whole interface, from a seed: sound calls, of which one to three are made odd.
+
+What a sound call is nobody tells: the first programs make every declared call with whatever its rows ask for, and what
+went well is what the next ones are made of. So a call that is declared tomorrow is tried without a further word.
+"""
 import os
 import random
 import re
-import subprocess
 
-# A sound model, another one, and what their handles are. Each call stands alone: an error in one lets the others go on.
+import declared
+import shared
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SUBJECTS = {"model": "a.model", "motion": "a.motion", "set": "a.set", "body": "a.body"}
+HANDLES = ["model", "body", "mesh", "base", "set", "bearing", "seat", "history", "motion", "law"]
+BODY = {"material", "name"}  # what most bodies are given
+LEARNING = 25     # programs made to learn from, four times; the number is fixed, so that a seed gives the same programs
+EACH = 25         # calls in each
 HEAD = """\
-local trilith = require "trilith"
-local function try(name, f)
-  local good, message = pcall(f)
-  if not good then io.write(name, ": ", tostring(message), "\\n") end
-  return good and message or nil
-end
-local function make(name)
-  local m = trilith.model { name = name }
-  m:material { name = "stone", density = 2400 }
-  m:material { name = "soft", density = 2000, E = 1e8, nu = 0.2 }
-  local law = trilith.frictional { name = "dry", kn = 1e8, ks = 5e7, mu = 0.5, beta = 1e-3 }
-  m:contact { between = { "*", "*" }, law = law }
-  local base = m:block { name = "base", width = 6, height = 0.5, at = { -3, -0.5 }, material = "stone",
-    support = "fixed" }
-  local low = m:block { name = "low", width = 1, height = 0.5, at = { -0.5, 0 }, material = "stone", groups = "pile" }
-  local high = m:block { name = "high", width = 1, height = 0.5, at = { -0.5, 0.5 }, material = "soft", groups = "pile",
-    body = { mesh = { 2, 1 } } }
-  local spring = trilith.linear { stiffness = 1e6, damping = 1e3 }
-  local bearing = m:bearing { name = "link", between = { "base", "low" }, at = { 0, 0 }, along = spring,
-    limit = { along = 0.05 } }
-  local seat = m:seat { name = "rest", body = low, support = base, at_end = { -0.5, 0 }, edge = { 3, 0 },
-    inward = { -1, 0 } }
-  local history = m:history { name = "top", body = high, what = "y" }
-  local count = 0
-  m:on_step(function() count = count + 1 if count % 200 == 0 then m:stop() end end)
-  return { model = m, body = low, mesh = high, base = base, set = m:bodies { group = "pile" }, bearing = bearing,
-    seat = seat, history = history, law = law, spring = spring,
-    motion = trilith.ramp { by = 0.1, duration = 1 } }
-end
-local a, b = make "a", make "b"
+local fuzz = dofile "models.lua"
+local trilith, try = fuzz.trilith, fuzz.try
+fuzz.fields = {{ {} }}
+local a, b = fuzz.make "a", fuzz.make "b"
 """
-WILD = ["0/0", "1/0", "-1/0", "0", "-1", "1e308", "-1e308", "1e-308", "2^31", "2^53", "-2^63", "math.mininteger", "1e9",
-        "nil", "true", "false", '""', '"*"', '"\\0"', '("x"):rep(5000)', '"\\27[2J"', "{}", "{ {} }", "{ 1 }",
-        "{ 0/0, 1/0 }", "{ a = 1 }", "function() end", "function() error {} end", "function() error() end", "print",
-        "coroutine.create(function() end)", "io.stdout",
-        'setmetatable({}, { __index = function() error "mine" end })',
-        
-        "setmetatable({}, { __len = function() return -5 end })", "a.model", "b.model", "b.body", "b.set", "b.bearing",
-        "b.seat", "b.history", "a.model.worst", "a.motion", "b.law", "a.spring", 'a.model:bodies { name = "zz*" }']
-# Wrong ones of the right kind go further in than wrong kinds.
-NUMBERS = ["0/0", "1/0", "-1/0", "0", "-1", "1e308", "1e-308", "2^31", "2^53", "-2^63", "1e9", "-1e9", "1e-9", "math.pi"]
-OTHERS = ['a.model:bodies { name = "zz*" }', "b.body", "b.set", "b.base", "{}", "{ b.body }", '{ "low", "low" }', '"zz*"',
-          "a.base", "{ a.base }"]
-CLOSE = {"number": NUMBERS, "integer": NUMBERS, "bodies": OTHERS, "body": OTHERS, "list": OTHERS, "names": OTHERS,
-         "bearing": ["b.bearing", "a.seat"], "seat": ["b.seat", "a.bearing"], "points": ["{ { 0, 0 } }", "{ { 0/0, 0 } }"],
-         "point": ["{ 0/0, 0 }", "{ 1e308, -1e308 }", "{ 1 }", "{ 1e9, 1e9 }"]}
-SANE = {
-    "number": ["0.1", "0.5", "1", "2", "3", "10", "1e3", "1e6", "0.01"],
-    "integer": ["1", "2", "3", "5", "0"],
-    "flag": ["true", "false"],
-    "text": ['"stone"', '"x"', '"dry"', '"rest"', '"link"', '"low"', '"top"', '"y"', '"mass"', '"impact"', '"*"'],
-    "names": ['"stone"', '{ "stone", "soft" }', '"pile"', '{ "low", "high" }', '{ "dry" }'],
-    "point": ["{ 0, 0 }", "{ 0, 0.5 }", "{ 3, 0 }", "{ -0.5, 1 }"],
-    "points": ["{ { 0, 0 }, { 1, 0 }, { 1, 1 } }", "{ { 0, 0 }, { 1, 0 }, { 0.5, 0.1 }, { 0, 1 } }"],
-    "place": ['"top"', '"centroid"', "{ 0, 0.2 }"],
-    "bodies": ["a.body", "a.set", "a.mesh", '"low"', "{ a.body, a.mesh }", '"pile"'],
-    "body": ["a.body", "a.mesh", '"high"', "a.base"],
-    "bearing": ["a.bearing", '"link"'], "seat": ["a.seat", '"rest"'],
-    "motion": ["a.motion", "trilith.motion { velocity = 0.1, duration = 0.1 }"],
-    "numbers": ["{ 0, 1, 0, -1, 0 }", "{}"],
-    "function": ["function() end", "function(m) return m.time end", "function() coroutine.yield() end",
-                 'function(m) m:wait "impact" end', "function(m) m:wait(0.01) end"],
-    "table": ["{}", "{ along = 0.1 }", "{ { 0, 1 } }", "a.model.energy"],
-    "list": ["{}", "{ a.body, a.base }", "{ { width = 1, height = 1 } }", "{ { body = a.base, x = a.motion } }"],
-    "rest": ["true", "{ speed = 1e-3, hold = 0.01 }"], "course": ["0.5", "{ ramp = 0.1 }", "{ { 0, 0 }, { 1, 1 } }"],
-    "body form": ['"rigid"', '"quad"', "{ mesh = { 2, 2 } }"],
-    "contact law": ["a.law", '"dry"', '"none"'], "direction law": ["a.spring"],
-    "solid law": ["trilith.j2 { E = 1e8, nu = 0.2, yield = 1e5 }"],
-}
-# These run processes, end the program, or read names that are made up elsewhere.
-LEFT_OUT = {"trilith.study", "trilith.params", "trilith.version"}
+# Where a call is made from: %s is a function that makes it.
+PLACES = ['a.model:on("*", %s)', 'a.model:on("impact", %s)', "a.model:on_step(%s)", "a.model:every(0.01, %s)",
+          "a.model:story(%s)", "a.model:story(function(m) m:wait(0.01) return (%s)(m) end)", "coroutine.wrap(%s)()",
+          "coroutine.wrap(function() coroutine.yield() return (%s)() end)()", "setmetatable({}, { __gc = %s })",
+          "table.insert(fuzz.late, %s)", 'a.model:history { name = "of" .. math.random(1e9), of = %s }',
+          "a.model:break_on { when = %s }", "a.model:run { duration = 0.02, until_rest = setmetatable({}, { __index = %s }) }",
+          "pcall(%s)", "table.sort({ 1, 2, 3 }, %s)", '("x"):gsub("x", %s)', "b.model:on_step(%s)", "xpcall(error, %s)"]
+STAGES = ["a.model:run { duration = 0.05 }", "a.model:run { duration = 0.05 }", "a.model:run { duration = 0.05 }",
+          "a.model:consolidate { duration = 0.2, or_go_on = true }", "b.model:run { duration = 0.01 }", "a.model:step(5)", "a.model:lint()", "collectgarbage()", "fuzz.forget()",
+          "b.model:close()", 'a.model:results { file = "run.h5", frames = 0.01 }']
+# What comes last: handles beyond their model's life, and all that can be read.
+ENDS = ["b = nil fuzz.forget() a.model:run { duration = 0.05 } fuzz.read_all(a)", "fuzz.read_all(a) fuzz.read_all(b)",
+        "a.model:close() fuzz.read_all(a)", "a.model = nil fuzz.forget() fuzz.read_all(a)",
+        "a.model:run { duration = 0.05 } fuzz.read_all(a)", "table.insert(fuzz.late, function() fuzz.read_all(a) end)",
+        "for _, x in pairs(a) do fuzz.late[#fuzz.late + 1] = function() fuzz.read(x) end end",
+        'b = fuzz.make "b" fuzz.forget() a.model:run { duration = 0.02 }', "a, b = b, a a.model:run { duration = 0.01 }"]
 
 
-class Declared:
-    def __init__(self, name):
-        self.name, self.keys, self.arguments = name, [], []
+class Step:
+    """A call with its values, each [row, text]; positional where `by_key` is false."""
+
+    def __init__(self, call, subject, by_key, values):
+        self.call, self.subject, self.by_key, self.values = call, subject, by_key, values
+
+    def text(self):
+        name = self.call.name
+        if ":" in name:
+            name = f"{self.subject}:{name.split(':')[1]}"
+        if not self.by_key:
+            return f"{name}({', '.join(text for _, text in self.values)})"
+        return f"{name} {{ {', '.join(f'{row[0]} = {text}' for row, text in self.values)} }}"
+
+    def copy(self):
+        return Step(self.call, self.subject, self.by_key, [list(pair) for pair in self.values])
 
 
-def declarations(program):
-    """Every call of the interface: its keys and arguments as (name, kind, needed), from the program's own manual."""
-    def manual(*words):
-        return subprocess.run([program, "manual", *words], capture_output=True, text=True, check=True).stdout
-    calls, fields = [], set()
-    for page in manual("--pages").split():
-        rows = None
-        for line in manual(page, "--markdown").splitlines():
-            title = re.match(r"### `([\w.:]+)[({]", line)
-            if title:
-                calls.append(Declared(title[1]))
-            elif line.startswith("| key ") and calls:
-                rows = calls[-1].keys
-            elif line.startswith("| argument ") and calls:
-                rows = calls[-1].arguments
-            elif not line.startswith("|"):
-                rows = None
-            cells = re.match(r"\| `(\w+)` \| ([^|]*?) \|[^|]*\| ?([^|]*?) ?\|", line)
-            if cells and rows is not None:
-                rows.append((cells[1], cells[2], cells[3] == "needed"))
-            if cells and page == "fields":
-                fields.add(cells[1])
-    fields |= {"x", "y", "time", "mass", "name", "force", "worst"}
-    return [c for c in calls if c.name not in LEFT_OUT], sorted(fields)
+def guess(draw, call):
+    """The call as its declaration has it, for the first time."""
+    subject = SUBJECTS.get(call.name.split(":")[0], "a.model")
+    if call.arguments and (not call.keys or draw.random() < 0.4):
+        least = sum(row[2] for row in call.arguments)
+        rows = call.arguments[:draw.randint(least, len(call.arguments))]
+        return Step(call, subject, False, [[row, declared.sane(draw, row)] for row in rows])
+    many = draw.choice([0, 1, 1, 2, 3, 5]) / max(1, len(call.keys))
+    rows = [row for row in call.keys if row[2] or draw.random() < many or (call.bodies is not None and row[0] in BODY)]
+    return Step(call, subject, bool(call.keys), [[row, declared.sane(draw, row)] for row in rows])
 
 
-def value(draw, kind, wild):
-    if draw.random() < wild:
-        return draw.choice(CLOSE.get(draw.choice(kind.split(" or ")), WILD) if draw.random() < 0.6 else WILD)
-    kinds = [k for k in kind.split(" or ") if k in SANE]
-    return draw.choice(SANE[draw.choice(kinds)] if kinds else SANE["text"])
+def vary(draw, step):
+    """A sound call with another sound value, or a key more or less."""
+    step = step.copy()
+    for pair in step.values:
+        if draw.random() < 0.15:
+            pair[1] = declared.sane(draw, pair[0])
+    if step.by_key and draw.random() < 0.3:
+        row = draw.choice(step.call.keys)
+        step.values = [pair for pair in step.values if pair[0][0] != row[0]]
+        if draw.random() < 0.8:
+            step.values.append([row, declared.sane(draw, row)])
+    return step
 
 
-def fresh_name(draw):
-    return f'"n{draw.randrange(1000)}"'
+def mend(draw, step, message):
+    """The call after what was said of it: without the key that is unknown, with one that was missed."""
+    step = step.copy()
+    unknown = re.search(r"unknown key '(\w+)'", message)
+    choices = re.search(r"'(\w+)' is '[^']*', must be one of ([\w, ]+)", message)
+    if unknown:
+        step.values = [pair for pair in step.values if pair[0][0] != unknown[1]]
+    elif choices:
+        for pair in step.values:
+            if pair[0][0] == choices[1]:
+                pair[1] = f'"{draw.choice(choices[2].split(", "))}"'
+    elif step.by_key:
+        given, words = {pair[0][0] for pair in step.values}, set(re.findall(r"\w+", message))
+        missed = [row for row in step.call.keys if row[0] in words - given]
+        for row in draw.sample(missed, min(len(missed), draw.randint(1, 2))):
+            step.values.append([row, declared.sane(draw, row)])
+    return step
 
 
-def call(draw, declared, wild):
-    who = {"model": "a.model", "motion": "a.motion", "set": "a.set", "body": "a.body"}
-    name = declared.name
-    if ":" in name:
-        kind, method = name.split(":")
-        subject = who.get(kind, "a.model")
-        if draw.random() < 0.05:
-            subject = draw.choice(["b.model", "b.body", "b.motion", "b.set"])
-        name = f"{subject}:{method}"
-    if declared.arguments and (not declared.keys or draw.random() < 0.5):
-        given = [value(draw, kind, wild) for _, kind, _ in declared.arguments]
-        least = 0 if draw.random() < 0.1 else sum(needed for _, _, needed in declared.arguments)
-        return f"{name}({', '.join(given[:draw.randint(least, len(given))])})"
-    many = draw.choice([0.1, 0.3, 0.7])
-    keys = [f"{key} = {fresh_name(draw) if key == 'name' and draw.random() < 0.7 else value(draw, kind, wild)}"
-            for key, kind, needed in declared.keys if draw.random() < (0.97 if needed else many)]
-    if draw.random() < 0.05:
-        keys.append(f"{draw.choice(['frobnicate', '[1]', '[0/1]', '[true]'])} = {draw.choice(WILD)}")
-    return f"{name} {{ {', '.join(keys)} }}" if declared.keys or draw.random() < 0.1 else f"{name}()"
+def spoil(draw, step, nested):
+    """Makes one thing of the step odd; `nested` is the text of another call, which a function may make."""
+    dice = draw.random()
+    if dice < 0.1 and ":" in step.call.name:
+        step.subject = step.subject.replace("a.", "b.") if draw.random() < 0.6 else f"a.{draw.choice(HANDLES)}"
+    elif dice < 0.15 and step.by_key:
+        row = (draw.choice(["frobnicate", "[1]", "[0/1]", "[true]", "[{}]"]), "text", False, [])
+        step.values.append([row, draw.choice(declared.WILD)])
+    elif dice < 0.2 and step.values:
+        step.values.pop(draw.randrange(len(step.values)))
+    elif step.by_key and dice < 0.4 and step.call.keys:
+        row = draw.choice(step.call.keys)
+        step.values = [pair for pair in step.values if pair[0][0] != row[0]] + [[row, declared.odd(draw, row)]]
+    elif step.values:
+        pair = draw.choice(step.values)
+        pair[1] = declared.odd(draw, pair[0])
+        if "function" in pair[0][1] and draw.random() < 0.6:
+            pair[1] = f"function() local given = {nested} return given end"
 
 
-def program_text(seed, calls, fields):
-    draw = random.Random(seed)
-    wild = draw.choice([0.02, 0.1, 0.4])
-    lines = [HEAD]
-    for number in range(draw.randint(3, 14)):
-        dice = draw.random()
-        if dice < 0.62:
-            what = call(draw, draw.choice(calls), wild)
-        elif dice < 0.78:
-            what = draw.choice(["a.model:run { duration = 0.05 }", "a.model:consolidate { duration = 0.2 }",
-                                "b.model:run { duration = 0.01 }", "a.model:lint()", "collectgarbage()"])
-        elif dice < 0.9:
-            handle = draw.choice(["model", "body", "mesh", "set", "bearing", "seat", "history", "motion", "law"])
-            what = f"{draw.choice('ab')}.{handle}.{draw.choice(fields)}"
-        elif dice < 0.96:
-            what = f"setmetatable({{}}, {{ __gc = function() return {call(draw, draw.choice(calls), wild)} end }})"
-        else:
-            event = draw.choice(["*", "impact", "stage.begun"])
-            what = f'a.model:on("{event}", function() return {call(draw, draw.choice(calls), wild)} end)'
-        # What a call gives may be used by the next ones.
-        known = draw.choice(["body", "set", "motion", "law", "spring"])
-        target = f"a.{known}" if draw.random() < 0.1 else f"a.v{number}"
-        lines.append(f"{target} = try({number}, function() return {what} end) or {target}")
-    return "\n".join(lines) + "\n"
+class Programs:
+    """Makes programs and learns from what they say. `known`: name of a call to the steps that went well; `building`: names of those
+    after which nothing can be added to the model."""
+
+    def __init__(self, program, seed):
+        self.seed, self.known, self.building = seed, {}, set()
+        calls, self.fields = declared.declarations(program)
+        self.calls = [c for c in calls if c.name != declared.STUDY]
+        self.command = f"{os.path.abspath(program)} run -q model.lua"
+        with open(os.path.join(HERE, "models.lua"), "rb") as file:
+            self.models = file.read()
+
+    def head(self):
+        return HEAD.format(", ".join(f'"{field}"' for field in self.fields))
+
+    def job(self, text, more=""):
+        return shared.Job("program", self.command + more, {"models.lua": self.models, "model.lua": self.head() + text})
+
+    def learn(self, until, findings):
+        """Each call for itself with a new model, the last time with one that has run: as it is declared, then as it is
+        after a thought about what was said of it. How many went well, and of how many."""
+        failed = {}
+        for turn, new in enumerate(['a = fuzz.make "a"'] * 3 + ['a = fuzz.make "a" a.model:run { duration = 0.01 }']):
+            calls, made = [c for c in self.calls if len(self.known.get(c.name, [])) < 4], {}
+
+            def work(number, turn=turn, new=new, made=made, calls=calls):
+                draw = random.Random(f"{self.seed} learn {turn} {number}")
+                some = [calls[(number * EACH + i) % len(calls)] for i in range(EACH)]
+                made[number] = [mend(draw, *draw.choice(failed[c.name])) if c.name in failed and draw.random() < 0.7
+                                else self.sound(draw, c) for c in some]
+                lines = [f"{new} try({i}, function() local given = {step.text()} return given end) fuzz.tell_built(a, {i})"
+                         for i, step in enumerate(made[number])]
+                return shared.attempt(self.job("\n".join(lines) + "\n"), findings)
+            for number, said in enumerate(shared.in_parallel(until, work, LEARNING)):
+                for at, message in re.findall(r"^(\d+): (.*)$", said, re.M):
+                    step = made[number][int(at)]
+                    failed.setdefault(step.call.name, []).append((step, message))
+                for at in re.findall(r"^good (\d+)$", said, re.M):
+                    self.known.setdefault(made[number][int(at)].call.name, []).append(made[number][int(at)])
+                if turn < 3:
+                    self.building |= {made[number][int(i)].call.name for i in re.findall(r"^built (\d+)$", said, re.M)}
+        return len(self.known), len(self.calls)
+
+    def sound(self, draw, call):
+        steps = self.known.get(call.name)
+        return vary(draw, draw.choice(steps)) if steps and draw.random() < 0.85 else guess(draw, call)
+
+    def text(self, number):
+        draw = random.Random(f"{self.seed} program {number}")
+        calls = [draw.choice(self.calls) for _ in range(draw.randint(2, 9))]
+        if draw.random() < 0.8:
+            calls.sort(key=lambda call: 2 * (call.name == "model:close") + (call.name in self.building))
+        steps = [self.sound(draw, call) for call in calls]
+        for _ in range(draw.randint(1, 3)):
+            spoil(draw, draw.choice(steps), self.sound(draw, draw.choice(self.calls)).text())
+        lines = []
+        for at, step in enumerate(steps):
+            what, place = step.text(), draw.random()
+            if place < 0.2:
+                what = draw.choice(PLACES).replace("%s", f"function() local given = {what} return given end")
+            # What a call gives may be used by the next ones.
+            to = f"a.{draw.choice(['body', 'set', 'motion', 'law', 'spring'])}" if draw.random() < 0.1 else f"a.v{at}"
+            made = f"local given = {what} return given" if not what.startswith(("fuzz.", "local")) else what
+            lines.append(f"{to} = try({at}, function() {made} end) or {to}")
+            if draw.random() < 0.1:
+                lines.append(f"try('s{at}', function() {draw.choice(STAGES)} end)")
+        lines.append(f"try('end', function() {draw.choice(ENDS)} end)")
+        return "\n".join(lines) + "\n"
 
 
-def write(path, seed, known):
-    with open(path, "w", encoding="utf8") as script:
-        script.write(program_text(seed, *known))
-
-
-def command_of(program, path, draw):
-    words = [program, "run", "-q", os.path.basename(path)]
-    if draw.random() < 0.1:
-        words += ["--results", "run.h5"]
-    return words
+def fuzz(made, until, findings):
+    def work(number):
+        more = " --results run.h5" if number % 8 == 0 else ""
+        shared.attempt(made.job(made.text(number), more), findings)
+    return f"{len(shared.in_parallel(until, work))} Lua programs"

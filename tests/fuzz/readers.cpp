@@ -1,19 +1,29 @@
-// Readers of text under libFuzzer: whatever the bytes are, they are read or refused with one line. TRILITH_READER names
-// the reader.
+// Readers of text and of checkpoints under libFuzzer: whatever the bytes are, they are read or refused with one line.
+// TRILITH_READER names the reader.
 #include <fmt/format.h>
+
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "base/units.hpp"
 #include "build/gmsh.hpp"
 #include "load/motion_read.hpp"
+#include "run/simulation.hpp"
 #include "run/study_figures.hpp"
 #include "shape/mesh.hpp"
+#include "world/builder.hpp"
+#include "world/checkpoint.hpp"
 
 namespace {
 
@@ -60,15 +70,88 @@ void read_figures(std::string_view text) {
           "figures that were written are not read back");
 }
 
+/// Two blocks on a base with a bearing and a seat, after some steps, and the checkpoint of that.
+struct Saved {
+  trilith::Model<2> model;
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("trilith_fuzz_" + std::to_string(::getpid()) + ".state");
+  std::string bytes;
+
+  static void add_block(trilith::ModelBuilder& builder, const char* name, double y, double half, bool fixed) {
+    trilith::BodySpec spec;
+    spec.name = name, spec.material = "stone";
+    spec.outline = {{-half, y}, {half, y}, {half, y + 0.5}, {-half, y + 0.5}};
+    if (fixed) spec.support.fill(trilith::Support::fixed);
+    builder.add_body(std::move(spec));
+  }
+  static trilith::Model<2> made() {
+    trilith::ModelBuilder builder;
+    builder.add_material({"stone", 2000});
+    builder.add_law("joint", trilith::Frictional{1e7, 5e6, 0.3, 1e-4});
+    builder.set_contact("*", "*", "joint");
+    builder.gravity = {0, -9.81};
+    add_block(builder, "base", -0.5, 3, true);
+    add_block(builder, "low", 0, 0.5, false);
+    add_block(builder, "high", 0.5, 0.4, false);
+    trilith::BearingSpec link;
+    link.name = "link", link.body_a = "low", link.body_b = "high";
+    link.point_a = link.point_b = {0.2, 0.5};
+    link.law[trilith::along] = trilith::ElasticPlastic{1e5, 50, 0.1, 10};
+    builder.add_bearing(link);
+    trilith::SeatSpec seat;
+    seat.name = "seat", seat.body = "high", seat.support = "low", seat.end = {0.4, 0.5}, seat.edge = {-0.5, 0.5};
+    builder.add_seat(seat);
+    return builder.build();
+  }
+  static std::string contents(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  Saved() : model(made()) {
+    trilith::Simulation sim(model);
+    trilith::StageOptions options;
+    options.duration = 0.02;
+    sim.run(options);
+    trilith::save_state(sim.state(), model, path);
+    bytes = contents(path);
+  }
+};
+
+/// Nine bytes each: which word of a sound checkpoint, and what it is instead (the 256th: the length of the file). What
+/// is left is signed, as the digest would refuse nearly all of it.
+void read_checkpoint(std::string_view text) {
+  static const Saved saved;
+  std::string bytes = saved.bytes;
+  for (std::size_t at = 0; at + 9 <= text.size(); at += 9) {
+    const std::size_t word = static_cast<std::uint8_t>(text[at]) * (bytes.size() / 8) / 255;
+    if (8 * word + 8 <= bytes.size())
+      std::memcpy(bytes.data() + 8 * word, text.data() + at + 1, 8);
+    else
+      bytes.resize(static_cast<std::uint8_t>(text[at + 1]) * bytes.size() / 255 / 8 * 8);
+  }
+  if (bytes.size() >= 16) {
+    trilith::Hash hash;
+    std::uint64_t word = bytes.size() / 8 - 7;
+    std::memcpy(bytes.data() + 40, &word, bytes.size() > 56 ? 8 : 0);
+    for (std::size_t i = 0; i + 16 <= bytes.size(); i += 8) {
+      std::memcpy(&word, bytes.data() + i, 8);
+      hash.add(word);
+    }
+    word = hash.value();
+    std::memcpy(bytes.data() + bytes.size() / 8 * 8 - 8, &word, 8);
+  }
+  std::ofstream(saved.path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  const trilith::State<2> state = trilith::load_state(saved.model, saved.path);
+  trilith::save_state(state, saved.model, saved.path);
+  require(Saved::contents(saved.path) == bytes, "a checkpoint that was read is written in another way");
+}
+
 struct Reader {
   std::string_view name;
   void (*read)(std::string_view);
 };
-constexpr Reader readers[] = {{"record", read_record},
-                              {"mesh", read_mesh},
-                              {"quantity", read_quantity},
-                              {"unit", read_unit},
-                              {"figures", read_figures}};
+constexpr Reader readers[] = {{"record", read_record}, {"mesh", read_mesh},       {"quantity", read_quantity},
+                              {"unit", read_unit},     {"figures", read_figures}, {"checkpoint", read_checkpoint}};
 
 }  // namespace
 

@@ -1,68 +1,146 @@
-"""Runs the program with limits, tells findings from refusals, and keeps them."""
+"""A job is a command with the files it needs. Runs it with limits, tells findings from refusals, and keeps them."""
+import concurrent.futures
 import os
 import re
 import resource
 import shutil
 import signal
 import subprocess
+import tempfile
+import time
 
-SECONDS = 30                       # wall clock for one process; more is a hang
-MEMORY = 4 << 30                   # bytes of address space
-DOCUMENTED = {0, 1, 2, 3}          # exit codes of the program, but for signals
-# What no message to a user should hold: the insides of C++, of the Lua library that is compiled in, or of sanitizers.
-# Lines of tracebacks begin with a tab, and may name the library.
+SECONDS = 10        # of processor time for one command, all of which ask for little; more is a hang
+WALL = 60           # of wall clock, after which it is killed: machines may be busy
+SANITIZED = bool(os.environ.get("TRILITH_FUZZ_SANITIZED"))  # the program has sanitizers: it is slow and claims much
+MEMORY = 4 << 30    # bytes of address space
+SAID = 200000       # of what a command says, so many bytes are looked at
+# Exit codes of the program: ended well, wrong input, wrong words, not to be trusted, interrupted.
+DOCUMENTED = {0, 1, 2, 3, 130}
+# Memory that was freed is filled with this, so that whoever still reads it falls over at once.
+FREED = "ASAN_OPTIONS=detect_leaks=0" if SANITIZED else "MALLOC_PERTURB_=165"
+# What no message to a user should hold: the insides of C++, of the HDF5 library, of the Lua files that are compiled in
+# (lines of tracebacks, which begin with a tab, may name those), of Lua's own assertions, or of sanitizers.
 INTERNAL = re.compile(r"std::|vector::|basic_string|bad_alloc|map::at|bad optional|bad_|::_M_|stoi|stod|Assertion"
-                      r"|runtime error|Sanitizer|terminate called|core dumped|^(?!\t).*trilith/\w+\.lua:\d+:", re.M)
+                      r"|runtime error|Sanitizer|terminate called|core dumped|HDF5-DIAG|Can't allocate"
+                      r"|^(?!\t).*trilith/\w+\.lua:\d+: (?!cannot resume)|attempt to \w+ a \w+ value \(upvalue '(?![abf]')"
+                      r"|bad argument #\d to '\?'|\d{60}", re.M)
 
 
-def limits():
+class Job:
+    """`command` is a line for the shell, run in a folder that holds `files` (name to bytes)."""
+
+    def __init__(self, part, command, files):
+        self.part, self.command, self.files = part, f"{FREED} {command}", files
+
+    def lay_out(self, folder):
+        os.makedirs(folder, exist_ok=True)
+        for name, content in self.files.items():
+            with open(os.path.join(folder, name), "wb") as file:
+                file.write(content if isinstance(content, bytes) else content.encode())
+
+
+def set_limits():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    if not os.environ.get("TRILITH_FUZZ_SANITIZED"):  # the address sanitizer claims far more than it uses
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 30, 1 << 30))
+    if not SANITIZED:
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-def trouble(command, folder, input_text=None):
-    """What is wrong with how `command` ended, or None; and what it said."""
-    with open(os.path.join(folder, "said.txt"), "wb+") as said:
-        process = subprocess.Popen(command, cwd=folder, stdout=said, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
-                                   preexec_fn=limits, start_new_session=True)
-        try:
-            code = process.wait(SECONDS)
-        except subprocess.TimeoutExpired:
+def run(job, folder):
+    """How the job ended in `folder`: code (None where it was killed), seconds of processor time, what it said."""
+    said_path = os.path.join(folder, "said.txt")
+    with open(said_path, "wb") as said:
+        process = subprocess.Popen(["/bin/sh", "-c", job.command], cwd=folder, stdout=said, stderr=subprocess.STDOUT,
+                                   stdin=subprocess.DEVNULL, preexec_fn=set_limits,
+                                   start_new_session=True)
+    killed, until = False, time.monotonic() + WALL
+    while True:
+        pid, status, used = os.wait4(process.pid, os.WNOHANG)
+        if pid:
+            break
+        if time.monotonic() > until:
+            killed, until = True, float("inf")
             os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-            code = None
-        said.seek(0)
-        text = said.read(200000).decode("utf8", "replace")
+        time.sleep(0.002)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    with open(said_path, "rb") as said:
+        text = said.read(SAID).decode("utf8", "replace")
+    return None if killed else process.returncode, used.ru_utime + used.ru_stime, text
+
+
+def judge(code, seconds, text):
+    """What is wrong with how a command ended, or None. The shell gives 128 + n for a signal n."""
     if code is None:
-        return f"did not end within {SECONDS} s", text
-    if code < 0:
-        return f"ended by {signal.Signals(-code).name}", text
+        return f"did not end within {WALL} s"
+    number = -code if code < 0 else code - 128
+    if number > 0 and code not in DOCUMENTED:
+        return f"ended by {signal.Signals(number).name}" if number in set(signal.Signals) else f"ended with code {code}"
     if code not in DOCUMENTED:
-        return f"ended with code {code}", text
+        return f"ended with code {code}"
     found = INTERNAL.search(text)
     if found:
-        line = next(line for line in text.splitlines() if INTERNAL.search(line))
-        return f"says: {line[:300]}", text
-    return None, text
+        return "says: " + next(line for line in text.splitlines() if INTERNAL.search(line))[:300]
+    if seconds > SECONDS * (5 if SANITIZED else 1):
+        return f"took {seconds:.0f} s of processor time"
+    return None
+
+
+def frame(job, folder):
+    """Where the program died: its first function on the stack, as far as a debugger is there and sees it die again."""
+    if not shutil.which("gdb") or SANITIZED:
+        return ""
+    debugged = re.sub(r"(?<=\s)(/\S+/trilith) (.*)", r"gdb -q -batch -ex 'run \2' -ex bt \1", job.command)
+    job.lay_out(folder)
+    text = run(Job(job.part, debugged.removeprefix(FREED + " "), job.files), folder)[2]
+    found = re.search(r"in (trilith::[^(]*)", text)
+    return f" in {found[1]}" if found else ""
 
 
 class Findings:
-    """One of each kind is kept; the others are counted."""
+    """One of each kind is kept, in a folder of its own with what repeats it; the others are counted."""
 
     def __init__(self, folder):
         self.folder, self.known = folder, {}
         os.makedirs(folder, exist_ok=True)
 
-    def add(self, part, what, path, command, text):
-        # Numbers and names of files differ from one finding to the next of its kind.
-        kind = (part, re.sub(r"'[^']*'|[-+]?[0-9.]+(e[-+]?[0-9]+)?", "#", what))
+    def add(self, job, what, text):
+        # Numbers and names differ from one finding to the next of its kind.
+        kind = (job.part, re.sub(r"'[^']*'|[-+]?[0-9.]+(e[-+]?[0-9]+)?", "#", what))
         self.known[kind] = self.known.get(kind, 0) + 1
         if self.known[kind] > 1:
             return
-        name = f"{part}-{len(self.known)}{os.path.splitext(path)[1]}"
-        kept = os.path.join(self.folder, name)
-        shutil.copy(path, kept)
-        with open(kept + ".txt", "w", encoding="utf8") as note:
-            note.write(f"{what}\n{' '.join(command)}\n{text}\n")
-        print(f"finding: {part}: {what}\n  {kept}", flush=True)
+        kept = os.path.join(self.folder, f"{job.part}-{len(self.known)}")
+        shutil.rmtree(kept, ignore_errors=True)
+        job.lay_out(kept)
+        with open(os.path.join(kept, "finding.txt"), "w", encoding="utf8") as note:
+            note.write(f"{what}\n{job.command}\n\n{text}\n")
+        print(f"finding: {job.part}: {what}\n  cd {kept} && {job.command}", flush=True)
+
+
+def attempt(job, findings):
+    """Runs the job in a folder that goes away, keeps what it finds; what the job said."""
+    with tempfile.TemporaryDirectory(prefix="fuzz") as folder:
+        job.lay_out(folder)
+        code, seconds, text = run(job, folder)
+        what = judge(code, seconds, text)
+        if what and what.startswith("ended by"):
+            what += frame(job, folder)
+    if what:
+        findings.add(job, what, text)
+    return text
+
+
+def in_parallel(until, work, limit=None):
+    """work(0), work(1), ... until the time `until` of the monotonic clock, or `limit` are done; what they gave."""
+    given, number, running = {}, 0, {}
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        while True:
+            while (len(running) < os.cpu_count() and (limit is None or number < limit)
+                   and time.monotonic() < until):
+                running[pool.submit(work, number)] = number
+                number += 1
+            if not running:
+                return [given[n] for n in sorted(given)]
+            done, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
+            for future in done:
+                given[running.pop(future)] = future.result()

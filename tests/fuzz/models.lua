@@ -1,0 +1,77 @@
+-- What random programs stand on: sound models with one of each kind of handle, and calls that may fail alone.
+-- Made before all models, so that it goes after them.
+local late = setmetatable({}, { __gc = function(o) for _, f in ipairs(o) do pcall(f) end end })
+local trilith = require "trilith"
+local fuzz = { trilith = trilith, late = late }
+
+-- Calls f; says whether that went well, as the next programs are made of what did. A refusal says where it was met.
+function fuzz.try(number, f)
+  local good, given = pcall(f)
+  if good then
+    io.write("good ", number, "\n")
+    return given
+  end
+  if type(given) == "string" then io.write(number, ": ", given, "\n") end
+end
+
+local function fill(m)
+  m:material { name = "stone", density = 2400 }
+  m:material { name = "soft", density = 2000, E = 1e8, nu = 0.2 }
+  local law = trilith.frictional { name = "dry", kn = 1e8, ks = 5e7, mu = 0.5, beta = 1e-3 }
+  m:contact { between = { "*", "*" }, law = law }
+  local base = m:block { name = "base", width = 6, height = 0.5, at = { -3, -0.5 }, material = "stone",
+    support = "fixed" }
+  local low = m:block { name = "low", width = 1, height = 0.5, at = { -0.5, 0 }, material = "stone", groups = "pile" }
+  local high = m:block { name = "high", width = 1, height = 0.5, at = { -0.5, 0.5 }, material = "soft", groups = "pile",
+    body = { mesh = { 2, 1 } } }
+  local spring = trilith.linear { stiffness = 1e6, damping = 1e3 }
+  local bearing = m:bearing { name = "link", between = { "base", "low" }, at = { 0, 0 }, along = spring,
+    limit = { along = 0.05 } }
+  local seat = m:seat { name = "rest", body = low, support = base, at_end = { -0.5, 0 }, edge = { 3, 0 },
+    inward = { -1, 0 } }
+  local history = m:history { name = "top", body = high, what = "y" }
+  return { model = m, body = low, mesh = high, base = base, set = m:bodies { group = "pile" }, bearing = bearing,
+    none = m:bodies { name = "zz*" }, seat = seat, history = history, law = law, spring = spring,
+    motion = trilith.ramp { by = 0.1, duration = 1 } }
+end
+
+-- A model with its handles. Each of its stages ends after some steps, whatever was asked for.
+function fuzz.make(name)
+  local all, count = fill(trilith.model { name = name }), 0
+  all.model:on_step(function(m) count = count + 1 if count % 100 == 0 then m:stop() end end)
+  return all
+end
+
+-- Says so where the model takes nothing more.
+function fuzz.tell_built(all, number)
+  local takes = pcall(function() all.model:material { name = "later", density = 1000 } end)
+  if not takes then io.write("built ", number, "\n") end
+end
+
+-- Everything that can be read of x, and of what that gives.
+function fuzz.read(x, deep)
+  if type(x) ~= "userdata" and type(x) ~= "table" then return end
+  for _, field in ipairs(fuzz.fields) do
+    local good, value = pcall(function() return x[field] end)
+    if good and not deep then fuzz.read(value, true) end
+  end
+  pcall(function() for k, v in pairs(x) do local _ = tostring(k) .. tostring(v) end end)
+  pcall(function() return tostring(x) .. #x end)
+  pcall(function() return x == fuzz.last end)
+  fuzz.last = x
+end
+
+function fuzz.read_all(all)
+  for _, x in pairs(all) do fuzz.read(x) end
+end
+
+-- What is no longer held goes, and its memory is used for something else.
+function fuzz.forget()
+  collectgarbage()
+  collectgarbage()
+  for i = 1, 5 do fill(trilith.model { name = "f" .. i }) end
+end
+
+fuzz.endless = setmetatable({}, { __index = function(_, i) return i end, __len = function() return 1 << 40 end })
+
+return fuzz

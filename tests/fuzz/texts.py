@@ -1,0 +1,100 @@
+"""The readers of text and of checkpoints under libFuzzer, with the address and undefined-behaviour sanitizers."""
+import os
+import shutil
+import subprocess
+import time
+
+import shared
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+# Compiled with sanitizers; the rest comes from the library.
+SOURCES = ["tests/fuzz/readers.cpp", "engine/base/error.cpp", "engine/base/nearest.cpp", "engine/base/units.cpp",
+           "engine/build/gmsh.cpp", "engine/load/motion.cpp", "engine/load/motion_check.cpp",
+           "engine/load/motion_csv.cpp", "engine/load/motion_peer.cpp", "engine/load/motion_read.cpp",
+           "engine/load/motion_samples.cpp", "engine/load/text_lines.cpp", "engine/run/study_figures.cpp",
+           "engine/shape/mesh.cpp", "engine/world/checkpoint.cpp"]
+MESH = """$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$Nodes
+1 4 1 4
+2 1 0 4
+1
+2
+3
+4
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+$EndNodes
+$Elements
+2 3 1 3
+2 1 3 1
+1 1 2 3 4
+2 1 2 2
+2 1 2 3
+3 1 3 4
+$EndElements
+"""
+RECORD = """# title: made up
+# units: g
+# dt: 0.02 s
+# npts: 4
+0.00,0.0
+0.02,0.1
+0.04,-0.1
+0.06,0.0
+"""
+PEER = "PEER\nmade up\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 4, DT= .0200 SEC\n 0.0 .1E-00 -.1 0\n"
+TEXTS = {"record": [RECORD, PEER], "mesh": [MESH], "quantity": ["m/s2,0.6g", "m,3 ft", "s,1e-3", "1,0.4"],
+         "unit": ["kip/ft", "N s/m", "m/s2", "kg m^2"], "figures": ["drift\tm\tnumber\t0.5\nend\t\ttext\trest\n"],
+         "checkpoint": ["\x10" + "\x00" * 8, "\x80" + "\x01" * 8 + "\xff\x7f" + "\x00" * 7]}
+
+
+def build(library, folder):
+    """The readers as one program; only what has changed is compiled."""
+    flags = ["-std=c++20", "-O1", "-g1", "-DFMT_SHARED", "-DNDEBUG", "-ffp-contract=off", "-fno-math-errno",
+             "-fsanitize=fuzzer,address,undefined", "-fno-sanitize-recover=undefined", "-Iengine"]
+    flags += subprocess.run(["pkg-config", "--cflags", "eigen3", "hdf5-serial"], capture_output=True, text=True,
+                            check=True).stdout.replace("-I/", "-isystem/").split()
+    libraries = ["hdf5-serial", "cairo", "zlib", "fmt"]
+    link = subprocess.run(["pkg-config", "--libs", *libraries], capture_output=True, text=True, check=True)
+    compiler = (["ccache"] if shutil.which("ccache") else []) + ["clang++"]
+    objects = [os.path.join(folder, source.replace("/", "_") + ".o") for source in SOURCES]
+    done = [subprocess.run([*compiler, *flags, "-c", source, "-o", made], cwd=ROOT, check=False).returncode
+            for source, made in zip(SOURCES, objects)]
+    program = os.path.join(folder, "readers")
+    linking = ["clang++", "-fsanitize=fuzzer,address,undefined", *objects, library, *link.stdout.split(), "-o", program]
+    if any(done) or subprocess.run(linking, check=False).returncode:
+        raise RuntimeError("the readers do not compile")
+    return program
+
+
+def fuzz(program, until, seed, out, findings):
+    """Each reader for its share of the time."""
+    total, left = 0, len(TEXTS)
+    for reader, texts in TEXTS.items():
+        corpus = os.path.join(out, "corpus", reader)
+        os.makedirs(corpus, exist_ok=True)
+        for number, text in enumerate(texts):
+            with open(os.path.join(corpus, f"seed{number}"), "wb") as file:
+                file.write(text.encode("latin1"))
+        each = max(1, round((until - time.monotonic()) / left))
+        left -= 1
+        options = "-timeout=10 -rss_limit_mb=2048 -max_len=2000 -print_final_stats=1 -verbosity=0"
+        command = f"TRILITH_READER={reader} {program} {corpus} -max_total_time={each} -seed={seed} {options}"
+        done = subprocess.run(f"{command} -artifact_prefix={out}/{reader}-", shell=True, capture_output=True, text=True,
+                              errors="replace", check=False)
+        total += sum(int(line.split()[-1]) for line in done.stderr.splitlines() if "number_of_executed_units" in line)
+        if done.returncode != 0:
+            made = [line.split()[-1] for line in done.stderr.splitlines() if "Test unit written to" in line]
+            told = next((line for line in done.stderr.splitlines() if "ERROR" in line or "runtime error" in line),
+                        "ended badly")
+            content = b""
+            if made:
+                with open(made[0], "rb") as file:
+                    content = file.read()
+            job = shared.Job("text", f"TRILITH_READER={reader} {program} input", {"input": content})
+            findings.add(job, f"{reader}: {told}", done.stderr[-4000:])
+    return f"{total} texts and checkpoints"
