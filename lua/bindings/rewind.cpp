@@ -20,7 +20,7 @@ const Checkpoint& require_checkpoint(const ScriptModel& model, double time) {
   const Checkpoints& kept = model.checkpoints;
   if (time > model.time() + 1e-9)
     throw InputError(
-        fmt::format("rewind: it is {:.4f} s now, and {:.4f} s is later; run on instead", model.time(), time));
+        fmt::format("rewind: it is {:.4f} s now, and {:.6g} s is later; run on instead", model.time(), time));
   if (kept.list().empty())
     throw InputError("rewind: there is no checkpoint; they are taken while a stage runs, see checkpoints");
   const double oldest = kept.list().front().time();

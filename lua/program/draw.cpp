@@ -7,6 +7,7 @@
 #include "base/nearest.hpp"
 #include "comma_list.hpp"
 #include "newer_run.hpp"
+#include "positive.hpp"
 #include "record/results_findings.hpp"
 #include "record/results_picture.hpp"
 #include "verbs.hpp"
@@ -111,7 +112,7 @@ void add_draw(CLI::App& app, int& code) {
       ->type_name("GROUP");
   verb->add_option("--magnify", o->magnify, "displacements since the start times this")
       ->type_name("FACTOR")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(is_positive, "", ""));
   verb->add_option("--view", o->view, "the part to show, in metres; write --view=-3,0,5,4 where it begins with a minus")
       ->type_name("X0,Y0,X1,Y1");
   verb->add_option("--units", o->units, "of the scales in the legend: si or us")

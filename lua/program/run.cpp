@@ -6,6 +6,7 @@
 
 #include "assignment.hpp"
 #include "live.hpp"
+#include "positive.hpp"
 #include "profile_text.hpp"
 #include "script_run.hpp"
 #include "verbs.hpp"
@@ -73,7 +74,7 @@ void add_run(CLI::App& app, int& code) {
       ->check(CLI::ExistingDirectory);
   verb->add_option("--case", options->only, "run this case of the script's study alone, here")
       ->type_name("NUMBER")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(is_positive, "", ""));
   verb->add_flag("--profile", options->profile,
                  "say where the time went: parts of the step, contact laws, Lua callbacks");
   verb->add_flag("--params", options->list, "list the script's parameters and end");

@@ -1,0 +1,18 @@
+// Numbers above 0 on the command line.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace trilith::program {
+
+/// "" or what is wrong with it, as CLI11 wants to know.
+inline std::string is_positive(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool read = !text.empty() && *end == '\0';
+  return read && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is no number above 0";
+}
+
+}  // namespace trilith::program
