@@ -41,6 +41,7 @@ WILD = ["0/0", "1/0", "-1/0", "0", "-1", "1e308", "-1e308", "1e-308", "2^31", "2
 # Wrong ones of the right kind go further in.
 NUMBERS = ["0/0", "1/0", "-1/0", "0", "-1", "-0.0", "1e308", "1e-308", "2^31", "-2^31 - 1", "2^53", "2^63", "-2^63", "1e9",
            "-1e9", "1e-9", "math.pi", '"3"']
+WHOLE = ["2^31", "2^31 - 1", "-2^31 - 1", "2^53", "2^62", "2^63", "-2^63", "0", "-1", "0/0", "1e9", "1.5"]
 OTHERS = ["a.none", "a.none", "b.body", "b.set", "b.base", "{}", "{ b.body }", '{ "low", "low" }', '"zz*"', "a.base",
           "{ a.base }"]
 WORDS = ['""', '"zz"', '"*"', '("*a"):rep(30)', '"\\0a"', '"\\27[31m"', '"\\xff\\xfe"', '"low,high"', '("x"):rep(300)']
@@ -51,7 +52,7 @@ FUNCTIONS = ["function() error {} end", 'function() error "mine" end', "function
              "function() a = {} b = {} collectgarbage() end", "function() os.exit(1) end"]
 TABLES = ["{}", "{ {} }", "{ 0/0 }", "{ { 0/0, 1 } }", "{ [1] = 1, [3] = 3 }", "{ { 1, 0 }, { 0, 1 } }", "{ b.body }",
           "setmetatable({}, { __index = a })", "{ false }", "{ a = {} }"]
-CLOSE = {"number": NUMBERS, "integer": NUMBERS, "bodies": OTHERS, "body": OTHERS, "list": OTHERS + TABLES,
+CLOSE = {"number": NUMBERS, "integer": WHOLE, "bodies": OTHERS, "body": OTHERS, "list": OTHERS + TABLES,
          "two bodies": ["{ a.body, b.body }", "{ a.body, a.body }", "{ a.none, a.none }"], "names": OTHERS + WORDS,
          "text": WORDS, "function": FUNCTIONS, "table": TABLES, "numbers": TABLES, "storeys": OTHERS,
          "bearing": ["b.bearing", "a.seat", '"zz"'], "seat": ["b.seat", "a.bearing", '"zz"'], "motion": ["b.motion", "a.model"],
@@ -105,6 +106,11 @@ def declarations(program):
         if call.bodies is not None and call is not body:
             call.keys += body.keys[body.bodies:]
     return [c for c in calls if c.name not in LEFT_OUT], sorted(fields | {"x", "y", "time", "mass", "name"})
+
+
+def weight(row):
+    """How often it is made odd: most has been wrong with what stands for something else, and with what is counted."""
+    return 4 if any(word in row[1] for word in ("bod", "bearing", "seat", "storey", "list", "motion", "integer", "law")) else 1
 
 
 def kinds_of(kind):

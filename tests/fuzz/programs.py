@@ -113,11 +113,11 @@ def spoil(draw, step, nested):
         step.values.append([row, draw.choice(declared.WILD)])
     elif dice < 0.2 and step.values:
         step.values.pop(draw.randrange(len(step.values)))
-    elif step.by_key and dice < 0.4 and step.call.keys:
-        row = draw.choice(step.call.keys)
+    elif step.by_key and dice < 0.5 and step.call.keys:
+        row = draw.choices(step.call.keys, [declared.weight(row) for row in step.call.keys])[0]
         step.values = [pair for pair in step.values if pair[0][0] != row[0]] + [[row, declared.odd(draw, row)]]
     elif step.values:
-        pair = draw.choice(step.values)
+        pair = draw.choices(step.values, [declared.weight(row) for row, _ in step.values])[0]
         pair[1] = declared.odd(draw, pair[0])
         if "function" in pair[0][1] and draw.random() < 0.6:
             pair[1] = f"function() local given = {nested} return given end"
@@ -172,6 +172,23 @@ class Programs:
 
     def text(self, number):
         draw = random.Random(f"{self.seed} program {number}")
+        return self.singles(draw) if number % 2 else self.story(draw)
+
+    def singles(self, draw):
+        """One odd call for each of many models, which go on when what they were given of others is gone."""
+        lines, weights = ["local all = {}"], [sum(map(declared.weight, c.keys + c.arguments)) + 3 for c in self.calls]
+        for at, call in enumerate(draw.choices(self.calls, weights, k=EACH)):
+            step = self.sound(draw, call)
+            spoil(draw, step, self.sound(draw, draw.choice(self.calls)).text())
+            ran = draw.choice(["", "", "", "a.model:run { duration = 0.002 } "])
+            lines.append(f'a = fuzz.make "a" all[#all + 1] = a {ran}'
+                         f"a.v = try({at}, function() local given = {step.text()} return given end)")
+        lines += ["b = nil fuzz.forget()", "for _, x in ipairs(all) do a = x try('end', function() "
+                  "a.model:run { duration = 0.004 } fuzz.read(a.v) fuzz.read(a.model) end) end"]
+        return "\n".join(lines) + "\n"
+
+    def story(self, draw):
+        """Several calls one after the other and within each other, of which one to three are odd."""
         calls = [draw.choice(self.calls) for _ in range(draw.randint(2, 9))]
         if draw.random() < 0.8:
             calls.sort(key=lambda call: 2 * (call.name == "model:close") + (call.name in self.building))

@@ -92,7 +92,7 @@ def frame(job, folder):
     debugged = re.sub(r"(?<=\s)(/\S+/trilith) (.*)", r"gdb -q -batch -ex 'run \2' -ex bt \1", job.command)
     job.lay_out(folder)
     text = run(Job(job.part, debugged.removeprefix(FREED + " "), job.files), folder)[2]
-    found = re.search(r"in (trilith::[^(]*)", text)
+    found = re.search(r"in (trilith::(?:\(anonymous namespace\)|[^(])*)", text)
     return f" in {found[1]}" if found else ""
 
 
