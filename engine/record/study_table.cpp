@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <system_error>
 
@@ -58,6 +59,18 @@ void write_study_provenance(hid_t file, const Provenance& provenance) {
   write_text(file, {"/provenance/script", "", "the whole script of the cases"}, provenance.script);
 }
 
+/// Number of rows of the table `dataset`. A damaged size must not ask for absurd memory: no more than deflate can have
+/// made of them is taken for stored.
+std::size_t require_rows(hid_t dataset, hid_t type) {
+  constexpr double most_compressed = 1100;
+  const std::vector<hsize_t> extent = h5::extents(dataset);
+  if (extent.size() != 1 || H5Tget_class(type) != H5T_COMPOUND) throw h5::Failure("/cases is no table");
+  const double bytes = static_cast<double>(extent[0]) * static_cast<double>(H5Tget_size(type));
+  if (bytes > most_compressed * static_cast<double>(H5Dget_storage_size(dataset)))
+    throw h5::Failure("/cases is damaged: it announces more rows than it holds");
+  return static_cast<std::size_t>(extent[0]);
+}
+
 /// Column `name` of all rows as numbers.
 std::vector<double> read_numbers(hid_t dataset, const char* name, std::size_t rows) {
   const h5::Handle one(H5Tcreate(H5T_COMPOUND, sizeof(double)), H5Tclose, "cannot make a type");
@@ -93,13 +106,15 @@ std::vector<StudyColumn> read_study_table(const std::filesystem::path& path) {
     const h5::Handle type(H5Dget_type(dataset.get()), H5Tclose, "/cases has no readable type");
     const std::vector<std::string> units = h5::read_texts(dataset.get(), "units"),
                                    descriptions = h5::read_texts(dataset.get(), "columns");
-    const auto rows = static_cast<std::size_t>(row_count(file.get(), "/cases"));
+    const std::size_t rows = require_rows(dataset.get(), type.get());
     std::vector<StudyColumn> columns;
     const int members = h5::check(H5Tget_nmembers(type.get()), "/cases is no table");
+    if (static_cast<int>(std::min(units.size(), descriptions.size())) < members)
+      throw h5::Failure("/cases has columns without a unit or a description");
     for (unsigned i = 0; i < static_cast<unsigned>(members); ++i) {
       if (H5Tget_member_class(type.get(), i) == H5T_STRING) continue;
       const std::string name = member_name(type.get(), i);
-      columns.push_back({name, units.at(i), descriptions.at(i), read_numbers(dataset.get(), name.c_str(), rows)});
+      columns.push_back({name, units[i], descriptions[i], read_numbers(dataset.get(), name.c_str(), rows)});
     }
     return columns;
   } catch (const std::exception& e) {
