@@ -148,10 +148,11 @@ bool follow_key(Keys& keys, std::string_view key, History& history, const std::s
 void follow_model(Keys& keys, History& h, const std::string& what, ScriptModel& m) {
   const Property<ModelBox>* p = find_property<ModelBox>(what);
   if (p == nullptr || p->number == nullptr) {
-    if (!what.empty())
+    if (keys.push("what") == LUA_TSTRING)  // others have been told of
       keys.problem(
           fmt::format("'what' is '{}', no number of the model (for others give body, bearing, seat or storey){}", what,
                       name_hint(what, number_names<ModelBox>())));
+    lua_pop(keys.lua(), 1);
     return;
   }
   h.sample = [owner = Owner(m.shared_from_this()), p] { return p->number(ModelBox{owner.get().shared_from_this()}); };

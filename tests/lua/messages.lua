@@ -259,6 +259,10 @@ local cases = {
   { function() m:history { name = "h", what = "sped" } end,
     "history 'h': 'what' is 'sped', no number of the model (for others give body, bearing, seat or storey); did "
       .. "you mean 'speed'?" },
+  { function() m:history { name = "h", what = "" } end,
+    "history 'h': 'what' is '', no number of the model (for others give body, bearing, seat or storey); known: "
+      .. "time, dt, steps, thickness, speed, ratio, residual, base_shear, top_drift, damage, largest_opening, "
+      .. "largest_slip, push_force, push_displacement" },
   { function() m:history { name = "h", of = 3 } end, "history 'h': 'of' is 3, must be a function" },
   { function() m:results { frames = 1 } end, "results: 'file' is missing; give a text" },
   { function() m:results { file = "x.h5", frames = 0 } end, "results: 'frames' is 0 s, must be above 0" },
