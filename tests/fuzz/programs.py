@@ -30,8 +30,8 @@ PLACES = ['a.model:on("*", %s)', 'a.model:on("impact", %s)', "a.model:on_step(%s
           "a.model:break_on { when = %s }", "a.model:run { duration = 0.02, until_rest = setmetatable({}, { __index = %s }) }",
           "pcall(%s)", "table.sort({ 1, 2, 3 }, %s)", '("x"):gsub("x", %s)', "b.model:on_step(%s)", "xpcall(error, %s)"]
 STAGES = ["a.model:run { duration = 0.05 }", "a.model:run { duration = 0.05 }", "a.model:run { duration = 0.05 }",
-          "a.model:consolidate { duration = 0.2, or_go_on = true }", "b.model:run { duration = 0.01 }", "a.model:step(5)", "a.model:lint()", "collectgarbage()", "fuzz.forget()",
-          "b.model:close()", 'a.model:results { file = "run.h5", frames = 0.01 }']
+          "a.model:consolidate { duration = 0.2, or_go_on = true }", "b.model:run { duration = 0.01 }",
+          "a.model:step(5)", "a.model:lint()", "collectgarbage()", "fuzz.forget()", "b.model:close()", 'a.model:results { file = "run.h5", frames = 0.01 }']
 # What comes last: handles beyond their model's life, and all that can be read.
 ENDS = ["b = nil fuzz.forget() a.model:run { duration = 0.05 } fuzz.read_all(a)", "fuzz.read_all(a) fuzz.read_all(b)",
         "a.model:close() fuzz.read_all(a)", "a.model = nil fuzz.forget() fuzz.read_all(a)",
@@ -153,8 +153,8 @@ class Programs:
                 some = [calls[(number * EACH + i) % len(calls)] for i in range(EACH)]
                 made[number] = [mend(draw, *draw.choice(failed[c.name])) if c.name in failed and draw.random() < 0.7
                                 else self.sound(draw, c) for c in some]
-                lines = [f"{new} try({i}, function() local given = {step.text()} return given end) fuzz.tell_built(a, {i})"
-                         for i, step in enumerate(made[number])]
+                lines = [f"{new} try({i}, function() local given = {step.text()} return given end) "
+                         f"fuzz.tell_built(a, {i})" for i, step in enumerate(made[number])]
                 return shared.attempt(self.job("\n".join(lines) + "\n"), findings)
             for number, said in enumerate(shared.in_parallel(until, work, LEARNING)):
                 for at, message in re.findall(r"^(\d+): (.*)$", said, re.M):

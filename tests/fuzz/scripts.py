@@ -31,7 +31,7 @@ def changed(draw, text):
 def fuzz(program, until, seed, findings):
     path = os.path.abspath(program)
     scripts = {}
-    for name in sorted(glob.glob(os.path.join(ROOT, "scripts", "*.lua")) + glob.glob(os.path.join(ROOT, "scripts", "tour", "*.lua"))):
+    for name in sorted(glob.glob(os.path.join(ROOT, "scripts", "**", "*.lua"), recursive=True)):
         with open(name, encoding="utf8") as file:
             text = file.read()
         if "trilith.study" not in text:  # those are for words.py

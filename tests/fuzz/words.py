@@ -1,4 +1,4 @@
-"""Random command lines: verbs and options as the program's own help has them, and standard streams that are not there."""
+"""Random command lines: verbs and options as the program's help has them, and standard streams that are not there."""
 import os
 import random
 import re
@@ -19,7 +19,7 @@ VALUES = {"NUMBER": ["1", "2", "3"], "N": ["1", "2"], "T": ["0", "end", "start",
 FILES = {"RESULT": ["run.h5", "other.h5", "study.h5", "case.lua", "missing.h5", "."], "FILE": ["record.csv", "run.h5", "nothing"],
          "SCRIPT": ["case.lua", "study.lua", "case.lua", "missing.lua", ".", "run.h5"]}
 STREAMS = ["", "", "", "", ">&-", ">&-", "2>&-", "<&-", ">&- 2>&-", "<&- >&- 2>&-", ">/dev/full", "2>/dev/full", "<&- >&-",
-           "</dev/zero" " >/dev/null"]
+           "</dev/zero >/dev/null"]
 CASE = """\
 local trilith = require "trilith"
 local p = trilith.params { a = { 1, unit = "m", "a length" }, b = { "one", choices = { "one", "two" }, "a word" } }
@@ -81,7 +81,9 @@ def line(draw, verb, file=None, odd=0.15):
     for flag, takes, choices in draw.sample(verb.options, min(len(verb.options), draw.choice([0, 1, 1, 2, 3, 5]))):
         if flag == "--help" and draw.random() < 0.9:
             continue
-        sane = choices[1].split(",") if choices else [c for c in takes.split("|")] if "|" in takes else VALUES.get(takes, ["1", "2"])
+        sane = VALUES.get(takes, ["1", "2"])
+        if choices or "|" in takes:
+            sane = choices[1].split(",") if choices else takes.split("|")
         words.append(flag)
         if takes or draw.random() < 0.02:
             words.append(draw.choice(ODD if draw.random() < odd else sane))
