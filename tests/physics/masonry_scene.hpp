@@ -38,14 +38,20 @@ inline Frictional stiff_joint(double mu, double length, double stiffness = 4e12,
   return {stiffness, 0.5 * stiffness, mu, 2 * share / frequency};
 }
 
+/// How a structure is let go.
+struct LettingGo {
+  int times = 1;        ///< so many times, see let_go
+  double ratio = 1e-5;  ///< laid down until this unbalanced ratio, above what rounding leaves: 2e-6 with joints of
+                        ///< 4e12 Pa/m, 2e-5 with 4e13
+};
+
 /// Lays a structure down on its joints under the damping of consolidation (dropped at once, the weight would tip what
-/// stands by a few percent): until it rests, for 1.2 s at most. Joints of 4e13 Pa/m answer to the last bits of places
-/// with 2e-5 of the forces they carry, so less is not asked for.
-inline StageEnd lay_down(Simulation& sim, const RunListener& listener = {}) {
+/// stands by a few percent): until it rests, for 1.5 s at most.
+inline StageEnd lay_down(Simulation& sim, double ratio, const RunListener& listener) {
   StageOptions options;
   options.name = "lay down";
-  options.duration = 1.2, options.rest_share = 0.8, options.until_rest = true;
-  options.still_speed = 1e-5, options.still_ratio = 5e-5, options.still_hold = 0.02;
+  options.duration = 1.5, options.rest_share = 0.8, options.until_rest = true;
+  options.still_speed = 1e-5, options.still_ratio = ratio, options.still_hold = 0.02;
   options.history_interval = 0.005;
   return sim.run(options, listener).end;
 }
@@ -53,12 +59,12 @@ inline StageEnd lay_down(Simulation& sim, const RunListener& listener = {}) {
 /// What becomes of a structure that is let go.
 enum class Fate { rests, comes_down, neither };
 
-/// Lays a structure down, then lets it go. It rests where, let go, all is slower than 1e-5 m/s and out of balance by
-/// less than 1e-4 for a tenth of a second; it comes down where anything has gone 10 mm, let go or before. Where joints
+/// Lays a structure down, then lets it go. It rests where, within 0.5 s, all is slower than 1e-5 m/s and out of balance
+/// by less than 1e-4 for a tenth of a second; it comes down where anything has gone 10 mm, then or before. Where joints
 /// are at the limit of their friction, equilibrium can be unstable: the least motion grows (flutter) until, some tenths
-/// of a millimetre on, other joints stick. So what does neither within 0.5 s is laid down as it then stands and let go
-/// again, three times in all.
-inline Fate let_go(Simulation& sim) {
+/// of a millimetre on, other joints stick. For such, what does neither is laid down as it then stands and let go again,
+/// up to so many `times`; elsewhere that would hide joints that are damped too little.
+inline Fate let_go(Simulation& sim, const LettingGo& how = {}) {
   RunListener listener;
   listener.on_history = [&](const Instant& now) {
     if (farthest(now.model, now.state) > 0.01) sim.stop();
@@ -67,8 +73,8 @@ inline Fate let_go(Simulation& sim) {
   free.duration = 0.5, free.until_rest = true;
   free.still_speed = 1e-5, free.still_ratio = 1e-4, free.still_hold = 0.1;
   free.history_interval = 0.02;
-  for (int times = 0; times < 3; ++times) {
-    if (lay_down(sim, listener) == StageEnd::stopped) return Fate::comes_down;
+  for (int i = 0; i < how.times; ++i) {
+    if (lay_down(sim, how.ratio, listener) == StageEnd::stopped) return Fate::comes_down;
     const StageEnd end = sim.run(free, listener).end;
     if (end == StageEnd::rest) return Fate::rests;
     if (end == StageEnd::stopped) return Fate::comes_down;
