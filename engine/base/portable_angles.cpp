@@ -156,7 +156,7 @@ TwoDoubles arc(const TwoDoubles& small, const TwoDoubles& big) {
                                                     {0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
                                                     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}}};
   const TwoDoubles t = small / big;
-  const auto nearest = static_cast<std::size_t>(8 * t.high + 0.5);
+  const auto nearest = static_cast<std::size_t>(std::floor(8 * t.high + 0.5));
   const double place = 0.125 * static_cast<double>(nearest);
   // atan t = atan c + atan((t - c) / (1 + t c)), of which the last is below 1/16.
   TwoDoubles rest = t;
