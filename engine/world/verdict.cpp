@@ -9,16 +9,8 @@ namespace trilith {
 namespace {
 
 std::string words_of(const FaultCount& fault, Fault type) {
-  switch (type) {
-    case Fault::diverged:
-      return fault.first;
-    case Fault::not_at_rest:
-      return fault.first;
-    case Fault::passed:
-      if (fault.count == 1) return fault.first;
-      return fmt::format("{} times one body passed into another, first: {}", fault.count, fault.first);
-  }
-  return {};
+  if (type != Fault::passed || fault.count == 1) return fault.first;
+  return fmt::format("{} times one body passed into another, first: {}", fault.count, fault.first);
 }
 
 }  // namespace
