@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/portable.hpp"
 #include "build/running_bond.hpp"
 #include "build/stack.hpp"
 #include "physics/scene.hpp"
@@ -29,7 +30,7 @@ inline void add_parts(Scene& scene, const std::vector<Part>& parts) {
 inline GroundMotion sine(double peak, double frequency, double duration) {
   const double w = 2 * M_PI * frequency;
   return *motion_of(
-      duration, 1e-3, [&](double t) { return peak * std::sin(w * t); }, -peak / w);
+      duration, 1e-3, [&](double t) { return peak * portable::sin(w * t); }, -peak / w);
 }
 
 struct Collapse {
@@ -87,7 +88,7 @@ inline Model<2> rolling_drums() {
     Polygon drum;
     const double radius = 0.25 + 0.02 * i, x = -3.4 + 0.9 * i, y = 0.2 - 0.2 * (x + 4) + radius + 0.02;
     for (int k = 0; k < 40; ++k)
-      drum.emplace_back(x + radius * std::cos(2 * M_PI * k / 40), y + radius * std::sin(2 * M_PI * k / 40));
+      drum.emplace_back(x + radius * portable::cos(2 * M_PI * k / 40), y + radius * portable::sin(2 * M_PI * k / 40));
     BodySpec spec;
     spec.name = fmt::format("d{}", i), spec.outline = drum, spec.floating = true, spec.spin = 3.0 * (i % 3);
     scene.add(spec);
@@ -147,7 +148,7 @@ inline Model<2> pulled_span() {
   Model<2> model = scene.builder.build();
   // The right pier goes 1.5 m away in 3 s, smoothly.
   const double way = 1.5, w = 2 * M_PI / 3;
-  const auto away = motion_of(3, 1e-3, [&](double t) { return way * w * w / (2 * M_PI) * std::sin(w * t); });
+  const auto away = motion_of(3, 1e-3, [&](double t) { return way * w * w / (2 * M_PI) * portable::sin(w * t); });
   const int pier = model.find_body("right pier");
   set_drive(model, pier, 0, away, 0, model.start_position[pier].x());
   return model;
