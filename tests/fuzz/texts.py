@@ -65,7 +65,9 @@ def build(library, folder):
     done = [subprocess.run([*compiler, *flags, "-c", source, "-o", made], cwd=ROOT, check=False).returncode
             for source, made in zip(SOURCES, objects)]
     program = os.path.join(folder, "readers")
-    linking = ["clang++", "-fsanitize=fuzzer,address,undefined", *objects, library, *link.stdout.split(), "-o", program]
+    # Sources of the library are compiled together: what comes with those it lacks is there twice, and the first one counts.
+    linking = ["clang++", "-fsanitize=fuzzer,address,undefined", "-Wl,--allow-multiple-definition", *objects, library,
+               *link.stdout.split(), "-o", program]
     if any(done) or subprocess.run(linking, check=False).returncode:
         raise RuntimeError("the readers do not compile")
     return program
