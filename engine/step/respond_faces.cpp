@@ -173,10 +173,16 @@ TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse& r, i
   add(p.b1, r.b1.of(i));
 }
 
-/// Energy given off, lane by lane.
+/// Energy given off by rows [J], added one after the other: a row that gives nothing changes no bit of a sum, so which
+/// pairs are near and do not touch, and with it when they were found, does not either.
 struct GivenOff {
-  Lanes damping{}, friction{}, fracture{};
+  double damping = 0, friction = 0, fracture = 0;
 };
+
+TRILITH_INLINE void add_lanes(double& sum, const LaneMask& counts, const Lanes& lost) {
+  const Lanes v = select(counts, lost, Lanes{});
+  for (int i = 0; i < lane_count; ++i) sum += v[i];
+}
 
 template <Bond B>
 TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Rows& rows,
@@ -184,11 +190,11 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Row
   const LaneMemory memory = load_memory<B>(pass, rows);
   const FaceResponse<Lanes> r = respond_face_motion<B>(motion, memory.face, law);
   const LaneMask found = rows.valid & r.is_face_pair, counts = found & (r.touching | memory.touching);
-  given.damping += select(counts, r.lost_damping, Lanes{});
-  given.friction += select(counts, r.lost_friction, Lanes{});
+  add_lanes(given.damping, counts, r.lost_damping);
+  add_lanes(given.friction, counts, r.lost_friction);
   LaneMask turns = r.touching ^ memory.touching;
   if constexpr (B != Bond::none) {
-    given.fracture += select(counts, r.lost_fracture, Lanes{});
+    add_lanes(given.fracture, counts, r.lost_fracture);
     turns |= (memory.face.bonds[0] ^ r.memory.bonds[0]) | (memory.face.bonds[1] ^ r.memory.bonds[1]);
     if constexpr (B == Bond::softening) {
       const FaceMemory<Lanes>&m = memory.face, &n = r.memory;
@@ -231,10 +237,9 @@ TRILITH_INLINE void respond_batch(const Pass& pass, std::span<const int> rows) {
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k)
       respond_rows<B>(pass, law, rows_at(i), motion[k], given);
   }
-  const auto sum = [](const Lanes& v) { return (v[0] + v[1]) + (v[2] + v[3]); };
-  pass.work.given[EnergyTerm::contact_damping] += sum(given.damping);
-  pass.work.given[EnergyTerm::contact_friction] += sum(given.friction);
-  pass.work.given[EnergyTerm::contact_fracture] += sum(given.fracture);
+  pass.work.given[EnergyTerm::contact_damping] += given.damping;
+  pass.work.given[EnergyTerm::contact_friction] += given.friction;
+  pass.work.given[EnergyTerm::contact_fracture] += given.fracture;
 }
 
 // One copy for wide registers and one for any machine: the same operations, so the same bits.
