@@ -56,13 +56,14 @@ double thrust(const Simulation& sim, const std::string& left, const std::string&
 
 }  // namespace
 
-TEST_CASE("A2: a semicircular arch of many voussoirs has the least thickness of the continuous one") {
+TEST_CASE("A2: a semicircular arch of many voussoirs has the least thickness of the continuous one" *
+          doctest::test_suite("long")) {
   const double least = .107478;  // Milankovitch 1907; 40 voussoirs need .10746
   CHECK(fate_of(arch_of(40, 1.03 * least)) == Fate::rests);
   CHECK(fate_of(arch_of(40, 0.97 * least)) == Fate::comes_down);
 }
 
-TEST_CASE("joints damped by less than a thousandth of critical leave an arch rattling") {
+TEST_CASE("joints damped by less than a thousandth of critical leave an arch rattling" * doctest::test_suite("long")) {
   const Arch arch = arch_of(40, 1.03 * .107478);  // as in A2, where it comes to rest
   CHECK(fate_of(arch, 10, 4e12, 0.0005) == Fate::neither);
 }
