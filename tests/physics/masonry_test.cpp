@@ -42,7 +42,8 @@ TEST_CASE("A1: a harmonic stack of 1 to 5 blocks stands at 0.98 of the largest o
     }
 }
 
-TEST_CASE("A3: a semicircular arch stands at 1.03 of its least thickness and falls at 0.97") {
+TEST_CASE("A3: a semicircular arch stands at 1.03 of its least thickness and falls at 0.97" *
+          doctest::test_suite("long")) {
   for (const int voussoirs : {7, 11, 15, 21}) {
     CAPTURE(voussoirs);
     CHECK(arch_fate(voussoirs, 1.03) == Fate::rests);
@@ -50,7 +51,8 @@ TEST_CASE("A3: a semicircular arch stands at 1.03 of its least thickness and fal
   }
 }
 
-TEST_CASE("A3: an arch stands and falls alike in a world turned by 17 or 90 or 203 degrees") {
+TEST_CASE("A3: an arch stands and falls alike in a world turned by 17 or 90 or 203 degrees" *
+          doctest::test_suite("long")) {
   for (const double turn : {17 * degree, 90 * degree, 203 * degree}) {
     CAPTURE(turn);
     CHECK(arch_fate(11, 1.03, turn) == Fate::rests);
