@@ -10,6 +10,7 @@
 #include "detect/pairs.hpp"
 #include "detect/swept_pairs.hpp"
 #include "step/sweep.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -71,10 +72,8 @@ double speed_of(const Model<2>& model, const State<2>& state, int body) {
 
 /// 1 / mass of what may move, 0 of what may not [1/kg].
 double mobility(const Model<2>& model, int piece) {
-  const Body& body = model.bodies[model.piece_body[piece]];
-  double mass = 0;
-  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) mass += model.mass[n];
-  return model.body_moves(model.piece_body[piece]) ? 1 / mass : 0;
+  const int body = model.piece_body[piece];
+  return model.body_moves(body) ? 1 / body_mass(model, body) : 0;
 }
 
 /// The stiffness that would keep two pieces half as deep as is told [Pa/m]: the elastic energy there is the energy of
