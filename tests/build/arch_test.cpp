@@ -6,8 +6,10 @@
 #include <limits>
 
 #include "build/sound_parts.hpp"
+#include "near.hpp"
 
 using namespace trilith;
+using testing::near;
 
 namespace {
 
@@ -30,18 +32,17 @@ TEST_CASE("an arch's voussoirs have the closed-form area of their straight or fi
         const std::vector<Part> parts = build_arch(arch);
         REQUIRE(static_cast<int>(parts.size()) == n + 2);
         const double d = 2 * half / (n * k), area = voussoir_area(parts), curved = 2 * half * 2 * 0.22;
-        CHECK(area == doctest::Approx(curved * std::sin(d) / d).epsilon(1e-12));
+        CHECK(near(area, curved * std::sin(d) / d, 1e-12));
         CHECK(std::abs(area / curved - 1) < d * d / 6);
       }
 }
 
 TEST_CASE("with 40 sub-edges an arch of 11 has the curved weight to 1e-5 and each voussoir its curved centroid") {
   const std::vector<Part> parts = build_arch({.voussoirs = 11, .radius = 1, .thickness = 0.1, .sub_edges = 40});
-  CHECK(voussoir_area(parts) == doctest::Approx(std::numbers::pi * 0.1).epsilon(1e-5));
+  CHECK(near(voussoir_area(parts), std::numbers::pi * 0.1, 1e-5));
   const double b = kHalfCircle / 11, ro = 1.05, ri = 0.95;
   const double r = 2 * std::sin(b) / (3 * b) * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri);
-  for (std::size_t i = 0; i < 11; ++i)
-    CHECK(polygon_moments(parts[i].outline).centroid.norm() == doctest::Approx(r).epsilon(1e-5));
+  for (std::size_t i = 0; i < 11; ++i) CHECK(near(polygon_moments(parts[i].outline).centroid.norm(), r, 1e-5));
 }
 
 TEST_CASE("neighbouring voussoirs share their joint's corners to the bit and overlap nowhere") {
@@ -85,7 +86,7 @@ TEST_CASE("abutments meet the springings: to the bit without a margin, in one st
       const auto corners = side == std::string("left") ? std::pair(stone[0], stone[3]) : std::pair(stone[1], stone[2]);
       CHECK(boundary_point(block, corners.first).distance < 1e-15);
       CHECK(boundary_point(block, corners.second).distance < 1e-15);
-      CHECK(signed_area(block) == doctest::Approx(0.3 * 0.15).epsilon(1e-13));
+      CHECK(near(signed_area(block), 0.3 * 0.15, 1e-13));
     }
   }
 }
@@ -109,13 +110,13 @@ TEST_CASE("span and rise give a segmental, semicircular or pointed intrados thro
       check_sound(parts);
       CHECK((arch.offset > 0) == (rise > 2));
       const Vec2 left = parts[0].outline[0], right = parts[static_cast<std::size_t>(n) - 1].outline[2];
-      CHECK(right.x() - left.x() == doctest::Approx(4).epsilon(1e-12));
-      CHECK(left.y() == doctest::Approx(right.y()).epsilon(1e-12));
+      CHECK(near(right.x() - left.x(), 4, 1e-12));
+      CHECK(near(left.y(), right.y(), 1e-12));
       double crown = -10;
       const auto& middle = parts[static_cast<std::size_t>(n) / 2].outline;  // the key, or the first right of the crown
       for (const Vec2& p : middle)
         if (std::abs(p.x() - 0.5) < 1e-12 && (crown == -10 || p.y() < crown)) crown = p.y();
-      CHECK(crown - left.y() == doctest::Approx(rise).epsilon(1e-9));
+      CHECK(near(crown - left.y(), rise, 1e-9));
     }
 }
 
@@ -129,7 +130,7 @@ TEST_CASE("a pointed arch has the area between its two pairs of circles") {
   for (const int n : {9, 14}) {
     const Arch arch{.voussoirs = n, .radius = 3, .thickness = 0.5, .offset = 1.2, .sub_edges = 200};
     const double curved = 2 * (under(3.25, 1.2) - under(2.75, 1.2));
-    CHECK(voussoir_area(build_arch(arch)) == doctest::Approx(curved).epsilon(1e-5));
+    CHECK(near(voussoir_area(build_arch(arch)), curved, 1e-5));
   }
 }
 
@@ -160,8 +161,8 @@ TEST_CASE("a key is as much wider than the others as asked for") {
       const Polygon& p = parts[i].outline;
       return std::atan2(p[0].y(), p[0].x()) - std::atan2(p[1].y(), p[1].x());
     };
-    CHECK(angle(4) == doctest::Approx(key * angle(0)).epsilon(1e-12));
-    CHECK(8 * angle(0) + angle(4) == doctest::Approx(std::numbers::pi).epsilon(1e-12));
+    CHECK(near(angle(4), key * angle(0), 1e-12));
+    CHECK(near(8 * angle(0) + angle(4), std::numbers::pi, 1e-12));
   }
 }
 

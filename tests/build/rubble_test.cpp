@@ -7,8 +7,10 @@
 #include "base/hash.hpp"
 #include "build/sound_parts.hpp"
 #include "build/voronoi.hpp"
+#include "near.hpp"
 
 using namespace trilith;
+using testing::near;
 
 namespace {
 
@@ -41,7 +43,7 @@ TEST_CASE("rubble fills its outline without gap or overlap, convex or not, with 
         const Rubble rubble{.outline = outline, .stones = 60, .relaxations = seed % 4, .aspect = aspect, .seed = seed};
         const std::vector<Part> parts = build_rubble(rubble);
         check_sound(parts);
-        CHECK(total_area(parts) == doctest::Approx(signed_area(outline)).epsilon(1e-12));
+        CHECK(near(total_area(parts), signed_area(outline), 1e-12));
         CHECK(std::abs(static_cast<int>(parts.size()) - 60) <= 4);
       }
 }
@@ -53,7 +55,7 @@ TEST_CASE("no face of rubble is shorter than the least edge where the outline le
       const std::vector<Part> parts =
           build_rubble({.outline = panel, .stones = 80, .least_edge = share * size, .seed = seed});
       CHECK(shortest_edge(parts) >= share * size);
-      CHECK(total_area(parts) == doctest::Approx(12).epsilon(1e-12));
+      CHECK(near(total_area(parts), 12, 1e-12));
       int concave = 0;
       for (const Part& part : parts) concave += !is_convex(part.outline);
       if (share <= 0.1) CHECK(concave <= 4);
@@ -89,7 +91,7 @@ TEST_CASE("relaxation makes stones more even in size") {
   };
   const double none = spread(0), three = spread(3), thirty = spread(30);
   // areas of the cells of random points vary by 0.53 of their mean (Gilbert 1962)
-  CHECK(none == doctest::Approx(0.53).epsilon(0.2));
+  CHECK(near(none, 0.53, 0.2));
   CHECK(three < 0.6 * none);
   CHECK(thirty < 0.6 * three);
 }
@@ -102,7 +104,7 @@ TEST_CASE("a joint sets stones back from each other by its width, not from the o
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = i + 1; j < parts.size(); ++j)
       for (const Vec2& p : parts[j].outline) least = std::min(least, boundary_point(parts[i].outline, p).distance);
-  CHECK(least == doctest::Approx(joint).epsilon(1e-6));
+  CHECK(near(least, joint, 1e-6));
   double low = 10;
   for (const Part& part : parts) low = std::min(low, bounding_box(part.outline).low.y());
   CHECK(low == 0);
@@ -124,7 +126,7 @@ TEST_CASE("rubble is named from the bottom up and stretched as asked") {
     CHECK(y >= before);
     before = y;
   }
-  CHECK(along / up == doctest::Approx(3).epsilon(0.15));
+  CHECK(near(along / up, 3, 0.15));
 }
 
 TEST_CASE("every place of the outline is in the cell of the point nearest to it") {

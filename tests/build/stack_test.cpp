@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "build/sound_parts.hpp"
+#include "near.hpp"
 
 using namespace trilith;
+using testing::near;
 
 TEST_CASE("a stack's blocks stand on each other without gap") {
   const std::vector<Part> parts =
@@ -15,8 +17,8 @@ TEST_CASE("a stack's blocks stand on each other without gap") {
   REQUIRE(parts.size() == 3);
   CHECK(parts[0].name == "pile.b1");
   for (std::size_t i = 1; i < parts.size(); ++i) CHECK(parts[i].outline[0].y() == parts[i - 1].outline[2].y());
-  CHECK(polygon_moments(parts[0].outline).centroid.x() == doctest::Approx(1).epsilon(1e-15));
-  CHECK(polygon_moments(parts[2].outline).centroid.x() == doctest::Approx(0.75).epsilon(1e-15));
+  CHECK(near(polygon_moments(parts[0].outline).centroid.x(), 1, 1e-15));
+  CHECK(near(polygon_moments(parts[2].outline).centroid.x(), 0.75, 1e-15));
 }
 
 TEST_CASE("the harmonic stack reaches out by half the harmonic sum") {
@@ -26,11 +28,11 @@ TEST_CASE("the harmonic stack reaches out by half the harmonic sum") {
     check_sound(parts);
     REQUIRE(static_cast<int>(parts.size()) == n + 1);
     CHECK(parts[0].name == "table");
-    CHECK(parts.back().outline[1].x() - 2 == doctest::Approx(reach[n - 1]).epsilon(1e-13));
+    CHECK(near(parts.back().outline[1].x() - 2, reach[n - 1], 1e-13));
     CHECK(parts[1].outline[0].y() == parts[0].outline[2].y());
     const std::vector<Part> less = build_harmonic_stack({.count = n, .factor = 0.98, .at = {2, 1}});
     CHECK(static_cast<int>(less.size()) == n);
-    CHECK(less.back().outline[1].x() - 2 == doctest::Approx(0.98 * reach[n - 1]).epsilon(1e-13));
+    CHECK(near(less.back().outline[1].x() - 2, 0.98 * reach[n - 1], 1e-13));
   }
 }
 

@@ -9,9 +9,11 @@
 #include "base/units.hpp"
 #include "build/bond_pattern.hpp"
 #include "build/sound_parts.hpp"
+#include "near.hpp"
 #include "shape/random_convex.hpp"
 
 using namespace trilith;
+using testing::near;
 
 namespace {
 
@@ -49,7 +51,7 @@ std::string quarters(const std::vector<Part>& parts, const std::string& course) 
     if (part.name.find(fmt::format("{}.u", course)) != std::string::npos) {
       const Box2 box = bounding_box(part.outline);
       const double size = (box.high.x() - box.low.x()) / 0.1;
-      CHECK(size == doctest::Approx(std::round(size)).epsilon(1e-9));
+      CHECK(near(size, std::round(size), 1e-9));
       text += fmt::format("{}", std::lround(size));
     }
   return text;
@@ -82,8 +84,8 @@ TEST_CASE("the paper's wall has 293 units, 6 lintels, 3 slabs and a base, on one
     const double width = (box.high.x() - box.low.x()) / inch, height = (box.high.y() - box.low.y()) / inch;
     const bool unit = part.groups[0] == "units";
     if (unit) CHECK((std::abs(width - 16) < 1e-9 || std::abs(width - 8) < 1e-9));
-    if (part.groups[0] == "lintels") CHECK(width == doctest::Approx(64).epsilon(1e-12));
-    if (part.groups[0] != "base") CHECK(height == doctest::Approx(8).epsilon(1e-12));
+    if (part.groups[0] == "lintels") CHECK(near(width, 64, 1e-12));
+    if (part.groups[0] != "base") CHECK(near(height, 8, 1e-12));
   }
 }
 
@@ -95,10 +97,10 @@ TEST_CASE("the paper's wall weighs what its outline less its openings weighs: 19
     if (part.groups[0] == "slabs") slabs += signed_area(part.outline);
   }
   const double square_feet = 16 * 3 * 88. / 12 - 4 * (6 + 8. / 12) - 5 * 4 * 4;
-  CHECK(masonry == doctest::Approx(square_feet * foot * foot).epsilon(1e-13));
-  CHECK(slabs == doctest::Approx(3 * 16 * 8. / 12 * foot * foot).epsilon(1e-13));
+  CHECK(near(masonry, square_feet * foot * foot, 1e-13));
+  CHECK(near(slabs, 3 * 16 * 8. / 12 * foot * foot, 1e-13));
   // 120 pcf, 8 in thick: 80 lbf for a square foot of wall
-  CHECK(square_feet * 80 == doctest::Approx(19626.667).epsilon(1e-6));
+  CHECK(near(square_feet * 80, 19626.667, 1e-6));
 }
 
 TEST_CASE("the paper's wall leaves its openings empty and stands 24 ft high") {
@@ -124,7 +126,7 @@ TEST_CASE("the paper's wall leaves its openings empty and stands 24 ft high") {
                                  std::pair(x, hole.y1 + 0.1)})
       CHECK(covered(px, py));
   }
-  CHECK(bounding_box(named(parts, "wall.s3.slab").outline).high.y() == doctest::Approx(24 * foot).epsilon(1e-14));
+  CHECK(near(bounding_box(named(parts, "wall.s3.slab").outline).high.y(), 24 * foot, 1e-14));
 }
 
 TEST_CASE("units know their storey, course, pier and spandrel") {
@@ -195,7 +197,7 @@ TEST_CASE("a wall of any length and bond is filled without gap, overlap or a uni
       wall.length = length;
       const std::vector<Part> parts = build_wall(wall).parts;
       check_sound(parts);
-      CHECK(total_area(parts) == doctest::Approx(length).epsilon(1e-13));
+      CHECK(near(total_area(parts), length, 1e-13));
       for (const Part& part : parts) {
         const Box2 box = bounding_box(part.outline);
         CHECK(box.high.x() - box.low.x() > 0.1 - 1e-8);
@@ -222,8 +224,8 @@ TEST_CASE("short pieces are merged with the shorter neighbour, and a note counts
   // course 2: joints at 0.2, 0.6 | opening 0.85 to 1.65 | 1.8, 2.2; course 3: 0.4, 0.8 | 2.0
   REQUIRE(made.notes.size() == 1);
   CHECK(made.notes[0] == "wall: pieces shorter than 0.1 m were merged with a neighbour, 1 in all");
-  CHECK(bounding_box(named(made.parts, "s1.c3.u2").outline).high.x() == doctest::Approx(0.85));
-  CHECK(bounding_box(named(made.parts, "s1.c3.u2").outline).low.x() == doctest::Approx(0.4));
+  CHECK(near(bounding_box(named(made.parts, "s1.c3.u2").outline).high.x(), 0.85, 1e-12));
+  CHECK(near(bounding_box(named(made.parts, "s1.c3.u2").outline).low.x(), 0.4, 1e-12));
   wall.name = std::string("w"), wall.short_pieces = ShortPieces::refuse;
   CHECK(
       says(refusal_of_wall(wall),
@@ -240,7 +242,7 @@ TEST_CASE("jitter moves head joints alone, by at most its size, the same for the
   const std::vector<Part> other = build_wall(wall).parts;
   check_sound(moved);
   REQUIRE(moved.size() == straight.size());
-  CHECK(total_area(moved) == doctest::Approx(total_area(straight)).epsilon(1e-14));
+  CHECK(near(total_area(moved), total_area(straight), 1e-14));
   double most = 0, differs = 0;
   for (std::size_t i = 0; i < moved.size(); ++i) {
     CHECK(moved[i].outline == again[i].outline);
@@ -329,7 +331,7 @@ TEST_CASE("a sill may be a block that reaches under the masonry beside the openi
   CHECK(sill.groups == std::vector<std::string>{"sills", "storey 1", "course 2", "spandrels", "spandrel 1"});
   CHECK(bounding_box(sill.outline).low.isApprox(Vec2(0.7, 0.2), 1e-14));
   CHECK(bounding_box(sill.outline).high.isApprox(Vec2(1.7, 0.4), 1e-14));
-  CHECK(total_area(parts) == doctest::Approx(2.4 - 0.32).epsilon(1e-13));
+  CHECK(near(total_area(parts), 2.4 - 0.32, 1e-13));
   wall.openings[0].sill_height = 0.6;
   CHECK(says(refusal_of_wall(wall), "sill block needs 3 courses under the sill, but 2 are left in the storey"));
   wall.openings[0].sill_height = 0.2, wall.openings[0].sill_bearing = 1;
@@ -376,7 +378,7 @@ TEST_CASE("any description is built without gap and overlap, or refused in one l
     double area = 0;
     for (const WallStorey& storey : wall.storeys) area += wall.length * (storey.courses * 0.2 + wall.slab_height);
     for (const WallOpening& o : wall.openings) area -= o.width * o.height;
-    if (!wall.snap) CHECK(total_area(made.parts) == doctest::Approx(area).epsilon(1e-9));
+    if (!wall.snap) CHECK(near(total_area(made.parts), area, 1e-9));
   }
   CHECK(built > 100);
   CHECK(refused > 100);

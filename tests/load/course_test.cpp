@@ -7,8 +7,10 @@
 
 #include "base/error.hpp"
 #include "load/ramp.hpp"
+#include "near.hpp"
 
 using namespace trilith;
+using testing::near;
 
 TEST_CASE("a course is straight between its points and constant outside of them") {
   const Course none{};
@@ -38,7 +40,7 @@ TEST_CASE("a smooth course begins and ends without speed and acceleration and is
   CHECK(1 - c.at(1 - h) < 11 * h * h * h);
   CHECK(c.at(0.5) == 0.5);
   for (double t = 0; t < 1; t += 0.01) {
-    CHECK(c.at(t) + c.at(1 - t) == doctest::Approx(1).epsilon(1e-14));
+    CHECK(near(c.at(t) + c.at(1 - t), 1, 1e-14));
     CHECK(c.at(t + 0.01) > c.at(t));
   }
 }
@@ -70,7 +72,7 @@ TEST_CASE("a ramp lands at its distance with no velocity, and its velocity and a
     CHECK(m.acceleration(0) == 0);
     CHECK(std::abs(m.displacement(duration) - by) <= 4e-16 * std::abs(by));
     CHECK(m.displacement(2 * duration) == m.displacement(duration));
-    CHECK(m.displacement(0.5 * duration) == doctest::Approx(0.5 * by).epsilon(1e-14).scale(0));
+    CHECK(near(m.displacement(0.5 * duration), 0.5 * by, 1e-14));
     const double h = 1e-6 * duration, size = std::abs(by) / duration;
     double fastest = 0, before = 0;
     for (int i = 0; i <= 1000; ++i) {
@@ -81,7 +83,7 @@ TEST_CASE("a ramp lands at its distance with no velocity, and its velocity and a
       fastest = std::max(fastest, v);
       before = v;
     }
-    CHECK(fastest == doctest::Approx(2 * size).epsilon(1e-9).scale(0));
+    CHECK(near(fastest, 2 * size, 1e-9));
   }
   CHECK_THROWS_AS(ramp_motion(0, 1), InputError);
   CHECK_THROWS_AS(ramp_motion(1, 0), InputError);
@@ -92,12 +94,12 @@ TEST_CASE("an even motion goes at its speed but for its ends, and lands") {
   for (const double by : {0.05, -0.05}) {
     const double speed = 0.002, sign = by > 0 ? 1 : -1;
     const GroundMotion m = even_motion(by, speed);
-    CHECK(m.duration() == doctest::Approx(25 / 0.98).epsilon(1e-12));
+    CHECK(near(m.duration(), 25 / 0.98, 1e-12));
     CHECK(m.velocity(0) == 0);
     CHECK(std::abs(m.velocity(m.duration())) < 1e-15);
     CHECK(std::abs(m.displacement(m.duration()) - by) < 1e-15);
     for (double share = 0.021; share < 0.98; share += 0.05)
-      CHECK(m.velocity(share * m.duration()) == doctest::Approx(sign * speed).epsilon(1e-12).scale(0));
+      CHECK(near(m.velocity(share * m.duration()), sign * speed, 1e-12));
   }
   CHECK_THROWS_AS(even_motion(0.1, 0), InputError);
 }
@@ -107,5 +109,5 @@ TEST_CASE("a stopping motion takes over place and velocity and comes to rest") {
   CHECK(m.velocity(0) == -0.03);
   CHECK(m.displacement(0) == 0.2);
   CHECK(std::abs(m.velocity(0.4)) < 1e-17);
-  CHECK(m.displacement(1) == doctest::Approx(0.2 - 0.03 * 0.2).epsilon(1e-12));
+  CHECK(near(m.displacement(1), 0.2 - 0.03 * 0.2, 1e-12));
 }

@@ -12,10 +12,10 @@
 #include "load/motion_read.hpp"
 #include "load/motion_summary.hpp"
 #include "load/record_folder.hpp"
+#include "near.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
-using doctest::Approx;
 
 namespace {
 
@@ -53,7 +53,7 @@ void check_row(const std::filesystem::path& folder, const ManifestRow& row) {
   const auto [a, v, u] = motion_peaks(motion);
   CHECK(motion.samples().size() == row.count);
   CHECK(motion.step() == row.dt);
-  CHECK(motion.duration() == Approx(row.duration).epsilon(1e-9));
+  CHECK(near(motion.duration(), row.duration, 1e-9));
   CHECK(agrees(a.value / standard_gravity, row.pga, 1e-5));
   CHECK(agrees(v.value * 100, row.pgv, 1e-3));
   CHECK(agrees(u.value * 100, row.pgd, 1e-3));
@@ -77,19 +77,19 @@ TEST_CASE("D8: the peaks of every record are those of the manifest, and every re
 
 TEST_CASE("the project's own records have the peaks of their source") {
   const auto [a, v, u] = motion_peaks(read_motion(own_record("elcentro_1940_rest_ns.csv")));
-  CHECK(a.value == Approx(0.34874 * standard_gravity).epsilon(1e-4));
-  CHECK(a.time == Approx(3.14));
-  CHECK(v.value == Approx(0.33437).epsilon(1e-4));
-  CHECK(u.value == Approx(-0.13670).epsilon(1e-4));
-  CHECK(motion_peaks(read_motion(own_record("elcentro_1940_rest_up.csv"))).acceleration.value ==
-        Approx(-0.21006 * standard_gravity).epsilon(1e-4));
+  CHECK(near(a.value, 0.34874 * standard_gravity, 1e-4));
+  CHECK(near(a.time, 3.14, 1e-12));
+  CHECK(near(v.value, 0.33437, 1e-4));
+  CHECK(near(u.value, -0.13670, 1e-4));
+  CHECK(near(motion_peaks(read_motion(own_record("elcentro_1940_rest_up.csv"))).acceleration.value,
+             -0.21006 * standard_gravity, 1e-4));
 }
 
 TEST_CASE("Arias intensity and CAV of a triangle that changes its sign are exact") {
   const GroundMotion motion(std::vector<double>{0, 3, -3, 0}, 0.5);
   // Integral of a^2: three legs of 3^2 * 0.5 / 3; of |a|: two triangles of 3 * 0.5 / 2 and one pair of 3 * 0.25 / 2.
-  CHECK(arias_intensity(motion) == Approx(std::numbers::pi / (2 * standard_gravity) * 4.5).epsilon(1e-14));
-  CHECK(cumulative_absolute_velocity(motion) == Approx(0.75 + 0.75 + 0.75).epsilon(1e-14));
+  CHECK(near(arias_intensity(motion), std::numbers::pi / (2 * standard_gravity) * 4.5, 1e-14));
+  CHECK(near(cumulative_absolute_velocity(motion), 0.75 + 0.75 + 0.75, 1e-14));
 }
 
 TEST_CASE("Arias intensity and CAV of a sine meet the closed forms") {
@@ -97,26 +97,25 @@ TEST_CASE("Arias intensity and CAV of a sine meet the closed forms") {
   const int n = 2000;
   for (int i = 0; i <= n; ++i) a.push_back(2 * std::sin(2 * std::numbers::pi * i / n));
   const GroundMotion motion(a, 1.0 / n);
-  CHECK(arias_intensity(motion) == Approx(std::numbers::pi / (2 * standard_gravity) * 2.0).epsilon(1e-5));
-  CHECK(cumulative_absolute_velocity(motion) == Approx(4 / std::numbers::pi).epsilon(1e-5));
+  CHECK(near(arias_intensity(motion), std::numbers::pi / (2 * standard_gravity) * 2.0, 1e-5));
+  CHECK(near(cumulative_absolute_velocity(motion), 4 / std::numbers::pi, 1e-5));
 }
 
 TEST_CASE("scaled by f, Arias grows as f^2 and CAV as f, and with time times f both grow as f") {
   const GroundMotion motion = read_motion(own_record("elcentro_1940_rest_ns.csv"));
-  CHECK(arias_intensity(motion.scaled(3)) == Approx(9 * arias_intensity(motion)).epsilon(1e-12));
-  CHECK(cumulative_absolute_velocity(motion.scaled(-3)) ==
-        Approx(3 * cumulative_absolute_velocity(motion)).epsilon(1e-12));
-  CHECK(arias_intensity(motion.time_scaled(0.8)) == Approx(0.8 * arias_intensity(motion)).epsilon(1e-12));
-  CHECK(significant_duration(motion.time_scaled(0.8), 0.05, 0.95).length() ==
-        Approx(0.8 * significant_duration(motion, 0.05, 0.95).length()).epsilon(1e-9));
+  CHECK(near(arias_intensity(motion.scaled(3)), 9 * arias_intensity(motion), 1e-12));
+  CHECK(near(cumulative_absolute_velocity(motion.scaled(-3)), 3 * cumulative_absolute_velocity(motion), 1e-12));
+  CHECK(near(arias_intensity(motion.time_scaled(0.8)), 0.8 * arias_intensity(motion), 1e-12));
+  CHECK(near(significant_duration(motion.time_scaled(0.8), 0.05, 0.95).length(),
+             0.8 * significant_duration(motion, 0.05, 0.95).length(), 1e-9));
 }
 
 TEST_CASE("the significant duration of a constant acceleration is the given part of its length") {
   const GroundMotion motion = GroundMotion(std::vector<double>{1, 1, 1, 1, 1}, 2.5).delayed(1);
   const TimeSpan span = significant_duration(motion, 0.05, 0.75);
-  CHECK(span.begin == Approx(1.5));
-  CHECK(span.end == Approx(8.5));
-  CHECK(significant_duration(motion, 0, 1).length() == Approx(10));
+  CHECK(near(span.begin, 1.5, 1e-12));
+  CHECK(near(span.end, 8.5, 1e-12));
+  CHECK(near(significant_duration(motion, 0, 1).length(), 10, 1e-12));
   CHECK_THROWS_AS(significant_duration(motion, 0.5, 0.5), InputError);
   CHECK_THROWS_AS(significant_duration(motion, 0.5, 1.5), InputError);
   CHECK(significant_duration(GroundMotion(std::vector<double>{0, 0}, 1), 0.05, 0.95).length() == 0);
@@ -125,12 +124,12 @@ TEST_CASE("the significant duration of a constant acceleration is the given part
 TEST_CASE("the bracketed duration runs between the exact crossings of the level") {
   const GroundMotion motion(std::vector<double>{0, 1, 0, 0, -1, 0}, 1);
   const TimeSpan span = bracketed_duration(motion, 0.25);
-  CHECK(span.begin == Approx(0.25));
-  CHECK(span.end == Approx(4.75));
-  CHECK(bracketed_duration(motion, 1).begin == Approx(1));
-  CHECK(bracketed_duration(motion, 1).end == Approx(4));
+  CHECK(near(span.begin, 0.25, 1e-12));
+  CHECK(near(span.end, 4.75, 1e-12));
+  CHECK(near(bracketed_duration(motion, 1).begin, 1, 1e-12));
+  CHECK(near(bracketed_duration(motion, 1).end, 4, 1e-12));
   CHECK(bracketed_duration(motion, 1.001).length() == 0);
-  CHECK(bracketed_duration(GroundMotion(std::vector<double>{1, 1}, 1), 1).length() == Approx(1));
+  CHECK(near(bracketed_duration(GroundMotion(std::vector<double>{1, 1}, 1), 1).length(), 1, 1e-12));
   CHECK_THROWS_AS(bracketed_duration(motion, 0), InputError);
 }
 

@@ -9,9 +9,10 @@
 
 #include "base/error.hpp"
 #include "load/motion_measures.hpp"
+#include "near.hpp"
 
 using namespace trilith;
-using doctest::Approx;
+using testing::near;
 
 namespace {
 
@@ -41,18 +42,18 @@ TEST_CASE("constant acceleration gives linear velocity and quadratic displacemen
   const GroundMotion motion(std::vector<double>{2, 2, 2, 2}, 0.5, {0.3, 0.1});
   for (const double t : {0.0, 0.1, 0.5, 0.77, 1.4999}) {
     const MotionAt now = motion.at(t);
-    CHECK(now.acceleration == Approx(2).epsilon(1e-14));
-    CHECK(now.velocity == Approx(0.3 + 2 * t).epsilon(1e-14));
-    CHECK(now.displacement == Approx(0.1 + 0.3 * t + t * t).epsilon(1e-14));
+    CHECK(near(now.acceleration, 2, 1e-14));
+    CHECK(near(now.velocity, 0.3 + 2 * t, 1e-14));
+    CHECK(near(now.displacement, 0.1 + 0.3 * t + t * t, 1e-14));
   }
 }
 
 TEST_CASE("a linear ramp of acceleration gives t^2/2 and t^3/6, to rounding") {
   const GroundMotion motion(std::vector<double>{0, 1, 2, 3}, 1.0);
   for (const double t : {0.2, 1.0, 1.7, 2.9, 3.0}) {
-    CHECK(motion.acceleration(t) == Approx(t).epsilon(1e-14));
-    CHECK(motion.velocity(t) == Approx(t * t / 2).epsilon(1e-14));
-    CHECK(motion.displacement(t) == Approx(t * t * t / 6).epsilon(1e-14));
+    CHECK(near(motion.acceleration(t), t, 1e-14));
+    CHECK(near(motion.velocity(t), t * t / 2, 1e-14));
+    CHECK(near(motion.displacement(t), t * t * t / 6, 1e-14));
   }
 }
 
@@ -70,7 +71,7 @@ TEST_CASE("a finely sampled half sine meets its analytic integrals, with an erro
     return worst;
   };
   CHECK(error(1000) < 1e-6 * amplitude);
-  CHECK(error(100) / error(1000) == Approx(100).epsilon(0.05));
+  CHECK(near(error(100) / error(1000), 100, 0.05));
 }
 
 TEST_CASE("velocity and displacement are continuous, and are the integrals of what is given between samples") {
@@ -82,10 +83,10 @@ TEST_CASE("velocity and displacement are continuous, and are the integrals of wh
     // Simpson's rule is exact for the quadratic velocity inside an interval; skip steps across a sample.
     if (std::floor(t / 0.02) != std::floor((t + h) / 0.02)) continue;
     const MotionAt middle = motion.at(t + h / 2);
-    CHECK(next.velocity - now.velocity ==
-          Approx(h / 6 * (now.acceleration + 4 * middle.acceleration + next.acceleration)).epsilon(1e-9));
-    CHECK(next.displacement - now.displacement ==
-          Approx(h / 6 * (now.velocity + 4 * middle.velocity + next.velocity)).epsilon(1e-9));
+    CHECK(near(next.velocity - now.velocity, h / 6 * (now.acceleration + 4 * middle.acceleration + next.acceleration),
+               1e-9));
+    CHECK(
+        near(next.displacement - now.displacement, h / 6 * (now.velocity + 4 * middle.velocity + next.velocity), 1e-9));
   }
   for (std::size_t i = 1; i + 1 < motion.samples().size(); ++i)
     check_same(motion.at(motion.sample_time(i) - 1e-12), motion.at(motion.sample_time(i) + 1e-12), 1e-8);
@@ -119,10 +120,10 @@ TEST_CASE("scaled to a peak, the peak is that one, and the vertical scaled as th
   const GroundMotion horizontal = random_motion(4);
   const GroundMotion vertical = random_motion(5).scaled(0.3);
   const GroundMotion strong = horizontal.scaled_to_peak(0.8 * standard_gravity);
-  CHECK(std::abs(motion_peaks(strong).acceleration.value) == Approx(0.8 * standard_gravity).epsilon(1e-14));
+  CHECK(near(std::abs(motion_peaks(strong).acceleration.value), 0.8 * standard_gravity, 1e-14));
   const GroundMotion with = vertical.scaled_as(strong);
-  CHECK(with.acceleration(1.0) / vertical.acceleration(1.0) ==
-        Approx(strong.acceleration(1.0) / horizontal.acceleration(1.0)).epsilon(1e-13));
+  CHECK(near(with.acceleration(1.0) / vertical.acceleration(1.0),
+             strong.acceleration(1.0) / horizontal.acceleration(1.0), 1e-13));
   CHECK(vertical.scaled_as(strong.reversed()).acceleration(1.0) == with.acceleration(1.0));
 }
 
@@ -130,9 +131,9 @@ TEST_CASE("with the time axis times f, velocities are f and displacements f^2 ti
   const double f = 0.8;
   const GroundMotion motion = random_motion(6, {0.2, 0.05});
   const GroundMotion quick = motion.time_scaled(f);
-  CHECK(quick.start().velocity == Approx(0.16));
-  CHECK(quick.start().displacement == Approx(0.032));
-  CHECK(quick.end_time() == Approx(f * motion.end_time()));
+  CHECK(near(quick.start().velocity, 0.16, 1e-12));
+  CHECK(near(quick.start().displacement, 0.032, 1e-12));
+  CHECK(near(quick.end_time(), f * motion.end_time(), 1e-12));
   for (double t = 0; t < 3.9; t += 0.013) {
     const MotionAt now = motion.at(t);
     check_same(quick.at(f * t), {now.acceleration, f * now.velocity, f * f * now.displacement}, 1e-10);
@@ -146,7 +147,7 @@ TEST_CASE("a delay shifts the motion and nothing else, by any time, and back") {
   for (double t = 0; t < 3.9; t += 0.013) check_same(late.at(t + 0.204), motion.at(t), 1e-11);
   check_same(late.at(0.1), {0, 0, 0.05}, 0);
   CHECK(late.delayed(-0.204).start_time() == 0);
-  CHECK(late.time_scaled(0.5).start_time() == Approx(0.102));
+  CHECK(near(late.time_scaled(0.5).start_time(), 0.102, 1e-12));
   CHECK_THROWS_AS(motion.delayed(-0.01), InputError);
 }
 

@@ -7,10 +7,10 @@
 #include "load/motion.hpp"
 #include "load/motion_read.hpp"
 #include "load/record_folder.hpp"
+#include "near.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
-using doctest::Approx;
 
 namespace {
 
@@ -39,8 +39,8 @@ TEST_CASE("S3: one-way slip of a rigid block under Takatori scaled to 0.4 g, bot
       one_way_slip(motion, 0.1 * standard_gravity), one_way_slip(motion.reversed(), 0.1 * standard_gravity),
       one_way_slip(motion, 0.2 * standard_gravity), one_way_slip(motion.reversed(), 0.2 * standard_gravity)};
   MESSAGE("slips ", slips[0] * 100, " ", slips[1] * 100, " ", slips[2] * 100, " ", slips[3] * 100, " cm");
-  CHECK(slips[0] == Approx(0.72419).epsilon(0.015));
-  CHECK(slips[1] == Approx(0.62859).epsilon(0.015));
-  CHECK(slips[2] == Approx(0.12860).epsilon(0.015));
-  CHECK(slips[3] == Approx(0.06662).epsilon(0.015));
+  CHECK(near(slips[0], 0.72419, 0.015));
+  CHECK(near(slips[1], 0.62859, 0.015));
+  CHECK(near(slips[2], 0.12860, 0.015));
+  CHECK(near(slips[3], 0.06662, 0.015));
 }

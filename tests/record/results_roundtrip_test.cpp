@@ -1,10 +1,12 @@
 #include <doctest/doctest.h>
 
 #include "base/error.hpp"
+#include "near.hpp"
 #include "record/sample_run.hpp"
 
 using namespace trilith;
 using namespace trilith::record;
+using testing::near;
 
 namespace {
 
@@ -139,8 +141,8 @@ TEST_CASE("a frame between two frames is interpolated, and the nearest one is fo
   CHECK(reader.nearest_frame(0.016) == 2);
   const Frame between = reader.frame_at(0.0125), first = reader.frame(1), second = reader.frame(2);
   CHECK(between.time == 0.0125);
-  CHECK(between.position[1] == doctest::Approx(0.75 * first.position[1] + 0.25 * second.position[1]).epsilon(1e-12));
-  CHECK(between.rotation[2] == doctest::Approx(0.75 * first.rotation[2] + 0.25 * second.rotation[2]).epsilon(1e-12));
+  CHECK(near(between.position[1], 0.75 * first.position[1] + 0.25 * second.position[1], 1e-12));
+  CHECK(near(between.rotation[2], 0.75 * first.rotation[2] + 0.25 * second.rotation[2], 1e-12));
   CHECK(between.contacts.size() == first.contacts.size());
   CHECK(reader.frame_at(99).position == reader.frame(4).position);
   CHECK(reader.frame_at(0.02).position == second.position);
@@ -164,8 +166,8 @@ TEST_CASE("quaternions are interpolated along the shorter arc and stay of unit l
     writer.finish();
   }
   const Frame half = ResultsReader(folder / "run.h5").frame_at(0.5);
-  CHECK(half.rotation[0] == doctest::Approx(std::cos(std::acos(-1.0) / 8)));
-  CHECK(half.rotation[3] == doctest::Approx(std::sin(std::acos(-1.0) / 8)));
+  CHECK(near(half.rotation[0], std::cos(std::acos(-1.0) / 8), 1e-12));
+  CHECK(near(half.rotation[3], std::sin(std::acos(-1.0) / 8), 1e-12));
 }
 
 TEST_CASE("text is kept as valid UTF-8: bad bytes become question marks, long text is cut at a character") {

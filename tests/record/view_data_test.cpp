@@ -4,11 +4,14 @@
 
 #include <random>
 
+#include "near.hpp"
 #include "record/sample_run.hpp"
 #include "record/view_bytes.hpp"
 #include "record/view_joints.hpp"
 
 using namespace trilith::record;
+using trilith::testing::near;
+using trilith::testing::near_zero;
 
 namespace {
 
@@ -135,8 +138,8 @@ TEST_CASE("a run too long for a page keeps every so many frames and the last, an
   const std::string data = view_data(reader, limits), head = head_of(data);
   const Read time(data, "time");
   REQUIRE(time.rows == 15);
-  CHECK(time(1, 0) == doctest::Approx(0.03));
-  CHECK(time(14, 0) == doctest::Approx(0.4));
+  CHECK(near(time(1, 0), 0.03, 1e-12));
+  CHECK(near(time(14, 0), 0.4, 1e-12));
   CHECK(head.find("\"frame_stride\":3") != std::string::npos);
   CHECK(head.find("\"events_left_out\":36") != std::string::npos);
   CHECK(Read(data, "contact_pair").rows <= 16);
@@ -223,11 +226,11 @@ TEST_CASE("a crack lies where two bodies faced each other") {
   const auto bed = joint_of(header, 0, 1), head = joint_of(header, 0, 2);
   REQUIRE(bed.size() == 1);
   CHECK(bed[0].edge == 2);  // the top, from right to left: its right half
-  CHECK(bed[0].from == doctest::Approx(0).epsilon(1e-9));
-  CHECK(bed[0].to == doctest::Approx(0.5));
+  CHECK(near_zero(bed[0].from, 1e-9));
+  CHECK(near(bed[0].to, 0.5, 1e-12));
   REQUIRE(head.size() == 1);
   CHECK(head[0].edge == 1);
-  CHECK(head[0].to - head[0].from == doctest::Approx(1));
+  CHECK(near(head[0].to - head[0].from, 1, 1e-12));
   CHECK(joint_of(header, 0, 3).empty());
   CHECK(joint_of(header, 0, 4).empty());
 }

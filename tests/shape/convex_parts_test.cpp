@@ -8,11 +8,13 @@
 #include <numbers>
 #include <numeric>
 
+#include "near.hpp"
 #include "shape/overlap.hpp"
 #include "shape/polygon.hpp"
 #include "shape/random_convex.hpp"
 
 using namespace trilith;
+using testing::near;
 
 namespace {
 
@@ -53,7 +55,7 @@ int checked_parts(const Polygon& outline) {
       ++seen[static_cast<std::size_t>(piece.faces[k])];
     }
   }
-  CHECK(area == doctest::Approx(signed_area(outline)).epsilon(1e-12));
+  CHECK(near(area, signed_area(outline), 1e-12));
   CHECK(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
   for (const auto& [from, to] : cuts) CHECK(std::count(cuts.begin(), cuts.end(), std::pair(to, from)) == 1);
   const int count = static_cast<int>(pieces.size()), right = right_turns(outline);
