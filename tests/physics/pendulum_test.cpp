@@ -1,4 +1,5 @@
 // VALIDATION B9: a compound pendulum.
+#include "near.hpp"
 #include "physics/scene.hpp"
 
 using namespace trilith;
@@ -50,12 +51,12 @@ double swing(double length, double angle, double turn) {
 }  // namespace
 
 TEST_CASE("B9: a rod of 2 m hinged at its end and released at 60 degrees swings with 2.48635 s") {
-  CHECK(rod_period(2, 60 * degree) == near(2.48635, 1e-5));
+  CHECK(near(rod_period(2, 60 * degree), 2.48635, 1e-5));
   for (const double turn : {0.0, 17 * degree, 203 * degree}) {
     const double period = swing(2, 60 * degree, turn);
     MESSAGE("B9 period ", period, " s (2.48635)");
-    CHECK(period == near(2.48635, 0.005));
+    CHECK(near(period, 2.48635, 0.005));
   }
   for (const double angle : {5 * degree, 120 * degree, 170 * degree})
-    CHECK(swing(0.7, angle, 0) == near(rod_period(0.7, angle), 0.005));
+    CHECK(near(swing(0.7, angle, 0), rod_period(0.7, angle), 0.005));
 }

@@ -14,11 +14,6 @@
 
 namespace trilith::testing {
 
-/// Equal to `expected` within `share` of it, however small it is (Approx by itself adds 1 to the size).
-inline doctest::Approx near(double expected, double share) {
-  return doctest::Approx(expected).epsilon(share).scale(0);
-}
-
 /// The rectangle between two corners [m].
 inline Polygon box(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};

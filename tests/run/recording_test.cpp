@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "near.hpp"
 #include "record/results_reader.hpp"
 #include "record/sample_run.hpp"
 #include "run/dropped_block.hpp"
@@ -16,6 +17,7 @@
 using namespace trilith;
 using testing::dropped_block;
 using testing::fall_stage;
+using testing::near;
 
 namespace {
 
@@ -57,9 +59,9 @@ TEST_CASE("a recorded fall reads back: model, frames, histories, events, stages 
 
   CHECK(reader.frame_count() == 76);
   const record::Frame half = reader.frame(5);  // still falling
-  CHECK(half.time == doctest::Approx(0.1).epsilon(0.01));
+  CHECK(near(half.time, 0.1, 0.01));
   CHECK(half.contacts.empty());
-  CHECK(half.position[3] == doctest::Approx(0.55 - 0.5 * standard_gravity * half.time * half.time).epsilon(1e-3));
+  CHECK(near(half.position[3], 0.55 - 0.5 * standard_gravity * half.time * half.time, 1e-3));
   CHECK(reader.history("block.y").size() == reader.history_times().size());
 
   const std::vector<record::EventRow> events = reader.events();
@@ -67,8 +69,8 @@ TEST_CASE("a recorded fall reads back: model, frames, histories, events, stages 
   CHECK(events.front().type == "stage.begun");
   CHECK(events.back().type == "stage.ended");
   CHECK(events[1].type == "impact");
-  CHECK(events[1].time == doctest::Approx(std::sqrt(2 * 0.3 / standard_gravity)).epsilon(0.01));
-  CHECK(events[1].first.value == doctest::Approx(std::sqrt(2 * 0.3 * standard_gravity)).epsilon(0.01));
+  CHECK(near(events[1].time, std::sqrt(2 * 0.3 / standard_gravity), 0.01));
+  CHECK(near(events[1].first.value, std::sqrt(2 * 0.3 * standard_gravity), 0.01));
   CHECK(events[1].text.find("hit") != std::string::npos);
   CHECK(events[1].has_place);
   CHECK(events[1].cause == events[0].id);
@@ -77,7 +79,7 @@ TEST_CASE("a recorded fall reads back: model, frames, histories, events, stages 
   CHECK(stages[0].name == "fall");
   CHECK(stages[0].ended);
   CHECK(stages[0].why == "time");
-  CHECK(stages[0].end == doctest::Approx(1.5));
+  CHECK(near(stages[0].end, 1.5, 1e-12));
 
   const record::EnergyTable energy = reader.energy();
   REQUIRE(energy.time.size() == 76);
@@ -93,7 +95,7 @@ TEST_CASE("the recorded contact forces on a block at rest sum to its weight") {
   REQUIRE(last.contacts.size() == 1);
   const record::ContactForce& c = last.contacts[0];
   const double sign = c.body_a == 1 ? 1 : -1;  // `force` acts on body a
-  CHECK(sign * c.force[1] == doctest::Approx(testing::block_weight).epsilon(1e-6));
+  CHECK(near(sign * c.force[1], testing::block_weight, 1e-6));
   CHECK(std::abs(c.force[0]) < 1e-6 * testing::block_weight);
   CHECK(std::abs(c.point[0]) < 1e-6);
   CHECK(std::abs(c.point[1]) < 1e-3);
