@@ -88,10 +88,12 @@ std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state
   }
   for (std::size_t i = 0; i < model.bearings.size() && i < work.bearing_force.size(); ++i) {
     const Bearing<2>& b = model.bearings[i];
-    const int n = model.bodies[b.body_b].first_node;
-    const Vec2 point = state.position[n] + Turn(state.rotation[n]).apply(b.point_b);
-    virial[b.body_b].add(point - centre[b.body_b], work.bearing_force[i]);
-    virial[b.body_a].add(point - centre[b.body_a], -work.bearing_force[i]);
+    // Each body is pulled where its own end is: what is between the ends belongs to neither. The couple that goes with
+    // it is skew and strains nothing.
+    const Vec2 end_a = anchor_pose(model, state, anchor_a(b)).place,
+               end_b = anchor_pose(model, state, anchor_b(b)).place;
+    virial[b.body_a].add(end_a - centre[b.body_a], -work.bearing_force[i]);
+    virial[b.body_b].add(end_b - centre[b.body_b], work.bearing_force[i]);
   }
   add_loads(model, state, work, centre, virial);
   std::vector<MeanStress> stress(model.bodies.size());
