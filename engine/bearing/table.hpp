@@ -22,6 +22,8 @@ struct Table {
     using P = Parameter<Table>;
     return std::array{P{&Table::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
   }
+  /// A table to test with, as its points are not declared.
+  static Table sample() { return {{-0.05, -0.01, 0, 0.02, 0.06}, {-4e3, -3e3, 0, 1e3, 2e3}, 0}; }
   /// Throws InputError unless there are two points at least, finite, rising, from not above 0 to not below 0.
   void check() const;
   [[nodiscard]] double tangent() const;

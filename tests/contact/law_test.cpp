@@ -1,8 +1,8 @@
 // The contact laws: what their declarations refuse, and how bonds are lost.
 #include <doctest/doctest.h>
 
+#include "contact/contact_samples.hpp"
 #include "contact/face_scene.hpp"
-#include "contact/list.hpp"
 #include "near.hpp"
 #include "world/builder.hpp"
 
@@ -10,13 +10,6 @@ using namespace trilith;
 using namespace trilith::testing;
 
 namespace {
-
-template <class L>
-L sound_law() {
-  L law;
-  for (const Parameter<L>& p : L::parameters()) law.*(p.member) = std::min(1.0, p.most);
-  return law;
-}
 
 std::string message_of(const ContactLaw& law) {
   ModelBuilder builder;
@@ -32,14 +25,15 @@ std::string message_of(const ContactLaw& law) {
 
 TEST_CASE("a contact law outside its declared ranges is refused with its name, its number and the range") {
   ContactLaws::for_each([]<class L>() {
-    CHECK(message_of(sound_law<L>()).empty());
+    const L sound = sample<L>(usual_in_contact);
+    for (const L& law : samples<L>(usual_in_contact)) CHECK(message_of(law).empty());
     for (const Parameter<L>& p : L::parameters()) {
       const double nan = std::numeric_limits<double>::quiet_NaN();
       std::vector<double> bad{p.least - 1, -unbounded, unbounded, nan};
       if (!p.includes_least) bad.push_back(p.least);
       if (p.most < unbounded) bad.push_back(p.most * (1 + 1e-9) + 1e-9);
       for (const double value : bad) {
-        L law = sound_law<L>();
+        L law = sound;
         law.*(p.member) = value;
         const std::string message = message_of(law);
         CAPTURE(p.name);
@@ -48,7 +42,7 @@ TEST_CASE("a contact law outside its declared ranges is refused with its name, i
         CHECK(message.find(L::name) != std::string::npos);
         CHECK(message.find(p.range()) != std::string::npos);
       }
-      L law = sound_law<L>();
+      L law = sound;
       if (p.includes_least) law.*(p.member) = p.least;
       CHECK(message_of(law).empty());
       if (p.most < unbounded) law.*(p.member) = p.most;

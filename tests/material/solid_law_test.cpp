@@ -4,6 +4,7 @@
 #include <random>
 
 #include "base/error.hpp"
+#include "law_sample.hpp"
 #include "material/list.hpp"
 #include "near.hpp"
 
@@ -13,6 +14,23 @@ namespace {
 constexpr double young = 30e9, poisson = 0.2;
 
 using testing::near;
+using testing::near_zero;
+
+/// Of a brittle solid; a law's own numbers beside Young's modulus and Poisson's ratio.
+const testing::UsualNumbers usual_in_solids{{"Pa", 3e6}, {"rad", 0.5}, {"1", 0.2}, {"s", 0}};
+
+/// Calls f with each sample of every law that is not elastic.
+template <class F>
+void for_each_plastic(F&& f) {
+  SolidLaws::for_each([&]<class L>() {
+    if constexpr (!L::is_elastic)
+      for (L& law : testing::samples<L>(usual_in_solids)) {
+        law.young = young, law.poisson = poisson;
+        INFO(describe(law));
+        f(law);
+      }
+  });
+}
 
 /// Walks along a path of strains and checks the return and the dissipation at each step.
 template <class Law, class Path>
@@ -28,12 +46,13 @@ PointResponse walk(const Law& law, Plane plane, int steps, Path&& path, double s
     dissipated += r.dissipated;
     given += 0.5 * (stress + r.stress.in_plane()).dot(strain - before);
     before = strain, stress = r.stress.in_plane();
-    double over = 0;
-    if constexpr (std::is_same_v<Law, J2>)
-      over = law.excess(r.stress, r.memory.measure);
-    else
-      over = law.excess(r.stress);
-    CHECK(over <= 1e-10 * size);
+    // Where it has come to it stays: the same strain again gives the same stress, without further flow.
+    const PointResponse again = law.respond(plane, strain, r.memory);
+    CHECK(near_zero((again.stress.in_plane() - r.stress.in_plane()).norm(), 1e-10 * size));
+    CHECK(near_zero(again.dissipated, 1e-10 * size));
+    if constexpr (requires { law.excess(r.stress); }) CHECK(law.excess(r.stress) <= 1e-10 * size);
+    if constexpr (requires { law.excess(r.stress, r.memory.measure); })
+      CHECK(law.excess(r.stress, r.memory.measure) <= 1e-10 * size);
   }
   // What was given is stored or dissipated, but for the length of the steps.
   CHECK(near(r.stored + dissipated, given, 1e-3));
@@ -120,28 +139,19 @@ TEST_CASE("pulled on all sides both end at the tip of their surface, or at the c
 }
 
 TEST_CASE("any walk of strain comes back to the surface, dissipates and closes its energy") {
-  const double friction = 32 * M_PI / 180, c = 3e6;
-  const J2 j2{young, poisson, 10e6, 1e9};
-  const MohrCoulomb mc{young, poisson, c, friction, 0.2, 1.5e6};
-  const DruckerPrager dp{young, poisson, c, friction, 0.2, 1.5e6};
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-1, 1);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 8; ++round) {
     const PlaneVector a(any(random), any(random), any(random)), b(any(random), any(random), any(random));
     const auto path = [&](double s) -> PlaneVector { return 2e-3 * (s * a + std::sin(3 * s) * b); };
     for (const Plane plane : {Plane::stress, Plane::strain}) {
-      walk(j2, plane, 5000, path, 10e6);
-      walk(mc, plane, 5000, path, c);
-      walk(dp, plane, 5000, path, c);
+      for_each_plastic([&](const auto& law) { walk(law, plane, 5000, path, 3e6); });
+      walk(J2{young, poisson, 10e6, 1e9}, plane, 5000, path, 10e6);  // hardens by as much as it yields at
     }
   }
 }
 
 TEST_CASE("a law's answer turns with the strain") {
-  const double friction = 32 * M_PI / 180;
-  const MohrCoulomb mc{young, poisson, 3e6, friction, 0.2, 1.5e6};
-  const DruckerPrager dp{young, poisson, 3e6, friction, 0.2, 1.5e6};
-  const J2 j2{young, poisson, 10e6, 1e9};
   const auto turned = [](const PlaneVector& e, double angle, double shear) {
     const double cc = std::cos(2 * angle), ss = std::sin(2 * angle), m = 0.5 * (e[0] + e[1]), d = 0.5 * (e[0] - e[1]),
                  h = e[2] / shear;
@@ -150,12 +160,11 @@ TEST_CASE("a law's answer turns with the strain") {
   const PlaneVector strain(1e-3, -2e-3, 1.5e-3);
   for (const Plane plane : {Plane::stress, Plane::strain})
     for (const double angle : {0.3, 1.2, 2.9}) {
-      const auto check = [&](const auto& law) {
+      for_each_plastic([&](const auto& law) {
         const PlaneVector a = law.respond(plane, strain, {}).stress.in_plane(),
                           b = law.respond(plane, turned(strain, angle, 2), {}).stress.in_plane();
         CHECK((turned(a, angle, 1) - b).norm() < 1e-9 * a.norm());
-      };
-      check(mc), check(dp), check(j2);
+      });
     }
 }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "bearing/direction_samples.hpp"
+#include "contact/contact_samples.hpp"
 #include "near.hpp"
 #include "physics/collapses.hpp"
 
@@ -161,14 +163,7 @@ TEST_CASE("the ledger of a driven oscillator closes, and what its support puts i
 }
 
 TEST_CASE("every bearing law keeps its part of the ledger") {
-  const std::vector<std::pair<std::string, DirectionLaw>> laws{
-      {"linear", Linear{2e5, 500}},
-      {"elastic_plastic", ElasticPlastic{2e5, 2e3, 0.1, 100}},
-      {"gap", Gap{5e5, 0.01, 1e3, 0}},
-      {"table", Table{{-0.1, -0.02, 0, 0.03, 0.1}, {-6e3, -4e3, 0, 2e3, 9e3}, 200}},
-      {"friction", Friction{0.1, 1e6, 0}},
-      {"pendulum", Pendulum{1.5, 0.06, 1e6, 0}}};
-  for (const auto& [name, law] : laws) {
+  for (const auto& [name, law] : testing::direction_samples(200)) {
     Scene scene(Frictional{1e8, 5e7, 0.5, 1e-4});
     scene.fixed("base", box(-1, -1, 1, 0));
     scene.block("mass", box(-0.5, 0, 0.5, 0.4), 1000);
@@ -181,6 +176,20 @@ TEST_CASE("every bearing law keeps its part of the ledger") {
     scene.drive_along_x(model, "base", testing::sine(4, 1.5, 4));
     Simulation sim(model);
     check_closed(fmt::format("bearing {}", name), keep_books(sim, stage(4, 0.02)));
+  }
+}
+
+TEST_CASE("every contact law keeps its part of the ledger") {
+  for (const auto& [name, law] : testing::contact_samples()) {
+    Scene scene(law);
+    scene.fixed("base", box(-2, -0.5, 8, 0));
+    scene.block("struck", box(0, 0, 1, 0.5), 1000, {3, 0});
+    BodySpec thrown;
+    thrown.name = "thrown", thrown.outline = box(3, 0.1, 4, 0.5), thrown.mass = 800, thrown.floating = true;
+    thrown.velocity = {1, -1}, thrown.spin = 0.5;
+    scene.add(thrown);
+    Simulation sim = scene.start();
+    check_closed(name, keep_books(sim, stage(1.5, 0.02)));
   }
 }
 
