@@ -53,20 +53,14 @@ end
 local ns = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }:scale { factor = p.sign }
 local report = m:shake { body = "wall.base", x = ns, duration = p.duration, safety = 0.8 }
 
-local figures, joints = {}, m:joints()
-for k = 3, 1, -1 do
-  local units, out, all, apart = m:bodies { name = "wall.s" .. k .. ".c*" }, 0, 0, 0
-  local floor = m:body(k > 1 and "wall.s" .. k - 1 .. ".slab" or "wall.base")
-  for u in units do if math.abs(u.ux - floor.ux) > inch or u.uy < -inch then out = out + 1 end end
-  for _, j in ipairs(joints) do
-    if j.storey == k then
-      all = all + 1
-      if math.max(j.opening, math.abs(j.slip)) > 0.5*inch then apart = apart + 1 end
-    end
-  end
+-- Joints are apart that opened or slipped by more than half an inch; units are out of place that moved against the
+-- floor under their storey, or came down, by more than an inch.
+local figures, storeys = {}, wall:damage_by_storey { apart = 0.5*inch, out_of_place = 1*inch }
+for k = #storeys, 1, -1 do
+  local storey = storeys[k]
+  figures["broken " .. k], figures["apart " .. k] = broken[k]/math.max(1, bonds[k]), storey.joints_apart/storey.joints
   print(("storey %d: %d of %d bonds broke, %d of %d joints apart by half an inch, %d of %d units out of place"):format(
-    k, broken[k], bonds[k], apart, all, out, #units))
-  figures["broken " .. k], figures["apart " .. k] = broken[k]/math.max(1, bonds[k]), apart/all
+    k, broken[k], bonds[k], storey.joints_apart, storey.joints, storey.units_out_of_place, storey.units))
 end
 local function at(i) return times[i] and ("%.2f s"):format(times[i] - report.begun) or "never" end
 print(("first bond broke after %s, half of all by %s"):format(at(1), at((#times + 1)//2)))

@@ -4,7 +4,9 @@
 
 #include "body_reading.hpp"
 #include "handles.hpp"
+#include "run/storey_damage.hpp"
 #include "step/element_stress.hpp"
+#include "table_fields.hpp"
 #include "world/pose.hpp"
 
 namespace trilith::script {
@@ -249,7 +251,49 @@ int set_has(lua_State* L) {
   return 1;
 }
 
-const std::array set_methods{Method{"has", guarded<set_has>, "has(body or set): true where all of it is in this set"}};
+/// wall:damage_by_storey{ apart =, out_of_place = }: a row for each storey the set belongs to, lowest first.
+int set_damage(lua_State* L) {
+  const auto& set = handle<BodySet>(L, 1);
+  require_open(set);
+  lua_settop(L, 2);
+  if (lua_isnil(L, 2)) {
+    lua_newtable(L);
+    lua_replace(L, 2);
+  }
+  Keys keys(L, 2, "damage_by_storey");
+  DamageLimits limits;
+  limits.apart = keys.number("apart", "m", limits.apart);
+  limits.out_of_place = keys.number("out_of_place", "m", limits.out_of_place);
+  for (const auto& [key, value] : {std::pair{"apart", limits.apart}, {"out_of_place", limits.out_of_place}})
+    if (!(value >= 0)) keys.problem(fmt::format("'{}' is {:g} m, must not be below 0", key, value));
+  keys.finish();
+  const Simulation& sim = set.model().evaluated();
+  const Findings& findings = set.model().findings();
+  const std::vector<StoreyDamage> rows = damage_by_storey(sim.model(), sim.state(), sim.work(), set.bodies,
+                                                          findings.storeys, findings.base, findings.joints, limits);
+  if (rows.empty())
+    throw InputError(
+        fmt::format("damage_by_storey: none of these {} bodies is in a group \"storey 1\", \"storey 2\", "
+                    "...; ask it of what m:wall gives, or give the bodies such groups",
+                    set.bodies.size()));
+  lua_createtable(L, static_cast<int>(rows.size()), 0);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    lua_createtable(L, 0, 5);
+    set_integer(L, "storey", rows[i].storey);
+    set_integer(L, "joints", rows[i].joints);
+    set_integer(L, "joints_apart", rows[i].joints_apart);
+    set_integer(L, "units", rows[i].units);
+    set_integer(L, "units_out_of_place", rows[i].units_out_of_place);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  return 1;
+}
+
+const std::array set_methods{
+    Method{"has", guarded<set_has>, "has(body or set): true where all of it is in this set"},
+    Method{"damage_by_storey", guarded<set_damage>,
+           "damage_by_storey{apart=, out_of_place=}: joints apart and units out of place, storey by storey"},
+};
 
 using NamedFunction = std::pair<const char*, lua_CFunction>;
 constexpr std::array set_operators{

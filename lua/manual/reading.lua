@@ -6,6 +6,13 @@ material  names?  of one of these materials
 name      names?  of these names]], gives = "set" },
   { "set:has", "True where all of it is in this set.",
     args = "bodies  bodies  a body, set, name or list", gives = "boolean" },
+  { "set:damage_by_storey", "What became of a wall: rows, lowest storey first, of { storey, joints, joints_apart, "
+    .. "units, units_out_of_place }. Joints are those of the start between bodies of the set. A unit is out of "
+    .. "place when its centroid has moved sideways against the floor under its storey by more than the limit, "
+    .. "or has come down by more than it.",
+    keys = [[
+apart         number m = 0.0127  a joint that opened or slipped by more is apart (half an inch)
+out_of_place  number m = 0.0254  a unit that moved by more is out of place (an inch)]], gives = "table[]" },
   { "body:point", "Where the point is now that was there at the start: x and y.",
     args = "place  point  {x, y} at the start", gives = "number, number" },
   { "model:contacts", "Contacts that carry force: { a, b, law, hold, slip, normal, shear, point, force }.",

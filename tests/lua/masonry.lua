@@ -24,6 +24,28 @@ assert(#m:bodies { group = "pier 1" } > 0 and #m:bodies { group = "spandrel 1" }
 local report = m:consolidate { ratio = 1e-4, speed = 1e-4, duration = 5 }
 assert(report.rests and m:body("w.base").uy == 0)
 
+-- what became of it, storey by storey: nothing as it stands, all of it where nothing may move
+local damage = wall:damage_by_storey()
+assert(#damage == #m.storeys and damage[1].storey == 1 and damage[2].storey == 2)
+local joints, units = 0, 0
+for k, storey in ipairs(damage) do
+  assert(storey.joints_apart == 0 and storey.units_out_of_place == 0)
+  joints, units = joints + storey.joints, units + storey.units
+  assert(storey.units == #(m:bodies { group = "units" } * m:bodies { group = "storey " .. k }))
+end
+assert(joints == #m:joints() and units == #m:bodies { group = "units" })
+local strict = wall:damage_by_storey { apart = 0, out_of_place = 0 }
+assert(strict[1].joints_apart > 0 and strict[1].units_out_of_place == strict[1].units)
+assert((slabs:damage_by_storey()[1].units) == 0)
+local function refused(pattern, f, ...)
+  local good, message = pcall(f, ...)
+  assert(not good and tostring(message):find(pattern), tostring(message))
+end
+refused("unknown key 'appart'; did you mean 'apart'?", wall.damage_by_storey, wall, { appart = 1 })
+refused("'out_of_place' is %-1 m, must not be below 0", wall.damage_by_storey, wall, { out_of_place = -1 })
+local base = m:bodies { name = "w.base" }
+refused("none of these 1 bodies is in a group \"storey 1\"", base.damage_by_storey, base)
+
 -- storeys of their own, and what snapping changed is told
 local n = trilith.model { name = "n" }
 n:material { name = "brick", density = 1800 }
