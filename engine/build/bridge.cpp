@@ -31,9 +31,37 @@ void check_pier(const Pier& pier, const std::string& owner) {
                                  pier.height, pier.footing_thickness + pier.cap_thickness));
 }
 
+/// Seat and joint as they were given: both, or a joint alone.
+void check_seat(double seat, const std::optional<double>& gap, const std::string& owner) {
+  require_not_negative(seat, owner + ": seat", "m");
+  if (gap) require_not_negative(*gap, owner + ": gap", "m");
+  if (seat > 0 && !gap)
+    throw InputError(
+        fmt::format("{}: seat is {:g} m, but how wide the joint beside it is, is missing; give gap too", owner, seat));
+}
+
 }  // namespace
 
-Part build_pier(const Pier& pier) {
+Pier with_seats(const Pier& pier) {
+  const std::string owner = builder_title("pier", pier.name);
+  check_seat(pier.seat, pier.gap, owner);
+  Pier p = pier;
+  if (p.seat > 0) {
+    if (p.top_width > 0)
+      throw InputError(
+          fmt::format("{}: both top width, {:g} m, and seat, {:g} m, are given; keep one", owner, p.top_width, p.seat));
+    (p.stem_width > 0 ? p.top_width : p.stem_width) = 2 * p.seat + *p.gap;
+  } else if (p.gap) {
+    const double top = p.top_width > 0 ? p.top_width : p.stem_width;
+    p.seat = (top - *p.gap) / 2;
+    if (!(p.seat > 0))
+      throw InputError(fmt::format("{}: a joint of {:g} m leaves no seat on a top {:g} m wide", owner, *p.gap, top));
+  }
+  return p;
+}
+
+Part build_pier(const Pier& given) {
+  const Pier pier = with_seats(given);
   check_pier(pier, builder_title("pier", pier.name));
   const double stem = pier.stem_width / 2, top = pier.top_width > 0 ? pier.top_width / 2 : stem;
   const double seat = pier.ground_level + pier.height;
@@ -54,7 +82,33 @@ Part build_pier(const Pier& pier) {
   return part;
 }
 
-Part build_abutment(const Abutment& abutment) {
+Abutment with_seats(const Abutment& abutment) {
+  const std::string owner = builder_title("abutment", abutment.name);
+  check_seat(abutment.seat, abutment.gap, owner);
+  Abutment a = abutment;
+  if (a.axis && !(a.seat > 0))
+    throw InputError(owner + ": its axis is given, the middle of the joint; give seat and gap too, or x");
+  if (a.seat > 0) {
+    if (a.back_wall_width > 0)
+      throw InputError(fmt::format("{}: both back wall width, {:g} m, and seat, {:g} m, are given; keep one", owner,
+                                   a.back_wall_width, a.seat));
+    const double wall = a.width - a.seat - *a.gap;
+    if (!(wall > 0))
+      throw InputError(fmt::format("{}: width is {:g} m, must be above seat and joint together, {:g} m", owner, a.width,
+                                   a.seat + *a.gap));
+    if (a.back_wall_height > 0) a.back_wall_width = wall;
+    if (a.axis) a.x = *a.axis + (a.side == AbutmentSide::left ? 1 : -1) * (*a.gap / 2 + a.seat);
+  } else if (a.gap) {
+    a.seat = a.width - a.back_wall_width - *a.gap;
+    if (!(a.seat > 0))
+      throw InputError(fmt::format("{}: a joint of {:g} m leaves no seat before the back wall; {:g} m are there", owner,
+                                   *a.gap, a.width - a.back_wall_width));
+  }
+  return a;
+}
+
+Part build_abutment(const Abutment& given) {
+  const Abutment abutment = with_seats(given);
   const std::string owner = builder_title("abutment", abutment.name);
   require_finite(abutment.x, owner + ": x");
   require_finite(abutment.ground_level, owner + ": ground level");

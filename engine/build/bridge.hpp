@@ -1,6 +1,7 @@
 // The rigid pieces of a simple-span bridge seen from the side: piers, abutments and spans.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,18 @@ struct Pier {
   double cap_thickness = 0;      ///< height of the cap, m; 0: no cap, the stem tapers evenly to the top width
   double footing_width = 0;      ///< m; 0: no footing
   double footing_thickness = 0;  ///< m, above 0 where there is a footing
+  double seat = 0;  ///< length of each of its two seats, m, with `gap`: the top is as wide as both and the joint; it is
+                    ///< the stem's width too where that is not given. 0: what the widths give
+  std::optional<double> gap = std::nullopt;  ///< joint between the decks that meet on it, m; nothing: spans say it
 };
 
+/// The pier with the widths that `seat` and `gap` give. Throws InputError where only one of them makes sense of the
+/// other, where the top's width is given besides, and where the joint leaves no seat.
+Pier with_seats(const Pier& pier);
+
 /// One part, group "piers". The outline begins at the lower left corner of the footing (of the stem where there is
-/// none). Throws InputError for sizes not above 0, a footing narrower than the stem, or a height that leaves no stem.
+/// none). Throws InputError for sizes not above 0, a footing narrower than the stem, a height that leaves no stem, and
+/// as with_seats() does.
 Part build_pier(const Pier& pier);
 
 /// Side of the bridge an abutment stands at.
@@ -32,16 +41,23 @@ enum class AbutmentSide { left, right };
 struct Abutment {
   std::string name = "abutment";
   AbutmentSide side = AbutmentSide::left;
-  double x = 0;                 ///< of the front face, towards the span, m
-  double ground_level = 0;      ///< y of the underside, m
-  double height = 0;            ///< from there to the seat, m
-  double width = 0;             ///< from the front face away from the bridge, m
-  double back_wall_height = 0;  ///< above the seat, m; 0: no back wall
-  double back_wall_width = 0;   ///< m, below `width`: the seat is as long as the rest
+  double x = 0;                               ///< of the front face, towards the span, m; or `axis`
+  double ground_level = 0;                    ///< y of the underside, m
+  double height = 0;                          ///< from there to the seat, m
+  double width = 0;                           ///< from the front face away from the bridge, m
+  double back_wall_height = 0;                ///< above the seat, m; 0: no back wall
+  double back_wall_width = 0;                 ///< m, below `width`: seat and joint are as long as the rest
+  std::optional<double> axis = std::nullopt;  ///< middle of the joint between deck and back wall, m, instead of `x`
+  double seat = 0;                            ///< length of the seat, m, with `gap`, instead of the back wall's width
+  std::optional<double> gap = std::nullopt;   ///< joint between deck and back wall, m; nothing: the span says it
 };
 
+/// The abutment with the front face and the back wall's width that `axis`, `seat` and `gap` give. Throws InputError
+/// where one of them is missing, where the wall's width is given besides, and where nothing is left for the wall.
+Abutment with_seats(const Abutment& abutment);
+
 /// One part, group "abutments": a rectangle or an L whose seat lies at the front. Left and right are mirror images.
-/// Throws InputError for sizes not above 0 or a back wall that leaves no seat.
+/// Throws InputError for sizes not above 0 or a back wall that leaves no seat, and as with_seats() does.
 Part build_abutment(const Abutment& abutment);
 
 /// A deck between two supports.
