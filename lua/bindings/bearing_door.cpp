@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing_reading.hpp"
 #include "doors.hpp"
 #include "step/notice.hpp"
 #include "world/pose.hpp"
@@ -10,26 +11,6 @@ namespace trilith::script {
 namespace {
 
 constexpr std::array<const char*, 3> direction_names{"along", "axial", "turning"};
-
-void read_directions(Keys& keys, BearingSpec& spec) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (const auto* law = keys.maybe_handle<DirectionLawValue>(direction_names[k])) spec.law[k] = law->law;
-  lua_State* L = keys.lua();
-  const int type = keys.push("limit");
-  if (type == LUA_TTABLE) {
-    Keys own(L, -1, "limit");
-    for (std::size_t k = 0; k < 3; ++k)
-      spec.limit[k] = own.number(direction_names[k], k == turning ? "rad" : "m", unbounded);
-    try {
-      own.finish();
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-  } else if (type != LUA_TNIL) {
-    keys.wrong("limit", "a table { along = , axial = , turning = }");
-  }
-  lua_pop(L, 1);
-}
 
 void read_points(Keys& keys, BearingSpec& spec) {
   const auto at = keys.maybe_point("at"), from = keys.maybe_point("from"), to = keys.maybe_point("to");
@@ -255,6 +236,26 @@ const std::array bearing_method_list{
 };
 
 }  // namespace
+
+void read_directions(Keys& keys, BearingSpec& spec) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const auto* law = keys.maybe_handle<DirectionLawValue>(direction_names[k])) spec.law[k] = law->law;
+  lua_State* L = keys.lua();
+  const int type = keys.push("limit");
+  if (type == LUA_TTABLE) {
+    Keys own(L, -1, "limit");
+    for (std::size_t k = 0; k < 3; ++k)
+      spec.limit[k] = own.number(direction_names[k], k == turning ? "rad" : "m", unbounded);
+    try {
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL) {
+    keys.wrong("limit", "a table { along = , axial = , turning = }");
+  }
+  lua_pop(L, 1);
+}
 
 std::span<const Method> bearing_methods() {
   return bearing_method_list;

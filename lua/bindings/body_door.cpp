@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "body_reading.hpp"
+#include "bridge_book.hpp"
 #include "handles.hpp"
 #include "run/storey_damage.hpp"
 #include "step/element_stress.hpp"
@@ -87,6 +88,26 @@ double mean_stress(const BodyHandle& b, Value&& value) {
   return area > 0 ? sum / area : 0;
 }
 
+/// Pushes { left =, right = } with those of `names` that are at the ends of the span; nil for any other body.
+template <void (*push)(lua_State*, int, int)>
+void push_ends(lua_State* L, const BodyHandle& b, const std::vector<std::string>& names) {
+  const std::string& span = spec(b).name;
+  const auto is_span = [&](const LaidSpan& laid) { return laid.deck.name == span; };
+  const auto& book = b.model().bridge;
+  if (!book || std::none_of(book->layout.spans().begin(), book->layout.spans().end(), is_span)) {
+    lua_pushnil(L);
+    return;
+  }
+  lua_getiuservalue(L, 1, 1);
+  lua_createtable(L, 0, 2);
+  for (const std::size_t side : {0, 1}) {
+    const auto found = std::find(names.begin(), names.end(), span_end_name(span, side));
+    if (found == names.end()) continue;
+    push(L, -2, static_cast<int>(found - names.begin()));
+    lua_setfield(L, -2, side == 0 ? "left" : "right");
+  }
+}
+
 using BodyProperty = Property<BodyHandle>;
 const std::array body_properties{
     BodyProperty{"name", "", "its name", nullptr,
@@ -122,6 +143,10 @@ const std::array body_properties{
         [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xy; }); }},
     BodyProperty{"plastic", "1", "mean plastic measure of a deformable body",
                  [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return e.plastic; }); }},
+    BodyProperty{"bearings", "", "of a span made with from and to: { left, right }; a side without a bearing is nil",
+                 nullptr, [](lua_State* L, const BodyHandle& b) { push_ends<push_bearing>(L, b, b.model().bearings); }},
+    BodyProperty{"seats", "", "of a span made with from and to: { left, right }", nullptr,
+                 [](lua_State* L, const BodyHandle& b) { push_ends<push_seat>(L, b, b.model().seats); }},
     BodyProperty{"resting", "", "true while it has been still for the model's still_time", nullptr,
                  [](lua_State* L, const BodyHandle& b) {
                    const Simulation* s = b.model().if_built();

@@ -201,6 +201,7 @@ void open_core(lua_State* L) {
   set_function(L, "members", guarded<members>);
   open_declarations(L);
   open_debug(L);
+  open_bridge(L);
 }
 
 }  // namespace trilith::script

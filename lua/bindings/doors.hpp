@@ -20,6 +20,7 @@ void open_declarations(lua_State* L);  ///< for the library only: what is declar
 // Methods of a model, file by file.
 std::span<const Method> parts_methods();     ///< material, contact, body, add, pier, span, ...
 std::span<const Method> bearing_methods();   ///< bearing, seat
+std::span<const Method> bridge_methods();    ///< bearing_type, span
 std::span<const Method> stage_methods();     ///< run, consolidate, shake, fix, free, drive, tilt, stop
 std::span<const Method> load_methods();      ///< point_load, pressure, set_load, release
 std::span<const Method> pushover_methods();  ///< pushover
@@ -41,7 +42,8 @@ std::span<const Property<ModelBox>> debug_properties();
 void open_debug(lua_State* L);
 void open_compare(lua_State* L);
 void open_change(lua_State* L);
-void open_lint(lua_State* L);  ///< for the library: faults, doubts, damping of contacts, what is usual
+void open_bridge(lua_State* L);  ///< for the library: heights of bearing types
+void open_lint(lua_State* L);    ///< for the library: faults, doubts, damping of contacts, what is usual
 
 /// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.
 void push_event(lua_State* L, int model_index, const Event& event);

@@ -57,25 +57,31 @@ MakeParts read_pier(Keys& k) {
   p.x = k.number("x", "m");
   p.ground_level = k.number("ground_level", "m", p.ground_level);
   p.height = k.number("height", "m");
-  p.stem_width = k.number("stem_width", "m");
+  p.stem_width = k.has("seat") ? k.number("stem_width", "m", 0) : k.number("stem_width", "m");
   p.top_width = k.number("top_width", "m", p.top_width);
   p.cap_thickness = k.number("cap_thickness", "m", p.cap_thickness);
   p.footing_width = k.number("footing_width", "m", p.footing_width);
   p.footing_thickness = k.number("footing_thickness", "m", p.footing_thickness);
-  return [p] { return MadeParts{{build_pier(p)}}; };
+  p.seat = k.number("seat", "m", p.seat);
+  p.gap = k.maybe_number("gap", "m");
+  return [p] { return MadeParts{.parts = {build_pier(p)}, .tops = {top_of(p)}}; };
 }
 
 MakeParts read_abutment(Keys& k) {
   Abutment a;
   a.name = read_name(k, a.name);
   a.side = k.choice("side", {"left", "right"}, 0) == 0 ? AbutmentSide::left : AbutmentSide::right;
-  a.x = k.number("x", "m");
+  a.axis = k.maybe_number("axis", "m");
+  if (a.axis && k.has("x")) k.problem("both x and axis are given; keep one");
+  a.x = a.axis ? 0 : k.number("x", "m");
   a.ground_level = k.number("ground_level", "m", a.ground_level);
   a.height = k.number("height", "m");
   a.width = k.number("width", "m");
   a.back_wall_height = k.number("back_wall_height", "m", a.back_wall_height);
   a.back_wall_width = k.number("back_wall_width", "m", a.back_wall_width);
-  return [a] { return MadeParts{{build_abutment(a)}}; };
+  a.seat = k.number("seat", "m", a.seat);
+  a.gap = k.maybe_number("gap", "m");
+  return [a] { return MadeParts{.parts = {build_abutment(a)}, .tops = {top_of(a)}}; };
 }
 
 MakeParts read_span(Keys& k) {

@@ -6,15 +6,17 @@
 #include <string_view>
 #include <vector>
 
+#include "build/bridge_layout.hpp"
 #include "build/part.hpp"
 #include "handles.hpp"
 
 namespace trilith::script {
 
-/// Parts, and what had to be repaired.
+/// Parts, what had to be repaired, and what of them carries spans.
 struct MadeParts {
   std::vector<Part> parts;
   std::vector<std::string> notes = {};
+  std::vector<SupportTop> tops = {};
 };
 
 /// Makes the parts; to be called after Keys::finish.
@@ -29,6 +31,8 @@ struct PartMaker {
 
 inline constexpr std::size_t part_maker_count = 13;
 std::span<const PartMaker, part_maker_count> part_makers();
+/// m:span takes more than the part; bridge_door.cpp adds it.
+inline constexpr std::string_view span_maker = "span";
 
 /// Pushes a part as {name =, outline =, groups =}.
 void push_part(lua_State* L, const Part& part);

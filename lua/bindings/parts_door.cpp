@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "body_reading.hpp"
+#include "bridge_book.hpp"
 #include "build/gmsh.hpp"
 #include "doors.hpp"
 #include "part_makers.hpp"
@@ -288,6 +289,7 @@ int add_made(lua_State* L) {
   check_named(options, made.parts, keys.owner());
   for (const std::string& note : made.notes) m.builder.note(note);
   for (const Part& part : made.parts) add_part(m, part, options);
+  for (const SupportTop& top : made.tops) book_of(m).layout.add_support(top);
   push_added(L, m, first, maker.single);
   return 1;
 }
@@ -311,7 +313,8 @@ std::vector<Method> all_methods() {
       {"add", guarded<add_parts>, "add(parts, {material=, ...}): parts as from trilith.build become bodies"},
   };
   for (std::size_t i = 0; i < part_maker_count; ++i)
-    methods.push_back({part_makers()[i].name, maker_functions[i].add, part_makers()[i].doc});
+    if (part_makers()[i].name != span_maker)
+      methods.push_back({part_makers()[i].name, maker_functions[i].add, part_makers()[i].doc});
   return methods;
 }
 

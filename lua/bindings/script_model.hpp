@@ -18,6 +18,8 @@
 
 namespace trilith::script {
 
+struct BridgeBook;  // bridge_book.hpp
+
 /// A quantity followed over time, kept in memory and recorded.
 struct History {
   std::string name, unit, sentence;
@@ -55,6 +57,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::vector<std::pair<std::string, ContactLaw>> laws;  ///< as given to the builder
   std::vector<Material> materials;                       ///< as given to the builder
   std::vector<std::string> bearings, seats;              ///< names, in order
+  std::shared_ptr<BridgeBook> bridge;                    ///< supports and spans; empty before the first
   std::vector<History> histories;
   std::vector<double> history_times;  ///< [s]
   double history_interval = 0.01;     ///< [s], without results

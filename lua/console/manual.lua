@@ -49,9 +49,11 @@ local function add_makers(manual, page, shared)
     for _, owner in ipairs { "model:", "trilith.build." } do
       local single = rawget(manual.module, row[1]) ~= nil
       local of_model = owner == "model:"
-      manual.add(read_entry({ owner .. row[1], row[2], keys = row.keys, beside = row.beside,
-        with = of_model and (single and "body" or "bodies") or nil,
-        gives = not of_model and "part[]" or single and "body" or "set" }, page, shared))
+      if not (of_model and row.parts_only) then
+        manual.add(read_entry({ owner .. row[1], row[2], keys = row.keys, beside = row.beside,
+          with = of_model and (single and "body" or "bodies") or nil,
+          gives = not of_model and "part[]" or single and "body" or "set" }, page, shared))
+      end
     end
     if rawget(manual.module, row[1]) then
       manual.add(read_entry({ "trilith." .. row[1], row[2] .. " One part, for the shape of a body.", keys = row.keys,

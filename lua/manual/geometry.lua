@@ -101,26 +101,68 @@ name               text?         its name
 x                  number m      its axis
 ground_level       number m = 0  top of the ground
 height             number m      above the ground
-stem_width         number m      of the stem
+stem_width         number m?     of the stem; with seat and gap it may be left out
 top_width          number m?     of the cap
 cap_thickness      number m?     of the cap
 footing_width      number m?     of the footing
-footing_thickness  number m?     of the footing]] },
+footing_thickness  number m?     of the footing
+seat               number m?     length of each of its two seats: its top is as wide as both and the joint
+gap                number m?     joint between the two decks that meet on it]] },
     { "abutment", "A stub abutment with a back wall.", keys = [[
 name              text?          its name
 side              text = "left"  "left" or "right"
-x                 number m       edge of its seat
+x                 number m?      edge of its seat; or axis
+axis              number m?      middle of the joint between deck and back wall; needs seat and gap
 ground_level      number m = 0   its bottom
 height            number m       from there to the seat
 width             number m       of all of it
 back_wall_height  number m?      above the seat
-back_wall_width   number m?      of the back wall]] },
-    { "span", "A deck between two supports.", keys = [[
-name          text?         its name
-x0            number m      axis of the left support
-x1            number m      axis of the right support
-end_gap       number m?     from the axis to its end
-soffit_level  number m?     its underside
-depth         number m?     its height]] },
+back_wall_width   number m?      of the back wall; or seat and gap
+seat              number m?      length of the seat under the deck
+gap               number m?      joint between deck and back wall]] },
+    { "span", "A deck between two places.", parts_only = true, keys = [[
+name          text = "span"  its name
+x0            number m       axis of the left support
+x1            number m       axis of the right support
+end_gap       number m = 0   from the axis to its end
+soffit_level  number m       its underside
+depth         number m       its height]] },
   },
+  { "model:span", "A deck on two supports made before: where it lies, its seats and its bearings follow from them; or "
+    .. "a deck alone, between x0 and x1. Seats, and bearings of types with a law, are named such as \"S1.left\": "
+    .. "span.seats.left, span.bearings.right.", keys = [[
+name               text = "span"  its name
+from               body?          left support: an abutment, a pier or a body with a level top
+to                 body?          right support
+left               text?          bearing type on the left support, see model:bearing_type
+right              text?          bearing type on the right support
+gap                number m?      joint on supports that do not say theirs
+depth              number m       its height
+soffit_level       number m?      its underside; without it, where its left bearing has it
+weight_per_length  number N/m?    of the deck from end to end; or weight, mass, density
+x0                 number m?      of a deck alone: axis of the left support
+x1                 number m?      axis of the right support
+end_gap            number m = 0   from the axis to its end]], with = "body", gives = "body" },
+  { "model:bearing_type", "A kind of bearing for the ends of spans. Without a law the deck lies and slides on its "
+    .. "seat, as on an expansion bearing.", keys = [[
+name     text            its name
+height   number m = 0    from the seat to the deck; above 0 it needs an axial law
+along    direction law?  force along; alone it is a dowel: the deck lies on its seat
+axial    direction law?  force across, which carries the deck; without height instead of their flat contact
+turning  direction law?  moment
+limit    table?          { along = , axial = , turning = }: displacements that end it
+becomes  contact law?    of deck and support after it failed; or the name of one
+contact  contact law?    of deck and support from the start; or the name of one]], gives = "string" },
+  { "model:bridge", "Simple spans on piers between two abutments, from two tables. What it gives has supports and "
+    .. "spans: bodies, in order and by name.", keys = [[
+supports      list          from left to right: name, height from ground to deck, what model:pier, model:abutment take
+spans         list          from left to right: name, length from axis to axis, what model:span takes
+x             number m = 0  axis of the first support
+soffit_level  number m = 0  underside of the decks; seats are lower by the height of their bearings
+gap           number m?     joints, where a support says nothing else
+seat          number m?     length of seats, where a support says nothing else
+material      text?         where a row says nothing else
+abutment      table?        what both abutments have in common; its back_wall_height counts from the deck's underside
+pier          table?        what all piers have in common
+span          table?        what all spans have in common]], gives = "table" },
 }

@@ -1,0 +1,195 @@
+// Spans between supports, and the types of bearings they lie on.
+#include <algorithm>
+
+#include "bearing_reading.hpp"
+#include "body_reading.hpp"
+#include "bridge_book.hpp"
+#include "doors.hpp"
+#include "part_makers.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// Name of the contact law under `key`, given as a value or by name; "" where there is none or a problem is noted.
+std::string contact_law_under(Keys& keys, std::string_view key, ScriptModel& m) {
+  lua_State* L = keys.lua();
+  std::string name;
+  const int type = keys.push(key);
+  if (type == LUA_TSTRING) {
+    name = text_at(L, -1);
+    const std::vector<std::string> known = m.builder.law_names();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      keys.problem(fmt::format("{}: there is no contact law '{}'{}", key, name, name_hint(name, known)));
+  } else if (const auto* law = type == LUA_TNIL ? nullptr : test_handle<ContactLawValue>(L, -1)) {
+    keys.finish();
+    name = require_law(m, *law, "");
+  } else if (type != LUA_TNIL) {
+    keys.wrong(key, "a contact law, or the name of one");
+  }
+  lua_pop(L, 1);
+  return name;
+}
+
+/// m:bearing_type{ name =, height =, along =, axial =, turning =, limit =, becomes =, contact = }
+int add_bearing_type(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  m.require_open("bearing_type");
+  Keys keys(L, 2, "bearing type");
+  BearingType type;
+  BearingRecipe recipe;
+  type.name = keys.text("name");
+  keys.name_owner(type.name);
+  type.height = keys.number("height", "m", 0);
+  read_directions(keys, recipe.bearing);
+  recipe.links = keys.has("along") || keys.has("axial") || keys.has("turning");
+  for (const char* key : {"limit", "becomes"})
+    if (keys.has(key) && !recipe.links)
+      keys.problem(fmt::format("'{}' is given, but no law; give along, axial or turning", key));
+  if (type.height > 0 && !keys.has("axial"))
+    keys.problem("'height' is given, but no law that would hold the deck up; give axial");
+  keys.know({"becomes", "contact"});
+  recipe.bearing.contact_after = contact_law_under(keys, "becomes", m);
+  recipe.contact = contact_law_under(keys, "contact", m);
+  keys.finish();
+  // A bearing that carries the deck and has no height sits in the contact of deck and seat, and stands for it. One
+  // without an axial law, such as a dowel, leaves the weight to the contact.
+  recipe.bearing.holds_off_contact = keys.has("axial") && type.height == 0;
+  book_of(m).layout.add_bearing_type(type);
+  book_of(m).recipes.emplace(type.name, recipe);
+  lua_pushstring(L, type.name.c_str());
+  return 1;
+}
+
+/// Name of the support under `key`; what no pier and no abutment is carries spans on its top.
+std::string support_under(Keys& keys, std::string_view key, ScriptModel& m) {
+  lua_State* L = keys.lua();
+  std::string name;
+  const int type = keys.push(key);
+  if (type == LUA_TSTRING)
+    name = text_at(L, -1);
+  else if (type != LUA_TNIL && test_handle<BodyHandle>(L, -1) != nullptr)
+    name = m.builder.bodies()[static_cast<std::size_t>(row_at<BodyHandle>(L, -1, m, keys.owner()))].name;
+  else if (type == LUA_TNIL)
+    keys.missing(key, "a pier, an abutment or another body, or its name");
+  else
+    keys.wrong(key, "a pier, an abutment or another body, or its name");
+  lua_pop(L, 1);
+  BridgeLayout& layout = book_of(m).layout;
+  for (const BodySpec& body : m.builder.bodies())
+    if (body.name == name && !layout.has_support(name)) layout.add_support(top_of(name, body.outline));
+  return name;
+}
+
+constexpr const char* type_wanted = "the name of a bearing type, as m:bearing_type gives it";
+
+std::string type_under(Keys& keys, std::string_view key) {
+  const int type = keys.push(key);
+  if (type == LUA_TNIL)
+    keys.missing(key, type_wanted);
+  else if (type != LUA_TSTRING)
+    keys.wrong(key, type_wanted);
+  const std::string name = type == LUA_TSTRING ? text_at(keys.lua(), -1) : "";
+  lua_pop(keys.lua(), 1);
+  return name;
+}
+
+SpanPlan read_plan(Keys& keys, ScriptModel& m) {
+  SpanPlan plan;
+  plan.name = keys.text("name", plan.name);
+  keys.name_owner(plan.name);
+  plan.from = support_under(keys, "from", m);
+  plan.to = support_under(keys, "to", m);
+  plan.left = type_under(keys, "left");
+  plan.right = type_under(keys, "right");
+  plan.gap = keys.maybe_number("gap", "m");
+  plan.depth = keys.number("depth", "m");
+  plan.soffit_level = keys.maybe_number("soffit_level", "m");
+  for (const char* key : {"x0", "x1", "end_gap"})
+    if (keys.has(key))
+      keys.problem(fmt::format("'{}' is given besides from and to, which say where the span ends; leave it out", key));
+  return plan;
+}
+
+/// An end's seat, and its bearing where its type has one.
+void add_end(ScriptModel& m, const std::string& span, const SpanEnd& end, const std::string& name) {
+  const BearingRecipe& recipe = book_of(m).recipes.at(end.type);
+  m.builder.add_seat(
+      {.name = name, .body = span, .support = end.support, .end = end.end, .edge = end.edge, .inward = end.inward});
+  m.seats.push_back(name);
+  if (!recipe.contact.empty()) m.builder.set_contact(end.support, span, recipe.contact);
+  if (!recipe.links) return;
+  BearingSpec bearing = recipe.bearing;
+  bearing.name = name;
+  bearing.body_a = end.support, bearing.body_b = span;
+  bearing.point_a = bearing.point_b = end.bearing;
+  m.builder.add_bearing(bearing);
+  m.bearings.push_back(name);
+}
+
+int add_span_between(lua_State* L, ScriptModel& m, Keys& keys) {
+  const SpanPlan plan = read_plan(keys, m);
+  BodyOptions options = read_body_options(keys, false, m.body_form);
+  const auto weight = keys.maybe_number("weight_per_length", "N/m");
+  if (weight && !(*weight > 0)) keys.problem(fmt::format("'weight_per_length' is {:g} N/m, must be above 0", *weight));
+  if (weight && (options.spec.weight || options.spec.mass || options.spec.density))
+    keys.problem("weight_per_length is given, and another weight, mass or density besides; keep one");
+  keys.finish();
+  const LaidSpan span = book_of(m).layout.lay(plan);
+  if (weight) options.spec.weight = *weight * span.length();
+  add_part(m, span.deck, options);
+  const int body = m.body_count() - 1;
+  for (const std::size_t side : {0, 1}) add_end(m, plan.name, span.ends[side], span_end_name(plan.name, side));
+  book_of(m).layout.add(span);
+  push_body(L, 1, body);
+  return 1;
+}
+
+int add_span_alone(lua_State* L, ScriptModel& m, Keys& keys) {
+  keys.know({"from", "to", "left", "right", "gap", "weight_per_length"});
+  if (!keys.has("x0") && !keys.has("x1")) keys.missing("from", "the supports from and to, or the places x0 and x1");
+  for (const char* key : {"left", "right", "gap", "weight_per_length"})
+    if (keys.has(key))
+      keys.problem(fmt::format("'{}' goes with from and to, the supports of the span; give them", key));
+  const auto maker = std::find_if(part_makers().begin(), part_makers().end(),
+                                  [](const PartMaker& row) { return row.name == span_maker; });
+  const MakeParts make = maker->read(keys);
+  const BodyOptions options = read_body_options(keys, false, m.body_form);
+  keys.finish();
+  add_part(m, make().parts[0], options);
+  push_body(L, 1, m.body_count() - 1);
+  return 1;
+}
+
+/// m:span{ name =, from =, to =, left =, right =, depth =, ... }, or { name =, x0 =, x1 =, ... } for a deck alone.
+int add_span(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  m.require_open("span");
+  Keys keys(L, 2, "span");
+  return keys.has("from") || keys.has("to") ? add_span_between(L, m, keys) : add_span_alone(L, m, keys);
+}
+
+/// core.bearing_height(model, type, owner): of a bearing type [m].
+int bearing_height(lua_State* L) {
+  if (lua_type(L, 2) != LUA_TSTRING)
+    throw InputError(fmt::format("{} is {}, must be {}", text_at(L, 3), what_is(L, 2), type_wanted));
+  lua_pushnumber(L, book_of(this_model(L)).layout.require_type(text_at(L, 2), text_at(L, 3)).height);
+  return 1;
+}
+
+const std::array bridge_method_list{
+    Method{"bearing_type", guarded<add_bearing_type>,
+           "bearing_type{name=, height=, along=, axial=, turning=, limit=, becomes=, contact=}: for the ends of spans"},
+    Method{"span", guarded<add_span>, "span{name=, from=, to=, left=, right=, depth=, ...}: a deck on two supports"},
+};
+
+}  // namespace
+
+std::span<const Method> bridge_methods() {
+  return bridge_method_list;
+}
+
+void open_bridge(lua_State* L) {
+  set_function(L, "bearing_height", guarded<bearing_height>);
+}
+
+}  // namespace trilith::script
