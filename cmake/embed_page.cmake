@@ -1,4 +1,4 @@
-# Turns the page of `trilith view` into C++: cmake -DOUT=... -DPAGE=engine/record/page -DMODULES=a,b -P embed_page.cmake
+# Turns the page of `trilith view` into C++: cmake -DOUT=... -DPAGE=engine/view/page -DMODULES=a,b -P embed_page.cmake
 # The modules become one script: imports go (each module comes after what it imports), exports lose their word.
 string(REPLACE "," ";" MODULES "${MODULES}")
 set(code "")
@@ -10,13 +10,13 @@ foreach(module IN LISTS MODULES)
 endforeach()
 file(READ "${PAGE}/page.html" html)
 file(READ "${PAGE}/page.css" style)
-file(WRITE "${OUT}.new" "// Made from engine/record/page by cmake/embed_page.cmake.
-#include \"record/view_page_text.hpp\"
+file(WRITE "${OUT}.new" "// Made from engine/view/page by cmake/embed_page.cmake.
+#include \"view/page_text.hpp\"
 
-namespace trilith::record {
+namespace trilith::view {
 const char* view_page_html() { return R\"page(${html})page\"; }
 const char* view_page_style() { return R\"page(${style})page\"; }
 const char* view_page_code() { return R\"page(${code})page\"; }
-}  // namespace trilith::record
+}  // namespace trilith::view
 ")
 execute_process(COMMAND ${CMAKE_COMMAND} -E copy_if_different "${OUT}.new" "${OUT}")

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "record/axis_ticks.hpp"
+#include "base/quantity_text.hpp"
 #include "world/event_text.hpp"
 
 namespace trilith {

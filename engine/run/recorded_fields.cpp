@@ -7,8 +7,8 @@ namespace {
 
 enum FieldPlace : std::size_t { opening, slip, damage, stress };
 
-record::JointRow row_of(const Model<2>& model, const Joint& joint) {
-  record::JointRow row;
+results::JointRow row_of(const Model<2>& model, const Joint& joint) {
+  results::JointRow row;
   row.body_a = joint.body_a;
   row.body_b = joint.body_b;
   row.storey = storey_of(model, joint);
@@ -29,7 +29,7 @@ int storey_of(const Model<2>& model, const Joint& joint) {
 RecordedFields::RecordedFields(const Model<2>& model)
     : joints_(find_joints(model)), bodies_(model.bodies.size()), values_(joints_.empty() ? 0 : 4) {}
 
-void RecordedFields::describe(const Model<2>& model, record::Header& header) const {
+void RecordedFields::describe(const Model<2>& model, results::Header& header) const {
   if (joints_.empty()) return;
   for (const Joint& joint : joints_) header.joints.push_back(row_of(model, joint));
   const std::size_t n = joints_.size();

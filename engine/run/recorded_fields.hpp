@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "record/results.hpp"
+#include "results/results.hpp"
 #include "run/body_forces.hpp"
 #include "run/joints.hpp"
 #include "run/stage.hpp"
@@ -16,7 +16,7 @@ class RecordedFields {
   explicit RecordedFields(const Model<2>& model);
 
   /// Adds joints and fields to the header.
-  void describe(const Model<2>& model, record::Header& header) const;
+  void describe(const Model<2>& model, results::Header& header) const;
   /// The fields' numbers at this instant, in the order of the header; valid until the next call.
   const std::vector<std::vector<double>>& take(const Instant& now, std::span<const TouchingContact> touching);
 

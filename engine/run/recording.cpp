@@ -15,32 +15,32 @@
 namespace trilith {
 namespace {
 
-record::ContactState state_of(ContactHold hold) {
+results::ContactState state_of(ContactHold hold) {
   switch (hold) {
     case ContactHold::bonded:
-      return record::ContactState::bonded;
+      return results::ContactState::bonded;
     case ContactHold::sticking:
-      return record::ContactState::sticking;
+      return results::ContactState::sticking;
     case ContactHold::sliding:
       break;
   }
-  return record::ContactState::sliding;
+  return results::ContactState::sliding;
 }
 
-record::BearingState state_of(BearingStatus status) {
+results::BearingState state_of(BearingStatus status) {
   switch (status) {
     case BearingStatus::waiting:
-      return record::BearingState::waiting;
+      return results::BearingState::waiting;
     case BearingStatus::intact:
-      return record::BearingState::intact;
+      return results::BearingState::intact;
     case BearingStatus::yielded:
-      return record::BearingState::yielded;
+      return results::BearingState::yielded;
     case BearingStatus::failed:
-      return record::BearingState::failed;
+      return results::BearingState::failed;
     case BearingStatus::changed:
       break;
   }
-  return record::BearingState::changed;
+  return results::BearingState::changed;
 }
 
 /// Displacement of b's point against a's since the bearing was placed, in its axes; holds for failed ones too.
@@ -86,9 +86,9 @@ double wall_clock() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-record::Header whole_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options,
-                            const std::optional<RecordedFields>& fields) {
-  record::Header header = recording_header(model, state, options);
+results::Header whole_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options,
+                             const std::optional<RecordedFields>& fields) {
+  results::Header header = recording_header(model, state, options);
   if (fields) fields->describe(model, header);
   return header;
 }
@@ -121,7 +121,7 @@ void Recording::frame(const Instant& now) {
   take_contacts(now);
   take_bearings(now);
   take_stress(now);
-  record::FrameRow row;
+  results::FrameRow row;
   row.time = time_ = now.state.time;
   row.step = now.state.step;
   row.stage = stage_;
@@ -149,7 +149,7 @@ void Recording::take_contacts(const Instant& now) {
   contact_resultants(now.model, now.work, touching_);
   contacts_.clear();
   for (const TouchingContact& c : touching_) {
-    record::ContactForce out;
+    results::ContactForce out;
     for (const int k : {0, 1}) out.point[k] = c.resultant.point[k], out.force[k] = -c.resultant.force[k];
     out.body_a = c.body_a;
     out.body_b = c.body_b;
@@ -216,7 +216,7 @@ void Recording::event(const Event& event, const Instant& now) {
   time_ = event.time;
   if (event.type == EventType::stage_begun) begin_stage(event, now);
   const EventTypeInfo& info = event_type_info[static_cast<std::size_t>(event.type)];
-  record::EventRow row;
+  results::EventRow row;
   row.id = event.id;
   row.time = event.time;
   row.step = event.step;

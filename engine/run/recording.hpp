@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "record/results_writer.hpp"
+#include "results/writer.hpp"
 #include "run/recorded_fields.hpp"
 #include "run/recording_header.hpp"
 #include "step/contact_resultants.hpp"
@@ -18,8 +18,8 @@ namespace trilith {
 
 class Recording {
  public:
-  /// Opens `<path>.part` and writes what does not change during a run. Throws RecordError (unwritable, full disk, ...)
-  /// and InputError for names of histories that cannot be used (see record::ResultsWriter).
+  /// Opens `<path>.part` and writes what does not change during a run. Throws ResultsError (unwritable, full disk, ...)
+  /// and InputError for names of histories that cannot be used (see results::ResultsWriter).
   Recording(std::filesystem::path path, const Model<2>& model, const State<2>& state, RecordingOptions options = {});
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
@@ -31,7 +31,7 @@ class Recording {
   /// Records all a run tells; valid as long as this lives. Stages are known by their events.
   RunListener listener();
 
-  // What the listener does, for callers with a listener of their own. All throw RecordError.
+  // What the listener does, for callers with a listener of their own. All throw ResultsError.
   void frame(const Instant& now);
   /// One sample of every history, from their `sample`.
   void history(const Instant& now);
@@ -56,7 +56,7 @@ class Recording {
 
   [[nodiscard]] const EnergyCheck& energy_check() const { return check_; }
   [[nodiscard]] const std::filesystem::path& path() const { return writer_.path(); }
-  /// See record::ResultsWriter.
+  /// See results::ResultsWriter.
   [[nodiscard]] std::string kept_from_before() const { return writer_.kept_from_before(); }
   /// Where the rows are until finish().
   [[nodiscard]] const std::filesystem::path& part() const { return writer_.part(); }
@@ -72,7 +72,7 @@ class Recording {
   void flush();
 
   std::optional<RecordedFields> fields_;
-  record::ResultsWriter writer_;
+  results::ResultsWriter writer_;
   std::vector<RecordedHistory> histories_;
   bool with_velocity_;
   int flush_frames_;
@@ -89,8 +89,8 @@ class Recording {
 
   // Rows under way; kept for their memory.
   std::vector<TouchingContact> touching_;
-  std::vector<record::ContactForce> contacts_;
-  std::vector<record::BearingState> bearing_state_;
+  std::vector<results::ContactForce> contacts_;
+  std::vector<results::BearingState> bearing_state_;
   std::vector<double> bearing_force_, bearing_displacement_, stress_, plastic_, values_;
 };
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "record/provenance.hpp"
+#include "results/provenance.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
@@ -55,8 +55,8 @@ Vec2 point_from_node(const Model<2>& model, const Anchor& anchor) {
          model.start_position[model.bodies[anchor.body].first_node];
 }
 
-void add_deformable(const Model<2>& model, const State<2>& state, const Body& body, record::Header& header) {
-  record::BodyRow row;
+void add_deformable(const Model<2>& model, const State<2>& state, const Body& body, results::Header& header) {
+  results::BodyRow row;
   row.name = body.name;
   row.kind = name_of(body.kind);
   row.material = body.material;
@@ -85,14 +85,14 @@ void add_deformable(const Model<2>& model, const State<2>& state, const Body& bo
   header.bodies.push_back(std::move(row));
 }
 
-void add_bodies(const Model<2>& model, const State<2>& state, record::Header& header) {
+void add_bodies(const Model<2>& model, const State<2>& state, results::Header& header) {
   for (const Body& body : model.bodies) {
     const int n = body.first_node;
     if (body.deforms()) {
       add_deformable(model, state, body, header);
       continue;
     }
-    record::BodyRow row;
+    results::BodyRow row;
     row.name = body.name;
     row.kind = name_of(body.kind);
     row.material = body.material;
@@ -111,7 +111,7 @@ std::string surface_label(const Body& body) {
   return body.material.empty() ? fmt::format("({})", groups) : fmt::format("{} ({})", body.material, groups);
 }
 
-void add_laws(const Model<2>& model, const std::vector<Material>& materials, record::Header& header) {
+void add_laws(const Model<2>& model, const std::vector<Material>& materials, results::Header& header) {
   for (const Material& m : materials)
     header.laws.push_back({m.name, "material", "", "",
                            fmt::format("density={:g} kg/m3{}", m.density, m.solid ? ", " + describe(*m.solid) : "")});
@@ -144,9 +144,9 @@ std::string direction_text(const DirectionLaw& law) {
       law);
 }
 
-void add_bearings(const Model<2>& model, record::Header& header) {
+void add_bearings(const Model<2>& model, results::Header& header) {
   for (const Bearing<2>& b : model.bearings) {
-    record::BearingRow row;
+    results::BearingRow row;
     row.name = b.name;
     row.body_a = b.body_a;
     row.body_b = b.body_b;
@@ -157,10 +157,10 @@ void add_bearings(const Model<2>& model, record::Header& header) {
   }
 }
 
-void complete(const Model<2>& model, record::Provenance& p) {
-  const record::Provenance here = record::provenance_here();
-  for (const auto part : {&record::Provenance::compiler, &record::Provenance::platform, &record::Provenance::git_commit,
-                          &record::Provenance::start_time})
+void complete(const Model<2>& model, results::Provenance& p) {
+  const results::Provenance here = results::provenance_here();
+  for (const auto part : {&results::Provenance::compiler, &results::Provenance::platform,
+                          &results::Provenance::git_commit, &results::Provenance::start_time})
     if ((p.*part).empty()) p.*part = here.*part;
   if (!p.motions.empty()) return;
   for (const Drive& drive : model.drives)
@@ -169,8 +169,8 @@ void complete(const Model<2>& model, record::Provenance& p) {
 
 }  // namespace
 
-record::Header recording_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options) {
-  record::Header header;
+results::Header recording_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options) {
+  results::Header header;
   header.dim = 2;
   header.provenance = options.provenance;
   complete(model, header.provenance);

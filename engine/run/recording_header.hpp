@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "record/results.hpp"
+#include "results/results.hpp"
 #include "run/stage.hpp"
 #include "world/builder.hpp"
 
@@ -21,7 +21,7 @@ struct RecordedHistory {
 struct RecordingOptions {
   /// What is left empty of compiler, platform, commit and start time is filled in; motions come from the model's
   /// drives where none are given.
-  record::Provenance provenance;
+  results::Provenance provenance;
   std::vector<Material> materials;  ///< for the table of laws
   std::vector<RecordedHistory> histories;
   bool with_velocity = false;
@@ -32,7 +32,7 @@ struct RecordingOptions {
 };
 
 /// Header of a results file of `model` that starts at `state`. Energy terms are those of world/energy.hpp.
-record::Header recording_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options);
+results::Header recording_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options);
 
 /// "fixed", "moved", "free", or each degree of freedom for itself: "x moved, y free, rotation free".
 std::string support_text(const std::array<Support, 3>& support);

@@ -12,8 +12,8 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "record/picture_file.hpp"
-#include "record/study_table.hpp"
+#include "base/whole_file.hpp"
+#include "results/study_table.hpp"
 #include "run/processes.hpp"
 #include "run/progress.hpp"
 #include "run/study_columns.hpp"
@@ -101,11 +101,11 @@ class StudyRun {
     require_distinct(order_);
     make_folders(folder_of_cases(order_));
     const Lock lock(folder_of_cases(order_));
-    record::require_study_path(order_.file);
-    record::Provenance provenance = order_.provenance;  // before the first case: its time is the study's begin
+    results::require_study_path(order_.file);
+    results::Provenance provenance = order_.provenance;  // before the first case: its time is the study's begin
     sort_out();
     const bool whole = run_due();
-    record::write_study_table(order_.file, study_table_columns(order_.plan, outcomes_), provenance, whole);
+    results::write_study_table(order_.file, study_table_columns(order_.plan, outcomes_), provenance, whole);
     watch_.line(summary(whole), false);
     return std::move(outcomes_);
   }

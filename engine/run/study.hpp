@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "record/results.hpp"
+#include "results/results.hpp"
 #include "run/study_figures.hpp"
 #include "run/study_plan.hpp"
 
@@ -18,10 +18,10 @@ struct StudyOrder {
   std::vector<StudyHistory> histories;  ///< figures taken from the cases' results
   /// Program and arguments that run a case and leave its results, and figures_file, in `folder`.
   std::function<std::vector<std::string>(std::size_t index, const std::filesystem::path& folder)> command;
-  std::string source;             ///< what decides, with its parameters, what a case comes to: scripts and version
-  record::Provenance provenance;  ///< for the table
-  int jobs = 0;                   ///< cases at a time; 0: as many as there are processors
-  bool fresh = false;             ///< run also those again that are finished
+  std::string source;              ///< what decides, with its parameters, what a case comes to: scripts and version
+  results::Provenance provenance;  ///< for the table
+  int jobs = 0;                    ///< cases at a time; 0: as many as there are processors
+  bool fresh = false;              ///< run also those again that are finished
 };
 
 enum class StudyStatus { not_run, finished, failed };
@@ -49,7 +49,7 @@ struct StudyWatch {
 
 /// Runs the cases that are not finished, and writes the table, also where it was stopped. A case is finished where its
 /// process ended with 0 and gave all figures; it stays so as long as its parameters and `source` stay the same. One
-/// that failed is told, kept in the table, and run again by the next call. Throws InputError and RecordError for an
+/// that failed is told, kept in the table, and run again by the next call. Throws InputError and ResultsError for an
 /// order that cannot be carried out; a case's own trouble is in its outcome.
 std::vector<StudyOutcome> run_study(const StudyOrder& order, const StudyWatch& watch);
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-record::StudyColumn parameter_column(const StudyPlan& plan, std::size_t k) {
-  record::StudyColumn column{plan.names[k], plan.units[k], "parameter", {}};
+results::StudyColumn parameter_column(const StudyPlan& plan, std::size_t k) {
+  results::StudyColumn column{plan.names[k], plan.units[k], "parameter", {}};
   const bool numbers = std::all_of(plan.cases.begin(), plan.cases.end(),
                                    [k](const auto& row) { return std::holds_alternative<double>(row[k]); });
   if (numbers) {
@@ -45,7 +45,7 @@ const StudyFigure* find_figure(const StudyOutcome& outcome, const std::string& n
 }
 
 /// Numbers where all that have the figure give numbers, else texts.
-record::StudyColumn figure_column(const StudyFigure& figure, const std::vector<StudyOutcome>& outcomes) {
+results::StudyColumn figure_column(const StudyFigure& figure, const std::vector<StudyOutcome>& outcomes) {
   std::vector<double> numbers;
   std::vector<std::string> texts;
   bool is_number = true;
@@ -56,7 +56,7 @@ record::StudyColumn figure_column(const StudyFigure& figure, const std::vector<S
     numbers.push_back(number == nullptr ? none : *number);
     texts.push_back(f == nullptr ? "" : number != nullptr ? fmt::format("{}", *number) : std::get<1>(f->value));
   }
-  record::StudyColumn column{figure.name, figure.unit, "figure that the case gave", {}};
+  results::StudyColumn column{figure.name, figure.unit, "figure that the case gave", {}};
   if (is_number)
     column.values = std::move(numbers);
   else
@@ -65,8 +65,8 @@ record::StudyColumn figure_column(const StudyFigure& figure, const std::vector<S
 }
 
 template <class T, class Get>
-record::StudyColumn outcome_column(const char* name, const char* unit, const char* description,
-                                   const std::vector<StudyOutcome>& outcomes, Get&& get) {
+results::StudyColumn outcome_column(const char* name, const char* unit, const char* description,
+                                    const std::vector<StudyOutcome>& outcomes, Get&& get) {
   std::vector<T> values;
   for (const StudyOutcome& o : outcomes) values.push_back(get(o));
   return {name, unit, description, std::move(values)};
@@ -85,8 +85,9 @@ void check_figure_names(const StudyPlan& plan, const std::vector<StudyFigure>& f
   }
 }
 
-std::vector<record::StudyColumn> study_table_columns(const StudyPlan& plan, const std::vector<StudyOutcome>& outcomes) {
-  std::vector<record::StudyColumn> columns;
+std::vector<results::StudyColumn> study_table_columns(const StudyPlan& plan,
+                                                      const std::vector<StudyOutcome>& outcomes) {
+  std::vector<results::StudyColumn> columns;
   std::vector<std::int32_t> numbers;
   for (std::size_t i = 0; i < outcomes.size(); ++i) numbers.push_back(static_cast<std::int32_t>(i) + 1);
   columns.push_back({"case", "1", "number of the case, from 1", numbers});

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "record/study_table.hpp"
+#include "results/study_table.hpp"
 #include "run/study.hpp"
 
 namespace trilith {
@@ -13,6 +13,6 @@ void check_figure_names(const StudyPlan& plan, const std::vector<StudyFigure>& f
 
 /// case, the parameters, the figures (in the order of the first case that gives them), status, exit, seconds, message
 /// and folder. Numbers that a case does not have are NaN, its texts are empty.
-std::vector<record::StudyColumn> study_table_columns(const StudyPlan& plan, const std::vector<StudyOutcome>& outcomes);
+std::vector<results::StudyColumn> study_table_columns(const StudyPlan& plan, const std::vector<StudyOutcome>& outcomes);
 
 }  // namespace trilith

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
-#include "record/results_reader.hpp"
+#include "results/reader.hpp"
 
 namespace trilith {
 namespace {
@@ -89,7 +89,7 @@ std::vector<StudyFigure> figures_from(const std::string& text) {
 StudyFigure figure_from_results(const std::filesystem::path& folder, const StudyHistory& wanted) {
   std::vector<std::string> known;
   for (const auto& path : results_in(folder)) {
-    const record::ResultsReader results(path);
+    const results::ResultsReader results(path);
     for (const auto& h : results.header().histories) {
       known.push_back(h.name);
       if (h.name != wanted.history) continue;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/portable.hpp"
-#include "record/axis_ticks.hpp"
+#include "base/quantity_text.hpp"
 #include "run/body_forces.hpp"
 #include "run/stage_end.hpp"
 #include "step/central_difference.hpp"

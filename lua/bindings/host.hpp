@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "record/results.hpp"
+#include "results/results.hpp"
 #include "run/stage.hpp"
 #include "run/study_figures.hpp"
 #include "step/step_times.hpp"
@@ -79,12 +79,12 @@ struct Profile {
 struct Host {
   std::string script;  ///< path as given; "" in the module
   std::string script_text, command_line;
-  std::vector<std::string> given;                ///< "name=value", from the command line
-  bool given_used = false;                       ///< a params call has taken them
-  bool list_parameters = false;                  ///< show the parameters and end
-  std::vector<record::ParameterRow> parameters;  ///< that the script declared, with their values in this run
-  std::vector<std::filesystem::path> records;    ///< folders in which motions are looked for after the script's own
-  std::string results_file;                      ///< where given, instead of the script's own; for the first model
+  std::vector<std::string> given;                 ///< "name=value", from the command line
+  bool given_used = false;                        ///< a params call has taken them
+  bool list_parameters = false;                   ///< show the parameters and end
+  std::vector<results::ParameterRow> parameters;  ///< that the script declared, with their values in this run
+  std::vector<std::filesystem::path> records;     ///< folders in which motions are looked for after the script's own
+  std::string results_file;                       ///< where given, instead of the script's own; for the first model
   RunObserver* observer = nullptr;
   Console* console = nullptr;  ///< nullptr: nothing pauses
   int running = 0;             ///< stages that run
@@ -101,7 +101,7 @@ struct Host {
 
   /// Folder of the script, "." where it has none.
   [[nodiscard]] std::filesystem::path folder() const;
-  [[nodiscard]] record::Provenance provenance(const std::vector<std::string>& motions) const;
+  [[nodiscard]] results::Provenance provenance(const std::vector<std::string>& motions) const;
   /// Completes all results files or, where `error` is not "", leaves them as unfinished, with that reason. Tells the
   /// observer what became of them.
   void finish(const std::string& error);

@@ -8,8 +8,8 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/quantity_text.hpp"
 #include "base/terminal_text.hpp"
-#include "record/axis_ticks.hpp"
 #include "world/pose.hpp"
 
 namespace trilith::script {
@@ -23,8 +23,8 @@ std::vector<std::filesystem::path> record_folders() {
   return {TRILITH_INSTALLED_RECORDS, TRILITH_SOURCE_RECORDS};
 }
 
-record::Provenance Host::provenance(const std::vector<std::string>& motions) const {
-  record::Provenance p;
+results::Provenance Host::provenance(const std::vector<std::string>& motions) const {
+  results::Provenance p;
   p.script = script_text;
   p.script_path = script;
   p.program_version = TRILITH_VERSION;

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "record/provenance.hpp"
+#include "results/provenance.hpp"
 
 namespace trilith::script {
 namespace {
@@ -35,7 +35,7 @@ std::string in_quotes(const std::string& word) {
 StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases) {
   StudyOrder order;
   order.plan = std::move(plan);
-  order.provenance = record::provenance_here();
+  order.provenance = results::provenance_here();
   order.provenance.script = text_of_script(cases.script);
   order.provenance.script_path = cases.script.string();
   order.provenance.program_version = TRILITH_VERSION;

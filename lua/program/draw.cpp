@@ -6,10 +6,10 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "comma_list.hpp"
+#include "draw/results_findings.hpp"
+#include "draw/results_picture.hpp"
 #include "newer_run.hpp"
 #include "positive.hpp"
-#include "record/results_findings.hpp"
-#include "record/results_picture.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -28,38 +28,38 @@ struct Window {
   double begin, end;
 };
 
-Window window_of(const record::ResultsReader& reader, const std::string& stage) {
+Window window_of(const results::ResultsReader& reader, const std::string& stage) {
   const std::vector<double>& times = reader.frame_times();
   if (times.empty())
-    throw record::RecordError(fmt::format("results file '{}': there is no frame to draw", reader.path().string()));
+    throw results::ResultsError(fmt::format("results file '{}': there is no frame to draw", reader.path().string()));
   if (stage.empty()) return {0, times.back()};
-  const record::StageRow row = find_stage(reader, stage);
+  const results::StageRow row = draw::find_stage(reader, stage);
   return {row.begin, row.ended ? row.end : times.back()};
 }
 
 /// A number of seconds, "start", "end", or the type of an event: the first one of it in the window.
-double time_of(const record::ResultsReader& reader, const Window& window, const std::string& text) {
+double time_of(const results::ResultsReader& reader, const Window& window, const std::string& text) {
   if (text == "end") return window.end;
   if (text == "start") return std::max(window.begin, reader.frame_times().front());
   if (text.empty() || std::string("0123456789+-.").find(text[0]) != std::string::npos)
     return window.begin + number_of(text, "--at");
   std::vector<std::string> known{"start", "end"};
-  for (const record::EventRow& e : reader.events()) {
+  for (const results::EventRow& e : reader.events()) {
     if (e.type == text && e.time >= window.begin && e.time <= window.end) return e.time;
     if (std::find(known.begin(), known.end(), e.type) == known.end()) known.push_back(e.type);
   }
   throw InputError(fmt::format("--at: '{}' is no time and no event of this run{}", text, name_hint(text, known)));
 }
 
-PictureStyle style_of(const DrawOptions& options) {
-  PictureStyle style;
-  style.units = options.units == "us" ? LengthUnits::us : LengthUnits::si;
+draw::PictureStyle style_of(const DrawOptions& options) {
+  draw::PictureStyle style;
+  style.units = options.units == "us" ? draw::LengthUnits::us : draw::LengthUnits::si;
   if (options.view.empty()) return style;
   const std::vector<std::string> ends = comma_list(options.view);
   if (ends.size() != 4)
     throw InputError(fmt::format("--view: '{}' must be four numbers x0,y0,x1,y1 in metres", options.view));
   const auto end = [&](std::size_t i) { return number_of(ends[i], "--view"); };
-  style.view = WorldBox{end(0), end(1), end(2), end(3)};
+  style.view = draw::WorldBox{end(0), end(1), end(2), end(3)};
   return style;
 }
 
@@ -67,19 +67,19 @@ int draw(const DrawOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".png")
                                         : std::filesystem::path(options.out);
-  picture_format(out);
-  const PictureStyle style = style_of(options);
-  const record::ResultsReader reader(options.result);
+  draw::picture_format(out);
+  const draw::PictureStyle style = style_of(options);
+  const results::ResultsReader reader(options.result);
   const Window window = window_of(reader, options.stage);
-  std::vector<Scene> scenes;
+  std::vector<draw::Scene> scenes;
   for (const std::string& at : comma_list(options.at))
-    scenes.push_back(results_scene(
+    scenes.push_back(draw::results_scene(
         reader, time_of(reader, window, at),
         {options.forces, options.ghost, options.cracks, options.stress, options.thrust, options.magnify}));
   const std::string stem = std::filesystem::path(options.result).stem().string();
   if (scenes.size() == 1) scenes[0].title = scenes[0].title.empty() ? stem : stem + ", " + scenes[0].title;
   const int columns = options.columns > 0 ? options.columns : scenes.size() <= 3 ? 1 : 2;
-  draw_panels(scenes, columns, style, out);
+  draw::draw_panels(scenes, columns, style, out);
   fmt::print("{}\n", out.string());
   tell_of_newer_run(reader);
   return ended_well;
@@ -107,7 +107,7 @@ void add_draw(CLI::App& app, int& code) {
                  "joints that have lost their bond, coloured by what they did most: open or slide");
   verb->add_option("--stress", o->stress,
                    "colour bodies by their mean stress: smaller or larger principal, or a component")
-      ->check(CLI::IsMember(stress_names()));
+      ->check(CLI::IsMember(draw::stress_names()));
   verb->add_option("--thrust", o->thrust, "the line of thrust through the bodies of this group, in their order")
       ->type_name("GROUP");
   verb->add_option("--magnify", o->magnify, "displacements since the start times this")

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "base/terminal_text.hpp"
+#include "draw/results_picture.hpp"
 #include "newer_run.hpp"
-#include "record/event_table.hpp"
-#include "record/results_info.hpp"
-#include "record/results_picture.hpp"
+#include "results/event_table.hpp"
+#include "results/info.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -19,13 +19,14 @@ struct InfoOptions {
 };
 
 int show_info(const InfoOptions& options) {
-  const record::ResultsReader reader(options.result);
+  const results::ResultsReader reader(options.result);
   if (!options.events && !options.of_note) {
-    fmt::print("{}", terminal_text(record::info_text(reader)));
+    fmt::print("{}", terminal_text(results::info_text(reader)));
     return ended_well;
   }
   tell_of_newer_run(reader);
-  fmt::print("{}", terminal_text(record::event_table(options.of_note ? events_of_note(reader) : reader.events())));
+  fmt::print("{}",
+             terminal_text(results::event_table(options.of_note ? draw::events_of_note(reader) : reader.events())));
   return ended_well;
 }
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "base/whole_file.hpp"
 #include "console_session.hpp"
-#include "record/picture_file.hpp"
 #include "script_state.hpp"
 #include "verbs.hpp"
 

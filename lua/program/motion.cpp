@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "draw/motion_chart.hpp"
 #include "load/motion_read.hpp"
 #include "load/motion_summary.hpp"
-#include "record/motion_chart.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -30,11 +30,11 @@ int show_motion(const MotionOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.file).stem().replace_extension(".png")
                                         : std::filesystem::path(options.out);
-  picture_format(out);
+  draw::picture_format(out);
   const GroundMotion motion = read_scaled(options);
   fmt::print("{}", motion_summary(motion));
   if (options.no_picture) return ended_well;
-  draw_charts({motion_chart(motion), spectrum_chart({motion})}, Arrangement::beside, out);
+  draw::draw_charts({draw::motion_chart(motion), draw::spectrum_chart({motion})}, draw::Arrangement::beside, out);
   fmt::print("{}\n", out.string());
   return ended_well;
 }

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "record/results_info.hpp"
+#include "results/info.hpp"
 
 namespace trilith::program {
 
 /// Says, on standard error, where what is shown is older than what a later run has left or is writing.
-inline void tell_of_newer_run(const record::ResultsReader& reader) {
-  const std::string text = record::newer_run_text(reader);
+inline void tell_of_newer_run(const results::ResultsReader& reader) {
+  const std::string text = results::newer_run_text(reader);
   if (!text.empty()) fmt::print(stderr, "note: {}: {}\n", reader.path().string(), text);
 }
 

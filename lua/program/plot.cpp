@@ -6,9 +6,9 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "draw/results_picture.hpp"
+#include "draw/study_chart.hpp"
 #include "newer_run.hpp"
-#include "record/results_picture.hpp"
-#include "record/study_chart.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -22,15 +22,15 @@ struct PlotOptions {
 
 constexpr const char* ledger = "energy";
 
-bool has_history(const record::ResultsReader& reader, const std::string& name) {
+bool has_history(const results::ResultsReader& reader, const std::string& name) {
   const auto& all = reader.header().histories;
-  return std::any_of(all.begin(), all.end(), [&](const record::Quantity& q) { return q.name == name; });
+  return std::any_of(all.begin(), all.end(), [&](const results::Quantity& q) { return q.name == name; });
 }
 
-void list(const record::ResultsReader& reader) {
+void list(const results::ResultsReader& reader) {
   std::size_t widest = std::string(ledger).size();
-  for (const record::Quantity& q : reader.header().histories) widest = std::max(widest, q.name.size());
-  for (const record::Quantity& q : reader.header().histories)
+  for (const results::Quantity& q : reader.header().histories) widest = std::max(widest, q.name.size());
+  for (const results::Quantity& q : reader.header().histories)
     fmt::print("{:<{}}  {:<8} {}\n", q.name, widest, q.unit, q.description);
   fmt::print("{:<{}}  {:<8} the energy ledger: {} terms\n", ledger, widest, "J", reader.header().energy_terms.size());
 }
@@ -43,16 +43,18 @@ std::vector<std::string> short_names(const std::vector<std::string>& paths) {
   return std::set(stems.begin(), stems.end()).size() == stems.size() ? stems : paths;
 }
 
-std::vector<Chart> charts_of(const std::vector<NamedResults>& results, const PlotOptions& options) {
+std::vector<draw::Chart> charts_of(const std::vector<draw::NamedResults>& results, const PlotOptions& options) {
   std::vector<std::string> names = options.names;
   const auto wants_ledger = std::find(names.begin(), names.end(), ledger);
   const bool energy = (wants_ledger != names.end() && !has_history(*results[0].reader, ledger)) ||
                       (names.empty() && results[0].reader->header().histories.empty());
   if (energy && wants_ledger != names.end()) names.erase(wants_ledger);
-  std::vector<Chart> charts;
-  if (!names.empty() || !energy) charts.push_back(history_chart(results, names));
-  for (const NamedResults& r : results)
-    if (energy) charts.push_back(results_energy_chart(r, options.lines ? EnergyView::lines : EnergyView::stacked));
+  std::vector<draw::Chart> charts;
+  if (!names.empty() || !energy) charts.push_back(draw::history_chart(results, names));
+  for (const draw::NamedResults& r : results)
+    if (energy)
+      charts.push_back(
+          draw::results_energy_chart(r, options.lines ? draw::EnergyView::lines : draw::EnergyView::stacked));
   if (results.size() == 1 && charts.size() == 2) {  // one time axis, one set of marks
     charts[0].panels.push_back(std::move(charts[1].panels[0]));
     charts.pop_back();
@@ -62,15 +64,15 @@ std::vector<Chart> charts_of(const std::vector<NamedResults>& results, const Plo
 
 /// The table of a study.
 int plot_study(const PlotOptions& options, const std::filesystem::path& out) {
-  const std::vector<record::StudyColumn> columns = record::read_study_table(options.result);
+  const std::vector<results::StudyColumn> columns = results::read_study_table(options.result);
   if (options.list) {
-    const StudyNames names = study_names(columns);
+    const draw::StudyNames names = draw::study_names(columns);
     fmt::print("over: {}\nfigures: {}\n", fmt::join(names.parameters, ", "), fmt::join(names.figures, ", "));
     return ended_well;
   }
-  Chart chart = study_chart(columns, options.over, options.names);
+  draw::Chart chart = draw::study_chart(columns, options.over, options.names);
   chart.title = std::filesystem::path(options.result).stem().string();
-  draw_chart(chart, out);
+  draw::draw_chart(chart, out);
   fmt::print("{}\n", out.string());
   return ended_well;
 }
@@ -79,28 +81,28 @@ int plot(const PlotOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".plot.png")
                                         : std::filesystem::path(options.out);
-  picture_format(out);
-  if (record::is_study_table(options.result)) return plot_study(options, out);
+  draw::picture_format(out);
+  if (results::is_study_table(options.result)) return plot_study(options, out);
   if (!options.over.empty()) throw InputError("--over is for the table of a study; this is a run, over its time");
   std::vector<std::string> paths{options.result};
   paths.insert(paths.end(), options.more.begin(), options.more.end());
-  std::vector<record::ResultsReader> readers;
+  std::vector<results::ResultsReader> readers;
   for (const std::string& path : paths) readers.emplace_back(path);
   if (options.list) {
     list(readers[0]);
     return ended_well;
   }
   const std::vector<std::string> names = short_names(paths);
-  std::vector<NamedResults> results;
+  std::vector<draw::NamedResults> results;
   for (std::size_t i = 0; i < readers.size(); ++i) results.push_back({&readers[i], names[i]});
-  std::vector<Chart> charts = charts_of(results, options);
+  std::vector<draw::Chart> charts = charts_of(results, options);
   const std::string stem = std::filesystem::path(options.result).stem().string();
   if (charts[0].title.empty() && results.size() == 1) charts[0].title = stem;
   if (options.events)
-    for (Chart& chart : charts) chart.marks = event_marks(readers[0]);
-  draw_charts(charts, Arrangement::below, out);
+    for (draw::Chart& chart : charts) chart.marks = draw::event_marks(readers[0]);
+  draw::draw_charts(charts, draw::Arrangement::below, out);
   fmt::print("{}\n", out.string());
-  for (const record::ResultsReader& reader : readers) tell_of_newer_run(reader);
+  for (const results::ResultsReader& reader : readers) tell_of_newer_run(reader);
   return ended_well;
 }
 

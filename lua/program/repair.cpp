@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "record/results_reader.hpp"
+#include "results/reader.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -14,8 +14,8 @@ struct RepairOptions {
 };
 
 int repair_result(const RepairOptions& options) {
-  record::repair(options.result, options.out);
-  fmt::print("{}: {} frames\n", options.out, record::ResultsReader(options.out).frame_count());
+  results::repair(options.result, options.out);
+  fmt::print("{}: {} frames\n", options.out, results::ResultsReader(options.out).frame_count());
   return ended_well;
 }
 

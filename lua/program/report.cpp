@@ -1,5 +1,5 @@
 // trilith report RESULT [-o FILE]
-#include "record/report.hpp"
+#include "report/report.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "host.hpp"
 #include "newer_run.hpp"
-#include "record/picture_file.hpp"
 #include "share_status.hpp"
 #include "verbs.hpp"
 
@@ -21,7 +21,7 @@ struct ReportOptions {
 };
 
 /// Where the script looked: its own folder and the project's.
-std::vector<std::filesystem::path> record_folders_of(const record::ResultsReader& reader) {
+std::vector<std::filesystem::path> record_folders_of(const results::ResultsReader& reader) {
   std::vector<std::filesystem::path> folders = script::record_folders();
   const std::filesystem::path script = reader.header().provenance.script_path;
   folders.insert(folders.begin(), script.has_parent_path() ? script.parent_path() : std::filesystem::path("."));
@@ -34,9 +34,9 @@ int report(const ReportOptions& options) {
                                         : std::filesystem::path(options.out);
   if (out.extension() != ".html" && out.extension() != ".htm")
     throw InputError(fmt::format("'{}': a report ends with .html; a browser prints it to PDF", out.string()));
-  const record::ResultsReader reader(options.result);
+  const results::ResultsReader reader(options.result);
   ShareStatus status("sealing frames");
-  const std::string page = record::report_page(reader, record_folders_of(reader), [&](double share) { status(share); });
+  const std::string page = report::report_page(reader, record_folders_of(reader), [&](double share) { status(share); });
   status.clear();
   write_whole_file(out, page);
   fmt::print("{}\n", out.string());

@@ -6,12 +6,12 @@
 #include <filesystem>
 
 #include "base/terminal_text.hpp"
+#include "base/whole_file.hpp"
 #include "doors.hpp"
 #include "figures_reading.hpp"
 #include "guard.hpp"
 #include "interrupt.hpp"
 #include "parameter_list.hpp"
-#include "record/picture_file.hpp"
 #include "script_state.hpp"
 #include "verbs.hpp"
 

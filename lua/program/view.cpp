@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "newer_run.hpp"
-#include "record/picture_file.hpp"
-#include "record/view_data.hpp"
 #include "share_status.hpp"
 #include "verbs.hpp"
+#include "view/data.hpp"
 
 namespace trilith::program {
 namespace {
@@ -24,12 +24,12 @@ int view(const ViewOptions& options) {
                                         : std::filesystem::path(options.out);
   if (out.extension() != ".html" && out.extension() != ".htm")
     throw InputError(fmt::format("'{}': a page to view ends with .html", out.string()));
-  const record::ResultsReader reader(options.result);
+  const results::ResultsReader reader(options.result);
   ShareStatus status("reading frames");
-  const std::string data = record::view_data(reader, {}, [&](double share) { status(share); });
+  const std::string data = view::view_data(reader, {}, [&](double share) { status(share); });
   status.clear();
   const std::string title = std::filesystem::path(options.result).stem().string();
-  write_whole_file(out, record::view_page(data, title));
+  write_whole_file(out, view::view_page(data, title));
   fmt::print("{}\n", out.string());
   tell_of_newer_run(reader);
   if (!reader.finished())

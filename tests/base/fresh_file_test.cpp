@@ -7,11 +7,11 @@
 
 #include <set>
 
-#include "record/sample_run.hpp"
+#include "results/sample_run.hpp"
 
 using namespace trilith;
-using record::bytes_of;
-using record::Folder;
+using testing::bytes_of;
+using testing::Folder;
 namespace fs = std::filesystem;
 
 namespace {

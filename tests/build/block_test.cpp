@@ -9,7 +9,7 @@
 #include "near.hpp"
 
 using namespace trilith;
-using testing::near;
+using namespace trilith::testing;
 
 TEST_CASE("a block stands at its lower left corner or about its centre") {
   const Part at_corner = build_block({.name = "a", .width = 2, .height = 1, .at = {3, 4}, .groups = {"stones"}});

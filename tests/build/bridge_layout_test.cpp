@@ -6,7 +6,7 @@
 #include "near.hpp"
 
 using namespace trilith;
-using testing::near;
+using namespace trilith::testing;
 
 namespace {
 

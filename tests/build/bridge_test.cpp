@@ -5,6 +5,7 @@
 #include "build/sound_parts.hpp"
 
 using namespace trilith;
+using namespace trilith::testing;
 
 TEST_CASE("a pier of footing, stem and cap is one concave outline, symmetric about its middle") {
   const Part pier = build_pier({.name = "P1",

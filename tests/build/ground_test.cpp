@@ -5,6 +5,7 @@
 #include "build/sound_parts.hpp"
 
 using namespace trilith;
+using namespace trilith::testing;
 
 TEST_CASE("a stepped valley is one concave outline with the area under its surface") {
   const std::vector<GroundStep> steps{{0, 0}, {10, -20}, {25, -40}, {50, -20}, {60, 0}};

@@ -15,7 +15,7 @@
 #include "shape/convex_parts.hpp"
 #include "shape/overlap.hpp"
 
-namespace trilith {
+namespace trilith::testing {
 
 inline std::vector<Polygon> pieces_of(const Part& part) {
   std::vector<Polygon> pieces;
@@ -97,4 +97,4 @@ inline bool says(const std::string& message, std::string_view part) {
   return message.find(part) != std::string::npos && message.find('\n') == std::string::npos;
 }
 
-}  // namespace trilith
+}  // namespace trilith::testing

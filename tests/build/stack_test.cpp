@@ -8,7 +8,7 @@
 #include "near.hpp"
 
 using namespace trilith;
-using testing::near;
+using namespace trilith::testing;
 
 TEST_CASE("a stack's blocks stand on each other without gap") {
   const std::vector<Part> parts =

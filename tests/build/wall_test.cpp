@@ -13,7 +13,7 @@
 #include "shape/random_convex.hpp"
 
 using namespace trilith;
-using testing::near;
+using namespace trilith::testing;
 
 namespace {
 

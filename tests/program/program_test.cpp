@@ -15,8 +15,8 @@ using testing::Said;
 namespace {
 
 /// The results all cases read, recorded once.
-const record::Folder& folder() {
-  static const record::Folder made;
+const testing::Folder& folder() {
+  static const testing::Folder made;
   static const bool recorded = [] {
     testing::record_falling_span(made / "span.h5");
     return true;
@@ -26,7 +26,7 @@ const record::Folder& folder() {
 }
 
 bool is_picture(const std::filesystem::path& path, std::string_view head) {
-  return record::bytes_of(path).starts_with(head);
+  return testing::bytes_of(path).starts_with(head);
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ TEST_CASE("trilith draw makes a picture of one moment or panels of several, in t
   CHECK(ask(here, "draw span.h5").out == "span.png\n");
   CHECK(is_picture(here / "span.png", "\x89PNG"));
   CHECK(ask(here, "draw span.h5 --at 0,seat.lost,1.4,end --ghost --forces -o four.svg").code == 0);
-  const std::string four = record::bytes_of(here / "four.svg");
+  const std::string four = testing::bytes_of(here / "four.svg");
   CHECK(four.find("<svg") != std::string::npos);
   CHECK(ask(here, "draw span.h5 --at 0,1,end --stage shaking --columns 3 --units us -o three.pdf").code == 0);
   CHECK(is_picture(here / "three.pdf", "%PDF"));
@@ -46,7 +46,7 @@ TEST_CASE("trilith draw makes a picture of one moment or panels of several, in t
 
 TEST_CASE("what shows finished results says so where a later run has left a part beside them") {
   if (program_is_missing()) return;
-  const record::Folder here;
+  const testing::Folder here;
   testing::record_falling_span(here / "span.h5");
   std::filesystem::copy_file(here / "span.h5", here / "other.h5");
   const auto note_of = [&](const char* arguments) {
@@ -58,9 +58,9 @@ TEST_CASE("what shows finished results says so where a later run has left a part
                                        "report span.h5", "info span.h5 --events", "plot other.h5 -r span.h5"};
   for (const char* verb : verbs) CHECK_MESSAGE(note_of(verb).empty(), verb);
   {
-    const record::Header header = record::sample_header();
-    record::ResultsWriter writer(here / "span.h5", header);
-    record::SampleRow(header, 0).append_to(writer);
+    const results::Header header = testing::sample_header();
+    results::ResultsWriter writer(here / "span.h5", header);
+    testing::SampleRow(header, 0).append_to(writer);
     for (const char* verb : verbs)
       CHECK(note_of(verb).find("a later one is writing span.h5.part") != std::string::npos);
   }
@@ -105,12 +105,12 @@ TEST_CASE("trilith plot draws histories and energy, of several runs too, and lis
 
 TEST_CASE("control characters in a results file do not reach the terminal") {
   if (program_is_missing()) return;
-  const record::Folder here;
-  record::Header header = record::sample_header();
+  const testing::Folder here;
+  results::Header header = testing::sample_header();
   header.histories[0].name = "top\033[31m";
   header.provenance.motions = {"\033]0;title\a"};
-  record::ResultsWriter writer(here / "old.h5", header);
-  record::SampleRow row(header, 0);
+  results::ResultsWriter writer(here / "old.h5", header);
+  testing::SampleRow row(header, 0);
   row.event.text = "\033[2Ja span fell\xC2\x9B";
   row.append_to(writer);
   writer.finish();
@@ -196,7 +196,7 @@ void write_script(const std::filesystem::path& here) {
 
 TEST_CASE("trilith run tells events and stages in plain lines where there is no terminal, and leaves results") {
   if (program_is_missing()) return;
-  const record::Folder here;
+  const testing::Folder here;
   write_script(here.path);
   const Said said = ask(here.path, "run drop.lua height=0.5");
   CHECK_MESSAGE(said.code == 0, said.err);
@@ -216,7 +216,7 @@ TEST_CASE("trilith run tells events and stages in plain lines where there is no 
 
 TEST_CASE("a script that fails leaves what it had as unfinished results, and says where") {
   if (program_is_missing()) return;
-  const record::Folder here;
+  const testing::Folder here;
   write_script(here.path);
   ::setenv("FAIL", "1", 1);
   const Said said = ask(here.path, "run drop.lua");
@@ -230,7 +230,7 @@ TEST_CASE("a script that fails leaves what it had as unfinished results, and say
 
 TEST_CASE("on a terminal the status is one line that is redrawn, in colours unless NO_COLOR is set") {
   if (program_is_missing()) return;
-  const record::Folder here;
+  const testing::Folder here;
   write_script(here.path);
   if (std::system("command -v script > /dev/null") != 0) {
     MESSAGE("skipped: there is no program `script` to make a terminal with");
@@ -241,7 +241,7 @@ TEST_CASE("on a terminal the status is one line that is redrawn, in colours unle
                                 testing::program_path().string() +
                                 "' run slow.lua\" /dev/null > terminal.txt < /dev/null";
     CHECK(std::system(command.c_str()) == 0);
-    return record::bytes_of(here / "terminal.txt");
+    return testing::bytes_of(here / "terminal.txt");
   };
   std::string slow = drop_script;  // long enough for the status to be drawn
   slow.insert(slow.find("m:run"),

@@ -29,7 +29,7 @@ std::filesystem::path page_folder() {
 }
 
 /// What Chromium makes of the page: a PDF, or a picture of its first screen.
-std::string browsed(const record::Folder& here, const std::filesystem::path& page, const std::string& to,
+std::string browsed(const testing::Folder& here, const std::filesystem::path& page, const std::string& to,
                     const std::string& options) {
   const std::filesystem::path out = page_folder() / to;
   std::filesystem::remove(out);
@@ -38,19 +38,19 @@ std::string browsed(const record::Folder& here, const std::filesystem::path& pag
       "{2}'{3}' 'file://{4}' > '{0}/browser.txt' 2>&1",
       here.path.string(), ::getuid() == 0 ? "--no-sandbox" : "", options, out.string(), page.string());
   CHECK(std::system(command.c_str()) == 0);
-  return record::bytes_of(out);
+  return testing::bytes_of(out);
 }
 
 }  // namespace
 
 TEST_CASE("the report of the bridge prints on a few pages and names what failed first" * doctest::test_suite("long")) {
   if (is_missing(testing::program_path()) || is_missing("/usr/bin/chromium")) return;
-  const record::Folder here;
+  const testing::Folder here;
   const Said run =
       ask(here.path, fmt::format("run '{}/scripts/bridge.lua' --quiet out=bridge.h5", testing::source_dir()));
   REQUIRE_MESSAGE(run.code == 0, run.err);
   CHECK(ask(here.path, "report bridge.h5").out == "bridge.report.html\n");
-  const std::string page = record::bytes_of(here / "bridge.report.html");
+  const std::string page = testing::bytes_of(here / "bridge.report.html");
   CHECK(page.size() < 1'500'000);
   CHECK(page.find("The first failure came at") != std::string::npos);
   CHECK(page.find("spectra of all motions") != std::string::npos);
@@ -69,7 +69,7 @@ TEST_CASE("the report of the bridge prints on a few pages and names what failed 
 
 TEST_CASE("a run that was stopped is reported, and trilith report says so") {
   if (is_missing(testing::program_path())) return;
-  const record::Folder here;
+  const testing::Folder here;
   {
     Simulation simulation(testing::falling_span());
     Recording recording(here / "early.h5", simulation.model(), simulation.state());
@@ -81,16 +81,16 @@ TEST_CASE("a run that was stopped is reported, and trilith report says so") {
     recording.abandon("the power went");
   }
   CHECK(ask(here.path, "report early.h5 -o stopped.html").says("the run was stopped"));
-  CHECK(record::bytes_of(here / "stopped.html").find("the run ended before its end") != std::string::npos);
+  CHECK(testing::bytes_of(here / "stopped.html").find("the run ended before its end") != std::string::npos);
 }
 
 TEST_CASE("trilith report refuses what is no report and what is no results file") {
   if (is_missing(testing::program_path())) return;
-  const record::Folder here;
+  const testing::Folder here;
   testing::check_refused(ask(here.path, "report nothing.h5"), "there is no such file");
   std::ofstream(here / "text.h5") << "no results";
   testing::check_refused(ask(here.path, "report text.h5"), "not an HDF5 file");
-  { record::ResultsWriter(here / "empty.h5", record::sample_header()).finish(); }
+  { results::ResultsWriter(here / "empty.h5", testing::sample_header()).finish(); }
   testing::check_refused(ask(here.path, "report empty.h5 -o page.pdf"), "ends with .html");
   testing::check_refused(ask(here.path, "report empty.h5 -o no/where/page.html"), "cannot write");
   CHECK(ask(here.path, "report").code == 2);

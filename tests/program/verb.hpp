@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "record/sample_run.hpp"
+#include "results/sample_run.hpp"
 
 namespace trilith::testing {
 
@@ -48,7 +48,7 @@ inline Said ask(const std::filesystem::path& folder, const std::string& argument
   for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) said.out.append(buffer.data(), n);
   const int status = ::pclose(pipe);
   said.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  said.err = record::bytes_of(err);
+  said.err = testing::bytes_of(err);
   CHECK(said.out.find('\033') == std::string::npos);  // no control codes where there is no terminal
   CHECK(said.err.find('\033') == std::string::npos);
   return said;

@@ -49,7 +49,7 @@ m:shake { body = "wall.base", x = trilith.motion "elcentro_1940_rest_ns.csv":sca
 
 TEST_CASE("the page of the bridge plays to the end, goes to the first failure and shows the failed bearing's history") {
   if (program_is_missing()) return;
-  const record::Folder here;
+  const testing::Folder here;
   const std::string script = "'" + testing::source_dir() + "/scripts/bridge.lua'";
   const Said run = ask(here.path, "run " + script + " --quiet out=bridge.h5");
   REQUIRE_MESSAGE(run.code == 0, run.err);
@@ -61,7 +61,7 @@ TEST_CASE("the page of the bridge plays to the end, goes to the first failure an
 
 TEST_CASE("the page of a wall in running bond shows cracks and damage") {
   if (program_is_missing()) return;
-  const record::Folder here;
+  const testing::Folder here;
   std::ofstream(here / "wall.lua") << wall_script;
   const Said run = ask(here.path, "run wall.lua --quiet");
   REQUIRE_MESSAGE(run.code == 0, run.err);
@@ -72,7 +72,7 @@ TEST_CASE("the page of a wall in running bond shows cracks and damage") {
 
 TEST_CASE("the page of a wall of finite elements shows their stress") {
   if (program_is_missing()) return;
-  const record::Folder here;
+  const testing::Folder here;
   std::string script = wall_script;
   const auto put = [&](const std::string& mark, const std::string& by) {
     const std::size_t at = script.find(mark);
@@ -92,7 +92,7 @@ TEST_CASE("the page of a wall of finite elements shows their stress") {
 
 TEST_CASE("a run that is still being written, or was stopped, is viewed as far as it goes, and said so") {
   if (program_is_missing()) return;
-  const record::Folder here;
+  const testing::Folder here;
   {
     Simulation simulation(testing::falling_span());
     Recording recording(here / "early.h5", simulation.model(), simulation.state());
@@ -111,9 +111,9 @@ TEST_CASE("a run that is still being written, or was stopped, is viewed as far a
 
 TEST_CASE("trilith view refuses what is no page and what is no results file") {
   if (program_is_missing()) return;
-  const record::Folder here;
+  const testing::Folder here;
   testing::check_refused(ask(here.path, "view nothing.h5"), "there is no such file");
-  { record::ResultsWriter(here / "empty.h5", record::sample_header()).finish(); }
+  { results::ResultsWriter(here / "empty.h5", testing::sample_header()).finish(); }
   testing::check_refused(ask(here.path, "view empty.h5 -o page.pdf"), "ends with .html");
   testing::check_refused(ask(here.path, "view empty.h5 -o no/where/page.html"), "cannot write");
   CHECK(ask(here.path, "view").code == 2);

@@ -3,7 +3,7 @@
 
 #include "near.hpp"
 #include "physics/scene.hpp"
-#include "record/sample_run.hpp"
+#include "results/sample_run.hpp"
 #include "step/central_difference.hpp"
 #include "world/bounds.hpp"
 #include "world/checkpoint.hpp"
@@ -118,7 +118,7 @@ TEST_CASE("a body that has left touches nothing and where all have left the stag
 }
 
 TEST_CASE("a restart keeps out what has left, in a model that was built anew, and goes on with the same bits") {
-  const record::Folder folder;
+  const testing::Folder folder;
   Scene scene = two_blocks();
   Simulation straight = scene.start();
   straight.run(stage(1));

@@ -6,8 +6,8 @@
 #include "base/error.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
-#include "record/results_reader.hpp"
-#include "record/sample_run.hpp"
+#include "results/reader.hpp"
+#include "results/sample_run.hpp"
 #include "run/body_forces.hpp"
 #include "run/joints.hpp"
 #include "run/recording.hpp"
@@ -234,7 +234,7 @@ TEST_CASE("the line of thrust under a tilted block leaves its middle by half its
 }
 
 TEST_CASE("joints, their motion and mean stress are recorded and read back") {
-  const record::Folder folder;
+  const testing::Folder folder;
   Scene scene = tower(mortar);
   Simulation sim = scene.start();
   RecordingOptions options;
@@ -246,8 +246,8 @@ TEST_CASE("joints, their motion and mean stress are recorded and read back") {
   stage.frame_interval = 0.02;
   sim.run(stage, recording.listener());
   recording.finish();
-  const record::ResultsReader reader(folder / "tower.h5");
-  const record::Header& header = reader.header();
+  const results::ResultsReader reader(folder / "tower.h5");
+  const results::Header& header = reader.header();
   REQUIRE(header.joints.size() == 3);
   CHECK(header.joints[2].storey == 3);
   CHECK(header.joints[2].bonded == 1);
@@ -255,7 +255,7 @@ TEST_CASE("joints, their motion and mean stress are recorded and read back") {
   REQUIRE(header.fields.size() == 4);
   CHECK(header.fields[3].name == "body_stress");
   CHECK(header.fields[3].width == 3);
-  const record::Frame frame = reader.frame(reader.frame_count() - 1);
+  const results::Frame frame = reader.frame(reader.frame_count() - 1);
   REQUIRE(frame.fields.size() == 4);
   CHECK(frame.fields[0].size() == 3);
   CHECK(frame.fields[3].size() == 12);

@@ -4,13 +4,13 @@
 
 #include <map>
 
-#include "record/sample_run.hpp"
+#include "results/sample_run.hpp"
 
 using namespace trilith;
 
 namespace {
 
-ProcessOrder shell(const record::Folder& folder, const std::string& text, const char* name) {
+ProcessOrder shell(const testing::Folder& folder, const std::string& text, const char* name) {
   return {
       {"/bin/sh", "-c", text}, folder.path / (std::string(name) + ".out"), folder.path / (std::string(name) + ".err")};
 }
@@ -31,7 +31,7 @@ struct Ends {
 }  // namespace
 
 TEST_CASE("processes end with their code or signal, and what they write is kept") {
-  const record::Folder folder;
+  const testing::Folder folder;
   const std::vector<ProcessOrder> orders{shell(folder, "echo out; echo err >&2", "a"),
                                          shell(folder, "exit 3", "b"),
                                          shell(folder, "kill -9 $$", "c"),
@@ -40,15 +40,15 @@ TEST_CASE("processes end with their code or signal, and what they write is kept"
   CHECK(run_processes(orders, 2, ends.watch()));
   REQUIRE(ends.of.size() == 4);
   CHECK(ends.of[0].trouble().empty());
-  CHECK(record::bytes_of(folder / "a.out") == "out\n");
-  CHECK(record::bytes_of(folder / "a.err") == "err\n");
+  CHECK(testing::bytes_of(folder / "a.out") == "out\n");
+  CHECK(testing::bytes_of(folder / "a.err") == "err\n");
   CHECK(ends.of[1].trouble() == "ended with code 3");
   CHECK(ends.of[2].trouble() == "ended by signal 9 (Killed)");
   CHECK(ends.of[3].trouble() == "the program could not begin");
 }
 
 TEST_CASE("no more processes run at a time than were asked for") {
-  const record::Folder folder;
+  const testing::Folder folder;
   std::vector<ProcessOrder> orders;
   for (int i = 0; i < 7; ++i) orders.push_back(shell(folder, "sleep 0.05", "x"));
   Ends ends;
@@ -58,13 +58,13 @@ TEST_CASE("no more processes run at a time than were asked for") {
 }
 
 TEST_CASE("processes that are to stop are interrupted and waited for") {
-  const record::Folder folder;
+  const testing::Folder folder;
   const std::vector<ProcessOrder> orders{
       shell(folder, "trap 'echo interrupted; exit 1' INT; echo begun; while :; do sleep 0.02; done", "a")};
   Ends ends;
   ProcessWatch watch = ends.watch();
-  watch.goes_on = [&] { return record::bytes_of(folder / "a.out").empty(); };
+  watch.goes_on = [&] { return testing::bytes_of(folder / "a.out").empty(); };
   CHECK_FALSE(run_processes(orders, 1, watch));
   CHECK(ends.of.empty());
-  CHECK(record::bytes_of(folder / "a.out") == "begun\ninterrupted\n");
+  CHECK(testing::bytes_of(folder / "a.out") == "begun\ninterrupted\n");
 }

@@ -10,8 +10,8 @@
 
 #include "base/error.hpp"
 #include "near.hpp"
-#include "record/results_reader.hpp"
-#include "record/sample_run.hpp"
+#include "results/reader.hpp"
+#include "results/sample_run.hpp"
 #include "run/dropped_block.hpp"
 
 using namespace trilith;
@@ -43,11 +43,11 @@ std::uint64_t record_fall(const std::filesystem::path& path, double height, doub
 }  // namespace
 
 TEST_CASE("a recorded fall reads back: model, frames, histories, events, stages and energy") {
-  const record::Folder folder;
+  const testing::Folder folder;
   record_fall(folder / "fall.h5", 0.3);
-  const record::ResultsReader reader(folder / "fall.h5");
+  const results::ResultsReader reader(folder / "fall.h5");
   CHECK(reader.finished());
-  const record::Header& header = reader.header();
+  const results::Header& header = reader.header();
   REQUIRE(header.bodies.size() == 2);
   CHECK(header.bodies[0].support == "fixed");
   CHECK(header.bodies[1].support == "free");
@@ -58,13 +58,13 @@ TEST_CASE("a recorded fall reads back: model, frames, histories, events, stages 
   CHECK(header.laws[0].text.find("kn=1e+08 Pa/m") != std::string::npos);
 
   CHECK(reader.frame_count() == 76);
-  const record::Frame half = reader.frame(5);  // still falling
+  const results::Frame half = reader.frame(5);  // still falling
   CHECK(near(half.time, 0.1, 0.01));
   CHECK(half.contacts.empty());
   CHECK(near(half.position[3], 0.55 - 0.5 * standard_gravity * half.time * half.time, 1e-3));
   CHECK(reader.history("block.y").size() == reader.history_times().size());
 
-  const std::vector<record::EventRow> events = reader.events();
+  const std::vector<results::EventRow> events = reader.events();
   REQUIRE(events.size() >= 3);
   CHECK(events.front().type == "stage.begun");
   CHECK(events.back().type == "stage.ended");
@@ -74,36 +74,36 @@ TEST_CASE("a recorded fall reads back: model, frames, histories, events, stages 
   CHECK(events[1].text.find("hit") != std::string::npos);
   CHECK(events[1].has_place);
   CHECK(events[1].cause == events[0].id);
-  const std::vector<record::StageRow> stages = reader.stages();
+  const std::vector<results::StageRow> stages = reader.stages();
   REQUIRE(stages.size() == 1);
   CHECK(stages[0].name == "fall");
   CHECK(stages[0].ended);
   CHECK(stages[0].why == "time");
   CHECK(near(stages[0].end, 1.5, 1e-12));
 
-  const record::EnergyTable energy = reader.energy();
+  const results::EnergyTable energy = reader.energy();
   REQUIRE(energy.time.size() == 76);
   CHECK(energy.residual[0] == 0);
   for (const double r : energy.residual) CHECK(std::abs(r) < 0.01 * testing::block_weight * 0.3);
 }
 
 TEST_CASE("the recorded contact forces on a block at rest sum to its weight") {
-  const record::Folder folder;
+  const testing::Folder folder;
   record_fall(folder / "rest.h5", 0.001, 2.0);
-  const record::ResultsReader reader(folder / "rest.h5");
-  const record::Frame last = reader.frame(reader.frame_count() - 1);
+  const results::ResultsReader reader(folder / "rest.h5");
+  const results::Frame last = reader.frame(reader.frame_count() - 1);
   REQUIRE(last.contacts.size() == 1);
-  const record::ContactForce& c = last.contacts[0];
+  const results::ContactForce& c = last.contacts[0];
   const double sign = c.body_a == 1 ? 1 : -1;  // `force` acts on body a
   CHECK(near(sign * c.force[1], testing::block_weight, 1e-6));
   CHECK(std::abs(c.force[0]) < 1e-6 * testing::block_weight);
   CHECK(std::abs(c.point[0]) < 1e-6);
   CHECK(std::abs(c.point[1]) < 1e-3);
-  CHECK(c.state == record::ContactState::sticking);
+  CHECK(c.state == results::ContactState::sticking);
 }
 
 TEST_CASE("recording does not change a run") {
-  const record::Folder folder;
+  const testing::Folder folder;
   const std::uint64_t recorded = record_fall(folder / "fall.h5", 0.3);
   Simulation alone(dropped_block(0.3));
   alone.run(fall_stage());
@@ -111,16 +111,16 @@ TEST_CASE("recording does not change a run") {
 }
 
 TEST_CASE("two runs write the same bytes") {
-  const record::Folder folder;
+  const testing::Folder folder;
   record_fall(folder / "one.h5", 0.3);
   record_fall(folder / "two.h5", 0.3);
-  const std::string one = record::bytes_of(folder / "one.h5");
+  const std::string one = testing::bytes_of(folder / "one.h5");
   CHECK(one.size() > 1000);
-  CHECK(one == record::bytes_of(folder / "two.h5"));
+  CHECK(one == testing::bytes_of(folder / "two.h5"));
 }
 
 TEST_CASE("a killed run can be read up to its last flush") {
-  const record::Folder folder;
+  const testing::Folder folder;
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
   if (child == 0) {
@@ -138,7 +138,7 @@ TEST_CASE("a killed run can be read up to its last flush") {
   int status = 0;
   ::waitpid(child, &status, 0);
   CHECK(WIFSIGNALED(status));
-  const record::ResultsReader reader(folder / "killed.h5");
+  const results::ResultsReader reader(folder / "killed.h5");
   CHECK_FALSE(reader.finished());
   CHECK_FALSE(reader.running());
   CHECK(reader.frame_count() >= 20);
@@ -148,19 +148,19 @@ TEST_CASE("a killed run can be read up to its last flush") {
 }
 
 TEST_CASE("the first frame is safe before the first step") {
-  const record::Folder folder;
+  const testing::Folder folder;
   Simulation simulation(dropped_block(0.3));
   Recording recording(folder / "fall.h5", simulation.model(), simulation.state(), options());
   RunListener listener = recording.listener();
   std::size_t frames = 0, events = 0;
   listener.on_step = [&](const Instant&) {
-    const record::ResultsReader reader(folder / "fall.h5");
+    const results::ResultsReader reader(folder / "fall.h5");
     frames = reader.frame_count();
     events = reader.events().size();
     simulation.stop();
   };
   listener.on_energy = [&, inner = listener.on_energy](const Instant& now, const Energy& e) {
-    if (frames == 0) CHECK(record::ResultsReader(folder / "fall.h5").frame_count() == 1);
+    if (frames == 0) CHECK(results::ResultsReader(folder / "fall.h5").frame_count() == 1);
     inner(now, e);
   };
   simulation.run(fall_stage(), listener);
@@ -170,13 +170,13 @@ TEST_CASE("the first frame is safe before the first step") {
 
 TEST_CASE("rows that wait reach the disk in time though no further ones come") {
   for (const bool soon : {true, false}) {
-    const record::Folder folder;
+    const testing::Folder folder;
     Simulation simulation(dropped_block(0.3));
     RecordingOptions o = options();
     o.flush_seconds = soon ? 0.02 : 1e9;
     Recording recording(folder / "fall.h5", simulation.model(), simulation.state(), std::move(o));
     RunListener listener = recording.listener();
-    const auto hit = [&] { return record::ResultsReader(folder / "fall.h5").events().size() > 1; };
+    const auto hit = [&] { return results::ResultsReader(folder / "fall.h5").events().size() > 1; };
     bool has_hit = false, seen = false;
     listener.on_event = [&, inner = listener.on_event](const Event& e, const Instant& now) {
       inner(e, now);
@@ -198,7 +198,7 @@ TEST_CASE("rows that wait reach the disk in time though no further ones come") {
 }
 
 TEST_CASE("an abandoned recording says why and stays unfinished") {
-  const record::Folder folder;
+  const testing::Folder folder;
   {
     Simulation simulation(dropped_block(0.3));
     Recording recording(folder / "early.h5", simulation.model(), simulation.state(), options());
@@ -210,7 +210,7 @@ TEST_CASE("an abandoned recording says why and stays unfinished") {
     recording.abandon("script.lua:3: no such body");
   }
   CHECK_FALSE(std::filesystem::exists(folder / "early.h5"));
-  const record::ResultsReader reader(folder / "early.h5");
+  const results::ResultsReader reader(folder / "early.h5");
   CHECK_FALSE(reader.finished());
   CHECK(reader.stages()[0].why == "broken off");
   REQUIRE(reader.notes().size() == 1);
@@ -218,16 +218,16 @@ TEST_CASE("an abandoned recording says why and stays unfinished") {
 }
 
 TEST_CASE("a history that gives no number is refused, with its name") {
-  const record::Folder folder;
+  const testing::Folder folder;
   Simulation simulation(dropped_block(0.3));
   RecordingOptions o = options();
   o.histories[0].sample = [](const Instant&) { return std::nan(""); };
   Recording recording(folder / "nan.h5", simulation.model(), simulation.state(), std::move(o));
-  CHECK_THROWS_AS(simulation.run(fall_stage(), recording.listener()), record::RecordError);
+  CHECK_THROWS_AS(simulation.run(fall_stage(), recording.listener()), results::ResultsError);
 }
 
 TEST_CASE("a motion that starts with a later stage is noted") {
-  const record::Folder folder;
+  const testing::Folder folder;
   Simulation simulation(dropped_block(0.001));
   Recording recording(folder / "shaken.h5", simulation.model(), simulation.state(), options());
   StageOptions o = fall_stage(0.1);
@@ -238,7 +238,7 @@ TEST_CASE("a motion that starts with a later stage is noted") {
   set_drive(simulation.edit_model(), 0, 0, std::make_shared<GroundMotion>(samples, 0.02), 0.1, 0);
   simulation.run(fall_stage(0.1), recording.listener());
   recording.finish();
-  const record::ResultsReader reader(folder / "shaken.h5");
+  const results::ResultsReader reader(folder / "shaken.h5");
   REQUIRE(reader.notes().size() == 1);
   CHECK(reader.notes()[0].text.find("'ground' (x)") != std::string::npos);
   REQUIRE(reader.stages().size() == 2);

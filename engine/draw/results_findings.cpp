@@ -1,0 +1,136 @@
+#include "draw/results_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "base/portable.hpp"
+
+namespace trilith::draw {
+
+using results::BodyRow;
+using results::Frame;
+using results::Header;
+
+namespace {
+
+/// Index of a field of the frames, or InputError.
+std::size_t find_field(const Header& header, std::string_view name) {
+  for (std::size_t i = 0; i < header.fields.size(); ++i)
+    if (header.fields[i].name == name) return i;
+  throw InputError(fmt::format("the results have no '{}'; they were recorded without joints", name));
+}
+
+bool is_in(const BodyRow& body, std::string_view group) {
+  return (" " + body.groups + " ").find(fmt::format(" {} ", group)) != std::string::npos;
+}
+
+Vec2 start_place(const Header& header, int vertex) {
+  const int n = header.vertex_node[vertex];
+  const Vec2 node(header.node_position[2 * n], header.node_position[2 * n + 1]);
+  return node + Turn(header.node_rotation[n]).apply(Vec2(header.vertices[2 * vertex], header.vertices[2 * vertex + 1]));
+}
+
+/// Where a point of the body's outline at the start is now: it keeps its share of the edge it lies on.
+Vec2 follow(const Header& header, const BodyRow& body, const std::vector<Vec2>& outline, const Vec2& point) {
+  const int count = body.vertex_count;
+  double nearest = std::numeric_limits<double>::infinity();
+  Vec2 now = point;
+  for (int i = 0; i < count; ++i) {
+    const int j = (i + 1) % count;
+    const Vec2 p = start_place(header, body.first_vertex + i), q = start_place(header, body.first_vertex + j);
+    const Vec2 edge = q - p;
+    const double share = std::clamp(edge.dot(point - p) / edge.squaredNorm(), 0.0, 1.0);
+    const double far = (p + share * edge - point).norm();
+    if (far >= nearest) continue;
+    nearest = far;
+    now = (1 - share) * outline[i] + share * outline[j];
+  }
+  return now;
+}
+
+double pick(std::string_view name, double xx, double yy, double xy) {
+  const double mean = 0.5 * (xx + yy), radius = portable::hypot(0.5 * (xx - yy), xy);
+  if (name == "major") return mean + radius;
+  if (name == "minor") return mean - radius;
+  return name == "xx" ? xx : name == "yy" ? yy : xy;
+}
+
+std::string stress_label(std::string_view name) {
+  if (name == "major") return "larger principal stress";
+  if (name == "minor") return "smaller principal stress";
+  return fmt::format("stress {}", name);
+}
+
+}  // namespace
+
+const std::vector<std::string>& stress_names() {
+  static const std::vector<std::string> names{"minor", "major", "xx", "yy", "xy"};
+  return names;
+}
+
+void magnify(const Header& header, Frame& frame, double factor) {
+  for (std::size_t i = 0; i < frame.position.size(); ++i)
+    frame.position[i] = header.node_position[i] + factor * (frame.position[i] - header.node_position[i]);
+  for (std::size_t i = 0; i < frame.rotation.size(); ++i)
+    frame.rotation[i] = header.node_rotation[i] + factor * (frame.rotation[i] - header.node_rotation[i]);
+  frame.contacts.clear();
+}
+
+void colour_by_stress(const Header& header, const Frame& frame, std::string_view name, Scene& scene) {
+  const auto& names = stress_names();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw InputError(fmt::format("there is no stress '{}'{}", name, name_hint(name, names)));
+  const std::vector<double>& stress = frame.fields[find_field(header, "body_stress")];
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].role == BodyRole::free)
+      scene.bodies[i].value = pick(name, stress[3 * i], stress[3 * i + 1], stress[3 * i + 2]);
+  scene.value_label = stress_label(name);
+  scene.value_unit = "Pa";
+}
+
+void add_cracks(const Header& header, const Frame& frame, Scene& scene) {
+  const std::vector<double>&damage = frame.fields[find_field(header, "joint_damage")],
+        &opening = frame.fields[find_field(header, "joint_opening")],
+        &slip = frame.fields[find_field(header, "joint_slip")];
+  for (std::size_t j = 0; j < header.joints.size(); ++j) {
+    if (!(damage[j] > 0)) continue;
+    const results::JointRow& joint = header.joints[j];
+    const auto end = [&](const double* at) {
+      return follow(header, header.bodies[joint.body_a], scene.bodies[joint.body_a].outline, {at[0], at[1]});
+    };
+    const double length = portable::hypot(joint.end_1[0] - joint.end_0[0], joint.end_1[1] - joint.end_0[1]);
+    if (std::max(opening[j], std::abs(slip[j])) > length) continue;  // the two are no longer neighbours
+    const CrackMark mark = opening[j] >= std::abs(slip[j]) ? CrackMark::opened : CrackMark::slid;
+    scene.cracks.push_back({end(joint.end_0), end(joint.end_1), mark});
+  }
+}
+
+void add_thrust_line(const Header& header, const Frame& frame, std::string_view group, Scene& scene) {
+  std::vector<int> chain;
+  for (std::size_t i = 0; i < header.bodies.size(); ++i)
+    if (is_in(header.bodies[i], group)) chain.push_back(static_cast<int>(i));
+  if (chain.empty()) throw InputError(fmt::format("no body is in the group '{}'", group));
+  scene.lines.emplace_back();
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    Vec2 point = Vec2::Zero();
+    double weight = 0;
+    for (const results::ContactForce& c : frame.contacts) {
+      if (std::minmax(c.body_a, c.body_b) != std::minmax(chain[i], chain[i + 1])) continue;
+      const double size = portable::hypot(c.force[0], c.force[1]);
+      point += size * Vec2(c.point[0], c.point[1]);
+      weight += size;
+    }
+    if (weight > 0)
+      scene.lines.back().push_back(point / weight);
+    else if (!scene.lines.back().empty())
+      scene.lines.emplace_back();
+  }
+  scene.line_label = "line of thrust";
+}
+
+}  // namespace trilith::draw

@@ -1,0 +1,55 @@
+// From a results file to pictures: the structure at a moment, histories and energy as charts.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "draw/chart.hpp"
+#include "draw/energy_chart.hpp"
+#include "draw/scene_picture.hpp"
+#include "results/reader.hpp"
+
+namespace trilith::draw {
+
+struct SceneChoice {
+  bool forces = false;      ///< contact forces; the picture is then that of the nearest frame, not between two
+  bool ghost = false;       ///< outlines of the first frame, of bodies that have moved since
+  bool cracks = false;      ///< broken joints, by what they did most
+  std::string stress = {};  ///< bodies coloured by their mean stress: see stress_names(); "": not
+  std::string thrust = {};  ///< line of thrust through the bodies of this group, or ""
+  double magnify = 1;       ///< displacements since the start times this, without contact forces
+};
+
+/// The structure at `time` [s], titled by its stage, with how long that had run, and the latest event of note. Throws
+/// InputError for a time outside the frames (half a frame's spacing is allowed), ResultsError for a file without
+/// frames.
+Scene results_scene(const results::ResultsReader& reader, double time, const SceneChoice& choice = {});
+
+/// Row of the first stage called `name`; throws InputError with the nearest name where there is none.
+results::StageRow find_stage(const results::ResultsReader& reader, std::string_view name);
+
+/// Events that a reader of a picture wants to hear of, in time: neither contacts made and lost, slow impacts, bodies
+/// at rest, nor the ends of stages.
+std::vector<results::EventRow> events_of_note(const results::ResultsReader& reader);
+
+/// A results file and the word for it in a legend; "" where it is the only one.
+struct NamedResults {
+  const results::ResultsReader* reader;
+  std::string name;
+};
+
+/// One panel for each unit among the histories `names` (every history of the first file where empty), each result a
+/// line. Throws InputError where a file does not have a history (with the nearest name) or has no samples.
+Chart history_chart(const std::vector<NamedResults>& results, const std::vector<std::string>& names);
+
+/// The ledger: terms that hold or have taken up energy on each other, and as a line over them what ground, loads,
+/// falling weight and start have put in. Terms below a hundredth of the largest are one. Throws InputError where the
+/// file has no energy.
+Chart results_energy_chart(const NamedResults& result, EnergyView view);
+
+/// Stages and the events that change the structure (bearings and bonds lost, seats lost, impacts) as marks; where there
+/// are too many of one kind, one of it: the fastest impact, else the first.
+std::vector<ChartMark> event_marks(const results::ResultsReader& reader);
+
+}  // namespace trilith::draw

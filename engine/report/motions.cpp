@@ -1,0 +1,140 @@
+// Ground motions in a report. The results file holds what was done to each record; where the record is still to be
+// found, the same is done to it again, so that its figures and its spectrum can be told.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "base/error.hpp"
+#include "draw/motion_chart.hpp"
+#include "load/motion_measures.hpp"
+#include "load/motion_read.hpp"
+#include "report/sections.hpp"
+
+namespace trilith::report {
+namespace {
+
+/// The number behind `word` in `step`, as in "time x 0.8"; none where the step begins otherwise.
+std::optional<double> number_after(const std::string& step, std::string_view word) {
+  if (!step.starts_with(word)) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(step.c_str() + word.size(), &end);
+  return end == step.c_str() + word.size() ? std::nullopt : std::optional(value);
+}
+
+/// One step of a motion's description done again. Throws InputError where it is not one that we know.
+GroundMotion done_again(const GroundMotion& motion, const std::string& step) {
+  if (step == "reversed") return motion.reversed();
+  if (const auto peak = number_after(step, "scaled to PGA ")) return motion.scaled_to_peak(*peak * standard_gravity);
+  if (const auto factor = number_after(step, "x ")) return motion.scaled(*factor);
+  if (const auto factor = number_after(step, "time x ")) return motion.time_scaled(*factor);
+  if (const auto delay = number_after(step, "delayed ")) return motion.delayed(*delay);
+  if (const auto advance = number_after(step, "advanced ")) return motion.delayed(-*advance);
+  if (const auto start = number_after(step, "from "))
+    return step.ends_with("m/s") ? motion.with_start_velocity(*start) : motion.with_start_displacement(*start);
+  throw InputError(fmt::format("'{}' is nothing that is known to be done to a motion", step));
+}
+
+/// A line of the file: "DESCRIPTION on 'BODY' (x), from t = 1.5 s".
+struct ToldMotion {
+  std::string file, where;
+  std::vector<std::string> steps;
+  std::string text;
+};
+
+ToldMotion told_motion(const std::string& text) {
+  ToldMotion out;
+  out.text = text;
+  const std::size_t on = text.rfind(" on '");
+  std::string rest = text.substr(0, on);
+  if (on != std::string::npos) out.where = text.substr(on + 4, text.rfind(", from t") - on - 4);
+  for (std::size_t at; (at = rest.find(", ")) != std::string::npos; rest.erase(0, at + 2))
+    out.steps.push_back(rest.substr(0, at));
+  out.steps.push_back(rest);
+  out.file = out.steps.front();
+  out.steps.erase(out.steps.begin());
+  return out;
+}
+
+/// Nothing where there is no such record, or something was done to it that cannot be done again.
+std::optional<GroundMotion> found_motion(const ToldMotion& told, const std::vector<std::filesystem::path>& folders) {
+  for (const std::filesystem::path& folder : folders) {
+    std::error_code ignored;
+    if (told.file.empty() || !std::filesystem::is_regular_file(folder / told.file, ignored)) continue;
+    try {
+      GroundMotion motion = read_motion(folder / told.file);
+      for (const std::string& step : told.steps) motion = done_again(motion, step);
+      return motion;
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> row_of(const ToldMotion& told, const GroundMotion& motion) {
+  const MotionPeaks peaks = motion_peaks(motion);
+  return {fmt::format("{}: {}{}", told.where, told.file, told.steps.empty() ? "" : ", ") +
+              fmt::format("{}", fmt::join(told.steps, ", ")),
+          fmt::format("{:.3f} g", std::abs(peaks.acceleration.value) / standard_gravity),
+          fmt::format("{:.3f} m/s", std::abs(peaks.velocity.value)),
+          fmt::format("{:.3f} m", std::abs(peaks.displacement.value)),
+          fmt::format("{:.2f} m/s", arias_intensity(motion)),
+          fmt::format("{:.1f} s", significant_duration(motion, 0.05, 0.95).length())};
+}
+
+void write_missing(const std::vector<std::string>& texts, bool some_found, HtmlText& html) {
+  if (texts.empty()) return;
+  html.open("ul");
+  for (const std::string& text : texts) html.element("li", text);
+  html.close();
+  html.element("p",
+               fmt::format("The results file holds what {} motions are, not their samples, and the records were not "
+                           "found where the report was made: peaks, intensity and spectrum are missing here; trilith "
+                           "motion FILE gives them.",
+                           some_found ? "these" : "the"),
+               R"(class="note")");
+}
+
+}  // namespace
+
+void write_motions(const ReportSource& source, HtmlText& html) {
+  html.element("h2", "Ground motion");
+  std::vector<std::string> missing;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<GroundMotion> motions;
+  std::vector<std::string> names;
+  const std::vector<std::string> texts = motion_texts(source);
+  for (const std::string& text : texts) {
+    const ToldMotion told = told_motion(text);
+    const std::optional<GroundMotion> motion = found_motion(told, source.record_folders);
+    if (!motion) {
+      missing.push_back(text);
+      continue;
+    }
+    rows.push_back(row_of(told, *motion));
+    names.push_back(told.where);
+    motions.push_back(*motion);
+  }
+  if (texts.empty()) html.element("p", "The file names no ground motion.");
+  if (!motions.empty()) {
+    html.table({"Motion", "PGA", "PGV", "PGD", "Arias", "Duration"}, rows, 1);
+    html.element("p",
+                 "Duration: from 5 to 95 % of the Arias intensity. The results file holds what was done to the "
+                 "records, not their samples: for these figures the records "
+                 "were read again and the same was done to them.",
+                 R"(class="note")");
+    write_figure(
+        html, "motion", fmt::format("The motion of {}; spectra of all motions, 5 % damped.", names.front()), [&] {
+          draw::Chart spectrum = draw::spectrum_chart(motions);
+          for (std::size_t i = 0; i < names.size(); ++i) spectrum.panels[0].series[i].name = names[i];
+          return draw::chart_canvas({draw::motion_chart(motions.front()), spectrum}, draw::Arrangement::beside);
+        });
+  }
+  write_missing(missing, !motions.empty(), html);
+}
+
+}  // namespace trilith::report

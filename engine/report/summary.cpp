@@ -1,0 +1,245 @@
+// Head of a report: title, state, verdict; parameters, ground motions and stages.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/space.hpp"
+#include "report/sections.hpp"
+#include "results/event_tree.hpp"
+#include "results/verdict.hpp"
+
+namespace trilith::report {
+namespace {
+
+constexpr std::string_view motion_note = "ground motion: ";
+
+/// "1 bearing", "4 bearings".
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+/// In a sentence: "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& parts) {
+  if (parts.size() < 2) return parts.empty() ? "" : parts.front();
+  return fmt::format("{} and {}", fmt::join(parts.begin(), parts.end() - 1, ", "), parts.back());
+}
+
+/// "21 November 2026, 09:08 UTC" from "2026-11-21T09:08:29Z"; other texts as they are.
+std::string plain_date(const std::string& iso) {
+  static constexpr const char* months[] = {"January", "February", "March",     "April",   "May",      "June",
+                                           "July",    "August",   "September", "October", "November", "December"};
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0;
+  if (std::sscanf(iso.c_str(), "%4d-%2d-%2dT%2d:%2d", &year, &month, &day, &hour, &minute) != 5) return iso;
+  if (month < 1 || month > 12) return iso;
+  return fmt::format("{} {} {}, {:02}:{:02} UTC", day, months[month - 1], year, hour, minute);
+}
+
+bool is_free(const results::BodyRow& body) {
+  return body.support.empty() || body.support.find("free") != std::string::npos;
+}
+
+/// In two dimensions.
+Vec2 place_of(const std::vector<double>& places, int row) {
+  return {places[2 * row], places[2 * row + 1]};
+}
+
+/// How deep a body is, m: its area by the greatest distance between two of its corners.
+double depth_of(const results::Header& header, const results::BodyRow& body) {
+  std::vector<Vec2> points;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+    const int node = header.vertex_node[v];
+    points.push_back(place_of(header.node_position, node) +
+                     Turn(header.node_rotation[node]).apply(place_of(header.vertices, v)));
+  }
+  double length = 0, area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 a = points[i] - points[0], b = points[(i + 1) % points.size()] - points[0];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    for (const Vec2& p : points) length = std::max(length, (points[i] - p).norm());
+  }
+  return length > 0 ? std::abs(area) / length : 0;
+}
+
+/// How far the ground had moved in the mean of its bodies, m.
+Vec2 ground_way(const results::Header& header, const results::Frame& frame) {
+  Vec2 sum = Vec2::Zero();
+  int count = 0;
+  for (const results::BodyRow& body : header.bodies) {
+    if (is_free(body)) continue;
+    sum += place_of(frame.position, body.first_node) - place_of(header.node_position, body.first_node);
+    ++count;
+  }
+  return sum / std::max(count, 1);
+}
+
+/// Bodies that were free, and those of them that stood elsewhere at the end.
+struct Moved {
+  std::size_t free = 0, moved = 0;
+};
+
+/// More than half its depth from where it began counts. Nothing where that cannot be told.
+Moved moved_bodies(const ReportSource& source) {
+  const results::Header& header = source.header;
+  Moved out;
+  if (source.reader.frame_count() == 0 || header.dim != 2) return out;
+  const results::Frame last = source.reader.frame(source.reader.frame_count() - 1);
+  const Vec2 ground = ground_way(header, last);
+  for (const results::BodyRow& body : header.bodies) {
+    if (!is_free(body)) continue;
+    ++out.free;
+    const Vec2 way =
+        place_of(last.position, body.first_node) - place_of(header.node_position, body.first_node) - ground;
+    out.moved += 2 * way.norm() > depth_of(header, body) ? 1 : 0;
+  }
+  return out;
+}
+
+std::string why_text(const std::string& why) {
+  if (why == "rest") return "with everything at rest";
+  if (why == "time") return "when its time was up";
+  return why.empty() ? "without a reason given" : "(" + why + ")";
+}
+
+std::string ending(const ReportSource& source) {
+  const std::vector<double>& times = source.reader.frame_times();
+  const double reached = times.empty() ? 0 : times.back();
+  if (source.reader.running())
+    return fmt::format("The run is still going on and is told here up to {}", shown_time(reached));
+  if (!source.reader.finished())
+    return fmt::format("The run was stopped before its end and is told here up to {}", shown_time(reached));
+  if (source.stages.empty() || !source.stages.back().ended)
+    return fmt::format("The run ended at {}", shown_time(reached));
+  const results::StageRow& last = source.stages.back();
+  return fmt::format("The run ended at {}, {} after {} of the stage “{}”", shown_time(last.end), why_text(last.why),
+                     shown_time(last.end - last.begin), last.name);
+}
+
+/// What was lost, of all that can be; "nothing failed" where nothing was, and all stands where it began.
+std::string losses(const ReportSource& source) {
+  const auto count = [&](std::string_view type) {
+    return static_cast<std::size_t>(std::count_if(source.events.begin(), source.events.end(),
+                                                  [&](const results::EventRow& e) { return e.type == type; }));
+  };
+  std::vector<std::string> parts;
+  if (const std::size_t n = count("bearing.failed"); n > 0)
+    parts.push_back(fmt::format("{} of {} failed", n, counted(source.header.bearings.size(), "bearing", "bearings")));
+  if (const std::size_t n = count("seat.lost"); n > 0) parts.push_back(counted(n, "seat was", "seats were") + " lost");
+  if (const std::size_t n = count("bond.broken"); n > 0) parts.push_back(counted(n, "bond", "bonds") + " broke");
+  if (const std::size_t n = count("body.left"); n > 0)
+    parts.push_back(counted(n, "body", "bodies") + " left the bounds");
+  const Moved bodies = moved_bodies(source);
+  if (bodies.moved > 0)
+    parts.push_back(
+        fmt::format("{} of {} free bodies stood more than half their depth from where they began on the ground",
+                    bodies.moved, bodies.free));
+  if (parts.empty() && results::results_verdict(source.events).sound()) parts.emplace_back("nothing failed");
+  if (bodies.moved == 0 && bodies.free > 0)
+    parts.emplace_back("no body stood more than half its depth from where it began on the ground");
+  return parts.empty() ? "nothing is told of it" : listed(parts);
+}
+
+/// Name of the stage and how long it had run at the event.
+std::string within_stage(const ReportSource& source, const results::EventRow& e) {
+  if (e.stage < 0 || static_cast<std::size_t>(e.stage) >= source.stages.size()) return "";
+  const results::StageRow& stage = source.stages[static_cast<std::size_t>(e.stage)];
+  return fmt::format(", {} into the stage “{}”", shown_time(e.time - stage.begin), stage.name);
+}
+
+std::string first_failure(const ReportSource& source) {
+  const auto first = std::find_if(source.events.begin(), source.events.end(), results::is_failure);
+  if (first == source.events.end()) return "No bearing, seat or bond was lost.";
+  const std::string what = first->text.empty() ? first->type : first->text;
+  return fmt::format("The first failure came at {}{}: {}.", shown_time(first->time), within_stage(source, *first),
+                     what);
+}
+
+}  // namespace
+
+std::vector<std::string> motion_texts(const ReportSource& source) {
+  std::vector<std::string> out = source.header.provenance.motions;
+  for (const results::Note& note : source.notes)
+    if (note.text.starts_with(motion_note)) out.push_back(note.text.substr(motion_note.size()));
+  return out;
+}
+
+std::string shown_mass(double kilograms) {
+  if (kilograms < 1e4) return fmt::format("{:.4g} kg", kilograms);
+  if (kilograms < 1e7) return fmt::format("{:.4g} t", kilograms / 1000);
+  const std::string tonnes = fmt::format("{:.0f}", kilograms / 1000);
+  std::string out;
+  for (std::size_t i = 0; i < tonnes.size(); ++i) {
+    if (i > 0 && (tonnes.size() - i) % 3 == 0) out += ',';
+    out += tonnes[i];
+  }
+  return out + " t";
+}
+
+std::string shown_time(double seconds) {
+  return fmt::format("{:.3f} s", seconds);
+}
+
+std::string verdict(const ReportSource& source) {
+  return fmt::format("{}: {}. {}", ending(source), losses(source), first_failure(source));
+}
+
+void write_head(const ReportSource& source, HtmlText& html) {
+  const results::Provenance& from = source.header.provenance;
+  html.open("header").element("p", "Report of a run", R"(class="kind")");
+  html.element("h1", source.reader.path().stem().stem().string());
+  html.open("p", R"(class="by")").text(from.script_path.empty() ? "no script" : from.script_path);
+  if (!from.start_time.empty()) html.text(" · run on " + plain_date(from.start_time));
+  if (!from.program_version.empty()) html.text(" · Trilith " + from.program_version);
+  html.close().close();
+  if (!source.reader.finished())
+    html.element("p",
+                 source.reader.running()
+                     ? "Not finished: a run is writing this file. What follows is up to its last flush."
+                     : "Not finished: the run ended before its end. What follows is up to its last flush.",
+                 R"(class="warning")");
+  const Verdict found = results::results_verdict(source.events);
+  if (!found.sound()) html.element("p", fmt::format("This run is {}.", found.text()), R"(class="warning")");
+  html.element("p", verdict(source), R"(class="verdict")");
+  std::vector<std::string> remarks;
+  for (const results::Note& note : source.notes)
+    if (!note.text.starts_with(motion_note)) remarks.push_back(fmt::format("{}: {}", shown_time(note.time), note.text));
+  if (remarks.empty()) return;
+  html.element("h3", "Remarks of the program").open("ul");
+  for (const std::string& remark : remarks) html.element("li", remark);
+  html.close();
+}
+
+void write_parameters(const ReportSource& source, HtmlText& html) {
+  const std::vector<results::ParameterRow>& rows = source.header.provenance.parameters;
+  if (rows.empty()) return;
+  html.element("h2", "Parameters");
+  html.element("p", "As the script declares them; what differs from its default is bold.", R"(class="note")");
+  html.open("table").open("thead").open("tr");
+  for (const char* heading : {"Parameter", "Value", "Unit", "Default", "What it is"}) html.element("th", heading);
+  html.close().close().open("tbody");
+  for (const results::ParameterRow& row : rows) {
+    html.open("tr").element("td", row.name).open("td");
+    if (row.value != row.fallback)
+      html.element("b", row.value);
+    else
+      html.text(row.value);
+    html.close().element("td", row.unit).element("td", row.fallback).element("td", row.text).close();
+  }
+  html.close().close();
+}
+
+void write_stages(const ReportSource& source, HtmlText& html) {
+  html.element("h2", "Stages");
+  if (source.stages.empty()) {
+    html.element("p", "No stage has begun.");
+    return;
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const results::StageRow& s : source.stages)
+    rows.push_back({s.name, s.kind, s.ended ? s.why : "not ended", shown_time(s.begin),
+                    s.ended ? shown_time(s.end) : "–", s.ended ? shown_time(s.end - s.begin) : "–"});
+  html.table({"Stage", "Kind", "Ended by", "From", "To", "Long"}, rows, 3);
+}
+
+}  // namespace trilith::report

@@ -1,0 +1,28 @@
+#include "results/results.hpp"
+
+#include <cassert>
+
+namespace trilith::results {
+
+void Header::add_rigid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation,
+                            double mass, std::span<const double> inertia, std::span<const double> outline) {
+  assert(position.size() == static_cast<std::size_t>(dim));
+  assert(rotation.size() == static_cast<std::size_t>(rotation_width(dim)));
+  assert(inertia.size() == static_cast<std::size_t>(spin_width(dim)));
+  assert(outline.size() % static_cast<std::size_t>(dim) == 0);
+  const auto node = static_cast<std::int32_t>(node_mass.size());
+  const auto points = static_cast<std::int32_t>(outline.size() / static_cast<std::size_t>(dim));
+  body.first_node = node;
+  body.node_count = 1;
+  body.first_vertex = static_cast<std::int32_t>(vertex_node.size());
+  body.vertex_count = points;
+  bodies.push_back(std::move(body));
+  node_position.insert(node_position.end(), position.begin(), position.end());
+  node_rotation.insert(node_rotation.end(), rotation.begin(), rotation.end());
+  node_mass.push_back(mass);
+  node_inertia.insert(node_inertia.end(), inertia.begin(), inertia.end());
+  vertices.insert(vertices.end(), outline.begin(), outline.end());
+  vertex_node.insert(vertex_node.end(), static_cast<std::size_t>(points), node);
+}
+
+}  // namespace trilith::results

@@ -1,0 +1,211 @@
+// What a results file holds, as plain values: no HDF5, no model. The whole schema is described in docs/results.md.
+// SI throughout: m, kg, s, N, J, rad. Indices count from 0; -1 says "none".
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace trilith::results {
+
+/// A results file cannot be written or read: unwritable place, full disk, not a results file, cut, too new.
+/// One line with the file, the reason and, where there is one, what to try.
+class ResultsError : public std::runtime_error {
+ public:
+  explicit ResultsError(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// Version of the layout. A reader accepts this and earlier ones; a change that old readers misread adds one.
+inline constexpr int format_version = 1;
+
+/// Numbers per rotation: 1 (angle, rad, anticlockwise) in 2D; 4 (unit quaternion w, x, y, z) in 3D.
+constexpr int rotation_width(int dim) {
+  return dim == 2 ? 1 : 4;
+}
+/// Numbers per angular velocity or moment of inertia: 1 in 2D, 3 in 3D.
+constexpr int spin_width(int dim) {
+  return dim == 2 ? 1 : 3;
+}
+
+/// A named column: a history or a term of the energy ledger.
+struct Quantity {
+  std::string name;         ///< not empty, no '/', not "time", unique in its group
+  std::string unit;         ///< SI, e.g. "m", "N", "J"; "1" for a pure number
+  std::string description;  ///< one sentence
+};
+
+/// A parameter of the script, as text, with the value this run used.
+struct ParameterRow {
+  std::string name, value, unit, fallback, text;  ///< `fallback`: the declared default; `text`: its sentence
+};
+
+/// How the file came about. `start_time` is the only clock in the file.
+struct Provenance {
+  std::string script;           ///< full text
+  std::string script_path;      ///< as given on the command line
+  std::string program_version;  ///< e.g. "0.1.0"
+  std::string git_commit;       ///< empty where unknown
+  std::string compiler;
+  std::string platform;
+  std::string start_time;    ///< UTC, ISO 8601, e.g. "2025-11-21T09:30:00Z"
+  std::string command_line;  ///< arguments, separated by blanks
+  std::vector<ParameterRow> parameters;
+  std::vector<std::string> motions;  ///< one line per ground motion used
+};
+
+/// One body. Its nodes and outline points are slices of the arrays in Header.
+struct BodyRow {
+  std::string name, kind, material;
+  std::string groups;   ///< names separated by blanks
+  std::string support;  ///< "free", "fixed", "moved", ... as the model says
+  std::int32_t first_node = 0, node_count = 1;
+  std::int32_t first_vertex = 0, vertex_count = 0;
+};
+
+/// A material, or a contact law between two materials or groups; `text` lists its parameters with units.
+struct LawRow {
+  std::string name;
+  std::string role;    ///< "material" or "contact"
+  std::string first;   ///< contact: one side; material: empty
+  std::string second;  ///< contact: other side; material: empty
+  std::string text;
+};
+
+/// A bearing between two points fixed to two bodies.
+struct BearingRow {
+  std::string name;
+  std::int32_t body_a = -1, body_b = -1;
+  double point_a[3] = {0, 0, 0};  ///< m, in the axes of body a, from its first node; dim numbers count
+  double point_b[3] = {0, 0, 0};  ///< m, in the axes of body b
+  std::string law;                ///< law and parameters as text
+};
+
+/// Two faces that lie on each other at the start.
+struct JointRow {
+  std::int32_t body_a = -1, body_b = -1;
+  std::int32_t storey = 0;      ///< 0: none
+  std::int32_t bonded = 0;      ///< 1: with a bond
+  double end_0[3] = {0, 0, 0};  ///< m, where its ends are at the start, world axes
+  double end_1[3] = {0, 0, 0};
+};
+
+/// Numbers that every frame has beside motion and contacts: one row of `width` for each of `rows` things.
+struct Field {
+  std::string name;  ///< of its data set in /frames
+  std::string unit, description;
+  std::size_t rows = 0;
+  int width = 1;
+};
+
+/// Everything that does not change during a run. Arrays are flat, row after row.
+struct Header {
+  int dim = 2;
+  Provenance provenance;
+  std::vector<BodyRow> bodies;
+  std::vector<double> node_position;       ///< [N][dim] m, at the start
+  std::vector<double> node_rotation;       ///< [N][rotation_width] at the start
+  std::vector<double> node_mass;           ///< [N] kg; 0 where the node is driven or fixed and has none
+  std::vector<double> node_inertia;        ///< [N][spin_width] kg m^2, about the node
+  std::vector<double> vertices;            ///< [V][dim] m, outline points in body axes, from their node
+  std::vector<std::int32_t> vertex_node;   ///< [V] the node each outline point belongs to
+  std::vector<std::int32_t> element_node;  ///< [E][4] nodes of each finite element, -1 after a triangle's third (2D)
+  std::vector<std::int32_t> element_body;  ///< [E]
+  std::vector<LawRow> laws;
+  std::vector<BearingRow> bearings;
+  std::vector<JointRow> joints;
+  std::vector<Field> fields;
+  std::vector<Quantity> histories;
+  std::vector<Quantity> energy_terms;
+  bool with_velocity = false;  ///< frames carry velocities too
+
+  std::size_t node_count() const { return node_mass.size(); }
+  std::size_t element_count() const { return element_body.size(); }
+
+  /// Adds a one-node body: fills its slices and appends its node and outline.
+  /// `position`: dim numbers, m; `rotation`: rotation_width; `inertia`: spin_width; `outline`: [v][dim] in body axes.
+  void add_rigid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation, double mass,
+                      std::span<const double> inertia, std::span<const double> outline);
+};
+
+enum class ContactState : std::int8_t { bonded = 0, sticking = 1, sliding = 2 };
+/// `waiting`: carries nothing until another bearing becomes it.
+enum class BearingState : std::int8_t { intact = 0, yielded = 1, failed = 2, changed = 3, waiting = 4 };
+
+/// Resultant of one contact in a frame: the force on body a at `point`; body b feels the opposite.
+struct ContactForce {
+  double point[3] = {0, 0, 0};  ///< m, world axes
+  double force[3] = {0, 0, 0};  ///< N, world axes
+  std::int32_t body_a = -1, body_b = -1;
+  ContactState state = ContactState::sticking;
+};
+
+/// One frame, as the writer takes it: views into the caller's arrays, read during the call only.
+struct FrameRow {
+  double time = 0;                   ///< s, not below the previous frame's
+  std::int64_t step = 0;             ///< number of steps done
+  std::int32_t stage = 0;            ///< row of the stages table
+  std::span<const double> position;  ///< [N][dim] m
+  std::span<const double> rotation;  ///< [N][rotation_width]
+  std::span<const double> velocity;  ///< [N][dim] m/s; empty unless Header::with_velocity
+  std::span<const double> spin;      ///< [N][spin_width] rad/s; as velocity
+  std::span<const ContactForce> contacts;
+  std::span<const BearingState> bearing_state;       ///< [B]
+  std::span<const double> bearing_force;             ///< [B][dim] N, on body b, world axes
+  std::span<const double> bearing_displacement;      ///< [B][dim] m, of point b relative to point a, from the start
+  std::span<const double> stress = {};               ///< [E][3] Pa: mean sxx, syy, sxy of each element, world axes
+  std::span<const double> plastic = {};              ///< [E] mean measure of plastic strain
+  std::span<const std::vector<double>> fields = {};  ///< [Header::fields][rows][width]
+};
+
+/// One frame, as the reader gives it. Members as in FrameRow.
+struct Frame {
+  double time = 0;
+  std::int64_t step = 0;
+  std::int32_t stage = 0;
+  std::vector<double> position, rotation, velocity, spin, stress, plastic;
+  std::vector<ContactForce> contacts;
+  std::vector<BearingState> bearing_state;
+  std::vector<double> bearing_force, bearing_displacement;
+  std::vector<std::vector<double>> fields;
+};
+
+/// A number that belongs to an event, e.g. {"speed", "m/s", 3.2}.
+struct Figure {
+  std::string name, unit;
+  double value = 0;
+};
+
+/// One event. The names of bodies and bearing are filled in by the writer from the indices.
+struct EventRow {
+  std::int64_t id = 0;
+  double time = 0;  ///< s
+  std::int64_t step = 0;
+  std::int32_t stage = 0;
+  std::string type;  ///< e.g. "bearing.failed"; at most 32 bytes
+  std::int32_t body_a = -1, body_b = -1, bearing = -1;
+  std::string body_a_name, body_b_name, bearing_name;
+  bool has_place = false;
+  double place[3] = {0, 0, 0};  ///< m, world axes; zero unless has_place
+  Figure first, second;         ///< empty names where unused
+  std::int64_t cause = -1;      ///< id of the event that led to this one
+  std::string text;             ///< one sentence; longer than 160 bytes is cut and marked with an ellipsis
+};
+
+/// One stage. While it runs `ended` is false and `end` equals `begin`.
+struct StageRow {
+  std::string name, kind;
+  double begin = 0, end = 0;  ///< s
+  bool ended = false;
+  std::string why;  ///< why it ended, e.g. "at rest"
+};
+
+/// The energy ledger: one column per term of Header::energy_terms, J.
+struct EnergyTable {
+  std::vector<double> time;
+  std::vector<std::vector<double>> terms;
+  std::vector<double> residual;
+};
+
+}  // namespace trilith::results

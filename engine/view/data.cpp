@@ -1,0 +1,107 @@
+#include "view/data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "view/model.hpp"
+
+namespace trilith::view {
+namespace {
+
+constexpr std::uint32_t data_version = 1;
+
+void put_number(std::uint32_t number, std::string& out) {
+  for (int shift = 0; shift < 32; shift += 8)
+    out += static_cast<char>(static_cast<unsigned char>(number >> shift & 255));
+}
+
+/// One column of samples, every so many of them, and the last; 50,000 steps over its range.
+ViewBlock samples(const std::string& name, const std::vector<double>& values, std::size_t stride) {
+  constexpr double parts = 50000;
+  double largest = 0;
+  for (const double v : values) largest = std::isfinite(v) ? std::max(largest, std::abs(v)) : largest;
+  ViewBlock block{name, 1, largest > 0 ? largest / parts : 1, {}};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (i % stride == 0 || i + 1 == values.size()) block.values.push_back(quantised(values[i], block.quantum));
+  return block;
+}
+
+/// Histories and energy: what each is goes to `json`, its numbers to blocks.
+class Series {
+ public:
+  Series(const ViewLimits& limits, JsonText& json, std::vector<ViewBlock>& blocks)
+      : limits_(limits), json_(json), blocks_(blocks) {}
+
+  void begin(const std::string& group, const std::vector<double>& time) {
+    group_ = group;
+    stride_ = std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(time.size()) / limits_.samples));
+    blocks_.push_back(samples(group + ".time", time, stride_));
+    blocks_.back().quantum = 1e-6;
+    blocks_.back().values.clear();
+    for (std::size_t i = 0; i < time.size(); ++i)
+      if (i % stride_ == 0 || i + 1 == time.size()) blocks_.back().values.push_back(quantised(time[i], 1e-6));
+  }
+
+  void add(const results::Quantity& quantity, const std::vector<double>& values) {
+    const std::string block = fmt::format("{}.{}", group_, blocks_.size());
+    json_.begin_object().text("group", group_).text("name", quantity.name).text("unit", quantity.unit);
+    json_.text("text", quantity.description).text("block", block).end();
+    blocks_.push_back(samples(block, values, stride_));
+  }
+
+ private:
+  const ViewLimits& limits_;
+  JsonText& json_;
+  std::vector<ViewBlock>& blocks_;
+  std::string group_;
+  std::size_t stride_ = 1;
+};
+
+void write_series(const results::ResultsReader& reader, const ViewLimits& limits, JsonText& json,
+                  std::vector<ViewBlock>& blocks) {
+  const results::Header& header = reader.header();
+  json.key("series").begin_list();
+  Series series(limits, json, blocks);
+  if (!header.histories.empty()) series.begin("history", reader.history_times());
+  for (const results::Quantity& q : header.histories) series.add(q, reader.history(q.name));
+  const results::EnergyTable energy = reader.energy();
+  if (!energy.time.empty()) series.begin("energy", energy.time);
+  if (!energy.time.empty())
+    for (std::size_t i = 0; i < header.energy_terms.size(); ++i) series.add(header.energy_terms[i], energy.terms[i]);
+  if (!energy.time.empty()) series.add({"residual", "J", "what the terms leave unexplained"}, energy.residual);
+  json.end();
+}
+
+}  // namespace
+
+std::string view_data(const results::ResultsReader& reader, const ViewLimits& limits, const ViewProgress& progress) {
+  if (reader.header().dim != 2)
+    throw InputError(fmt::format("'{}' is of a model in {} dimensions; only two can be viewed", reader.path().string(),
+                                 reader.header().dim));
+  ViewFrames frames = view_frames(reader, limits, progress);
+  JsonText json;
+  json.begin_object();
+  write_view_model(reader, frames, limits, json);
+  std::vector<ViewBlock>& blocks = frames.blocks;
+  write_series(reader, limits, json, blocks);
+  json.key("blocks").begin_list();
+  std::string bytes;
+  for (const ViewBlock& block : blocks) {
+    const std::string piece = packed(block);
+    json.begin_object().text("name", block.name).number("rows", static_cast<double>(block.rows()));
+    json.number("columns", static_cast<double>(block.columns)).number("quantum", block.quantum);
+    json.number("bytes", static_cast<double>(piece.size())).end();
+    bytes += piece;
+  }
+  json.end().end();
+  const std::string head = json.take();
+  std::string out = "TRLV";
+  put_number(data_version, out);
+  put_number(static_cast<std::uint32_t>(head.size()), out);
+  return out + head + bytes;
+}
+
+}  // namespace trilith::view

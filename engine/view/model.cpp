@@ -1,0 +1,229 @@
+#include "view/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "draw/palette.hpp"
+#include "results/body_mass.hpp"
+#include "results/verdict.hpp"
+#include "view/joints.hpp"
+#include "world/event_text.hpp"
+
+namespace trilith::view {
+namespace {
+
+const EventTypeInfo* info_of(const std::string& type) {
+  const auto at = std::find_if(event_type_info.begin(), event_type_info.end(),
+                               [&](const EventTypeInfo& known) { return known.name == type; });
+  return at == event_type_info.end() ? nullptr : at;
+}
+
+/// What a viewer wants to hear of at once; a type this program does not know may be of note.
+bool is_of_note(const results::EventRow& event) {
+  const EventTypeInfo* const info = info_of(event.type);
+  if (info == nullptr) return true;
+  const auto type = static_cast<EventType>(info - event_type_info.begin());
+  return is_important(type) && !(type == EventType::impact && event.first.value < slow_impact);
+}
+
+std::string heading_in_words(const std::string& type) {
+  const EventTypeInfo* const info = info_of(type);
+  if (info != nullptr) return std::string(event_heading(static_cast<EventType>(info - event_type_info.begin())));
+  std::string text = type;
+  std::replace(text.begin(), text.end(), '.', ' ');
+  return text;
+}
+
+/// In time; where there are too many, those of note and of the others the earliest.
+std::vector<results::EventRow> chosen(std::vector<results::EventRow> events, double most) {
+  if (static_cast<double>(events.size()) <= most) return events;
+  double room = most - static_cast<double>(std::count_if(events.begin(), events.end(), is_of_note));
+  std::erase_if(events, [&](const results::EventRow& e) {
+    // Contacts made and lost by the ten thousand tell nobody anything, so that rests come before them.
+    return !is_of_note(e) && (e.type.starts_with("contact.") || --room < 0);
+  });
+  if (static_cast<double>(events.size()) > most) events.resize(static_cast<std::size_t>(most));
+  return events;
+}
+
+std::string state_of(const results::ResultsReader& reader) {
+  return reader.running() ? "running" : reader.finished() ? "finished" : "stopped";
+}
+
+void write_run(const results::ResultsReader& reader, const ViewFrames& frames, std::size_t left_out, JsonText& json) {
+  const results::Provenance& from = reader.header().provenance;
+  json.key("run").begin_object();
+  json.text("name", reader.path().stem().stem().string()).text("state", state_of(reader));
+  json.text("script", from.script).text("script_path", from.script_path).text("program", from.program_version);
+  json.text("commit", from.git_commit).text("platform", from.platform).text("command", from.command_line);
+  json.text("verdict", results::results_verdict(reader.events()).text());
+  json.text("started", from.start_time).number("dim", reader.header().dim);
+  json.number("frame_stride", static_cast<double>(frames.frame_stride));
+  json.number("contact_stride", static_cast<double>(frames.contact_stride));
+  json.number("events_left_out", static_cast<double>(left_out));
+  json.key("parameters").begin_list();
+  for (const results::ParameterRow& p : from.parameters)
+    json.begin_list().text(p.name).text(p.value).text(p.unit).text(p.fallback).text(p.text).end();
+  json.end().key("motions").begin_list();
+  for (const std::string& motion : from.motions) json.text(motion);
+  json.end().key("notes").begin_list();
+  for (const results::Note& note : reader.notes()) json.begin_list().number(note.time).text(note.text).end();
+  json.end().end();
+}
+
+void write_bodies(const results::Header& header, const ViewFrames& frames, JsonText& json) {
+  std::vector<int> bonds(header.bodies.size());
+  for (const auto& [a, b] : frames.bonded) ++bonds[a], ++bonds[b];
+  json.key("bodies").begin_list();
+  for (std::size_t i = 0; i < header.bodies.size(); ++i) {
+    const results::BodyRow& b = header.bodies[i];
+    json.begin_object().text("name", b.name).text("kind", b.kind).text("material", b.material);
+    json.text("groups", b.groups).text("support", b.support).number("mass", results::mass_of(header, b));
+    json.number("node", b.first_node).number("nodes", b.node_count);
+    json.number("vertex", b.first_vertex).number("vertices", b.vertex_count).number("bonds", bonds[i]).end();
+  }
+  json.end().key("vertices").begin_list();
+  for (std::size_t v = 0; v < header.vertex_node.size(); ++v)
+    json.number(header.vertex_node[v])
+        .number(std::round(header.vertices[2 * v] * 1e6) / 1e6)
+        .number(std::round(header.vertices[2 * v + 1] * 1e6) / 1e6);
+  json.end();
+}
+
+void write_elements(const results::Header& header, JsonText& json) {
+  json.key("elements").begin_list();
+  for (std::size_t i = 0; i < header.element_count(); ++i) {
+    json.number(header.element_body[i]);
+    for (std::size_t k = 0; k < 4; ++k) json.number(header.element_node[4 * i + k]);
+  }
+  json.end();
+}
+
+/// Outline point of a body of many nodes that lies nearest to `point`, given from its first node as at the start; -1
+/// for a body of one node.
+int nearest_vertex(const results::Header& header, const results::BodyRow& body, const double* point) {
+  if (body.node_count == 1) return -1;
+  int best = -1;
+  double least = 0;
+  const int first = body.first_node;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+    const int node = header.vertex_node[v];
+    const double far = std::hypot(header.node_position[2 * node] - header.node_position[2 * first] - point[0],
+                                  header.node_position[2 * node + 1] - header.node_position[2 * first + 1] - point[1]);
+    if (best < 0 || far < least) best = v, least = far;
+  }
+  return best;
+}
+
+void write_bearings(const results::Header& header, JsonText& json) {
+  json.key("bearings").begin_list();
+  for (const results::BearingRow& b : header.bearings) {
+    json.begin_object().text("name", b.name).text("law", b.law).number("a", b.body_a).number("b", b.body_b);
+    json.number("ax", b.point_a[0]).number("ay", b.point_a[1]).number("bx", b.point_b[0]).number("by", b.point_b[1]);
+    json.number("av", nearest_vertex(header, header.bodies[b.body_a], b.point_a));
+    json.number("bv", nearest_vertex(header, header.bodies[b.body_b], b.point_b)).end();
+  }
+  json.end();
+}
+
+void write_stages(const results::ResultsReader& reader, JsonText& json) {
+  json.key("stages").begin_list();
+  for (const results::StageRow& s : reader.stages()) {
+    json.begin_object().text("name", s.name).text("kind", s.kind).number("begin", s.begin).number("end", s.end);
+    json.flag("ended", s.ended != 0).text("why", s.why).end();
+  }
+  json.end();
+}
+
+/// "tension", "shear" or "compression" where the event's text ends so: "... broke in shear at 3 kN"; else "".
+std::string mode_of(const results::EventRow& event) {
+  for (const std::string mode : {"tension", "shear", "compression"})
+    if (event.text.find(" in " + mode) != std::string::npos) return mode;
+  return "";
+}
+
+/// Millionths of a second, so that events stand in their order.
+double rounded(double value, double parts) {
+  return std::round(value * parts) / parts;
+}
+
+void write_figure(const results::Figure& figure, JsonText& json) {
+  if (figure.name.empty()) return;
+  json.text(figure.name).number(figure.value).text(figure.unit);
+}
+
+void write_events(const std::vector<results::EventRow>& events, JsonText& json) {
+  std::map<std::string, int> order;
+  json.key("types").begin_list();
+  for (const results::EventRow& e : events)
+    if (order.emplace(e.type, static_cast<int>(order.size())).second)
+      json.begin_list().text(e.type).text(heading_in_words(e.type)).end();
+  json.end().key("events").begin_list();
+  for (const results::EventRow& e : events) {
+    json.begin_list().number(static_cast<double>(e.id)).number(rounded(e.time, 1e6)).number(order[e.type]);
+    json.flag(is_of_note(e)).number(e.body_a).number(e.body_b).number(e.bearing).number(static_cast<double>(e.cause));
+    json.number(e.has_place ? rounded(e.place[0], 1e4) : NAN).number(e.has_place ? rounded(e.place[1], 1e4) : NAN);
+    json.text(e.text).begin_list();
+    write_figure(e.first, json);
+    write_figure(e.second, json);
+    json.end().end();
+  }
+  json.end();
+}
+
+/// Bonds that cracked or broke, each with the line it broke along where the bodies faced each other at the start.
+void write_joints(const results::Header& header, const std::vector<results::EventRow>& events, JsonText& json) {
+  json.key("joints").begin_list();
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const results::EventRow& e = events[i];
+    if (!e.type.starts_with("bond.") || std::min(e.body_a, e.body_b) < 0) continue;
+    for (const EdgePart& part : joint_of(header, e.body_a, e.body_b)) {
+      json.begin_list().number(static_cast<double>(i)).number(part.body).number(part.edge);
+      json.number(rounded(part.from, 1e4)).number(rounded(part.to, 1e4)).text(mode_of(e)).end();
+    }
+  }
+  json.end();
+}
+
+std::string hex(const draw::Colour& c) {
+  const auto channel = [](double v) { return static_cast<int>(std::lround(255 * v)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", channel(c.red), channel(c.green), channel(c.blue));
+}
+
+void write_palette(JsonText& json) {
+  constexpr int steps = 16;
+  const draw::Palette& p = draw::palette();
+  json.key("palette").begin_object().key("tints").begin_list();
+  for (std::size_t i = 0; i < draw::body_tint_count; ++i) json.text(hex(draw::body_tint(i)));
+  json.end().key("series").begin_list();
+  for (std::size_t i = 0; i < draw::series_colour_count; ++i) json.text(hex(draw::series_colour(i)));
+  json.end().key("sequential").begin_list();
+  for (int i = 0; i <= steps; ++i) json.text(hex(draw::sequential_colour(static_cast<double>(i) / steps)));
+  json.end().key("diverging").begin_list();
+  for (int i = 0; i <= steps; ++i) json.text(hex(draw::diverging_colour(static_cast<double>(i) / steps)));
+  json.end().text("force", hex(p.force)).text("yielded", hex(p.yielded)).text("failed", hex(p.failed));
+  json.text("changed", hex(p.changed)).end();
+}
+
+}  // namespace
+
+void write_view_model(const results::ResultsReader& reader, const ViewFrames& frames, const ViewLimits& limits,
+                      JsonText& json) {
+  const results::Header& header = reader.header();
+  std::vector<results::EventRow> events = reader.events();
+  const std::size_t all = events.size();
+  events = chosen(std::move(events), limits.event_rows);
+  write_run(reader, frames, all - events.size(), json);
+  write_bodies(header, frames, json);
+  write_elements(header, json);
+  write_bearings(header, json);
+  write_stages(reader, json);
+  write_events(events, json);
+  write_joints(header, events, json);
+  write_palette(json);
+}
+
+}  // namespace trilith::view

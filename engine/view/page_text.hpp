@@ -1,0 +1,10 @@
+// Private to view/: the page of `trilith view`, made from engine/view/page at build time (cmake/embed_page.cmake).
+#pragma once
+
+namespace trilith::view {
+
+const char* view_page_html();   ///< with marks where title, style, code and data go
+const char* view_page_style();  ///< CSS
+const char* view_page_code();   ///< JavaScript: all modules as one
+
+}  // namespace trilith::view

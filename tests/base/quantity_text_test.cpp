@@ -1,0 +1,21 @@
+#include "base/quantity_text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace trilith;
+
+TEST_CASE("quantities are written with engineering prefixes") {
+  CHECK(quantity_text(1.234e6, "N") == "1.23 MN");
+  CHECK(quantity_text(0.0032, "m/s2") == "3.2 mm/s²");
+  CHECK(quantity_text(1500, "m") == "1500 m");
+  CHECK(quantity_text(-2500, "N*m") == "−2.5 kN·m");
+  CHECK(quantity_text(21474, "ft") == "21474 ft");
+  CHECK(quantity_text(12, "ft") == "12 ft");
+  CHECK(quantity_text(1000, "N") == "1 kN");
+  CHECK(quantity_text(0, "N") == "0 N");
+  CHECK(engineering_unit(1e120, "N").text == "10¹²⁰ N");
+  CHECK(quantity_text(std::nan(""), "N") == "–");
+  CHECK(engineering_unit(2.5e6, "lbf").text == "10⁶ lbf");
+}

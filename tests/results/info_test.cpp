@@ -1,0 +1,91 @@
+#include "results/info.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+
+#include "results/provenance.hpp"
+#include "results/sample_run.hpp"
+
+using namespace trilith;
+using namespace trilith::results;
+using namespace trilith::testing;
+
+namespace {
+
+bool says(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the info text tells state, provenance, model, stages, events and energy") {
+  const Folder folder;
+  const Header header = sample_header();
+  {
+    ResultsWriter writer(folder / "run.h5", header);
+    writer.begin_stage("settle", "rest", 0);
+    for (int i = 0; i < 21; ++i) SampleRow(header, i).append_to(writer);
+    writer.end_stage(0.2, "at rest");
+    writer.begin_stage("shake", "dynamic", 0.2);
+    writer.append_note(0.1, "a note");
+    writer.flush();
+    const std::string running = info_text(ResultsReader(folder / "run.h5"));
+    CHECK(says(running, "run.h5.part: a run is writing it"));
+    CHECK(says(running, "shake (dynamic): from 0.2 s, not ended"));
+  }
+  CHECK(says(info_text(ResultsReader(folder / "run.h5")), "NOT finished"));
+  repair(folder / "run.h5", folder / "clean.h5");
+  const std::string text = info_text(ResultsReader(folder / "clean.h5"));
+  CHECK(says(text, "NOT finished"));
+  CHECK(says(text, "trilith 0.1.0 (abc123)"));
+  CHECK(says(text, "scripts/bridge.lua, 2 lines"));
+  CHECK(says(text, "pga = 0.6 g (default 0.35): peak ground acceleration"));
+  CHECK(says(text, "ground 2: same, reversed"));
+  CHECK(says(text, "3: 3 rigid; 1 fixed, 2 free"));
+  CHECK(says(text, "303 kg"));
+  CHECK(says(text, "settle (rest): 0 s to 0.2 s, 0.2 s long; ended: at rest"));
+  CHECK(says(text, "21, 0 s to 0.2 s"));
+  CHECK(says(text, "base shear [N]: sum at the base"));
+  CHECK(says(text, "21 bearing.failed, first at 0 s, last at 0.2 s"));
+  CHECK(says(text, "largest residual 1e-09 J, 2.5e-09 % of the largest term"));
+  CHECK(says(text, "0.1 s: a note"));
+}
+
+TEST_CASE("the info text of a finished file mentions a later run beside it") {
+  const Folder folder;
+  const Header header = sample_header();
+  ResultsWriter(folder / "run.h5", header).finish();
+  CHECK(says(info_text(ResultsReader(folder / "run.h5")), "run.h5: finished"));
+  CHECK(!says(info_text(ResultsReader(folder / "run.h5")), "later run"));
+  CHECK(newer_run_text(ResultsReader(folder / "run.h5")).empty());
+  {
+    const ResultsWriter writer(folder / "run.h5", header);
+    CHECK(says(newer_run_text(ResultsReader(folder / "run.h5")), "a later one is writing"));
+    CHECK(newer_run_text(ResultsReader(folder / "run.h5.part")).empty());
+  }
+  CHECK(says(info_text(ResultsReader(folder / "run.h5")), "a later one ended before its end and left"));
+}
+
+TEST_CASE("a part that is older than the finished file beside it is no later run") {
+  const Folder folder;
+  const Header header = sample_header();
+  { const ResultsWriter writer(folder / "run.h5", header); }
+  std::filesystem::rename(folder / "run.h5.part", folder / "old");
+  ResultsWriter(folder / "run.h5", header).finish();
+  std::filesystem::rename(folder / "old", folder / "run.h5.part");
+  const auto finished = std::filesystem::last_write_time(folder / "run.h5");
+  std::filesystem::last_write_time(folder / "run.h5.part", finished - std::chrono::seconds(1));
+  CHECK(newer_run_text(ResultsReader(folder / "run.h5")).empty());
+  std::filesystem::last_write_time(folder / "run.h5.part", finished + std::chrono::seconds(1));
+  CHECK_FALSE(newer_run_text(ResultsReader(folder / "run.h5")).empty());
+}
+
+TEST_CASE("the program knows its compiler, its platform and the time") {
+  const Provenance here = provenance_here();
+  CHECK(!here.compiler.empty());
+  CHECK(says(here.platform, "Linux"));
+  CHECK(here.start_time.size() == 20);
+  CHECK(here.start_time[10] == 'T');
+  CHECK(here.start_time.back() == 'Z');
+}
