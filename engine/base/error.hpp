@@ -7,7 +7,7 @@
 
 namespace trilith {
 
-/// Wrong input: what was given, what is allowed, what to try. The Lua door adds script and line.
+/// Wrong input: what was given, what is allowed, what to try. The binding to Lua adds script and line.
 class InputError : public std::runtime_error {
  public:
   /// `message`: one line, no trailing full stop, SI values with units, e.g.

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 
 namespace trilith::script {
 namespace {

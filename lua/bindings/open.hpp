@@ -1,4 +1,4 @@
-// Opens the door: makes the module table in a Lua state.
+// Makes the module table in a Lua state.
 #pragma once
 
 #include "host.hpp"

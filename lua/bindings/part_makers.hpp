@@ -31,7 +31,7 @@ struct PartMaker {
 
 inline constexpr std::size_t part_maker_count = 13;
 std::span<const PartMaker, part_maker_count> part_makers();
-/// m:span takes more than the part; bridge_door.cpp adds it.
+/// m:span takes more than the part; bridge_binding.cpp adds it.
 inline constexpr std::string_view span_maker = "span";
 
 /// Pushes a part as {name =, outline =, groups =}.

@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "interrupt_watch.hpp"
 
 namespace trilith::script {

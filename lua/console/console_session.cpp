@@ -33,7 +33,7 @@ using script::text_at;
 constexpr double longest_wait = 0.5;
 
 /// What Tab offers, from console.complete(before, session): first letter (from 1), names. Session: stack index 2 of
-/// door.read, which is at work.
+/// terminal.read, which is at work.
 Completion complete(lua_State* L, const std::string& before) {
   Completion found;
   const int top = lua_gettop(L);
@@ -53,7 +53,7 @@ Completion complete(lua_State* L, const std::string& before) {
   return found;
 }
 
-/// door.read(prompt, session): a line, nil at the end of the input, false where Ctrl-C dropped it.
+/// terminal.read(prompt, session): a line, nil at the end of the input, false where Ctrl-C dropped it.
 int read(lua_State* L) {
   script::Host& host = host_of(L);
   if (host.observer != nullptr) host.observer->clear();
@@ -89,14 +89,14 @@ int write_error(lua_State* L) {
   return write_to(L, stderr);
 }
 
-/// door.told(): an error has come to where it is told; where it is an interrupt, that is over.
+/// terminal.told(): an error has come to where it is told; where it is an interrupt, that is over.
 int told(lua_State* L) {
   quench_interrupt();
   if (session_of(L).editor.terminal()) forget_interrupts();
   return 0;
 }
 
-/// door.quit(code, why): ends the program; results are complete where `why` is "".
+/// terminal.quit(code, why): ends the program; results are complete where `why` is "".
 int quit(lua_State* L) {
   script::Host& host = host_of(L);
   const std::string why = text_at(L, 2);
@@ -110,7 +110,7 @@ int load_console(lua_State* L) {
   lua_newtable(L);  // console
   lua_pushvalue(L, -1);
   lua_setfield(L, LUA_REGISTRYINDEX, console_table);
-  lua_newtable(L);  // door
+  lua_newtable(L);  // terminal
   const luaL_Reg functions[] = {{"read", script::guarded<read>},
                                 {"write", script::guarded<write>},
                                 {"write_error", script::guarded<write_error>},
@@ -121,7 +121,7 @@ int load_console(lua_State* L) {
   lua_pushlightuserdata(L, host);
   luaL_setfuncs(L, functions, 1);
   lua_pushboolean(L, session_of(L).editor.terminal() ? 1 : 0);
-  lua_setfield(L, -2, "terminal");
+  lua_setfield(L, -2, "interactive");
   for (const char* file :
        {"show", "words", "manual", "help", "meta", "pages", "declared", "manual_run", "complete", "session"}) {
     script::load_library_file(L, file);

@@ -1,5 +1,5 @@
 -- help and apropos: the manual as text.
-local console, core, door = ...
+local console, core, terminal = ...
 
 local function type_text(key)
   local text = key.type .. (key.unit ~= "" and " " .. key.unit or "")
@@ -175,6 +175,6 @@ end
 --- Adds help and apropos to a session.
 function console.add_help(session)
   local function value_of(name) return console.value_of(session, name) end
-  function session.words.help(value) door.write(console.help_text(value, value_of) .. "\n") end
-  function session.words.apropos(word) door.write(console.apropos_text(word) .. "\n") end
+  function session.words.help(value) terminal.write(console.help_text(value, value_of) .. "\n") end
+  function session.words.apropos(word) terminal.write(console.apropos_text(word) .. "\n") end
 end

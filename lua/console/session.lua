@@ -1,5 +1,5 @@
 -- The console: reads lines, runs them, shows what they give. One session at the top, further ones where a run pauses.
-local console, core, door = ...
+local console, core, terminal = ...
 
 local kept = {} -- names that outlive the chunk that declared them as locals
 console.kept = kept
@@ -158,9 +158,9 @@ end
 --- A message handler: the message without the console's own part of the traceback, and without a place that says
 --- nothing. The locals of what failed are kept.
 function console.told(message)
-  door.told()
+  terminal.told()
   keep_failed()
-  message = door.traced(message)
+  message = terminal.traced(message)
   local lines = {}
   for line in (message .. "\n"):gmatch "(.-)\n" do
     local own = line:find "trilith/session.lua:" or line:find "%[C%]: in function 'xpcall'"
@@ -171,7 +171,7 @@ function console.told(message)
       or lines[#lines] == "stack traceback:") do
     lines[#lines] = nil
   end
-  if lines[1] == "interrupted" and door.terminal then lines[1] = "\ninterrupted" end
+  if lines[1] == "interrupted" and terminal.interactive then lines[1] = "\ninterrupted" end
   return (table.concat(lines, "\n"):gsub("^console:1: ", ""))
 end
 local told = console.told
@@ -184,7 +184,7 @@ local function show_results(session, ...)
     if value ~= nil or count > 1 then
       local act = type(value) == "function" and session.acts[value]
       if act and count == 1 then return act() end
-      door.write(console.show(value) .. "\n")
+      terminal.write(console.show(value) .. "\n")
     end
   end
 end
@@ -193,11 +193,11 @@ end
 local function run(session, chunk)
   local results = table.pack(xpcall(chunk, told))
   if not results[1] then
-    door.write_error(results[2] .. "\n")
+    terminal.write_error(results[2] .. "\n")
     return false
   end
   local shown, message = xpcall(show_results, told, session, table.unpack(results, 2, results.n))
-  if not shown then door.write_error(message .. "\n") end
+  if not shown then terminal.write_error(message .. "\n") end
   return shown
 end
 
@@ -205,7 +205,7 @@ end
 local function read(session)
   local text = nil
   while true do
-    local line = door.read(text and (" "):rep(#session.prompt - 3) .. ">> " or session.prompt, session)
+    local line = terminal.read(text and (" "):rep(#session.prompt - 3) .. ">> " or session.prompt, session)
     if line == false then return nil, nil end -- Ctrl-C drops what was typed
     if not line then
       if text then return nil, "the input ends within a chunk:\n" .. text end
@@ -243,16 +243,16 @@ local function loop(session)
       all_good = good and all_good
       core.arm_lines()
       local why = session.model and core.pause_reason(session.model) or ""
-      if why ~= "" then door.write(("Paused: %s.\n"):format(why)) end
+      if why ~= "" then terminal.write(("Paused: %s.\n"):format(why)) end
       if session.model then session.prompt = prompt_at(session.model) end
     elseif message then
-      door.write_error(message .. "\n")
+      terminal.write_error(message .. "\n")
       all_good = false
     elseif chunk == false then
       ends = ends + 1
-      if not session.paused or not door.terminal then break end
-      if ends > 1 then door.quit(0, "left at a pause") end
-      door.write "`continue` runs on, `stop` ends the stage here, Ctrl-D once more leaves the program.\n"
+      if not session.paused or not terminal.interactive then break end
+      if ends > 1 then terminal.quit(0, "left at a pause") end
+      terminal.write "`continue` runs on, `stop` ends the stage here, Ctrl-D once more leaves the program.\n"
     end
   end
   console.failed = console.failed or not all_good
@@ -269,12 +269,12 @@ function console.pause(why, model)
   local frames, thread = frames_now()
   local session = new_session(model and prompt_at(model) or "paused> ", frames, thread)
   session.paused, session.model = true, model
-  if why == "interrupted" and door.terminal then door.write "\n" end
-  door.write(("Paused: %s.\n"):format(why))
+  if why == "interrupted" and terminal.interactive then terminal.write "\n" end
+  terminal.write(("Paused: %s.\n"):format(why))
   if frames[1] then
-    door.write(("%s:%d, in %s. "):format(frames[1].source, frames[1].line, frames[1].name))
+    terminal.write(("%s:%d, in %s. "):format(frames[1].source, frames[1].line, frames[1].name))
   end
-  door.write(console.has_paused and "\n" or "`continue` runs on, `stop` ends the stage here, `help` says more.\n")
+  terminal.write(console.has_paused and "\n" or "`continue` runs on, `stop` ends the stage here, `help` says more.\n")
   console.has_paused = true
   local outer = core.leave_pause
   function core.leave_pause() session.left = true end

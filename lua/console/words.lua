@@ -1,5 +1,5 @@
 -- The words of the console: continue, stop, quit, where, frame. Each is a function; alone on a line it is called.
-local console, core, door = ...
+local console, core, terminal = ...
 
 local function frame_line(session, i)
   local frame = session.frames[i]
@@ -30,14 +30,14 @@ function console.add_words(session)
 
   --- Leaves the program with an exit code.
   function words.quit(code)
-    door.quit(code or 0, session.paused and "left at a pause" or "")
+    terminal.quit(code or 0, session.paused and "left at a pause" or "")
   end
   words.exit = words.quit
 
   --- Lists the user's functions that are at work, innermost first.
   function words.where()
     need_pause(session, "where")
-    for i = 1, #session.frames do door.write(frame_line(session, i)) end
+    for i = 1, #session.frames do terminal.write(frame_line(session, i)) end
   end
 
   --- Chooses the frame whose locals are seen.
@@ -45,7 +45,7 @@ function console.add_words(session)
     need_pause(session, "frame")
     if not session.frames[i] then core.fail(("frame: there are frames 1 to %d"):format(#session.frames)) end
     session.frame = i
-    door.write(frame_line(session, i))
+    terminal.write(frame_line(session, i))
   end
 
   console.add_help(session)

@@ -1,4 +1,4 @@
-// The program: a thin layer over the engine and its door.
+// The program: a thin layer over the engine and its bindings.
 #include <fcntl.h>
 #include <unistd.h>
 

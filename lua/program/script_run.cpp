@@ -7,7 +7,7 @@
 
 #include "base/terminal_text.hpp"
 #include "base/whole_file.hpp"
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "figures_reading.hpp"
 #include "guard.hpp"
 #include "interrupt.hpp"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "doors.hpp"
-#include "model_door.hpp"
+#include "bindings.hpp"
+#include "model_binding.hpp"
 
 namespace trilith::script {
 namespace {

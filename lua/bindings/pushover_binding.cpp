@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "load/ramp.hpp"
 #include "run/pushover.hpp"
 #include "stage_run.hpp"
@@ -202,7 +202,7 @@ const std::array pushover_method_list{
 };
 
 using PushoverProperty = Property<ModelBox>;
-const std::array door_properties{
+const std::array pushover_property_list{
     PushoverProperty{"push_force", "N", "force of all pushes now, along them", sum_of_pushes},
     PushoverProperty{"push_displacement", "m", "displacement of the latest push since it began", push_displacement},
 };
@@ -213,7 +213,7 @@ std::span<const Method> pushover_methods() {
   return pushover_method_list;
 }
 std::span<const Property<ModelBox>> pushover_properties() {
-  return door_properties;
+  return pushover_property_list;
 }
 
 }  // namespace trilith::script

@@ -1,4 +1,4 @@
-// What each door file adds to the module table, in one list.
+// What each file of bindings adds to the module table, in one list.
 #pragma once
 
 #include "handles.hpp"

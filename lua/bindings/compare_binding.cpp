@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "table_fields.hpp"
 #include "world/pose.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "base/terminal_text.hpp"
 #include "base/units.hpp"
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "parameter_list.hpp"
 
 namespace trilith::script {

@@ -1,5 +1,5 @@
 // What m:lint() asks of a model: its faults, numbers that are not usual, contacts that are hardly damped.
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "run/contact_damping.hpp"
 #include "table_fields.hpp"
 #include "world/usual.hpp"

@@ -1,7 +1,7 @@
 // Events as handlers get them.
 #include <algorithm>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "table_fields.hpp"
 #include "world/event_text.hpp"
 

@@ -1,6 +1,6 @@
 // What is declared of the kinds of handles and of the laws, for the library: console, manual, completion. Not for
 // scripts.
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "open.hpp"
 #include "table_fields.hpp"
 #include "world/usual.hpp"

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "bearing_reading.hpp"
+#include "bindings.hpp"
 #include "body_reading.hpp"
 #include "bridge_book.hpp"
-#include "doors.hpp"
 #include "part_makers.hpp"
 
 namespace trilith::script {

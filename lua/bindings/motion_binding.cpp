@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "load/motion_check.hpp"
 #include "load/motion_measures.hpp"
 #include "load/motion_read.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bearing_reading.hpp"
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "step/notice.hpp"
 #include "world/pose.hpp"
 

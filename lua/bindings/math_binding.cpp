@@ -1,6 +1,6 @@
 // trilith.math: functions of Lua's `math` with the same bits on every processor.
 #include "base/portable.hpp"
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "keys.hpp"
 
 namespace trilith::script {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "step/contact_resultants.hpp"
 
 namespace trilith::script {

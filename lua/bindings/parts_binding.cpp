@@ -1,10 +1,10 @@
 // Materials, contact laws and bodies of a model; the geometry builders.
 #include <algorithm>
 
+#include "bindings.hpp"
 #include "body_reading.hpp"
 #include "bridge_book.hpp"
 #include "build/gmsh.hpp"
-#include "doors.hpp"
 #include "part_makers.hpp"
 
 namespace trilith::script {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "run/body_forces.hpp"
 #include "run/recorded_fields.hpp"
 #include "table_fields.hpp"

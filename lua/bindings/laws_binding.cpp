@@ -1,7 +1,7 @@
 // Contact laws and direction laws as values: constructors made from their declarations.
 #include <algorithm>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 
 namespace trilith::script {
 namespace {

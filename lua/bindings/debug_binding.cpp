@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "run/body_forces.hpp"
 #include "stage_run.hpp"
 #include "step/contact_resultants.hpp"
@@ -228,7 +228,7 @@ void push_worst(lua_State* L, const ModelBox& box) {
                contacts_text(s, worst.unbalanced));
 }
 
-const std::array door_properties{
+const std::array debug_property_list{
     Property<ModelBox>{"worst", "", "body with the largest unbalanced force, and its contacts", nullptr, push_worst},
 };
 
@@ -241,7 +241,7 @@ const std::array debug_method_list{
 }  // namespace
 
 std::span<const Property<ModelBox>> debug_properties() {
-  return door_properties;
+  return debug_property_list;
 }
 std::span<const Method> debug_methods() {
   return debug_method_list;

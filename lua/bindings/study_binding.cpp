@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "base/units.hpp"
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "figures_reading.hpp"
 #include "interrupt_watch.hpp"
 #include "run/study.hpp"

@@ -1,7 +1,7 @@
 // m:change{...}: another number in a law or a limit of a built model, between stages or in a pause.
 #include <algorithm>
 
-#include "doors.hpp"
+#include "bindings.hpp"
 #include "world/usual.hpp"
 
 namespace trilith::script {

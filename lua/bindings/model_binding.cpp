@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bindings.hpp"
 #include "body_reading.hpp"
-#include "doors.hpp"
-#include "model_door.hpp"
+#include "model_binding.hpp"
 #include "step/stable_step.hpp"
 
 namespace trilith::script {
