@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "base/space.hpp"
-#include "load/course.hpp"
+#include "load/load_curve.hpp"
 #include "load/motion.hpp"
 
 namespace trilith {
 
-/// A force and a moment at a point of a body, times their course.
+/// A force and a moment at a point of a body, times their load curve.
 struct PointLoad {
   std::string name;
   int body = -1;
@@ -22,11 +22,11 @@ struct PointLoad {
   Vec2 force = Vec2::Zero();  ///< [N]
   double moment = 0;          ///< [N m]
   bool follows = false;       ///< turns with the node or element; given for where it was at the start
-  Course course;
+  LoadCurve curve;
 };
 
-/// Even pressure on a part of the face between two skin points of a body, counter-clockwise; times its course. What is
-/// given to the two ends does the work that the pressure does on the straight face.
+/// Even pressure on a part of the face between two skin points of a body, counter-clockwise; times its load curve. What
+/// is given to the two ends does the work that the pressure does on the straight face.
 struct FaceLoad {
   std::string name;
   int body = -1;
@@ -36,7 +36,7 @@ struct FaceLoad {
   double depth = 1;                       ///< of the face out of plane [m]
   bool follows = true;                    ///< acts along the face's normal and on its length as they are now
   Vec2 dead = Vec2::Zero();               ///< force on a full face where it does not follow [N]
-  Course course;
+  LoadCurve curve;
 };
 
 /// A point of a body that is pushed, with its part in the whole.

@@ -37,11 +37,11 @@ void add_loads(const Model<2>& model, const State<2>& state, const Work<2>& work
     Pose at = p.element >= 0 ? anchor_pose(model, state, anchor) : Pose{state.position[p.node], state.rotation[p.node]};
     if (p.element < 0) at.place += Turn(at.rotation).apply(p.place);
     const Vec2 force = p.follows ? Turn(at.rotation).apply(p.force) : p.force;
-    virial[p.body].add(at.place - centre[p.body], p.course.at(state.time) * force);
+    virial[p.body].add(at.place - centre[p.body], p.curve.at(state.time) * force);
   }
   for (const FaceLoad& f : model.face_loads) {
     const SkinMotion &a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
-    const Vec2 force = f.course.at(state.time) * face_force(f, a, b);
+    const Vec2 force = f.curve.at(state.time) * face_force(f, a, b);
     virial[f.body].add(Vec2(a.x, a.y) - centre[f.body], f.share[0] * force);
     virial[f.body].add(Vec2(b.x, b.y) - centre[f.body], f.share[1] * force);
   }

@@ -55,7 +55,7 @@ struct StepSpan {
   state.rotation[n] += span.next * next[2];
 }
 
-/// True where forces, weight and steady loads are all that nodes go by: no dampings of their own, no course of a load.
+/// True where forces, weight and steady loads are all that nodes go by: no dampings of their own, no load curve.
 bool goes_plainly(const Model<2>& model, const Outside& outside, const StepOptions& options) {
   return !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.moment == nullptr && outside.trim == nullptr;
 }

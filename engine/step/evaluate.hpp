@@ -28,7 +28,7 @@ double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work
 void resist(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
 void push(const Model<2>& model, const State<2>& state, Work<2>& work);
-/// Force on the whole of a face that is loaded, at the full size of its course [N].
+/// Force on the whole of a face that is loaded, at the full size of its load curve [N].
 Vec2 face_force(const FaceLoad& load, const SkinMotion& a, const SkinMotion& b);
 void sum(const Model<2>& model, const State<2>& state, Work<2>& work);
 

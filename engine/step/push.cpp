@@ -7,7 +7,7 @@ namespace trilith {
 namespace {
 
 void add_point_load(const Model<2>& model, const State<2>& state, const PointLoad& p, Work<2>& work) {
-  const double share = p.course.at(state.time);
+  const double share = p.curve.at(state.time);
   if (share == 0) return;
   if (p.element < 0) {
     const Turn turn(state.rotation[p.node]);
@@ -22,7 +22,7 @@ void add_point_load(const Model<2>& model, const State<2>& state, const PointLoa
 }
 
 void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad& f, Work<2>& work) {
-  const double share = f.course.at(state.time);
+  const double share = f.curve.at(state.time);
   if (share == 0) return;
   const SkinMotion &a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
   const Vec2 full = share * face_force(f, a, b);

@@ -37,7 +37,7 @@ int release_supports(Model<2>& model, const State<2>& state, int body, const std
   Work<2> work;
   evaluate(model, now, work, state.last_dt);
   PointLoad load;
-  load.body = body, load.course = ramp_course(state.time, 1, 0, fade, true);
+  load.body = body, load.curve = ramp_curve(state.time, 1, 0, fade, true);
   for (std::size_t i = 0; i < freed.size(); ++i) {
     const auto& [n, k, pull] = freed[i];
     load.node = n;

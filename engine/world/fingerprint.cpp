@@ -122,19 +122,19 @@ void add(Hash& hash, const Drive& d) {
   add(hash, *d.motion);
 }
 
-void add(Hash& hash, const Course& c) {
+void add(Hash& hash, const LoadCurve& c) {
   add(hash, c.time), add(hash, c.share), add(hash, c.smooth);
 }
 
 void add(Hash& hash, const PointLoad& l) {
   add(hash, l.name), add(hash, l.body), add(hash, l.node), add(hash, l.element), add(hash, l.place), add(hash, l.force);
-  add(hash, l.moment), add(hash, l.follows), add(hash, l.course);
+  add(hash, l.moment), add(hash, l.follows), add(hash, l.curve);
 }
 
 void add(Hash& hash, const FaceLoad& l) {
   add(hash, l.name), add(hash, l.body), add(hash, l.skin_a), add(hash, l.skin_b), add(hash, l.share),
       add(hash, l.pressure);
-  add(hash, l.depth), add(hash, l.follows), add(hash, l.dead), add(hash, l.course);
+  add(hash, l.depth), add(hash, l.follows), add(hash, l.dead), add(hash, l.curve);
 }
 
 void add(Hash& hash, const PushRow& r) {

@@ -38,10 +38,10 @@ std::vector<PointLoad> make_point_load(const Model<2>& model, int body, const Po
   const std::string owner = owner_of("load", spec.name, model, body);
   check_finite(spec.force, owner + ": force");
   require_finite(spec.moment, owner + ": moment");
-  check_course(spec.course, owner);
+  check_load_curve(spec.curve, owner);
   const Body& b = model.bodies[body];
   PointLoad load;
-  load.name = spec.name, load.body = body, load.course = spec.course;
+  load.name = spec.name, load.body = body, load.curve = spec.curve;
   load.force = spec.force, load.moment = spec.moment, load.follows = spec.follows;
   if (spec.at) {
     check_finite(*spec.at, owner + ": place");
@@ -62,7 +62,7 @@ std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::
                                     const PressureSpec& spec) {
   const std::string owner = owner_of("pressure", spec.name, model, body);
   require_finite(spec.value, owner + ": value");
-  check_course(spec.course, owner);
+  check_load_curve(spec.curve, owner);
   if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
     throw InputError(
         fmt::format("{}: a direction is a vector other than 0, for pressure that does not follow the face", owner));
@@ -72,7 +72,7 @@ std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::
   std::vector<FaceLoad> loads;
   for (const FacePart& face : faces) {
     FaceLoad load;
-    load.name = spec.name, load.body = body, load.course = spec.course;
+    load.name = spec.name, load.body = body, load.curve = spec.curve;
     load.skin_a = face.skin_a, load.skin_b = face.skin_b;
     load.share[1] = 0.5 * (face.to * face.to - face.from * face.from);
     load.share[0] = face.to - face.from - load.share[1];
@@ -86,7 +86,7 @@ std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::
 }
 
 void drop_faded(Model<2>& model, double now) {
-  std::erase_if(model.point_loads, [now](const PointLoad& l) { return l.name.empty() && l.course.spent(now); });
+  std::erase_if(model.point_loads, [now](const PointLoad& l) { return l.name.empty() && l.curve.spent(now); });
 }
 
 int change_loads(Model<2>& model, const std::string& name, double now, double share, double duration) {
@@ -94,7 +94,7 @@ int change_loads(Model<2>& model, const std::string& name, double now, double sh
   const auto change = [&](auto& loads) {
     for (auto& load : loads) {
       if (load.name != name) continue;
-      load.course = ramp_course(now, load.course.at(now), share, duration, true);
+      load.curve = ramp_curve(now, load.curve.at(now), share, duration, true);
       ++count;
     }
   };
@@ -126,7 +126,7 @@ bool release_push(Model<2>& model, const State<2>& state, const Work<2>& work, c
     PointLoad load;
     load.body = body_of_node(model, row.node), load.node = row.node, load.place = row.place;
     load.force = size * row.weight * at->direction;
-    load.course = ramp_course(state.time, 1, 0, fade, true);
+    load.curve = ramp_curve(state.time, 1, 0, fade, true);
     model.point_loads.push_back(std::move(load));
   }
   model.pushes.erase(at);

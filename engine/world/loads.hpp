@@ -23,7 +23,7 @@ struct PointLoadSpec {
   Vec2 force = Vec2::Zero();  ///< [N]
   double moment = 0;          ///< [N m]; of a deformable body with `at` alone
   bool follows = false;       ///< turns with the body
-  Course course;
+  LoadCurve curve;
 };
 
 /// A pressure to be.
@@ -32,7 +32,7 @@ struct PressureSpec {
   double value = 0;               ///< [Pa], onto the face where above 0
   bool follows = true;            ///< acts against the face as it is; false: with the force it has at the start
   std::optional<Vec2> direction;  ///< along which it acts instead, where it does not follow
-  Course course;
+  LoadCurve curve;
 };
 
 /// A part of a face of a body's outline, by shares of the way from one skin point to the next, counter-clockwise.
@@ -57,7 +57,7 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
                                     const std::string& owner);
 
 /// The load as the model holds it, work-consistent: in the element that `at` lies in. Throws InputError for numbers
-/// that are not finite, a course that makes no sense, a point that is not in a deformable body.
+/// that are not finite, a load curve that makes no sense, a point that is not in a deformable body.
 std::vector<PointLoad> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec);
 std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
                                     const PressureSpec& spec);

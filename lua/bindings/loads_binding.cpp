@@ -1,4 +1,4 @@
-// Loads: forces at points, pressure on faces, their courses; quiet release.
+// Loads: forces at points, pressure on faces, their load curves; quiet release.
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +25,7 @@ std::vector<int> read_bodies(Keys& keys, const ScriptModel& m) {
 }
 
 /// Points {t, share} of the list on top of the stack, from `now` on.
-void read_course_points(Keys& keys, double now, Course& course) {
+void read_curve_points(Keys& keys, double now, LoadCurve& curve) {
   lua_State* L = keys.lua();
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= count; ++i) {
@@ -34,44 +34,44 @@ void read_course_points(Keys& keys, double now, Course& course) {
     if (!point) keys.problem(fmt::format("point {} of the course is {}, must be {{time, share}}", i, what_is(L, -1)));
     lua_pop(L, 1);
     if (!point) return;
-    course.time.push_back(now + point->x());
-    course.share.push_back(point->y());
+    curve.time.push_back(now + point->x());
+    curve.share.push_back(point->y());
   }
 }
 
-/// The table of a course on top of the stack.
-Course read_course_table(Keys& keys, double now) {
+/// The table of a load curve on top of the stack.
+LoadCurve read_curve_table(Keys& keys, double now) {
   Keys own(keys.lua(), -1, "course");
   own.allow_list();
-  Course course;
-  read_course_points(keys, now, course);
+  LoadCurve curve;
+  read_curve_points(keys, now, curve);
   const auto over = own.maybe_number("ramp", "s");
   std::optional<double> smooth;
-  if (course.time.empty())
+  if (curve.time.empty())
     smooth = own.maybe_number("smooth", "s");
   else
-    course.smooth = own.flag("smooth", false);
+    curve.smooth = own.flag("smooth", false);
   if (static_cast<int>(over.has_value()) + static_cast<int>(smooth.has_value()) +
-          static_cast<int>(!course.time.empty()) !=
+          static_cast<int>(!curve.time.empty()) !=
       1)
     own.problem("give one of ramp = seconds, smooth = seconds, or points { {time, share}, ... }");
   const double duration = over.value_or(smooth.value_or(1));
   if (!(duration > 0)) own.problem(fmt::format("its duration is {:g} s, must be above 0", duration));
   own.finish();
-  return course.time.empty() ? ramp_course(now, 0, 1, duration, smooth.has_value()) : course;
+  return curve.time.empty() ? ramp_curve(now, 0, 1, duration, smooth.has_value()) : curve;
 }
 
 /// `course`: nothing (all at once, for good), a share, { ramp = T }, { smooth = T } or { {t, share}, ... , smooth =
 /// true } with times from now on.
-Course read_course(Keys& keys, double now) {
+LoadCurve read_load_curve(Keys& keys, double now) {
   lua_State* L = keys.lua();
   const int type = keys.push("course");
-  Course course;
+  LoadCurve curve;
   if (type == LUA_TNUMBER) {
-    course = ramp_course(now, 0, lua_tonumber(L, -1), 0, false);
+    curve = ramp_curve(now, 0, lua_tonumber(L, -1), 0, false);
   } else if (type == LUA_TTABLE) {
     try {
-      course = read_course_table(keys, now);
+      curve = read_curve_table(keys, now);
     } catch (const InputError& e) {
       keys.problem(e.what());
     }
@@ -79,7 +79,7 @@ Course read_course(Keys& keys, double now) {
     keys.wrong("course", "a number, { ramp = seconds }, { smooth = seconds } or { {time, share}, ... }");
   }
   lua_pop(L, 1);
-  return course;
+  return curve;
 }
 
 std::string free_name(ScriptModel& m, const char* kind) {
@@ -125,7 +125,7 @@ int point_load(lua_State* L) {
   spec.moment = keys.number("moment", "N m", 0);
   if (spec.force.isZero() && spec.moment == 0) keys.problem("gives neither a force nor a moment");
   spec.follows = keys.flag("follow", false);
-  spec.course = read_course(keys, m.time());
+  spec.curve = read_load_curve(keys, m.time());
   keys.know({"at"});
   keys.finish();
   const Model<2>& model = m.simulation().model();
@@ -191,7 +191,7 @@ int pressure(lua_State* L) {
   spec.value = keys.number("value", "Pa");
   spec.direction = keys.maybe_point("direction");
   spec.follows = keys.flag("follow", !spec.direction.has_value());
-  spec.course = read_course(keys, m.time());
+  spec.curve = read_load_curve(keys, m.time());
   keys.finish();
   if (spec.name.empty()) spec.name = free_name(m, "pressure");
   const Model<2>& model = m.simulation().model();

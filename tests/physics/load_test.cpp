@@ -18,9 +18,9 @@ namespace {
 constexpr double g = standard_gravity;
 
 PointLoad force_on_body(const Model<2>& model, const std::string& body, const std::optional<Vec2>& at,
-                        const Vec2& force, const Course& course = {}) {
+                        const Vec2& force, const LoadCurve& curve = {}) {
   PointLoadSpec spec;
-  spec.name = "P", spec.at = at, spec.force = force, spec.course = course;
+  spec.name = "P", spec.at = at, spec.force = force, spec.curve = curve;
   return make_point_load(model, model.find_body(body), spec).front();
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("a point load beside the middle of a block on springs sinks and tilts 
     const double now = sim.state().time;
     Model<2>& model = sim.edit_model();
     model.point_loads.push_back(
-        force_on_body(model, "block", Vec2(e, 0.5), {0, -force}, ramp_course(now, 0, 1, 0.05, true)));
+        force_on_body(model, "block", Vec2(e, 0.5), {0, -force}, ramp_curve(now, 0, 1, 0.05, true)));
     run_for(sim, 0.06);
     settle(sim);
     // The block's own weight leans with it: its moment is 1e-6 of the springs'.
@@ -100,7 +100,7 @@ TEST_CASE("a free mass under a load over time gains the kinetic energy that the 
   spec.floating = true;
   builder.add_body(spec);
   Model<2> model = builder.build();
-  model.point_loads.push_back(force_on_body(model, "block", {}, {4, 0}, Course{{0, 1, 2}, {0, 1, 0}}));
+  model.point_loads.push_back(force_on_body(model, "block", {}, {4, 0}, LoadCurve{{0, 1, 2}, {0, 1, 0}}));
   Simulation sim(std::move(model));
   run_for(sim, 3, 1e-3);
   sim.refresh();
@@ -117,7 +117,7 @@ TEST_CASE("pressure on deformable bodies gives even stress") {
     spec.thickness = thickness;
     Model<2> model = alone(elastic("soft", 2000, 1e9, 0.3, Plane::stress, ElementForm::assumed, 1e-4), spec);
     PressureSpec order;
-    order.name = "p", order.value = p, order.course = ramp_course(0, 0, 1, 0.01, true);
+    order.name = "p", order.value = p, order.curve = ramp_curve(0, 0, 1, 0.01, true);
     std::vector<FacePart> faces = outline_faces(model, 0);
     if (!all_round) {
       faces = faces_towards(model, 0, {1, 0});
@@ -350,14 +350,14 @@ TEST_CASE("a released push leaves its force as a load that fades, and the block 
   CHECK(fastest < 4 * way / 1);  // the quintic's fastest is 1.9 times its mean; a sudden release swings at 0.01 m/s
 }
 
-TEST_CASE("a checkpoint goes on to the same bits while a course, a ramp and a push run") {
+TEST_CASE("a checkpoint goes on to the same bits while a load curve, a ramp and a push run") {
   const auto path = std::filesystem::temp_directory_path() / "trilith_load_test_state";
   Scene scene = block_on_base(1e9);
   Model<2> model = scene.builder.build();
   model.point_loads.push_back(
-      force_on_body(model, "block", Vec2(0.2, 0.5), {0, -3e3}, ramp_course(0.02, 0, 1, 0.2, true)));
+      force_on_body(model, "block", Vec2(0.2, 0.5), {0, -3e3}, ramp_curve(0.02, 0, 1, 0.2, true)));
   PressureSpec pressure;
-  pressure.name = "p", pressure.value = 500, pressure.course = Course{{0, 0.1, 0.3}, {0, 1, 0.2}};
+  pressure.name = "p", pressure.value = 500, pressure.curve = LoadCurve{{0, 0.1, 0.3}, {0, 1, 0.2}};
   model.face_loads = make_pressure(model, 1, faces_towards(model, 1, {1, 0}), pressure);
   set_drive(model, 0, 0, std::make_shared<GroundMotion>(ramp_motion(1e-3, 0.25)), 0, model.start_position[0].x());
   add_push(model, initial_state(model), "push", push_rows(model, {1}, {}, PushPattern::mass, Vec2::UnitX()),

@@ -172,7 +172,7 @@ TEST_CASE("the fingerprint knows every number of a load and of a push") {
   Model<2> model = lone(rectangle({0, 0}, {2, 1}), 0);
   const Fingerprint bare = model_fingerprint(model);
   PointLoadSpec point;
-  point.name = "P", point.at = Vec2(1.5, 0.8), point.force = Vec2(1, 2), point.course = ramp_course(0, 0, 1, 2, true);
+  point.name = "P", point.at = Vec2(1.5, 0.8), point.force = Vec2(1, 2), point.curve = ramp_curve(0, 0, 1, 2, true);
   model.point_loads = make_point_load(model, 0, point);
   PressureSpec pressure;
   pressure.name = "p", pressure.value = 1e4;
@@ -191,8 +191,8 @@ TEST_CASE("the fingerprint knows every number of a load and of a push") {
   CHECK(differs([](Model<2>& m) { m.point_loads[0].force.x() += 1e-12; }));
   CHECK(differs([](Model<2>& m) { m.point_loads[0].moment = 1; }));
   CHECK(differs([](Model<2>& m) { m.point_loads[0].follows = true; }));
-  CHECK(differs([](Model<2>& m) { m.point_loads[0].course.time[1] += 1e-9; }));
-  CHECK(differs([](Model<2>& m) { m.point_loads[0].course.smooth = false; }));
+  CHECK(differs([](Model<2>& m) { m.point_loads[0].curve.time[1] += 1e-9; }));
+  CHECK(differs([](Model<2>& m) { m.point_loads[0].curve.smooth = false; }));
   CHECK(differs([](Model<2>& m) { m.face_loads[0].pressure *= 1.001; }));
   CHECK(differs([](Model<2>& m) { m.face_loads[0].share = {0.4, 0.6}; }));
   CHECK(differs([](Model<2>& m) { m.pushes[0].rows[0].weight = 0.9; }));

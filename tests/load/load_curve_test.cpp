@@ -1,4 +1,4 @@
-#include "load/course.hpp"
+#include "load/load_curve.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,11 +12,11 @@
 using namespace trilith;
 using testing::near;
 
-TEST_CASE("a course is straight between its points and constant outside of them") {
-  const Course none{};
+TEST_CASE("a load curve is straight between its points and constant outside of them") {
+  const LoadCurve none{};
   CHECK(none.at(-1) == 1);
   CHECK(none.at(1e9) == 1);
-  const Course c{{1, 2, 4}, {0, 1, 0.5}};
+  const LoadCurve c{{1, 2, 4}, {0, 1, 0.5}};
   CHECK(c.at(0) == 0);
   CHECK(c.at(1) == 0);
   CHECK(c.at(1.25) == 0.25);
@@ -25,16 +25,16 @@ TEST_CASE("a course is straight between its points and constant outside of them"
   CHECK(c.at(4) == 0.5);
   CHECK(c.at(100) == 0.5);
   CHECK_FALSE(c.spent(100));
-  const Course off = ramp_course(5, 0.5, 0, 2, true);
+  const LoadCurve off = ramp_curve(5, 0.5, 0, 2, true);
   CHECK(off.at(5) == 0.5);
   CHECK(off.at(6) == 0.25);
   CHECK_FALSE(off.spent(6.9));
   CHECK(off.spent(7));
-  CHECK(ramp_course(5, 0, 1, 0, false).at(0) == 1);  // at once
+  CHECK(ramp_curve(5, 0, 1, 0, false).at(0) == 1);  // at once
 }
 
-TEST_CASE("a smooth course begins and ends without speed and acceleration and is even about its middle") {
-  const Course c = ramp_course(0, 0, 1, 1, true);
+TEST_CASE("a smooth load curve begins and ends without speed and acceleration and is even about its middle") {
+  const LoadCurve c = ramp_curve(0, 0, 1, 1, true);
   const double h = 1e-4;
   CHECK(c.at(h) < 11 * h * h * h);
   CHECK(1 - c.at(1 - h) < 11 * h * h * h);
@@ -45,10 +45,10 @@ TEST_CASE("a smooth course begins and ends without speed and acceleration and is
   }
 }
 
-TEST_CASE("a course whose times do not rise or whose numbers are not finite is refused with what is wrong") {
-  const auto message_of = [](const Course& c) -> std::string {
+TEST_CASE("a load curve whose times do not rise or whose numbers are not finite is refused with what is wrong") {
+  const auto message_of = [](const LoadCurve& c) -> std::string {
     try {
-      check_course(c, "load 'p'");
+      check_load_curve(c, "load 'p'");
     } catch (const InputError& e) {
       return e.what();
     }

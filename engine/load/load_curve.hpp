@@ -9,7 +9,7 @@ namespace trilith {
 /// A share over time: straight between its points (or, where `smooth`, from rest to rest by the quintic
 /// s^3 (10 - 15 s + 6 s^2), whose speed and acceleration are 0 at either end), constant before the first and after the
 /// last point; 1 where it has none.
-struct Course {
+struct LoadCurve {
   std::vector<double> time;   ///< rising [s]
   std::vector<double> share;  ///< [1]
   bool smooth = false;
@@ -27,9 +27,9 @@ struct Course {
 };
 
 /// From one share to another within `duration` [s] after `start` [s]; at once where `duration` is 0.
-Course ramp_course(double start, double from, double to, double duration, bool smooth);
+LoadCurve ramp_curve(double start, double from, double to, double duration, bool smooth);
 
 /// Throws InputError, beginning with `owner`, for times that do not rise and for numbers that are not finite.
-void check_course(const Course& course, const std::string& owner);
+void check_load_curve(const LoadCurve& curve, const std::string& owner);
 
 }  // namespace trilith
