@@ -58,8 +58,8 @@ std::vector<Polygon> cell_of(const Polygon& outline, const std::vector<Vec2>& po
   return pieces;
 }
 
-/// How freely a corner may be moved.
-enum class Hold { none, side, corner };
+/// What of the outline a corner lies on, and may be moved along only.
+enum class OutlinePart { none, side, corner };
 
 /// Cells as indices into shared corners.
 class Corners {
@@ -69,7 +69,7 @@ class Corners {
       cells_.emplace_back();
       for (const Vec2& p : cell) cells_.back().push_back(index_of(p));
     }
-    for (const Vec2& p : place_) hold_.push_back(hold_of(p));
+    for (const Vec2& p : place_) lies_on_.push_back(outline_part(p));
     tidy();
   }
 
@@ -77,8 +77,8 @@ class Corners {
     while (const auto edge = shortest_edge(least)) {
       const auto [a, b] = *edge;
       // the corner that is held stays where it is; two on one side meet between
-      const bool middle = hold_[a] == hold_[b];
-      const std::size_t keep = hold_[a] >= hold_[b] ? a : b, drop = keep == a ? b : a;
+      const bool middle = lies_on_[a] == lies_on_[b];
+      const std::size_t keep = lies_on_[a] >= lies_on_[b] ? a : b, drop = keep == a ? b : a;
       if (middle) place_[keep] = (place_[a] + place_[b]) / 2;
       for (std::vector<std::size_t>& cell : cells_) std::replace(cell.begin(), cell.end(), drop, keep);
       tidy();
@@ -113,18 +113,18 @@ class Corners {
     return (p - (a + t * (b - a))).norm();
   }
 
-  [[nodiscard]] Hold hold_of(const Vec2& p) const {
-    Hold hold = Hold::none;
+  [[nodiscard]] OutlinePart outline_part(const Vec2& p) const {
+    OutlinePart found = OutlinePart::none;
     for (std::size_t side = 0; side < outline_.size(); ++side) {
-      if ((p - outline_[side]).norm() <= 10 * same_) return Hold::corner;
-      if (distance_to_side(p, side) <= 10 * same_) hold = Hold::side;
+      if ((p - outline_[side]).norm() <= 10 * same_) return OutlinePart::corner;
+      if (distance_to_side(p, side) <= 10 * same_) found = OutlinePart::side;
     }
-    return hold;
+    return found;
   }
 
   [[nodiscard]] bool may_join(std::size_t a, std::size_t b) const {
-    if (hold_[a] == Hold::none || hold_[b] == Hold::none) return true;
-    if (hold_[a] == Hold::corner && hold_[b] == Hold::corner) return false;
+    if (lies_on_[a] == OutlinePart::none || lies_on_[b] == OutlinePart::none) return true;
+    if (lies_on_[a] == OutlinePart::corner && lies_on_[b] == OutlinePart::corner) return false;
     for (std::size_t side = 0; side < outline_.size(); ++side)
       if (distance_to_side(place_[a], side) <= 10 * same_ && distance_to_side(place_[b], side) <= 10 * same_)
         return true;
@@ -154,7 +154,7 @@ class Corners {
   const Polygon& outline_;
   double same_;
   std::vector<Vec2> place_;
-  std::vector<Hold> hold_;
+  std::vector<OutlinePart> lies_on_;
   std::vector<std::size_t> sorted_;
   std::vector<std::vector<std::size_t>> cells_;
 };

@@ -116,9 +116,9 @@ double time_to_depth(const MovingPiece& a, const MovingPiece& b, double longest,
   const double most = std::max(least + depth, -depth), bend = 0.5 * (a.bend + b.bend);
   double found = 0;
   const auto try_all = [&](double time) {
-    const double turned = bend * time * time;
+    const double by_rotation = bend * time * time;
     for_directions(a, b, [&](const Direction& d) {
-      found = std::max(found, d.time_to(most - turned, time));
+      found = std::max(found, d.time_to(most - by_rotation, time));
       return found < time;
     });
   };

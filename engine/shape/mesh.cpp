@@ -42,14 +42,15 @@ void check_indices(const Mesh& mesh, std::string_view owner) {
 }
 
 void turn_counter_clockwise(Mesh& mesh, std::string_view owner, std::vector<std::string>& notes) {
-  int turned = 0;
+  int reversed = 0;
   for (std::size_t e = 0; e < mesh.element.size(); ++e) {
     auto& element = mesh.element[e];
     if (signed_area(corners_of(mesh, e)) >= 0) continue;
     std::reverse(element.begin() + 1, element.begin() + corners_of(element));
-    ++turned;
+    ++reversed;
   }
-  if (turned > 0) notes.push_back(fmt::format("{}: {} clockwise elements of the mesh are turned round", owner, turned));
+  if (reversed > 0)
+    notes.push_back(fmt::format("{}: {} clockwise elements of the mesh are turned round", owner, reversed));
 }
 
 void check_shapes(const Mesh& mesh, std::string_view owner) {

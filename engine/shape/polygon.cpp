@@ -82,14 +82,14 @@ double turn_sine(const Vec2& before, const Vec2& corner, const Vec2& after) {
 bool is_convex(std::span<const Vec2> outline) {
   const std::size_t n = outline.size();
   if (n < 3) return false;
-  double turned = 0;
+  double total_turn = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 in = outline[i] - outline[(i + n - 1) % n], out = outline[(i + 1) % n] - outline[i];
     const double turn = portable::atan2(cross(in, out), in.dot(out));
     if (turn < -kStraightAngle) return false;
-    turned += turn;
+    total_turn += turn;
   }
-  return std::abs(turned - 2 * std::numbers::pi) < 1;  // a star that goes round twice turns left everywhere, too
+  return std::abs(total_turn - 2 * std::numbers::pi) < 1;  // a star that goes round twice turns left everywhere, too
 }
 
 namespace {

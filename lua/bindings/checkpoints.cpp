@@ -49,10 +49,10 @@ void Checkpoints::add(Checkpoint checkpoint) {
       sizeof(Checkpoint) + bytes_of(checkpoint.snapshot.state) + checkpoint.timers.size() * sizeof(Timer);
   next_ = checkpoint.time() + options.every;
   list_.push_back(std::move(checkpoint));
-  trim();
+  drop_oldest();
 }
 
-void Checkpoints::trim() {
+void Checkpoints::drop_oldest() {
   while (list_.size() > 1 &&
          (static_cast<int>(list_.size()) > options.count || static_cast<double>(bytes()) > options.bytes))
     list_.pop_front();

@@ -46,8 +46,8 @@ class Checkpoints {
   [[nodiscard]] const Checkpoint* nearest(double time) const;
   /// Takes out all after `time`, oldest first.
   std::vector<Checkpoint> take_after(double time);
-  /// Keeps to new options.
-  void trim();
+  /// Drops the oldest until options are kept to.
+  void drop_oldest();
   [[nodiscard]] const std::deque<Checkpoint>& list() const { return list_; }
   /// Memory they take [bytes]; a model that several share counts once.
   [[nodiscard]] std::size_t bytes() const;

@@ -82,7 +82,7 @@ int checkpoints(lua_State* L) {
     keys.finish();
     c.options = o;
     c.on = on;
-    c.trim();
+    c.drop_oldest();
     m.checkpoints_chosen = true;
   }
   lua_createtable(L, 0, 5);

@@ -106,7 +106,7 @@ std::string user_place(lua_State* L) {
   return "";
 }
 
-void let_go(std::shared_ptr<void> value) {
+void keep_until_idle(std::shared_ptr<void> value) {
   if (at_work.calls > 0) at_work.kept.push_back(std::move(value));
 }
 

@@ -26,7 +26,7 @@ class ScriptError : public std::runtime_error {
 };
 
 /// Keeps `value` until no guarded function is at work: a finalizer may run in the midst of one that still uses it.
-void let_go(std::shared_ptr<void> value);
+void keep_until_idle(std::shared_ptr<void> value);
 
 /// Runs `body`; what it throws becomes a Lua error with the user's script and line in front.
 int run_guarded(lua_State* L, lua_CFunction body);

@@ -102,7 +102,7 @@ ScriptModel& this_model(lua_State* L) {
 void ModelBox::close() {
   if (!model) return;
   model->closed = true;
-  let_go(std::exchange(model, nullptr));
+  keep_until_idle(std::exchange(model, nullptr));
 }
 
 void push_model_of(lua_State* L, int index) {
