@@ -75,8 +75,15 @@ std::string support_under(Keys& keys, std::string_view key, ScriptModel& m) {
     keys.wrong(key, "a pier, an abutment or another body, or its name");
   lua_pop(L, 1);
   BridgeLayout& layout = book_of(m).layout;
-  for (const BodySpec& body : m.builder.bodies())
-    if (body.name == name && !layout.has_support(name)) layout.add_support(top_of(name, body.outline));
+  for (const BodySpec& body : m.builder.bodies()) {
+    if (body.name != name || layout.has_support(name)) continue;
+    // Its highest face may be that of the back wall.
+    if (std::find(body.groups.begin(), body.groups.end(), "abutments") != body.groups.end())
+      keys.problem(fmt::format("{} is abutment '{}', of which nothing but its outline is known; make it by m:abutment",
+                               key, name));
+    else
+      layout.add_support(top_of(name, body.outline));
+  }
   return name;
 }
 

@@ -141,6 +141,11 @@ refused("span 'S1': from: there is no support 'P3'; did you mean 'P1'?", span_wi
 refused("span 'S1': 'to' is missing; give a pier, an abutment or another body, or its name",
   span_with(function(s) s.to = nil end))
 refused("span 'S1': 'from' is 3, must be a pier", span_with(function(s) s.from = 3 end))
+refused("span 'S1': from is abutment 'A', of which nothing but its outline is known; make it by m:abutment",
+  span_with(function(s, n)
+    n:body { name = "A", material = "concrete", shape = trilith.abutment { x = 0, height = 5, width = 3 } }
+    s.from = "A"
+  end))
 refused("span 'S1': from and to are both 'P2'", span_with(function(s) s.from = "P2" end))
 refused("span 'S1': 'P1' at x = 0 m is not to the right of 'P2' at 20 m; from is the left support",
   span_with(function(s) s.from, s.to = "P2", "P1" end))
