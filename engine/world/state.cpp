@@ -1,6 +1,7 @@
 #include "world/state.hpp"
 
 #include "base/hash.hpp"
+#include "world/motion_hash.hpp"
 
 namespace trilith {
 
@@ -46,7 +47,25 @@ void add(Hash& hash, const BearingMemory& m) {
     for (const double v : {d.inner, d.force, d.damping, d.travelled, d.compression}) hash.add(v);
 }
 
+void add_nodes(Hash& hash, const State<2>& state) {
+  for (std::size_t i = 0; i < state.position.size(); ++i)
+    for (const double v : {state.position[i].x(), state.position[i].y(), state.rotation[i], state.velocity[i].x(),
+                           state.velocity[i].y(), state.spin[i]})
+      hash.add(v);
+}
+
 }  // namespace
+
+template <>
+std::uint64_t motion_hash(const State<2>& state) {
+  Hash hash;
+  hash.add(state.time);
+  hash.add(static_cast<std::uint64_t>(state.step));
+  hash.add(state.last_dt);
+  add_nodes(hash, state);
+  for (const double energy : state.given.value) hash.add(energy);
+  return hash.value();
+}
 
 template <>
 std::uint64_t state_hash(const State<2>& state) {
@@ -56,10 +75,7 @@ std::uint64_t state_hash(const State<2>& state) {
   hash.add(state.dt);
   hash.add(state.safety);
   hash.add(state.last_dt);
-  for (std::size_t i = 0; i < state.position.size(); ++i)
-    for (const double v : {state.position[i].x(), state.position[i].y(), state.rotation[i], state.velocity[i].x(),
-                           state.velocity[i].y(), state.spin[i]})
-      hash.add(v);
+  add_nodes(hash, state);
   for (std::size_t i = 0; i < state.contact.size(); ++i) {
     if (state.memory[i].empty()) continue;
     hash.add(state.contact[i]);

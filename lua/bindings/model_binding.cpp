@@ -8,6 +8,7 @@
 #include "body_reading.hpp"
 #include "model_binding.hpp"
 #include "step/stable_step.hpp"
+#include "world/motion_hash.hpp"
 
 namespace trilith::script {
 namespace {
@@ -75,7 +76,7 @@ void push_events(lua_State* L, const ModelBox& box) {
 }
 
 void push_hash(lua_State* L, const ModelBox& box) {
-  push_text(L, fmt::format("{:016x}", state_hash(box.get().simulation().state())));
+  push_text(L, fmt::format("{:016x}", motion_hash(box.get().simulation().state())));
 }
 
 /// A list of the model that the library made, by name: bearings, seats.
@@ -125,7 +126,7 @@ const std::array model_properties{
     ModelProperty{"seats", "", "seats by name", nullptr, push_own<seats_field>},
     ModelProperty{"storeys", "", "storeys by number, from groups \"storey 1\", ...", nullptr, push_own<storeys_field>},
     ModelProperty{"events", "", "all events so far", nullptr, push_events},
-    ModelProperty{"hash", "", "sixteen digits of the state's bits", nullptr, push_hash},
+    ModelProperty{"hash", "", "sixteen digits of the bits of motion and ledger", nullptr, push_hash},
     ModelProperty{"verdict", "", "whether the run may be trusted: sound, sound_until [s], text, and bodies that left",
                   nullptr, push_verdict},
     ModelProperty{"notes", "", "what was repaired or is worth knowing", nullptr, push_notes},

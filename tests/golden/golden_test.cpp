@@ -1,4 +1,4 @@
-// States to the bit: what a change of the code's shape must not change. The hashes are in hashes.txt, a row for each
+// Motion and ledger to the bit: what a change of the code's shape must not change. The hashes are in hashes.txt, a row for each
 // platform and run; `./dev golden 'why'` makes those of this platform anew.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 
 #include "physics/collapses.hpp"
 #include "source_dir.hpp"
+#include "world/motion_hash.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
@@ -32,7 +33,7 @@ std::string hash_at_end(const Collapse& c) {
   StageOptions options;
   options.duration = c.duration;
   sim.run(options);
-  return fmt::format("{:016x}", state_hash(sim.state()));
+  return fmt::format("{:016x}", motion_hash(sim.state()));
 }
 
 /// Hashes of this platform by the name of the run.
