@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 #include "base/error.hpp"
@@ -72,10 +73,30 @@ std::string describe(const T& value) {
 template <class... Ts>
 struct TypeList {
   static constexpr int size = sizeof...(Ts);
+  /// A value of one of them.
+  using Variant = std::variant<Ts...>;
   /// Calls f.template operator()<T>() for every T in order.
   template <class F>
-  static void for_each(F&& f) {
+  static constexpr void for_each(F&& f) {
     (f.template operator()<Ts>(), ...);
+  }
+  /// True where f.template operator()<T>() is for every T.
+  template <class F>
+  static constexpr bool all(F&& f) {
+    return (f.template operator()<Ts>() && ...);
+  }
+  /// f.template operator()<T>() for the T at `place`, below size.
+  template <class F>
+  static decltype(auto) at(std::size_t place, F&& f) {
+    return pick<F, Ts...>(place, f);
+  }
+
+ private:
+  template <class F, class First, class... Rest>
+  static decltype(auto) pick(std::size_t place, F& f) {
+    if constexpr (sizeof...(Rest) > 0)
+      if (place != 0) return pick<F, Rest...>(place - 1, f);
+    return f.template operator()<First>();
   }
 };
 

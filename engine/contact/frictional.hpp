@@ -7,7 +7,7 @@
 #include <array>
 
 #include "base/schema.hpp"
-#include "contact/face_law.hpp"
+#include "contact/coulomb.hpp"
 
 namespace trilith {
 
@@ -19,7 +19,6 @@ struct Frictional {
 
   static constexpr std::string_view name = "frictional";
   static constexpr std::string_view sentence = "contact without bond: pressure from overlap, Coulomb friction";
-  static constexpr Bond bond = Bond::none;
   static constexpr auto parameters() {
     using P = Parameter<Frictional>;
     return std::array{
@@ -28,6 +27,8 @@ struct Frictional {
         P{&Frictional::mu, "mu", "1", no_default, 0, 100, true, "friction coefficient, tan of the friction angle"},
         P{&Frictional::beta, "beta", "s", 0, 0, 1, true, "damping stress per stiffness and velocity"}};
   }
+
+  using Kernel = Coulomb;
 };
 
 }  // namespace trilith

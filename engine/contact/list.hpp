@@ -1,8 +1,13 @@
 // The contact laws there are: a new one is its own file and a row here.
 #pragma once
 
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <variant>
-#include <vector>
 
 #include "contact/bonded.hpp"
 #include "contact/cohesive.hpp"
@@ -11,23 +16,90 @@
 namespace trilith {
 
 using ContactLaws = TypeList<Frictional, Bonded, Cohesive>;
-using ContactLaw = std::variant<Frictional, Bonded, Cohesive>;
-static_assert(std::variant_size_v<ContactLaw> == ContactLaws::size);
+using ContactLaw = ContactLaws::Variant;
 
-/// What every law has: it fills the general contact of corners, where no bond can hold.
+/// What a law of kernel K remembers of a contact: a row of numbers, in pairs.
+template <class K>
+using LawMemory = typename K::template Memory<double>;
+template <class K>
+inline constexpr std::size_t law_numbers =
+    std::is_empty_v<LawMemory<K>> ? 0 : sizeof(LawMemory<K>) / sizeof(double);
+/// From the row where it is kept, and back to it.
+template <class K>
+LawMemory<K> law_memory(const double* row) {
+  LawMemory<K> memory;
+  if constexpr (law_numbers<K> > 0) std::memcpy(static_cast<void*>(&memory), row, sizeof memory);
+  return memory;
+}
+template <class K>
+void keep_law_memory(const LawMemory<K>& memory, double* row) {
+  if constexpr (law_numbers<K> > 0) std::memcpy(row, &memory, sizeof memory);
+}
+
+/// How many numbers the law at each place of the list remembers.
+inline constexpr auto law_number_counts = [] {
+  std::array<std::uint32_t, ContactLaws::size> counts{};
+  std::size_t place = 0;
+  ContactLaws::for_each(
+      [&]<class L>() { counts[place++] = static_cast<std::uint32_t>(law_numbers<typename L::Kernel>); });
+  return counts;
+}();
+
+/// Whose law remembers something of a contact, and where.
+struct LawRow {
+  std::uint32_t place = 0;  ///< of the law in ContactLaws
+  std::uint32_t first = 0;  ///< of its numbers in State::law_memory
+};
+
+/// What every law has: its numbers, declared, among them those of small overlaps; and its equations, see
+/// contact/coulomb.hpp.
 template <class L>
 concept ContactLawType = Declared<L> && requires(const L& law) {
   { law.kn } -> std::convertible_to<double>;
   { law.ks } -> std::convertible_to<double>;
   { law.mu } -> std::convertible_to<double>;
   { law.beta } -> std::convertible_to<double>;
-  { L::bond } -> std::convertible_to<Bond>;
+  requires std::derived_from<typename L::Kernel, Coulomb>;
+  requires std::constructible_from<typename L::Kernel, const L&, double, double>;
+  requires law_numbers<typename L::Kernel> % 2 == 0;
 };
-static_assert(ContactLawType<Frictional> && ContactLawType<Bonded> && ContactLawType<Cohesive>);
+static_assert(ContactLaws::all([]<class L>() { return ContactLawType<L>; }));
 
-/// What its faces can hold beside friction.
-inline Bond bond_of(const ContactLaw& law) {
-  return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::bond; }, law);
+/// A law as it is used: between bodies of some thickness [m], for a step [s].
+struct LawInUse {
+  const ContactLaw& law;
+  double thickness = 1, dt = 0;
+};
+
+/// f(kernel) with the kernel of a law.
+template <class F>
+decltype(auto) with_kernel(const LawInUse& use, F&& f) {
+  return std::visit(
+      [&](const auto& law) -> decltype(auto) {
+        return f(typename std::decay_t<decltype(law)>::Kernel(law, use.thickness, use.dt));
+      },
+      use.law);
+}
+
+/// True where faces under the law can be held together.
+inline bool may_bond(const ContactLaw& law) {
+  return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::bonds; }, law);
+}
+
+/// f.template operator()<K>() for the kernel type of a law, by the law or by its place in the list.
+template <class F>
+decltype(auto) with_kernel_type(const ContactLaw& law, F&& f) {
+  return std::visit(
+      [&](const auto& l) -> decltype(auto) {
+        return f.template operator()<typename std::decay_t<decltype(l)>::Kernel>();
+      },
+      law);
+}
+template <class F>
+decltype(auto) with_kernel_type(std::size_t place, F&& f) {
+  return ContactLaws::at(place, [&]<class L>() -> decltype(auto) {
+    return f.template operator()<typename L::Kernel>();
+  });
 }
 
 }  // namespace trilith

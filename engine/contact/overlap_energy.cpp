@@ -22,18 +22,21 @@ Outline clip(const Outline& outline, Depth&& inside_depth) {
   return kept;
 }
 
-/// Where a point lies deeper in a piece than its mortar is crushed: the area, and the integral of how much deeper.
+/// Where a point lies deeper in a piece than its mortar is crushed: the area, and the integral of the pressure there
+/// over the stiffness.
 struct Pressed {
-  double area = 0, depth = 0;  // [m2], [m3] per metre of thickness
+  double area = 0, pressure = 0;  // [m2], [m3] per metre of thickness
 
   Pressed& operator+=(const Pressed& more) {
-    area += more.area, depth += more.depth;
+    area += more.area, pressure += more.pressure;
     return *this;
   }
 };
 
 /// Over `outline`; depths are those below the nearest surface face of `piece`.
-Pressed pressed_in(const Outline& outline, const PlacedPiece& piece, const PlacedEdges& edges, double crushed) {
+template <class K>
+Pressed pressed_in(const K& law, const Outline& outline, const PlacedPiece& piece, const PlacedEdges& edges,
+                   double crushed) {
   Pressed sum;
   const auto depth = [&](int f, const Vec2& x) { return edges.normal[f].dot(piece.corner[f] - x) - crushed; };
   for (int f = 0; f < edges.count; ++f) {
@@ -44,30 +47,32 @@ Pressed pressed_in(const Outline& outline, const PlacedPiece& piece, const Place
     if (crushed > 0) cell = clip(cell, [&](const Vec2& x) { return depth(f, x); });
     for (std::size_t i = 2; i < cell.size(); ++i) {
       const double area = 0.5 * cross(Vec2(cell[i - 1] - cell[0]), Vec2(cell[i] - cell[0]));
-      sum += {area, area * (depth(f, cell[0]) + depth(f, cell[i - 1]) + depth(f, cell[i])) / 3};
+      sum += {area, law.over(area, depth(f, cell[0]), depth(f, cell[i - 1]), depth(f, cell[i]))};
     }
   }
   return sum;
 }
 
-Pressed pressed_between(const PlacedPiece& a, const PlacedPiece& b, double crushed) {
+template <class K>
+Pressed pressed_between(const K& law, const PlacedPiece& a, const PlacedPiece& b, double crushed) {
   const PlacedEdges edges_a(a), edges_b(b);
   Outline common(b.corner.begin(), b.corner.end());
   for (int f = 0; f < edges_a.count && common.size() > 2; ++f)
     common = clip(common, [&](const Vec2& x) { return edges_a.normal[f].dot(a.corner[f] - x); });
   if (common.size() < 3) return {};
-  Pressed sum = pressed_in(common, a, edges_a, crushed);
-  return sum += pressed_in(common, b, edges_b, crushed);
+  Pressed sum = pressed_in(law, common, a, edges_a, crushed);
+  return sum += pressed_in(law, common, b, edges_b, crushed);
 }
 
 }  // namespace
 
-double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, double kn, double crushed) {
-  return 0.5 * kn * pressed_between(a, b, crushed).depth;
+double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, const LawInUse& law, double crushed) {
+  return with_kernel(law,
+                     [&](const auto& k) { return 0.5 * k.kn * pressed_between(k, a, b, crushed).pressure; });
 }
 
-double crushing_force(const PlacedPiece& a, const PlacedPiece& b, double kn, double crushed) {
-  return 0.5 * kn * pressed_between(a, b, crushed).area;
+double crushing_force(const PlacedPiece& a, const PlacedPiece& b, const Coulomb& law, double crushed) {
+  return 0.5 * law.kn * pressed_between(law, a, b, crushed).area;
 }
 
 }  // namespace trilith

@@ -1,14 +1,14 @@
-// Elastic energy of two convex pieces that overlap, see contact/overlap_pair.hpp.
+// The elastic energy that contact/overlap_pair.hpp has its forces from.
 #pragma once
 
 #include "contact/overlap_pair.hpp"
 
 namespace trilith {
 
-/// [J]. `kn` times thickness [N/m2]; `crushed`: depth of crushed mortar [m].
-double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, double kn, double crushed = 0);
+/// Of the normal pressures of two pieces whose mortar is crushed by `crushed` [m]; without shear [J].
+double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, const LawInUse& law, double crushed = 0);
 
-/// What that energy falls by as the mortar is crushed deeper, per depth [N].
-double crushing_force(const PlacedPiece& a, const PlacedPiece& b, double kn, double crushed);
+/// What that energy falls by where the mortar is crushed deeper [N]: of a law with linear springs.
+double crushing_force(const PlacedPiece& a, const PlacedPiece& b, const Coulomb& law, double crushed);
 
 }  // namespace trilith

@@ -121,19 +121,20 @@ struct Sums {
   Vec2 damping = Vec2::Zero();  // damping part of the force on b ...
   double damping_moment = 0;    // ... and its moment about a's origin ...
   double damped = 0;            // ... and the power it takes [W]
-  double pressure = 0, length = 0;
+  double pressure = 0, length = 0, deepest = 0;
   double most_a = 0, most_b = 0;  // largest share of the pressure on one edge, and which edge
   int edge_a = 0, edge_b = 0;
 };
 
 /// One side's faces inside the other piece: the walker presses its edges against the owner's nearest faces.
+template <class K>
 struct Walk {
   const PlacedPiece& owner;
   const PlacedEdges& owner_edges;
   const PlacedPiece& walker;
   const PlacedEdges& walker_edges;
   const Depths& depths;  // of the walker's corners in the owner
-  const FaceLaw& law;
+  const K& law;
   double crushed;  // [m]
   bool walker_is_b;
   std::span<Vec2> on_owner, on_walker;
@@ -142,17 +143,15 @@ struct Walk {
   void run(Sums& sums) const;
 };
 
-void Walk::press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0, double phi1, Sums& sums) const {
+template <class K>
+void Walk<K>::press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0, double phi1, Sums& sums) const {
   const Vec2& n = walker_edges.normal[edge];  // out of the walker, into the owner
   const double c0 = n.dot(walker.velocity_at(edge, x0) - owner.velocity_at(face, x0));
   const double c1 = n.dot(walker.velocity_at(edge, x1) - owner.velocity_at(face, x1));
   const double length = (x1 - x0).norm(), k = 0.5 * law.kn;
-  const double p0 = phi0 + law.beta * c0, p1 = phi1 + law.beta * c1;
-  const PositivePart<double> part(p0, p1);
-  const double q0 = p0 + (p1 - p0) * part.from, q1 = p0 + (p1 - p0) * part.to;
-  const LinearStress<double> stress(q0, q1, part.from, part.to);
+  const auto [stress, spring] = law.stretch(phi0, phi1, c0, c1);
   sums.length += 0.5 * length;
-  const LinearStress<double> spring(phi0, phi1, 0, 1);
+  sums.deepest = std::max({sums.deepest, phi0, phi1});
   const double total = k * length * stress.sum;
   const double sign = walker_is_b ? 1.0 : -1.0;
   const double damping = k * length * (stress.sum - spring.sum),
@@ -174,7 +173,8 @@ void Walk::press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0
   if (total > most_owner) most_owner = total, (walker_is_b ? sums.edge_a : sums.edge_b) = face;
 }
 
-void Walk::run(Sums& sums) const {
+template <class K>
+void Walk<K>::run(Sums& sums) const {
   for (int e = 0; e < walker_edges.count; ++e) {
     if (!walker_edges.surface[e]) continue;
     const int w = (e + 1) % walker_edges.count;
@@ -230,7 +230,7 @@ double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMe
     return size > 0 ? m.damping_force[0] * force.dot(rate_now) / size : 0;
   }
   const Vec2 rate = b.velocity_at(a.origin) - a.velocity;
-  return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.own[0] * (b.spin - a.spin);
+  return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.damping_moment * (b.spin - a.spin);
 }
 
 /// Share of what the damping force of now does that the one remembered does, where both act alike.
@@ -243,16 +243,16 @@ double likeness(const ContactMemory& before, const ContactMemory& now) {
 /// Energy the damping takes in a step: with the mean of its force before and now. Pieces that deform move otherwise
 /// than as rigid ones; for the force remembered that is made up for as it is for the one of now.
 double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const Sums& sums,
-                    const FaceLaw& law, const OverlapResponse& out) {
+                    double dt, const OverlapResponse& out) {
   const Vec2 rate = rate_at_centre(a, b, sums, out.centre);
   double taken = sums.damped - damping_power(a, b, before, out.force, rate);
   if (!a.corner_velocity.empty() || !b.corner_velocity.empty())
     taken += likeness(before, out.memory) * (sums.damped + damping_power(a, b, out.memory, out.force, rate));
-  return 0.5 * law.dt * taken;
+  return 0.5 * dt * taken;
 }
 
 /// Friction on the resultant, along t = left_of(n), at the centre of pressure.
-void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const FaceLaw& law,
+void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const Coulomb& law,
                   const Sums& sums, std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
   const double normal = sums.force.norm();
   if (!(normal > 0)) {
@@ -266,7 +266,7 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   state.bonded = false;
   HalfResponse<double> half{};
   half.normal = normal;
-  respond_shear(state, law, sums.length, both_halves(before), half);
+  law.slide(state, sums.length, both_halves(before), half);
   add_at(on_a, a, sums.edge_a, out.centre, half.shear_total * t);
   add_at(on_b, b, sums.edge_b, out.centre, -half.shear_total * t);
   for (const int h : {0, 1}) {
@@ -280,101 +280,108 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
 }
 
 /// Two pieces that overlap, and how deep the corners of each lie in the other.
+template <class K>
 struct Overlapping {
   const PlacedPiece &a, &b;
   const PlacedEdges &edges_a, &edges_b;
   const Depths &b_in_a, &a_in_b;
 
-  [[nodiscard]] Sums press(const FaceLaw& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
+  [[nodiscard]] Sums press(const K& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
     Sums sums;
-    Walk{a, edges_a, b, edges_b, b_in_a, law, crushed, true, on_a, on_b}.run(sums);
-    Walk{b, edges_b, a, edges_a, a_in_b, law, crushed, false, on_b, on_a}.run(sums);
+    Walk<K>{a, edges_a, b, edges_b, b_in_a, law, crushed, true, on_a, on_b}.run(sums);
+    Walk<K>{b, edges_b, a, edges_a, a_in_b, law, crushed, false, on_b, on_a}.run(sums);
     return sums;
   }
-  [[nodiscard]] double excess(const FaceLaw& law, double crushed) const;
-  [[nodiscard]] double crushed_from(double before, const FaceLaw& law) const;
+  /// Mean overlap above that at which the mortar crushes [m]. `springs`: without damping.
+  [[nodiscard]] double excess(const K& springs, double crushed) const {
+    std::array<Vec2, max_piece_corners> on_a, on_b;  // asked for by the walk, and left
+    on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
+    const Sums sums = press(springs, crushed, on_a, on_b);
+    return sums.length > 0 ? sums.force.norm() / (springs.kn * sums.length) - springs.crushing : -springs.crushing;
+  }
+  /// The depth by which the mortar is crushed now: such that the mean pressure of the springs is its strength at most.
+  [[nodiscard]] double crushed_now(const K& law, const LawMemory<K>& own) const {
+    if constexpr (!K::crushes) return 0;
+    else {
+      K springs = law;
+      springs.beta = 0;
+      return springs.crush(own, [&](double depth) { return excess(springs, depth); });
+    }
+  }
 };
 
-/// Mean overlap above that at which the mortar crushes [m].
-double Overlapping::excess(const FaceLaw& law, double crushed) const {
-  std::array<Vec2, max_piece_corners> on_a, on_b;  // asked for by the walk, and left
-  on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
-  const Sums sums = press(law, crushed, on_a, on_b);
-  return sums.length > 0 ? sums.force.norm() / (law.kn * sums.length) - law.crushing : -law.crushing;
+/// Two pieces that do not overlap, in the view of the one or of the other: what parting leaves.
+double separation(const PlacedPiece& a, const PlacedEdges& edges_a, const PlacedPiece& b, const PlacedEdges& edges_b,
+                  Depths& b_in_a, Depths& a_in_b) {
+  const double apart = b_in_a.fill(a, edges_a, b);
+  return apart > 0 ? apart : a_in_b.fill(b, edges_b, a);
 }
 
-/// The depth by which the mortar is crushed now: such that the mean pressure of the springs is its strength at most.
-double Overlapping::crushed_from(double before, const FaceLaw& law) const {
-  FaceLaw springs = law;
-  springs.beta = 0;
-  double depth = before, over = excess(springs, depth), fall = 1;
-  for (int i = 0; i < 20 && over > 1e-9 * law.crushing; ++i) {
-    // The mean overlap falls by as much as the depth grows where faces are parallel, by half of it at corners.
-    const double deeper = over / fall, left = excess(springs, depth + deeper);
-    fall = std::clamp((over - left) / deeper, 0.3, 1.0);
-    depth += deeper, over = left;
+/// Keeps how far the mortar is crushed, and gives off what that takes.
+template <class K>
+void keep_crushed(const Overlapping<K>& pair, const ContactMemory& before, const LawMemory<K>& own, double depth,
+                  const K& law, LawMemory<K>& after, OverlapResponse& out) {
+  if constexpr (K::crushes) {
+    if (!(depth > 0)) return;
+    const bool touched = (before.state & contact_touching) != 0, general = (before.state & contact_general) != 0;
+    out.lost_fracture =
+        law.crushed_by(own, depth, crushing_force(pair.a, pair.b, law, depth), touched, general, after);
+    out.memory.state |= contact_kept;
   }
-  return std::max(before, std::min(depth, law.crushing_depth));
 }
 
-/// Remembers how far the mortar is crushed. What that takes is found with the mean of the force before and now that the
-/// energy of the overlap gives way to crushing by, kept in own[1].
-void keep_crushed(const Overlapping& pair, const ContactMemory& before, double depth, const FaceLaw& law,
-                  OverlapResponse& out) {
-  if (!(depth > 0)) return;
-  const double deeper = depth - general_crushed(before), now = crushing_force(pair.a, pair.b, law.kn, depth);
-  const bool touched = (before.state & contact_touching) != 0;
-  const bool known = (before.state & contact_general) != 0 && before.own[1] > 0;  // else it is taken to be as now
-  const double last = !touched ? 0.0 : known ? before.own[1] : now;
-  out.lost_fracture = 0.5 * (last + now) * deeper;
-  out.memory.own[1] = now;
-  for (double& half : out.memory.crushed) half = depth;
-  out.memory.state |= contact_crushed;
-}
-
-}  // namespace
-
-OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
-                                const FaceLaw& law, std::span<Vec2> on_a, std::span<Vec2> on_b) {
-  assert(a.corner.size() <= max_piece_corners && b.corner.size() <= max_piece_corners);
+template <class K>
+OverlapResponse respond(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
+                        const LawMemory<K>& own, const K& law, std::span<Vec2> on_a, std::span<Vec2> on_b,
+                        LawMemory<K>& after) {
   OverlapResponse out;
   const PlacedEdges edges_a(a), edges_b(b);
   static thread_local Depths b_in_a, a_in_b;  // large; filled anew at every call
   out.memory = before.parted();
+  after = K::parted(own);
   // Where the two part, their elastic shear is let go, and the last damping force works for half a step more.
   const double merged = merging_loss(before, law.ks);
   out.lost_friction = merged + let_go_all(before, law.ks);
   out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, out.force, Vec2::Zero());
-  out.separation = b_in_a.fill(a, edges_a, b);
-  if (out.separation > 0) return out;
-  out.separation = a_in_b.fill(b, edges_b, a);
+  out.separation = separation(a, edges_a, b, edges_b, b_in_a, a_in_b);
   if (out.separation > 0) return out;
 
-  const Overlapping pair{a, b, edges_a, edges_b, b_in_a, a_in_b};
-  const double before_crushed = general_crushed(before);
-  const double crushed = law.crushing > 0 ? pair.crushed_from(before_crushed, law) : before_crushed;
+  const Overlapping<K> pair{a, b, edges_a, edges_b, b_in_a, a_in_b};
+  const double crushed = pair.crushed_now(law, own);
   const Sums sums = pair.press(law, crushed, on_a, on_b);
   if (!(sums.length > 0)) return out;
   out.touching = true;
   out.force = sums.force;
   out.length = sums.length;
+  out.depth = sums.deepest;
   out.memory.slip = before.slip;
   out.memory.state |= contact_touching | contact_general;
   out.memory.damping_force[0] = sums.damping.x();
   out.memory.damping_force[1] = sums.damping.y();
-  out.memory.own[0] = sums.damping_moment;
+  out.memory.damping_moment = sums.damping_moment;
   if (sums.pressure > 0) out.centre = sums.moment_arm / sums.pressure;
-  out.lost_damping = damping_loss(a, b, before, sums, law, out);
+  out.lost_damping = damping_loss(a, b, before, sums, law.dt, out);
   if (sums.pressure > 0) {
     out.lost_friction = merged;
     add_friction(a, b, before, law, sums, on_a, on_b, out);
   }
-  keep_crushed(pair, before, crushed, law, out);
+  keep_crushed(pair, before, own, crushed, law, after, out);
+  if constexpr (K::crushes) law.wear(after);
   return out;
 }
 
-double general_crushed(const ContactMemory& memory) {
-  return std::max(memory.crushed[0], memory.crushed[1]);
+}  // namespace
+
+OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before,
+                                const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after) {
+  assert(a.corner.size() <= max_piece_corners && b.corner.size() <= max_piece_corners);
+  return with_kernel(law, [&]<class K>(const K& kernel) {
+    LawMemory<K> after;
+    const OverlapResponse out =
+        respond<K>(a, b, before.contact, law_memory<K>(before.law), kernel, on_a, on_b, after);
+    keep_law_memory<K>(after, law_after);
+    return out;
+  });
 }
 
 }  // namespace trilith

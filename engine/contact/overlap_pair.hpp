@@ -1,7 +1,8 @@
 // Contact of two convex pieces of any shape and pose, from the overlap of their areas.
 //
-// The elastic energy is W = kn/2 ( integral of phi_A + integral of phi_B ) over the overlap, phi being the distance
-// to the nearest face of a piece. Its derivative is a pressure kn/2 phi_A on the faces of B inside A, along their own
+// The elastic energy is W = kn/2 ( integral of e(phi_A) + integral of e(phi_B) ) over the overlap, phi being the
+// distance to the nearest face of a piece, and kn e(phi) the law's pressure at an overlap of phi; e(phi) = phi where it
+// is linear. Its derivative is a pressure kn/2 e(phi_A) on the faces of B inside A, along their own
 // normals, and the same for A's faces inside B. So energy is kept by construction, the normal never flips, and for
 // two parallel faces the sum of both pressures is kn times the overlap, the stress of contact/face_pair. (A
 // distance potential over the overlap area is used in the combined finite-discrete element method: Munjiza, "The
@@ -16,8 +17,7 @@
 #include <span>
 
 #include "base/space.hpp"
-#include "contact/face_pair.hpp"
-#include "contact/memory.hpp"
+#include "contact/list.hpp"
 
 namespace trilith {
 
@@ -47,14 +47,19 @@ struct OverlapResponse {
   Vec2 force = Vec2::Zero();   ///< normal resultant on b [N]
   Vec2 centre = Vec2::Zero();  ///< centre of pressure [m]
   double length = 0;           ///< length in contact [m]
+  double depth = 0;            ///< greatest depth of a pressed face in the other piece [m]
   double lost_damping = 0, lost_friction = 0, lost_fracture = 0;  ///< [J]
 };
 
-/// `on_a`, `on_b`: force per corner [N], same sizes as the pieces' corners, added to.
-OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
-                                const FaceLaw& law, std::span<Vec2> on_a, std::span<Vec2> on_b);
+/// What a contact remembers: what every one does, and the row of its law (see law_memory).
+struct Remembered {
+  const ContactMemory& contact;
+  const double* law;
+};
 
-/// Depth that the crushed mortar of a contact of general shape has [m].
-double general_crushed(const ContactMemory& memory);
+/// `on_a`, `on_b`: force per corner [N], same sizes as the pieces' corners, added to. `law_after`: the row its law
+/// remembers from now on, written where the two touch; else what parted leaves.
+OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before,
+                                const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after);
 
 }  // namespace trilith

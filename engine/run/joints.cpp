@@ -101,11 +101,14 @@ double joint_damage(const Joint& joint, const State<2>& state) {
   if (joint.bonds == 0) return 0;
   const auto it = std::lower_bound(state.contact.begin(), state.contact.end(), joint.contact);
   if (it == state.contact.end() || *it != joint.contact) return 1;
-  const ContactMemory& memory = state.memory[static_cast<std::size_t>(it - state.contact.begin())];
-  double lost = 0;
-  for (const int half : {0, 1})
-    if ((joint.bonds >> half & 1U) != 0) lost += (memory.bonds >> half & 1U) != 0 ? memory.damage(half) : 1;
-  return lost / std::popcount(joint.bonds);
+  const auto row = static_cast<std::size_t>(it - state.contact.begin());
+  return with_kernel_type(state.law_row[row].place, [&]<class K>() {
+    const LawMemory<K> own = law_memory<K>(state.law_numbers(row));
+    double lost = 0;
+    for (const int half : {0, 1})
+      if ((joint.bonds >> half & 1U) != 0) lost += state.memory[row].bonded(half) ? K::damage(own, half) : 1;
+    return lost / std::popcount(joint.bonds);
+  });
 }
 
 std::array<Vec2, 2> joint_place(const Joint& joint, const Work<2>& work) {

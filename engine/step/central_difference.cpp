@@ -139,6 +139,7 @@ void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOp
   notice(model, state, work);
   clock.mark(StepPart::notice);
   state.memory.swap(work.memory);
+  state.law_memory.swap(work.law_memory);
   state.bearing.swap(work.bearing);
   state.plastic.swap(work.plastic);
   const double dt = options.dt, last = state.last_dt, span = 0.5 * (last + dt);

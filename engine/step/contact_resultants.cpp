@@ -16,10 +16,20 @@ ContactHold hold_of(const ContactMemory& memory, const ContactResultant& r, doub
 
 }  // namespace
 
-void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<TouchingContact>& out) {
+ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, const NearPair& pair,
+                                const ContactMemory& memory, const double* law_numbers) {
+  return with_kernel(law_in_use(model, pair.law), [&]<class K>(const K& law) {
+    return face_resultant(face_ends(work, pair.a0, pair.a1), face_ends(work, pair.b0, pair.b1), memory,
+                          law_memory<K>(law_numbers), law);
+  });
+}
+
+void contact_resultants(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                        std::vector<TouchingContact>& out) {
   out.clear();
-  const auto append = [&](int row, const ContactResultant& r, double mu) {
+  const auto append = [&](int row, const ContactResultant& r) {
     const NearPair& p = work.pairs[row];
+    const double mu = std::visit([](const auto& law) { return law.mu; }, model.laws[p.law]);
     out.push_back({row, model.piece_body[p.piece_a], model.piece_body[p.piece_b], r, hold_of(work.memory[row], r, mu)});
   };
   std::size_t general = 0;  // both lists rise with the row
@@ -27,15 +37,14 @@ void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<
     const ContactMemory& memory = work.memory[row];
     if ((memory.state & contact_touching) == 0) continue;
     const NearPair& p = work.pairs[row];
-    const FaceLaw law = face_law(model, p.law, 0);
     if ((memory.state & contact_general) == 0) {
-      append(row, face_resultant(face_ends(work, p.a0, p.a1), face_ends(work, p.b0, p.b1), memory, law), law.mu);
+      append(row, face_resultant(model, work, p, memory, trial_law_numbers(state, work, row)));
       continue;
     }
     while (general < work.general_touching.size() && work.general_touching[general].row < row) ++general;
     if (general == work.general_touching.size()) continue;
     const GeneralContact& g = work.general_touching[general];
-    if (g.row == row) append(row, general_resultant(g.centre, g.force, memory), law.mu);
+    if (g.row == row) append(row, general_resultant(g.centre, g.force, memory));
   }
 }
 

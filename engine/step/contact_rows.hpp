@@ -1,16 +1,26 @@
-// What the contact stages, the step estimate and the ledger share: a law's numbers, and a piece where it stands.
+// What the contact stages, the step estimate and the ledger share: laws in use, what they remember, and pieces where
+// they stand.
 #pragma once
 
 #include <array>
 
-#include "contact/face_pair.hpp"
 #include "contact/overlap_pair.hpp"
 #include "world/work.hpp"
 
 namespace trilith {
 
-/// The numbers of law `law` times the model's thickness, for a step `dt` [s].
-FaceLaw face_law(const Model<2>& model, int law, double dt);
+/// Law `law` between the model's bodies, for a step `dt` [s].
+inline LawInUse law_in_use(const Model<2>& model, int law, double dt = 0) {
+  return {model.laws[law], model.thickness, dt};
+}
+
+/// What the law of a contact remembers now.
+inline const double* trial_law_numbers(const State<2>& state, const Work<2>& work, int row) {
+  return work.law_memory.data() + state.law_row[row].first;
+}
+inline double* trial_law_numbers(const State<2>& state, Work<2>& work, int row) {
+  return work.law_memory.data() + state.law_row[row].first;
+}
 
 /// The ends of the face between two skin points, as Work is placed.
 inline FaceEnds<double> face_ends(const Work<2>& work, int from, int to) {

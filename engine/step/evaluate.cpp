@@ -5,10 +5,19 @@
 
 #include "body/rigid.hpp"
 #include "detect/pairs.hpp"
+#include "step/contact_rows.hpp"
 #include "step/stable_step.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
+namespace {
+
+void forget(const State<2>& state, Work<2>& work, int row) {
+  work.memory[row] = {};
+  std::fill_n(trial_law_numbers(state, work, row), law_number_counts[state.law_row[row].place], 0.0);
+}
+
+}  // namespace
 
 void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt, StepTimes* times) {
   StepClock clock(times);
@@ -18,7 +27,7 @@ void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt, 
   clock.mark(StepPart::find);
   work.given = state.given;
   // Rows that are not worked on hold an empty memory, before and after: those that turned last are cleared here.
-  for (const int row : work.turned) work.memory[row] = {};
+  for (const int row : work.turned) forget(state, work, row);
   work.turned.clear();
   std::fill(work.skin_force.begin(), work.skin_force.end(), Vec2::Zero());
   clock.mark(StepPart::place);
@@ -107,18 +116,40 @@ void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
 
 namespace {
 
-/// Brings State::contact into step with the pairs just found: kept memories move, the rest start empty.
-void carry_memories(State<2>& state, const Work<2>& work) {
-  std::vector<ContactKey> keys(work.pairs.size());
-  std::vector<ContactMemory> memories(work.pairs.size());
-  std::size_t old = 0;
-  for (std::size_t row = 0; row < keys.size(); ++row) {
-    keys[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);
-    while (old < state.contact.size() && state.contact[old] < keys[row]) ++old;
-    if (old < state.contact.size() && state.contact[old] == keys[row]) memories[row] = state.memory[old];
+/// Where the laws of the pairs keep what they remember.
+std::vector<LawRow> law_rows(const Model<2>& model, const Work<2>& work) {
+  std::vector<LawRow> rows(work.pairs.size());
+  std::uint32_t numbers = 0;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const std::size_t place = model.laws[work.pairs[row].law].index();
+    rows[row] = {static_cast<std::uint32_t>(place), numbers};
+    numbers += law_number_counts[place];
   }
-  state.contact = std::move(keys);
-  state.memory = std::move(memories);
+  return rows;
+}
+
+/// Brings State::contact into step with the pairs just found: kept memories move, the rest start empty. What a law
+/// remembers is of no use to one of another kind.
+void carry_memories(const Model<2>& model, State<2>& state, const Work<2>& work) {
+  State<2> now;
+  now.contact.resize(work.pairs.size());
+  now.memory.resize(work.pairs.size());
+  now.law_row = law_rows(model, work);
+  if (!now.law_row.empty())
+    now.law_memory.resize(now.law_row.back().first + law_number_counts[now.law_row.back().place]);
+  std::size_t old = 0;
+  for (std::size_t row = 0; row < now.contact.size(); ++row) {
+    const ContactKey key = now.contact[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);
+    while (old < state.contact.size() && state.contact[old] < key) ++old;
+    if (old == state.contact.size() || state.contact[old] != key) continue;
+    now.memory[row] = state.memory[old];
+    if (now.law_row[row].place != state.law_row[old].place) continue;
+    std::copy_n(state.law_numbers(old), law_number_counts[now.law_row[row].place], now.law_numbers(row));
+  }
+  state.contact = std::move(now.contact);
+  state.memory = std::move(now.memory);
+  state.law_row = std::move(now.law_row);
+  state.law_memory = std::move(now.law_memory);
 }
 
 }  // namespace
@@ -127,8 +158,9 @@ void find(const Model<2>& model, State<2>& state, Work<2>& work) {
   if (!pairs_outdated(model, state, work)) return;
   if (!work.valid) bound_faces(model, work);
   find_pairs(model, state, work);
-  carry_memories(state, work);
+  carry_memories(model, state, work);
   work.memory.assign(work.pairs.size(), {});
+  work.law_memory.assign(state.law_memory.size(), 0);
   work.turned.clear();
   work.general_now.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());

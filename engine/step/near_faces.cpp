@@ -59,7 +59,7 @@ std::size_t sort_out(const State<2>& state, const Work<2>& work, const std::vect
   fresh.resize(facing.size() + lane_count);
   std::size_t touched = 0, rest = 0;
   for (const int row : facing) {  // without branches: which rows touch is hard to guess
-    const bool was = (state.memory[row].state & (contact_touching | contact_crushed)) != 0;
+    const bool was = (state.memory[row].state & (contact_touching | contact_kept)) != 0;
     rows[touched] = fresh[rest] = row;
     touched += was ? 1 : 0;
     rest += was ? 0 : 1;

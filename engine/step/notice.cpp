@@ -7,6 +7,7 @@
 #include "contact/face_resultant.hpp"
 #include "contact/overlap_energy.hpp"
 #include "detect/pairs.hpp"
+#include "step/contact_resultants.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
 #include "world/pose.hpp"
@@ -51,16 +52,23 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
   return {at, -n.dot(velocity(nb, at) - velocity(na, at))};
 }
 
+/// True where the bond of a row opened beyond its limit, and did not slide beyond it.
+bool is_pulled(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
+  const NearPair& p = work.pairs[row];
+  return with_kernel(law_in_use(model, p.law), [&]<class K>(const K& law) {
+    if constexpr (K::bonds)
+      return law.pulled(law.gaps(face_overlap(work, p), state.memory[row], law_memory<K>(state.law_numbers(row))));
+    else
+      return false;
+  });
+}
+
 /// A bond that began to soften or was lost: what it carried up to now, where, and by which of its limits.
 void notice_bond(const Model<2>& model, const State<2>& state, Work<2>& work, int row, EventType type) {
   const NearPair& p = work.pairs[row];
-  const ContactMemory& before = state.memory[row];
-  const FaceLaw law = face_law(model, p.law, 0);
-  const FaceEnds<double> a = face_ends(work, p.a0, p.a1), b = face_ends(work, p.b0, p.b1);
-  const ContactResultant carried = face_resultant(a, b, before, law);
-  bool pulled = false;
-  for (const HalfGaps& half : half_gaps(FaceOverlap<double>(a, b), before, law))
-    pulled = pulled || std::max(half.g0 - half.filling.end0, half.g1 - half.filling.end1) > law.first_opening();
+  const ContactResultant carried =
+      face_resultant(model, work, p, state.memory[row], state.law_numbers(row));
+  const bool pulled = is_pulled(model, state, work, row);
   Event e = event_now(state, type, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
   e.value = carried.force.norm();
   e.x = carried.point.x(), e.y = carried.point.y();
@@ -69,33 +77,32 @@ void notice_bond(const Model<2>& model, const State<2>& state, Work<2>& work, in
 }
 
 /// Of a contact that touches now.
-ContactResultant resultant_now(const Model<2>& model, const Work<2>& work, int row) {
+ContactResultant resultant_now(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   for (const GeneralContact& g : work.general_touching)
     if (g.row == row) return general_resultant(g.centre, g.force, work.memory[row]);
-  const NearPair& p = work.pairs[row];
-  return face_resultant(face_ends(work, p.a0, p.a1), face_ends(work, p.b0, p.b1), work.memory[row],
-                        face_law(model, p.law, 0));
+  return face_resultant(model, work, work.pairs[row], work.memory[row], trial_law_numbers(state, work, row));
 }
 
 /// Mortar that begins to crush: what it carries now, and where.
 void notice_crushing(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
   Event e = event_now(state, EventType::joint_crushed, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
-  const ContactResultant carried = resultant_now(model, work, row);
+  const ContactResultant carried = resultant_now(model, state, work, row);
   e.value = carried.force.norm();
   e.x = carried.point.x(), e.y = carried.point.y();
   e.text = joint_modes[2];
   work.events.push_back(e);
 }
 
-/// A bond lost, or a bond's first damage.
-void notice_bonds(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
-  const ContactMemory &before = state.memory[row], &after = work.memory[row];
-  const auto damaged = [](const ContactMemory& m) { return m.damage(0) > 0 || m.damage(1) > 0; };
-  if (before.bonds != after.bonds)
-    notice_bond(model, state, work, row, EventType::bond_broken);
-  else if (before.bonds != 0 && !damaged(before) && damaged(after))
-    notice_bond(model, state, work, row, EventType::bond_cracked);
+/// A bond lost, or a bond's first damage; mortar that begins to crush.
+void notice_joint(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
+  const JointChange change = with_kernel_type(state.law_row[row].place, [&]<class K>() {
+    return K::change(state.memory[row], law_memory<K>(state.law_numbers(row)), work.memory[row],
+                     law_memory<K>(trial_law_numbers(state, work, row)));
+  });
+  if (change.broken) notice_bond(model, state, work, row, EventType::bond_broken);
+  if (change.cracked) notice_bond(model, state, work, row, EventType::bond_cracked);
+  if (change.crushed) notice_crushing(model, state, work, row);
 }
 
 /// A contact that opened a moment ago and closes again was never lost: true if it was one. Joints of rubble and of
@@ -113,9 +120,7 @@ void notice_contact(const Model<2>& model, State<2>& state, Work<2>& work, int r
   const NearPair& p = work.pairs[row];
   const int a = model.piece_body[p.piece_a], b = model.piece_body[p.piece_b];
   const bool was = (before.state & contact_touching) != 0, is = (after.state & contact_touching) != 0;
-  notice_bonds(model, state, work, row);
-  if ((before.state & contact_crushed) == 0 && (after.state & contact_crushed) != 0)
-    notice_crushing(model, state, work, row);
+  notice_joint(model, state, work, row);
   if (was == is) return;
   if (!is) {
     state.parted.push_back({state.contact[row], state.time});
@@ -166,7 +171,7 @@ double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>
   if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) return 0;
   PieceCorners corners_p, corners_q;
   return overlap_energy(placed_piece(model, state, work, p, corners_p), placed_piece(model, state, work, q, corners_q),
-                        face_law(model, pair.law, 0).kn);
+                        law_in_use(model, pair.law));
 }
 
 /// Elastic energy that the contact beside bearing `i` has after its failure more than before [J].

@@ -20,11 +20,10 @@ static_assert(offsetof(ContactMemory, bonds) == offsetof(ContactMemory, slip) + 
               "slip, bonds and state are moved as one pair");
 static_assert(std::endian::native == std::endian::little, "bonds and state are read as one number");
 
-using Four = std::array<Lanes, lane_count>;
-
 /// Two columns as a pair for each of four rows.
 struct RowPairs {
   Lanes row02, row13;
+  RowPairs() = default;
   TRILITH_INLINE RowPairs(const Lanes& c0, const Lanes& c1) {
     const Lanes low = even(c0, c1), high = odd(c0, c1);
     row02 = low, row13 = high;
@@ -51,8 +50,8 @@ TRILITH_INLINE LaneMask has_bit(const LaneMask& word, std::int64_t bit) {
 }
 
 constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
-                       general_bit = std::int64_t{contact_general} << 32, worn_bit = std::int64_t{contact_worn} << 32,
-                       crushed_bit = std::int64_t{contact_crushed} << 32;
+                       general_bit = std::int64_t{contact_general} << 32,
+                       kept_bit = std::int64_t{contact_kept} << 32;
 
 /// Arrays of State and Work that the rows of a batch are read from and written to.
 struct Pass {
@@ -60,8 +59,10 @@ struct Pass {
   const NearPair* pairs;
   const ContactMemory* before;
   ContactMemory* after;
+  const LawRow* law_row;
+  const double* law_before;
+  double* law_after;
   Vec2* skin_force;
-  FaceLaw law;
   Work<2>& work;
 };
 
@@ -90,13 +91,16 @@ TRILITH_INLINE FaceMotion<Lanes> load_motion(const Pass& pass, const Rows& rows)
   return {a, b, Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner}};
 }
 
+/// What four contacts and their law remember.
+template <class M>
 struct LaneMemory {
   FaceMemory<Lanes> face;
+  M own;
   LaneMask touching;
 };
 
-template <Bond B>
-TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
+template <class M>
+TRILITH_INLINE LaneMemory<M> load_memory(const Pass& pass, const Rows& rows) {
   const auto load = [&](auto member, Lanes& c0, Lanes& c1) {
     const double* row[lane_count];
     for (int i = 0; i < lane_count; ++i) {
@@ -107,7 +111,7 @@ TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
     }
     load_columns(row, c0, c1);
   };
-  LaneMemory m;
+  LaneMemory<M> m;
   Lanes bits;
   load(&ContactMemory::shear_elastic, m.face.shear_elastic[0], m.face.shear_elastic[1]);
   load(&ContactMemory::shear_total, m.face.shear_total[0], m.face.shear_total[1]);
@@ -119,49 +123,55 @@ TRILITH_INLINE LaneMemory load_memory(const Pass& pass, const Rows& rows) {
   m.face.bonds[1] = has_bit(word, 2);
   m.face.general = has_bit(word, general_bit);
   m.touching = has_bit(word, touching_bit);
-  if constexpr (B != Bond::none) load(&ContactMemory::set, m.face.set[0], m.face.set[1]);
-  if constexpr (B == Bond::softening) {
-    load(&ContactMemory::own, m.face.damage[0], m.face.damage[1]);
-    load(&ContactMemory::crushed, m.face.crushed[0], m.face.crushed[1]);
-    m.face.worn = has_bit(word, worn_bit);
-  }
+  int number = 0;
+  m.own.fields([&](Lanes& c0, Lanes& c1) {
+    const double* row[lane_count];
+    for (int i = 0; i < lane_count; ++i) row[i] = pass.law_before + pass.law_row[rows.row[i]].first + number;
+    load_columns(row, c0, c1);
+    number += 2;
+  });
   return m;
 }
 
-/// A response as rows again, to be written where they belong.
+/// A response as rows again, to be written where they belong. `pairs`: of numbers of the law's memory.
+template <std::size_t pairs>
 struct RowResponse {
-  RowPairs elastic, total, damping, active, slip_bits, damage, set, crushed, a0, a1, b0, b1;
-  TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m) {
+  RowPairs elastic, total, damping, active, slip_bits, a0, a1, b0, b1;
+  std::array<RowPairs, pairs> own;
+  TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m, const LaneMask& kept) {
     const LaneMask none{};
-    const LaneMask crushed = larger(m.crushed[0], m.crushed[1]) > Lanes{};
-    return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (m.worn & (none + worn_bit)) |
-                    (crushed & (none + crushed_bit)) | (none + touching_bit));
+    return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (kept & (none + kept_bit)) |
+                    (none + touching_bit));
   }
-  TRILITH_INLINE explicit RowResponse(const FaceResponse<Lanes>& r)
+  template <class M>
+  TRILITH_INLINE RowResponse(FaceResponse<Lanes, M>& r, const LaneMask& kept)
       : elastic(r.memory.shear_elastic[0], r.memory.shear_elastic[1]),
         total(r.memory.shear_total[0], r.memory.shear_total[1]),
         damping(r.memory.damping_force[0], r.memory.damping_force[1]),
         active(r.memory.active[0], r.memory.active[1]),
-        slip_bits(r.memory.slip, word_of(r.memory)),
-        damage(r.memory.damage[0], r.memory.damage[1]),
-        set(r.memory.set[0], r.memory.set[1]),
-        crushed(r.memory.crushed[0], r.memory.crushed[1]),
+        slip_bits(r.memory.slip, word_of(r.memory, kept)),
         a0(r.ax0, r.ay0),
         a1(r.ax1, r.ay1),
         b0(r.bx0, r.by0),
-        b1(r.bx1, r.by1) {}
+        b1(r.bx1, r.by1) {
+    std::size_t i = 0;
+    r.own.fields([&](const Lanes& c0, const Lanes& c1) { own[i++] = {c0, c1}; });
+  }
 };
 
-TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse& r, int i) {
+template <std::size_t pairs>
+TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse<pairs>& r, int i) {
   ContactMemory& after = pass.after[row];
   store_pair(after.shear_elastic, r.elastic.of(i));
   store_pair(after.shear_total, r.total.of(i));
   store_pair(after.damping_force, r.damping.of(i));
   store_pair(after.active, r.active.of(i));
   store_pair(&after.slip, r.slip_bits.of(i));
-  store_pair(after.own, r.damage.of(i));
-  store_pair(after.set, r.set.of(i));
-  store_pair(after.crushed, r.crushed.of(i));
+  after.damping_moment = 0;
+  if constexpr (pairs > 0) {
+    double* own = pass.law_after + pass.law_row[row].first;
+    for (std::size_t k = 0; k < pairs; ++k) store_pair(own + 2 * k, r.own[k].of(i));
+  }
   const NearPair& p = pass.pairs[row];
   const auto add = [&](int skin, const LanePair& force) {
     double* on = pass.skin_force[skin].data();
@@ -171,6 +181,14 @@ TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse& r, i
   add(p.a1, r.a1.of(i));
   add(p.b0, r.b0.of(i));
   add(p.b1, r.b1.of(i));
+}
+
+/// What stays where the faces of a row part.
+template <class K>
+void part_row(const Pass& pass, int row) {
+  pass.after[row] = pass.before[row].parted();
+  const std::uint32_t first = pass.law_row[row].first;
+  keep_law_memory<K>(K::parted(law_memory<K>(pass.law_before + first)), pass.law_after + first);
 }
 
 /// Energy given off by rows [J], added one after the other: a row that gives nothing changes no bit of a sum, so which
@@ -184,26 +202,18 @@ TRILITH_INLINE void add_lanes(double& sum, const LaneMask& counts, const Lanes& 
   for (int i = 0; i < lane_count; ++i) sum += v[i];
 }
 
-template <Bond B>
-TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Rows& rows,
-                                 const FaceMotion<Lanes>& motion, GivenOff& given) {
-  const LaneMemory memory = load_memory<B>(pass, rows);
-  const FaceResponse<Lanes> r = respond_face_motion<B>(motion, memory.face, law);
+template <class K>
+TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& rows, const FaceMotion<Lanes>& motion,
+                                 GivenOff& given) {
+  using M = typename K::template Memory<Lanes>;
+  const LaneMemory<M> memory = load_memory<M>(pass, rows);
+  FaceResponse<Lanes, M> r = respond_face_motion<K>(motion, memory.face, memory.own, law);
   const LaneMask found = rows.valid & r.is_face_pair, counts = found & (r.touching | memory.touching);
   add_lanes(given.damping, counts, r.lost_damping);
   add_lanes(given.friction, counts, r.lost_friction);
-  LaneMask turns = r.touching ^ memory.touching;
-  if constexpr (B != Bond::none) {
-    add_lanes(given.fracture, counts, r.lost_fracture);
-    turns |= (memory.face.bonds[0] ^ r.memory.bonds[0]) | (memory.face.bonds[1] ^ r.memory.bonds[1]);
-    if constexpr (B == Bond::softening) {
-      const FaceMemory<Lanes>&m = memory.face, &n = r.memory;
-      const Lanes none{};
-      turns |= (larger(m.damage[0], m.damage[1]) <= none) & (larger(n.damage[0], n.damage[1]) > none);
-      turns |= (larger(m.crushed[0], m.crushed[1]) <= none) & (larger(n.crushed[0], n.crushed[1]) > none);
-    }
-  }
-  const RowResponse out(r);
+  if constexpr (K::bonds) add_lanes(given.fracture, counts, r.lost_fracture);
+  const LaneMask turns = (r.touching ^ memory.touching) | K::turns(memory.face, memory.own, r.memory, r.own);
+  const RowResponse<law_numbers<K> / 2> out(r, K::template keeps<Lanes>(r.own));
   if (!any(flip(found & r.touching) | turns)) {  // as nearly always
     for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i);
     return;
@@ -218,14 +228,14 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const FaceLaw& law, const Row
     if (r.touching[i] != 0)
       write_row(pass, row, out, i);
     else
-      pass.after[row] = pass.before[row].parted();
+      part_row<K>(pass, row);
     if (turns[i] != 0) pass.work.turned.push_back(row);
   }
 }
 
-template <Bond B>
-TRILITH_INLINE void respond_batch(const Pass& pass, std::span<const int> rows) {
-  const FaceLaw law = pass.law;
+template <class K>
+TRILITH_INLINE void respond_batch(const Pass& pass, const K& kernel, std::span<const int> rows) {
+  const K law = kernel;
   GivenOff given;
   // In blocks, motions first: two short loops leave the processor more to do at once than one long one.
   constexpr std::size_t block = 16;
@@ -235,49 +245,50 @@ TRILITH_INLINE void respond_batch(const Pass& pass, std::span<const int> rows) {
     const auto rows_at = [&](std::size_t i) { return Rows(rows.data() + i, rows.size() - i); };
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) motion[k] = load_motion(pass, rows_at(i));
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k)
-      respond_rows<B>(pass, law, rows_at(i), motion[k], given);
+      respond_rows<K>(pass, law, rows_at(i), motion[k], given);
   }
   pass.work.given[EnergyTerm::contact_damping] += given.damping;
   pass.work.given[EnergyTerm::contact_friction] += given.friction;
   pass.work.given[EnergyTerm::contact_fracture] += given.fracture;
 }
 
-// One copy for wide registers and one for any machine: the same operations, so the same bits.
-[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_plain(const Pass& pass,
-                                                                               std::span<const int> rows) {
-  respond_batch<Bond::none>(pass, rows);
-}
-[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_brittle(const Pass& pass,
-                                                                                 std::span<const int> rows) {
-  respond_batch<Bond::brittle>(pass, rows);
-}
-[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void respond_softening(const Pass& pass,
-                                                                                   std::span<const int> rows) {
-  respond_batch<Bond::softening>(pass, rows);
+// For each law one copy for wide registers and one for any machine: the same operations, so the same bits.
+
+template <class K>
+void respond_narrow(const Pass& pass, const K& law, std::span<const int> rows) {
+  respond_batch<K>(pass, law, rows);
 }
 
-}  // namespace
-
-FaceLaw face_law(const Model<2>& model, int law, double dt) {
-  return std::visit(
-      [&](const auto& l) {
-        using L = std::decay_t<decltype(l)>;
-        const double t = model.thickness;
-        FaceLaw out{l.kn * t, l.ks * t, l.mu, l.beta, 0, 0, dt, false};
-        if constexpr (L::bond != Bond::none) out.cohesion = l.cohesion * t, out.tension = l.tension * t;
-        if constexpr (L::bond == Bond::brittle) out.loss_by_point = l.loss_by_point != 0;
-        if constexpr (L::bond == Bond::softening) {
-          out.last_opening = 2 * l.energy_tension / l.tension;
-          out.last_slip = 2 * l.energy_shear / l.cohesion;
-          out.dilation = l.dilation, out.dilation_slip = l.dilation_slip;
-          out.crushing = l.compression / l.kn, out.crushing_depth = l.crushing_depth;
-        }
-        return out;
-      },
-      model.laws[law]);
+#ifdef __x86_64__
+template <class K>
+[[gnu::target("avx2")]] void respond_wide(const Pass& pass, const K& law, std::span<const int> rows) {
+  respond_batch<K>(pass, law, rows);
+}
+template <class K>
+[[gnu::target("arch=x86-64-v4")]] void respond_widest(const Pass& pass, const K& law, std::span<const int> rows) {
+  respond_batch<K>(pass, law, rows);
 }
 
-namespace {
+enum class Registers { narrow, wide, widest };
+
+Registers registers_here() {
+  if (!__builtin_cpu_supports("avx2")) return Registers::narrow;
+  const bool v4 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                  __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+                  __builtin_cpu_supports("avx512cd");
+  return v4 ? Registers::widest : Registers::wide;
+}
+#endif
+
+template <class K>
+void respond_as_here(const Pass& pass, const K& law, std::span<const int> rows) {
+#ifdef __x86_64__
+  static const Registers here = registers_here();
+  if (here == Registers::widest) return respond_widest<K>(pass, law, rows);
+  if (here == Registers::wide) return respond_wide<K>(pass, law, rows);
+#endif
+  respond_narrow<K>(pass, law, rows);
+}
 
 /// Rows of a batch: those with one pair of facing faces, and those of several of which one is chosen now. In the order
 /// of rows either way, so that sums do not depend on when the pairs were found.
@@ -303,24 +314,11 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
         sort_out(state, work, facing_now(model, state, work, batch), work.face_rows, work.fresh_rows);
     if (count == 0) continue;
     const std::span<const int> rows(work.face_rows.data(), count);
-    const Pass pass{work.skin.data(),
-                    work.pairs.data(),
-                    state.memory.data(),
-                    work.memory.data(),
-                    work.skin_force.data(),
-                    face_law(model, batch.law, dt),
-                    work};
-    switch (bond_of(model.laws[batch.law])) {
-      case Bond::none:
-        respond_plain(pass, rows);
-        break;
-      case Bond::brittle:
-        respond_brittle(pass, rows);
-        break;
-      case Bond::softening:
-        respond_softening(pass, rows);
-        break;
-    }
+    const Pass pass{work.skin.data(),     work.pairs.data(),         state.memory.data(),
+                    work.memory.data(),   state.law_row.data(),      state.law_memory.data(),
+                    work.law_memory.data(), work.skin_force.data(), work};
+    with_kernel(law_in_use(model, batch.law, dt),
+                [&]<class K>(const K& law) { respond_as_here<K>(pass, law, rows); });
     clock.mark_law(batch.law);
   }
 }

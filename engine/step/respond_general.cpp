@@ -5,7 +5,6 @@
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
-#include "step/stored_energy.hpp"
 
 namespace trilith {
 
@@ -61,18 +60,28 @@ void add_to_skin(const Model<2>& model, int piece, const Corners& force, Work<2>
   for (int c = 0; c < model.corners_of(piece); ++c) work.skin_force[model.corner_skin[first + c]] += force[c];
 }
 
-/// What two faces held that their contact does not as one of general shape: by dilation, and by a half that is crushed
-/// less than the other.
-void book_change_of_shape(Work<2>& work, const NearPair& pair, const ContactMemory& before, const FaceLaw& law) {
-  if (law.dilation > 0) work.given[EnergyTerm::contact_friction] += dilation_energy(work, pair, before, law);
-  if (law.crushing > 0) work.given[EnergyTerm::contact_fracture] += crushing_energy(work, pair, before, law);
+/// What two faces held that their contact does not as one of general shape.
+void book_change_of_shape(Work<2>& work, const NearPair& pair, const Remembered& before, const LawInUse& use) {
+  const ShapeLoss lost = with_kernel(use, [&]<class K>(const K& law) {
+    return law.leave_faces(face_overlap(work, pair), before.contact, law_memory<K>(before.law));
+  });
+  work.given[EnergyTerm::contact_friction] += lost.friction;
+  work.given[EnergyTerm::contact_fracture] += lost.fracture;
+}
+
+/// What stays where the pieces of a row do not touch.
+void part_row(const State<2>& state, Work<2>& work, int row) {
+  work.memory[row] = state.memory[row].parted();
+  with_kernel_type(state.law_row[row].place, [&]<class K>() {
+    keep_law_memory<K>(K::parted(law_memory<K>(state.law_numbers(row))), trial_law_numbers(state, work, row));
+  });
 }
 
 void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, int row, double dt) {
   const ContactMemory& before = state.memory[row];
   ContactMemory& after = work.memory[row];
   const bool was = (before.state & contact_touching) != 0;
-  after = before.parted();
+  part_row(state, work, row);
   if (!was && work.travel < work.asleep_until[row]) return;
   const NearPair& pair = work.pairs[row];
   if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) {
@@ -85,10 +94,12 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   const PlacedPiece b = placed_piece(model, state, work, pair.piece_b, corners_b);
   std::fill_n(on_a.begin(), a.corner.size(), Vec2::Zero());
   std::fill_n(on_b.begin(), b.corner.size(), Vec2::Zero());
-  const FaceLaw law = face_law(model, pair.law, dt);
-  const OverlapResponse r = respond_overlap(a, b, before, law, on_a, on_b);
-  if (was && (before.state & contact_general) == 0) book_change_of_shape(work, pair, before, law);
-  if (was != r.touching || before.bonds != 0 || (before.state & contact_crushed) != (r.memory.state & contact_crushed))
+  const LawInUse law = law_in_use(model, pair.law, dt);
+  const Remembered remembered{before, state.law_numbers(row)};
+  const OverlapResponse r =
+      respond_overlap(a, b, remembered, law, on_a, on_b, trial_law_numbers(state, work, row));
+  if (was && (before.state & contact_general) == 0) book_change_of_shape(work, pair, remembered, law);
+  if (was != r.touching || before.bonds != 0 || (before.state & contact_kept) != (r.memory.state & contact_kept))
     work.turned.push_back(row);
   work.given[EnergyTerm::contact_damping] += r.lost_damping;
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
@@ -99,10 +110,9 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
     return;
   }
   after = r.memory;
-  if (law.dilation > 0) after.state |= contact_worn;
   add_to_skin(model, pair.piece_a, on_a, work);
   add_to_skin(model, pair.piece_b, on_b, work);
-  work.general_touching.push_back({row, r.length, r.centre, r.force});
+  work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
 }
 
 }  // namespace

@@ -38,8 +38,13 @@ void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, double b
 struct ContactSprings {
   Vec2 at, normal;
   double length;
-  const FaceLaw& law;
+  ContactTangent law;
 };
+
+/// Of law `law` at an overlap of `depth` [m] or less.
+ContactTangent tangent(const Model<2>& model, int law, double depth) {
+  return with_kernel(law_in_use(model, law), [&](const auto& kernel) { return kernel.tangent(depth); });
+}
 
 /// On the two end nodes of a face of a deformable body: rows of w w' + (l/L)^2/12 [1 -1; -1 1] for the shares w of the
 /// contact's middle, by their sums without signs, and the smaller mass for both.
@@ -51,8 +56,8 @@ void add_to_face(const Model<2>& model, const std::array<int, 2>& node, const Ve
   for (const int i : {0, 1}) {
     const double k = (i == 0 ? 1 - share : share) + spread, scaled = weight * k * model.mass[node[i]] / least;
     const Vec2 none = Vec2::Zero();
-    add_spring(locals[node[i]], c.normal, none, c.law.kn * c.length, c.law.beta, 0, none, scaled);
-    add_spring(locals[node[i]], left_of(c.normal), none, c.law.ks * c.length, c.law.beta, 0, none, scaled);
+    add_spring(locals[node[i]], c.normal, none, c.law.normal * c.length, c.law.beta, 0, none, scaled);
+    add_spring(locals[node[i]], left_of(c.normal), none, c.law.shear * c.length, c.law.beta, 0, none, scaled);
   }
 }
 
@@ -75,7 +80,7 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
                  const ContactSprings& c, const std::array<std::array<int, 2>, 2>& face, std::vector<Local>& locals) {
   const Vec2 &at = c.at, &n = c.normal, t = left_of(n);
   const double length = c.length;
-  const FaceLaw& law = c.law;
+  const ContactTangent& law = c.law;
   const int piece[2] = {pair.piece_a, pair.piece_b},
             body[2] = {model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]};
   const int node[2] = {model.bodies[body[0]].first_node, model.bodies[body[1]].first_node};
@@ -90,8 +95,8 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
     }
     Local& local = locals[node[side]];
     const Vec2 arm = at - state.position[node[side]];
-    add_spring(local, n, arm, law.kn * length, law.beta, length, t, weight);
-    add_spring(local, t, arm, law.ks * length, law.beta, length, t, weight);
+    add_spring(local, n, arm, law.normal * length, law.beta, length, t, weight);
+    add_spring(local, t, arm, law.shear * length, law.beta, length, t, weight);
   }
 }
 
@@ -102,7 +107,7 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
     const NearPair& p = work.pairs[row];
     const FaceOverlap<double> o = face_overlap(work, p);
     const Vec2 d(o.dx, o.dy), n(o.dy, -o.dx), origin(work.skin[p.a0].x, work.skin[p.a0].y);
-    const FaceLaw law = face_law(model, p.law, 0);
+    const ContactTangent law = tangent(model, p.law, -std::min(o.gap_lo, o.gap_hi));
     add_contact(model, state, work, p, {origin + 0.5 * (o.lo + o.hi) * d, n, o.shared, law},
                 {{{p.a0, p.a1}, {p.b0, p.b1}}}, locals);
   }
@@ -110,7 +115,7 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
     const double size = g.force.norm();
     if (!(size > 0)) continue;
     const NearPair& p = work.pairs[g.row];
-    const FaceLaw law = face_law(model, p.law, 0);
+    const ContactTangent law = tangent(model, p.law, g.depth);
     add_contact(model, state, work, p, {g.centre, g.force / size, g.length, law}, {{{-1, -1}, {-1, -1}}}, locals);
   }
 }
@@ -185,9 +190,9 @@ double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
 }
 
 /// A face of a deformable body in full contact: what its end with the smaller mass feels, per mass.
-void add_stiffer_face(const Model<2>& model, int from, int to, const FaceLaw& law, Local& stiffest) {
+void add_stiffer_face(const Model<2>& model, int from, int to, const ContactTangent& law, Local& stiffest) {
   const double length = (model.start_position[to] - model.start_position[from]).norm();
-  const double k = 2 * (0.5 + 1.0 / 6) * length * std::max(law.kn, law.ks) / std::min(model.mass[from], model.mass[to]);
+  const double k = 2 * (0.5 + 1.0 / 6) * length * std::max(law.normal, law.shear) / std::min(model.mass[from], model.mass[to]);
   if (k <= stiffest.k(0, 0)) return;
   stiffest.k(0, 0) = k;
   stiffest.c(0, 0) = law.beta * k;
@@ -202,7 +207,7 @@ Local on_stiffest_face(const Model<2>& model, int body) {
   for (int other = 0; other < model.surfaces; ++other) {
     const int law = model.law_of[b.surface * model.surfaces + other];
     if (law < 0) continue;
-    const FaceLaw numbers = face_law(model, law, 0);
+    const ContactTangent numbers = tangent(model, law, 0);
     for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
       for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
         if (!model.edge_is_face[first + c]) continue;
@@ -215,8 +220,8 @@ Local on_stiffest_face(const Model<2>& model, int body) {
         const double length = (q - p).norm();
         const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);
         Local local;
-        add_spring(local, n, arm, numbers.kn * length, numbers.beta, length, t, 2);
-        add_spring(local, t, arm, numbers.ks * length, numbers.beta, length, t, 2);
+        add_spring(local, n, arm, numbers.normal * length, numbers.beta, length, t, 2);
+        add_spring(local, t, arm, numbers.shear * length, numbers.beta, length, t, 2);
         if (local.k.trace() > stiffest.k.trace()) stiffest = local;
       }
   }

@@ -6,7 +6,7 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
-#include "contact/memory.hpp"
+#include "contact/list.hpp"
 #include "world/energy.hpp"
 #include "world/model.hpp"
 
@@ -47,6 +47,8 @@ struct State {
   // Contacts, sorted by key; every one that remembers something, and any number of empty ones.
   std::vector<ContactKey> contact;      ///< [contact]
   std::vector<ContactMemory> memory;    ///< [contact]
+  std::vector<LawRow> law_row;          ///< [contact]
+  std::vector<double> law_memory;       ///< what the laws remember beside that, row after row
   std::vector<Parted> parted;           ///< in the order of parting, then by key
   std::vector<ContactKey> passed;       ///< of bodies, not pieces: one has been seen too deep in the other; sorted
   std::vector<BearingMemory> bearing;   ///< [bearing]
@@ -57,6 +59,10 @@ struct State {
   std::vector<std::uint8_t> left;       ///< [body] 1: has left Model::bounds; it stands still there and touches nothing
 
   Energy given;  ///< running sums of the ledger (the terms that are not found from the state)
+
+  /// What the law of a contact remembers.
+  [[nodiscard]] const double* law_numbers(std::size_t row) const { return law_memory.data() + law_row[row].first; }
+  [[nodiscard]] double* law_numbers(std::size_t row) { return law_memory.data() + law_row[row].first; }
 };
 
 /// The state at the model's start: at rest or with the start velocities, bonds made where bonded faces meet.

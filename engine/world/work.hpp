@@ -47,6 +47,7 @@ struct BodyRow {
 struct GeneralContact {
   int row;
   double length;  ///< length in contact [m]
+  double depth;   ///< greatest overlap [m]
   Vec2 centre;    ///< centre of pressure [m]
   Vec2 force;     ///< on the second body [N]
 };
@@ -75,6 +76,7 @@ struct Work {
 
   // Writer: respond
   std::vector<ContactMemory> memory;             ///< [contact] trial
+  std::vector<double> law_memory;                ///< in the rows of State::law_row; trial
   std::vector<BearingMemory> bearing;            ///< [bearing] trial
   std::vector<int> face_rows, fresh_rows;        ///< of a batch: rows that touched or may touch now; the latter alone
   std::vector<int> general_now;                  ///< rows whose shape is general at this step

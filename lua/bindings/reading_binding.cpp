@@ -94,7 +94,7 @@ int contacts(lua_State* L) {
   lua_newtable(L);
   lua_Integer count = 0;
   std::vector<TouchingContact> touching;
-  contact_resultants(s.model(), s.work(), touching);
+  contact_resultants(s.model(), s.state(), s.work(), touching);
   for (const TouchingContact& c : touching) {
     const int a = c.body_a, b = c.body_b;
     if (given && !(has(side[0], a) && has(side[1], b)) && !(has(side[0], b) && has(side[1], a))) continue;

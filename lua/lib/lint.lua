@@ -39,8 +39,8 @@ end
 
 function checks.laws(model, add)
   for _, law in ipairs(core.contact_laws(model)) do
-    local kind, name = tostring(law):match "^(%w+)", law.name
-    if kind ~= "frictional" and law.mu > 0 and law.tension > law.cohesion / law.mu then
+    local name = law.name
+    if law.tension and law.mu > 0 and law.tension > law.cohesion / law.mu then
       add(("law '%s': tension %g Pa is above cohesion/mu = %g Pa, so shear fails first in pure tension; is that meant?")
         :format(name, law.tension, law.cohesion / law.mu))
     end

@@ -3,6 +3,7 @@
 
 #include "base/space.hpp"
 #include "contact/face_pair.hpp"
+#include "contact/list.hpp"
 #include "shape/random_convex.hpp"
 
 namespace trilith::testing {
@@ -55,6 +56,12 @@ inline Faces random_faces(std::mt19937_64& bits, double low, double high, double
   return turned(flat, Turn(random_between(bits, -M_PI, M_PI)));
 }
 
+/// One step of two faces whose law remembers nothing, or has not so far.
+template <class K>
+FaceResponse<double, LawMemory<K>> respond_fresh(const Faces& f, const FaceMemory<double>& before, const K& law) {
+  return respond_face_pair<K>(f.a, f.b, 1.0, before, LawMemory<K>{}, law);
+}
+
 inline FaceMemory<double> no_memory(bool bonded = false) {
   return {{0, 0}, {0, 0}, {0, 0}, {0, 0}, 0, {bonded, bonded}};
 }
@@ -73,16 +80,20 @@ inline FaceMemory<double> random_memory(std::mt19937_64& bits, double force) {
   return m;
 }
 
-inline Vec2 on_a0(const FaceResponse<double>& r) {
+template <class M>
+Vec2 on_a0(const FaceResponse<double, M>& r) {
   return {r.ax0, r.ay0};
 }
-inline Vec2 on_a1(const FaceResponse<double>& r) {
+template <class M>
+Vec2 on_a1(const FaceResponse<double, M>& r) {
   return {r.ax1, r.ay1};
 }
-inline Vec2 on_b0(const FaceResponse<double>& r) {
+template <class M>
+Vec2 on_b0(const FaceResponse<double, M>& r) {
   return {r.bx0, r.by0};
 }
-inline Vec2 on_b1(const FaceResponse<double>& r) {
+template <class M>
+Vec2 on_b1(const FaceResponse<double, M>& r) {
   return {r.bx1, r.by1};
 }
 

@@ -61,18 +61,19 @@ TEST_CASE("a bond stronger in tension than its shear limit allows is accepted wi
 namespace {
 
 /// A bonded joint of 1 m, opened by `gap` at its middle and turned by `slope`.
-FaceResponse<double> opened(double gap, double slope, double slip, bool by_point, const FaceMemory<double>& before) {
-  const FaceLaw law{1e8, 5e7, 0.5, 0, 1e6, 2e4, 1e-3, by_point};
+using BondResponse = FaceResponse<double, LawMemory<Bonded::Kernel>>;
+BondResponse opened(double gap, double slope, double slip, bool by_point, const FaceMemory<double>& before) {
+  const Bonded::Kernel law({1e8, 5e7, 0.5, 0, 1e6, 2e4, by_point ? 1.0 : 0.0}, 1, 1e-3);
   const Vec2 speed(slip / law.dt, 0);
   const Faces f{rigid_face({1, 0}, {0, 0}, Vec2::Zero(), 0),
                 rigid_face({0, gap - 0.5 * slope}, {1, gap + 0.5 * slope}, speed, 0)};
-  return respond_face_pair<Bond::brittle>(f.a, f.b, 1.0, before, law);
+  return respond_fresh(f, before, law);
 }
 
 }  // namespace
 
 TEST_CASE("C7: below its strength a bond pulls with kn times the gap, above it with nothing") {
-  const FaceResponse<double> below = opened(1.99e-4, 0, 0, false, no_memory(true)),
+  const BondResponse below = opened(1.99e-4, 0, 0, false, no_memory(true)),
                              above = opened(2.01e-4, 0, 0, false, no_memory(true));
   CHECK(near((on_b0(below) + on_b1(below)).y(), -1.99e4, 1e-12));
   CHECK(below.memory.bonds[0]);
@@ -84,7 +85,7 @@ TEST_CASE("C7: below its strength a bond pulls with kn times the gap, above it w
 
 TEST_CASE("C7: where one end is pulled beyond its strength, the whole face is lost or half of it, as chosen") {
   // Right end at 3e-4, middle at 1e-4, left end pressed.
-  const FaceResponse<double> whole = opened(1e-4, 4e-4, 0, false, no_memory(true)),
+  const BondResponse whole = opened(1e-4, 4e-4, 0, false, no_memory(true)),
                              half = opened(1e-4, 4e-4, 0, true, no_memory(true));
   CHECK_FALSE((whole.memory.bonds[0] || whole.memory.bonds[1]));
   // Halves are counted from the start of the first face, which is at the right.
@@ -102,9 +103,9 @@ TEST_CASE("C7: a lost bond does not come back, and slides by friction alone") {
   FaceMemory<double> memory = opened(2.01e-4, 0, 0, false, no_memory(true)).memory;
   memory = opened(-1e-4, 0, 0, false, memory).memory;
   CHECK_FALSE(memory.bonds[0]);
-  const FaceResponse<double> pulled = opened(1e-5, 0, 0, false, memory);
+  const BondResponse pulled = opened(1e-5, 0, 0, false, memory);
   CHECK_FALSE(pulled.touching);
-  const FaceResponse<double> slid = opened(-1e-4, 0, 1e-3, false, memory);
+  const BondResponse slid = opened(-1e-4, 0, 1e-3, false, memory);
   CHECK(near(std::abs((on_b0(slid) + on_b1(slid)).x()), 0.5 * 1e4, 1e-12));
   CHECK(slid.lost_friction > 0);
 }

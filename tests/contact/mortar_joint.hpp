@@ -14,16 +14,12 @@ namespace trilith::testing {
 struct MortarJoint {
   static constexpr double kn = 1e9, ks = 4e8, mu = 0.7, cohesion = 2e5, tension = 1e5, gi = 20, gii = 125;
 
-  static FaceLaw mortar(double dt = 1e-4) {
-    FaceLaw law{kn, ks, mu, 0, cohesion, tension, dt, true};
-    law.last_opening = 2 * gi / tension;
-    law.last_slip = 2 * gii / cohesion;
-    return law;
-  }
+  static Cohesive mortar() { return {kn, ks, mu, 0, cohesion, tension, gi, gii, 0, 0}; }
 
-  FaceLaw law = mortar();
+  Cohesive::Kernel law{mortar(), 1, 1e-4};
   Turn turn{0.0};
   FaceMemory<double> memory = no_memory(true);
+  LawMemory<Cohesive::Kernel> own;
   double gap = 0, slip = 0;                                  // [m]
   double normal = 0, shear = 0;                              // pulling apart and along, on b [N]
   double work = 0, fracture = 0, friction = 0, damping = 0;  // [J]
@@ -34,14 +30,14 @@ struct MortarJoint {
     const Faces f = turned({rigid_face({1, 0}, {0, 0}, still, 0),
                             rigid_face({-1 + next_slip, next_gap}, {2 + next_slip, next_gap}, speed, 0)},
                            turn);
-    const FaceResponse<double> r = respond_face_pair<Bond::softening>(f.a, f.b, 1.0, memory, law);
+    const auto r = respond_face_pair(f.a, f.b, 1.0, memory, own, law);
     REQUIRE(r.is_face_pair);
     const Vec2 on_b = turn.undo(Vec2(on_b0(r) + on_b1(r)));
     work -= 0.5 * (on_b.y() - normal) * (next_gap - gap) + 0.5 * (on_b.x() - shear) * (next_slip - slip);
     normal = -on_b.y(), shear = -on_b.x();
     fracture += r.lost_fracture, friction += r.lost_friction, damping += r.lost_damping;
     memory = r.touching ? r.memory : no_memory(false);
-    for (const int h : {0, 1}) memory.crushed[h] = r.memory.crushed[h];
+    own = r.touching ? r.own : law.parted(r.own);
     gap = next_gap, slip = next_slip;
   }
   /// In `steps` equal steps; `see` after each.
@@ -53,13 +49,13 @@ struct MortarJoint {
       see();
     }
   }
-  [[nodiscard]] double damage() const { return std::max(memory.damage[0], memory.damage[1]); }
+  [[nodiscard]] double damage() const { return std::max(own.damage[0], own.damage[1]); }
   /// Elastic energy of the joint, uniformly open or closed [J].
   [[nodiscard]] double stored() const {
     double sum = 0;
     for (const int h : {0, 1}) {
-      const double left = gap + memory.crushed[h];
-      const double hold = left <= 0 ? 1 : memory.bonds[h] ? share_held(1 - memory.damage[h], law) : 0;
+      const double left = gap + own.crushed[h];
+      const double hold = left <= 0 ? 1 : memory.bonds[h] ? law.held(1 - own.damage[h]) : 0;
       sum += 0.5 * kn * hold * left * left * 0.5;
       if (memory.active[h] > 0)
         sum += 0.5 * memory.shear_elastic[h] * memory.shear_elastic[h] / (ks * memory.active[h]);

@@ -17,7 +17,7 @@ using namespace trilith::testing;
 namespace {
 
 constexpr double stiffness = 1e8;
-constexpr FaceLaw springs{stiffness, 0, 0, 0, 0, 0, 1e-4, false};
+const ContactLaw springs = Frictional{stiffness, 0, 0, 0}, rough = Frictional{stiffness, 0.5 * stiffness, 0.6, 1e-3};
 
 /// A body of convex pieces, in the axes of its node.
 struct Shape {
@@ -51,7 +51,7 @@ struct Felt {
   bool touching = false;
 };
 
-Felt feel(const Shape& a, const Pose& pa, const Shape& b, const Pose& pb, const FaceLaw& law) {
+Felt feel(const Shape& a, const Pose& pa, const Shape& b, const Pose& pb, const ContactLaw& law) {
   Felt felt;
   for (std::size_t i = 0; i < a.pieces.size(); ++i)
     for (std::size_t j = 0; j < b.pieces.size(); ++j) {
@@ -60,9 +60,9 @@ Felt feel(const Shape& a, const Pose& pa, const Shape& b, const Pose& pb, const 
       const PlacedPiece piece_a{ca, a.is_face[i], pa.place, pa.velocity, pa.spin};
       const PlacedPiece piece_b{cb, b.is_face[j], pb.place, pb.velocity, pb.spin};
       std::vector<Vec2> on_a(ca.size(), Vec2::Zero()), on_b(cb.size(), Vec2::Zero());
-      const OverlapResponse r = respond_overlap(piece_a, piece_b, {}, law, on_a, on_b);
+      const OverlapResponse r = respond_overlap(piece_a, piece_b, {{}, nullptr}, {law, 1, 1e-4}, on_a, on_b, nullptr);
       felt.touching = felt.touching || r.touching;
-      felt.energy += overlap_energy(piece_a, piece_b, law.kn);
+      felt.energy += overlap_energy(piece_a, piece_b, {law});
       felt.on_b_normal += r.force;
       for (std::size_t c = 0; c < ca.size(); ++c)
         felt.on_a += on_a[c], felt.moment_a += cross(Vec2(ca[c] - pa.place), on_a[c]);
@@ -143,7 +143,6 @@ TEST_CASE("the general contact's force is the falling slope of its energy, for b
 
 TEST_CASE("the general contact's forces are equal and opposite, in sum and in moment, with damping and friction too") {
   std::mt19937_64 bits(29);
-  const FaceLaw rough{stiffness, 0.5 * stiffness, 0.6, 1e-3, 0, 0, 1e-4, false};
   for (int i = 0; i < 400; ++i) {
     const Shape a(random_convex(bits)), b(random_convex(bits));
     const Pose pa{Vec2::Zero(), 0.3, {0.2, -0.1}, 0.5}, pb = random_pose(bits, a, b, 0.9);
@@ -165,7 +164,6 @@ TEST_CASE("the general contact does not depend on the axes") {
     const Turn turn(angle);
     const Pose ta{turn.apply(pa.place), pa.angle + angle, turn.apply(pa.velocity), pa.spin};
     const Pose tb{turn.apply(pb.place), pb.angle + angle, turn.apply(pb.velocity), pb.spin};
-    const FaceLaw rough{stiffness, 0.5 * stiffness, 0.6, 1e-3, 0, 0, 1e-4, false};
     const Felt one = feel(a, pa, b, pb, rough), two = feel(a, ta, b, tb, rough);
     CHECK((turn.apply(one.on_b) - two.on_b).norm() <= 1e-8 * (1 + one.pressure));
     CHECK(std::abs(one.moment_b - two.moment_b) <= 1e-8 * (1 + one.pressure));
@@ -185,7 +183,7 @@ TEST_CASE("pieces apart feel nothing, and are told a distance that is not too la
     std::vector<Vec2> on_a(a.pieces[0].size(), Vec2::Zero()), on_b(cb.size(), Vec2::Zero());
     const OverlapResponse r =
         respond_overlap({a.pieces[0], a.is_face[0], Vec2::Zero(), Vec2::Zero(), 0},
-                        {cb, b.is_face[0], pb.place, pb.velocity, pb.spin}, {}, springs, on_a, on_b);
+                        {cb, b.is_face[0], pb.place, pb.velocity, pb.spin}, {{}, nullptr}, {springs, 1, 1e-4}, on_a, on_b, nullptr);
     CHECK_FALSE(r.touching);
     CHECK(r.separation > 0);
     CHECK(r.separation <= separation * (1 + 1e-12));
@@ -202,7 +200,7 @@ TEST_CASE("for flat faces the general contact has the force of the face contact,
     const Felt felt = feel(a, {}, b, pb, springs);
     const Faces f{rigid_face({2, 0}, {-2, 0}, Vec2::Zero(), 0),
                   rigid_face({-0.4, -depth}, {0.6, -depth}, Vec2::Zero(), 0)};
-    const FaceResponse<double> r = respond_face_pair<Bond::none>(f.a, f.b, 1.0, no_memory(), springs);
+    const auto r = respond_fresh(f, no_memory(), Coulomb(std::get<Frictional>(springs), 1, 1e-4));
     const double face_force = (on_b0(r) + on_b1(r)).y();
     CHECK(near(face_force, stiffness * depth, 1e-12));
     CHECK(near(felt.on_b.y(), face_force, depth));

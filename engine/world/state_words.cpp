@@ -1,0 +1,221 @@
+#include "world/state_words.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace trilith {
+namespace {
+
+constexpr std::uint64_t pack(std::uint32_t high, std::uint32_t low) {
+  return std::uint64_t{high} << 32 | low;
+}
+constexpr std::uint32_t high_of(std::uint64_t word) {
+  return static_cast<std::uint32_t>(word >> 32);
+}
+constexpr std::uint32_t low_of(std::uint64_t word) {
+  return static_cast<std::uint32_t>(word);
+}
+
+/// Puts a state's parts into words.
+class Writer {
+ public:
+  std::vector<std::uint64_t> words;
+
+  void number(const double& v) { words.push_back(std::bit_cast<std::uint64_t>(v)); }
+  void whole(const std::int64_t& v) { words.push_back(std::bit_cast<std::uint64_t>(v)); }
+  void key(const ContactKey& v) { words.push_back(v); }
+  void flag(const std::uint8_t& v) { words.push_back(v); }
+  template <class T, class U>
+  void pair(const T& high, const U& low) {
+    words.push_back(pack(static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(low)));
+  }
+  template <class Rows>
+  std::size_t count(const Rows& rows) {
+    words.push_back(rows.size());
+    return rows.size();
+  }
+  template <class Rows>
+  std::size_t open_count(const Rows& rows, std::size_t /*least*/) {
+    return count(rows);
+  }
+  void contacts(const State<2>& s);
+};
+
+/// Takes them out again; says what is wrong where they cannot be.
+class Reader {
+ public:
+  Reader(std::span<const std::uint64_t> words, std::string owner) : words_(words), owner_(std::move(owner)) {}
+
+  void number(double& v) {
+    v = std::bit_cast<double>(next());
+    if (!std::isfinite(v)) fail("holds a number that is not finite");
+  }
+  void whole(std::int64_t& v) {
+    v = std::bit_cast<std::int64_t>(next());
+    if (v < 0) fail("holds a negative number of steps");
+  }
+  void key(ContactKey& v) { v = next(); }
+  void flag(std::uint8_t& v) {
+    const std::uint64_t word = next();
+    if (word > 1) fail("holds a mark that is neither 0 nor 1");
+    v = static_cast<std::uint8_t>(word);
+  }
+  template <class T, class U>
+  void pair(T& high, U& low) {
+    const std::uint64_t word = next();
+    high = static_cast<T>(high_of(word));
+    low = static_cast<U>(low_of(word));
+  }
+  /// Reads a count that must be that of `rows`.
+  template <class Rows>
+  std::size_t count(const Rows& rows) {
+    if (next() != rows.size()) fail("has other numbers of rows than the model");
+    return rows.size();
+  }
+  /// Reads a count of rows of at least `least` words each, and makes room for them.
+  template <class Rows>
+  std::size_t open_count(Rows& rows, std::size_t least) {
+    const std::uint64_t n = next();
+    if (n > words_.size() / least) fail("is too short for what it announces");
+    rows.resize(static_cast<std::size_t>(n));
+    return rows.size();
+  }
+  void contacts(State<2>& s);
+  void done() const {
+    if (at_ != words_.size()) fail("is longer than its contents");
+  }
+  [[noreturn]] void fail(std::string_view what) const {
+    throw InputError(fmt::format("{} {}; it is damaged, take an earlier one", owner_, what));
+  }
+
+ private:
+  std::uint64_t next() {
+    if (at_ >= words_.size()) fail("is too short for what it announces");
+    return words_[at_++];
+  }
+  std::span<const std::uint64_t> words_;
+  std::size_t at_ = 0;
+  std::string owner_;
+};
+
+/// One contact: its key, what every contact remembers, whose law it is and what that remembers.
+template <class File, class Memory>
+void walk_memory(File& file, Memory& m) {
+  ContactMemory::fields(
+      m, [&](auto& v) { file.number(v); }, [&](auto& bonds, auto& state) { file.pair(bonds, state); });
+}
+
+void Writer::contacts(const State<2>& s) {
+  std::size_t kept = 0;
+  for (const ContactMemory& m : s.memory) kept += m.empty() ? 0 : 1;
+  words.push_back(kept);
+  for (std::size_t row = 0; row < s.memory.size(); ++row) {
+    if (s.memory[row].empty()) continue;
+    key(s.contact[row]);
+    walk_memory(*this, s.memory[row]);
+    const std::uint32_t place = s.law_row[row].place, numbers = law_number_counts[place];
+    pair(place, numbers);
+    for (std::uint32_t k = 0; k < numbers; ++k) number(s.law_numbers(row)[k]);
+  }
+}
+
+void Reader::contacts(State<2>& s) {
+  const std::size_t count = open_count(s.contact, 13);
+  s.memory.resize(count), s.law_row.resize(count);
+  for (std::size_t row = 0; row < count; ++row) {
+    key(s.contact[row]);
+    walk_memory(*this, s.memory[row]);
+    std::uint32_t numbers = 0;
+    pair(s.law_row[row].place, numbers);
+    if (s.law_row[row].place >= law_number_counts.size() || numbers != law_number_counts[s.law_row[row].place])
+      fail("has a contact of a law that is not there");
+    s.law_row[row].first = static_cast<std::uint32_t>(s.law_memory.size());
+    s.law_memory.resize(s.law_memory.size() + numbers);
+    for (std::uint32_t k = 0; k < numbers; ++k) number(s.law_numbers(row)[k]);
+  }
+}
+
+/// Every field of a state, in order, for the writer and for the reader alike. `S`: State<2>, const or not.
+template <class File, class S>
+void walk(File& file, S& s) {
+  file.number(s.time), file.whole(s.step), file.number(s.dt), file.number(s.safety), file.number(s.last_dt);
+  for (std::size_t n = 0, nodes = file.count(s.position); n < nodes; ++n) {
+    file.number(s.position[n].x()), file.number(s.position[n].y()), file.number(s.rotation[n]);
+    file.number(s.velocity[n].x()), file.number(s.velocity[n].y()), file.number(s.spin[n]);
+  }
+  file.contacts(s);
+  for (std::size_t i = 0, n = file.open_count(s.parted, 2); i < n; ++i)
+    file.key(s.parted[i].contact), file.number(s.parted[i].time);
+  for (std::size_t i = 0, n = file.open_count(s.passed, 1); i < n; ++i) file.key(s.passed[i]);
+  for (std::size_t i = 0, n = file.count(s.bearing); i < n; ++i) {
+    file.pair(s.bearing[i].status, s.bearing[i].failed_direction);
+    for (auto& d : s.bearing[i].direction)
+      for (auto* v : {&d.inner, &d.force, &d.damping, &d.travelled, &d.compression}) file.number(*v);
+  }
+  for (std::size_t i = 0, n = file.count(s.plastic); i < n; ++i) {
+    auto& p = s.plastic[i];
+    for (auto* v : {&p.xx, &p.yy, &p.zz, &p.xy, &p.measure}) file.number(*v);
+  }
+  for (std::size_t i = 0, n = file.count(s.seat_lost); i < n; ++i) file.flag(s.seat_lost[i]);
+  for (std::size_t i = 0, n = file.count(s.moved_at); i < n; ++i) file.number(s.moved_at[i]), file.flag(s.resting[i]);
+  for (std::size_t i = 0, n = file.count(s.left); i < n; ++i) file.flag(s.left[i]);
+  for (std::size_t i = 0, n = file.count(s.given.value); i < n; ++i) file.number(s.given.value[i]);
+}
+
+// What a state that was read must be beside whole: of this model.
+
+bool is_contact_of(const Model<2>& model, ContactKey key) {
+  return first_piece(key) >= 0 && first_piece(key) < second_piece(key) && second_piece(key) < model.pieces();
+}
+
+void check_contacts(const Reader& file, const Model<2>& model, const State<2>& s) {
+  for (std::size_t i = 0; i < s.contact.size(); ++i) {
+    if (!is_contact_of(model, s.contact[i]) || (i > 0 && s.contact[i - 1] >= s.contact[i]))
+      file.fail("has a contact of pieces that are not there, or out of order");
+    if (s.memory[i].empty() || s.memory[i].bonds > 3 || s.memory[i].state > contact_states)
+      file.fail("has a contact in no known state");
+  }
+  for (const Parted& p : s.parted)
+    if (!is_contact_of(model, p.contact)) file.fail("has a parted contact of pieces that are not there");
+}
+
+void check_passed(const Reader& file, const Model<2>& model, const State<2>& s) {
+  const int bodies = static_cast<int>(model.bodies.size());
+  for (std::size_t i = 0; i < s.passed.size(); ++i) {
+    const int a = first_piece(s.passed[i]), b = second_piece(s.passed[i]);
+    if (a < 0 || a >= b || b >= bodies || (i > 0 && s.passed[i - 1] >= s.passed[i]))
+      file.fail("has bodies that passed that are not there, or out of order");
+  }
+}
+
+void check_bearings(const Reader& file, const State<2>& s) {
+  for (const BearingMemory& m : s.bearing)
+    if (m.status > BearingStatus::changed || m.failed_direction > 2) file.fail("has a bearing in no known state");
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> state_words(const State<2>& state) {
+  Writer file;
+  walk(file, state);
+  return std::move(file.words);
+}
+
+State<2> state_from_words(const Model<2>& model, std::span<const std::uint64_t> words, const std::string& owner) {
+  State<2> state = initial_state(model);  // for the number of rows
+  Reader file(words, owner);
+  walk(file, state);
+  file.done();
+  check_contacts(file, model, state);
+  check_passed(file, model, state);
+  check_bearings(file, state);
+  return state;
+}
+
+}  // namespace trilith

@@ -1,0 +1,21 @@
+// A State as a row of 64-bit words: what checkpoints hold and what the hash is of. Which fields there are, and in which
+// order, is written once, in world/state_words.cpp.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+/// Empty contacts, which come and go with the search for pairs and mean nothing, are left out.
+std::vector<std::uint64_t> state_words(const State<2>& state);
+
+/// Throws InputError, beginning with `owner`, where `words` are no state of `model`.
+State<2> state_from_words(const Model<2>& model, std::span<const std::uint64_t> words, const std::string& owner);
+
+}  // namespace trilith
