@@ -18,23 +18,32 @@ struct NodeMotion {
   double spin;      ///< [rad/s]
 };
 
+/// How fast skin points are and how far they have come since they were placed last: the largest squares.
+struct SkinReach {
+  double speed2 = 0;  ///< [m2/s2]
+  double path2 = 0;   ///< [m2]
+
+  void add(double speed, double path) { speed2 = std::max(speed2, speed), path2 = std::max(path2, path); }
+};
+
 /// place: skin points fixed in the body's axes to where they are and how fast they move.
-/// `Point` has x, y [m], u, v [m/s], side by side at a multiple of 16. Returns the largest speed squared.
+/// `Point` has x, y [m], u, v [m/s], side by side at a multiple of 16; of before, and overwritten.
 template <class Point>
-double place_rigid(const NodeMotion& node, std::span<const Vec2> skin, std::span<Point> out) {
+SkinReach place_rigid(const NodeMotion& node, std::span<const Vec2> skin, std::span<Point> out) {
   const auto [s, c] = portable::sine_cosine(node.rotation);
   const LanePair to_x{c, s}, to_y{-s, c}, spin{-node.spin, node.spin};  // columns of the turn; spin x (y, x)
   const LanePair origin{node.position.x(), node.position.y()}, velocity{node.velocity.x(), node.velocity.y()};
-  double fastest = 0;
+  SkinReach reach;
   for (std::size_t i = 0; i < skin.size(); ++i) {
     const double x = skin[i].x(), y = skin[i].y();
     const LanePair arm = to_x * x + to_y * y;
     const LanePair rate = velocity + spin * __builtin_shufflevector(arm, arm, 1, 0), squares = rate * rate;
-    store_pair(&out[i].x, origin + arm);
+    const LanePair place = origin + arm, moved = place - load_pair(&out[i].x), paths = moved * moved;
+    store_pair(&out[i].x, place);
     store_pair(&out[i].u, rate);
-    fastest = std::max(fastest, squares[0] + squares[1]);
+    reach.add(squares[0] + squares[1], paths[0] + paths[1]);
   }
-  return fastest;
+  return reach;
 }
 
 /// What forces at skin points come to at the node.

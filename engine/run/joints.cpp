@@ -57,10 +57,8 @@ bool lay_joint(const Work<2>& work, Joint& joint) {
 }
 
 std::uint32_t bonds_of(const State<2>& state, ContactKey key) {
-  const auto it = std::lower_bound(state.contact.begin(), state.contact.end(), key);
-  return it != state.contact.end() && *it == key
-             ? state.memory[static_cast<std::size_t>(it - state.contact.begin())].bonds
-             : 0;
+  const int row = state.contacts.find(key);
+  return row < 0 ? 0 : state.contacts.memory[row].bonds;
 }
 
 }  // namespace
@@ -99,14 +97,14 @@ JointMotion joint_motion(const Joint& joint, const Work<2>& work) {
 
 double joint_damage(const Joint& joint, const State<2>& state) {
   if (joint.bonds == 0) return 0;
-  const auto it = std::lower_bound(state.contact.begin(), state.contact.end(), joint.contact);
-  if (it == state.contact.end() || *it != joint.contact) return 1;
-  const auto row = static_cast<std::size_t>(it - state.contact.begin());
-  return with_kernel_type(state.law_row[row].place, [&]<class K>() {
-    const LawMemory<K> own = law_memory<K>(state.law_numbers(row));
+  const ContactHistory& contacts = state.contacts;
+  const int row = contacts.find(joint.contact);
+  if (row < 0) return 1;
+  return with_kernel_type(contacts.law_row[row].place, [&]<class K>() {
+    const LawMemory<K> own = law_memory<K>(contacts.law_numbers(row));
     double lost = 0;
     for (const int half : {0, 1})
-      if ((joint.bonds >> half & 1U) != 0) lost += state.memory[row].bonded(half) ? K::damage(own, half) : 1;
+      if ((joint.bonds >> half & 1U) != 0) lost += contacts.memory[row].bonded(half) ? K::damage(own, half) : 1;
     return lost / std::popcount(joint.bonds);
   });
 }

@@ -146,7 +146,7 @@ void Recording::frame(const Instant& now) {
 }
 
 void Recording::take_contacts(const Instant& now) {
-  contact_resultants(now.model, now.state, now.work, touching_);
+  contact_resultants(now.model, now.work, touching_);
   contacts_.clear();
   for (const TouchingContact& c : touching_) {
     results::ContactForce out;

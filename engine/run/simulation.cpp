@@ -11,8 +11,9 @@
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
 #include "step/central_difference.hpp"
+#include "step/commit.hpp"
+#include "step/displacement_control.hpp"
 #include "step/evaluate.hpp"
-#include "step/lead.hpp"
 #include "step/passed.hpp"
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
@@ -121,7 +122,7 @@ void Simulation::refresh() {
   next_ = choose_step();
   swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   clock.mark(StepPart::estimate);
-  if (next_.dt > 0) lead(model_, state_, work_, {swept_.dt, rest_});
+  if (next_.dt > 0) control_displacement(model_, state_, work_, {swept_.dt, rest_});
   evaluated_ = true;
 }
 
@@ -347,6 +348,7 @@ void Simulation::pass(const RunListener& listener) {
   state_.dt = next_.dt;
   state_.safety = next_.safety;
   evaluated_ = false;
+  commit(model_, state_, work_, times_);
   advance(model_, state_, work_, {now.dt, rest_}, times_);
   refresh();
   tell_step(listener);

@@ -1,8 +1,6 @@
 #include "step/central_difference.hpp"
 
-#include "step/lead.hpp"
 #include "step/node_forces.hpp"
-#include "step/notice.hpp"
 #include "step/stored_energy.hpp"
 
 namespace trilith {
@@ -133,17 +131,10 @@ Energy energy_now(const Model<2>& model, const State<2>& state, const Work<2>& w
   return energy;
 }
 
-void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options, StepTimes* times) {
+void advance(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
+             StepTimes* times) {
   StepClock clock(times);
-  lead(model, state, work, options);
-  notice(model, state, work);
-  clock.mark(StepPart::notice);
-  state.memory.swap(work.memory);
-  state.law_memory.swap(work.law_memory);
-  state.bearing.swap(work.bearing);
-  state.plastic.swap(work.plastic);
   const double dt = options.dt, last = state.last_dt, span = 0.5 * (last + dt);
-  state.given = work.given;
   advance_nodes(model, state, work, options, {last, dt, span});
   state.time += dt;
   state.last_dt = dt;

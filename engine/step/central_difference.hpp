@@ -20,8 +20,8 @@ struct StepOptions {
   RestDamping rest;
 };
 
-/// Takes one step from an evaluation at the present pose: commits the trial memories, raises events, advances.
-void advance(const Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options,
+/// Takes one step from an instant that has been evaluated and committed.
+void advance(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
              StepTimes* times = nullptr);
 
 /// The ledger at the instant of the last evaluation (before `advance`): stored terms from the state, given-off terms

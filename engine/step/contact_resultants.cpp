@@ -24,21 +24,20 @@ ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, cons
   });
 }
 
-void contact_resultants(const Model<2>& model, const State<2>& state, const Work<2>& work,
-                        std::vector<TouchingContact>& out) {
+void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<TouchingContact>& out) {
   out.clear();
   const auto append = [&](int row, const ContactResultant& r) {
     const NearPair& p = work.pairs[row];
     const double mu = std::visit([](const auto& law) { return law.mu; }, model.laws[p.law]);
-    out.push_back({row, model.piece_body[p.piece_a], model.piece_body[p.piece_b], r, hold_of(work.memory[row], r, mu)});
+    out.push_back({row, model.piece_body[p.piece_a], model.piece_body[p.piece_b], r, hold_of(work.contacts.memory[row], r, mu)});
   };
   std::size_t general = 0;  // both lists rise with the row
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
-    const ContactMemory& memory = work.memory[row];
+    const ContactMemory& memory = work.contacts.memory[row];
     if ((memory.state & contact_touching) == 0) continue;
     const NearPair& p = work.pairs[row];
     if ((memory.state & contact_general) == 0) {
-      append(row, face_resultant(model, work, p, memory, trial_law_numbers(state, work, row)));
+      append(row, face_resultant(model, work, p, memory, work.contacts.law_numbers(row)));
       continue;
     }
     while (general < work.general_touching.size() && work.general_touching[general].row < row) ++general;

@@ -20,8 +20,7 @@ struct TouchingContact {
 
 /// Every touching contact, in the order of Work::pairs. `work` must hold the evaluation of the present instant.
 /// `out` is overwritten; its memory is reused.
-void contact_resultants(const Model<2>& model, const State<2>& state, const Work<2>& work,
-                        std::vector<TouchingContact>& out);
+void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<TouchingContact>& out);
 
 /// Of two faces that remember `memory` and, by their law, `law_numbers`.
 ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, const NearPair& pair,

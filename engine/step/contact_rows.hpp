@@ -14,14 +14,6 @@ inline LawInUse law_in_use(const Model<2>& model, int law, double dt = 0) {
   return {model.laws[law], model.thickness, dt};
 }
 
-/// What the law of a contact remembers now.
-inline const double* trial_law_numbers(const State<2>& state, const Work<2>& work, int row) {
-  return work.law_memory.data() + state.law_row[row].first;
-}
-inline double* trial_law_numbers(const State<2>& state, Work<2>& work, int row) {
-  return work.law_memory.data() + state.law_row[row].first;
-}
-
 /// The ends of the face between two skin points, as Work is placed.
 inline FaceEnds<double> face_ends(const Work<2>& work, int from, int to) {
   const SkinMotion &p = work.skin[from], &q = work.skin[to];

@@ -9,15 +9,14 @@
 
 namespace trilith {
 
-/// place -> find -> respond (contacts, bearings) -> resist -> push -> spread -> sum, at the present pose and velocity,
-/// over a step `dt` [s] since the last evaluation. Re-indexes State::contact where the list of near pairs had to be
-/// found anew (empty contacts come and go; no memory is lost).
+/// place -> find -> respond (contacts, bearings) -> resist -> apply loads -> spread -> sum, at the present pose and velocity,
+/// over a step `dt` [s] since the last commit. To evaluate again changes nothing.
 /// `times`: where the time goes is added to it.
-void evaluate(const Model<2>& model, State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
+void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
 
 // The stages, each the only writer of its part of Work.
 void place(const Model<2>& model, const State<2>& state, Work<2>& work);
-void find(const Model<2>& model, State<2>& state, Work<2>& work);
+void find(const Model<2>& model, const State<2>& state, Work<2>& work);
 void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
 void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
@@ -27,7 +26,7 @@ double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work
 /// Deformable bodies: forces and dampings of their elements on their nodes, trial plastic memory, energies.
 void resist(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
-void push(const Model<2>& model, const State<2>& state, Work<2>& work);
+void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// Force on the whole of a face that is loaded, at the full size of its load curve [N].
 Vec2 face_force(const FaceLoad& load, const SkinMotion& a, const SkinMotion& b);
 void sum(const Model<2>& model, const State<2>& state, Work<2>& work);

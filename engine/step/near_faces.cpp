@@ -53,13 +53,13 @@ TRILITH_INLINE LaneMask clearly_apart(const SkinMotion* skin, const NearPair* co
 
 }  // namespace
 
-std::size_t sort_out(const State<2>& state, const Work<2>& work, const std::vector<int>& facing, std::vector<int>& rows,
-                     std::vector<int>& fresh) {
+std::size_t sort_out(const ContactHistory& before, const Work<2>& work, const std::vector<int>& facing,
+                     std::vector<int>& rows, std::vector<int>& fresh) {
   rows.resize(facing.size() + lane_count);
   fresh.resize(facing.size() + lane_count);
   std::size_t touched = 0, rest = 0;
   for (const int row : facing) {  // without branches: which rows touch is hard to guess
-    const bool was = (state.memory[row].state & (contact_touching | contact_kept)) != 0;
+    const bool was = (before.memory[row].state & (contact_touching | contact_kept)) != 0;
     rows[touched] = fresh[rest] = row;
     touched += was ? 1 : 0;
     rest += was ? 0 : 1;

@@ -124,7 +124,7 @@ double room_of(const Model<2>& model, State<2>& state, const Work<2>& work, int 
   const NearPair& pair = work.pairs[row];
   const int p = pair.piece_a, q = pair.piece_b;
   const double allowed = deepest_allowed(model, p, q);
-  if ((work.memory[row].state & contact_touching) == 0) return 0.5 * allowed;
+  if ((work.contacts.memory[row].state & contact_touching) == 0) return 0.5 * allowed;
   if (pair.facing > 0 && beneath_face(model, work, pair) <= 0.5 * allowed) return 0.5 * allowed;
   if (is_told(model, state, p, q)) return 0.5 * allowed;
   const Two two(model, state, p, q);

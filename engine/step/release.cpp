@@ -33,9 +33,8 @@ int release_supports(Model<2>& model, const State<2>& state, int body, const std
   drop_faded(model, state.time);
   const std::vector<Freed> freed = free_nodes(model, state.time, body, on);
   if (freed.empty() || !(fade > 0)) return static_cast<int>(freed.size());
-  State<2> now = state;
   Work<2> work;
-  evaluate(model, now, work, state.last_dt);
+  evaluate(model, state, work, state.last_dt);
   PointLoad load;
   load.body = body, load.curve = ramp_curve(state.time, 1, 0, fade, true);
   for (std::size_t i = 0; i < freed.size(); ++i) {

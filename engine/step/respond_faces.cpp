@@ -292,11 +292,12 @@ void respond_as_here(const Pass& pass, const K& law, std::span<const int> rows) 
 
 /// Rows of a batch: those with one pair of facing faces, and those of several of which one is chosen now. In the order
 /// of rows either way, so that sums do not depend on when the pairs were found.
-const std::vector<int>& facing_now(const Model<2>& model, const State<2>& state, Work<2>& work, FaceBatch& batch) {
+const std::vector<int>& facing_now(const Model<2>& model, const ContactHistory& before, Work<2>& work,
+                                   FaceBatch& batch) {
   if (batch.choice.empty()) return batch.row;
   batch.chosen.clear();
   for (const int row : batch.choice) {
-    const bool bonded = state.memory[row].bonds != 0;
+    const bool bonded = before.memory[row].bonds != 0;
     (choose_face_pair(model, work, bonded, work.pairs[row]) ? batch.chosen : work.general_now).push_back(row);
   }
   batch.now.resize(batch.row.size() + batch.chosen.size());
@@ -308,15 +309,22 @@ const std::vector<int>& facing_now(const Model<2>& model, const State<2>& state,
 
 void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {
   StepClock clock(times);
+  const ContactHistory& before = contacts_before(state, work);
   work.general_now.clear();
   for (FaceBatch& batch : work.batches) {
     const std::size_t count =
-        sort_out(state, work, facing_now(model, state, work, batch), work.face_rows, work.fresh_rows);
+        sort_out(before, work, facing_now(model, before, work, batch), work.face_rows, work.fresh_rows);
     if (count == 0) continue;
     const std::span<const int> rows(work.face_rows.data(), count);
-    const Pass pass{work.skin.data(),     work.pairs.data(),         state.memory.data(),
-                    work.memory.data(),   state.law_row.data(),      state.law_memory.data(),
-                    work.law_memory.data(), work.skin_force.data(), work};
+    const Pass pass{work.skin.data(),
+                    work.pairs.data(),
+                    before.memory.data(),
+                    work.contacts.memory.data(),
+                    before.law_row.data(),
+                    before.law_memory.data(),
+                    work.contacts.law_memory.data(),
+                    work.skin_force.data(),
+                    work};
     with_kernel(law_in_use(model, batch.law, dt),
                 [&]<class K>(const K& law) { respond_as_here<K>(pass, law, rows); });
     clock.mark_law(batch.law);

@@ -70,18 +70,19 @@ void book_change_of_shape(Work<2>& work, const NearPair& pair, const Remembered&
 }
 
 /// What stays where the pieces of a row do not touch.
-void part_row(const State<2>& state, Work<2>& work, int row) {
-  work.memory[row] = state.memory[row].parted();
-  with_kernel_type(state.law_row[row].place, [&]<class K>() {
-    keep_law_memory<K>(K::parted(law_memory<K>(state.law_numbers(row))), trial_law_numbers(state, work, row));
+void part_row(const ContactHistory& before, ContactHistory& after, int row) {
+  after.memory[row] = before.memory[row].parted();
+  with_kernel_type(before.law_row[row].place, [&]<class K>() {
+    keep_law_memory<K>(K::parted(law_memory<K>(before.law_numbers(row))), after.law_numbers(row));
   });
 }
 
 void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, int row, double dt) {
-  const ContactMemory& before = state.memory[row];
-  ContactMemory& after = work.memory[row];
+  const ContactHistory& contacts = contacts_before(state, work);
+  const ContactMemory& before = contacts.memory[row];
+  ContactMemory& after = work.contacts.memory[row];
   const bool was = (before.state & contact_touching) != 0;
-  part_row(state, work, row);
+  part_row(contacts, work.contacts, row);
   if (!was && work.travel < work.asleep_until[row]) return;
   const NearPair& pair = work.pairs[row];
   if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) {
@@ -95,9 +96,9 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   std::fill_n(on_a.begin(), a.corner.size(), Vec2::Zero());
   std::fill_n(on_b.begin(), b.corner.size(), Vec2::Zero());
   const LawInUse law = law_in_use(model, pair.law, dt);
-  const Remembered remembered{before, state.law_numbers(row)};
+  const Remembered remembered{before, contacts.law_numbers(row)};
   const OverlapResponse r =
-      respond_overlap(a, b, remembered, law, on_a, on_b, trial_law_numbers(state, work, row));
+      respond_overlap(a, b, remembered, law, on_a, on_b, work.contacts.law_numbers(row));
   if (was && (before.state & contact_general) == 0) book_change_of_shape(work, pair, remembered, law);
   if (was != r.touching || before.bonds != 0 || (before.state & contact_kept) != (r.memory.state & contact_kept))
     work.turned.push_back(row);

@@ -102,7 +102,7 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
 
 void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work, std::vector<Local>& locals) {
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
-    const ContactMemory& m = work.memory[row];
+    const ContactMemory& m = work.contacts.memory[row];
     if ((m.state & contact_touching) == 0 || (m.state & contact_general) != 0) continue;
     const NearPair& p = work.pairs[row];
     const FaceOverlap<double> o = face_overlap(work, p);
@@ -300,7 +300,7 @@ std::string explain_step(const Model<2>& model, const State<2>& state, const Wor
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     const NearPair& p = work.pairs[row];
     const int a = model.piece_body[p.piece_a], b = model.piece_body[p.piece_b];
-    if ((work.memory[row].state & contact_touching) == 0 || (a != s.body && b != s.body)) continue;
+    if ((work.contacts.memory[row].state & contact_touching) == 0 || (a != s.body && b != s.body)) continue;
     text += fmt::format(" '{}' ({})", model.bodies[a == s.body ? b : a].name, model.law_names[p.law]);
     ++named;
   }

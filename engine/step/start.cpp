@@ -25,27 +25,33 @@ template <class Change>
 void change_bond(const Model<2>& model, const Work<2>& work, std::size_t row, State<2>& state, Change&& change) {
   const NearPair& pair = work.pairs[row];
   const FaceOverlap<double> overlap = face_overlap(work, pair);
-  ContactMemory& memory = state.memory[row];
+  ContactMemory& memory = state.contacts.memory[row];
   with_kernel(law_in_use(model, pair.law), [&]<class K>(const K& law) {
     if constexpr (K::bonds) {
-      LawMemory<K> own = law_memory<K>(state.law_numbers(row));
+      LawMemory<K> own = law_memory<K>(state.contacts.law_numbers(row));
       const double before = pressing_energy(overlap, memory, own, law);
       change(law, memory, own);
-      keep_law_memory<K>(own, state.law_numbers(row));
+      keep_law_memory<K>(own, state.contacts.law_numbers(row));
       state.given[EnergyTerm::contact_fracture] += before - pressing_energy(overlap, memory, own, law);
     }
   });
+}
+
+/// The pairs that are near, and a state that has its contacts in their rows.
+void find_contacts(const Model<2>& model, State<2>& state, Work<2>& work) {
+  place(model, state, work);
+  find(model, state, work);
+  state.contacts = work.carried;
 }
 
 }  // namespace
 
 void set_bonds(const Model<2>& model, State<2>& state, double reach) {
   Work<2> work;
-  place(model, state, work);
-  find(model, state, work);
+  find_contacts(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     NearPair& pair = work.pairs[row];
-    const ContactMemory& memory = state.memory[row];
+    const ContactMemory& memory = state.contacts.memory[row];
     if (!may_bond(model.laws[pair.law]) || memory.bonds == 3) continue;
     if (!choose_face_pair(model, work, true, pair)) continue;
     const FaceOverlap<double> overlap = face_overlap(work, pair);
@@ -62,10 +68,9 @@ void set_bonds(const Model<2>& model, State<2>& state, double reach) {
 
 void lift_bonds(const Model<2>& model, State<2>& state) {
   Work<2> work;
-  place(model, state, work);
-  find(model, state, work);
+  find_contacts(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row)
-    if (state.memory[row].bonds != 0 && choose_face_pair(model, work, true, work.pairs[row]))
+    if (state.contacts.memory[row].bonds != 0 && choose_face_pair(model, work, true, work.pairs[row]))
       change_bond(model, work, row, state, [](const auto& law, ContactMemory& contact, auto& own) {
         contact.bonds = 0;
         law.lift_bond(own);

@@ -19,7 +19,7 @@ enum class StepPart : int {
   sum,
   estimate,
   record,
-  notice,
+  events,
   advance,
   listen
 };
@@ -33,7 +33,7 @@ inline constexpr std::array<const char*, step_parts> step_part_names{"place",
                                                                      "sum",
                                                                      "length of the step",
                                                                      "record",
-                                                                     "notice",
+                                                                     "events",
                                                                      "advance",
                                                                      "handlers and listeners"};
 

@@ -15,23 +15,23 @@ double shear_energy(const ContactMemory& m, int half, double ks) {
   return 0.5 * m.shear_elastic[half] * m.shear_elastic[half] / (ks * m.active[half]);
 }
 
-double face_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
+double face_energy(const Model<2>& model, const Work<2>& work, std::size_t row) {
   const NearPair& pair = work.pairs[row];
   return with_kernel(law_in_use(model, pair.law), [&]<class K>(const K& law) {
-    double sum = pressing_energy(face_overlap(work, pair), work.memory[row],
-                                 law_memory<K>(trial_law_numbers(state, work, row)), law);
-    for (const int h : {0, 1}) sum += shear_energy(work.memory[row], h, law.ks);
+    double sum = pressing_energy(face_overlap(work, pair), work.contacts.memory[row],
+                                 law_memory<K>(work.contacts.law_numbers(row)), law);
+    for (const int h : {0, 1}) sum += shear_energy(work.contacts.memory[row], h, law.ks);
     return sum;
   });
 }
 
 double general_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, const GeneralContact& g) {
   const NearPair& p = work.pairs[g.row];
-  const ContactMemory& m = work.memory[g.row];
+  const ContactMemory& m = work.contacts.memory[g.row];
   const LawInUse use = law_in_use(model, p.law);
   PieceCorners corners_a, corners_b;
   const auto [crushed, ks] = with_kernel(use, [&]<class K>(const K& law) {
-    return std::pair(K::crushed(law_memory<K>(trial_law_numbers(state, work, g.row))), law.ks);
+    return std::pair(K::crushed(law_memory<K>(work.contacts.law_numbers(g.row))), law.ks);
   });
   const double normal = overlap_energy(placed_piece(model, state, work, p.piece_a, corners_a),
                                        placed_piece(model, state, work, p.piece_b, corners_b), use, crushed);
@@ -44,9 +44,9 @@ double general_energy(const Model<2>& model, const State<2>& state, const Work<2
 double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   double sum = 0;
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
-    const ContactMemory& m = work.memory[row];
+    const ContactMemory& m = work.contacts.memory[row];
     const bool face = (m.state & contact_touching) != 0 && (m.state & contact_general) == 0;
-    if (face) sum += face_energy(model, state, work, static_cast<int>(row));
+    if (face) sum += face_energy(model, work, row);
   }
   for (const GeneralContact& g : work.general_touching) sum += general_energy(model, state, work, g);
   return sum;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "step/evaluate.hpp"
-#include "step/lead.hpp"
+#include "step/displacement_control.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
@@ -68,7 +68,7 @@ std::vector<Event> take_out(Model<2>& model, State<2>& state, Work<2>& work, con
   hold_left(model, state);
   work.valid = false;
   evaluate(model, state, work, state.last_dt);
-  lead(model, state, work, options);
+  control_displacement(model, state, work, options);
   const double taken = before - energy_now(model, state, work, options).balance();
   state.given[EnergyTerm::left_bounds] += taken;
   work.given[EnergyTerm::left_bounds] += taken;

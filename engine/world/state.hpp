@@ -6,23 +6,11 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
-#include "contact/list.hpp"
+#include "world/contact_history.hpp"
 #include "world/energy.hpp"
 #include "world/model.hpp"
 
 namespace trilith {
-
-/// The two pieces of a contact, lower index first, in one sortable number.
-using ContactKey = std::uint64_t;
-constexpr ContactKey contact_key(int piece_a, int piece_b) {
-  return static_cast<ContactKey>(static_cast<std::uint32_t>(piece_a)) << 32 | static_cast<std::uint32_t>(piece_b);
-}
-constexpr int first_piece(ContactKey key) {
-  return static_cast<int>(key >> 32);
-}
-constexpr int second_piece(ContactKey key) {
-  return static_cast<int>(key & 0xffffffffU);
-}
 
 /// A contact that opened a moment ago: lost once it has stayed open for Model::apart_time.
 struct Parted {
@@ -44,11 +32,7 @@ struct State {
   std::vector<Vec<D>> velocity;                       ///< m/s
   std::vector<typename Space<D>::Spin> spin;          ///< rad/s
 
-  // Contacts, sorted by key; every one that remembers something, and any number of empty ones.
-  std::vector<ContactKey> contact;      ///< [contact]
-  std::vector<ContactMemory> memory;    ///< [contact]
-  std::vector<LawRow> law_row;          ///< [contact]
-  std::vector<double> law_memory;       ///< what the laws remember beside that, row after row
+  ContactHistory contacts;
   std::vector<Parted> parted;           ///< in the order of parting, then by key
   std::vector<ContactKey> passed;       ///< of bodies, not pieces: one has been seen too deep in the other; sorted
   std::vector<BearingMemory> bearing;   ///< [bearing]
@@ -59,10 +43,6 @@ struct State {
   std::vector<std::uint8_t> left;       ///< [body] 1: has left Model::bounds; it stands still there and touches nothing
 
   Energy given;  ///< running sums of the ledger (the terms that are not found from the state)
-
-  /// What the law of a contact remembers.
-  [[nodiscard]] const double* law_numbers(std::size_t row) const { return law_memory.data() + law_row[row].first; }
-  [[nodiscard]] double* law_numbers(std::size_t row) { return law_memory.data() + law_row[row].first; }
 };
 
 /// The state at the model's start: at rest or with the start velocities, bonds made where bonded faces meet.

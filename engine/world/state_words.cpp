@@ -44,7 +44,7 @@ class Writer {
   std::size_t open_count(const Rows& rows, std::size_t /*least*/) {
     return count(rows);
   }
-  void contacts(const State<2>& s);
+  void contacts(const ContactHistory& s);
 };
 
 /// Takes them out again; says what is wrong where they cannot be.
@@ -86,7 +86,7 @@ class Reader {
     rows.resize(static_cast<std::size_t>(n));
     return rows.size();
   }
-  void contacts(State<2>& s);
+  void contacts(ContactHistory& s);
   void done() const {
     if (at_ != words_.size()) fail("is longer than its contents");
   }
@@ -111,13 +111,13 @@ void walk_memory(File& file, Memory& m) {
       m, [&](auto& v) { file.number(v); }, [&](auto& bonds, auto& state) { file.pair(bonds, state); });
 }
 
-void Writer::contacts(const State<2>& s) {
+void Writer::contacts(const ContactHistory& s) {
   std::size_t kept = 0;
   for (const ContactMemory& m : s.memory) kept += m.empty() ? 0 : 1;
   words.push_back(kept);
   for (std::size_t row = 0; row < s.memory.size(); ++row) {
     if (s.memory[row].empty()) continue;
-    key(s.contact[row]);
+    key(s.key[row]);
     walk_memory(*this, s.memory[row]);
     const std::uint32_t place = s.law_row[row].place, numbers = law_number_counts[place];
     pair(place, numbers);
@@ -125,11 +125,11 @@ void Writer::contacts(const State<2>& s) {
   }
 }
 
-void Reader::contacts(State<2>& s) {
-  const std::size_t count = open_count(s.contact, 13);
+void Reader::contacts(ContactHistory& s) {
+  const std::size_t count = open_count(s.key, 13);
   s.memory.resize(count), s.law_row.resize(count);
   for (std::size_t row = 0; row < count; ++row) {
-    key(s.contact[row]);
+    key(s.key[row]);
     walk_memory(*this, s.memory[row]);
     std::uint32_t numbers = 0;
     pair(s.law_row[row].place, numbers);
@@ -149,7 +149,7 @@ void walk(File& file, S& s) {
     file.number(s.position[n].x()), file.number(s.position[n].y()), file.number(s.rotation[n]);
     file.number(s.velocity[n].x()), file.number(s.velocity[n].y()), file.number(s.spin[n]);
   }
-  file.contacts(s);
+  file.contacts(s.contacts);
   for (std::size_t i = 0, n = file.open_count(s.parted, 2); i < n; ++i)
     file.key(s.parted[i].contact), file.number(s.parted[i].time);
   for (std::size_t i = 0, n = file.open_count(s.passed, 1); i < n; ++i) file.key(s.passed[i]);
@@ -175,10 +175,11 @@ bool is_contact_of(const Model<2>& model, ContactKey key) {
 }
 
 void check_contacts(const Reader& file, const Model<2>& model, const State<2>& s) {
-  for (std::size_t i = 0; i < s.contact.size(); ++i) {
-    if (!is_contact_of(model, s.contact[i]) || (i > 0 && s.contact[i - 1] >= s.contact[i]))
+  const ContactHistory& c = s.contacts;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    if (!is_contact_of(model, c.key[i]) || (i > 0 && c.key[i - 1] >= c.key[i]))
       file.fail("has a contact of pieces that are not there, or out of order");
-    if (s.memory[i].empty() || s.memory[i].bonds > 3 || s.memory[i].state > contact_states)
+    if (c.memory[i].empty() || c.memory[i].bonds > 3 || c.memory[i].state > contact_states)
       file.fail("has a contact in no known state");
   }
   for (const Parted& p : s.parted)

@@ -5,14 +5,13 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
-#include "contact/memory.hpp"
 #include "world/event.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
 
-/// Two pieces near each other. Row i belongs to row i of State::contact.
+/// Two pieces near each other. Row i belongs to row i of Work::contacts.
 struct NearPair {
   int piece_a, piece_b;
   int law;             ///< index into Model::laws
@@ -52,6 +51,7 @@ struct GeneralContact {
   Vec2 force;     ///< on the second body [N]
 };
 
+/// What a step needs and the next one can do without. `evaluate` writes nothing else; `commit` makes a State of it.
 template <int D>
 struct Work {
   bool valid = false;  ///< false: pairs must be found anew. Writer: detect
@@ -71,12 +71,15 @@ struct Work {
   std::vector<double> found_rotation;  ///< [node] rad
   std::vector<RateBound> face_bound;   ///< [body] lying on its stiffest face
   double margin = 0;                   ///< boxes are widened by this m
-  double travel = 0;                   ///< path of the fastest skin point since then, an upper bound m
+  ContactHistory carried;              ///< the state's contacts in the rows of the pairs, where these were found after
+                                       ///< the last commit; else empty
+  bool carries = false;                ///< they were
+  double travel = 0;                   ///< path of the skin point that went farthest since then, from one evaluated
+                                       ///< pose to the next, an upper bound. Writer: place m
   double look_again = 0;               ///< no body has moved half the margin while `travel` is below this m
 
   // Writer: respond
-  std::vector<ContactMemory> memory;             ///< [contact] trial
-  std::vector<double> law_memory;                ///< in the rows of State::law_row; trial
+  ContactHistory contacts;                       ///< [contact] trial
   std::vector<BearingMemory> bearing;            ///< [bearing] trial
   std::vector<int> face_rows, fresh_rows;        ///< of a batch: rows that touched or may touch now; the latter alone
   std::vector<int> general_now;                  ///< rows whose shape is general at this step
@@ -96,12 +99,11 @@ struct Work {
   std::vector<Vec<D>> element_damping;  ///< [node] of the dampings of elements N
   double element_stored = 0;            ///< elastic energy of elements J
 
-  // Writer: push. All empty where Model::loaded() is false.
+  // Writer: apply_loads. All empty where Model::loaded() is false.
   std::vector<Vec<D>> load;         ///< [node] all forces from outside but weight, steady ones included N
   std::vector<double> load_moment;  ///< [node] N m
 
-  // Writer: lead. The forces of Model::pushes are part of `load`, `force` and so on from then on.
-  bool led = false;                 ///< they are there
+  // Writer: control_displacement. The forces of Model::pushes are part of `load`, `force` and so on from then on.
   std::vector<double> push_force;   ///< [push] without what makes up for dampings N
   std::vector<Vec<D>> trim;         ///< [node] the part of them that makes up for dampings; empty without pushes N
   std::vector<double> trim_moment;  ///< [node] N m
@@ -111,9 +113,15 @@ struct Work {
   std::vector<double> moment;          ///< [node] N m
   double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
 
-  std::vector<Event> events;  ///< of this step. Writer: commit
+  std::vector<Event> events;  ///< of this step. Writer: find_events
   double clear_path = 0;      ///< until the next search no two pieces get too deep into each other before the fastest
                               ///< point has gone this far m. Writer: the watch of step/passed.hpp; detect makes it 0
 };
+
+/// What the contacts remember up to now, in the rows of the pairs.
+template <int D>
+const ContactHistory& contacts_before(const State<D>& state, const Work<D>& work) {
+  return work.carries ? work.carried : state.contacts;
+}
 
 }  // namespace trilith

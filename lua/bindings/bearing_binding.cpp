@@ -4,7 +4,7 @@
 
 #include "bearing_reading.hpp"
 #include "bindings.hpp"
-#include "step/notice.hpp"
+#include "step/find_events.hpp"
 #include "world/pose.hpp"
 
 namespace trilith::script {

@@ -196,7 +196,7 @@ int timed(lua_State* L) {
 
 std::string contacts_text(const Simulation& s, int body) {
   std::vector<TouchingContact> touching;
-  contact_resultants(s.model(), s.state(), s.work(), touching);
+  contact_resultants(s.model(), s.work(), touching);
   std::string text;
   constexpr std::array holds{"bonded", "sticking", "sliding"};
   for (const TouchingContact& c : touching) {

@@ -133,7 +133,7 @@ int thrust(lua_State* L) {
   const std::vector<int> chain = bodies_at(L, 2, m, "thrust_line");
   const Simulation& sim = m.evaluated();
   std::vector<TouchingContact> touching;
-  contact_resultants(sim.model(), sim.state(), sim.work(), touching);
+  contact_resultants(sim.model(), sim.work(), touching);
   lua_newtable(L);
   lua_Integer count = 0;
   for (const ThrustPoint& p : thrust_line(chain, touching)) {
@@ -156,7 +156,7 @@ int stresses(lua_State* L) {
   ScriptModel& m = handle<ModelBox>(L, 1).get();
   const Simulation& sim = m.evaluated();
   std::vector<TouchingContact> touching;
-  contact_resultants(sim.model(), sim.state(), sim.work(), touching);
+  contact_resultants(sim.model(), sim.work(), touching);
   const std::vector<MeanStress> all = mean_stress(sim.model(), sim.state(), sim.work(), touching);
   lua_createtable(L, 0, static_cast<int>(all.size()));
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -57,7 +57,7 @@ void push_contact(lua_State* L, const Simulation& s, const TouchingContact& c) {
   lua_setfield(L, -2, "law");
   lua_pushstring(L, holds[static_cast<std::size_t>(c.hold)]);
   lua_setfield(L, -2, "hold");
-  lua_pushnumber(L, s.work().memory[row].slip);
+  lua_pushnumber(L, s.work().contacts.memory[row].slip);
   lua_setfield(L, -2, "slip");
   lua_pushnumber(L, c.resultant.normal);
   lua_setfield(L, -2, "normal");
@@ -94,7 +94,7 @@ int contacts(lua_State* L) {
   lua_newtable(L);
   lua_Integer count = 0;
   std::vector<TouchingContact> touching;
-  contact_resultants(s.model(), s.state(), s.work(), touching);
+  contact_resultants(s.model(), s.work(), touching);
   for (const TouchingContact& c : touching) {
     const int a = c.body_a, b = c.body_b;
     if (given && !(has(side[0], a) && has(side[1], b)) && !(has(side[0], b) && has(side[1], a))) continue;

@@ -81,7 +81,7 @@ int facing(const Work<2>& work) {
 
 int touching(const Work<2>& work) {
   int count = 0;
-  for (const ContactMemory& m : work.memory) count += (m.state & contact_touching) != 0 ? 1 : 0;
+  for (const ContactMemory& m : work.contacts.memory) count += (m.state & contact_touching) != 0 ? 1 : 0;
   return count;
 }
 

@@ -70,7 +70,7 @@ TEST_CASE("C7: a cohesive joint carries its tensile strength, then nothing, and 
   for (const double by_point : {0.0, 1.0}) {
     const double ft = 19150, kn = 1e8;
     JointTest joint(Bonded{kn, 0.5 * kn, 0.7, 0, 1e5, ft, by_point}, 1, 0, 0);
-    CHECK(joint.sim.state().memory.at(0).bonds == 3);
+    CHECK(joint.sim.state().contacts.memory.at(0).bonds == 3);
     const std::vector<Reading> r = joint.lead(1, 3e-4, 1.0, 1.5);
     const Reading most = peak(r);
     MESSAGE("C7 peak pull ", most.force, " N (19150) at ", most.moved, " m (1.915e-4)");
@@ -84,7 +84,7 @@ TEST_CASE("C7: a cohesive joint carries its tensile strength, then nothing, and 
     }
     CHECK(after == 0.0);  // never pulls again
     CHECK(near(deepest, -kn * 3e-4, 0.005));
-    CHECK(joint.sim.state().memory.at(0).bonds == 0);
+    CHECK(joint.sim.state().contacts.memory.at(0).bonds == 0);
   }
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("C7: closed again after its loss the joint holds by friction alone") {
   Bonded law{kn, 0.5 * kn, mu, 1e-4, 1e5, 19150, 0};
   JointTest joint(law, 1, pressure, 0);
   joint.lead(1, 3e-4, 1.0, 1.0);
-  CHECK(joint.sim.state().memory.at(0).bonds == 0);
+  CHECK(joint.sim.state().contacts.memory.at(0).bonds == 0);
   Model<2>& model = joint.sim.edit_model();
   const int body = model.find_body("block");
   set_support(model, body, 1, Support::free);

@@ -129,8 +129,8 @@ TEST_CASE("mortar stays crushed while the block that crushed it bounces") {
   Simulation sim = scene.start();
   run_for(sim, 0.02);
   const auto crushed = [&] {
-    return std::any_of(sim.state().memory.begin(), sim.state().memory.end(),
-                       [](const ContactMemory& m) { return (m.state & contact_crushed) != 0; });
+    return std::any_of(sim.state().contacts.memory.begin(), sim.state().contacts.memory.end(),
+                       [](const ContactMemory& m) { return (m.state & contact_kept) != 0; });
   };
   REQUIRE(crushed());
   run_for(sim, 0.2);  // it has bounced off: the faces are apart and the depth is kept

@@ -37,7 +37,7 @@ struct PressedBlock {
     scene.add(spec);
     return scene.start();
   }
-  [[nodiscard]] std::uint32_t bonds() const { return sim.state().memory.empty() ? 0 : sim.state().memory[0].bonds; }
+  [[nodiscard]] std::uint32_t bonds() const { return sim.state().contacts.memory.empty() ? 0 : sim.state().contacts.memory[0].bonds; }
   /// Force and moment on the block [N], [N m], and the ledger's residual [J].
   std::array<double, 4> answer() {
     sim.drop_work();
@@ -94,7 +94,7 @@ TEST_CASE("a bond made across a gap is free of stress there, carries its tension
       spec.name = "block", spec.outline = rectangle({0, gap}, {1, 0.5 + gap}), spec.mass = 100;
       scene.add(spec);
       Simulation sim = scene.start();
-      CHECK(sim.state().memory.at(0).bonds == 3);
+      CHECK(sim.state().contacts.memory.at(0).bonds == 3);
       const int node = node_of(sim.model(), "block");
       const double rest = sim.state().position[node].y();
       const auto force_at = [&](double move) {

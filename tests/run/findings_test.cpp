@@ -116,8 +116,8 @@ TEST_CASE("a joint's damage is the part of its bond that is lost") {
   State<2> state = sim.state();
   CHECK(joint_damage(joints[0], state) == 0);
   for (const auto& [left, damage] : {std::pair{1U, 0.5}, {2U, 0.5}, {0U, 1.0}}) {
-    for (std::size_t i = 0; i < state.contact.size(); ++i)
-      if (state.contact[i] == joints[1].contact) state.memory[i].bonds = left;
+    for (std::size_t i = 0; i < state.contacts.size(); ++i)
+      if (state.contacts.key[i] == joints[1].contact) state.contacts.memory[i].bonds = left;
     CHECK(joint_damage(joints[1], state) == damage);
     CHECK(joint_damage(joints[0], state) == 0);
   }
@@ -169,7 +169,7 @@ TEST_CASE("base shear is what contacts do to the base, and what accelerates all 
     });
     listener.on_history = [&](const Instant& now) {
       const Vec2 shear = force_on(now.model, now.work, base);
-      contact_resultants(now.model, now.state, now.work, touching);
+      contact_resultants(now.model, now.work, touching);
       Vec2 contacts = Vec2::Zero();
       for (const TouchingContact& c : touching)
         if (c.body_a == 0 || c.body_b == 0) contacts += (c.body_a == 0 ? -1 : 1) * c.resultant.force;
@@ -196,7 +196,7 @@ TEST_CASE("mean stress in a stack at rest is the weight above and half its own, 
     testing::settle(sim);
     sim.refresh();
     std::vector<TouchingContact> touching;
-    contact_resultants(sim.model(), sim.state(), sim.work(), touching);
+    contact_resultants(sim.model(), sim.work(), touching);
     const std::vector<MeanStress> stress = mean_stress(sim.model(), sim.state(), sim.work(), touching);
     const double w = 2000 * standard_gravity;  // of 1 m2
     const std::array<double, 4> across{0, -(3 * w + w) / 2, -(w + w) / 2, -w / 2};
@@ -221,7 +221,7 @@ TEST_CASE("the line of thrust under a tilted block leaves its middle by half its
   testing::settle(sim);
   sim.refresh();
   std::vector<TouchingContact> touching;
-  contact_resultants(sim.model(), sim.state(), sim.work(), touching);
+  contact_resultants(sim.model(), sim.work(), touching);
   const std::vector<int> chain{0, 1, 2}, back{2, 1, 0};
   const std::vector<ThrustPoint> line = thrust_line(chain, touching), other = thrust_line(back, touching);
   REQUIRE(line.size() == 2);

@@ -206,7 +206,7 @@ TEST_CASE("a bearing becomes contact: the two bodies touch from then on, under t
     p.scene.builder.add_bearing(l);
     Simulation sim = p.scene.start();
     testing::settle(sim);
-    for (const ContactMemory& m : sim.state().memory) CHECK(m.empty());
+    for (const ContactMemory& m : sim.state().contacts.memory) CHECK(m.empty());
     p.pull(sim, 0.3);
     const double moving = sim.state().given[EnergyTerm::contact_friction];
     p.pull(sim, 0.5);

@@ -1,4 +1,4 @@
-#include "step/lead.hpp"
+#include "step/displacement_control.hpp"
 
 #include <algorithm>
 
@@ -60,9 +60,8 @@ void find_unbalanced(const Model<2>& model, Work<2>& work) {
 
 }  // namespace
 
-void lead(const Model<2>& model, const State<2>& state, Work<2>& work, const StepOptions& options) {
-  if (model.pushes.empty() || work.led) return;
-  work.led = true;
+void control_displacement(const Model<2>& model, const State<2>& state, Work<2>& work, const StepOptions& options) {
+  if (model.pushes.empty()) return;
   work.trim.assign(work.load.size(), Vec2::Zero());
   work.trim_moment.assign(work.load.size(), 0);
   for (std::size_t i = 0; i < model.pushes.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "step/notice.hpp"
+#include "step/find_events.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,19 +55,21 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
 /// True where the bond of a row opened beyond its limit, and did not slide beyond it.
 bool is_pulled(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
+  const ContactHistory& before = contacts_before(state, work);
   return with_kernel(law_in_use(model, p.law), [&]<class K>(const K& law) {
     if constexpr (K::bonds)
-      return law.pulled(law.gaps(face_overlap(work, p), state.memory[row], law_memory<K>(state.law_numbers(row))));
+      return law.pulled(law.gaps(face_overlap(work, p), before.memory[row], law_memory<K>(before.law_numbers(row))));
     else
       return false;
   });
 }
 
 /// A bond that began to soften or was lost: what it carried up to now, where, and by which of its limits.
-void notice_bond(const Model<2>& model, const State<2>& state, Work<2>& work, int row, EventType type) {
+void bond_event(const Model<2>& model, const State<2>& state, Work<2>& work, int row, EventType type) {
   const NearPair& p = work.pairs[row];
+  const ContactHistory& before = contacts_before(state, work);
   const ContactResultant carried =
-      face_resultant(model, work, p, state.memory[row], state.law_numbers(row));
+      face_resultant(model, work, p, before.memory[row], before.law_numbers(row));
   const bool pulled = is_pulled(model, state, work, row);
   Event e = event_now(state, type, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
   e.value = carried.force.norm();
@@ -77,17 +79,17 @@ void notice_bond(const Model<2>& model, const State<2>& state, Work<2>& work, in
 }
 
 /// Of a contact that touches now.
-ContactResultant resultant_now(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
+ContactResultant resultant_now(const Model<2>& model, const Work<2>& work, int row) {
   for (const GeneralContact& g : work.general_touching)
-    if (g.row == row) return general_resultant(g.centre, g.force, work.memory[row]);
-  return face_resultant(model, work, work.pairs[row], work.memory[row], trial_law_numbers(state, work, row));
+    if (g.row == row) return general_resultant(g.centre, g.force, work.contacts.memory[row]);
+  return face_resultant(model, work, work.pairs[row], work.contacts.memory[row], work.contacts.law_numbers(row));
 }
 
 /// Mortar that begins to crush: what it carries now, and where.
-void notice_crushing(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
+void crushing_event(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
   Event e = event_now(state, EventType::joint_crushed, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
-  const ContactResultant carried = resultant_now(model, state, work, row);
+  const ContactResultant carried = resultant_now(model, work, row);
   e.value = carried.force.norm();
   e.x = carried.point.x(), e.y = carried.point.y();
   e.text = joint_modes[2];
@@ -95,38 +97,39 @@ void notice_crushing(const Model<2>& model, const State<2>& state, Work<2>& work
 }
 
 /// A bond lost, or a bond's first damage; mortar that begins to crush.
-void notice_joint(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
-  const JointChange change = with_kernel_type(state.law_row[row].place, [&]<class K>() {
-    return K::change(state.memory[row], law_memory<K>(state.law_numbers(row)), work.memory[row],
-                     law_memory<K>(trial_law_numbers(state, work, row)));
+void joint_events(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
+  const ContactHistory& before = contacts_before(state, work);
+  const JointChange change = with_kernel_type(before.law_row[row].place, [&]<class K>() {
+    return K::change(before.memory[row], law_memory<K>(before.law_numbers(row)), work.contacts.memory[row],
+                     law_memory<K>(work.contacts.law_numbers(row)));
   });
-  if (change.broken) notice_bond(model, state, work, row, EventType::bond_broken);
-  if (change.cracked) notice_bond(model, state, work, row, EventType::bond_cracked);
-  if (change.crushed) notice_crushing(model, state, work, row);
+  if (change.broken) bond_event(model, state, work, row, EventType::bond_broken);
+  if (change.cracked) bond_event(model, state, work, row, EventType::bond_cracked);
+  if (change.crushed) crushing_event(model, state, work, row);
 }
 
 /// A contact that opened a moment ago and closes again was never lost: true if it was one. Joints of rubble and of
 /// rocking units chatter; telling each time would bury what matters.
-bool take_back(State<2>& state, int row) {
+bool take_back(State<2>& state, ContactKey contact) {
   const auto found = std::find_if(state.parted.begin(), state.parted.end(),
-                                  [key = state.contact[row]](const Parted& p) { return p.contact == key; });
+                                  [&](const Parted& p) { return p.contact == contact; });
   if (found == state.parted.end()) return false;
   state.parted.erase(found);
   return true;
 }
 
-void notice_contact(const Model<2>& model, State<2>& state, Work<2>& work, int row) {
-  const ContactMemory &before = state.memory[row], &after = work.memory[row];
+void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int row) {
+  const ContactMemory &before = contacts_before(state, work).memory[row], &after = work.contacts.memory[row];
   const NearPair& p = work.pairs[row];
   const int a = model.piece_body[p.piece_a], b = model.piece_body[p.piece_b];
   const bool was = (before.state & contact_touching) != 0, is = (after.state & contact_touching) != 0;
-  notice_joint(model, state, work, row);
+  joint_events(model, state, work, row);
   if (was == is) return;
   if (!is) {
-    state.parted.push_back({state.contact[row], state.time});
+    state.parted.push_back({work.contacts.key[row], state.time});
     return;
   }
-  const bool again = take_back(state, row);
+  const bool again = take_back(state, work.contacts.key[row]);
   const Meeting m = meeting(model, state, work, row);
   const bool strikes = m.closing > model.impact_speed;
   if (again && !strikes) return;
@@ -137,7 +140,7 @@ void notice_contact(const Model<2>& model, State<2>& state, Work<2>& work, int r
 }
 
 /// Tells which of the contacts that opened have now stayed open long enough to count as lost.
-void notice_parted(const Model<2>& model, State<2>& state, Work<2>& work) {
+void parted_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   const auto lasting = [&](const Parted& p) { return state.time - p.time >= model.apart_time; };
   auto end = state.parted.begin();
   for (; end != state.parted.end() && lasting(*end); ++end)
@@ -196,7 +199,7 @@ void hand_on(const Model<2>& model, const State<2>& state, Work<2>& work, std::s
   work.valid = false;  // another rule holds for the contact of its two pieces from now on
 }
 
-void notice_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
+void bearing_events(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
   const BearingStatus before = state.bearing[i].status;
   BearingMemory& after = work.bearing[i];
   if (before == after.status) return;
@@ -216,7 +219,7 @@ void account_failed(const State<2>& state, Work<2>& work, std::size_t i) {
   work.given[EnergyTerm::bearing_failure] += work.bearing_energy[i];
 }
 
-void notice_seat(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t i) {
+void seat_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t i) {
   if (state.seat_lost[i] != 0) return;
   const Seat& seat = model.seats[i];
   if (seat_length(model, state, seat) > 0) return;
@@ -235,7 +238,7 @@ bool plainly_moves(const Model<2>& model, const State<2>& state, int node) {
   return std::max(std::abs(v.x()), std::abs(v.y())) > model.still_speed && model.moves(node);
 }
 
-void notice_rest(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t b) {
+void rest_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t b) {
   if (!model.body_moves(static_cast<int>(b))) return;
   const int n = model.bodies[b].first_node;
   double speed = state.velocity[n].norm() + std::abs(state.spin[n]) * model.body_radius[b];
@@ -249,10 +252,10 @@ void notice_rest(const Model<2>& model, State<2>& state, Work<2>& work, std::siz
   }
 }
 
-void notice_bodies(const Model<2>& model, State<2>& state, Work<2>& work) {
+void body_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   for (std::size_t b = 0; b < work.body.size(); ++b) {
     if (!plainly_moves(model, state, work.body[b].node)) {
-      notice_rest(model, state, work, b);
+      rest_event(model, state, work, b);
       continue;
     }
     state.moved_at[b] = state.time;
@@ -268,17 +271,17 @@ double seat_length(const Model<2>& model, const State<2>& state, const Seat& sea
   return Turn(edge.rotation).apply(seat.inward).dot(end - edge.place);
 }
 
-void notice(const Model<2>& model, State<2>& state, Work<2>& work) {
+void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   work.events.clear();
   std::sort(work.turned.begin(), work.turned.end());
-  for (const int row : work.turned) notice_contact(model, state, work, row);
-  if (!state.parted.empty()) notice_parted(model, state, work);
+  for (const int row : work.turned) contact_events(model, state, work, row);
+  if (!state.parted.empty()) parted_events(model, state, work);
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    notice_bearing(model, state, work, i);
+    bearing_events(model, state, work, i);
     account_failed(state, work, i);
   }
-  for (std::size_t i = 0; i < model.seats.size(); ++i) notice_seat(model, state, work, i);
-  notice_bodies(model, state, work);
+  for (std::size_t i = 0; i < model.seats.size(); ++i) seat_event(model, state, work, i);
+  body_events(model, state, work);
 }
 
 }  // namespace trilith

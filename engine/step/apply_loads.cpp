@@ -42,8 +42,7 @@ Vec2 face_force(const FaceLoad& load, const SkinMotion& a, const SkinMotion& b) 
   return load.follows ? Vec2(load.pressure * load.depth * left_of(Vec2(b.x - a.x, b.y - a.y))) : load.dead;
 }
 
-void push(const Model<2>& model, const State<2>& state, Work<2>& work) {
-  work.led = false;
+void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (!model.loaded()) {
     if (work.load.empty()) return;
     work.load.clear(), work.load_moment.clear(), work.trim.clear(), work.trim_moment.clear();

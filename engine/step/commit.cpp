@@ -1,0 +1,23 @@
+#include "step/commit.hpp"
+
+#include <utility>
+
+#include "step/find_events.hpp"
+
+namespace trilith {
+
+void commit(const Model<2>& model, State<2>& state, Work<2>& work, StepTimes* times) {
+  StepClock clock(times);
+  find_events(model, state, work);
+  // The memories of before go where the next trial is written: rows that are not worked on are empty in both.
+  if (work.carries) std::swap(state.contacts, work.carried);
+  std::swap(state.contacts, work.contacts);
+  work.carried = {};
+  work.carries = false;
+  state.bearing.swap(work.bearing);
+  state.plastic.swap(work.plastic);
+  state.given = work.given;
+  clock.mark(StepPart::events);
+}
+
+}  // namespace trilith

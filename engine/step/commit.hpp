@@ -1,0 +1,15 @@
+// The end of a step: what was evaluated becomes the state.
+#pragma once
+
+#include "step/step_times.hpp"
+#include "world/model.hpp"
+#include "world/state.hpp"
+#include "world/work.hpp"
+
+namespace trilith {
+
+/// Finds the events of the step that led to the evaluated instant (Work::events), then makes the trial memories and the
+/// ledger's sums those of the state. Time and motion are the integrator's.
+void commit(const Model<2>& model, State<2>& state, Work<2>& work, StepTimes* times = nullptr);
+
+}  // namespace trilith

@@ -1,0 +1,64 @@
+// Skin points where the nodes put them, and how they move.
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "body/rigid.hpp"
+#include "step/evaluate.hpp"
+
+namespace trilith {
+namespace {
+
+/// place of a deformable body: its skin points are its nodes.
+SkinReach place_nodes(const State<2>& state, const BodyRow& body, Work<2>& work) {
+  SkinReach reach;
+  for (int i = 0; i < body.skins; ++i) {
+    const Vec2 &x = state.position[body.node + i], &v = state.velocity[body.node + i];
+    SkinMotion& skin = work.skin[body.skin + i];
+    const double dx = x.x() - skin.x, dy = x.y() - skin.y;
+    skin = {x.x(), x.y(), v.x(), v.y()};
+    reach.add(v.squaredNorm(), dx * dx + dy * dy);
+  }
+  return reach;
+}
+
+/// place of a rigid body.
+SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+  const int n = body.node;
+  const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
+  return place_rigid({state.position[n], state.rotation[n], state.velocity[n], state.spin[n]},
+                     std::span(model.skin_place).subspan(first, count), std::span(work.skin).subspan(first, count));
+}
+
+void list_bodies(const Model<2>& model, Work<2>& work) {
+  work.body.clear();
+  for (const Body& b : model.bodies) work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, b.deforms()});
+}
+
+/// True where some node of the body is free to move.
+bool moves(const Model<2>& model, const BodyRow& body) {
+  for (int n = body.node; n < body.node + body.nodes; ++n)
+    if (model.moves(n)) return true;
+  return false;
+}
+
+}  // namespace
+
+void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  if (!work.valid) list_bodies(model, work);
+  work.skin.resize(model.skin_place.size());
+  work.skin_force.resize(model.skin_place.size());
+  double fastest = 0, fastest_moving = 0, farthest = 0;
+  for (const BodyRow& body : work.body) {
+    const auto [speed2, path2] =
+        body.deforms ? place_nodes(state, body, work) : place_body(model, state, body, work);
+    fastest = std::max(fastest, speed2);
+    farthest = std::max(farthest, path2);
+    if (speed2 > fastest_moving && moves(model, body)) fastest_moving = speed2;
+  }
+  work.fastest = std::sqrt(fastest);
+  work.fastest_moving = std::sqrt(fastest_moving);
+  work.travel += std::sqrt(farthest);  // of no meaning, and not asked for, before the pairs are found
+}
+
+}  // namespace trilith

@@ -1,0 +1,99 @@
+// Forces at skin points, of bearings and from outside, summed at the nodes.
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "base/lanes.hpp"
+#include "body/rigid.hpp"
+#include "step/evaluate.hpp"
+#include "world/pose.hpp"
+
+namespace trilith {
+namespace {
+
+/// A bearing with an end on a deformable body. Its force acts on both bodies along one line, through b's point.
+void add_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
+  const Bearing<2>& b = model.bearings[i];
+  const Anchor a = anchor_a(b), at_b = anchor_b(b);
+  const Vec2 f = work.bearing_force[i];
+  const Vec2 between = anchor_pose(model, state, at_b).place - anchor_pose(model, state, a).place;
+  const double moment = work.bearing_moment[i];
+  add_at_anchor(model, state, at_b, f, moment, work.force, work.moment);
+  add_at_anchor(model, state, a, -f, -cross(between, f) - moment, work.force, work.moment);
+}
+
+/// spread of a deformable body, and what its elements give.
+void spread_nodes(const BodyRow& body, Work<2>& work) {
+  for (int i = 0; i < body.nodes; ++i) {
+    const int n = body.node + i;
+    work.force[n] = work.skin_force[body.skin + i] + work.element_force[n] + work.element_damping[n];
+    work.moment[n] = 0;
+  }
+}
+
+/// spread of a rigid body.
+void spread_body(const State<2>& state, const BodyRow& body, Work<2>& work) {
+  const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
+  const NodeLoad load =
+      spread_rigid(state.position[body.node], std::span<const SkinMotion>(work.skin).subspan(first, count),
+                   std::span<const Vec2>(work.skin_force).subspan(first, count));
+  work.force[body.node] = {load.x, load.y};
+  work.moment[body.node] = load.moment;
+}
+
+/// A bearing between two rigid bodies, or with an end on a deformable one.
+void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
+  const Bearing<2>& b = model.bearings[i];
+  if (b.element_a >= 0 || b.element_b >= 0) return add_bearing(model, state, work, i);
+  const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
+  const Vec2 point = state.position[nb] + Turn(state.rotation[nb]).apply(b.point_b);
+  const Vec2& f = work.bearing_force[i];
+  work.force[nb] += f;
+  work.force[na] -= f;
+  work.moment[nb] += cross(Vec2(point - state.position[nb]), f) + work.bearing_moment[i];
+  work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
+}
+
+double squared_size(const LanePair& v) {
+  const LanePair squares = v * v;
+  return squares[0] + squares[1];
+}
+
+/// Adds what acts on the nodes from outside, and finds the largest forces carried and left over. Sizes are compared
+/// squared; the root keeps their order.
+void add_outside(const Model<2>& model, const Vec2& field, Work<2>& work) {
+  const bool loaded = !work.load.empty();
+  const Vec2* load = loaded ? work.load.data() : model.load.data();
+  const LanePair pull{field.x(), field.y()};
+  double unbalanced = 0, carried = 0;
+  for (int n = 0; n < model.nodes(); ++n) {
+    const LanePair reacts = load_pair(work.force[n].data()), steady = model.mass[n] * pull + load_pair(load[n].data());
+    LanePair left = reacts + steady;
+    store_pair(work.force[n].data(), left);
+    if (loaded) work.moment[n] += work.load_moment[n];
+    if (!model.moves(n)) continue;
+    carried = std::max(carried, std::max(squared_size(reacts), squared_size(steady)));
+    for (const int k : {0, 1})
+      if (model.support[n][k] != Support::free) left[k] = 0;
+    unbalanced = std::max(unbalanced, squared_size(left));
+  }
+  work.unbalanced = std::sqrt(unbalanced);
+  work.carried = std::sqrt(carried);
+}
+
+}  // namespace
+
+void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  work.force.resize(model.mass.size());
+  work.moment.resize(model.mass.size());
+  for (const BodyRow& body : work.body) {
+    if (body.deforms)
+      spread_nodes(body, work);
+    else
+      spread_body(state, body, work);
+  }
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
+  add_outside(model, model.gravity.at(state.time), work);
+}
+
+}  // namespace trilith
