@@ -73,8 +73,9 @@ std::string describe(const T& value) {
 template <class... Ts>
 struct TypeList {
   static constexpr int size = sizeof...(Ts);
-  /// A value of one of them.
+  /// A value of one of them; or of none, which comes first.
   using Variant = std::variant<Ts...>;
+  using VariantOrNone = std::variant<std::monostate, Ts...>;
   /// Calls f.template operator()<T>() for every T in order.
   template <class F>
   static constexpr void for_each(F&& f) {

@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "bearing/bouc_wen.hpp"
 #include "bearing/elastic_plastic.hpp"
 #include "bearing/friction.hpp"
 #include "bearing/gap.hpp"
@@ -12,10 +13,9 @@
 
 namespace trilith {
 
-using DirectionLaws = TypeList<Linear, ElasticPlastic, Gap, Table, Friction, Pendulum>;
+using DirectionLaws = TypeList<Linear, ElasticPlastic, Gap, Table, Friction, Pendulum, BoucWen>;
 /// std::monostate: free.
-using DirectionLaw = std::variant<std::monostate, Linear, ElasticPlastic, Gap, Table, Friction, Pendulum>;
-static_assert(std::variant_size_v<DirectionLaw> == DirectionLaws::size + 1);
+using DirectionLaw = DirectionLaws::VariantOrNone;
 
 template <class L>
 concept DirectionLawType = Declared<L> && requires(const L& law, const DirectionMotion& m, const DirectionMemory& d) {
@@ -23,7 +23,13 @@ concept DirectionLawType = Declared<L> && requires(const L& law, const Direction
   { law.tangent() } -> std::convertible_to<double>;
   { law.dashpot() } -> std::convertible_to<double>;
 };
-static_assert(DirectionLawType<Linear> && DirectionLawType<ElasticPlastic> && DirectionLawType<Gap> &&
-              DirectionLawType<Table> && DirectionLawType<Friction> && DirectionLawType<Pendulum>);
+static_assert(DirectionLaws::all([]<class L>() { return DirectionLawType<L>; }));
+
+/// Given by points, beside its declared numbers.
+template <class L>
+concept TabulatedLaw = requires(L& law) {
+  law.displacement.push_back(0.0);
+  law.force.push_back(0.0);
+};
 
 }  // namespace trilith

@@ -142,7 +142,8 @@ TRILITH_INLINE void Bonded::Kernel::press(const HalfState<T>* halves, T* active,
   for (const int h : {0, 1}) {
     const HalfState<T>& half = halves[h];
     const Mask<T> bonded = half.bonded;
-    const T closed_from = select(bonded, zero, parts.closed.from[h]), closed_to = select(bonded, one, parts.closed.to[h]);
+    const T closed_from = select(bonded, zero, parts.closed.from[h]),
+            closed_to = select(bonded, one, parts.closed.to[h]);
     HalfStress<T> stress(half, beta, closed_from, closed_to, select(bonded, zero, parts.from(h)),
                          select(bonded, one, parts.to(h)));
     active[h] = closed_to - closed_from;

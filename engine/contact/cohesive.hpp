@@ -105,11 +105,11 @@ struct Cohesive::Kernel : Mortar {
 
   template <class T>
   struct Memory {
-    T set[2]{};             ///< gaps at both ends of the shared length as the mortar set [m]
-    T damage[2]{};          ///< of a half that is bonded: share of its strength that is lost
-    T crushed[2]{};         ///< depth by which the mortar of each half is crushed [m]
-    T worn{};               ///< 1: has been of general shape since it began to touch, and dilates no more
-    T crushing_force{};     ///< of general shape: the force that crushes its mortar, 0 where that is sound [N]
+    T set[2]{};          ///< gaps at both ends of the shared length as the mortar set [m]
+    T damage[2]{};       ///< of a half that is bonded: share of its strength that is lost
+    T crushed[2]{};      ///< depth by which the mortar of each half is crushed [m]
+    T worn{};            ///< 1: has been of general shape since it began to touch, and dilates no more
+    T crushing_force{};  ///< of general shape: the force that crushes its mortar, 0 where that is sound [N]
     template <class F>
     TRILITH_INLINE void fields(F&& two) {
       two(set[0], set[1]), two(damage[0], damage[1]), two(crushed[0], crushed[1]), two(worn, crushing_force);

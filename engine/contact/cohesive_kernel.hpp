@@ -21,8 +21,7 @@ TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, T damag
 
 /// Energy an open half gives off as it holds less: exact for the mean of the forces at both ends of the step [J].
 template <class T>
-TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, T damage, T strength,
-                                                Mask<T> was_bonded) const {
+TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded) const {
   const T zero{}, one = zero + 1.0;
   const T before = select(was_bonded, held(one - damage), zero);
   const T fall = before - held(strength);
@@ -179,8 +178,8 @@ TRILITH_INLINE T Cohesive::Kernel::slide(HalfState<T>& h, T active, const ShearB
 
 /// Bonds after the stresses: what is left of them, and the energy that they and the crushing gave off [J].
 template <class T>
-TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMemory<T>& before,
-                                       const Memory<T>& own, FaceMemory<T>& memory, Memory<T>& after) const {
+TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
+                                       FaceMemory<T>& memory, Memory<T>& after) const {
   const T zero{}, one = zero + 1.0;
   T lost = zero;
   for (const int k : {0, 1}) {

@@ -112,9 +112,7 @@ struct Coulomb {
   /// Depths d and closing speeds c at both ends of a stretch [m], [m/s].
   [[nodiscard]] StretchPressure stretch(double d0, double d1, double c0, double c1) const;
   /// Integral of the pressure over kn over a triangle of the given area with these depths at its corners.
-  [[nodiscard]] static double over(double area, double d0, double d1, double d2) {
-    return area * (d0 + d1 + d2) / 3;
-  }
+  [[nodiscard]] static double over(double area, double d0, double d1, double d2) { return area * (d0 + d1 + d2) / 3; }
 
   // --- readings ---
 

@@ -12,28 +12,28 @@
 #include "contact/bonded.hpp"
 #include "contact/cohesive.hpp"
 #include "contact/frictional.hpp"
+#include "contact/power.hpp"
 
 namespace trilith {
 
-using ContactLaws = TypeList<Frictional, Bonded, Cohesive>;
+using ContactLaws = TypeList<Frictional, Bonded, Cohesive, Power>;
 using ContactLaw = ContactLaws::Variant;
 
 /// What a law of kernel K remembers of a contact: a row of numbers, in pairs.
 template <class K>
 using LawMemory = typename K::template Memory<double>;
 template <class K>
-inline constexpr std::size_t law_numbers =
-    std::is_empty_v<LawMemory<K>> ? 0 : sizeof(LawMemory<K>) / sizeof(double);
+inline constexpr std::size_t law_numbers = std::is_empty_v<LawMemory<K>> ? 0 : sizeof(LawMemory<K>) / sizeof(double);
 /// From the row where it is kept, and back to it.
 template <class K>
 LawMemory<K> law_memory(const double* row) {
   LawMemory<K> memory;
-  if constexpr (law_numbers<K> > 0) std::memcpy(static_cast<void*>(&memory), row, sizeof memory);
+  if constexpr (law_numbers < K >> 0) std::memcpy(static_cast<void*>(&memory), row, sizeof memory);
   return memory;
 }
 template <class K>
 void keep_law_memory(const LawMemory<K>& memory, double* row) {
-  if constexpr (law_numbers<K> > 0) std::memcpy(row, &memory, sizeof memory);
+  if constexpr (law_numbers < K >> 0) std::memcpy(row, &memory, sizeof memory);
 }
 
 /// How many numbers the law at each place of the list remembers.
@@ -61,7 +61,8 @@ concept ContactLawType = Declared<L> && requires(const L& law) {
   { law.beta } -> std::convertible_to<double>;
   requires std::derived_from<typename L::Kernel, Coulomb>;
   requires std::constructible_from<typename L::Kernel, const L&, double, double>;
-  requires law_numbers<typename L::Kernel> % 2 == 0;
+  requires law_numbers<typename L::Kernel>
+  % 2 == 0;
 };
 static_assert(ContactLaws::all([]<class L>() { return ContactLawType<L>; }));
 
@@ -97,9 +98,8 @@ decltype(auto) with_kernel_type(const ContactLaw& law, F&& f) {
 }
 template <class F>
 decltype(auto) with_kernel_type(std::size_t place, F&& f) {
-  return ContactLaws::at(place, [&]<class L>() -> decltype(auto) {
-    return f.template operator()<typename L::Kernel>();
-  });
+  return ContactLaws::at(place,
+                         [&]<class L>() -> decltype(auto) { return f.template operator()<typename L::Kernel>(); });
 }
 
 }  // namespace trilith

@@ -67,8 +67,7 @@ Pressed pressed_between(const K& law, const PlacedPiece& a, const PlacedPiece& b
 }  // namespace
 
 double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, const LawInUse& law, double crushed) {
-  return with_kernel(law,
-                     [&](const auto& k) { return 0.5 * k.kn * pressed_between(k, a, b, crushed).pressure; });
+  return with_kernel(law, [&](const auto& k) { return 0.5 * k.kn * pressed_between(k, a, b, crushed).pressure; });
 }
 
 double crushing_force(const PlacedPiece& a, const PlacedPiece& b, const Coulomb& law, double crushed) {

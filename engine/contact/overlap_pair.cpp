@@ -301,7 +301,8 @@ struct Overlapping {
   }
   /// The depth by which the mortar is crushed now: such that the mean pressure of the springs is its strength at most.
   [[nodiscard]] double crushed_now(const K& law, const LawMemory<K>& own) const {
-    if constexpr (!K::crushes) return 0;
+    if constexpr (!K::crushes)
+      return 0;
     else {
       K springs = law;
       springs.beta = 0;
@@ -324,8 +325,7 @@ void keep_crushed(const Overlapping<K>& pair, const ContactMemory& before, const
   if constexpr (K::crushes) {
     if (!(depth > 0)) return;
     const bool touched = (before.state & contact_touching) != 0, general = (before.state & contact_general) != 0;
-    out.lost_fracture =
-        law.crushed_by(own, depth, crushing_force(pair.a, pair.b, law, depth), touched, general, after);
+    out.lost_fracture = law.crushed_by(own, depth, crushing_force(pair.a, pair.b, law, depth), touched, general, after);
     out.memory.state |= contact_kept;
   }
 }
@@ -377,8 +377,7 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
   assert(a.corner.size() <= max_piece_corners && b.corner.size() <= max_piece_corners);
   return with_kernel(law, [&]<class K>(const K& kernel) {
     LawMemory<K> after;
-    const OverlapResponse out =
-        respond<K>(a, b, before.contact, law_memory<K>(before.law), kernel, on_a, on_b, after);
+    const OverlapResponse out = respond<K>(a, b, before.contact, law_memory<K>(before.law), kernel, on_a, on_b, after);
     keep_law_memory<K>(after, law_after);
     return out;
   });

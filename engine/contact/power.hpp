@@ -1,9 +1,9 @@
 // Contact that stiffens as it closes: a power of the overlap, as of rough faces, dry joints and rounded bodies.
 //
-// sigma = kn d (delta/d)^n: kn is the secant stiffness at the overlap d ("depth"), n = 1 is linear, n = 3/2 the exponent
-// of Hertz for two spheres ("On the contact of elastic solids", J. reine angew. Math. 92, 1882). Friction and shear are
-// those of contact/coulomb.hpp; the damping stress is kn beta d(delta)/dt, cut off where the sum would pull. Integrals
-// are taken by Gauss's rule.
+// sigma = kn d (delta/d)^n: kn is the secant stiffness at the overlap d ("depth"), n = 1 is linear, n = 3/2 the
+// exponent of Hertz for two spheres ("On the contact of elastic solids", J. reine angew. Math. 92, 1882). Friction and
+// shear are those of contact/coulomb.hpp; the damping stress is kn beta d(delta)/dt, cut off where the sum would pull.
+// Integrals are taken by Gauss's rule.
 #pragma once
 
 #include <array>

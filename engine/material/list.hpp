@@ -12,8 +12,9 @@
 namespace trilith {
 
 using SolidLaws = TypeList<LinearElastic, J2, MohrCoulomb, DruckerPrager>;
-using SolidLaw = std::variant<LinearElastic, J2, MohrCoulomb, DruckerPrager>;
-static_assert(std::variant_size_v<SolidLaw> == SolidLaws::size);
+using SolidLaw = SolidLaws::Variant;
+/// What E, nu and damping alone stand for.
+using ElasticSolid = LinearElastic;
 
 /// What every law has; one that is not elastic answers `respond(plane, strain, memory)` too.
 template <class L>
@@ -26,8 +27,7 @@ concept SolidLawType = Declared<L> && requires(const L& law, const PlaneVector& 
     { law.respond(Plane::strain, strain, memory) } -> std::same_as<PointResponse>;
   };
 };
-static_assert(SolidLawType<LinearElastic> && SolidLawType<J2> && SolidLawType<MohrCoulomb> &&
-              SolidLawType<DruckerPrager>);
+static_assert(SolidLaws::all([]<class L>() { return SolidLawType<L>; }));
 
 /// How an element's strain follows from the motion of its nodes, see body/solid_element.hpp.
 enum class ElementForm : std::uint8_t { assumed, plain };

@@ -135,7 +135,7 @@ std::string direction_text(const DirectionLaw& law) {
           return "free";
         } else {
           std::string out = describe(l);
-          if constexpr (std::is_same_v<Law, Table>)
+          if constexpr (TabulatedLaw<Law>)
             for (std::size_t i = 0; i < l.displacement.size(); ++i)
               out += fmt::format(" ({:g}, {:g})", l.displacement[i], l.force[i]);
           return out;

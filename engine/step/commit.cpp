@@ -10,10 +10,10 @@ void commit(const Model<2>& model, State<2>& state, Work<2>& work, StepTimes* ti
   StepClock clock(times);
   find_events(model, state, work);
   // The memories of before go where the next trial is written: rows that are not worked on are empty in both.
-  if (work.carries) std::swap(state.contacts, work.carried);
+  if (work.is_matched) std::swap(state.contacts, work.matched);
   std::swap(state.contacts, work.contacts);
-  work.carried = {};
-  work.carries = false;
+  work.matched = {};
+  work.is_matched = false;
   state.bearing.swap(work.bearing);
   state.plastic.swap(work.plastic);
   state.given = work.given;

@@ -29,7 +29,8 @@ void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<
   const auto append = [&](int row, const ContactResultant& r) {
     const NearPair& p = work.pairs[row];
     const double mu = std::visit([](const auto& law) { return law.mu; }, model.laws[p.law]);
-    out.push_back({row, model.piece_body[p.piece_a], model.piece_body[p.piece_b], r, hold_of(work.contacts.memory[row], r, mu)});
+    out.push_back(
+        {row, model.piece_body[p.piece_a], model.piece_body[p.piece_b], r, hold_of(work.contacts.memory[row], r, mu)});
   };
   std::size_t general = 0;  // both lists rise with the row
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {

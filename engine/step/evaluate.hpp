@@ -9,9 +9,9 @@
 
 namespace trilith {
 
-/// place -> find -> respond (contacts, bearings) -> resist -> apply loads -> spread -> sum, at the present pose and velocity,
-/// over a step `dt` [s] since the last commit. To evaluate again changes nothing.
-/// `times`: where the time goes is added to it.
+/// place -> find -> respond (contacts, bearings) -> resist -> apply loads -> spread -> sum, at the present pose and
+/// velocity, over a step `dt` [s] since the last commit. To evaluate again changes nothing. `times`: where the time
+/// goes is added to it.
 void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
 
 // The stages, each the only writer of its part of Work.

@@ -22,8 +22,8 @@ std::vector<LawRow> law_rows(const Model<2>& model, const Work<2>& work) {
 
 /// Brings what the state remembers into the rows of the pairs just found: kept memories move, the rest start empty.
 /// What a law remembers is of no use to one of another kind.
-void carry_contacts(const Model<2>& model, const ContactHistory& state, Work<2>& work) {
-  ContactHistory& now = work.carried;
+void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>& work) {
+  ContactHistory& now = work.matched;
   now.key.resize(work.pairs.size());
   now.memory.assign(work.pairs.size(), {});
   now.law_row = law_rows(model, work);
@@ -38,13 +38,12 @@ void carry_contacts(const Model<2>& model, const ContactHistory& state, Work<2>&
     if (now.law_row[row].place == state.law_row[old].place)
       std::copy_n(state.law_numbers(old), numbers(now.law_row[row]), now.law_numbers(row));
   }
-  work.carries = true;
+  work.is_matched = true;
 }
 
 /// As many rows, and all empty.
 ContactHistory emptied(const ContactHistory& rows) {
-  return {rows.key, std::vector<ContactMemory>(rows.size()), rows.law_row,
-          std::vector<double>(rows.law_memory.size())};
+  return {rows.key, std::vector<ContactMemory>(rows.size()), rows.law_row, std::vector<double>(rows.law_memory.size())};
 }
 
 }  // namespace
@@ -53,8 +52,8 @@ void find(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (!pairs_outdated(model, state, work)) return;
   if (!work.valid) bound_faces(model, work);
   find_pairs(model, state, work);
-  carry_contacts(model, state.contacts, work);
-  work.contacts = emptied(work.carried);
+  match_contacts(model, state.contacts, work);
+  work.contacts = emptied(work.matched);
   work.turned.clear();
   work.general_now.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());

@@ -68,8 +68,7 @@ bool is_pulled(const Model<2>& model, const State<2>& state, const Work<2>& work
 void bond_event(const Model<2>& model, const State<2>& state, Work<2>& work, int row, EventType type) {
   const NearPair& p = work.pairs[row];
   const ContactHistory& before = contacts_before(state, work);
-  const ContactResultant carried =
-      face_resultant(model, work, p, before.memory[row], before.law_numbers(row));
+  const ContactResultant carried = face_resultant(model, work, p, before.memory[row], before.law_numbers(row));
   const bool pulled = is_pulled(model, state, work, row);
   Event e = event_now(state, type, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
   e.value = carried.force.norm();
@@ -111,8 +110,8 @@ void joint_events(const Model<2>& model, const State<2>& state, Work<2>& work, i
 /// A contact that opened a moment ago and closes again was never lost: true if it was one. Joints of rubble and of
 /// rocking units chatter; telling each time would bury what matters.
 bool take_back(State<2>& state, ContactKey contact) {
-  const auto found = std::find_if(state.parted.begin(), state.parted.end(),
-                                  [&](const Parted& p) { return p.contact == contact; });
+  const auto found =
+      std::find_if(state.parted.begin(), state.parted.end(), [&](const Parted& p) { return p.contact == contact; });
   if (found == state.parted.end()) return false;
   state.parted.erase(found);
   return true;

@@ -50,8 +50,7 @@ void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.skin_force.resize(model.skin_place.size());
   double fastest = 0, fastest_moving = 0, farthest = 0;
   for (const BodyRow& body : work.body) {
-    const auto [speed2, path2] =
-        body.deforms ? place_nodes(state, body, work) : place_body(model, state, body, work);
+    const auto [speed2, path2] = body.deforms ? place_nodes(state, body, work) : place_body(model, state, body, work);
     fastest = std::max(fastest, speed2);
     farthest = std::max(farthest, path2);
     if (speed2 > fastest_moving && moves(model, body)) fastest_moving = speed2;

@@ -50,8 +50,7 @@ TRILITH_INLINE LaneMask has_bit(const LaneMask& word, std::int64_t bit) {
 }
 
 constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
-                       general_bit = std::int64_t{contact_general} << 32,
-                       kept_bit = std::int64_t{contact_kept} << 32;
+                       general_bit = std::int64_t{contact_general} << 32, kept_bit = std::int64_t{contact_kept} << 32;
 
 /// Arrays of State and Work that the rows of a batch are read from and written to.
 struct Pass {
@@ -325,8 +324,7 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
                     work.contacts.law_memory.data(),
                     work.skin_force.data(),
                     work};
-    with_kernel(law_in_use(model, batch.law, dt),
-                [&]<class K>(const K& law) { respond_as_here<K>(pass, law, rows); });
+    with_kernel(law_in_use(model, batch.law, dt), [&]<class K>(const K& law) { respond_as_here<K>(pass, law, rows); });
     clock.mark_law(batch.law);
   }
 }

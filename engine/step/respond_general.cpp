@@ -97,8 +97,7 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   std::fill_n(on_b.begin(), b.corner.size(), Vec2::Zero());
   const LawInUse law = law_in_use(model, pair.law, dt);
   const Remembered remembered{before, contacts.law_numbers(row)};
-  const OverlapResponse r =
-      respond_overlap(a, b, remembered, law, on_a, on_b, work.contacts.law_numbers(row));
+  const OverlapResponse r = respond_overlap(a, b, remembered, law, on_a, on_b, work.contacts.law_numbers(row));
   if (was && (before.state & contact_general) == 0) book_change_of_shape(work, pair, remembered, law);
   if (was != r.touching || before.bonds != 0 || (before.state & contact_kept) != (r.memory.state & contact_kept))
     work.turned.push_back(row);

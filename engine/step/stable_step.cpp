@@ -192,7 +192,8 @@ double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
 /// A face of a deformable body in full contact: what its end with the smaller mass feels, per mass.
 void add_stiffer_face(const Model<2>& model, int from, int to, const ContactTangent& law, Local& stiffest) {
   const double length = (model.start_position[to] - model.start_position[from]).norm();
-  const double k = 2 * (0.5 + 1.0 / 6) * length * std::max(law.normal, law.shear) / std::min(model.mass[from], model.mass[to]);
+  const double k =
+      2 * (0.5 + 1.0 / 6) * length * std::max(law.normal, law.shear) / std::min(model.mass[from], model.mass[to]);
   if (k <= stiffest.k(0, 0)) return;
   stiffest.k(0, 0) = k;
   stiffest.c(0, 0) = law.beta * k;

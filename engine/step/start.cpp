@@ -41,7 +41,7 @@ void change_bond(const Model<2>& model, const Work<2>& work, std::size_t row, St
 void find_contacts(const Model<2>& model, State<2>& state, Work<2>& work) {
   place(model, state, work);
   find(model, state, work);
-  state.contacts = work.carried;
+  state.contacts = work.matched;
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "step/evaluate.hpp"
 #include "step/displacement_control.hpp"
+#include "step/evaluate.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {

@@ -49,7 +49,7 @@ void ModelBuilder::add_bearing(const BearingSpec& spec) {
     std::visit(
         [](const auto& l) {
           if constexpr (!std::is_same_v<std::decay_t<decltype(l)>, std::monostate>) check_parameters(l);
-          if constexpr (std::is_same_v<std::decay_t<decltype(l)>, Table>) l.check();
+          if constexpr (requires { l.check(); }) l.check();
         },
         law);
   check_links(spec, owner);

@@ -88,8 +88,8 @@ void check_conditions(std::span<const std::uint64_t> words, const std::filesyste
 void save_state(const State<2>& state, const Model<2>& model, const std::filesystem::path& path) try {
   const Fingerprint print = model_fingerprint(model, state);
   const std::vector<std::uint64_t> contents = state_words(state);
-  std::vector<std::uint64_t> words{magic(),           byte_order_mark, checkpoint_version, print.structure,
-                                   print.conditions, contents.size()};
+  std::vector<std::uint64_t> words{magic(),         byte_order_mark,  checkpoint_version,
+                                   print.structure, print.conditions, contents.size()};
   words.insert(words.end(), contents.begin(), contents.end());
   words.push_back(digest(words));
   FreshFile file(path);
@@ -103,8 +103,7 @@ State<2> load_state(const Model<2>& model, const std::filesystem::path& path) {
   const std::vector<std::uint64_t> words = read_words(path);
   check_head(words, path, model_fingerprint(model).structure);
   const std::span<const std::uint64_t> all(words);
-  const State<2> state =
-      state_from_words(model, all.subspan(head_words, words.size() - head_words - 1), title(path));
+  const State<2> state = state_from_words(model, all.subspan(head_words, words.size() - head_words - 1), title(path));
   check_conditions(words, path, model_fingerprint(model, state).conditions);
   return state;
 }

@@ -9,9 +9,9 @@
 //   6 ..    the state: time, step, dt, safety, last_dt; then, each led by its count: nodes (x, y, rotation, u, v,
 //           spin), contacts that remember something (key, the 10 numbers of ContactMemory, bonds * 2^32 + state, place
 //           of the law in ContactLaws * 2^32 + how many numbers it remembers, these), contacts that parted a moment ago
-//           (key, time), pairs of bodies that passed (key), bearings (status * 2^32 + failed direction, 3 x 5 numbers of
-//           DirectionMemory), points of inelastic elements (5 numbers of PlasticMemory), seats (lost), bodies (moved at,
-//           resting), bodies (left the bounds), terms of the energy ledger. Numbers are IEEE doubles.
+//           (key, time), pairs of bodies that passed (key), bearings (status * 2^32 + failed direction, 3 x 5 numbers
+//           of DirectionMemory), points of inelastic elements (5 numbers of PlasticMemory), seats (lost), bodies (moved
+//           at, resting), bodies (left the bounds), terms of the energy ledger. Numbers are IEEE doubles.
 //   6 + n   digest of all words before (base/hash.hpp)
 #pragma once
 

@@ -70,7 +70,7 @@ void add(Hash& hash, const DirectionLaw& law) {
           hash.add(std::string_view("free"));
         } else {
           add_law(hash, l);
-          if constexpr (std::is_same_v<L, Table>) add(hash, l.displacement), add(hash, l.force);
+          if constexpr (TabulatedLaw<L>) add(hash, l.displacement), add(hash, l.force);
         }
       },
       law);

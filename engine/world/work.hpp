@@ -71,9 +71,9 @@ struct Work {
   std::vector<double> found_rotation;  ///< [node] rad
   std::vector<RateBound> face_bound;   ///< [body] lying on its stiffest face
   double margin = 0;                   ///< boxes are widened by this m
-  ContactHistory carried;              ///< the state's contacts in the rows of the pairs, where these were found after
+  ContactHistory matched;              ///< the state's contacts in the rows of the pairs, where these were found after
                                        ///< the last commit; else empty
-  bool carries = false;                ///< they were
+  bool is_matched = false;             ///< they were
   double travel = 0;                   ///< path of the skin point that went farthest since then, from one evaluated
                                        ///< pose to the next, an upper bound. Writer: place m
   double look_again = 0;               ///< no body has moved half the margin while `travel` is below this m
@@ -121,7 +121,7 @@ struct Work {
 /// What the contacts remember up to now, in the rows of the pairs.
 template <int D>
 const ContactHistory& contacts_before(const State<D>& state, const Work<D>& work) {
-  return work.carries ? work.carried : state.contacts;
+  return work.is_matched ? work.matched : state.contacts;
 }
 
 }  // namespace trilith

@@ -14,8 +14,9 @@ std::size_t bytes_in(const Vectors&... vectors) {
 }  // namespace
 
 std::size_t bytes_of(const State<2>& s) {
-  return sizeof(State<2>) + bytes_in(s.position, s.rotation, s.velocity, s.spin, s.contacts.key, s.contacts.memory, s.contacts.law_row, s.contacts.law_memory, s.parted,
-                                     s.bearing, s.plastic, s.seat_lost, s.moved_at, s.resting);
+  return sizeof(State<2>) + bytes_in(s.position, s.rotation, s.velocity, s.spin, s.contacts.key, s.contacts.memory,
+                                     s.contacts.law_row, s.contacts.law_memory, s.parted, s.bearing, s.plastic,
+                                     s.seat_lost, s.moved_at, s.resting);
 }
 
 std::size_t bytes_of(const Model<2>& m) {

@@ -19,13 +19,12 @@ int make_contact_law(lua_State* lua) {
   return 1;
 }
 
-/// Numbers that are no declared parameter: the points of a table.
-template <class L>
-void read_points(Keys&, L&) {}
-void read_points(Keys& keys, Table& table) {
+/// Numbers that are no declared parameter.
+template <TabulatedLaw L>
+void read_points(Keys& keys, L& law) {
   for (const Vec2& p : keys.points("points")) {
-    table.displacement.push_back(p.x());
-    table.force.push_back(p.y());
+    law.displacement.push_back(p.x());
+    law.force.push_back(p.y());
   }
 }
 
@@ -33,7 +32,7 @@ template <class L>
 int make_direction_law(lua_State* lua) {
   Keys keys(lua, 1, std::string(L::name));
   L law;
-  read_points(keys, law);
+  if constexpr (TabulatedLaw<L>) read_points(keys, law);
   keys.declared(law);
   keys.finish();
   if constexpr (requires { law.check(); }) law.check();

@@ -16,7 +16,7 @@ std::optional<Solid> read_solid(Keys& keys) {
   const bool elastic = keys.has("E"), given = keys.has("solid");
   if (const auto* value = keys.maybe_handle<SolidLawValue>("solid")) solid.law = value->law;
   if (elastic) {
-    LinearElastic law;
+    ElasticSolid law;
     keys.declared(law);
     if (given) keys.problem("both E and solid are given; keep one");
     solid.law = law;

@@ -37,12 +37,18 @@ function checks.damping(model, add, whole)
   end
 end
 
+--- A number of a law, or nil where laws of its kind have none of that name.
+local function number_of(law, key)
+  local known, value = pcall(function() return law[key] end)
+  return known and value or nil
+end
+
 function checks.laws(model, add)
   for _, law in ipairs(core.contact_laws(model)) do
-    local name = law.name
-    if law.tension and law.mu > 0 and law.tension > law.cohesion / law.mu then
+    local name, tension = law.name, number_of(law, "tension")
+    if tension and law.mu > 0 and tension > law.cohesion / law.mu then
       add(("law '%s': tension %g Pa is above cohesion/mu = %g Pa, so shear fails first in pure tension; is that meant?")
-        :format(name, law.tension, law.cohesion / law.mu))
+        :format(name, tension, law.cohesion / law.mu))
     end
     if law.ks > law.kn then
       add(("law '%s': ks is above kn; a joint is mostly softer in shear, ks = 0.4 to 0.5 kn"):format(name))

@@ -14,6 +14,7 @@
 #include "build/running_bond.hpp"
 #include "run/simulation.hpp"
 #include "step/central_difference.hpp"
+#include "step/commit.hpp"
 #include "step/evaluate.hpp"
 #include "step/stable_step.hpp"
 #include "world/builder.hpp"
@@ -108,6 +109,7 @@ void bench_wall(int courses, double dt, double seconds) {
     if (i % 32 == 0) stable_step(model, state, work);
     if (i % 1000 == 0) tell(wall + ", shaken", static_cast<double>(i) / steps);
     if (i % 100 == 0) pairs += touching(work), general += static_cast<double>(work.general_touching.size());
+    commit(model, state, work);
     advance(model, state, work, {dt, {}});
   }
   const double spent = now() - begin;

@@ -33,8 +33,8 @@ struct Pressed {
   double force = 0;
 };
 
-Pressed press(double at_left, double at_right, const FaceMemory<double>& memory,
-              const LawMemory<Cohesive::Kernel>& own, const Cohesive::Kernel& law) {
+Pressed press(double at_left, double at_right, const FaceMemory<double>& memory, const LawMemory<Cohesive::Kernel>& own,
+              const Cohesive::Kernel& law) {
   const Vec2 still = Vec2::Zero();
   const FaceEnds<double> a = rigid_face({1, 0}, {0, 0}, still, 0),
                          b = rigid_face({0, at_left}, {1, at_right}, still, 0);

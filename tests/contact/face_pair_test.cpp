@@ -179,18 +179,17 @@ void check_lane(const FaceResponse<Lanes, Many>& many, const FaceResponse<double
   CHECK((many.touching[i] != 0) == one.touching);
   using R = FaceResponse<double, One>;
   using S = FaceResponse<Lanes, Many>;
-  const std::pair<double R::*, Lanes S::*> numbers[] = {
-      {&R::ax0, &S::ax0},
-      {&R::ay0, &S::ay0},
-      {&R::ax1, &S::ax1},
-      {&R::ay1, &S::ay1},
-      {&R::bx0, &S::bx0},
-      {&R::by0, &S::by0},
-      {&R::bx1, &S::bx1},
-      {&R::by1, &S::by1},
-      {&R::lost_damping, &S::lost_damping},
-      {&R::lost_friction, &S::lost_friction},
-      {&R::lost_fracture, &S::lost_fracture}};
+  const std::pair<double R::*, Lanes S::*> numbers[] = {{&R::ax0, &S::ax0},
+                                                        {&R::ay0, &S::ay0},
+                                                        {&R::ax1, &S::ax1},
+                                                        {&R::ay1, &S::ay1},
+                                                        {&R::bx0, &S::bx0},
+                                                        {&R::by0, &S::by0},
+                                                        {&R::bx1, &S::bx1},
+                                                        {&R::by1, &S::by1},
+                                                        {&R::lost_damping, &S::lost_damping},
+                                                        {&R::lost_friction, &S::lost_friction},
+                                                        {&R::lost_fracture, &S::lost_fracture}};
   for (const auto& [single, lanes] : numbers) CHECK(same_bits(one.*single, (many.*lanes)[i]));
   for (const int h : {0, 1}) {
     CHECK(same_bits(one.memory.shear_elastic[h], many.memory.shear_elastic[h][i]));
@@ -372,6 +371,6 @@ TEST_CASE("faces that reach their limits of tilt or depth are left to the genera
   CHECK_FALSE(is_pair(1.02 * face_pair_max_tilt, 1e-6));
   CHECK(is_pair(0, 0.98 * face_pair_max_depth));
   CHECK_FALSE(is_pair(0, 1.02 * face_pair_max_depth));
-  CHECK(
-      respond_fresh(faces(2 * face_pair_max_tilt, 1e-6), no_memory(true), bonded).is_face_pair);  // a bond is always of faces
+  CHECK(respond_fresh(faces(2 * face_pair_max_tilt, 1e-6), no_memory(true), bonded)
+            .is_face_pair);  // a bond is always of faces
 }

@@ -74,7 +74,7 @@ BondResponse opened(double gap, double slope, double slip, bool by_point, const 
 
 TEST_CASE("C7: below its strength a bond pulls with kn times the gap, above it with nothing") {
   const BondResponse below = opened(1.99e-4, 0, 0, false, no_memory(true)),
-                             above = opened(2.01e-4, 0, 0, false, no_memory(true));
+                     above = opened(2.01e-4, 0, 0, false, no_memory(true));
   CHECK(near((on_b0(below) + on_b1(below)).y(), -1.99e4, 1e-12));
   CHECK(below.memory.bonds[0]);
   CHECK((on_b0(above) + on_b1(above)).norm() == 0.0);
@@ -86,7 +86,7 @@ TEST_CASE("C7: below its strength a bond pulls with kn times the gap, above it w
 TEST_CASE("C7: where one end is pulled beyond its strength, the whole face is lost or half of it, as chosen") {
   // Right end at 3e-4, middle at 1e-4, left end pressed.
   const BondResponse whole = opened(1e-4, 4e-4, 0, false, no_memory(true)),
-                             half = opened(1e-4, 4e-4, 0, true, no_memory(true));
+                     half = opened(1e-4, 4e-4, 0, true, no_memory(true));
   CHECK_FALSE((whole.memory.bonds[0] || whole.memory.bonds[1]));
   // Halves are counted from the start of the first face, which is at the right.
   CHECK_FALSE(half.memory.bonds[0]);

@@ -181,9 +181,9 @@ TEST_CASE("pieces apart feel nothing, and are told a distance that is not too la
     if (separation <= 0) continue;
     ++apart;
     std::vector<Vec2> on_a(a.pieces[0].size(), Vec2::Zero()), on_b(cb.size(), Vec2::Zero());
-    const OverlapResponse r =
-        respond_overlap({a.pieces[0], a.is_face[0], Vec2::Zero(), Vec2::Zero(), 0},
-                        {cb, b.is_face[0], pb.place, pb.velocity, pb.spin}, {{}, nullptr}, {springs, 1, 1e-4}, on_a, on_b, nullptr);
+    const OverlapResponse r = respond_overlap({a.pieces[0], a.is_face[0], Vec2::Zero(), Vec2::Zero(), 0},
+                                              {cb, b.is_face[0], pb.place, pb.velocity, pb.spin}, {{}, nullptr},
+                                              {springs, 1, 1e-4}, on_a, on_b, nullptr);
     CHECK_FALSE(r.touching);
     CHECK(r.separation > 0);
     CHECK(r.separation <= separation * (1 + 1e-12));

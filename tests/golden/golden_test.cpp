@@ -1,5 +1,5 @@
-// Motion and ledger to the bit: what a change of the code's shape must not change. The hashes are in hashes.txt, a row for each
-// platform and run; `./dev golden 'why'` makes those of this platform anew.
+// Motion and ledger to the bit: what a change of the code's shape must not change. The hashes are in hashes.txt, a row
+// for each platform and run; `./dev golden 'why'` makes those of this platform anew.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 

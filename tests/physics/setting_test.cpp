@@ -37,7 +37,9 @@ struct PressedBlock {
     scene.add(spec);
     return scene.start();
   }
-  [[nodiscard]] std::uint32_t bonds() const { return sim.state().contacts.memory.empty() ? 0 : sim.state().contacts.memory[0].bonds; }
+  [[nodiscard]] std::uint32_t bonds() const {
+    return sim.state().contacts.memory.empty() ? 0 : sim.state().contacts.memory[0].bonds;
+  }
   /// Force and moment on the block [N], [N m], and the ledger's residual [J].
   std::array<double, 4> answer() {
     sim.drop_work();

@@ -5,6 +5,7 @@
 
 #include "physics/scene.hpp"
 #include "step/central_difference.hpp"
+#include "step/commit.hpp"
 #include "step/evaluate.hpp"
 
 using namespace trilith;
@@ -26,6 +27,7 @@ bool stays(const Model<2>& model, const State<2>& rest, double dt) {
   for (int i = 0; i < 3000; ++i) {
     evaluate(model, state, work, dt);
     if (work.fastest_moving > 1e-3) return false;
+    commit(model, state, work);
     advance(model, state, work, {dt, {}});
   }
   return true;

@@ -15,6 +15,7 @@
 #include "physics/solids.hpp"
 #include "shape/random_convex.hpp"
 #include "step/central_difference.hpp"
+#include "step/commit.hpp"
 #include "step/evaluate.hpp"
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
@@ -265,6 +266,7 @@ TEST_CASE("collapses at common speeds take the steps they took without the sweep
       evaluate(model, state, work, state.last_dt);
       if (state.step % 32 == 0) state.dt = settled_step(stable_step(model, state, work).dt, 0.5);
       shrunk += swept_step(model, state, work, state.dt).dt != state.dt ? 1 : 0;
+      commit(model, state, work);
       advance(model, state, work, {state.dt, {}});
     }
     INFO(c.name);
