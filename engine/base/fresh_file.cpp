@@ -4,11 +4,15 @@
 #include <sys/random.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cerrno>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "base/error.hpp"
 
 namespace trilith {
 namespace {
@@ -64,6 +68,11 @@ int above_standard(int descriptor) {
 }
 
 FreshFile::FreshFile(const std::filesystem::path& target) : target_(past_links(target)) {
+  std::error_code ignored;
+  const std::filesystem::file_status there = std::filesystem::status(target_, ignored);
+  if (std::filesystem::is_other(there))
+    throw InputError(
+        fmt::format("cannot write '{}': it is not a regular file; give the name of a file", target.string()));
   for (int i = 0; i < most_names && descriptor_ < 0; ++i) {
     path_ = target_.string() + "." + random_word() + ".new";
     descriptor_ = above_standard(::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));

@@ -150,6 +150,37 @@ std::string read_text(hid_t object, const char* name) {
   return text;
 }
 
+namespace {
+
+bool is_usual_number(hid_t type) {
+  for (const hid_t usual :
+       {H5T_STD_I8LE,  H5T_STD_I16LE,  H5T_STD_I32LE,  H5T_STD_I64LE, H5T_STD_U8LE,   H5T_STD_U16LE, H5T_STD_U32LE,
+        H5T_STD_U64LE, H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_STD_I8BE,  H5T_STD_I16BE,  H5T_STD_I32BE, H5T_STD_I64BE,
+        H5T_STD_U8BE,  H5T_STD_U16BE,  H5T_STD_U32BE,  H5T_STD_U64BE, H5T_IEEE_F32BE, H5T_IEEE_F64BE})
+    if (H5Tequal(type, usual) > 0) return true;
+  return false;
+}
+
+}  // namespace
+
+void require_plain(hid_t type, std::string_view owner) {
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind == H5T_STRING && H5Tis_variable_str(type) == 0) return;
+  if (kind == H5T_COMPOUND) {
+    const int members = H5Tget_nmembers(type);
+    for (unsigned i = 0; i < static_cast<unsigned>(std::max(members, 0)); ++i) {
+      const Handle member(H5Tget_member_type(type, i), H5Tclose, fmt::format("unreadable column of {}", owner));
+      require_plain(member.get(), owner);
+    }
+    return;
+  }
+  if (kind == H5T_ARRAY) {
+    const Handle one(H5Tget_super(type), H5Tclose, fmt::format("unreadable type of {}", owner));
+    return require_plain(one.get(), owner);
+  }
+  if (!is_usual_number(type)) throw Failure(fmt::format("{} is damaged: its numbers are of no usual type", owner));
+}
+
 std::vector<std::string> read_texts(hid_t object, const char* name) {
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, fmt::format("no attribute '{}'", name));
   const Handle stored(H5Aget_type(attribute.get()), H5Tclose, "unreadable attribute type");
@@ -171,6 +202,8 @@ int read_int(hid_t object, const char* name) {
   const Handle extent(H5Aget_space(attribute.get()), H5Sclose, "unreadable attribute space");
   if (H5Sget_simple_extent_npoints(extent.get()) != 1)
     throw Failure(fmt::format("attribute '{}' is not one number", name));
+  const Handle stored(H5Aget_type(attribute.get()), H5Tclose, "unreadable attribute type");
+  require_plain(stored.get(), fmt::format("attribute '{}'", name));
   int value = 0;
   check(H5Aread(attribute.get(), H5T_NATIVE_INT, &value), fmt::format("cannot read attribute '{}'", name));
   return value;

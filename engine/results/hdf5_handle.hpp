@@ -64,6 +64,10 @@ class Handle {
   Close close_ = nullptr;
 };
 
+/// Throws Failure where `type`, or a column of it, is none that files like ours hold: numbers of the usual kinds and
+/// texts of fixed length. HDF5 itself writes beyond its memory as it converts some damaged ones.
+void require_plain(hid_t type, std::string_view owner);
+
 /// Stops HDF5 from printing its error stack while it lives.
 class Quiet {
  public:

@@ -35,6 +35,7 @@ void read_into(hid_t file, const std::string& path, std::int64_t first, std::int
     throw h5::Failure(path + " has another shape than the model asks for");
   if (static_cast<hsize_t>(first + count) > extent[0]) throw h5::Failure(path + " has fewer rows than were flushed");
   if (count == 0) return;
+  h5::require_plain(stored(dataset, path).get(), path);
   extent[0] = static_cast<hsize_t>(count);
   std::vector<hsize_t> start(extent.size(), 0);
   start[0] = static_cast<hsize_t>(first);

@@ -65,6 +65,7 @@ std::size_t require_rows(hid_t dataset, hid_t type) {
   constexpr double most_compressed = 1100;
   const std::vector<hsize_t> extent = h5::extents(dataset);
   if (extent.size() != 1 || H5Tget_class(type) != H5T_COMPOUND) throw h5::Failure("/cases is no table");
+  h5::require_plain(type, "/cases");
   const double bytes = static_cast<double>(extent[0]) * static_cast<double>(H5Tget_size(type));
   if (bytes > most_compressed * static_cast<double>(H5Dget_storage_size(dataset)))
     throw h5::Failure("/cases is damaged: it announces more rows than it holds");

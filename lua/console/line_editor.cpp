@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 
 namespace trilith::program {
 namespace {
@@ -168,6 +169,13 @@ void LineEditor::complete_with(std::function<Completion(const std::string&)> com
   if (edited_) edited_->completer = std::move(complete);
 }
 
+namespace {
+
+/// Longer than any line of Lua: what has no end must not fill the memory.
+constexpr std::size_t longest_line = 1U << 20;
+
+}  // namespace
+
 LineEditor::Read LineEditor::read_plain(const std::string& prompt, std::string& line) const {
   if (shown_) fmt::print("{}", prompt);
   std::fflush(stdout);
@@ -177,6 +185,8 @@ LineEditor::Read LineEditor::read_plain(const std::string& prompt, std::string& 
       std::clearerr(stdin);
       return line.empty() ? Read::end : Read::line;
     }
+    if (line.size() == longest_line)
+      throw std::length_error("a line of the input is longer than 1 MB; the console reads lines of Lua");
     line.push_back(static_cast<char>(c));
   }
   return Read::line;

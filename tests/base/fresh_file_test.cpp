@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <set>
 
+#include "base/error.hpp"
 #include "results/sample_run.hpp"
 
 using namespace trilith;
@@ -25,6 +27,16 @@ std::size_t files_in(const Folder& folder) {
 }
 
 }  // namespace
+
+TEST_CASE("a pipe or a device is not replaced by a file") {
+  const Folder folder;
+  const fs::path pipe = folder / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK_THROWS_WITH_AS(FreshFile{pipe}, doctest::Contains("is not a regular file"), InputError);
+  CHECK_THROWS_AS(FreshFile{"/dev/null"}, InputError);
+  CHECK(fs::is_fifo(pipe));
+  CHECK(files_in(folder) == 1);
+}
 
 TEST_CASE("a fresh file takes its place when it is whole and leaves nothing where it is given up") {
   const Folder folder;

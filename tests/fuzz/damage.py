@@ -92,6 +92,8 @@ def restructure(draw, path):
     with h5py.File(path, "r+") as file:
         for _ in range(draw.choice([1, 1, 1, 2, 4])):
             names = objects(file)
+            if not names:
+                return
             name = draw.choice(names)
             item = file[name]
             dice = draw.random()
@@ -148,7 +150,8 @@ def one_set(draw, file, name):
 def one_of_structure(draw, path):
     with h5py.File(path, "r+") as file:
         sets = [name for name in objects(file) if isinstance(file[name], h5py.Dataset)]
-        one_set(draw, file, draw.choice(sets))
+        if sets:
+            one_set(draw, file, draw.choice(sets))
 
 
 def damaged(seed, base, path):

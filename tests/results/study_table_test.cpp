@@ -1,0 +1,31 @@
+// The table of a study: read back, and damaged in ways that HDF5 itself does not catch.
+#include "results/study_table.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <string>
+
+#include "results/results.hpp"
+#include "results/sample_run.hpp"
+
+using namespace trilith;
+using testing::bytes_of;
+using testing::Folder;
+
+TEST_CASE("a study's column of whole numbers wider than their own bytes is refused, not read beyond memory") {
+  const Folder folder;
+  const std::filesystem::path path = folder / "study.h5";
+  results::write_study_table(path, {{"case", "1", "number", std::vector<std::int32_t>{1, 2, 3}}}, {}, true);
+  CHECK(results::read_study_table(path).size() == 1);
+  // How HDF5 writes the type of a signed number of 4 bytes; its last two bytes are the bits that count: 32.
+  const std::string whole_number{"\x10\x08\x00\x00\x04\x00\x00\x00\x00\x00\x20\x00", 12};
+  std::string bytes = bytes_of(path);
+  int found = 0;
+  for (std::size_t at = bytes.find(whole_number); at != std::string::npos;
+       at = bytes.find(whole_number, at + 1), ++found)
+    bytes[at + 10] = '\xff';
+  REQUIRE(found > 0);
+  std::ofstream(path, std::ios::binary) << bytes;
+  CHECK_THROWS_AS(results::read_study_table(path), results::ResultsError);
+}
