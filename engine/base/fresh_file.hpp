@@ -19,8 +19,8 @@ int above_standard(int descriptor);
 /// name ends with random letters and ".new". All members throw std::system_error.
 class FreshFile {
  public:
-  /// Creates it beside `target`, or beside what `target` leads to where that is a symbolic link. Throws InputError where
-  /// something is there that is no regular file, as a device or a pipe: it would be gone.
+  /// Creates it beside `target`, or beside what `target` leads to where that is a symbolic link. Throws InputError
+  /// where something is there that is no regular file, as a device or a pipe: it would be gone.
   explicit FreshFile(const std::filesystem::path& target);
   FreshFile(const FreshFile&) = delete;
   FreshFile& operator=(const FreshFile&) = delete;
