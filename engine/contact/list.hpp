@@ -87,15 +87,7 @@ inline bool may_bond(const ContactLaw& law) {
   return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::bonds; }, law);
 }
 
-/// f.template operator()<K>() for the kernel type of a law, by the law or by its place in the list.
-template <class F>
-decltype(auto) with_kernel_type(const ContactLaw& law, F&& f) {
-  return std::visit(
-      [&](const auto& l) -> decltype(auto) {
-        return f.template operator()<typename std::decay_t<decltype(l)>::Kernel>();
-      },
-      law);
-}
+/// f.template operator()<K>() for the kernel type of the law at a place of the list.
 template <class F>
 decltype(auto) with_kernel_type(std::size_t place, F&& f) {
   return ContactLaws::at(place,

@@ -311,7 +311,7 @@ struct Overlapping {
   }
 };
 
-/// Two pieces that do not overlap, in the view of the one or of the other: what parting leaves.
+/// A lower bound of the distance of two pieces that are apart, 0 where neither shows it; fills their depths [m].
 double separation(const PlacedPiece& a, const PlacedEdges& edges_a, const PlacedPiece& b, const PlacedEdges& edges_b,
                   Depths& b_in_a, Depths& a_in_b) {
   const double apart = b_in_a.fill(a, edges_a, b);

@@ -58,7 +58,7 @@ struct Outside {
   }
 };
 
-/// Forces of pushes that no damping may answer: see step/lead.cpp.
+/// Forces of pushes that no damping may answer: see step/displacement_control.hpp.
 inline void add_trim(const Outside& outside, const std::array<Support, 3>& support, int n, NodeForces& f) {
   const Dofs trim{outside.trim[n].x(), outside.trim[n].y(), outside.trim_moment[n]};
   for (const int k : {0, 1, 2}) {
