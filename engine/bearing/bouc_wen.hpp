@@ -4,6 +4,12 @@
 // further. Wen, "Method for random vibration of hysteretic systems", J. Eng. Mech. Div. ASCE 102(2), 1976, with A = 1
 // and beta + gamma = 1. b from 1/2 on keeps what it gives off from falling below 0 (Erlicher and Point, "Thermodynamic
 // admissibility of Bouc-Wen type hysteresis models", C. R. Mecanique 332, 2004).
+//
+// It may wear: dz/dd = (1 - nu |z/Y|^n (...)) / eta, with nu = 1 + strength_loss e and eta = 1 + stiffness_loss e, so
+// that |z| goes to Y / nu^(1/n), and the first stiffness of what yields is k / eta (Baber and Wen, "Random vibration of
+// hysteretic, degrading systems", J. Eng. Mech. Div. ASCE 107(6), 1981). e is the energy given off over yield Y; theirs
+// counts besides what is stored at the moment. What is stored is (1 - a) k eta z^2 / 2, as it unloads along k / eta.
+// Memory: `inner` is z; `compression` is the energy given off [J] where the law wears, else 0.
 #pragma once
 
 #include <array>
@@ -16,12 +22,14 @@
 namespace trilith {
 
 struct BoucWen {
-  double stiffness = 0;  ///< [N/m]
-  double yield = 0;      ///< [N]
-  double hardening = 0;  ///< [1]
-  double exponent = 0;   ///< [1]
-  double shape = 0;      ///< [1]
-  double damping = 0;    ///< [N s/m]
+  double stiffness = 0;       ///< [N/m]
+  double yield = 0;           ///< [N]
+  double hardening = 0;       ///< [1]
+  double exponent = 0;        ///< [1]
+  double shape = 0;           ///< [1]
+  double damping = 0;         ///< [N s/m]
+  double strength_loss = 0;   ///< [1]
+  double stiffness_loss = 0;  ///< [1]
 
   static constexpr std::string_view name = "bouc_wen";
   static constexpr std::string_view sentence = "smooth hysteresis of Bouc and Wen, and a dashpot";
@@ -35,41 +43,64 @@ struct BoucWen {
         P{&BoucWen::exponent, "exponent", "1", 2, 1, 100, true, "1: a wide bend, 10 and more: nearly a corner"},
         P{&BoucWen::shape, "shape", "1", 0.5, 0.5, 1, true,
           "0.5: unloads along the first stiffness; 1: unloads steeper, in a slender loop"},
-        P{&BoucWen::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
+        P{&BoucWen::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"},
+        P{&BoucWen::strength_loss, "strength_loss", "1", 0, 0, 100, true,
+          "nu grows by this while yield^2 / stiffness is given off; the strength falls as nu^(-1/exponent)"},
+        P{&BoucWen::stiffness_loss, "stiffness_loss", "1", 0, 0, 100, true,
+          "eta grows by this meanwhile; the first stiffness of what yields falls as 1/eta"}};
   }
-  /// Unloading is the stiffest.
-  [[nodiscard]] double tangent() const { return stiffness * (hardening + (1 - hardening) * 2 * shape); }
+  /// Unloading is the stiffest; |z| is behind a strength that falls by a share of `strength_loss` over the exponent.
+  [[nodiscard]] double tangent() const {
+    const double unloading = 2 * shape + (2 * shape - 1) * strength_loss / exponent;
+    return stiffness * (hardening + (1 - hardening) * unloading);
+  }
   [[nodiscard]] double dashpot() const { return damping; }
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
     const double last = yield / stiffness, change = m.rate * m.dt;
-    const double z = last * hysteresis(before.inner / last, change / last), slid = change - (z - before.inner);
+    const Wear wear = worn(before.compression);
+    const double z = last * hysteresis(before.inner / last, change / last, wear);
+    const double slid = change - wear.eta * (z - before.inner);
     const double smooth = (1 - hardening) * stiffness, straight = hardening * stiffness;
     DirectionResponse out;
     out.memory = before;
     out.memory.inner = z;
     out.memory.travelled += std::abs(slid);
     out.memory.force = straight * m.displacement + smooth * z;
-    out.stored = 0.5 * straight * m.displacement * m.displacement + 0.5 * smooth * z * z;
-    out.lost_inner = 0.5 * smooth * (z + before.inner) * slid;
-    out.yielding = portable::pow(std::abs(z) / last, exponent) > 0.5;
+    // What is given off makes the spring softer, which takes energy in turn: hence the divisor.
+    const double softer = 0.5 * smooth * z * z * stiffness_loss / (yield * last);
+    out.lost_inner = 0.5 * smooth * (z + before.inner) * slid / (1 + softer);
+    if (wears()) out.memory.compression += out.lost_inner;
+    const double eta = worn(out.memory.compression).eta;
+    out.stored = 0.5 * straight * m.displacement * m.displacement + 0.5 * smooth * eta * z * z;
+    out.yielding = wear.nu * portable::pow(std::abs(z) / last, exponent) > 0.5;
     add_dashpot(damping, m, before, out);
     return out;
   }
 
  private:
+  struct Wear {
+    double nu, eta;
+  };
+  [[nodiscard]] bool wears() const { return strength_loss > 0 || stiffness_loss > 0; }
+  [[nodiscard]] Wear worn(double given_off) const {
+    const double e = wears() ? std::max(0.0, given_off) * stiffness / (yield * yield) : 0;
+    return {1 + strength_loss * e, 1 + stiffness_loss * e};
+  }
   /// dz/dd at z in shares of the last, while d goes by `sign`.
-  [[nodiscard]] double slope(double z, double sign) const {
-    return 1 - portable::pow(std::abs(z), exponent) * (z * sign < 0 ? 1 - 2 * shape : 1.0);
+  [[nodiscard]] double slope(double z, double sign, const Wear& wear) const {
+    const double bend = portable::pow(std::abs(z), exponent) * (z * sign < 0 ? 1 - 2 * shape : 1.0);
+    return (1 - wear.nu * bend) / wear.eta;
   }
   /// z once d has gone on by `change`, both in shares of the last: fourth order (Runge and Kutta), in steps that a bend
-  /// with the exponent needs. Never beyond 1.
-  [[nodiscard]] double hysteresis(double z, double change) const {
-    const int steps = 1 + static_cast<int>(std::min(1000.0, std::abs(change) * 10 * exponent));
+  /// with the exponent needs, which is the sharper the smaller the strength. Never beyond 1.
+  [[nodiscard]] double hysteresis(double z, double change, const Wear& wear) const {
+    const double sharper = wear.nu > 1 ? portable::pow(wear.nu, 1 / exponent) : 1;
+    const int steps = 1 + static_cast<int>(std::min(1000.0, std::abs(change) * 10 * exponent * sharper));
     const double h = change / steps, sign = change < 0 ? -1 : 1;
     for (int i = 0; i < steps; ++i) {
-      const double a = slope(z, sign), b = slope(z + 0.5 * h * a, sign), c = slope(z + 0.5 * h * b, sign),
-                   d = slope(z + h * c, sign);
+      const double a = slope(z, sign, wear), b = slope(z + 0.5 * h * a, sign, wear),
+                   c = slope(z + 0.5 * h * b, sign, wear), d = slope(z + h * c, sign, wear);
       z = std::min(1.0, std::max(-1.0, z + h / 6 * (a + 2 * b + 2 * c + d)));
     }
     return z;

@@ -4,16 +4,23 @@
 #include <variant>
 
 #include "bearing/bouc_wen.hpp"
+#include "bearing/cable.hpp"
 #include "bearing/elastic_plastic.hpp"
 #include "bearing/friction.hpp"
 #include "bearing/gap.hpp"
+#include "bearing/lead_rubber.hpp"
 #include "bearing/linear.hpp"
+#include "bearing/maxwell.hpp"
 #include "bearing/pendulum.hpp"
+#include "bearing/pounding.hpp"
+#include "bearing/shear_key.hpp"
 #include "bearing/table.hpp"
+#include "bearing/viscous.hpp"
 
 namespace trilith {
 
-using DirectionLaws = TypeList<Linear, ElasticPlastic, Gap, Table, Friction, Pendulum, BoucWen>;
+using DirectionLaws = TypeList<Linear, ElasticPlastic, Gap, Table, Friction, Pendulum, BoucWen, LeadRubber, Pounding,
+                               Viscous, Maxwell, Cable, ShearKey>;
 /// std::monostate: free.
 using DirectionLaw = DirectionLaws::VariantOrNone;
 

@@ -1,4 +1,6 @@
-// Friction pendulum: f = (N / R) d + Coulomb friction mu N. Zayas, Low and Mahin, Report UCB/EERC-87/01, 1987.
+// Friction pendulum: f = (N / R) d + friction mu N. Zayas, Low and Mahin, Report UCB/EERC-87/01, 1987.
+//
+// mu may depend on speed and load as that of the slider: bearing/friction.hpp.
 #pragma once
 
 #include <array>
@@ -8,38 +10,55 @@
 namespace trilith {
 
 struct Pendulum {
-  double radius = 0;     ///< [m]
-  double mu = 0;         ///< [1]
-  double stiffness = 0;  ///< before sliding [N/m]
-  double damping = 0;    ///< [N s/m]
+  double radius = 0;          ///< [m]
+  double mu = 0;              ///< [1]
+  double stiffness = 0;       ///< before sliding [N/m]
+  double damping = 0;         ///< [N s/m]
+  double mu_fast = 0;         ///< these four: see Friction
+  double rate = 0;            ///< [s/m]
+  double load_exponent = 1;   ///< [1]
+  double reference_load = 0;  ///< [N]
 
   static constexpr std::string_view name = "pendulum";
   static constexpr std::string_view sentence = "friction pendulum: Coulomb slider on a dish of given radius";
   static constexpr auto parameters() {
     using P = Parameter<Pendulum>;
+    constexpr auto more = Friction::dependence<Pendulum>();
     return std::array{
         P{&Pendulum::radius, "radius", "m", no_default, 0, unbounded, false, "radius of the dish"},
         P{&Pendulum::mu, "mu", "1", no_default, 0, 100, true, "friction coefficient"},
         P{&Pendulum::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "stiffness before sliding"},
-        P{&Pendulum::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
+        P{&Pendulum::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"},
+        more[0],
+        more[1],
+        more[2],
+        more[3]};
   }
+  /// As of Friction.
+  static Pendulum sample() { return {0.02, 0.3, 1e6, 0, 0, 50, 1, 5e4}; }
+  void check() const { slider().check(name); }
   [[nodiscard]] double tangent() const { return stiffness; }
-  [[nodiscard]] double dashpot() const { return damping; }
+  [[nodiscard]] double dashpot() const { return slider().dashpot(); }
   [[nodiscard]] static DirectionMemory begin_at(double displacement) { return Friction::begin_at(displacement); }
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
     // The last force is taken apart: the slider's share is needed for its loss, the dish's for its work.
     const double from = m.displacement - m.rate * m.dt;
     const double dish_before = before.compression / radius, dish = m.compression / radius;
-    DirectionMemory slider = before;
-    slider.force = before.force - dish_before * from;
-    DirectionResponse out = Friction{mu, stiffness, damping}.respond(m, slider);
+    DirectionMemory last = before;
+    last.force = before.force - dish_before * from;
+    DirectionResponse out = slider().respond(m, last);
     out.memory.compression = m.compression;
     out.memory.force += dish * m.displacement;
     out.stored += 0.5 * dish * m.displacement * m.displacement;
     // Where the compression changes, it does work on the rise of the dish, which the axial direction does not see.
     out.lost_inner += 0.5 * (dish_before - dish) * from * m.displacement;
     return out;
+  }
+
+ private:
+  [[nodiscard]] Friction slider() const {
+    return {mu, stiffness, damping, mu_fast, rate, load_exponent, reference_load};
   }
 };
 
