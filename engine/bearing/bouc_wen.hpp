@@ -12,6 +12,7 @@
 // Memory: `inner` is z; `compression` is the energy given off [J] where the law wears, else 0.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -93,9 +94,12 @@ struct BoucWen {
     return (1 - wear.nu * bend) / wear.eta;
   }
   /// z once d has gone on by `change`, both in shares of the last: fourth order (Runge and Kutta), in steps that a bend
-  /// with the exponent needs, which is the sharper the smaller the strength. Never beyond 1.
+  /// with the exponent needs, which is the sharper the smaller the strength.
+  /// Never beyond 1.
   [[nodiscard]] double hysteresis(double z, double change, const Wear& wear) const {
-    const double sharper = wear.nu > 1 ? portable::pow(wear.nu, 1 / exponent) : 1;
+    double sharper = 1;
+    if (wear.nu > 1)
+      sharper = std::max(portable::pow(wear.nu, 1 / exponent), wear.nu * portable::pow(std::abs(z), exponent - 1));
     const int steps = 1 + static_cast<int>(std::min(1000.0, std::abs(change) * 10 * exponent * sharper));
     const double h = change / steps, sign = change < 0 ? -1 : 1;
     for (int i = 0; i < steps; ++i) {

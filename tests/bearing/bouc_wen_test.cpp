@@ -151,6 +151,48 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("what wears follows its equations: of z, and of the energy given off") {
+  const double a = 0.1, loss = 0.03, softening = 0.06, reach = 4;  // displacements in shares of Y, energies of yield Y
+  for (const double n : {1.0, 3.0})
+    for (const double b : {0.5, 0.8}) {
+      LedLaw<BoucWen> led{{stiffness, yield_force, a, n, b, 0, loss, softening}};
+      double z = 0, e = 0, u = 0;
+      const auto slopes = [&](double at, double given, double sign) {
+        const double eta = 1 + softening * given, bend = (1 + loss * given) * std::pow(std::abs(at), n);
+        const double dz = (1 - bend * (b * (at * sign < 0 ? -1 : 1) + 1 - b)) / eta;
+        return std::pair(dz, (1 - a) * at * (1 - eta * dz) / (1 + 0.5 * (1 - a) * softening * at * at));
+      };
+      for (int i = 1; i <= 6000; ++i) {
+        const double next = reach * std::sin(2 * M_PI * i / 1000.0), sign = next < u ? -1 : 1;
+        const int parts = 10;
+        for (int k = 0; k < parts; ++k) {  // by the middle of each part
+          const double h = (next - u) / parts;
+          const auto [dz, de] = slopes(z, e, sign);
+          const auto [mz, me] = slopes(z + 0.5 * h * dz, e + 0.5 * h * de, sign);
+          z += h * mz, e += h * me;
+        }
+        u = next;
+        led.to(u * yield_reach);
+        CHECK(near_zero(led.now.memory.inner / yield_reach - z, 1e-3));
+      }
+      CHECK(near(led.lost / (yield_force * yield_reach), e, 1e-3));
+      CHECK(e > 30);
+    }
+}
+
+TEST_CASE("the tangent of what wears bounds its force, whatever it loses on the way") {
+  for (const double n : {1.0, 2.0, 6.0})
+    for (const double shape : {0.5, 0.8, 1.0})
+      for (const double loss : {0.02, 0.3, 2.0}) {
+        LedLaw<BoucWen> led{{stiffness, yield_force, 0.1, n, shape, 0, loss, 0.5 * loss}};
+        for (int i = 0; i < 1200; ++i) {
+          const double before = led.now.force(), from = led.at;
+          led.to(5 * yield_reach * (0.3 + 0.7 * i / 1200) * std::sin(2 * M_PI * i / 150.0));
+          CHECK(std::abs(led.now.force() - before) <= led.law.tangent() * std::abs(led.at - from) * (1 + 1e-9) + 1e-9);
+        }
+      }
+}
+
 TEST_CASE("what does not wear keeps no count of its energy") {
   LedLaw<BoucWen> led{{stiffness, yield_force, 0.05, 2, 0.6, 0}};
   led.along(4 * yield_reach);

@@ -89,7 +89,7 @@ TEST_CASE("a damper on a spring is the spring when moved fast and the dashpot wh
 TEST_CASE("a damper on a spring follows its equation at each power, and never gives energy") {
   for (const double a : {0.2, 0.35, 0.7, 1.0}) {
     const double k = 2e7, c = 2e5, reach = 0.05, period = 1;
-    const int steps = 4000, fine = 50;
+    const int steps = 4000, fine = 20;
     LedLaw<Maxwell> led{{k, c, 1, a}, period / steps};
     double f = 0, off = 0, most = 0;
     const auto slope = [&](double t, double force) {
