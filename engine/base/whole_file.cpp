@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <system_error>
 
 #include "base/error.hpp"
@@ -24,6 +28,28 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
   file.take_place();
 } catch (const std::system_error& error) {
   refuse(path, error.code());
+}
+
+std::string text_of_file(const std::filesystem::path& path, std::string_view what, std::size_t most) {
+  const auto fail = [&](const std::string& why) {
+    return InputError(fmt::format("cannot read {} '{}': {}", what, path.string(), why));
+  };
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (std::filesystem::is_directory(status)) throw fail("it is a folder");
+  if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
+    throw fail("it is a device; give a file");
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw fail(std::strerror(errno));
+  std::string text;
+  std::array<char, 1 << 16> block;
+  while (in.read(block.data(), block.size()) || in.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > most) throw fail(fmt::format("it holds more than {} bytes", most));
+  }
+  if (in.bad()) throw fail(std::strerror(errno));
+  return text;
 }
 
 }  // namespace trilith

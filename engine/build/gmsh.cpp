@@ -3,19 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 
 namespace trilith {
 namespace {
+
+constexpr std::size_t largest_mesh = std::size_t{1} << 30;  // [bytes]
 
 /// Goes through a text line by line and word by word.
 class Words {
@@ -228,14 +227,7 @@ Mesh parse_gmsh(std::string_view text, std::string_view owner) {
 
 Mesh read_gmsh(const std::filesystem::path& path) {
   const std::string owner = fmt::format("mesh '{}'", path.string());
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw InputError(owner + " is a folder; give a .msh file");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(fmt::format("{} cannot be read: {}", owner, std::strerror(errno)));
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (in.bad()) throw InputError(fmt::format("{} cannot be read: {}", owner, std::strerror(errno)));
-  return parse_gmsh(text.str(), owner);
+  return parse_gmsh(text_of_file(path, "mesh", largest_mesh), owner);
 }
 
 }  // namespace trilith

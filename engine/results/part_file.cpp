@@ -1,4 +1,5 @@
 #include "results/part_file.hpp"
+#include "results/open_written.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -142,18 +143,6 @@ bool is_being_written(const std::filesystem::path& path) {
   const bool asked = ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0;
   ::close(descriptor);
   return asked && lock.l_type != F_UNLCK;
-}
-
-h5::Handle open_written(const std::filesystem::path& path) {
-  const hid_t plain = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (plain >= 0) return h5::Handle(plain, H5Fclose, "");
-  const std::string why = h5::reason();
-  // The pause between attempts doubles from 1 ns: 25 attempts take 30 ms, HDF5's default of 100 would take for ever.
-  const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a property list");
-  h5::check(H5Pset_metadata_read_attempts(access.get(), 25), "cannot set the number of attempts");
-  const hid_t beside = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get());
-  if (beside >= 0) return h5::Handle(beside, H5Fclose, "");
-  throw h5::Failure(fmt::format("cannot be opened: {}; it may be cut or damaged", why));
 }
 
 PartFile::PartFile(const std::filesystem::path& name) : name_(name), path_(part_path(name)) {

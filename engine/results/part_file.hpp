@@ -19,10 +19,6 @@ void require_writable(const std::filesystem::path& name);
 /// True while another writer holds the part file at `path`.
 bool is_being_written(const std::filesystem::path& path);
 
-/// Opens a results file for reading as any HDF5 file; where a writer holds it or died holding it, as a reader beside
-/// that writer. Throws Failure where neither works.
-h5::Handle open_written(const std::filesystem::path& path);
-
 /// The part file, held open, locked against a second writer, and closed without fuss whatever happened before.
 class PartFile {
  public:

@@ -10,6 +10,7 @@
 #include "base/nearest.hpp"
 #include "results/clean_copy.hpp"
 #include "results/header_reading.hpp"
+#include "results/open_written.hpp"
 #include "results/part_file.hpp"
 #include "results/set_reading.hpp"
 

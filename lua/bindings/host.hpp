@@ -19,6 +19,8 @@ namespace trilith::script {
 
 class ScriptModel;
 
+inline constexpr std::size_t largest_script = std::size_t{64} << 20;  ///< [bytes]; more is no script
+
 /// Who shows a run while it goes on.
 class RunObserver {
  public:

@@ -2,22 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
+#include "host.hpp"
 #include "results/provenance.hpp"
 
 namespace trilith::script {
 namespace {
-
-std::string text_of_script(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in || text.fail()) throw InputError(fmt::format("study: cannot read script '{}'", path.string()));
-  return text.str();
-}
 
 std::string in_quotes(const std::string& word) {
   if (word.find_first_of(" '\"$&|;<>()*?") == std::string::npos) return word;
@@ -36,7 +28,7 @@ StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases) {
   StudyOrder order;
   order.plan = std::move(plan);
   order.provenance = results::provenance_here();
-  order.provenance.script = text_of_script(cases.script);
+  order.provenance.script = text_of_file(cases.script, "script", largest_script);
   order.provenance.script_path = cases.script.string();
   order.provenance.program_version = TRILITH_VERSION;
   order.source = order.provenance.script + '\n' + TRILITH_VERSION + '\n' + order.provenance.git_commit;

@@ -47,10 +47,7 @@ int run(const Options& options) {
   host.observer = &live;
   host.command_line = options.script.empty() ? "trilith" : "trilith -i " + options.script;
   for (const std::string& g : options.given) host.command_line += " " + g;
-  if (!host.script.empty() && !read_script(host)) {
-    fmt::print(stderr, "trilith: cannot read script '{}'\n", host.script);
-    return wrong_input;
-  }
+  if (!host.script.empty()) read_script(host);
   const ScriptState state = new_script_state(host);
   lua_State* L = state.get();
   ConsoleSession session(L, host);

@@ -56,10 +56,7 @@ int take_figures(lua_State* L) {
 }  // namespace
 
 int run_script(script::Host& host) {
-  if (!read_script(host)) {
-    fmt::print(stderr, "trilith: cannot read script '{}'\n", host.script);
-    return wrong_input;
-  }
+  read_script(host);
   const ScriptState state = new_script_state(host);
   lua_State* L = state.get();
   const InterruptScope scope(L, on_signal);

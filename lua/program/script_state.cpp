@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "guard.hpp"
 #include "interrupt.hpp"
 #include "open.hpp"
@@ -71,12 +70,8 @@ ScriptState new_script_state(script::Host& host) {
   return state;
 }
 
-bool read_script(script::Host& host) {
-  std::ifstream in(host.script, std::ios::binary);
-  std::stringstream text;
-  if (in) text << in.rdbuf();
-  host.script_text = text.str();
-  return static_cast<bool>(in) && !text.fail();
+void read_script(script::Host& host) {
+  host.script_text = text_of_file(host.script, "script", script::largest_script);
 }
 
 int load_script(lua_State* L, const script::Host& host, const std::string& before) {

@@ -18,8 +18,8 @@ using ScriptState = std::unique_ptr<lua_State, CloseState>;
 /// that fails.
 ScriptState new_script_state(script::Host& host);
 
-/// Reads host.script into host.script_text; false where it cannot be read.
-bool read_script(script::Host& host);
+/// Reads host.script into host.script_text. Throws InputError where it cannot be read.
+void read_script(script::Host& host);
 
 /// Pushes the script as a function, or a message: LUA_OK or an error, as luaL_loadbuffer. `before` stands in front of
 /// its first line.

@@ -28,6 +28,9 @@ def check_judgements():
     check(outcome("sh -c 'kill -SEGV $$'") == "ended by SIGSEGV", "a signal")
     for said in ("std::bad_alloc", "map::at", "x: trilith/show.lua:3: attempt", "runtime error: overflow"):
         check(outcome(f"echo '{said}'").startswith("says: "), f"'{said}' is from within")
+    for name, inner in (("console", True), ("ft", False)):
+        said = outcome(f'echo "x.lua:3: attempt to call a number value (upvalue \'{name}\')"')
+        check((said is not None) == inner, f"the variable '{name}' is {'' if inner else 'not '}one of the library")
     check(outcome("printf 'stack traceback:\\n\\ttrilith/show.lua:3: in f\\n'") is None, "a line of a traceback is none")
     shared.SECONDS = 0.3
     burn = "import time\nwhile time.process_time() < 0.5: pass"

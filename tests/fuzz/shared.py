@@ -1,5 +1,6 @@
 """A job is a command with the files it needs. Runs it with limits, tells findings from refusals, and keeps them."""
 import concurrent.futures
+import glob
 import os
 import re
 import resource
@@ -19,10 +20,27 @@ DOCUMENTED = {0, 1, 2, 3, 130}
 # Memory that was freed is filled with this, so that whoever still reads it falls over at once.
 FREED = "ASAN_OPTIONS=detect_leaks=0" if SANITIZED else "MALLOC_PERTURB_=165"
 # What no message to a user should hold: the insides of C++, of the HDF5 library, of the Lua files that are compiled in
-# (lines of tracebacks, which begin with a tab, may name those), of Lua's own assertions, or of sanitizers.
+# (lines of tracebacks, which begin with a tab, may name those; what a script of its own calls may be no function), of
+# Lua's own assertions, or of sanitizers.
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+
+def locals_of(folders):
+    """Names of the variables that the Lua files in `folders` have for themselves."""
+    names = set()
+    for folder in folders:
+        for path in sorted(glob.glob(os.path.join(ROOT, folder, "*.lua"))):
+            with open(path, encoding="utf-8") as file:
+                for line in re.findall(r"^local (?:function )?([\w, ]+)", file.read(), re.M):
+                    names.update(re.findall(r"\w+", line))
+    return names
+
+
+WITHIN = "|".join(sorted(locals_of(["lua/lib", "lua/console"]) - locals_of(["scripts"])))
 INTERNAL = re.compile(r"std::|vector::|basic_string|bad_alloc|map::at|bad optional|bad_|::_M_|stoi|stod|Assertion"
                       r"|runtime error|Sanitizer|terminate called|core dumped|HDF5-DIAG|Can't allocate"
-                      r"|^(?!\t).*trilith/\w+\.lua:\d+: (?!cannot resume)|attempt to \w+ a \w+ value \(upvalue '(?![abf]')"
+                      r"|^(?!\t).*trilith/\w+\.lua:\d+: (?!cannot resume)"
+                      r"|attempt to \w+ a \w+ value \(upvalue '(?:" + WITHIN + r")'"
                       r"|bad argument #\d to '\?'|\d{60}", re.M)
 
 

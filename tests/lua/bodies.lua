@@ -47,7 +47,7 @@ refused("four corners, this one has 3", m.body, m,
 refused("must be 1 to 1000", m.body, m, { name = "a", outline = four, material = "stone", body = { mesh = { 0, 2 } } })
 refused("names node 9", m.body, m,
         { name = "a", material = "stone", mesh = { nodes = four, elements = { { 1, 2, 9 } } } })
-refused("cannot be read", m.body, m, { name = "a", material = "stone", mesh = { file = "none.msh" } })
+refused("cannot read mesh", m.body, m, { name = "a", material = "stone", mesh = { file = "none.msh" } })
 refused("both E and solid", m.material, m, { name = "b", density = 1, E = 1, solid = trilith.j2 { E = 1, yield = 1 } })
 refused("without E", m.material, m, { name = "b", density = 1, nu = 0.2 })
 refused("dilation is", trilith.mohr_coulomb, { E = 1e9, cohesion = 1, friction = 0.1, dilation = 0.2 })

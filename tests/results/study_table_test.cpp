@@ -3,6 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 
@@ -28,4 +34,42 @@ TEST_CASE("a study's column of whole numbers wider than their own bytes is refus
   REQUIRE(found > 0);
   std::ofstream(path, std::ios::binary) << bytes;
   CHECK_THROWS_AS(results::read_study_table(path), results::ResultsError);
+}
+
+namespace {
+
+/// How a process of its own ends that reads a table and leaves in order, the library's clean-up included: its code, or
+/// 1000 and the number of the signal that ended it.
+int end_of_reading(const std::filesystem::path& path) {
+  std::fflush(nullptr);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::alarm(30);
+    try {
+      results::read_study_table(path);
+    } catch (const results::ResultsError&) {
+      std::exit(7);
+    }
+    std::exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+}
+
+}  // namespace
+
+TEST_CASE("a table whose head leads beyond its end is refused by a process that then ends in order") {
+  const Folder folder;
+  const std::filesystem::path path = folder / "study.h5";
+  results::write_study_table(path, {{"case", "1", "number", std::vector<std::int32_t>{1, 2, 3}}}, {}, true);
+  CHECK(end_of_reading(path) == 0);
+  // The root's messages go on elsewhere: type and size of that message, then where (8 bytes) and how many (8 bytes).
+  const std::string goes_on{"\x10\x00\x10\x00\x00\x00\x00\x00", 8};
+  std::string bytes = bytes_of(path);
+  const std::size_t at = bytes.find(goes_on);
+  REQUIRE(at < 200);
+  bytes[at + 8 + 8 + 3] = '\xdf';
+  std::ofstream(path, std::ios::binary) << bytes;
+  CHECK(end_of_reading(path) == 7);
 }
