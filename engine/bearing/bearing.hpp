@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/space.hpp"
+#include "base/tie.hpp"
 #include "bearing/list.hpp"
 
 namespace trilith {
@@ -36,10 +37,9 @@ template <>
 struct Bearing<2> {
   std::string name;
   int body_a = -1, body_b = -1;
-  Vec2 point_a = Vec2::Zero(), point_b = Vec2::Zero();  ///< see world/pose.hpp, Anchor
-  int element_a = -1, element_b = -1;                   ///< elements they lie in, -1 on a rigid body
-  double angle = 0;                                     ///< of direction `along`, in the axes of body a [rad]
-  std::array<DirectionLaw, 3> law;                      ///< along, axial (vertical), turning
+  Tie end_a, end_b;                 ///< its points on them
+  double angle = 0;                 ///< of direction `along`, in the axes of body a [rad]
+  std::array<DirectionLaw, 3> law;  ///< along, axial (vertical), turning
   std::array<double, 3> limit = {unbounded, unbounded, unbounded};  ///< displacement that ends it [m], [m], [rad]
   Vec2 rest = Vec2::Zero();        ///< b's point from a's when placed, in the bearing's axes [m]
   double rest_angle = 0;           ///< of b against a when placed [rad]

@@ -4,6 +4,20 @@
 #include <cmath>
 
 namespace trilith {
+namespace {
+
+/// A corner that turns with a section of a frame. Returns how fast its way bends [m/s2].
+double place_section(const Model<2>& model, const State<2>& state, double later, int first, int corner,
+                     MovingPiece& out) {
+  const int skin = model.corner_skin[first + corner], n = model.skin_node[skin], t = model.skin_turn[skin];
+  const double spin = state.spin[t];
+  const Vec2 arm = Turn(state.rotation[t] + later * spin).apply(model.skin_place[skin]);
+  out.at[corner] = state.position[n] + later * state.velocity[n] + arm;
+  out.velocity[corner] = state.velocity[n] + cross(spin, arm);
+  return spin * spin * arm.norm();
+}
+
+}  // namespace
 
 MovingPiece moving_piece(const Model<2>& model, const State<2>& state, int piece, double later) {
   MovingPiece out;
@@ -11,12 +25,17 @@ MovingPiece moving_piece(const Model<2>& model, const State<2>& state, int piece
   const int first = model.piece_first[piece];
   out.corners = model.corners_of(piece);
   out.is_face = model.edge_is_face.data() + first;
-  if (body.deforms()) {
+  if (!body.nodes_turn()) {
     for (int c = 0; c < out.corners; ++c) {
       const int node = model.skin_node[model.corner_skin[first + c]];
       out.velocity[c] = state.velocity[node];
       out.at[c] = state.position[node] + later * out.velocity[c];
     }
+    return out;
+  }
+  if (!body.is_rigid()) {
+    for (int c = 0; c < out.corners; ++c)
+      out.bend = std::max(out.bend, place_section(model, state, later, first, c, out));
     return out;
   }
   const int node = body.first_node;

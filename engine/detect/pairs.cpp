@@ -72,7 +72,7 @@ double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece)
 void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
   const auto turn = [&](int piece) {
     const int body = model.piece_body[piece];
-    const double arm = model.bodies[body].deforms() ? half_shortest_face(model, work, piece) : model.body_radius[body];
+    const double arm = model.bodies[body].is_rigid() ? model.body_radius[body] : half_shortest_face(model, work, piece);
     return work.margin / std::max(arm, work.margin);
   };
   const double angle =
@@ -100,15 +100,25 @@ std::vector<Box> piece_boxes(const Model<2>& model, const Work<2>& work, double 
   return boxes;
 }
 
+/// Of a frame: its box says nothing of it.
+double thinnest_piece(const Model<2>& model, const Body& b) {
+  return *std::min_element(model.piece_thickness.begin() + b.first_piece,
+                           model.piece_thickness.begin() + b.first_piece + b.pieces);
+}
+
 /// A twentieth of the median thickness (smaller side of the box in its own axes) of the bodies that move.
 double search_margin(const Model<2>& model) {
   std::vector<double> thickness;
   for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body) {
     if (!model.body_moves(body)) continue;
     const Body& b = model.bodies[body];
+    if (b.nodes_turn() && !b.is_rigid()) {
+      thickness.push_back(thinnest_piece(model, b));
+      continue;
+    }
     // Places of the skin of a rigid body are in its own axes, those of a deformable one are its nodes.
-    const auto first = static_cast<std::size_t>(b.deforms() ? b.first_node : b.first_skin);
-    const Box2 box = bounding_box(std::span(b.deforms() ? model.start_position : model.skin_place)
+    const auto first = static_cast<std::size_t>(b.is_rigid() ? b.first_skin : b.first_node);
+    const Box2 box = bounding_box(std::span(b.is_rigid() ? model.skin_place : model.start_position)
                                       .subspan(first, static_cast<std::size_t>(b.skins)));
     thickness.push_back((box.high - box.low).minCoeff());
   }
@@ -160,6 +170,16 @@ Vec2 moved_together(const State<2>& state, const Work<2>& work) {
   return 0.5 * (least + most);
 }
 
+/// The farthest that a section of a frame has carried a point of the skin by turning, an upper bound.
+double sections_turned(const Model<2>& model, const State<2>& state, const Work<2>& work, const BodyRow& body) {
+  double most = 0;
+  for (int s = body.skin; s < body.skin + body.skins; ++s) {
+    const int t = model.skin_turn[s];
+    most = std::max(most, model.skin_place[s].norm() * std::abs(state.rotation[t] - work.found_rotation[t]));
+  }
+  return most;
+}
+
 /// The farthest that a point of a body has moved beside what all have moved by together, an upper bound.
 double body_moved(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t b,
                   const Vec2& together) {
@@ -167,7 +187,8 @@ double body_moved(const Model<2>& model, const State<2>& state, const Work<2>& w
   double most = 0;
   for (int n = body.node; n < body.node + body.nodes; ++n)
     most = std::max(most, (state.position[n] - work.found_position[n] - together).norm());
-  if (body.deforms) return most;
+  if (body.layout == SkinLayout::node_each) return most;
+  if (body.layout == SkinLayout::sections) return most + sections_turned(model, state, work, body);
   return most + model.body_radius[b] * std::abs(state.rotation[body.node] - work.found_rotation[body.node]);
 }
 

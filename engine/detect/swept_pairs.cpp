@@ -35,10 +35,18 @@ std::vector<Pace> paces(const Model<2>& model, const State<2>& state, const Work
     const BodyRow& body = work.body[b];
     const double spin = state.spin[body.node], radius = model.body_radius[b];
     out[b] = {state.velocity[body.node], std::abs(spin) * radius, spin * spin * radius};
-    if (!body.deforms) continue;
+    if (body.layout == SkinLayout::one_node) continue;
     Range range;
-    for (int n = body.node; n < body.node + body.nodes; ++n) range.add(state.velocity[n]);
-    out[b] = {range.middle(), range.half(), 0};
+    double bend = 0;
+    if (body.layout == SkinLayout::node_each)
+      for (int n = body.node; n < body.node + body.nodes; ++n) range.add(state.velocity[n]);
+    else
+      for (int s = body.skin; s < body.skin + body.skins; ++s) {
+        const double turning = state.spin[model.skin_turn[s]];
+        range.add({work.skin[s].u, work.skin[s].v});
+        bend = std::max(bend, turning * turning * model.skin_place[s].norm());
+      }
+    out[b] = {range.middle(), range.half(), bend};
   }
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
@@ -47,6 +48,21 @@ std::vector<Vec2> outline_of(const Header& header, const BodyRow& body, const Fr
   return out;
 }
 
+/// Where a point of a body is that was `from_first` away from its first node at the start. On a body of several nodes
+/// it goes with the one whose outline point was nearest.
+Vec2 place_of_end(const Header& header, const BodyRow& body, const Vec2& from_first, const Frame& frame) {
+  const auto start_of = [&](int n) { return Vec2(header.node_position[2 * n], header.node_position[2 * n + 1]); };
+  const Vec2 start = start_of(body.first_node) + from_first;
+  int node = body.first_node;
+  double least = body.node_count == 1 ? -1 : std::numeric_limits<double>::infinity();
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+    const int n = header.vertex_node[v];
+    const double distance = (start_of(n) + Vec2(header.vertices[2 * v], header.vertices[2 * v + 1]) - start).norm();
+    if (distance < least) least = distance, node = n;
+  }
+  return placed(frame, node, body.node_count == 1 ? from_first : Vec2(start - start_of(node)));
+}
+
 BearingMark mark_of(results::BearingState state) {
   switch (state) {
     case results::BearingState::yielded:
@@ -81,7 +97,7 @@ void add_bearings(const Header& header, const Frame& frame, Scene& scene) {
     if (frame.bearing_state[i] == results::BearingState::waiting) continue;
     const results::BearingRow& b = header.bearings[i];
     const auto at = [&](int body, const double* point) {
-      return placed(frame, header.bodies[body].first_node, {point[0], point[1]});
+      return place_of_end(header, header.bodies[body], {point[0], point[1]}, frame);
     };
     SceneBearing out{at(b.body_a, b.point_a), at(b.body_b, b.point_b), mark_of(frame.bearing_state[i])};
     // What it changed to, sliding on a seat, ends where its bodies part.
@@ -181,7 +197,7 @@ std::vector<results::EventRow> events_of_note(const ResultsReader& reader) {
                                    [&](const EventTypeInfo& known) { return known.name == e.type; });
     const auto type = static_cast<EventType>(info - event_type_info.begin());
     const bool slow = type == EventType::impact && e.first.value < slow_impact;
-    if (info != event_type_info.end() && is_important(type) && type != EventType::stage_ended && !slow)
+    if (info != event_type_info.end() && !has_trait(type, is_minor) && type != EventType::stage_ended && !slow)
       out.push_back(std::move(e));
   }
   return out;

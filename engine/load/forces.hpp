@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/space.hpp"
+#include "base/tie.hpp"
 #include "load/load_curve.hpp"
 #include "load/motion.hpp"
 
@@ -16,12 +17,10 @@ namespace trilith {
 struct PointLoad {
   std::string name;
   int body = -1;
-  int node = -1;     ///< of a rigid body, or of a deformable one that it acts on directly; -1: `element` is hit
-  int element = -1;  ///< of a deformable body: spread by the shape functions, work-consistent
-  Vec2 place = Vec2::Zero();  ///< in the axes of the node [m]; natural coordinates in the element
+  Tie at;                     ///< the point it acts on
   Vec2 force = Vec2::Zero();  ///< [N]
   double moment = 0;          ///< [N m]
-  bool follows = false;       ///< turns with the node or element; given for where it was at the start
+  bool follows = false;       ///< turns with the point; given for where it was at the start
   LoadCurve curve;
 };
 

@@ -22,7 +22,7 @@ std::string heading_of(const std::string& type) {
   const auto known = std::find_if(event_type_info.begin(), event_type_info.end(),
                                   [&](const EventTypeInfo& info) { return info.name == type; });
   if (known == event_type_info.end()) return type;
-  return std::string(event_heading(static_cast<EventType>(known - event_type_info.begin())));
+  return std::string(known->heading);
 }
 
 void write_counts(const std::vector<results::EventRow>& events, HtmlText& html) {

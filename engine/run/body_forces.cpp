@@ -33,9 +33,7 @@ Vec2 centre_of(const Model<2>& model, const State<2>& state, const Body& body) {
 void add_loads(const Model<2>& model, const State<2>& state, const Work<2>& work, const std::vector<Vec2>& centre,
                std::vector<Virial>& virial) {
   for (const PointLoad& p : model.point_loads) {
-    const Anchor anchor{p.body, p.element, p.place};
-    Pose at = p.element >= 0 ? anchor_pose(model, state, anchor) : Pose{state.position[p.node], state.rotation[p.node]};
-    if (p.element < 0) at.place += Turn(at.rotation).apply(p.place);
+    const Pose at = pose_at(model, state, p.at);
     const Vec2 force = p.follows ? Turn(at.rotation).apply(p.force) : p.force;
     virial[p.body].add(at.place - centre[p.body], p.curve.at(state.time) * force);
   }
@@ -90,8 +88,7 @@ std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state
     const Bearing<2>& b = model.bearings[i];
     // Each body is pulled where its own end is: what is between the ends belongs to neither. The couple that goes with
     // it is skew and strains nothing.
-    const Vec2 end_a = anchor_pose(model, state, anchor_a(b)).place,
-               end_b = anchor_pose(model, state, anchor_b(b)).place;
+    const Vec2 end_a = pose_at(model, state, b.end_a).place, end_b = pose_at(model, state, b.end_b).place;
     virial[b.body_a].add(end_a - centre[b.body_a], -work.bearing_force[i]);
     virial[b.body_b].add(end_b - centre[b.body_b], work.bearing_force[i]);
   }

@@ -31,7 +31,7 @@ std::string step_text(double shortest, double longest) {
 }
 
 bool comes_in_crowds(EventType type) {
-  return type == EventType::impact || is_of_joint(type);
+  return type == EventType::impact || has_trait(type, of_joint);
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ std::string stage_text(const StageReport& report, double wall) {
 
 bool EventLines::leaves_out(const Event& event) const {
   if (show_ != EventShow::important) return show_ == EventShow::none;
-  return !is_important(event.type) || (event.type == EventType::impact && event.value < least_impact_);
+  return has_trait(event.type, is_minor) || (event.type == EventType::impact && event.value < least_impact_);
 }
 
 bool EventLines::thins_out(const Event& event, std::vector<std::string>& lines) {
@@ -98,7 +98,7 @@ bool EventLines::thins_out(const Event& event, std::vector<std::string>& lines) 
   Crowd& crowd = crowd_[static_cast<std::size_t>(event.type)];
   if (event.time >= crowd.since + crowd_window) {
     if (crowd.hidden > 0)
-      lines.push_back(fmt::format("{:10}    ... and {} more: {}", "", crowd.hidden, event_heading(event.type)));
+      lines.push_back(fmt::format("{:10}    ... and {} more: {}", "", crowd.hidden, info_of(event.type).heading));
     crowd = {event.time, 0, 0};
   }
   if (crowd.shown < crowd_size) {
@@ -113,8 +113,7 @@ std::vector<std::string> EventLines::rest() {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < crowd_.size(); ++i)
     if (crowd_[i].hidden > 0)
-      lines.push_back(
-          fmt::format("{:10}    ... and {} more: {}", "", crowd_[i].hidden, event_heading(static_cast<EventType>(i))));
+      lines.push_back(fmt::format("{:10}    ... and {} more: {}", "", crowd_[i].hidden, event_type_info[i].heading));
   crowd_ = {};
   return lines;
 }
@@ -124,9 +123,10 @@ std::vector<std::string> EventLines::tell(const Event& event, const Model<2>& mo
   if (show_ == EventShow::none) return lines;
   const std::string text = event_text(event, model);
   const bool is_stage = event.type == EventType::stage_begun || event.type == EventType::stage_ended;
-  if (is_important(event.type) && !is_stage) causes_[event.id] = fmt::format("at {:.3f} s: {}", event.time, text);
+  if (!has_trait(event.type, is_minor) && !is_stage)
+    causes_[event.id] = fmt::format("at {:.3f} s: {}", event.time, text);
   if (leaves_out(event) || thins_out(event, lines)) return lines;
-  std::string line = fmt::format("{:10.3f} s  {:<15}  {}", event.time, event_heading(event.type), text);
+  std::string line = fmt::format("{:10.3f} s  {:<15}  {}", event.time, info_of(event.type).heading, text);
   // A bearing changes as it fails, one line below.
   const auto cause = causes_.find(event.cause);
   if (cause != causes_.end() && event.type != EventType::bearing_changed)

@@ -45,32 +45,8 @@ results::BearingState state_of(BearingStatus status) {
 
 /// Displacement of b's point against a's since the bearing was placed, in its axes; holds for failed ones too.
 Vec2 displacement_of(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
-  const Pose a = anchor_pose(model, state, anchor_a(b)), at_b = anchor_pose(model, state, anchor_b(b));
+  const Pose a = pose_at(model, state, b.end_a), at_b = pose_at(model, state, b.end_b);
   return Turn(a.rotation + b.angle).undo(Vec2(at_b.place - a.place)) - b.rest;
-}
-
-bool has_place(EventType type) {
-  switch (type) {
-    case EventType::bond_cracked:
-    case EventType::bond_broken:
-    case EventType::joint_crushed:
-    case EventType::bearing_yielded:
-    case EventType::bearing_failed:
-    case EventType::bearing_changed:
-    case EventType::contact_made:
-    case EventType::seat_lost:
-    case EventType::impact:
-    case EventType::body_left:
-    case EventType::body_passed:
-    case EventType::element_overstrained:
-      return true;
-    default:
-      return false;
-  }
-}
-
-double mode_number(std::string_view mode) {
-  return static_cast<double>(std::find(joint_modes.begin(), joint_modes.end(), mode) - joint_modes.begin());
 }
 
 /// Vectors of two numbers lie in a row, as the file wants them.
@@ -225,10 +201,10 @@ void Recording::event(const Event& event, const Instant& now) {
   row.body_a = event.body_a;
   row.body_b = event.body_b;
   row.bearing = event.bearing;
-  row.has_place = has_place(event.type);
+  row.has_place = has_trait(event.type, has_place);
   if (row.has_place) row.place[0] = event.x, row.place[1] = event.y;
   if (!info.value_name.empty()) row.first = {std::string(info.value_name), std::string(info.value_unit), event.value};
-  if (is_of_joint(event.type)) row.second = {"mode", "1", mode_number(event.text)};
+  if (has_trait(event.type, of_joint)) row.second = {"mode", "1", static_cast<double>(event.mode)};
   row.cause = event.cause;
   row.text = event_text(event, now.model);
   writer_.append_event(std::move(row));

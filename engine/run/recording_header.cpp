@@ -48,11 +48,10 @@ std::string nodes_support_text(const Model<2>& model, const Body& body) {
   return fmt::format("free ({} of {} nodes held)", body.nodes - free, body.nodes);
 }
 
-/// In the axes of the body's first node; of a point in an element, as it was at the start.
-Vec2 point_from_node(const Model<2>& model, const Anchor& anchor) {
-  if (anchor.element < 0) return anchor.place;
-  return anchor_pose(model, initial_state(model), anchor).place -
-         model.start_position[model.bodies[anchor.body].first_node];
+/// In the axes of the body's first node; of a point tied to several, as it was at the start.
+Vec2 point_from_node(const Model<2>& model, int body, const Tie& tie) {
+  if (tie.is_rigid()) return tie.arm[0];
+  return pose_at(model, initial_state(model), tie).place - model.start_position[model.bodies[body].first_node];
 }
 
 void add_deformable(const Model<2>& model, const State<2>& state, const Body& body, results::Header& header) {
@@ -73,8 +72,11 @@ void add_deformable(const Model<2>& model, const State<2>& state, const Body& bo
     header.node_inertia.push_back(model.inertia[n]);
   }
   for (int i = 0; i < body.outline; ++i) {
-    header.vertices.insert(header.vertices.end(), {0.0, 0.0});
-    header.vertex_node.push_back(row.first_node + i);
+    // From the node it turns with: beside a pin that is another one than it hangs on.
+    const int skin = body.first_skin + i, turn = model.skin_turn[skin];
+    const Vec2 at = skin_start(model, skin) - model.start_position[turn];
+    header.vertices.insert(header.vertices.end(), {at.x(), at.y()});
+    header.vertex_node.push_back(row.first_node + turn - body.first_node);
   }
   const int index = static_cast<int>(&body - model.bodies.data());
   for (const Element& e : model.elements) {
@@ -88,7 +90,7 @@ void add_deformable(const Model<2>& model, const State<2>& state, const Body& bo
 void add_bodies(const Model<2>& model, const State<2>& state, results::Header& header) {
   for (const Body& body : model.bodies) {
     const int n = body.first_node;
-    if (body.deforms()) {
+    if (!body.is_rigid()) {
       add_deformable(model, state, body, header);
       continue;
     }
@@ -150,7 +152,7 @@ void add_bearings(const Model<2>& model, results::Header& header) {
     row.name = b.name;
     row.body_a = b.body_a;
     row.body_b = b.body_b;
-    const Vec2 a = point_from_node(model, anchor_a(b)), at_b = point_from_node(model, anchor_b(b));
+    const Vec2 a = point_from_node(model, b.body_a, b.end_a), at_b = point_from_node(model, b.body_b, b.end_b);
     for (const int k : {0, 1}) row.point_a[k] = a[k], row.point_b[k] = at_b[k];
     row.law = bearing_text(model, b);
     header.bearings.push_back(std::move(row));
@@ -193,9 +195,12 @@ std::string support_text(const std::array<Support, 3>& support) {
   return fmt::format("x {}, y {}, rotation {}", word(support[0]), word(support[1]), word(support[2]));
 }
 
+/// True for the first of the nodes of a body that follow a motion along one degree of freedom.
 bool leads(const Model<2>& model, const Drive& drive) {
-  return std::any_of(model.bodies.begin(), model.bodies.end(),
-                     [&](const Body& b) { return b.first_node == drive.node; });
+  const auto body_of = [&](const Drive& d) { return body_of_node(model, d.node); };
+  return std::none_of(model.drives.data(), &drive, [&](const Drive& earlier) {
+    return earlier.dof == drive.dof && earlier.start == drive.start && body_of(earlier) == body_of(drive);
+  });
 }
 
 std::string drive_text(const Model<2>& model, const Drive& drive) {

@@ -185,7 +185,7 @@ Instant Simulation::instant() const {
 /// Every event of a run goes through here.
 void Simulation::tell(Event event, const RunListener& listener, const Instant& now) {
   causes_.name(event);
-  if (concerns_verdict(event.type)) verdict_.add(event.type, event.time, event.value, event_text(event, model_));
+  if (has_trait(event.type, spoils_run)) verdict_.add(event.type, event.time, event.value, event_text(event, model_));
   if (listener.on_event) listener.on_event(event, now);
 }
 

@@ -103,7 +103,7 @@ double held(const Energy& e) {
 double given_off(const Energy& e) {
   double sum = 0;
   for (int i = 0; i < energy_terms; ++i)
-    if (energy_term_info[i].given_off()) sum += e.value[i];
+    if (energy_term_info[i].given_off) sum += e.value[i];
   return sum;
 }
 

@@ -9,16 +9,8 @@ namespace {
 void add_point_load(const Model<2>& model, const State<2>& state, const PointLoad& p, Work<2>& work) {
   const double share = p.curve.at(state.time);
   if (share == 0) return;
-  if (p.element < 0) {
-    const Turn turn(state.rotation[p.node]);
-    const Vec2 force = share * (p.follows ? turn.apply(p.force) : p.force);
-    work.load[p.node] += force;
-    work.load_moment[p.node] += cross(turn.apply(p.place), force) + share * p.moment;
-    return;
-  }
-  const Anchor anchor{p.body, p.element, p.place};
-  const Vec2 force = p.follows ? Turn(anchor_pose(model, state, anchor).rotation).apply(p.force) : p.force;
-  add_at_anchor(model, state, anchor, share * force, share * p.moment, work.load, work.load_moment);
+  const Vec2 force = p.follows ? Turn(pose_at(model, state, p.at).rotation).apply(p.force) : p.force;
+  push_at(model, state, p.at, share * force, share * p.moment, work.load, work.load_moment);
 }
 
 void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad& f, Work<2>& work) {
@@ -30,7 +22,8 @@ void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad&
     const int n = model.skin_node[skin];
     const Vec2 force = part * full;
     work.load[n] += force;
-    work.load_moment[n] += cross(Vec2(at.x - state.position[n].x(), at.y - state.position[n].y()), force);
+    work.load_moment[model.skin_turn[skin]] +=
+        cross(Vec2(at.x - state.position[n].x(), at.y - state.position[n].y()), force);
   };
   add(f.skin_a, a, f.share[0]);
   add(f.skin_b, b, f.share[1]);

@@ -16,7 +16,7 @@ namespace {
   given[EnergyTerm::gravity] -= dot(f.weight, path);
   given[EnergyTerm::load] += dot(f.load, path);
   if (f.held) given[EnergyTerm::support] -= dot(f.on_support, path);
-  given[EnergyTerm::element_damping] -= f.element_damping[0] * path[0] + f.element_damping[1] * path[1];
+  given[EnergyTerm::element_damping] -= dot(f.element_damping, path);
   if (!f.damped) return;
   given[EnergyTerm::rest_damping] -= dot(f.rest, path);
   given[EnergyTerm::mass_damping] -= dot(f.mass, path);
@@ -72,6 +72,7 @@ template <bool turns>
 int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside& outside,
                  const StepSpan& span, int n) {
   const Vec2* damping = work.element_damping.empty() ? nullptr : work.element_damping.data();
+  const double* couple = work.element_damping_moment.empty() ? nullptr : work.element_damping_moment.data();
   double gravity = state.given[EnergyTerm::gravity], load = state.given[EnergyTerm::load],
          element_damping = state.given[EnergyTerm::element_damping];
   for (; n < model.nodes() && is_free<turns>(model, state, n); ++n) {
@@ -86,8 +87,11 @@ int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, co
     v = {u, w};
     place = {place.x() + span.next * u, place.y() + span.next * w};
     if constexpr (turns) {
-      state.spin[n] += work.moment[n] / model.inertia[n] * span.between;
-      state.rotation[n] += span.next * state.spin[n];
+      double& spin = state.spin[n];
+      const double before = spin;
+      spin += work.moment[n] / model.inertia[n] * span.between;
+      if (couple != nullptr) element_damping -= couple[n] * 0.5 * (span.last * before + span.next * spin);
+      state.rotation[n] += span.next * spin;
     }
   }
   state.given[EnergyTerm::gravity] = gravity;

@@ -73,7 +73,7 @@ void bond_event(const Model<2>& model, const State<2>& state, Work<2>& work, int
   Event e = event_now(state, type, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
   e.value = carried.force.norm();
   e.x = carried.point.x(), e.y = carried.point.y();
-  e.text = joint_modes[pulled ? 0 : 1];
+  e.mode = pulled ? JointMode::tension : JointMode::shear;
   work.events.push_back(e);
 }
 
@@ -91,7 +91,7 @@ void crushing_event(const Model<2>& model, const State<2>& state, Work<2>& work,
   const ContactResultant carried = resultant_now(model, work, row);
   e.value = carried.force.norm();
   e.x = carried.point.x(), e.y = carried.point.y();
-  e.text = joint_modes[2];
+  e.mode = JointMode::compression;
   work.events.push_back(e);
 }
 
@@ -154,7 +154,7 @@ void push_bearing_event(const Model<2>& model, const State<2>& state, Work<2>& w
   e.bearing = static_cast<int>(i);
   const std::uint32_t k = work.bearing[i].failed_direction;
   e.value = k == turning ? 0 : work.bearing_displacement[i][k];
-  const Vec2 at = anchor_pose(model, state, anchor_a(b)).place;
+  const Vec2 at = pose_at(model, state, b.end_a).place;
   e.x = at.x(), e.y = at.y();
   work.events.push_back(e);
 }
@@ -224,7 +224,7 @@ void seat_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size
   if (seat_length(model, state, seat) > 0) return;
   state.seat_lost[i] = 1;
   Event e = event_now(state, EventType::seat_lost, seat.body, seat.support);
-  const Vec2 end = anchor_pose(model, state, {seat.body, seat.end_element, seat.end}).place;
+  const Vec2 end = pose_at(model, state, seat.end).place;
   e.value = body_pose(model, state, seat.body).velocity.norm();
   e.x = end.x(), e.y = end.y();
   e.text = seat.name;
@@ -265,8 +265,8 @@ void body_events(const Model<2>& model, State<2>& state, Work<2>& work) {
 }  // namespace
 
 double seat_length(const Model<2>& model, const State<2>& state, const Seat& seat) {
-  const Pose edge = anchor_pose(model, state, {seat.support, seat.edge_element, seat.edge});
-  const Vec2 end = anchor_pose(model, state, {seat.body, seat.end_element, seat.end}).place;
+  const Pose edge = pose_at(model, state, seat.edge);
+  const Vec2 end = pose_at(model, state, seat.end).place;
   return Turn(edge.rotation).apply(seat.inward).dot(end - edge.place);
 }
 

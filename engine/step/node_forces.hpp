@@ -23,7 +23,7 @@ inline Dofs mass_of(const Model<2>& model, int n) {
 /// Forces of one node at an instant, on its free degrees of freedom, and what the supports take on the others.
 struct NodeForces {
   Dofs force{}, weight{}, load{}, rest{}, mass{}, on_support{};
-  std::array<double, 2> element_damping{};
+  Dofs element_damping{};
   bool held = false, damped = false;  ///< some degree of freedom is not free; there are dampings of the node
 };
 
@@ -78,7 +78,9 @@ inline void add_trim(const Outside& outside, const std::array<Support, 3>& suppo
   const Dofs load{outside.load[n].x(), outside.load[n].y(), outside.moment == nullptr ? 0 : outside.moment[n]};
   f.held = support[0] != Support::free || support[1] != Support::free || support[2] != Support::free;
   f.force = total, f.weight = weight, f.load = load;
-  if (!work.element_damping.empty()) f.element_damping = {work.element_damping[n].x(), work.element_damping[n].y()};
+  if (!work.element_damping.empty())
+    f.element_damping = {work.element_damping[n].x(), work.element_damping[n].y(),
+                         work.element_damping_moment.empty() ? 0 : work.element_damping_moment[n]};
   for (const int k : {0, 1, 2}) {
     if (!f.held || support[k] == Support::free) continue;
     f.force[k] = f.weight[k] = f.load[k] = 0;

@@ -9,7 +9,7 @@
 namespace trilith {
 namespace {
 
-/// place of a deformable body: its skin points are its nodes.
+/// place of a body whose skin points are its nodes.
 SkinReach place_nodes(const State<2>& state, const BodyRow& body, Work<2>& work) {
   SkinReach reach;
   for (int i = 0; i < body.skins; ++i) {
@@ -22,8 +22,23 @@ SkinReach place_nodes(const State<2>& state, const BodyRow& body, Work<2>& work)
   return reach;
 }
 
+/// place of a frame: each skin point turns with the node of its section.
+SkinReach place_sections(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+  SkinReach reach;
+  for (int s = body.skin; s < body.skin + body.skins; ++s) {
+    const int n = model.skin_node[s], t = model.skin_turn[s];
+    const Vec2 arm = Turn(state.rotation[t]).apply(model.skin_place[s]);
+    const Vec2 x = state.position[n] + arm, v = state.velocity[n] + cross(state.spin[t], arm);
+    SkinMotion& skin = work.skin[s];
+    const double dx = x.x() - skin.x, dy = x.y() - skin.y;
+    skin = {x.x(), x.y(), v.x(), v.y()};
+    reach.add(v.squaredNorm(), dx * dx + dy * dy);
+  }
+  return reach;
+}
+
 /// place of a rigid body.
-SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+SkinReach place_one_node(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
   const int n = body.node;
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
   return place_rigid({state.position[n], state.rotation[n], state.velocity[n], state.spin[n]},
@@ -32,7 +47,20 @@ SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow
 
 void list_bodies(const Model<2>& model, Work<2>& work) {
   work.body.clear();
-  for (const Body& b : model.bodies) work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, b.deforms()});
+  for (const Body& b : model.bodies)
+    work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, info_of(b.kind).skin});
+}
+
+SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+  switch (body.layout) {
+    case SkinLayout::one_node:
+      return place_one_node(model, state, body, work);
+    case SkinLayout::node_each:
+      return place_nodes(state, body, work);
+    case SkinLayout::sections:
+      break;
+  }
+  return place_sections(model, state, body, work);
 }
 
 /// True where some node of the body is free to move.
@@ -50,7 +78,7 @@ void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.skin_force.resize(model.skin_place.size());
   double fastest = 0, fastest_moving = 0, farthest = 0;
   for (const BodyRow& body : work.body) {
-    const auto [speed2, path2] = body.deforms ? place_nodes(state, body, work) : place_body(model, state, body, work);
+    const auto [speed2, path2] = place_body(model, state, body, work);
     fastest = std::max(fastest, speed2);
     farthest = std::max(farthest, path2);
     if (speed2 > fastest_moving && moves(model, body)) fastest_moving = speed2;

@@ -17,7 +17,7 @@ std::vector<Freed> free_nodes(Model<2>& model, double time, int body, const std:
   std::vector<Freed> freed;
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n)
     for (const int k : {0, 1, 2}) {
-      if (!on[k] || model.support[n][k] == Support::free || (k == 2 && b.deforms())) continue;
+      if (!on[k] || model.support[n][k] == Support::free || (k == 2 && !b.nodes_turn())) continue;
       const int drive = model.drive_of[n][k];
       freed.push_back(
           {n, k, drive < 0 ? 0 : model.drives[drive].motion->acceleration(time - model.drives[drive].start)});
@@ -39,7 +39,7 @@ int release_supports(Model<2>& model, const State<2>& state, int body, const std
   load.body = body, load.curve = ramp_curve(state.time, 1, 0, fade, true);
   for (std::size_t i = 0; i < freed.size(); ++i) {
     const auto& [n, k, pull] = freed[i];
-    load.node = n;
+    load.at = Tie::to_node(n, Vec2::Zero());
     if (k == 2)
       load.moment = model.inertia[n] * pull - work.moment[n];
     else

@@ -15,9 +15,9 @@ struct RelativeMotion {
   double angle, spin;
 };
 
-/// Where an end is on a deformable body, which turns by less than half a circle against the other.
-RelativeMotion motion_of_anchors(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
-  const Pose p = anchor_pose(model, state, anchor_a(b)), q = anchor_pose(model, state, anchor_b(b));
+/// Where an end is tied to several nodes, which turn by less than half a circle against the other.
+RelativeMotion motion_of_ties(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  const Pose p = pose_at(model, state, b.end_a), q = pose_at(model, state, b.end_b);
   const Turn axes(p.rotation + b.angle);
   const Vec2 between = q.place - p.place, rate = q.velocity - p.velocity - cross(p.spin, between);
   return {axes, axes.undo(between) - b.rest, axes.undo(rate),
@@ -25,12 +25,12 @@ RelativeMotion motion_of_anchors(const Model<2>& model, const State<2>& state, c
 }
 
 RelativeMotion relative_motion(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
-  if (b.element_a >= 0 || b.element_b >= 0) return motion_of_anchors(model, state, b);
-  const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
+  if (!b.end_a.is_rigid() || !b.end_b.is_rigid()) return motion_of_ties(model, state, b);
+  const int na = b.end_a.node[0], nb = b.end_b.node[0];
   const Turn axes(state.rotation[na] + b.angle);
-  const Vec2 arm_b = Turn(state.rotation[nb]).apply(b.point_b);
+  const Vec2 arm_b = Turn(state.rotation[nb]).apply(b.end_b.arm[0]);
   const Vec2 from_a = state.position[nb] + arm_b - state.position[na];
-  const Vec2 anchor = Turn(state.rotation[na]).apply(b.point_a);
+  const Vec2 anchor = Turn(state.rotation[na]).apply(b.end_a.arm[0]);
   const Vec2 rate =
       state.velocity[nb] + cross(state.spin[nb], arm_b) - state.velocity[na] - cross(state.spin[na], from_a);
   return {axes, axes.undo(Vec2(from_a - anchor)) - b.rest, axes.undo(rate),

@@ -41,7 +41,7 @@ PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Wor
   const int node = body.first_node;
   PlacedPiece placed{std::span(corners.place).first(count), std::span(model.edge_is_face).subspan(first, count),
                      state.position[node], state.velocity[node], state.spin[node]};
-  if (!body.deforms()) return placed;
+  if (body.is_rigid()) return placed;
   for (std::size_t c = 0; c < count; ++c) {
     const SkinMotion& s = work.skin[model.corner_skin[first + c]];
     corners.velocity[c] = {s.u, s.v};

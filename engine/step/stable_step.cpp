@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "step/contact_rows.hpp"
 #include "world/pose.hpp"
@@ -61,6 +62,34 @@ void add_to_face(const Model<2>& model, const std::array<int, 2>& node, const Ve
   }
 }
 
+/// A spring along e through the skin point at `at`, which turns with a node of its own where it is at a pin: then its
+/// two parts count twice, as (a + b)^2 is at most 2 a^2 + 2 b^2.
+void add_to_skin(const Model<2>& model, const State<2>& state, int skin, const Vec2& at, const Vec2& e, double k,
+                 double beta, std::vector<Local>& locals) {
+  const int n = model.skin_node[skin], t = model.skin_turn[skin];
+  const Vec2 arm = at - state.position[n], none = Vec2::Zero();
+  if (n == t) return add_spring(locals[n], e, arm, k, beta, 0, none, 1);
+  add_spring(locals[n], e, none, k, beta, 0, none, 2);
+  const double turning = 2 * k * cross(arm, e) * cross(arm, e);
+  locals[t].k(2, 2) += turning, locals[t].c(2, 2) += beta * turning;
+}
+
+/// On the face of a frame between two sections. The contact's parts at its two ends weigh as much as the share of its
+/// middle there and what its length adds; as shares are positive and sum to 1, (sum w v)^2 is at most sum w v^2.
+void add_to_sections(const Model<2>& model, const State<2>& state, const Work<2>& work, const std::array<int, 2>& skin,
+                     double weight, const ContactSprings& c, std::vector<Local>& locals) {
+  const Vec2 from(work.skin[skin[0]].x, work.skin[skin[0]].y), to(work.skin[skin[1]].x, work.skin[skin[1]].y);
+  const Vec2 along = to - from;
+  const double size = along.squaredNorm(), share = std::clamp(along.dot(c.at - from) / size, 0.0, 1.0);
+  const double spread = c.length * c.length / (6 * size);
+  for (const int i : {0, 1}) {
+    const double k = weight * c.length * ((i == 0 ? 1 - share : share) + spread);
+    const Vec2& at = i == 0 ? from : to;
+    add_to_skin(model, state, skin[i], at, c.normal, c.law.normal * k, c.law.beta, locals);
+    add_to_skin(model, state, skin[i], at, left_of(c.normal), c.law.shear * k, c.law.beta, locals);
+  }
+}
+
 /// The face of a piece whose middle is nearest to a contact of general shape.
 std::array<int, 2> nearest_face(const Model<2>& model, const Work<2>& work, int piece, const Vec2& at) {
   std::array<int, 2> best{};
@@ -86,8 +115,12 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
   const int node[2] = {model.bodies[body[0]].first_node, model.bodies[body[1]].first_node};
   for (const int side : {0, 1}) {
     const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
-    if (model.bodies[body[side]].deforms()) {
+    if (!model.bodies[body[side]].is_rigid()) {
       const std::array<int, 2> ends = face[side][0] >= 0 ? face[side] : nearest_face(model, work, piece[side], at);
+      if (model.bodies[body[side]].nodes_turn()) {
+        add_to_sections(model, state, work, ends, weight, c, locals);
+        continue;
+      }
       const auto place = [&](int s) { return Vec2(work.skin[s].x, work.skin[s].y); };
       add_to_face(model, {model.skin_node[ends[0]], model.skin_node[ends[1]]}, place(ends[0]), place(ends[1]), weight,
                   c, locals);
@@ -120,25 +153,28 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
   }
 }
 
-/// A spring along e through `at` (e = 0: about it) that is tied to an element: row sums of v v' for the forces v on its
-/// nodes by a unit force.
-void add_to_element(const Model<2>& model, const State<2>& state, const Anchor& anchor, const Vec2& at, const Vec2& e,
-                    double tangent, double dashpot, std::vector<Local>& locals) {
-  const Element& element = model.elements[anchor.element];
+/// A spring along e through `at` (e = 0: about it) that is tied to several nodes: row sums of v v' for the forces v on
+/// them by a unit force, scaled by their masses.
+void add_to_nodes(const Model<2>& model, const State<2>& state, const Tie& tie, const Vec2& at, const Vec2& e,
+                  double tangent, double dashpot, std::vector<Local>& locals) {
   std::vector<Vec2> force(static_cast<std::size_t>(model.nodes()), Vec2::Zero());
-  std::vector<double> none;
-  const double moment = e.isZero() ? 1 : cross(Vec2(at - anchor_pose(model, state, anchor).place), e);
-  add_at_anchor(model, state, anchor, e, moment, force, none);
+  std::vector<double> couple(tie.turns ? force.size() : 0, 0.0);
+  const double moment = e.isZero() ? 1 : cross(Vec2(at - pose_at(model, state, tie).place), e);
+  push_at(model, state, tie, e, moment, force, couple);
+  std::set<int> nodes(tie.node.begin(), tie.node.begin() + tie.nodes);
+  if (tie.turns) nodes.insert(tie.turn.begin(), tie.turn.begin() + tie.nodes);
   double sum = 0;
-  for (int i = 0; i < element.nodes; ++i)
-    sum += (force[element.node[i]].cwiseAbs().sum()) / std::sqrt(model.mass[element.node[i]]);
-  for (int i = 0; i < element.nodes; ++i) {
-    const int n = element.node[i];
-    for (const int k : {0, 1}) {
-      const double row = std::abs(force[n][k]) * sum * std::sqrt(model.mass[n]);
+  for (const int n : nodes) {
+    sum += force[n].cwiseAbs().sum() / std::sqrt(model.mass[n]);
+    if (tie.turns) sum += std::abs(couple[n]) / std::sqrt(model.inertia[n]);
+  }
+  for (const int n : nodes)
+    for (const int k : {0, 1, 2}) {
+      if (k == 2 && !tie.turns) continue;
+      const double part = k == 2 ? couple[n] : force[n][k], mass = k == 2 ? model.inertia[n] : model.mass[n];
+      const double row = std::abs(part) * sum * std::sqrt(mass);
       locals[n].k(k, k) += tangent * row, locals[n].c(k, k) += dashpot * row;
     }
-  }
 }
 
 void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& work, std::vector<Local>& locals) {
@@ -146,9 +182,10 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
     // One that waits counts already: it may go live between two estimates.
     if (!is_live(work.bearing[i].status) && work.bearing[i].status != BearingStatus::waiting) continue;
     const Bearing<2>& b = model.bearings[i];
-    const std::array<Anchor, 2> anchor{anchor_a(b), anchor_b(b)};
-    const Vec2 at = anchor_pose(model, state, anchor[1]).place;
-    const Turn axes(anchor_pose(model, state, anchor[0]).rotation + b.angle);
+    const std::array<const Tie*, 2> tie{&b.end_a, &b.end_b};
+    const std::array<int, 2> body{b.body_a, b.body_b};
+    const Vec2 at = pose_at(model, state, b.end_b).place;
+    const Turn axes(pose_at(model, state, b.end_a).rotation + b.angle);
     for (int k = 0; k < 3; ++k) {
       double tangent = 0, dashpot = 0;
       std::visit(
@@ -159,12 +196,12 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
           b.law[k]);
       const Vec2 e = k == turning ? Vec2::Zero() : axes.apply(k == along ? Vec2::UnitX() : Vec2::UnitY());
       for (const int side : {0, 1}) {
-        const double weight = model.body_moves(anchor[1 - side].body) ? 2 : 1;
-        if (anchor[side].element >= 0) {
-          add_to_element(model, state, anchor[side], at, e, weight * tangent, weight * dashpot, locals);
+        const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
+        if (!tie[side]->is_rigid()) {
+          add_to_nodes(model, state, *tie[side], at, e, weight * tangent, weight * dashpot, locals);
           continue;
         }
-        const int node = model.bodies[anchor[side].body].first_node;
+        const int node = tie[side]->node[0];
         const Vec2 arm = at - state.position[node];
         const Eigen::Vector3d v(e.x(), e.y(), k == turning ? 1.0 : cross(arm, e));
         locals[node].k += weight * tangent * v * v.transpose();
@@ -199,12 +236,25 @@ void add_stiffer_face(const Model<2>& model, int from, int to, const ContactTang
   stiffest.c(0, 0) = law.beta * k;
 }
 
+/// A face of a frame in full contact: what the sections at its ends feel, per mass.
+void add_stiffer_section(const Model<2>& model, int from, int to, const ContactTangent& law, Local& stiffest) {
+  const double length = (skin_start(model, to) - skin_start(model, from)).norm();
+  for (const int skin : {from, to}) {
+    const int n = model.skin_node[skin], t = model.skin_turn[skin];
+    const double pinned = n == t ? 1 : 2, arm = model.skin_place[skin].squaredNorm() / model.inertia[t];
+    const double k = pinned * 2 * (0.5 + 1.0 / 6) * length *
+                     (std::max(law.normal, law.shear) / model.mass[n] + std::max(law.normal, law.shear) * arm);
+    if (k <= stiffest.k(0, 0)) continue;
+    stiffest.k(0, 0) = k;
+    stiffest.c(0, 0) = law.beta * k;
+  }
+}
+
 /// The stiffest face of a body under the stiffest law its surface has, as if in full contact with a body like it. In
 /// the body's own axes.
 Local on_stiffest_face(const Model<2>& model, int body) {
   Local stiffest;
   const Body& b = model.bodies[body];
-  const bool deforms = b.deforms();
   for (int other = 0; other < model.surfaces; ++other) {
     const int law = model.law_of[b.surface * model.surfaces + other];
     if (law < 0) continue;
@@ -213,7 +263,11 @@ Local on_stiffest_face(const Model<2>& model, int body) {
       for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
         if (!model.edge_is_face[first + c]) continue;
         const int from = model.corner_skin[first + c], to = model.corner_skin[first + (c + 1) % count];
-        if (deforms) {
+        if (b.skin_is_sections()) {
+          add_stiffer_section(model, from, to, numbers, stiffest);
+          continue;
+        }
+        if (!b.is_rigid()) {
           add_stiffer_face(model, model.skin_node[from], model.skin_node[to], numbers, stiffest);
           continue;
         }
@@ -242,7 +296,7 @@ void bound_faces(const Model<2>& model, Work<2>& work) {
     const int node = model.bodies[b].first_node;
     if (!model.body_moves(static_cast<int>(b))) continue;
     const Local local = on_stiffest_face(model, static_cast<int>(b));
-    if (model.bodies[b].deforms()) {
+    if (!model.bodies[b].is_rigid()) {
       work.face_bound[b] = {local.k(0, 0), local.c(0, 0)};
       continue;
     }
@@ -289,7 +343,7 @@ std::string explain_step(const Model<2>& model, const State<2>& state, const Wor
   if (s.body < 0) return fmt::format("nothing stiff governs; the step is held to {:g} s", longest_step);
   std::string text = fmt::format("body '{}' governs: stable step {:.4g} s, {:.4g} s without damping; its contacts:",
                                  model.bodies[s.body].name, s.dt, step_for(s.stiffness, 0));
-  if (model.bodies[s.body].deforms()) {
+  if (!model.bodies[s.body].is_rigid()) {
     const RateBound& own = model.element_bound[s.body];
     text = fmt::format(
         "body '{}' ({}) governs: stable step {:.4g} s, {:.4g} s without damping, {:.4g} s by its elements alone; its "

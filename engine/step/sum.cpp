@@ -11,18 +11,17 @@
 namespace trilith {
 namespace {
 
-/// A bearing with an end on a deformable body. Its force acts on both bodies along one line, through b's point.
+/// A bearing with an end tied to several nodes. Its force acts on both bodies along one line, through b's point.
 void add_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
   const Bearing<2>& b = model.bearings[i];
-  const Anchor a = anchor_a(b), at_b = anchor_b(b);
   const Vec2 f = work.bearing_force[i];
-  const Vec2 between = anchor_pose(model, state, at_b).place - anchor_pose(model, state, a).place;
+  const Vec2 between = pose_at(model, state, b.end_b).place - pose_at(model, state, b.end_a).place;
   const double moment = work.bearing_moment[i];
-  add_at_anchor(model, state, at_b, f, moment, work.force, work.moment);
-  add_at_anchor(model, state, a, -f, -cross(between, f) - moment, work.force, work.moment);
+  push_at(model, state, b.end_b, f, moment, work.force, work.moment);
+  push_at(model, state, b.end_a, -f, -cross(between, f) - moment, work.force, work.moment);
 }
 
-/// spread of a deformable body, and what its elements give.
+/// spread of a body whose skin points are its nodes, and what its elements give.
 void spread_nodes(const BodyRow& body, Work<2>& work) {
   for (int i = 0; i < body.nodes; ++i) {
     const int n = body.node + i;
@@ -31,8 +30,23 @@ void spread_nodes(const BodyRow& body, Work<2>& work) {
   }
 }
 
+/// spread of a frame, and what its beams give.
+void spread_sections(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+  for (int n = body.node; n < body.node + body.nodes; ++n) {
+    work.force[n] = work.element_force[n] + work.element_damping[n];
+    work.moment[n] = work.element_moment[n] + work.element_damping_moment[n];
+  }
+  for (int s = body.skin; s < body.skin + body.skins; ++s) {
+    const Vec2& f = work.skin_force[s];
+    if (f.x() == 0 && f.y() == 0) continue;
+    const int n = model.skin_node[s];
+    work.force[n] += f;
+    work.moment[model.skin_turn[s]] += cross(Vec2(Vec2(work.skin[s].x, work.skin[s].y) - state.position[n]), f);
+  }
+}
+
 /// spread of a rigid body.
-void spread_body(const State<2>& state, const BodyRow& body, Work<2>& work) {
+void spread_one_node(const State<2>& state, const BodyRow& body, Work<2>& work) {
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
   const NodeLoad load =
       spread_rigid(state.position[body.node], std::span<const SkinMotion>(work.skin).subspan(first, count),
@@ -41,12 +55,23 @@ void spread_body(const State<2>& state, const BodyRow& body, Work<2>& work) {
   work.moment[body.node] = load.moment;
 }
 
-/// A bearing between two rigid bodies, or with an end on a deformable one.
+void spread_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+  switch (body.layout) {
+    case SkinLayout::one_node:
+      return spread_one_node(state, body, work);
+    case SkinLayout::node_each:
+      return spread_nodes(body, work);
+    case SkinLayout::sections:
+      return spread_sections(model, state, body, work);
+  }
+}
+
+/// A bearing between two rigid bodies, or with an end on one that deforms.
 void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
   const Bearing<2>& b = model.bearings[i];
-  if (b.element_a >= 0 || b.element_b >= 0) return add_bearing(model, state, work, i);
-  const int na = model.bodies[b.body_a].first_node, nb = model.bodies[b.body_b].first_node;
-  const Vec2 point = state.position[nb] + Turn(state.rotation[nb]).apply(b.point_b);
+  if (!b.end_a.is_rigid() || !b.end_b.is_rigid()) return add_bearing(model, state, work, i);
+  const int na = b.end_a.node[0], nb = b.end_b.node[0];
+  const Vec2 point = state.position[nb] + Turn(state.rotation[nb]).apply(b.end_b.arm[0]);
   const Vec2& f = work.bearing_force[i];
   work.force[nb] += f;
   work.force[na] -= f;
@@ -86,12 +111,7 @@ void add_outside(const Model<2>& model, const Vec2& field, Work<2>& work) {
 void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.force.resize(model.mass.size());
   work.moment.resize(model.mass.size());
-  for (const BodyRow& body : work.body) {
-    if (body.deforms)
-      spread_nodes(body, work);
-    else
-      spread_body(state, body, work);
-  }
+  for (const BodyRow& body : work.body) spread_body(model, state, body, work);
   for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
   add_outside(model, model.gravity.at(state.time), work);
 }

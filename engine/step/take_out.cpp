@@ -34,7 +34,7 @@ void end_bearings(const Model<2>& model, State<2>& state, const Work<2>& work, s
     if (state.left[b.body_a] == 0 && state.left[b.body_b] == 0) continue;
     if (is_live(memory.status)) {
       Event e = event_of(state, EventType::bearing_failed, b.body_a);
-      const Vec2 at = anchor_pose(model, state, anchor_a(b)).place;
+      const Vec2 at = pose_at(model, state, b.end_a).place;
       e.body_b = b.body_b, e.bearing = static_cast<int>(i);
       e.value = work.bearing_displacement[i].norm();
       e.x = at.x(), e.y = at.y();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "draw/palette.hpp"
@@ -26,12 +27,12 @@ bool is_of_note(const results::EventRow& event) {
   const EventTypeInfo* const info = info_of(event.type);
   if (info == nullptr) return true;
   const auto type = static_cast<EventType>(info - event_type_info.begin());
-  return is_important(type) && !(type == EventType::impact && event.first.value < slow_impact);
+  return !has_trait(type, is_minor) && !(type == EventType::impact && event.first.value < slow_impact);
 }
 
 std::string heading_in_words(const std::string& type) {
   const EventTypeInfo* const info = info_of(type);
-  if (info != nullptr) return std::string(event_heading(static_cast<EventType>(info - event_type_info.begin())));
+  if (info != nullptr) return std::string(info->heading);
   std::string text = type;
   std::replace(text.begin(), text.end(), '.', ' ');
   return text;
@@ -102,18 +103,25 @@ void write_elements(const results::Header& header, JsonText& json) {
   json.end();
 }
 
-/// Outline point of a body of many nodes that lies nearest to `point`, given from its first node as at the start; -1
-/// for a body of one node.
-int nearest_vertex(const results::Header& header, const results::BodyRow& body, const double* point) {
-  if (body.node_count == 1) return -1;
-  int best = -1;
-  double least = 0;
+/// The node that a point of a body goes with, and where it is from there: the one whose outline point is nearest at the
+/// start, where a body has several. `point` is given from the first node as at the start.
+struct PointOfNode {
+  int node;
+  double x, y;
+};
+PointOfNode point_of_node(const results::Header& header, const results::BodyRow& body, const double* point) {
   const int first = body.first_node;
+  PointOfNode best{first, point[0], point[1]};
+  if (body.node_count == 1) return best;
+  const auto away = [&](int node, std::size_t k) {
+    return point[k] + header.node_position[2 * first + k] - header.node_position[2 * node + k];
+  };
+  double least = std::numeric_limits<double>::infinity();
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
     const int node = header.vertex_node[v];
-    const double far = std::hypot(header.node_position[2 * node] - header.node_position[2 * first] - point[0],
-                                  header.node_position[2 * node + 1] - header.node_position[2 * first + 1] - point[1]);
-    if (best < 0 || far < least) best = v, least = far;
+    const double x = away(node, 0), y = away(node, 1);
+    const double far = std::hypot(header.vertices[2 * v] - x, header.vertices[2 * v + 1] - y);
+    if (far < least) least = far, best = {node, x, y};
   }
   return best;
 }
@@ -122,9 +130,10 @@ void write_bearings(const results::Header& header, JsonText& json) {
   json.key("bearings").begin_list();
   for (const results::BearingRow& b : header.bearings) {
     json.begin_object().text("name", b.name).text("law", b.law).number("a", b.body_a).number("b", b.body_b);
-    json.number("ax", b.point_a[0]).number("ay", b.point_a[1]).number("bx", b.point_b[0]).number("by", b.point_b[1]);
-    json.number("av", nearest_vertex(header, header.bodies[b.body_a], b.point_a));
-    json.number("bv", nearest_vertex(header, header.bodies[b.body_b], b.point_b)).end();
+    const PointOfNode a = point_of_node(header, header.bodies[b.body_a], b.point_a),
+                      at_b = point_of_node(header, header.bodies[b.body_b], b.point_b);
+    json.number("an", a.node).number("ax", a.x).number("ay", a.y);
+    json.number("bn", at_b.node).number("bx", at_b.x).number("by", at_b.y).end();
   }
   json.end();
 }

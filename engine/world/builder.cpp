@@ -34,6 +34,12 @@ double mass_of(const BodySpec& spec, double area, double thickness, const std::v
 
 }  // namespace
 
+bool holds_at(const NodeHold& hold, const Vec2& place) {
+  const Vec2 low = hold.low.cwiseMin(hold.high), high = hold.low.cwiseMax(hold.high);
+  const double reach = 1e-9 * (high - low).norm();
+  return ((place - low).array() >= -reach).all() && ((high - place).array() >= -reach).all();
+}
+
 std::vector<std::string> ModelBuilder::body_names() const {
   std::vector<std::string> names;
   for (const BodySpec& b : bodies_) names.push_back(b.name);
@@ -61,7 +67,7 @@ void ModelBuilder::add_body(BodySpec spec) {
   require_new(bodies_, spec.name, "body", [](const BodySpec& b) { return b.name; });
   const std::string owner = fmt::format("body '{}'", spec.name);
   CheckedPolygon checked;
-  if (!spec.mesh) {
+  if (!spec.mesh && !spec.frame) {
     checked = check_polygon(std::move(spec.outline), owner);
     spec.outline = std::move(checked.outline);
   }
@@ -75,8 +81,11 @@ void ModelBuilder::add_body(BodySpec spec) {
       throw InputError(
           fmt::format("{}: there is no material '{}'{}", owner, spec.material, name_hint(spec.material, known)));
   }
+  if (spec.frame)
+    check_frame(spec, owner);
+  else if (spec.kind != BodyKind::rigid)
+    check_deformable(spec, owner);
   mass_of(spec, 1.0, thickness, materials_);
-  if (spec.kind != BodyKind::rigid) check_deformable(spec, owner);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   if (spec.density) add_doubt(notes_, owner, "density", "kg/m3", *spec.density);
   bodies_.push_back(std::move(spec));
@@ -210,15 +219,12 @@ double mesh_area(const Mesh& mesh) {
 /// A node without rotation at `place`, of a body that starts as `spec` says and turns about `centre`.
 void append_node(const BodySpec& spec, const Vec2& place, const Vec2& centre, Model<2>& model) {
   std::array<Support, 3> support{spec.support[0], spec.support[1], Support::fixed};
-  for (const NodeHold& hold : spec.holds) {
-    const Vec2 low = hold.low.cwiseMin(hold.high), high = hold.low.cwiseMax(hold.high);
-    const double reach = 1e-9 * (high - low).norm();
-    const bool in = ((place - low).array() >= -reach).all() && ((high - place).array() >= -reach).all();
+  for (const NodeHold& hold : spec.holds)
     for (const int k : {0, 1})
-      if (in && hold.support[k] != Support::free) support[k] = hold.support[k];
-  }
+      if (holds_at(hold, place) && hold.support[k] != Support::free) support[k] = hold.support[k];
   model.skin_place.push_back(Vec2::Zero());
   model.skin_node.push_back(model.nodes());
+  model.skin_turn.push_back(model.nodes());
   model.mass.push_back(0);
   model.inertia.push_back(0);
   model.support.push_back(support);
@@ -295,6 +301,10 @@ void ModelBuilder::append_deformable(const BodySpec& spec, Model<2>& model) cons
 }
 
 void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
+  if (spec.frame) {
+    append_frame(spec, model);
+    return;
+  }
   if (spec.kind != BodyKind::rigid) {
     append_deformable(spec, model);
     return;
@@ -322,6 +332,7 @@ void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
   for (const Vec2& p : spec.outline) {
     model.skin_place.emplace_back(p - moments.centroid);
     model.skin_node.push_back(body.first_node);
+    model.skin_turn.push_back(body.first_node);
     radius = std::max(radius, (p - moments.centroid).norm());
   }
   model.body_radius.push_back(radius);
@@ -345,35 +356,6 @@ void ModelBuilder::append_pieces(const Polygon& outline, int body, Model<2>& mod
       model.edge_is_face.push_back(edges.is_face[c]);
       model.edge_corner.push_back(edges.flatness[c]);
     }
-  }
-}
-
-void set_support(Model<2>& model, int body, int dof, Support support) {
-  const Body& b = model.bodies[body];
-  if (b.deforms() && dof == 2) {
-    if (support == Support::fixed) return;  // as its nodes' are
-    throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x and y", b.name));
-  }
-  for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
-    model.support[node][dof] = support;
-    if (support != Support::driven) model.drive_of[node][dof] = -1;
-  }
-}
-
-void set_drive(Model<2>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
-               double origin, const State<2>* state) {
-  const Body& b = model.bodies[body];
-  if (b.deforms() && dof == 2)
-    throw InputError(
-        fmt::format("body '{}' deforms and has no rotation to drive; drive x and y, or make it rigid", b.name));
-  // The motion's own start displacement is not a jump of the ground.
-  const double from = origin - motion->displacement(0);
-  const auto place = [&](int node) { return (state != nullptr ? state->position : model.start_position)[node][dof]; };
-  for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
-    const double beside = node == b.first_node ? 0 : place(node) - place(b.first_node);
-    model.support[node][dof] = Support::driven;
-    model.drive_of[node][dof] = static_cast<int>(model.drives.size());
-    model.drives.push_back({node, dof, from + beside, start, motion});
   }
 }
 

@@ -10,6 +10,7 @@
 #include "load/motion.hpp"
 #include "shape/mesh.hpp"
 #include "shape/polygon.hpp"
+#include "world/frame.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 
@@ -26,6 +27,8 @@ struct NodeHold {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< opposite corners [m]
   std::array<Support, 2> support{};              ///< x, y; free leaves as it is
 };
+/// True where `place` [m] is in its box.
+bool holds_at(const NodeHold& hold, const Vec2& place);
 
 /// A body to be. Give at most one of density, mass, weight; without any, the material's density counts.
 struct BodySpec {
@@ -35,6 +38,7 @@ struct BodySpec {
   BodyKind kind = BodyKind::rigid;
   std::array<int, 2> divisions{1, 1};  ///< of a mesh, along the first and the second side of the outline
   std::optional<Mesh> mesh;            ///< of a body of kind mesh, instead of outline and divisions [m]
+  std::optional<FrameSpec> frame;      ///< of a body of kind frame, instead of outline
   std::vector<NodeHold> holds;         ///< of some nodes of a deformable body
   std::string material;
   std::vector<std::string> groups;
@@ -121,8 +125,10 @@ class ModelBuilder {
   void check_links(const BearingSpec& spec, const std::string& owner) const;
   void require_near(const std::string& body, const Vec2& point, const std::string& what) const;
   void check_deformable(BodySpec& spec, const std::string& owner);
+  void check_frame(BodySpec& spec, const std::string& owner) const;
   void append_body(const BodySpec& spec, Model<2>& model) const;
   void append_deformable(const BodySpec& spec, Model<2>& model) const;
+  void append_frame(const BodySpec& spec, Model<2>& model) const;
   void append_pieces(const Polygon& outline, int body, Model<2>& model) const;
   void append_bearing(const BearingSpec& spec, Model<2>& model) const;
   void append_seat(const SeatSpec& spec, Model<2>& model) const;
@@ -138,13 +144,14 @@ class ModelBuilder {
   std::vector<std::string> notes_;
 };
 
-/// Fixes or frees one degree of freedom of a body (0 x, 1 y, 2 rotation), for the next stage. Of a deformable body:
-/// that of all its nodes, which have no rotation: throws InputError for 2 unless it is to be fixed.
+/// Fixes or frees one degree of freedom of a body (0 x, 1 y, 2 rotation), for the next stage. Of a body of many nodes:
+/// that of all of them; where these have no rotation, throws InputError for 2 unless it is to be fixed.
 void set_support(Model<2>& model, int body, int dof, Support support);
 
 /// Lets one degree of freedom of a body follow `motion` from time `start` [s] and position `origin` on. Of a deformable
 /// body: that of all its nodes; `origin` is that of the first one, the others keep their places beside it as `state`
-/// has them, or the model's start where there is none. Throws InputError for the rotation of such a body.
+/// has them, or the model's start where there is none. Of a frame: of its nodes that are held along it. Throws
+/// InputError for the rotation of a body of many nodes.
 void set_drive(Model<2>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<2>* state = nullptr);
 

@@ -109,17 +109,15 @@ void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) cons
   b.body_a = require_body(spec.body_a, spec.name);
   b.body_b = require_body(spec.body_b, spec.name);
   const std::string owner = fmt::format("bearing '{}'", spec.name);
-  const Anchor a = tie_point(model, b.body_a, spec.point_a, owner),
-               at_b = tie_point(model, b.body_b, spec.point_b, owner);
-  b.point_a = a.place, b.element_a = a.element;
-  b.point_b = at_b.place, b.element_b = at_b.element;
+  b.end_a = tie_point(model, b.body_a, spec.point_a, owner);
+  b.end_b = tie_point(model, b.body_b, spec.point_b, owner);
   b.angle = spec.angle;
   b.law = spec.law;
   b.limit = spec.limit;
-  const bool deforms = a.element >= 0 || at_b.element >= 0;
+  const bool deforms = !b.end_a.is_rigid() || !b.end_b.is_rigid();
   const State<2> start = deforms ? initial_state(model) : State<2>{};
   b.rest = Turn(spec.angle)
-               .undo(deforms ? Vec2(anchor_pose(model, start, at_b).place - anchor_pose(model, start, a).place)
+               .undo(deforms ? Vec2(pose_at(model, start, b.end_b).place - pose_at(model, start, b.end_a).place)
                              : Vec2(spec.point_b - spec.point_a));
   b.holds_off_contact = spec.holds_off_contact;
   b.starts_waiting = spec.starts_waiting;
@@ -151,10 +149,8 @@ void ModelBuilder::append_seat(const SeatSpec& spec, Model<2>& model) const {
   seat.body = require_body(spec.body, spec.name);
   seat.support = require_body(spec.support, spec.name);
   const std::string owner = fmt::format("seat '{}'", spec.name);
-  const Anchor end = tie_point(model, seat.body, spec.end, owner),
-               edge = tie_point(model, seat.support, spec.edge, owner);
-  seat.end = end.place, seat.end_element = end.element;
-  seat.edge = edge.place, seat.edge_element = edge.element;
+  seat.end = tie_point(model, seat.body, spec.end, owner);
+  seat.edge = tie_point(model, seat.support, spec.edge, owner);
   seat.inward = spec.inward.normalized();
   model.seats.push_back(std::move(seat));
 }

@@ -32,9 +32,8 @@ inline constexpr int energy_terms = 18;
 
 struct EnergyTermInfo {
   std::string_view name, sentence;
-  int sign;  ///< +1: has taken energy up, -1: has put it in
-  /// Does not come back: friction, damping, fracture, yielding.
-  [[nodiscard]] constexpr bool given_off() const { return sentence.starts_with("given off"); }
+  int sign;                ///< +1: has taken energy up, -1: has put it in
+  bool given_off = false;  ///< does not come back: friction, damping, fracture, yielding
 };
 
 inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
@@ -43,19 +42,20 @@ inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
     {"contact_elastic", "elastic energy in contacts", +1},
     {"bearing_elastic", "elastic energy in bearings", +1},
     {"strain", "elastic energy of deformable bodies", +1},
-    {"contact_damping", "given off by contact damping", +1},
-    {"contact_friction", "given off by sliding friction, and elastic shear let go by length that parts", +1},
-    {"contact_fracture", "given off by bonds at their loss, less what they began with, and by crushing mortar", +1},
-    {"bearing_damping", "given off by the dashpots of bearings", +1},
-    {"bearing_inner", "given off by yielding or sliding bearings", +1},
-    {"bearing_failure", "given off by bearings at their failure", +1},
-    {"plastic", "given off by plastic strain of deformable bodies", +1},
-    {"element_damping", "given off by the damping of deformable bodies", +1},
-    {"mass_damping", "given off by mass-proportional damping", +1},
-    {"rest_damping", "given off by the damping of consolidation", +1},
+    {"contact_damping", "given off by contact damping", +1, true},
+    {"contact_friction", "given off by sliding friction, and elastic shear let go by length that parts", +1, true},
+    {"contact_fracture", "given off by bonds at their loss, less what they began with, and by crushing mortar", +1,
+     true},
+    {"bearing_damping", "given off by the dashpots of bearings", +1, true},
+    {"bearing_inner", "given off by yielding or sliding bearings", +1, true},
+    {"bearing_failure", "given off by bearings at their failure", +1, true},
+    {"plastic", "given off by plastic strain of deformable bodies", +1, true},
+    {"element_damping", "given off by the damping of deformable bodies", +1, true},
+    {"mass_damping", "given off by mass-proportional damping", +1, true},
+    {"rest_damping", "given off by the damping of consolidation", +1, true},
     {"support", "put in by moving supports", -1},
     {"load", "put in by steady forces", -1},
-    {"left_bounds", "given off by bodies that left the bounds, which took it along", +1},
+    {"left_bounds", "given off by bodies that left the bounds, which took it along", +1, true},
 }};
 
 struct Energy {

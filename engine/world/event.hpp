@@ -30,39 +30,59 @@ enum class EventType : int {
 };
 inline constexpr int event_types = 18;
 
-/// Of a mortar joint: its Event::text is the mode, a name of joint_modes.
-constexpr bool is_of_joint(EventType type) {
-  return type == EventType::bond_cracked || type == EventType::bond_broken || type == EventType::joint_crushed;
+/// How a mortar joint fails; results hold the number.
+enum class JointMode : std::uint8_t { tension, shear, compression };
+/// "tension", ...
+constexpr std::string_view name_of(JointMode mode) {
+  constexpr std::array<std::string_view, 3> names{"tension", "shear", "compression"};
+  return names[static_cast<std::size_t>(mode)];
 }
-/// How a joint fails; results hold the place in this list.
-inline constexpr std::array<std::string_view, 3> joint_modes{"tension", "shear", "compression"};
+
+/// What holds for events of a type; several are joined by |.
+enum EventTrait : unsigned {
+  has_place = 1,   ///< Event::x and y say where
+  of_joint = 2,    ///< of a mortar joint: Event::mode says how it fails
+  can_cause = 4,   ///< others may follow from it
+  is_minor = 8,    ///< left out where what is of note alone is told
+  spoils_run = 16  ///< the run is not to be trusted, or not all of it; see world/verdict.hpp
+};
 
 struct EventTypeInfo {
   std::string_view name;        ///< as in scripts and results
+  std::string_view heading;     ///< in a few words
   std::string_view value_name;  ///< what Event::value is
   std::string_view value_unit;
+  unsigned traits;
 };
 
+/// In the order of EventType.
 inline constexpr std::array<EventTypeInfo, event_types> event_type_info{{
-    {"stage.begun", "", ""},
-    {"stage.ended", "", ""},
-    {"bond.cracked", "force", "N"},
-    {"bond.broken", "force", "N"},
-    {"joint.crushed", "force", "N"},
-    {"bearing.yielded", "displacement", "m"},
-    {"bearing.failed", "displacement", "m"},
-    {"bearing.changed", "displacement", "m"},
-    {"contact.made", "closing speed", "m/s"},
-    {"contact.lost", "", ""},
-    {"seat.lost", "speed", "m/s"},
-    {"impact", "closing speed", "m/s"},
-    {"body.rest", "", ""},
-    {"body.left", "speed", "m/s"},
-    {"body.passed", "overlap", "m"},
-    {"element.overstrained", "strain", "1"},
-    {"stage.diverged", "sound until", "s"},
-    {"stage.unsettled", "unbalanced", "1"},
+    {"stage.begun", "stage begun", "", "", 0},
+    {"stage.ended", "stage ended", "", "", 0},
+    {"bond.cracked", "bond cracked", "force", "N", has_place | of_joint | can_cause},
+    {"bond.broken", "bond broken", "force", "N", has_place | of_joint | can_cause},
+    {"joint.crushed", "joint crushed", "force", "N", has_place | of_joint | can_cause},
+    {"bearing.yielded", "bearing yielded", "displacement", "m", has_place},
+    {"bearing.failed", "bearing failed", "displacement", "m", has_place | can_cause},
+    {"bearing.changed", "bearing changed", "displacement", "m", has_place | can_cause},
+    {"contact.made", "contact made", "closing speed", "m/s", has_place | is_minor},
+    {"contact.lost", "contact lost", "", "", is_minor},
+    {"seat.lost", "seat lost", "speed", "m/s", has_place | can_cause},
+    {"impact", "impact", "closing speed", "m/s", has_place | can_cause},
+    {"body.rest", "body at rest", "", "", is_minor},
+    {"body.left", "body left", "speed", "m/s", has_place | can_cause | spoils_run},
+    {"body.passed", "body passed", "overlap", "m", has_place | can_cause | spoils_run},
+    {"element.overstrained", "overstrained", "strain", "1", has_place | can_cause},
+    {"stage.diverged", "diverged", "sound until", "s", spoils_run},
+    {"stage.unsettled", "not at rest", "unbalanced", "1", spoils_run},
 }};
+
+constexpr const EventTypeInfo& info_of(EventType type) {
+  return event_type_info[static_cast<std::size_t>(type)];
+}
+constexpr bool has_trait(EventType type, EventTrait trait) {
+  return (info_of(type).traits & trait) != 0;
+}
 
 struct Event {
   EventType type{};
@@ -73,8 +93,8 @@ struct Event {
   int body_a = -1, body_b = -1, bearing = -1;
   double value = 0;     ///< see EventTypeInfo
   double x = 0, y = 0;  ///< where [m]
-  std::string text;     ///< the rest in words: the mode of a joint's failure (tension, shear or compression), which
-                        ///< element of its body, why a stage diverged or did not settle
+  JointMode mode{};     ///< of a joint
+  std::string text;     ///< the rest in words: which element of its body, why a stage diverged or did not settle
 };
 
 }  // namespace trilith

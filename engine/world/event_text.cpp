@@ -64,11 +64,11 @@ std::string event_text(const Event& e, const Model<2>& model) {
     case EventType::stage_ended:
       return ended_text(e.text);
     case EventType::bond_broken:
-      return fmt::format("bond of {} and {} broke in {} at {:.3g} kN", a, b, e.text, 1e-3 * e.value);
+      return fmt::format("bond of {} and {} broke in {} at {:.3g} kN", a, b, name_of(e.mode), 1e-3 * e.value);
     case EventType::bond_cracked:
-      return fmt::format("bond of {} and {} cracked in {} at {:.3g} kN", a, b, e.text, 1e-3 * e.value);
+      return fmt::format("bond of {} and {} cracked in {} at {:.3g} kN", a, b, name_of(e.mode), 1e-3 * e.value);
     case EventType::joint_crushed:
-      return fmt::format("joint of {} and {} crushed in {} at {:.3g} kN", a, b, e.text, 1e-3 * e.value);
+      return fmt::format("joint of {} and {} crushed in {} at {:.3g} kN", a, b, name_of(e.mode), 1e-3 * e.value);
     case EventType::bearing_yielded:
       return failed_text(e, model, "yielded");
     case EventType::bearing_failed:
@@ -103,18 +103,6 @@ std::optional<EventType> event_type_called(std::string_view name) {
   for (int i = 0; i < event_types; ++i)
     if (event_type_info[static_cast<std::size_t>(i)].name == name) return static_cast<EventType>(i);
   return std::nullopt;
-}
-
-std::string_view event_heading(EventType type) {
-  constexpr std::array<std::string_view, event_types> headings = {
-      "stage begun",    "stage ended",     "bond cracked", "bond broken",  "joint crushed", "bearing yielded",
-      "bearing failed", "bearing changed", "contact made", "contact lost", "seat lost",     "impact",
-      "body at rest",   "body left",       "body passed",  "overstrained", "diverged",      "not at rest"};
-  return headings[static_cast<std::size_t>(type)];
-}
-
-bool is_important(EventType type) {
-  return type != EventType::contact_made && type != EventType::contact_lost && type != EventType::body_at_rest;
 }
 
 }  // namespace trilith

@@ -35,6 +35,8 @@ void add(Hash& hash, const Bearing<2>& b);
 void add(Hash& hash, const Seat& s);
 void add(Hash& hash, const Solid& s);
 void add(Hash& hash, const Element& e);
+void add(Hash& hash, const Beam& b);
+void add(Hash& hash, const Member& m);
 void add(Hash& hash, const Drive& d);
 void add(Hash& hash, const PointLoad& l);
 void add(Hash& hash, const FaceLoad& l);
@@ -82,20 +84,23 @@ void add(Hash& hash, const Body& b) {
     add(hash, v);
 }
 
+void add(Hash& hash, const Tie& t) {
+  add(hash, t.nodes), hash.add(static_cast<std::uint64_t>(t.turns));
+  add(hash, t.node), add(hash, t.turn), add(hash, t.weight), add(hash, t.arm);
+}
+
 void add(Hash& hash, const Bearing<2>& b) {
   add(hash, b.name);
-  for (const int v :
-       {b.body_a, b.body_b, b.piece_a, b.piece_b, b.contact_after, b.becomes_bearing, b.element_a, b.element_b})
-    add(hash, v);
-  for (const Vec2& v : {b.point_a, b.point_b, b.rest}) add(hash, v);
+  for (const int v : {b.body_a, b.body_b, b.piece_a, b.piece_b, b.contact_after, b.becomes_bearing}) add(hash, v);
+  add(hash, b.end_a), add(hash, b.end_b), add(hash, b.rest);
   add(hash, b.angle), add(hash, b.rest_angle);
   add(hash, b.law), add(hash, b.limit);
   add(hash, b.holds_off_contact), add(hash, b.starts_waiting);
 }
 
 void add(Hash& hash, const Seat& s) {
-  add(hash, s.name), add(hash, s.body), add(hash, s.support), add(hash, s.end_element), add(hash, s.edge_element);
-  for (const Vec2& v : {s.end, s.edge, s.inward}) add(hash, v);
+  add(hash, s.name), add(hash, s.body), add(hash, s.support);
+  add(hash, s.end), add(hash, s.edge), add(hash, s.inward);
 }
 
 void add(Hash& hash, const Solid& s) {
@@ -108,6 +113,16 @@ void add(Hash& hash, const Element& e) {
   add(hash, e.node);
   for (const int v : {e.body, e.nodes, e.solid, e.first_number, e.first_point}) add(hash, v);
   add(hash, e.thickness);
+}
+
+void add(Hash& hash, const Beam& b) {
+  add(hash, b.body), add(hash, b.node), add(hash, b.arm);
+  add(hash, b.length), add(hash, b.angle), add(hash, b.damping);
+  add(hash, b.stiffness.axial), add(hash, b.stiffness.bend), add(hash, b.stiffness.bow);
+}
+
+void add(Hash& hash, const Member& m) {
+  add(hash, m.name), add(hash, m.body), add(hash, m.first_beam), add(hash, m.beams);
 }
 
 void add(Hash& hash, const GroundMotion& m) {
@@ -127,7 +142,7 @@ void add(Hash& hash, const LoadCurve& c) {
 }
 
 void add(Hash& hash, const PointLoad& l) {
-  add(hash, l.name), add(hash, l.body), add(hash, l.node), add(hash, l.element), add(hash, l.place), add(hash, l.force);
+  add(hash, l.name), add(hash, l.body), add(hash, l.at), add(hash, l.force);
   add(hash, l.moment), add(hash, l.follows), add(hash, l.curve);
 }
 
@@ -151,10 +166,10 @@ std::uint64_t structure_of(const Model<2>& m) {
   add(hash, m.thickness);
   add(hash, m.mass), add(hash, m.inertia);
   add(hash, m.start_position), add(hash, m.start_rotation), add(hash, m.start_velocity), add(hash, m.start_spin);
-  add(hash, m.bodies), add(hash, m.skin_place), add(hash, m.skin_node);
+  add(hash, m.bodies), add(hash, m.skin_place), add(hash, m.skin_node), add(hash, m.skin_turn);
   add(hash, m.piece_body), add(hash, m.piece_first), add(hash, m.corner_skin), add(hash, m.edge_is_face);
   add(hash, m.edge_corner);
-  add(hash, m.solids), add(hash, m.elements), add(hash, m.element_number);
+  add(hash, m.solids), add(hash, m.elements), add(hash, m.element_number), add(hash, m.beams), add(hash, m.members);
   add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, m.law_of);
   add(hash, m.bearings), add(hash, m.seats);
   return hash.value();

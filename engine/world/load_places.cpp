@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "body/solid_element.hpp"
 #include "world/loads.hpp"
 #include "world/pose.hpp"
 
@@ -82,15 +81,13 @@ double lowest_of(const Model<2>& model, const std::vector<int>& bodies) {
 void add_body_rows(const Model<2>& model, int body, const std::optional<Vec2>& at, double weight,
                    std::vector<PushRow>& rows) {
   const Body& b = model.bodies[body];
-  if (!b.deforms()) {
+  if (b.is_rigid()) {
     rows.push_back({b.first_node, at ? Vec2(*at - model.start_position[b.first_node]) : Vec2::Zero(), weight});
     return;
   }
   if (at) {
-    const Anchor anchor = tie_point(model, body, *at, fmt::format("push of '{}'", b.name));
-    const Element& e = model.elements[anchor.element];
-    const auto share = shape_functions(static_cast<std::size_t>(e.nodes), anchor.place);
-    for (int i = 0; i < e.nodes; ++i) rows.push_back({e.node[i], Vec2::Zero(), weight * share[i]});
+    const Tie tie = tie_point(model, body, *at, fmt::format("push of '{}'", b.name));
+    for (int i = 0; i < tie.nodes; ++i) rows.push_back({tie.node[i], tie.arm[i], weight * tie.weight[i]});
     return;
   }
   const double mass = body_mass(model, body);

@@ -26,7 +26,7 @@ std::vector<PointLoad> spread_load(const Model<2>& model, int body, const PointL
   std::vector<PointLoad> loads;
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
     loads.push_back(whole);
-    loads.back().node = n;
+    loads.back().at = Tie::to_node(n, Vec2::Zero());
     loads.back().force *= model.mass[n] / mass;
   }
   return loads;
@@ -45,13 +45,11 @@ std::vector<PointLoad> make_point_load(const Model<2>& model, int body, const Po
   load.force = spec.force, load.moment = spec.moment, load.follows = spec.follows;
   if (spec.at) {
     check_finite(*spec.at, owner + ": place");
-    const Anchor anchor = tie_point(model, body, *spec.at, owner);
-    load.element = anchor.element, load.place = anchor.place;
-    if (anchor.element < 0) load.node = b.first_node;
+    load.at = tie_point(model, body, *spec.at, owner);
     return {load};
   }
-  load.node = b.first_node;
-  if (!b.deforms()) return {load};
+  load.at = Tie::to_node(b.first_node, Vec2::Zero());
+  if (b.is_rigid()) return {load};
   if (spec.moment != 0 || spec.follows)
     throw InputError(fmt::format("{}: the body deforms; say with 'at' where the {} acts", owner,
                                  spec.moment != 0 ? "moment" : "force that follows"));
@@ -124,7 +122,7 @@ bool release_push(Model<2>& model, const State<2>& state, const Work<2>& work, c
   for (const PushRow& row : at->rows) {
     if (size == 0 || !(fade > 0)) break;
     PointLoad load;
-    load.body = body_of_node(model, row.node), load.node = row.node, load.place = row.place;
+    load.body = body_of_node(model, row.node), load.at = Tie::to_node(row.node, row.place);
     load.force = size * row.weight * at->direction;
     load.curve = ramp_curve(state.time, 1, 0, fade, true);
     model.point_loads.push_back(std::move(load));

@@ -11,6 +11,7 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
+#include "body/beam.hpp"
 #include "body/list.hpp"
 #include "contact/list.hpp"
 #include "load/forces.hpp"
@@ -35,8 +36,12 @@ struct Body {
   int surface = 0;  ///< index into the table of contact laws
   double area = 0;  ///< [m2]
 
-  /// Its nodes have no rotation, and each is a skin point: the two run side by side.
-  [[nodiscard]] bool deforms() const { return kind != BodyKind::rigid; }
+  /// One node carries it.
+  [[nodiscard]] bool is_rigid() const { return kind == BodyKind::rigid; }
+  /// Its skin points turn with several nodes.
+  [[nodiscard]] bool skin_is_sections() const { return info_of(kind).skin == SkinLayout::sections; }
+  /// Its nodes have rotations.
+  [[nodiscard]] bool nodes_turn() const { return info_of(kind).nodes_turn; }
 };
 
 /// A finite element of a deformable body, see body/solid_element.hpp.
@@ -102,9 +107,8 @@ struct Bounds {
 struct Seat {
   std::string name;
   int body = -1, support = -1;
-  Vec2 end = Vec2::Zero();   ///< the body's end, see world/pose.hpp, Anchor
-  Vec2 edge = Vec2::Zero();  ///< the edge of the seat, on the support
-  int end_element = -1, edge_element = -1;
+  Tie end;                      ///< the body's end
+  Tie edge;                     ///< the edge of the seat, on the support
   Vec2 inward = Vec2::UnitX();  ///< from the edge over the seat, unit vector in the axes of the support
 };
 
@@ -127,8 +131,9 @@ struct Model {
 
   std::vector<Body> bodies;         ///< [body]
   std::vector<double> body_radius;  ///< [body] farthest skin point from the node m
-  std::vector<Vec<D>> skin_place;   ///< [skin] in the axes of the node m
+  std::vector<Vec<D>> skin_place;   ///< [skin] from skin_node, in the axes of skin_turn m
   std::vector<int> skin_node;       ///< [skin]
+  std::vector<int> skin_turn;       ///< [skin] the node whose axes those are: skin_node but at the pinned end of a beam
 
   // Convex pieces of the bodies' skins.
   std::vector<int> piece_body;             ///< [piece]
@@ -144,7 +149,9 @@ struct Model {
   std::vector<Element> elements;              ///< [element], body by body
   std::vector<ElementBatch> element_batches;  ///< all of them, in order
   std::vector<double> element_number;         ///< see world/element_rows.hpp
-  std::vector<RateBound> element_bound;       ///< [body] of its elements; 0 where it is rigid
+  std::vector<Member> members;                ///< of frames, body by body
+  std::vector<Beam> beams;                    ///< [beam] of frames, body by body
+  std::vector<RateBound> element_bound;       ///< [body] of its elements or beams; 0 where it is rigid
   int plastic_points = 0;                     ///< rows of State::plastic
 
   // Contact laws: which one holds between two surfaces.

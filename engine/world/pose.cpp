@@ -76,10 +76,75 @@ struct BodyCloud {
 constexpr std::array<double, 4> quarters{0.25, 0.25, 0.25, 0.25};
 constexpr std::array<double, 3> thirds{1.0 / 3, 1.0 / 3, 1.0 / 3};
 
-Cloud cloud_of(const Element& e) {
-  const auto nodes = static_cast<std::size_t>(e.nodes);
-  return {std::span(e.node).first(nodes),
-          e.nodes == 4 ? std::span<const double>(quarters) : std::span<const double>(thirds)};
+/// The nodes of an element, which all count alike for its turn.
+Cloud cloud_of(const Tie& tie) {
+  const auto nodes = static_cast<std::size_t>(tie.nodes);
+  return {std::span(tie.node).first(nodes),
+          tie.nodes == 4 ? std::span<const double>(quarters) : std::span<const double>(thirds)};
+}
+
+/// Of nodes that turn, as the arms do.
+Pose pose_of_sections(const State<2>& state, const Tie& tie) {
+  Pose pose;
+  for (int i = 0; i < tie.nodes; ++i) {
+    const int n = tie.node[i], t = tie.turn[i];
+    const Vec2 arm = Turn(state.rotation[t]).apply(tie.arm[i]);
+    pose.place += tie.weight[i] * (state.position[n] + arm);
+    pose.velocity += tie.weight[i] * (state.velocity[n] + cross(state.spin[t], arm));
+    pose.rotation += tie.weight[i] * state.rotation[t];
+    pose.spin += tie.weight[i] * state.spin[t];
+  }
+  return pose;
+}
+
+/// The element of a mesh that a point lies in, or whose edge is nearest, and its distance from it [m].
+std::pair<Tie, double> tie_to_elements(const Model<2>& model, int body, const Vec2& at) {
+  Tie best;
+  best.turns = false;
+  double least = unbounded;
+  for (const Element& element : model.elements) {
+    if (element.body != body) continue;
+    std::vector<Vec2> corners;
+    for (int i = 0; i < element.nodes; ++i) corners.push_back(model.start_position[element.node[i]]);
+    const ElementPoint found = nearest_in_element(corners, at);
+    if (!(found.distance < least)) continue;
+    least = found.distance;
+    best.nodes = element.nodes;
+    best.weight = shape_functions(static_cast<std::size_t>(element.nodes), found.natural);
+    std::copy_n(element.node.begin(), element.nodes, best.node.begin());
+  }
+  return {best, least};
+}
+
+/// The sections of a frame that a point lies between, or nearest to: it keeps its share of the way from the one to the
+/// other, and its arm across. So a point on the skin stays on the face that joins the two.
+std::pair<Tie, double> tie_to_sections(const Model<2>& model, int body, const Vec2& at) {
+  Tie best;
+  double least = unbounded;
+  for (int piece = model.bodies[body].first_piece; piece < model.bodies[body].first_piece + model.bodies[body].pieces;
+       ++piece) {
+    const int* const skin = &model.corner_skin[model.piece_first[piece]];  // bottom and top: 0 - 1 below 3 - 2
+    const auto middle = [&](int low, int high) {
+      return Vec2(0.5 * (skin_start(model, skin[low]) + skin_start(model, skin[high])));
+    };
+    const Vec2 from = middle(0, 3), along = middle(1, 2) - from;
+    const double share = std::clamp(along.dot(at - from) / along.squaredNorm(), 0.0, 1.0);
+    const Vec2 across = left_of(along).normalized();
+    const double half = 0.5 * (skin_start(model, skin[3]) - skin_start(model, skin[0])).norm();
+    const Vec2 beside = at - (from + share * along);
+    const double height = std::clamp(across.dot(beside), -half, half), distance = (beside - height * across).norm();
+    if (!(distance < least)) continue;
+    least = distance;
+    best.nodes = 2;
+    for (const std::size_t end : {0, 1}) {
+      const int corner = skin[end];
+      best.node[end] = model.skin_node[corner], best.turn[end] = model.skin_turn[corner];
+      best.weight[end] = end == 0 ? 1 - share : share;
+      const Vec2 station = end == 0 ? from : Vec2(from + along);
+      best.arm[end] = station + beside - model.start_position[best.node[end]];
+    }
+  }
+  return {best, least};
 }
 
 }  // namespace
@@ -92,24 +157,24 @@ double body_mass(const Model<2>& model, int body) {
 }
 
 Vec2 body_start(const Model<2>& model, int body) {
-  if (!model.bodies[body].deforms()) return model.start_position[model.bodies[body].first_node];
+  if (model.bodies[body].is_rigid()) return model.start_position[model.bodies[body].first_node];
   return mean_start(model, BodyCloud(model, body).view());
 }
 
 double body_inertia(const Model<2>& model, int body) {
   const Body& b = model.bodies[body];
-  if (!b.deforms()) return model.inertia[b.first_node];
+  if (b.is_rigid()) return model.inertia[b.first_node];
   const Vec2 centre = body_start(model, body);
   double sum = 0;
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n)
-    sum += model.mass[n] * (model.start_position[n] - centre).squaredNorm();
+    sum += model.inertia[n] + model.mass[n] * (model.start_position[n] - centre).squaredNorm();
   return sum;
 }
 
 Pose body_pose(const Model<2>& model, const State<2>& state, int body) {
   const Body& b = model.bodies[body];
   const int n = b.first_node;
-  if (!b.deforms()) return {state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
+  if (b.is_rigid()) return {state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
   const BodyCloud nodes(model, body);
   Pose pose;
   pose.place = mean_now(state, nodes.view());
@@ -126,66 +191,63 @@ int body_of_node(const Model<2>& model, int node) {
 
 Vec2 skin_start(const Model<2>& model, int skin) {
   const int n = model.skin_node[skin];
-  return model.start_position[n] + Turn(model.start_rotation[n]).apply(model.skin_place[skin]);
+  return model.start_position[n] + Turn(model.start_rotation[model.skin_turn[skin]]).apply(model.skin_place[skin]);
 }
 
-Anchor tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner) {
+Vec2 skin_place(const Model<2>& model, const State<2>& state, int skin) {
+  return state.position[model.skin_node[skin]] +
+         Turn(state.rotation[model.skin_turn[skin]]).apply(model.skin_place[skin]);
+}
+
+Tie tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner) {
   const Body& b = model.bodies[body];
-  if (!b.deforms()) return {body, -1, at - model.start_position[b.first_node]};
-  Anchor best{body, -1, Vec2::Zero()};
-  double least = unbounded;
-  for (int e = 0; e < static_cast<int>(model.elements.size()); ++e) {
-    const Element& element = model.elements[e];
-    if (element.body != body) continue;
-    std::vector<Vec2> corners;
-    for (int i = 0; i < element.nodes; ++i) corners.push_back(model.start_position[element.node[i]]);
-    const ElementPoint found = nearest_in_element(corners, at);
-    if (found.distance < least) best.element = e, best.place = found.natural, least = found.distance;
-  }
-  if (least > 0.02 * model.body_radius[body])
+  if (b.is_rigid()) return Tie::to_node(b.first_node, at - model.start_position[b.first_node]);
+  const auto [tie, distance] = b.nodes_turn() ? tie_to_sections(model, body, at) : tie_to_elements(model, body, at);
+  if (distance > 0.02 * model.body_radius[body])
     throw InputError(
         fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from '{}', which deforms, so there is nothing to tie "
                     "it to; give a "
                     "point in it or on its edge, or make it body = \"rigid\"",
-                    owner, at.x(), at.y(), least, b.name));
-  return best;
+                    owner, at.x(), at.y(), distance, b.name));
+  return tie;
 }
 
-Pose anchor_pose(const Model<2>& model, const State<2>& state, const Anchor& anchor) {
-  if (anchor.element < 0) {
-    const int n = model.bodies[anchor.body].first_node;
-    const Vec2 arm = Turn(state.rotation[n]).apply(anchor.place);
+Pose pose_at(const Model<2>& model, const State<2>& state, const Tie& tie) {
+  if (tie.is_rigid()) {
+    const int n = tie.node[0];
+    const Vec2 arm = Turn(state.rotation[n]).apply(tie.arm[0]);
     return {state.position[n] + arm, state.rotation[n], state.velocity[n] + cross(state.spin[n], arm), state.spin[n]};
   }
-  const Element& e = model.elements[anchor.element];
-  const auto share = shape_functions(static_cast<std::size_t>(e.nodes), anchor.place);
+  if (tie.turns) return pose_of_sections(state, tie);
   Pose pose;
-  for (int i = 0; i < e.nodes; ++i) {
-    pose.place += share[i] * state.position[e.node[i]];
-    pose.velocity += share[i] * state.velocity[e.node[i]];
+  for (int i = 0; i < tie.nodes; ++i) {
+    pose.place += tie.weight[i] * state.position[tie.node[i]];
+    pose.velocity += tie.weight[i] * state.velocity[tie.node[i]];
   }
-  set_turn(model, state, cloud_of(e), pose);
+  set_turn(model, state, cloud_of(tie), pose);
   return pose;
 }
 
-void add_at_anchor(const Model<2>& model, const State<2>& state, const Anchor& anchor, const Vec2& force, double moment,
-                   std::vector<Vec2>& node_force, std::vector<double>& node_moment) {
-  if (anchor.element < 0) {
-    const int n = model.bodies[anchor.body].first_node;
-    node_force[n] += force;
-    node_moment[n] += cross(Turn(state.rotation[n]).apply(anchor.place), force) + moment;
+void push_at(const Model<2>& model, const State<2>& state, const Tie& tie, const Vec2& force, double moment,
+             std::vector<Vec2>& node_force, std::vector<double>& node_moment) {
+  if (tie.turns) {
+    for (int i = 0; i < tie.nodes; ++i) {
+      const int t = tie.turn[i];
+      const Vec2 arm = Turn(state.rotation[t]).apply(tie.arm[i]);
+      node_force[tie.node[i]] += tie.weight[i] * force;
+      node_moment[t] += tie.weight[i] * (cross(arm, force) + moment);
+    }
     return;
   }
-  const Element& e = model.elements[anchor.element];
-  const auto share = shape_functions(static_cast<std::size_t>(e.nodes), anchor.place);
-  const Cloud cloud = cloud_of(e);
+  const Cloud cloud = cloud_of(tie);
   const BestTurn best = best_turn(model, state, cloud);
   const Turn turn(best.angle());
   const Vec2 start = mean_start(model, cloud);
   const double couple = best.size() > 0 ? moment / best.size() : 0;
-  for (int i = 0; i < e.nodes; ++i)
-    node_force[e.node[i]] += share[i] * force + couple * cloud.weight[i] *
-                                                    left_of(turn.apply(Vec2(model.start_position[e.node[i]] - start)));
+  for (int i = 0; i < tie.nodes; ++i)
+    node_force[tie.node[i]] +=
+        tie.weight[i] * force +
+        couple * cloud.weight[i] * left_of(turn.apply(Vec2(model.start_position[tie.node[i]] - start)));
 }
 
 }  // namespace trilith

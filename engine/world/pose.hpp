@@ -25,31 +25,19 @@ double body_inertia(const Model<2>& model, int body);
 
 /// The body that a node belongs to.
 int body_of_node(const Model<2>& model, int node);
-/// Where a skin point stands at the start [m].
+/// Where a skin point stands at the start, and now [m].
 Vec2 skin_start(const Model<2>& model, int skin);
+Vec2 skin_place(const Model<2>& model, const State<2>& state, int skin);
 
-/// A point tied to a body: in the axes of the node of a rigid body, `place` [m]; in an element of a deformable one, its
-/// natural coordinates there. So it moves with the nodes by the shape functions, and turns with the element's axes.
-struct Anchor {
-  int body = -1, element = -1;
-  Vec2 place = Vec2::Zero();
-};
+/// Ties the point of a body that is at `at` [m] at the start. On a body that deforms: in the element it lies in, or
+/// whose edge is nearest; throws InputError where it is farther from the body than a hundredth of its size.
+Tie tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner);
 
-inline Anchor anchor_a(const Bearing<2>& b) {
-  return {b.body_a, b.element_a, b.point_a};
-}
-inline Anchor anchor_b(const Bearing<2>& b) {
-  return {b.body_b, b.element_b, b.point_b};
-}
+/// Where a tied point is and how it moves, and how what is tied there turns.
+Pose pose_at(const Model<2>& model, const State<2>& state, const Tie& tie);
 
-/// Ties the point that is at `at` [m] at the start. On a deformable body: in the element it lies in, or whose edge is
-/// nearest; throws InputError where it is farther from the body than a hundredth of its size.
-Anchor tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner);
-
-Pose anchor_pose(const Model<2>& model, const State<2>& state, const Anchor& anchor);
-
-/// Adds a force [N] at the anchor and a moment [N m] to the nodes: the transpose of anchor_pose.
-void add_at_anchor(const Model<2>& model, const State<2>& state, const Anchor& anchor, const Vec2& force, double moment,
-                   std::vector<Vec2>& node_force, std::vector<double>& node_moment);
+/// Adds a force [N] at the point and a moment [N m] to the nodes: the transpose of pose_at.
+void push_at(const Model<2>& model, const State<2>& state, const Tie& tie, const Vec2& force, double moment,
+             std::vector<Vec2>& node_force, std::vector<double>& node_moment);
 
 }  // namespace trilith

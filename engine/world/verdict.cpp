@@ -17,7 +17,7 @@ std::string words_of(const FaultCount& fault, Fault type) {
 
 void Verdict::add(EventType type, double time, double value, const std::string& text) {
   if (type == EventType::body_left) ++left_;
-  if (!concerns_verdict(type) || type == EventType::body_left) return;
+  if (!has_trait(type, spoils_run) || type == EventType::body_left) return;
   const Fault which = type == EventType::stage_diverged    ? Fault::diverged
                       : type == EventType::stage_unsettled ? Fault::not_at_rest
                                                            : Fault::passed;

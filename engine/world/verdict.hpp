@@ -42,10 +42,4 @@ class Verdict {
   std::int64_t left_ = 0;
 };
 
-/// True for events that Verdict::add takes note of.
-constexpr bool concerns_verdict(EventType type) {
-  return type == EventType::body_left || type == EventType::body_passed || type == EventType::stage_diverged ||
-         type == EventType::stage_unsettled;
-}
-
 }  // namespace trilith

@@ -39,7 +39,7 @@ struct alignas(32) SkinMotion {
 struct BodyRow {
   int node, nodes;  ///< the first, and how many
   int skin, skins;
-  bool deforms;
+  SkinLayout layout;
 };
 
 /// What the general contact of one row came to, for the step estimate, events and recording.
@@ -94,10 +94,12 @@ struct Work {
   double bearing_stored = 0;                     ///< their sum J
 
   // Writer: resist
-  std::vector<PlasticMemory> plastic;   ///< [plastic point] trial
-  std::vector<Vec<D>> element_force;    ///< [node] of elastic and plastic stress N; empty without elements
-  std::vector<Vec<D>> element_damping;  ///< [node] of the dampings of elements N
-  double element_stored = 0;            ///< elastic energy of elements J
+  std::vector<PlasticMemory> plastic;          ///< [plastic point] trial
+  std::vector<Vec<D>> element_force;           ///< [node] of elastic and plastic stress N; empty without elements
+  std::vector<Vec<D>> element_damping;         ///< [node] of the dampings of elements N
+  std::vector<double> element_moment;          ///< [node] of beams N m; empty without them
+  std::vector<double> element_damping_moment;  ///< [node] N m
+  double element_stored = 0;                   ///< elastic energy of elements J
 
   // Writer: apply_loads. All empty where Model::loaded() is false.
   std::vector<Vec<D>> load;         ///< [node] all forces from outside but weight, steady ones included N

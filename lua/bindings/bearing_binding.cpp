@@ -132,8 +132,7 @@ double force_of(const BearingHandle& b, std::size_t k) {
 
 double displacement_of(const BearingHandle& b, std::size_t k) {
   const LiveBearing l = live(b);
-  const Pose a = anchor_pose(l.model, l.state, anchor_a(l.bearing)),
-             b_end = anchor_pose(l.model, l.state, anchor_b(l.bearing));
+  const Pose a = pose_at(l.model, l.state, l.bearing.end_a), b_end = pose_at(l.model, l.state, l.bearing.end_b);
   if (k == turning) return b_end.rotation - a.rotation - l.bearing.rest_angle;
   const Vec2 d = Turn(a.rotation + l.bearing.angle).undo(Vec2(b_end.place - a.place)) - l.bearing.rest;
   return d[static_cast<Eigen::Index>(k)];

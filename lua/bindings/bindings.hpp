@@ -11,6 +11,7 @@ Host& host(lua_State* L);
 void open_units(lua_State* L);         ///< units, params
 void open_math(lua_State* L);          ///< math.sin, math.exp, ...
 void open_laws(lua_State* L);          ///< frictional, bonded, linear, ...
+void open_sections(lua_State* L);      ///< rectangle_section, i_section, ...
 void open_motions(lua_State* L);       ///< motion
 void open_build(lua_State* L);         ///< build.block, build.arch, ...
 void open_study(lua_State* L);         ///< study
@@ -21,6 +22,7 @@ void open_declarations(lua_State* L);  ///< for the library only: what is declar
 std::span<const Method> parts_methods();     ///< material, contact, body, add, pier, span, ...
 std::span<const Method> bearing_methods();   ///< bearing, seat
 std::span<const Method> bridge_methods();    ///< bearing_type, span
+std::span<const Method> frame_methods();     ///< beam, frame
 std::span<const Method> stage_methods();     ///< run, consolidate, shake, fix, free, drive, tilt, stop
 std::span<const Method> load_methods();      ///< point_load, pressure, set_load, release
 std::span<const Method> pushover_methods();  ///< pushover
@@ -28,6 +30,9 @@ std::span<const Method> finding_methods();   ///< joints, thrust_line
 std::span<const Method> debug_methods();     ///< step, rewind, checkpoints
 std::span<const Method> change_methods();    ///< change
 std::span<const Method> reading_methods();   ///< bodies, contacts, history, results, explain_dt
+
+/// body:forces, of beams and frames.
+int push_member_forces(lua_State* L);
 
 /// Highest number of a storey ("storey 3") among the groups of the bodies so far.
 int storey_count(const ScriptModel& model);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bindings.hpp"
 #include "body_reading.hpp"
 #include "bridge_book.hpp"
 #include "handles.hpp"
@@ -47,14 +48,15 @@ void push_text(lua_State* L, const std::string& text) {
 
 void push_outline(lua_State* L, const BodyHandle& b) {
   const Simulation* s = b.model().if_built();
-  const bool nodes = s != nullptr && s->model().bodies[b.index].deforms();
+  const bool deforms = s != nullptr && !s->model().bodies[b.index].is_rigid();
   const Vec2 start = start_place(b), now = place(b);
   const Turn turn(rotation(b));
   lua_newtable(L);
   lua_Integer i = 0;
   for (const Vec2& p : spec(b).outline) {
-    const Vec2 at = nodes ? s->state().position[s->model().bodies[b.index].first_node + static_cast<int>(i)]
-                          : Vec2(now + turn.apply(Vec2(p - start)));
+    const Vec2 at =
+        deforms ? skin_place(s->model(), s->state(), s->model().bodies[b.index].first_skin + static_cast<int>(i))
+                : Vec2(now + turn.apply(Vec2(p - start)));
     lua_createtable(L, 2, 0);
     for (int k = 0; k < 2; ++k) {
       lua_pushnumber(L, at[k]);
@@ -162,8 +164,8 @@ int body_point(lua_State* L) {
   const Simulation* s = b.model().if_built();
   Vec2 now = *at;
   if (s != nullptr) {
-    const Anchor tied = tie_point(s->model(), b.index, *at, fmt::format("point of body '{}'", spec(b).name));
-    now = anchor_pose(s->model(), s->state(), tied).place;
+    const Tie tied = tie_point(s->model(), b.index, *at, fmt::format("point of body '{}'", spec(b).name));
+    now = pose_at(s->model(), s->state(), tied).place;
   }
   lua_pushnumber(L, now.x());
   lua_pushnumber(L, now.y());
@@ -172,6 +174,8 @@ int body_point(lua_State* L) {
 
 const std::array body_methods{
     Method{"point", guarded<body_point>, "point{x, y}: x and y now of the point that was there at the start"},
+    Method{"forces", guarded<push_member_forces>,
+           "forces \"member\": normal force, shear and moment along a member of a beam or frame"},
 };
 
 BodyHandle member(const BodySet& set, std::size_t i) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "part_reading.hpp"
+
 namespace trilith::script {
 namespace {
 
@@ -12,26 +14,6 @@ Support support_at(Keys& keys, std::string_view key, const std::string& text) {
   if (text != "fixed" && text != "free")
     keys.problem(fmt::format("'{}' is '{}', must be \"fixed\" or \"free\"", key, text));
   return text == "fixed" ? Support::fixed : Support::free;
-}
-
-void read_support(Keys& keys, std::array<Support, 3>& support) {
-  lua_State* L = keys.lua();
-  const int type = keys.push("support");
-  if (type == LUA_TSTRING) {
-    support.fill(support_at(keys, "support", text_at(L, -1)));
-  } else if (type == LUA_TTABLE) {
-    Keys own(L, -1, "support");
-    const std::array names{"x", "y", "rotation"};
-    for (std::size_t i = 0; i < names.size(); ++i) support[i] = support_at(own, names[i], own.text(names[i], "free"));
-    try {
-      own.finish();
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-  } else if (type != LUA_TNIL) {
-    keys.wrong("support", "\"fixed\", \"free\" or { x = , y = , rotation = }");
-  }
-  lua_pop(L, 1);
 }
 
 /// mesh = {nx, ny} or a number for both.
@@ -78,8 +60,13 @@ void read_holds(Keys& keys, std::vector<NodeHold>& holds) {
 /// What `keys` say of a body; `preset` where they say nothing.
 BodySpec read_spec(Keys& keys, const BodySpec& preset) {
   BodySpec s = preset;
-  const BodyForm form = read_body_form(keys, {preset.kind, preset.divisions});
-  s.kind = form.kind, s.divisions = form.divisions;
+  const bool is_frame = preset.kind == BodyKind::frame;  // whose form, width and inertia are those of its members
+  if (!is_frame) {
+    const BodyForm form = read_body_form(keys, {preset.kind, preset.divisions});
+    s.kind = form.kind, s.divisions = form.divisions;
+    if (const auto inertia = keys.maybe_number("inertia", "kg m2")) s.inertia = inertia;
+    if (const auto thickness = keys.maybe_number("body_thickness", "m")) s.thickness = thickness;
+  }
   read_holds(keys, s.holds);
   s.material = keys.text("material", preset.material);
   const std::vector<std::string> groups = keys.names("groups");
@@ -92,9 +79,7 @@ BodySpec read_spec(Keys& keys, const BodySpec& preset) {
   }
   const auto mass = keys.maybe_number("mass", "kg"), weight = keys.maybe_number("weight", "N");
   if (density || mass || weight || keys.has("material")) s.density = density, s.mass = mass, s.weight = weight;
-  if (const auto inertia = keys.maybe_number("inertia", "kg m2")) s.inertia = inertia;
-  if (const auto thickness = keys.maybe_number("body_thickness", "m")) s.thickness = thickness;
-  if (keys.has("support")) read_support(keys, s.support);
+  if (keys.has("support")) read_support(keys, "support", s.support);
   s.velocity = keys.point("velocity", preset.velocity);
   s.spin = keys.number("spin", "rad/s", preset.spin);
   s.load = keys.point("load", preset.load);
@@ -107,17 +92,11 @@ void read_by_group(Keys& keys, BodyOptions& o) {
   lua_State* L = keys.lua();
   const int type = keys.push("by_group");
   if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong("by_group", "a table such as { slabs = { weight = 1e4 } }");
-  std::vector<std::string> names;
-  if (type == LUA_TTABLE) {
-    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
-      if (lua_type(L, -2) == LUA_TSTRING)
-        names.push_back(text_at(L, -2));
-      else
-        keys.problem("by_group: its keys must be names of groups or parts");
-    }
+  if (type != LUA_TTABLE) {
+    lua_pop(L, 1);
+    return;
   }
-  std::sort(names.begin(), names.end());
-  for (const std::string& name : names) {
+  for (const std::string& name : names_in_table(keys, "by_group: its keys must be names of groups or parts")) {
     lua_pushlstring(L, name.data(), name.size());
     lua_rawget(L, -2);
     try {
@@ -147,6 +126,26 @@ const BodySpec& spec_of(const Part& part, const BodyOptions& options) {
 }
 
 }  // namespace
+
+void read_support(Keys& keys, std::string_view key, std::array<Support, 3>& support) {
+  lua_State* L = keys.lua();
+  const int type = keys.push(key);
+  if (type == LUA_TSTRING) {
+    support.fill(support_at(keys, key, text_at(L, -1)));
+  } else if (type == LUA_TTABLE) {
+    Keys own(L, -1, std::string(key));
+    const std::array names{"x", "y", "rotation"};
+    for (std::size_t i = 0; i < names.size(); ++i) support[i] = support_at(own, names[i], own.text(names[i], "free"));
+    try {
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL) {
+    keys.wrong(key, "\"fixed\", \"free\" or { x = , y = , rotation = }");
+  }
+  lua_pop(L, 1);
+}
 
 void check_density(Keys& keys, double density) {
   if (density > largest_density)

@@ -21,6 +21,9 @@ BodyOptions read_body_options(Keys& keys, bool several, const BodyForm& preset);
 /// Reads `body`: "rigid", "quad" or { mesh = {nx, ny} }; `preset` where it is not there.
 BodyForm read_body_form(Keys& keys, const BodyForm& preset);
 
+/// Reads "fixed", "free" or { x =, y =, rotation = } under `key`; leaves `support` as it is where that is not there.
+void read_support(Keys& keys, std::string_view key, std::array<Support, 3>& support);
+
 /// Notes a problem where a density is so large that it must be a unit weight.
 void check_density(Keys& keys, double density);
 

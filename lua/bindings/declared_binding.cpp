@@ -41,7 +41,7 @@ bool push_any_kind(lua_State* L, std::string_view name) {
 int properties(lua_State* L) {
   const std::string name = lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "";
   return push_any_kind<ModelBox, BodyHandle, BodySet, BearingHandle, SeatHandle, HistoryHandle, StoreyHandle,
-                       MotionValue, ContactLawValue, DirectionLawValue, SolidLawValue>(L, name)
+                       MotionValue, ContactLawValue, DirectionLawValue, SolidLawValue, SectionValue>(L, name)
              ? 1
              : 0;
 }
@@ -74,8 +74,8 @@ struct PushLaw {
   }
 };
 
-/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, preset } }, in three tables: laws of
-/// contacts, of a bearing's directions, of solids.
+/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, preset } }, in four tables: laws of
+/// contacts, of a bearing's directions, of solids; shapes of sections.
 int laws(lua_State* L) {
   lua_newtable(L);
   ContactLaws::for_each(PushLaw{L});
@@ -83,7 +83,9 @@ int laws(lua_State* L) {
   DirectionLaws::for_each(PushLaw{L});
   lua_newtable(L);
   SolidLaws::for_each(PushLaw{L});
-  return 3;
+  lua_newtable(L);
+  SectionShapes::for_each(PushLaw{L});
+  return 4;
 }
 
 /// core.manual_pages(): the pages of the manual, each a function that gives its table.

@@ -8,10 +8,6 @@
 namespace trilith::script {
 namespace {
 
-const EventTypeInfo& info_of(const Event& e) {
-  return event_type_info[static_cast<std::size_t>(e.type)];
-}
-
 void set_bodies(lua_State* L, int model_index, const Event& e) {
   lua_createtable(L, 2, 0);
   int count = 0;
@@ -33,16 +29,16 @@ void push_event(lua_State* L, int model_index, const Event& e) {
   lua_checkstack(L, 10);
   const ScriptModel& m = handle<ModelBox>(L, model_index).get();
   lua_createtable(L, 0, 14);
-  set_text(L, "type", info_of(e).name);
+  set_text(L, "type", info_of(e.type).name);
   set_number(L, "time", e.time);
   set_integer(L, "id", e.id);
   if (e.cause >= 0) set_integer(L, "cause", e.cause);
   set_integer(L, "step", e.step);
   set_number(L, "value", e.value);
-  set_text(L, "value_name", info_of(e).value_name);
+  set_text(L, "value_name", info_of(e.type).value_name);
   set_number(L, "x", e.x);
   set_number(L, "y", e.y);
-  if (is_of_joint(e.type)) set_text(L, "mode", e.text);
+  if (has_trait(e.type, of_joint)) set_text(L, "mode", name_of(e.mode));
   set_text(L, "text", event_text(e, m.if_built()->model()));
   set_bodies(L, model_index, e);
   if (e.bearing >= 0) {

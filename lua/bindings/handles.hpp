@@ -79,6 +79,12 @@ struct SolidLawValue {
   SolidLaw law;
 };
 
+/// A cross-section of beams.
+struct SectionValue {
+  Section numbers;
+  std::string text;  ///< how it was made
+};
+
 // NOLINTBEGIN(bugprone-macro-parentheses): a type as a template argument takes none.
 #define TRILITH_KIND(Type, Name)                                                 \
   template <>                                                                    \
@@ -103,6 +109,7 @@ TRILITH_KIND(MotionValue, "motion");
 TRILITH_KIND(ContactLawValue, "contact law");
 TRILITH_KIND(DirectionLawValue, "direction law");
 TRILITH_KIND(SolidLawValue, "solid law");
+TRILITH_KIND(SectionValue, "section");
 #undef TRILITH_KIND
 
 /// The model whose method is called: argument 1. InputError where it is none, or closed.

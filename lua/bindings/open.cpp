@@ -38,6 +38,7 @@ int fill(lua_State* L) {
   open_units(L);
   open_math(L);
   open_laws(L);
+  open_sections(L);
   open_motions(L);
   open_build(L);
   open_study(L);

@@ -1,6 +1,7 @@
 // What the readers of geometry builders' tables share.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,21 @@ void read_list(Keys& keys, std::string_view key, const std::string& owner, Item&
     lua_pop(L, 1);
   }
   lua_pop(L, 1);
+}
+
+/// Names of the entries of the table on top of the stack, in rising order: a Lua table has none of its own. Notes a
+/// problem where a key is no text; `what` names the table.
+inline std::vector<std::string> names_in_table(Keys& keys, const char* what) {
+  lua_State* L = keys.lua();
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) == LUA_TSTRING)
+      names.push_back(text_at(L, -2));
+    else
+      keys.problem(what);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 inline std::string read_name(Keys& keys, const std::string& preset) {

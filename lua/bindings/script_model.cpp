@@ -292,7 +292,7 @@ std::string given_off_text(const EnergyCheck& check) {
   for (int i = 0; i < energy_terms; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double share = check.input() > 0 ? check.last().value[k] / check.input() : 0;
-    if (energy_term_info[k].given_off() && share >= 5e-4) shares.emplace_back(share, energy_term_info[k].name);
+    if (energy_term_info[k].given_off && share >= 5e-4) shares.emplace_back(share, energy_term_info[k].name);
   }
   std::sort(shares.rbegin(), shares.rend());
   std::string text;

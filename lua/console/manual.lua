@@ -5,9 +5,9 @@ local console, core = ...
 -- Names in declarations: the kind of handle they belong to.
 local kind_names = {
   model = "model", body = "body", set = "set of bodies", bearing = "bearing", seat = "seat", history = "history",
-  storey = "storey", motion = "motion", ["contact law"] = "contact law",
+  storey = "storey", motion = "motion", ["contact law"] = "contact law", section = "section",
 }
-local law_kinds = { "contact law", "direction law", "solid law" }
+local law_kinds = { "contact law", "direction law", "solid law", "section" }
 
 --- "name  number s = 3  sentence" as { name, type, unit, preset, optional, doc }.
 local function read_key(line)
@@ -129,7 +129,8 @@ function console.manual()
     if page.makers then add_makers(manual, page, shared) end
     if page.tables then add_tables(manual, page) end
   end
-  manual.pages[#manual.pages + 1] = { name = "laws", title = "Laws of contacts, bearings and solids" }
+  manual.pages[#manual.pages + 1] = { name = "laws",
+    title = "Laws of contacts, bearings and solids; sections of beams" }
   add_laws(manual)
   manual.pages[#manual.pages + 1] = { name = "fields", title = "What can be read, by kind" }
   add_fields(manual, types)

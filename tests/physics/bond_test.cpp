@@ -151,14 +151,14 @@ TEST_CASE("a bond's failure is an event with its mode, its time and the force it
   pulled.lead(1, 3e-4, 1.0, 0.25);
   REQUIRE(pulled.events.size() == 1);
   CHECK(pulled.events[0].type == EventType::bond_broken);
-  CHECK(pulled.events[0].text == "tension");
+  CHECK(pulled.events[0].mode == JointMode::tension);
   CHECK(near(pulled.events[0].value, ft, 0.005));
   CHECK(near(pulled.events[0].time, std::asin(ft / kn / 3e-4) / (2 * M_PI), 0.005));
   JointTest sheared(Bonded{kn, 0.5 * kn, mu, 1e-5, c, 1e6, 0}, 0, pressure, 0);
   settle(sheared.sim);
   sheared.lead(0, 4 * (c + mu * pressure) / (0.5 * kn), 4.0, 0.25);
   REQUIRE(sheared.events.size() == 1);
-  CHECK(sheared.events[0].text == "shear");
+  CHECK(sheared.events[0].mode == JointMode::shear);
   CHECK(near(sheared.events[0].value, std::hypot(c + mu * pressure, pressure), 0.005));
 }
 
@@ -170,7 +170,7 @@ TEST_CASE("a softening bond names its first damage and its loss") {
   CHECK(near(peak(r).force, ft, 0.005));
   REQUIRE(joint.events.size() == 2);
   CHECK(joint.events[0].type == EventType::bond_cracked);
-  CHECK(joint.events[0].text == "tension");
+  CHECK(joint.events[0].mode == JointMode::tension);
   CHECK(near(joint.events[0].value, ft, 0.01));
   CHECK(joint.events[1].type == EventType::bond_broken);
   CHECK(near(joint.events[1].time, std::asin(2 * 10 / ft / 2e-3) / (2 * M_PI), 0.01));

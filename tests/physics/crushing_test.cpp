@@ -37,7 +37,7 @@ struct Watched {
     listener.on_event = [&](const Event& e, const Instant&) {
       if (e.type != EventType::joint_crushed) return;
       ++crushed;
-      CHECK(e.text == "compression");
+      CHECK(e.mode == JointMode::compression);
     };
     StageOptions options;
     options.duration = duration, options.dt = dt, options.energy_interval = 1e-4;

@@ -116,13 +116,13 @@ TEST_CASE("a tied point and a force at it are transposes of each other") {
     state.position[n] = turn.apply(model.start_position[n]) + 0.02 * Vec2(std::sin(1.0 + n), std::cos(2.0 * n));
     state.velocity[n] = {std::sin(3.0 * n + 1), std::cos(5.0 * n)};
   }
-  const Anchor anchor = tie_point(model, 0, {0.5, 0.3}, "test");
-  const Pose pose = anchor_pose(model, state, anchor);
+  const Tie tie = tie_point(model, 0, {0.5, 0.3}, "test");
+  const Pose pose = pose_at(model, state, tie);
   const Vec2 force(3, -2);
   const double moment = 0.7;
   std::vector<Vec2> on(state.position.size(), Vec2::Zero());
   std::vector<double> none(state.position.size(), 0.0);
-  add_at_anchor(model, state, anchor, force, moment, on, none);
+  push_at(model, state, tie, force, moment, on, none);
   double power = 0;
   for (std::size_t n = 0; n < on.size(); ++n) power += on[n].dot(state.velocity[n]);
   CHECK(near(power, force.dot(pose.velocity) + moment * pose.spin, 1e-12));
@@ -130,7 +130,7 @@ TEST_CASE("a tied point and a force at it are transposes of each other") {
   const double h = 1e-7;
   State<2> later = state;
   for (std::size_t n = 0; n < on.size(); ++n) later.position[n] += h * state.velocity[n];
-  CHECK(near((anchor_pose(model, later, anchor).rotation - pose.rotation) / h, pose.spin, 1e-5));
+  CHECK(near((pose_at(model, later, tie).rotation - pose.rotation) / h, pose.spin, 1e-5));
   CHECK_THROWS_AS(tie_point(model, 0, {3, 3}, "test"), InputError);
 }
 

@@ -29,9 +29,9 @@ struct Trace {
 };
 
 std::string line_of(const Event& e) {
-  return fmt::format("{} {} {} {} {} {} {:a} {:a} {:a} {:a}", e.step,
+  return fmt::format("{} {} {} {} {} {} {} {:a} {:a} {:a} {:a}", e.step,
                      event_type_info[static_cast<std::size_t>(e.type)].name, e.body_a, e.body_b, e.bearing, e.text,
-                     e.time, e.value, e.x, e.y);
+                     name_of(e.mode), e.time, e.value, e.x, e.y);
 }
 
 /// Where a step of another integrator might have tried to go: everything moved a little, each node in its own way.

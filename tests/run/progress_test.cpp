@@ -115,7 +115,7 @@ TEST_CASE("every type of event has words of its own") {
     const Event e = event_of(static_cast<EventType>(t), t, 1);
     const std::string text = event_text(e, model);
     CHECK_FALSE(text.empty());
-    CHECK_FALSE(event_heading(e.type).empty());
+    CHECK_FALSE(info_of(e.type).heading.empty());
     CHECK(std::find(seen.begin(), seen.end(), text) == seen.end());
     seen.push_back(text);
   }

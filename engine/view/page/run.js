@@ -164,12 +164,11 @@ export class Run {
 
   /** Where points a and b of a bearing are, as posed now. */
   bearingEnds(bearing) {
-    const end = (index, x, y, vertex) => {
-      if (vertex >= 0) return [this.pointX[vertex], this.pointY[vertex]];
-      const node = this.bodies[index].node, c = Math.cos(this.turn[node]), s = Math.sin(this.turn[node]);
+    const end = (node, x, y) => {
+      const c = Math.cos(this.turn[node]), s = Math.sin(this.turn[node]);
       return [this.nodeX[node] + c * x - s * y, this.nodeY[node] + s * x + c * y];
     };
-    return [end(bearing.a, bearing.ax, bearing.ay, bearing.av), end(bearing.b, bearing.bx, bearing.by, bearing.bv)];
+    return [end(bearing.an, bearing.ax, bearing.ay), end(bearing.bn, bearing.bx, bearing.by)];
   }
 
   /** How a bearing stands: as the frame says, or as an event between that frame and `time` does. */

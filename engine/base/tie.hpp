@@ -1,0 +1,36 @@
+// A point that goes with the nodes of a body: the end of a bearing, the place of a load, the edge of a seat.
+//
+//   x = sum of w_i (x_i + R_i r_i)
+//
+// over its nodes, where w_i are weights that sum to 1 and r_i is an arm that turns with a node (R_i). On a rigid body
+// that is one node and one arm; on a beam the two nodes of an element, with arms across it; in a finite element of
+// nodes without rotation its shape functions, and no arms. The transpose gives node i the force w_i f and the node it
+// turns with the moment w_i (R_i r_i x f + m): see world/pose.hpp, pose_at and push_at.
+#pragma once
+
+#include <array>
+
+#include "base/space.hpp"
+
+namespace trilith {
+
+struct Tie {
+  static constexpr int most_nodes = 4;
+
+  int nodes = 0;
+  bool turns = true;                   ///< with rotations of nodes; else as its nodes go round their mean
+  std::array<int, most_nodes> node{};  ///< whose places count
+  std::array<int, most_nodes> turn{};  ///< whose rotation turns the arm; mostly the same node
+  std::array<double, most_nodes> weight{};
+  std::array<Vec2, most_nodes> arm{Vec2(0, 0), Vec2(0, 0), Vec2(0, 0), Vec2(0, 0)};  ///< [m], in the axes of `turn`
+
+  /// To one node that it turns with.
+  static Tie to_node(int node, const Vec2& arm) {
+    Tie tie;
+    tie.nodes = 1, tie.node[0] = tie.turn[0] = node, tie.weight[0] = 1, tie.arm[0] = arm;
+    return tie;
+  }
+  [[nodiscard]] bool is_rigid() const { return nodes == 1; }
+};
+
+}  // namespace trilith

@@ -1,0 +1,36 @@
+// A beam of a frame: where it is and how stiff. Its forces are those of body/beam_element.hpp.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "base/space.hpp"
+
+namespace trilith {
+
+/// In its own axes.
+struct BeamStiffness {
+  double axial = 0;              ///< EA / L [N/m]
+  std::array<double, 3> bend{};  ///< K: end 0, across, end 1 [N m]
+  std::array<double, 3> bow{};   ///< L q = bow[0] theta_0^2 + bow[1] theta_0 theta_1 + bow[2] theta_1^2 [m]
+};
+
+/// Between two nodes of a frame.
+struct Beam {
+  int body = -1;
+  std::array<int, 2> node{-1, -1};
+  std::array<Vec2, 2> arm{Vec2(0, 0), Vec2(0, 0)};  ///< rigid: from the node to where the beam begins, in its axes [m]
+  double length = 0;                                ///< at the start [m]
+  double angle = 0;                                 ///< of its axis at the start [rad]
+  BeamStiffness stiffness;
+  double damping = 0;  ///< damping over elastic force, of strain rate [s]
+};
+
+/// A straight member of a frame: beams one after the other.
+struct Member {
+  std::string name;
+  int body = -1;
+  int first_beam = 0, beams = 0;
+};
+
+}  // namespace trilith

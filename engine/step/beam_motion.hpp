@@ -1,0 +1,19 @@
+// A beam of a frame where its nodes put it.
+#pragma once
+
+#include "body/beam_element.hpp"
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+/// The flexible end of a beam, carried rigidly by its node; `arm` from there [m]. Most have none.
+inline BeamEnd end_of(const State<2>& state, const Beam& beam, std::size_t side, Vec2& arm) {
+  const int n = beam.node[side];
+  arm = beam.arm[side];
+  if (arm.x() == 0 && arm.y() == 0) return {state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
+  arm = Turn(state.rotation[n]).apply(arm);
+  return {state.position[n] + arm, state.rotation[n], state.velocity[n] + cross(state.spin[n], arm), state.spin[n]};
+}
+
+}  // namespace trilith

@@ -1,0 +1,23 @@
+// Inner forces of the members of frames: what an engineer reads off a beam.
+#pragma once
+
+#include <vector>
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+/// At a section, in the axes of the beam that begins or ends there. Damping is not part of them.
+struct SectionForces {
+  double along = 0;           ///< from the member's start, as it was at the start of the run [m]
+  Vec2 place = Vec2::Zero();  ///< now [m]
+  double normal = 0;          ///< tension above 0 [N]
+  double shear = 0;           ///< above 0 where the part before pushes the part behind up, to the left [N]
+  double moment = 0;          ///< above 0 where the bottom, the right side, is in tension [N m]
+};
+
+/// At both ends of each of its beams, one after the other: two rows for each.
+std::vector<SectionForces> member_forces(const Model<2>& model, const State<2>& state, int member);
+
+}  // namespace trilith

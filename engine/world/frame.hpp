@@ -1,0 +1,72 @@
+// A frame to be: joints, and beams between them. World coordinates at the start.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "body/section.hpp"
+#include "shape/polygon.hpp"
+#include "world/model.hpp"
+
+namespace trilith {
+
+/// A node that members meet at, rigidly but where they are pinned.
+struct FrameJoint {
+  std::string name;                  ///< unique in the frame
+  Vec2 place = Vec2::Zero();         ///< [m]
+  double mass = 0;                   ///< beside that of the members [kg]
+  double inertia = 0;                ///< ... [kg m2]
+  std::array<Support, 3> support{};  ///< x, y, rotation
+};
+
+/// A straight member. Its top is the side to the left of the way from `from` to `to`.
+struct FrameMember {
+  std::string name;                         ///< for messages and readings
+  int from = -1, to = -1;                   ///< indices of joints
+  std::array<std::optional<Vec2>, 2> ends;  ///< where the flexible part begins and ends, which turns rigidly
+                                            ///< with the joint; without it, at the joint itself [m]
+  Section section;
+  std::string material;          ///< "": the body's
+  int divisions = 8;             ///< beam elements in a row
+  std::array<bool, 2> pinned{};  ///< carries no moment there
+  bool shear = false;            ///< with shear deformation
+};
+
+struct FrameSpec {
+  std::vector<FrameJoint> joints;
+  std::vector<FrameMember> members;
+};
+
+/// A place on a member at which a beam ends: its node, and the arm from there [m].
+struct Station {
+  int node;  ///< index within the frame: joints first, then what lies between
+  Vec2 arm;
+  int turn;  ///< the node that the section turns with
+};
+
+/// Nodes and sections of a frame, and the way round it.
+struct FramePlan {
+  std::vector<Vec2> node;                      ///< [m]
+  std::vector<std::vector<Station>> stations;  ///< [member]
+  struct Side {
+    int member, station, side;  ///< side 0: right of its direction (bottom), 1: left (top)
+  };
+  std::vector<Side> outline;                ///< counter-clockwise round the frame
+  std::vector<std::array<bool, 2>> is_tip;  ///< [member] its end is the only one at the joint
+
+  [[nodiscard]] Vec2 place_of(const Station& s) const { return node[s.node] + s.arm; }
+};
+
+/// Throws InputError, with `owner` in front, where the frame is none: no member, members without length, joints that
+/// nothing connects.
+FramePlan plan_frame(const FrameSpec& spec, const std::string& owner);
+
+/// Its name, or "A-B" after its joints.
+std::string name_of(const FrameSpec& spec, const FrameMember& member);
+
+/// Where the section's bottom (side 0) and top (side 1) are from its station [m].
+Vec2 section_edge(const FrameSpec& spec, const FramePlan& plan, int member, int side);
+
+}  // namespace trilith

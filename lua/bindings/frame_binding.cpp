@@ -1,0 +1,275 @@
+// Beams and frames: sections as values, model:beam, model:frame, and the forces within members.
+#include <algorithm>
+
+#include "bindings.hpp"
+#include "body_reading.hpp"
+#include "part_reading.hpp"
+#include "step/member_forces.hpp"
+#include "table_fields.hpp"
+
+namespace trilith::script {
+namespace {
+
+template <class Shape>
+int make_section(lua_State* L) {
+  Keys keys(L, 1, std::string(Shape::name));
+  Shape shape;
+  keys.declared(shape);
+  keys.finish();
+  if constexpr (requires { shape.check(); }) shape.check();
+  push_handle(L, SectionValue{shape.numbers(), describe(shape)});
+  return 1;
+}
+
+struct AddSection {
+  lua_State* lua;
+  template <class Shape>
+  void operator()() const {
+    set_function(lua, std::string(Shape::name).c_str(), guarded<make_section<Shape>>);
+  }
+};
+
+/// trilith.polygon_section{ outline = {{x, y}, ...} }
+int make_polygon_section(lua_State* L) {
+  Keys keys(L, 1, "polygon_section");
+  Polygon outline = keys.points("outline");
+  keys.finish();
+  outline = check_polygon(std::move(outline), "polygon_section").outline;
+  push_handle(L, SectionValue{polygon_section(outline), fmt::format("polygon_section of {} corners", outline.size())});
+  return 1;
+}
+
+/// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
+void read_member(Keys& keys, FrameMember& member) {
+  if (const auto* section = keys.maybe_handle<SectionValue>("section"))
+    member.section = section->numbers;
+  else if (!keys.has("section"))
+    keys.missing("section", "a section such as trilith.rectangle_section{width =, depth =}");
+  member.divisions = keys.count("divisions", member.divisions);
+  member.shear = keys.flag("shear", false);
+  for (const std::string& end : keys.names("pinned")) {
+    if (end == "from" || end == "to")
+      member.pinned[end == "from" ? 0 : 1] = true;
+    else
+      keys.problem(fmt::format("'pinned' names '{}', must be \"from\", \"to\" or {{\"from\", \"to\"}}", end));
+  }
+}
+
+/// Adds the frame as a body and pushes it.
+void add_frame(lua_State* L, ScriptModel& m, const std::string& name, BodyOptions& options, FrameSpec frame) {
+  options.spec.name = name;
+  options.spec.frame = std::move(frame);
+  m.builder.add_body(std::move(options.spec));
+  push_body(L, 1, m.body_count() - 1);
+}
+
+/// m:beam{ name =, from =, to =, section =, ... }
+int add_beam(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  m.require_open("beam");
+  Keys keys(L, 2, "beam");
+  const std::string name = keys.text("name");
+  keys.name_owner(name);
+  FrameSpec frame;
+  frame.joints = {{.name = "from"}, {.name = "to"}};
+  FrameMember member;
+  member.name = name, member.from = 0, member.to = 1;
+  for (FrameJoint& joint : frame.joints) {
+    joint.place = keys.point(joint.name);
+    read_support(keys, joint.name + "_support", joint.support);
+  }
+  read_member(keys, member);
+  BodyOptions options = read_body_options(keys, false, {BodyKind::frame, {1, 1}});
+  keys.finish();
+  frame.members = {member};
+  add_frame(L, m, name, options, std::move(frame));
+  return 1;
+}
+
+/// {x, y} or { at = {x, y}, support =, mass =, inertia = } at the top of the stack.
+FrameJoint joint_at(lua_State* L, const std::string& name) {
+  FrameJoint joint;
+  joint.name = name;
+  if (const auto place = point_at(L, -1)) {
+    joint.place = *place;
+    return joint;
+  }
+  if (lua_type(L, -1) != LUA_TTABLE)
+    throw InputError(fmt::format("joint '{}' is {}, must be {{x, y}} or {{ at = {{x, y}}, support = \"fixed\" }}", name,
+                                 what_is(L, -1)));
+  Keys keys(L, -1, fmt::format("joint '{}'", name));
+  joint.place = keys.point("at");
+  read_support(keys, "support", joint.support);
+  joint.mass = keys.number("mass", "kg", 0);
+  joint.inertia = keys.number("inertia", "kg m2", 0);
+  keys.finish();
+  return joint;
+}
+
+/// joints = { A = {x, y}, B = { at = ... }, ... }, in the order of their names: a Lua table has no order of its own.
+void read_joints(Keys& keys, FrameSpec& frame) {
+  lua_State* L = keys.lua();
+  const char* const wanted = "a table such as { A = {0, 0}, B = { at = {0, 4}, support = \"fixed\" } }";
+  const int type = keys.push("joints");
+  if (type == LUA_TNIL) keys.missing("joints", wanted);
+  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong("joints", wanted);
+  if (type != LUA_TTABLE) {
+    lua_pop(L, 1);
+    return;
+  }
+  for (const std::string& name : names_in_table(keys, "joints: its keys must be names of joints")) {
+    lua_pushlstring(L, name.data(), name.size());
+    lua_rawget(L, -2);
+    try {
+      frame.joints.push_back(joint_at(L, name));
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+}
+
+int joint_named(Keys& keys, const FrameSpec& frame, const char* key) {
+  const std::string name = keys.text(key);
+  std::vector<std::string> known;
+  for (std::size_t j = 0; j < frame.joints.size(); ++j) {
+    if (frame.joints[j].name == name) return static_cast<int>(j);
+    known.push_back(frame.joints[j].name);
+  }
+  if (!name.empty()) keys.problem(fmt::format("'{}' is '{}', which is no joint{}", key, name, name_hint(name, known)));
+  return 0;
+}
+
+/// members = { { from = "A", to = "B", section = , ... }, ... }
+void read_members(Keys& keys, FrameSpec& frame) {
+  if (!keys.has("members"))
+    keys.missing("members",
+                 "a list such as { { from = \"A\", to = \"B\", section = trilith.rectangle_section{...} } }");
+  read_list(keys, "members", "member", [&](Keys& own) {
+    FrameMember member;
+    member.name = own.text("name", "");
+    member.from = joint_named(own, frame, "from"), member.to = joint_named(own, frame, "to");
+    member.ends = {own.maybe_point("from_at"), own.maybe_point("to_at")};
+    member.material = own.text("material", "");
+    read_member(own, member);
+    frame.members.push_back(std::move(member));
+  });
+}
+
+/// m:frame{ name =, joints =, members =, ... }
+int frame(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  m.require_open("frame");
+  Keys keys(L, 2, "frame");
+  const std::string name = keys.text("name");
+  keys.name_owner(name);
+  FrameSpec spec;
+  read_joints(keys, spec);
+  read_members(keys, spec);
+  BodyOptions options = read_body_options(keys, false, {BodyKind::frame, {1, 1}});
+  keys.finish();
+  add_frame(L, m, name, options, std::move(spec));
+  return 1;
+}
+
+/// The member that body:forces is asked for: the only one, or the one of that name.
+int member_of(const Model<2>& model, int body, const std::optional<std::string>& name) {
+  std::vector<std::string> known;
+  int only = -1;
+  for (int i = 0; i < static_cast<int>(model.members.size()); ++i) {
+    if (model.members[i].body != body) continue;
+    if (name && model.members[i].name == *name) return i;
+    only = i;
+    known.push_back(model.members[i].name);
+  }
+  const std::string& owner = model.bodies[body].name;
+  if (known.empty())
+    throw InputError(fmt::format("forces: body '{}' is {}, which has no members; ask a beam or frame", owner,
+                                 name_of(model.bodies[body].kind)));
+  if (name)
+    throw InputError(fmt::format("forces: body '{}' has no member '{}'{}", owner, *name, name_hint(*name, known)));
+  if (known.size() > 1)
+    throw InputError(fmt::format("forces: body '{}' has {} members; name one, such as forces \"{}\"", owner,
+                                 known.size(), known.front()));
+  return only;
+}
+
+}  // namespace
+
+/// body:forces "member": a list of { along, x, y, normal, shear, moment }, two for each beam.
+int push_member_forces(lua_State* L) {
+  const auto& b = handle<BodyHandle>(L, 1);
+  std::optional<std::string> name;
+  if (lua_type(L, 2) == LUA_TSTRING)
+    name = text_at(L, 2);
+  else if (!lua_isnoneornil(L, 2))
+    throw InputError(fmt::format("forces: takes the name of a member; this is {}", what_is(L, 2)));
+  const Simulation* const built = b.model().if_built();
+  if (built == nullptr) throw InputError("forces: nothing has run yet; ask during a stage or after it");
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const SectionForces& row :
+       member_forces(built->model(), built->state(), member_of(built->model(), b.index, name))) {
+    lua_createtable(L, 0, 6);
+    set_number(L, "along", row.along);
+    set_number(L, "x", row.place.x());
+    set_number(L, "y", row.place.y());
+    set_number(L, "normal", row.normal);
+    set_number(L, "shear", row.shear);
+    set_number(L, "moment", row.moment);
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+std::span<const Method> frame_methods() {
+  static const std::array methods{
+      Method{"beam", guarded<add_beam>, "beam{name=, from=, to=, section=, ...}: a straight beam that bends"},
+      Method{"frame", guarded<frame>, "frame{name=, joints=, members=, ...}: beams that meet at joints, as one body"},
+  };
+  return methods;
+}
+
+void open_sections(lua_State* L) {
+  register_kind<SectionValue>(L);
+  SectionShapes::for_each(AddSection{L});
+  set_function(L, "polygon_section", guarded<make_polygon_section>);
+}
+
+namespace {
+
+using SectionProperty = Property<SectionValue>;
+
+const std::array section_properties{
+    SectionProperty{"area", "m2", "of the section", [](const SectionValue& v) { return v.numbers.area; }, nullptr},
+    SectionProperty{"inertia", "m4", "second moment of area for bending in the plane",
+                    [](const SectionValue& v) { return v.numbers.second_moment; }, nullptr},
+    SectionProperty{"shear_area", "m2", "area times shear coefficient",
+                    [](const SectionValue& v) { return v.numbers.shear_area; }, nullptr},
+    SectionProperty{"depth", "m", "in the plane", [](const SectionValue& v) { return v.numbers.depth(); }, nullptr},
+    SectionProperty{"above", "m", "from the centroid to the top fibre",
+                    [](const SectionValue& v) { return v.numbers.above; }, nullptr},
+    SectionProperty{"below", "m", "from the centroid to the bottom fibre",
+                    [](const SectionValue& v) { return v.numbers.below; }, nullptr},
+};
+
+}  // namespace
+
+std::span<const Property<SectionValue>> Kind<SectionValue>::properties() {
+  return section_properties;
+}
+std::span<const Method> Kind<SectionValue>::methods() {
+  return {};
+}
+std::string Kind<SectionValue>::title(const SectionValue& v) {
+  return v.text;
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<SectionValue>::metamethods() {
+  return {};
+}
+bool Kind<SectionValue>::read_item(lua_State*, const SectionValue&) {
+  return false;
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,36 @@
+return {
+  name = "frames", title = "Frames: beams, members and their sections",
+  { "model:beam", "A straight beam that bends and stretches; its top is on the left of the way to its end.",
+    keys = [[
+name          text                its name
+from          point               its start, on the axis of the section
+to            point               its end
+section       section             such as trilith.rectangle_section{...}
+divisions     integer = 8         beam elements in a row
+shear         flag = false        with shear deformation (Timoshenko)
+pinned        names?              "from", "to" or both: carries no moment there
+from_support  text?               "fixed", "free" or directions { x = "fixed", rotation = "fixed" }
+to_support    text?               the same of its end]], with = "beam", gives = "body" },
+  { "model:frame", "Beams that meet at joints, as one body: a bent, a portal, a truss.", keys = [[
+name     text   its name
+joints   table  { A = {x, y}, B = { at = {x, y}, support = , mass = , inertia = }, ... }
+members  list   { { from = , to = , section = , name = , from_at = , to_at = , divisions = , pinned = , ... }, ... }]],
+    with = "beam", gives = "body" },
+  { "trilith.polygon_section", "A section of any simple polygon, in its own axes.", keys = [[
+outline  points  corners in order: x out of the plane, y up metres]], gives = "section" },
+  { "body:forces", "Inner forces along a member of a beam or frame: a row for both ends of each of its beams.",
+    args = "member  text?  its name; joints of one without a name are joined, as in \"A-B\"", gives = "table[]" },
+  shared = { beam = [[
+material        text             its material, which has E and nu
+groups          names?           groups it belongs to
+density         number kg/m3?    instead of the material's
+unit_weight     number N/m3?     or this
+mass            number kg?       of all members, or this
+weight          number N?        or this
+support         text?            of all its nodes: "fixed", "free" or directions { x = "fixed" }
+velocity        point?           at the start [m/s]
+spin            number rad/s = 0  at the start
+load            point?           steady force [N], spread like the mass
+floating        flag = false     it may stand on nothing
+hold            table?           boxes whose nodes are held]] },
+}

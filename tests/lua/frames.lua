@@ -1,0 +1,96 @@
+-- Beams and frames from scripts: sections, members, what they say of wrong input, and what is read off them.
+local trilith = require "trilith"
+
+local function refused(text, f, ...)
+  local ok, message = pcall(f, ...)
+  assert(not ok, "this was not refused: " .. text)
+  assert(tostring(message):find(text, 1, true), ("said '%s' instead of '%s'"):format(message, text))
+end
+
+local function near(value, expected, allowed)
+  assert(math.abs(value - expected) <= allowed*math.abs(expected), ("%.9g instead of %.9g"):format(value, expected))
+end
+
+-- sections, by shape and by numbers
+local rectangle = trilith.rectangle_section { width = 0.3, depth = 0.5 }
+near(rectangle.area, 0.15, 1e-12)
+near(rectangle.inertia, 0.3*0.5^3/12, 1e-12)
+local corners = { { 0, 0 }, { 0.3, 0 }, { 0.3, 0.5 }, { 0, 0.5 } }
+near(trilith.polygon_section { outline = corners }.inertia, rectangle.inertia, 1e-12)
+local tee = trilith.t_section { depth = 1.0, web = 0.2, width = 1.2, thickness = 0.2 }
+local same = trilith.polygon_section { outline = {
+  { -0.1, 0 }, { 0.1, 0 }, { 0.1, 0.8 }, { 0.6, 0.8 }, { 0.6, 1 }, { -0.6, 1 }, { -0.6, 0.8 }, { -0.1, 0.8 } } }
+near(tee.area, same.area, 1e-12)
+near(tee.inertia, same.inertia, 1e-12)
+near(tee.below, same.below, 1e-12)
+local beam = trilith.i_section { depth = 0.4, web = 0.01, top_width = 0.2, top_thickness = 0.02, bottom_width = 0.2,
+                                 bottom_thickness = 0.02 }
+near(beam.inertia, (0.2*0.4^3 - 0.19*0.36^3)/12, 1e-12)
+near(trilith.box_section { width = 2, depth = 1, webs = 0.4, top = 0.2, bottom = 0.2 }.area, 2 - 1.6*0.6, 1e-12)
+near(trilith.circle_section { diameter = 1, hollow = 0.8 }.inertia, math.pi/64*(1 - 0.8^4), 1e-12)
+near(trilith.section { area = 0.1, inertia = 1e-3, depth = 0.6, below = 0.2 }.above, 0.4, 1e-12)
+refused("leaves no web", trilith.t_section, { depth = 0.2, web = 0.1, width = 1, thickness = 0.3 })
+refused("'depth' is missing", trilith.rectangle_section, { width = 1 })
+refused("deep", trilith.rectangle_section, { width = 1, deep = 1 })
+refused("below the diameter", trilith.circle_section, { diameter = 1, hollow = 2 })
+refused("below is", trilith.section, { area = 1, inertia = 1, depth = 1, below = 2 })
+
+-- a cantilever under its weight: w L^4 / (8 E I) at the tip, w L^2 / 2 at the root
+local m = trilith.model { name = "cantilever" }
+m:material { name = "concrete", density = 2400, E = 30e9, nu = 0.2 }
+m:material { name = "stone", density = 2400 }
+local arm = m:beam { name = "arm", from = { 0, 0 }, to = { 4, 0 }, section = rectangle, material = "concrete",
+                     divisions = 16, from_support = "fixed" }
+assert(arm.kind == "frame")
+refused("nothing has run yet", arm.forces, arm)
+m:consolidate { ratio = 1e-7, speed = 1e-9 }
+local w = 2400*0.15*9.80665
+near(-select(2, arm:point { 4, 0 }), w*4^4/(8*30e9*rectangle.inertia), 0.01)
+local rows = arm:forces()
+assert(#rows == 32)
+near(rows[1].moment, -w*16/2, 0.02)
+near(rows[1].shear, w*4, 0.04) -- half of the first beam's weight stands on the support
+near(rows[#rows].along, 4, 1e-12)
+m:close()
+
+-- a portal by its joints; what is wrong is said with its place
+local p = trilith.model { name = "portal" }
+p:material { name = "concrete", density = 2400, E = 30e9, nu = 0.2 }
+local joints = { a = { at = { 0, 0 }, support = "fixed" }, b = { 0, 4 }, c = { 6, 4 },
+                 d = { at = { 6, 0 }, support = "fixed" } }
+local function members(change)
+  local list = {
+    { name = "left", from = "a", to = "b", section = rectangle, to_at = { 0, 3.75 } },
+    { name = "cap", from = "b", to = "c", section = rectangle },
+    { name = "right", from = "d", to = "c", section = rectangle, to_at = { 6, 3.75 }, pinned = "to" },
+  }
+  if change then change(list) end
+  return list
+end
+local function portal(change, other)
+  local t = { name = "portal", joints = joints, members = members(change), material = "concrete" }
+  for k, v in pairs(other or {}) do t[k] = v end
+  return t
+end
+refused("'to' is 'bb', which is no joint", p.frame, p, portal(function(l) l[1].to = "bb" end))
+refused("'section' is missing", p.frame, p, portal(function(l) l[2].section = nil end))
+refused("'pinned' names 'middle'", p.frame, p, portal(function(l) l[3].pinned = "middle" end))
+refused("divisions", p.frame, p, portal(function(l) l[1].divisions = 0 end))
+refused("unknown key 'body'", p.frame, p, portal(nil, { body = "rigid" }))
+refused("members", p.frame, p, { name = "x", joints = joints, material = "concrete" })
+refused("joints", p.frame, p, { name = "x", members = {}, material = "concrete" })
+refused("no member leads", p.frame, p, portal(nil, {
+  joints = { a = { 0, 0 }, b = { 0, 4 }, c = { 6, 4 }, d = { 6, 0 }, e = { 9, 9 } } }))
+refused("joint 'b' is 4, must be", p.frame, p, portal(nil, { joints = { a = { 0, 0 }, b = 4 } }))
+p:material { name = "stone", density = 2000 }
+refused("stiffness", p.frame, p, portal(nil, { material = "stone" }))
+refused("unknown key 'inertia'", p.frame, p, portal(nil, { inertia = 3 }))
+local body = p:frame(portal())
+p:consolidate { ratio = 1e-6, speed = 1e-8 }
+local total = 0
+for _, name in ipairs { "left", "right" } do total = total - body:forces(name)[1].normal end
+near(total, 2400*0.15*(6 + 2*3.75)*9.80665 - 2400*0.15*3.75/8*9.80665, 0.02) -- less half a beam at each foot
+near(math.abs(body:forces "right"[16].moment) + 1, 1, 1e-6) -- the pin carries none
+refused("name one", body.forces, body)
+refused("no member 'lift'; did you mean 'left'", body.forces, body, "lift")
+p:close()
