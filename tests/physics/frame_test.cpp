@@ -265,6 +265,34 @@ TEST_CASE("F2, F3: toggles snap through at their limit loads") {
   }
 }
 
+TEST_CASE("F4: Lee's frame reaches its first limit load") {
+  // Under displacement control, so up to where the place of the load turns back; the rest asks for arc length.
+  BodySpec spec;
+  spec.name = "lee", spec.kind = BodyKind::frame, spec.material = "m", spec.floating = true;
+  FrameSpec frame;
+  frame.joints = {{.name = "a", .place = {0, 0}, .support = hinged},
+                  {.name = "b", .place = {0, 1.2}},
+                  {.name = "c", .place = {1.2, 1.2}, .support = hinged}};
+  FrameMember m;
+  m.section = rectangle_section(0.03, 0.02), m.divisions = 10;
+  for (const int i : {0, 1}) m.from = i, m.to = i + 1, frame.members.push_back(m);
+  spec.frame = frame;
+  spec.holds = {{{0.24, 1.2}, {0.24, 1.2}, {Support::free, Support::fixed}}};
+  const Model<2> model = of_frames(elastic_material("m", 2700, 70.608e9), {spec});
+  const int loaded = 3 + 9 + 1;  // joints, the nodes within the column, the second within the beam
+  REQUIRE((model.start_position[loaded] - Vec2(0.24, 1.2)).norm() < 1e-12);
+  State<2> state = initial_state(model);
+  double most = 0, at = 0;
+  for (double drop = 0.001; drop < 0.4876; drop += 0.001) {
+    state.position[loaded].y() = 1.2 - drop;
+    state = balance(model, state, no_load(model));
+    const double force = forces_at(model, state)[loaded][1];
+    if (force > most) most = force, at = drop;
+  }
+  CHECK(near(most, 18198, 0.005));
+  CHECK(near(at, 0.4873, 0.01));
+}
+
 TEST_CASE("F6, F7: columns and portals lose their stiffness at their critical loads") {
   // The tangent, geometric part included, turns singular: its lowest eigenvalue changes sign between 0.995 and 1.005 of
   // the load. The columns are compressed first, so the load is taken by the state and not by a formula.
@@ -362,6 +390,49 @@ TEST_CASE("the stable step of a frame is stable just below it and not just above
   };
   CHECK(energy_after(0.99 * longest) < 100 * energy_after(0.1 * longest));
   CHECK(!(energy_after(1.5 * longest) < 1e6 * energy_after(0.1 * longest)));  // the bound is not far from the truth
+}
+
+TEST_CASE("F11: a force that moves over a simple beam deflects it more than one that stands") {
+  struct Row {
+    double speed, factor;
+  };
+  for (const Row& row : {Row{39.27, 1.2576}, Row{78.54, 1.7054}}) {
+    const double length = 20, force = 100e3, bending = 5e9;
+    const int divisions = 20;
+    BodySpec spec = beam_body("beam", {0, 0}, {length, 0}, given_section(2, 0.1, 1), "m", divisions);
+    spec.frame->joints[0].support = hinged;
+    spec.frame->joints[1].support = {Support::free, Support::fixed, Support::free};
+    Model<2> model = of_frames(elastic_material("m", 2500, 5e10), {spec});
+    // Each node carries its share while the force is on the beams beside it.
+    const double step = length / divisions / row.speed;
+    for (int i = 1; i < divisions; ++i)
+      add_load(model, "beam", {i * length / divisions, 0}, {0, -force}, 0,
+               {{(i - 1) * step, i * step, (i + 1) * step}, {0, 1, 0}});
+    Simulation sim(model);
+    double most = 0;
+    const int middle = 2 + divisions / 2 - 1;  // two joints come first
+    run_for(sim, length / row.speed, 0,
+            each_step([&](const Instant& now) { most = std::max(most, -now.state.position[middle].y()); }));
+    CHECK(near(most, row.factor * force * length * length * length / (48 * bending), 0.005));
+  }
+}
+
+TEST_CASE("F15: a beam that falls flat and is caught at its ends swings through as the sum of its modes") {
+  BodySpec spec = beam_body("beam", {0, 0}, {8, 0}, rectangle_section(0.3, 0.5), "m", 40);
+  spec.frame->joints[0].support = hinged;
+  spec.frame->joints[1].support = {Support::free, Support::fixed, Support::free};
+  const Model<2> model = of_frames(elastic_material("m", 2400, 30e9), {spec});
+  State<2> state = initial_state(model);
+  for (int n = 0; n < model.nodes(); ++n)
+    if (model.support[n][1] == Support::free) state.velocity[n] = {0, -1};
+  Simulation sim(model, state);
+  double most = 0, at = 0;
+  run_for(sim, 0.03, 0, each_step([&](const Instant& now) {
+            const double down = -now.state.position[2 + 19].y();
+            if (down > most) most = down, at = now.state.time;
+          }));
+  CHECK(near(most, 16.178e-3, 0.02));
+  CHECK(near(at, 17.01e-3, 0.02));
 }
 
 }  // namespace
