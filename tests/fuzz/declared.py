@@ -27,9 +27,14 @@ SANE = {
     "body form": ['"rigid"', '"quad"', "{ mesh = { 2, 2 } }"],
     "contact law": ["a.law", '"dry"', '"none"'], "law": ["a.law"], "direction law": ["a.spring"],
     "solid law": ["trilith.j2 { E = 1e8, nu = 0.2, yield = 1e5 }"],
+    "section": ["trilith.rectangle_section { width = 0.2, depth = 0.3 }", "trilith.circle_section { diameter = 0.3 }"],
 }
 # The same for keys that name what a model must have.
-BY_NAME = {"material": ['"stone"', '"soft"'], "what": ['"y"', '"speed"', '"force_along"', '"length"', '"drift"']}
+BY_NAME = {"joints": ['{ A = { 3, 1 }, B = { 3, 4 }, C = { at = { 5, 4 }, mass = 10 } }'],
+           "members": ["{ { from = 'A', to = 'B', section = trilith.rectangle_section { width = 0.2, depth = 0.3 } }, "
+                       "{ from = 'B', to = 'C', pinned = 'to', section = trilith.circle_section { diameter = 0.3 } } }"],
+           "pinned": ['"from"', '{ "from", "to" }'], "from_support": ['"fixed"'], "to_support": ['{ x = "fixed" }'],
+           "material": ['"stone"', '"soft"'], "what": ['"y"', '"speed"', '"force_along"', '"length"', '"drift"']}
 # Values that fit nowhere.
 WILD = ["0/0", "1/0", "-1/0", "0", "-1", "1e308", "-1e308", "1e-308", "2^31", "2^53", "-2^63", "math.mininteger", "1e9",
         "nil", "true", "false", '""', '"*"', '"\\0"', '("x"):rep(5000)', '"\\27[2J"', '"%s%n"', '"a/../b"', "{}", "{ {} }",
