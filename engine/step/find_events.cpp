@@ -240,7 +240,8 @@ bool plainly_moves(const Model<2>& model, const State<2>& state, int node) {
 void rest_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t b) {
   if (!model.body_moves(static_cast<int>(b))) return;
   const int n = model.bodies[b].first_node;
-  double speed = state.velocity[n].norm() + std::abs(state.spin[n]) * model.body_radius[b];
+  double speed = state.velocity[n].norm();
+  if (model.bodies[b].is_rigid()) speed += std::abs(state.spin[n]) * model.body_radius[b];
   for (int i = 1; i < model.bodies[b].nodes; ++i) speed = std::max(speed, state.velocity[n + i].norm());
   if (speed > model.still_speed) {
     state.moved_at[b] = state.time;

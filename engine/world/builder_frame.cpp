@@ -188,6 +188,10 @@ void ModelBuilder::check_frame(BodySpec& spec, const std::string& owner) const {
     if (material == nullptr || !material->solid)
       throw InputError(fmt::format("{}: its members need a material with a stiffness (E, nu); {} has none", owner,
                                    name.empty() ? "it" : "'" + name + "'"));
+    if (!material->solid->is_elastic())
+      throw InputError(
+          fmt::format("{}: its members are elastic, and material '{}' is not ({}); give it one with E and nu", owner,
+                      name, describe(*material->solid)));
   }
   spec.outline.clear();
   for (const auto& [m, i, side] : plan.outline)

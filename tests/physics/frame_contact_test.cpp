@@ -181,6 +181,7 @@ TEST_CASE("what no frame can be is refused, with what to do") {
     ModelBuilder builder;
     builder.add_material(elastic_material("m", 2400, 1e9));
     builder.add_material({"stone", 2000});
+    builder.add_material({"steel", 7850, Solid{J2{2e11, 0.3, 2.4e8}}});
     BodySpec spec = beam_body("b", {0, 0}, {4, 0}, rectangle_section(0.3, 0.4), "m", 4);
     change(spec);
     try {
@@ -210,6 +211,7 @@ TEST_CASE("what no frame can be is refused, with what to do") {
   CHECK(says(refusal([](BodySpec& b) { b.frame->joints[1].mass = -1; }), "mass"));
   CHECK(says(refusal([](BodySpec& b) { b.frame->joints[1].place.x() = std::nan(""); }), "joint 'to'"));
   CHECK(says(refusal([](BodySpec& b) { b.material = "stone"; }), "stiffness"));
+  CHECK(says(refusal([](BodySpec& b) { b.material = "steel"; }), "its members are elastic"));
   CHECK(says(refusal([](BodySpec& b) { b.inertia = 3; }), "inertia"));
   CHECK(says(refusal([](BodySpec& b) { b.thickness = 3; }), "body_thickness"));
 }
