@@ -10,6 +10,7 @@
 #include "results/file_driver.hpp"
 #include "results/growing_set.hpp"
 #include "results/layout.hpp"
+#include "results/open_written.hpp"
 #include "results/set_reading.hpp"
 
 namespace trilith::results {
@@ -93,16 +94,18 @@ std::string member_name(hid_t type, unsigned member) {
 
 bool is_study_table(const std::filesystem::path& path) {
   const h5::Quiet quiet;
-  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (id < 0) return false;
-  const h5::Handle file(id, H5Fclose, "");
-  return h5::has_attribute(file.get(), "format") && h5::read_text(file.get(), "format") == format_name;
+  try {
+    const h5::Handle file = open_written(path);
+    return h5::has_attribute(file.get(), "format") && h5::read_text(file.get(), "format") == format_name;
+  } catch (const h5::Failure&) {
+    return false;
+  }
 }
 
 std::vector<StudyColumn> read_study_table(const std::filesystem::path& path) {
   const h5::Quiet quiet;
   try {
-    const h5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "cannot open it");
+    const h5::Handle file = open_written(path);
     const h5::Handle dataset(H5Dopen2(file.get(), "/cases", H5P_DEFAULT), H5Dclose, "there is no table /cases");
     const h5::Handle type(H5Dget_type(dataset.get()), H5Tclose, "/cases has no readable type");
     const std::vector<std::string> units = h5::read_texts(dataset.get(), "units"),
