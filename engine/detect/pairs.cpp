@@ -112,7 +112,7 @@ double search_margin(const Model<2>& model) {
   for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body) {
     if (!model.body_moves(body)) continue;
     const Body& b = model.bodies[body];
-    if (b.nodes_turn() && !b.is_rigid()) {
+    if (b.skin_is_sections()) {
       thickness.push_back(thinnest_piece(model, b));
       continue;
     }

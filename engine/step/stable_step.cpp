@@ -117,7 +117,7 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
     const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
     if (!model.bodies[body[side]].is_rigid()) {
       const std::array<int, 2> ends = face[side][0] >= 0 ? face[side] : nearest_face(model, work, piece[side], at);
-      if (model.bodies[body[side]].nodes_turn()) {
+      if (model.bodies[body[side]].skin_is_sections()) {
         add_to_sections(model, state, work, ends, weight, c, locals);
         continue;
       }
