@@ -13,8 +13,8 @@
 namespace trilith::draw {
 namespace {
 
-/// Beyond this the span of an axis could overflow; such a value is shown as a gap.
-constexpr double most_value = 1e150;
+/// Beyond this the span of an axis could overflow; such a value is shown as a gap. A span below its inverse is none.
+constexpr double most_value = 1e150, least_span = 1 / most_value;
 
 void check_ends(const ChartAxis& axis, const std::string& where) {
   for (const auto& end : {axis.low, axis.high}) {
@@ -31,8 +31,8 @@ void check_ends(const ChartAxis& axis, const std::string& where) {
 void fit_linear(PlotAxis& out, const ChartAxis& axis, double margin) {
   // Constant, or constant but for rounding: there is no span to divide into ticks.
   const double largest = std::max(std::abs(out.low), std::abs(out.high));
-  if (out.high - out.low <= 1e-10 * largest) {
-    const double half = largest == 0 ? 1 : 0.1 * largest;
+  if (out.high - out.low <= std::max(1e-10 * largest, least_span)) {
+    const double half = largest <= least_span ? 1 : 0.1 * largest;
     out.low -= half, out.high += half;
   }
   const double free_room = margin * (out.high - out.low);
@@ -71,7 +71,7 @@ double PlotAxis::share(double value) const {
 }
 
 bool PlotAxis::can_show(double value) const {
-  return std::isfinite(value) && std::abs(value) < most_value && (scale == AxisScale::linear || value > 1 / most_value);
+  return std::isfinite(value) && std::abs(value) < most_value && (scale == AxisScale::linear || value > least_span);
 }
 
 void ValueRange::add(double value) {

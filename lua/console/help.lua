@@ -124,7 +124,8 @@ local function text_named(text, value_of)
   if of_owner ~= "" then return of_owner end
   local value = value_of and text:find "^[%a_][%w_]*$" and value_of(text)
   if value ~= nil and value ~= false and type(value) ~= "string" then return console.help_text(value, value_of) end
-  local hint = core.hint(text, names_known()):gsub("^; known:.*$", "; try apropos \"" .. text .. "\"")
+  local hint = core.hint(text, names_known())
+  if hint:find("^; known:") then hint = ('; try apropos "%s"'):format(text) end
   core.fail(("help: there is nothing called '%s'%s"):format(text, hint))
 end
 

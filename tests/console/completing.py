@@ -84,6 +84,7 @@ def session_help_of_everything(place):
     s.ask("help(trilith.frictional)", r"^trilith\.frictional\{\.\.\.\}.*mu +number")
     s.ask('help "stages"', r"^Stages: .*model:shake +Bodies follow")
     s.ask('help "event"', r"event\.cause +id of the event")
+    s.ask('help "%s"', r"help: there is nothing called '%s'")
     s.ask('help "rnu"', r"help: there is nothing called 'rnu'; did you mean 'run'\?")
     s.ask("help(3)", r"^a integer: 3|^an? integer")
 

@@ -125,6 +125,17 @@ TEST_CASE("an axis shows its values in the engineering unit") {
   CHECK(axis.share(axis.high) == 1);
 }
 
+TEST_CASE("a span of hardly anything is none: the axis has ticks of its own") {
+  for (const double tiny : {5e-324, 1e-310, 1e-200}) {
+    ValueRange range;
+    range.add(0), range.add(tiny);
+    const PlotAxis axis = plot_axis({"Force", "N"}, range, 0.05, 6, "test");
+    CHECK(axis.low < 0);
+    CHECK(axis.high > 0.5);
+    CHECK(axis.ticks.size() >= 2);
+  }
+}
+
 TEST_CASE("no name of a mark crosses another mark's line or name") {
   const TextStyle style;
   for (int seed = 0; seed < 50; ++seed) {
