@@ -1,0 +1,58 @@
+// A beam whose section is fibres, followed at points along it: normal force and end moments with all their plasticity.
+//
+// Deformation, not force, is what is assumed along it (displacement based), the same as in body/beam_element.hpp, whose
+// stretch u and bends theta_0, theta_1 it takes: an even axial strain, with that of the bow, and a linear curvature
+//   e = u/L + q,   k = (theta_1 - theta_0)/L + (theta_0 + theta_1)(6 x/L - 3)/((1 + phi) L)
+//   N = mean of N(x),   M_i = L sum w [ N(x) dq/dtheta_i + M(x) dk/dtheta_i ]
+// with the points and weights of Gauss and Lobatto (whose ends are points, where plasticity begins) or of Gauss. For
+// elastic fibres it is the elastic beam to the bit of rounding. phi is that of the elastic section and stays: shear is
+// elastic. A pinned end is as in the elastic beam: its bend follows the other one's by the elastic ratio.
+// As the curvature is linear in each beam, plastic zones at ends need short beams: about the length of a zone.
+// Spacone, Filippou and Taucer, Earthquake Eng. Struct. Dyn. 25, 1996, compare with beams of assumed forces.
+#pragma once
+
+#include "body/beam_element.hpp"
+#include "body/fibre_section.hpp"
+
+namespace trilith {
+
+/// Where sections stand along a beam.
+enum class BeamRule : std::uint8_t { lobatto, gauss };
+
+struct FibreStation {
+  double weight = 0;                  ///< share of the length; all are 1 together
+  std::array<double, 2> curvature{};  ///< by each bend [1/m]
+};
+
+struct FibreBeam {
+  double length = 0;              ///< [m]
+  std::array<double, 3> bow{};    ///< as in BeamStiffness [m]
+  double shear = 0;               ///< moment by elastic shear, per sum of the bends [N m]
+  std::array<double, 2> slant{};  ///< part of each bend in that sum [1]
+  int stations = 0;
+  std::array<FibreStation, 6> station{};
+
+  [[nodiscard]] int memory_size(const FibreSection& section) const { return stations * section.memory_size(); }
+};
+
+/// `stations`: 3 to 6 (lobatto) or 2 to 5 (gauss); `shear_stiffness` is G A_s [N], 0 without shear. Throws InputError.
+FibreBeam make_fibre_beam(const FibreSection& section, double length, const std::array<bool, 2>& pinned,
+                          double shear_stiffness = 0, BeamRule rule = BeamRule::lobatto, int stations = 4);
+
+/// An elastic beam at least as stiff in every way as this one can be, without its bow's part in bending: for the
+/// longest step (beam_frequency2).
+BeamStiffness stiffest_beam(const FibreBeam& beam, const FibreSection& section);
+
+struct FibreBeamResponse {
+  BeamStress stress{};
+  Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
+  double stored = 0;      ///< [J]
+  double dissipated = 0;  ///< in this step [J]
+  bool yielding = false;  ///< any fibre, in this step
+};
+
+/// `before` and `after` have memory_size(section) numbers each: those of the section at each station in turn.
+FibreBeamResponse respond(const FibreBeam& beam, const FibreSection& section, const BeamStrain& strain,
+                          std::span<const double> before, std::span<double> after);
+
+}  // namespace trilith
