@@ -58,7 +58,7 @@ struct BoucWen {
   [[nodiscard]] double dashpot() const { return damping; }
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
-    const double last = yield / stiffness, change = m.rate * m.dt;
+    const double last = yield / stiffness, change = m.mean * m.dt;
     const Wear wear = worn(before.compression);
     const double z = last * hysteresis(before.inner / last, change / last, wear);
     const double slid = change - wear.eta * (z - before.inner);

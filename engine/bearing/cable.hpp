@@ -59,7 +59,7 @@ struct Cable {
       out.memory.damping = sign * std::max(-pull, sign * damping * m.rate);
       out.stored = 0.5 * pull * stretch;
     }
-    out.lost_damping = 0.5 * (out.memory.damping + before.damping) * m.rate * m.dt;
+    out.lost_damping = 0.5 * (out.memory.damping + before.damping) * m.mean * m.dt;
     return out;
   }
 
@@ -70,8 +70,8 @@ struct Cable {
     DirectionResponse out;
     out.memory.travelled = stretch;
     out.yielding = true;
-    out.lost_inner = 0.5 * before.force * before.force / stiffness + 0.5 * before.force * m.rate * m.dt;
-    out.lost_damping = 0.5 * before.damping * m.rate * m.dt;
+    out.lost_inner = 0.5 * before.force * before.force / stiffness + 0.5 * before.force * m.mean * m.dt;
+    out.lost_damping = 0.5 * before.damping * m.mean * m.dt;
     return out;
   }
 };

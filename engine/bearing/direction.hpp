@@ -20,6 +20,7 @@ struct DirectionMotion {
   double rate;          ///< [m/s] or [rad/s]
   double dt;            ///< [s]
   double compression;   ///< compressive force of the bearing's axial direction, at least 0 [N]
+  double mean = rate;   ///< rate over the step: times dt the change since it began. In a leapfrog step the same
 };
 
 struct DirectionResponse {
@@ -36,7 +37,7 @@ struct DirectionResponse {
 inline void add_dashpot(double damping, const DirectionMotion& m, const DirectionMemory& before,
                         DirectionResponse& out) {
   out.memory.damping = damping * m.rate;
-  out.lost_damping = 0.5 * (out.memory.damping + before.damping) * m.rate * m.dt;
+  out.lost_damping = 0.5 * (out.memory.damping + before.damping) * m.mean * m.dt;
 }
 
 }  // namespace trilith

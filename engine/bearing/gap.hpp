@@ -47,7 +47,7 @@ struct Gap {
       const double total = out.memory.force + damping * m.rate;
       out.memory.damping = pull > 0 || total * sign > 0 ? damping * m.rate : -out.memory.force;
     }
-    out.lost_damping = 0.5 * (out.memory.damping + before.damping) * m.rate * m.dt;
+    out.lost_damping = 0.5 * (out.memory.damping + before.damping) * m.mean * m.dt;
     return out;
   }
 };

@@ -43,7 +43,7 @@ struct Pendulum {
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
     // The last force is taken apart: the slider's share is needed for its loss, the dish's for its work.
-    const double from = m.displacement - m.rate * m.dt;
+    const double from = m.displacement - m.mean * m.dt;
     const double dish_before = before.compression / radius, dish = m.compression / radius;
     DirectionMemory last = before;
     last.force = before.force - dish_before * from;

@@ -40,7 +40,7 @@ struct Viscous {
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
     DirectionResponse out;
     out.memory.damping = force_at(m.rate);
-    out.lost_damping = 0.5 * (out.memory.damping + before.damping) * m.rate * m.dt;
+    out.lost_damping = 0.5 * (out.memory.damping + before.damping) * m.mean * m.dt;
     return out;
   }
 

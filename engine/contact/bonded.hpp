@@ -109,7 +109,7 @@ struct Bonded::Kernel : Mortar {
 template <class T>
 TRILITH_INLINE Mask<T> Bonded::Kernel::broken(const HalfState<T>& h, T shear_elastic) const {
   const T zero{};
-  const T trial = magnitude(shear_elastic + ks * h.length * h.slip_rate * dt);
+  const T trial = magnitude(shear_elastic + ks * h.length * h.slip_mean * dt);
   const T open = mean_opening(h), closed = open - 0.5 * (h.g0 + h.g1) + h.filling.stress().sum;
   const T strength = cohesion + kn * (mu * closed - tension_slope() * open);
   return h.bonded & ((kn * h.widest() > tension + zero) | (trial > strength * h.length));

@@ -25,7 +25,7 @@ TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, T damage,
   const T zero{}, one = zero + 1.0;
   const T before = select(was_bonded, held(one - damage), zero);
   const T fall = before - held(strength);
-  return 0.5 * kn * fall * open_product(h, h.g0 - dt * h.r0, h.g1 - dt * h.r1);
+  return 0.5 * kn * fall * open_product(h, h.g0 - dt * h.m0, h.g1 - dt * h.m1);
 }
 
 // Crushing.
@@ -42,6 +42,7 @@ TRILITH_INLINE T Cohesive::Kernel::crush_half(HalfState<T>& h, T before) const {
   const T rate = (depth - before) * (dt > 0 ? 1.0 / dt : 0.0);
   h.g0 += depth, h.g1 += depth;
   h.r0 += rate, h.r1 += rate;
+  h.m0 += rate, h.m1 += rate;
   return depth;
 }
 
@@ -59,7 +60,7 @@ TRILITH_INLINE T mean_overlap(T g0, T g1, T hold, const Filling<T>& filling) {
 /// of the step; `hold`: of its bond before the step [J].
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::crushing_loss(const HalfState<T>& h, T deeper, T hold) const {
-  const T before = mean_overlap(h.g0 - dt * h.r0, h.g1 - dt * h.r1, hold, h.filling);
+  const T before = mean_overlap(h.g0 - dt * h.m0, h.g1 - dt * h.m1, hold, h.filling);
   const T now = mean_overlap(h.g0, h.g1, h.hold, h.filling);
   return 0.5 * kn * h.length * deeper * (before + now);
 }

@@ -9,6 +9,9 @@
 //      0 ----------------------` - ._______ 1   p = stress over the stiffness; sum and moment are its
 //          A                           g1       integrals with 1 and with s
 //
+// A rate is that of this instant, which dampings go by; a mean rate times the step is the change since the step began,
+// which slip and losses go by. In a leapfrog step, whose velocities are those of half a step before, they are the same.
+//
 // Written over T = double or Lanes.
 #pragma once
 
@@ -96,6 +99,8 @@ struct HalfState {
   T g0, g1;     ///< gap at both ends [m], negative where overlapping
   T r0, r1;     ///< gap rate at both ends [m/s]
   T slip_rate;  ///< of B along d, at the middle [m/s]
+  T m0, m1;     ///< mean over the step of the gap rates ...
+  T slip_mean;  ///< ... and of the slip rate [m/s]
   T length;     ///< [m]
   Mask<T> bonded;
   T strength{};  ///< softening bond: share of its strength left

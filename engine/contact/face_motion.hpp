@@ -36,11 +36,13 @@ struct FaceRates {
 template <class T>
 struct FaceMotion {
   FaceOverlap<T> overlap;
-  FaceRates<T> rates;
+  FaceRates<T> rates, mean;  ///< of this instant; over the step
   Mask<T> flat;
   FaceMotion() = default;
   TRILITH_INLINE FaceMotion(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner)
-      : overlap(a, b), rates(overlap, a, b), flat(overlap.is_flat(corner)) {}
+      : overlap(a, b), rates(overlap, a, b), mean(rates), flat(overlap.is_flat(corner)) {}
+  /// The faces again with their mean velocities over the step.
+  TRILITH_INLINE void over_step(const FaceEnds<T>& a, const FaceEnds<T>& b) { mean = {overlap, a, b}; }
 };
 
 /// ContactMemory, lane by lane.
@@ -55,10 +57,30 @@ struct FaceMemory {
 template <class T>
 struct FaceHalves {
   HalfState<T> half[2];
-  TRILITH_INLINE FaceHalves(const FaceOverlap<T>& o, const FaceRates<T>& r, const FaceMemory<T>& m) {
-    const T gap = 0.5 * (o.gap_lo + o.gap_hi), rate = 0.5 * (r.gap_lo + r.gap_hi), length = 0.5 * o.shared;
-    half[0] = {o.gap_lo, gap, r.gap_lo, rate, 0.75 * r.slip_lo + 0.25 * r.slip_hi, length, m.bonds[0]};
-    half[1] = {gap, o.gap_hi, rate, r.gap_hi, 0.25 * r.slip_lo + 0.75 * r.slip_hi, length, m.bonds[1]};
+  TRILITH_INLINE FaceHalves(const FaceOverlap<T>& o, const FaceRates<T>& r, const FaceRates<T>& mean,
+                            const FaceMemory<T>& m) {
+    const T gap = 0.5 * (o.gap_lo + o.gap_hi), length = 0.5 * o.shared;
+    const T rate = 0.5 * (r.gap_lo + r.gap_hi), middle = 0.5 * (mean.gap_lo + mean.gap_hi);
+    half[0] = {o.gap_lo,
+               gap,
+               r.gap_lo,
+               rate,
+               0.75 * r.slip_lo + 0.25 * r.slip_hi,
+               mean.gap_lo,
+               middle,
+               0.75 * mean.slip_lo + 0.25 * mean.slip_hi,
+               length,
+               m.bonds[0]};
+    half[1] = {gap,
+               o.gap_hi,
+               rate,
+               r.gap_hi,
+               0.25 * r.slip_lo + 0.75 * r.slip_hi,
+               middle,
+               mean.gap_hi,
+               0.25 * mean.slip_lo + 0.75 * mean.slip_hi,
+               length,
+               m.bonds[1]};
   }
   /// Puts in the mortar of a joint that had the gaps `set` at its ends as it set [m].
   TRILITH_INLINE void fill(const T* set) {

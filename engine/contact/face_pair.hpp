@@ -74,8 +74,8 @@ TRILITH_INLINE void take_over(const FaceOverlap<T>& o, const T* length, FaceMemo
   m.damping_force[1] = select(m.general, zero, m.damping_force[1]);
 }
 
-/// New memory and energy given off. The power of the damping force is taken with the mean of the forces before and
-/// after the step, which is what a leapfrog step does work with.
+/// New memory and energy given off; `r`: mean rates over the step. The power of the damping force is taken with the
+/// mean of the forces before and after the step, which is what a leapfrog step does work with.
 template <class T, class M>
 TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, const FaceMemory<T>& before, double dt,
                              const HalfResponse<T>& s0, const HalfResponse<T>& s1, FaceResponse<T, M>& out) {
@@ -102,7 +102,7 @@ TRILITH_INLINE FaceResponse<T, M> respond_face_motion(const FaceMotion<T>& motio
   const T zero{};
   const FaceOverlap<T>& overlap = motion.overlap;
   if constexpr (!K::bonds) before.bonds[0] = before.bonds[1] = Mask<T>{};
-  FaceHalves<T> halves(overlap, motion.rates, before);
+  FaceHalves<T> halves(overlap, motion.rates, motion.mean, before);
   FaceResponse<T, M> out;
   out.is_face_pair = overlap.sane & (motion.flat | before.bonds[0] | before.bonds[1]);
   out.lost_fracture = law.begin(halves, before, own, out.own);
@@ -118,7 +118,7 @@ TRILITH_INLINE FaceResponse<T, M> respond_face_motion(const FaceMotion<T>& motio
     out.memory.bonds[h] = halves.half[h].bonded;
   }
   out.lost_fracture += law.end(halves, before, own, out.memory, out.own);
-  remember(overlap, motion.rates, before, law.dt, s[0], s[1], out);
+  remember(overlap, motion.mean, before, law.dt, s[0], s[1], out);
   out.lost_friction -= law.lifting(before, out.memory, own, s);
   spread_to_ends(overlap, s[0], s[1], out);
   return out;

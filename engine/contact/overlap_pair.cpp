@@ -139,6 +139,10 @@ struct Walk {
   bool walker_is_b;
   std::span<Vec2> on_owner, on_walker;
 
+  /// Mean over the step of the speed at which they close at `x` [m/s].
+  [[nodiscard]] double closing(int edge, int face, const Vec2& n, const Vec2& x) const {
+    return n.dot(walker.mean().velocity_at(edge, x) - owner.mean().velocity_at(face, x));
+  }
   void press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0, double phi1, Sums& sums) const;
   void run(Sums& sums) const;
 };
@@ -159,7 +163,9 @@ void Walk<K>::press(int edge, int face, const Vec2& x0, const Vec2& x1, double p
   sums.damping += -sign * damping * n;
   const Vec2& about = walker_is_b ? owner.origin : walker.origin;
   sums.damping_moment += -sign * (damping * cross(Vec2(x0 - about), n) + first_moment * cross(Vec2(x1 - x0), n));
-  sums.damped += damping * c0 + first_moment * (c1 - c0);
+  const bool alike = walker.over_step == nullptr && owner.over_step == nullptr;
+  const double m0 = alike ? c0 : closing(edge, face, n, x0), m1 = alike ? c1 : closing(edge, face, n, x1);
+  sums.damped += damping * m0 + first_moment * (m1 - m0);
   if (total <= 0) return;
   const Vec2 x = x0 + (stress.moment / stress.sum) * (x1 - x0);
   add_at(on_walker, walker, edge, x, -total * n);
@@ -229,8 +235,8 @@ double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMe
     const double size = force.norm();
     return size > 0 ? m.damping_force[0] * force.dot(rate_now) / size : 0;
   }
-  const Vec2 rate = b.velocity_at(a.origin) - a.velocity;
-  return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.damping_moment * (b.spin - a.spin);
+  const Vec2 rate = b.mean().velocity_at(a.origin) - a.mean().velocity_at(a.origin);
+  return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.damping_moment * (b.mean().spin - a.mean().spin);
 }
 
 /// Share of what the damping force of now does that the one remembered does, where both act alike.
@@ -244,7 +250,7 @@ double likeness(const ContactMemory& before, const ContactMemory& now) {
 /// than as rigid ones; for the force remembered that is made up for as it is for the one of now.
 double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const Sums& sums,
                     double dt, const OverlapResponse& out) {
-  const Vec2 rate = rate_at_centre(a, b, sums, out.centre);
+  const Vec2 rate = rate_at_centre(a.mean(), b.mean(), sums, out.centre);
   double taken = sums.damped - damping_power(a, b, before, out.force, rate);
   if (!a.corner_velocity.empty() || !b.corner_velocity.empty())
     taken += likeness(before, out.memory) * (sums.damped + damping_power(a, b, out.memory, out.force, rate));
@@ -263,6 +269,7 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   HalfState<double> state{};
   state.length = sums.length;
   state.slip_rate = t.dot(rate_at_centre(a, b, sums, out.centre));
+  state.slip_mean = t.dot(rate_at_centre(a.mean(), b.mean(), sums, out.centre));
   state.bonded = false;
   HalfResponse<double> half{};
   half.normal = normal;

@@ -32,6 +32,10 @@ struct PlacedPiece {
   /// Of a piece that deforms; empty where it is rigid. Its origin, velocity and spin are then those of the rigid piece
   /// that fits it best.
   std::span<const Vec2> corner_velocity = {};  ///< [m/s]
+  /// The same piece with its mean velocities over the step; nullptr: they are those of now.
+  const PlacedPiece* over_step = nullptr;
+
+  [[nodiscard]] const PlacedPiece& mean() const { return over_step == nullptr ? *this : *over_step; }
 
   /// As of a rigid piece.
   [[nodiscard]] Vec2 velocity_at(const Vec2& x) const { return velocity + cross(spin, Vec2(x - origin)); }

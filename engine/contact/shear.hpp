@@ -65,7 +65,7 @@ struct ShearTrial {
       : compliance(before.active, active, ks) {
     const T stiffness = ks * active;
     relaxed = let_go(before, stiffness, compliance, kept);
-    move = h.slip_rate * dt;
+    move = h.slip_mean * dt;
     elastic = kept + stiffness * move;
     total = elastic + beta * stiffness * h.slip_rate;
   }

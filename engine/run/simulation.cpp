@@ -14,6 +14,7 @@
 #include "step/commit.hpp"
 #include "step/displacement_control.hpp"
 #include "step/evaluate.hpp"
+#include "step/implicit_step.hpp"
 #include "step/passed.hpp"
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
@@ -25,6 +26,8 @@ namespace {
 
 /// The step is looked at anew every so many steps.
 constexpr std::int64_t steps_between_estimates = 32;
+/// Longest implicit step, where none is given [s].
+constexpr double usual_implicit_step = 0.005;
 /// The largest share of the longest stable step: above it impacts miss their energy by a fifth.
 constexpr double longest_safety = 0.9;
 /// A step below this [s], or below this share of its stage, is no step: time would stand still.
@@ -43,6 +46,11 @@ void check(const StageOptions& o) {
                     owner, o.safety, longest_safety));
   if (!(o.rest_share >= 0 && o.rest_share < 1))
     throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
+  if (o.implicit && o.rest_share > 0)
+    throw InputError(
+        fmt::format("{}: damping is {:g}, which only explicit steps have; leave it out, or take "
+                    "integrator = \"explicit\"",
+                    owner, o.rest_share));
   for (const double v : {o.frame_interval, o.history_interval, o.energy_interval})
     require_not_negative(v, owner + ": interval", "s");
   if (o.until_rest) {
@@ -70,13 +78,15 @@ Simulation::Simulation(Model<2> model)
     : model_(std::move(model)),
       state_(start_state(model_)),
       causes_(static_cast<int>(model_.bodies.size())),
-      watch_(std::make_unique<Watch>()) {}
+      watch_(std::make_unique<Watch>()),
+      tangent_(std::make_unique<Tangent>()) {}
 
 Simulation::Simulation(Model<2> model, State<2> state)
     : model_(std::move(model)),
       state_(std::move(state)),
       causes_(static_cast<int>(model_.bodies.size())),
-      watch_(std::make_unique<Watch>()) {
+      watch_(std::make_unique<Watch>()),
+      tangent_(std::make_unique<Tangent>()) {
   assert(state_.position.size() == model_.mass.size());
   all_left_ = hold_left(model_, state_);
 }
@@ -92,6 +102,7 @@ Model<2>& Simulation::edit_model() {
 /// The model has another content from now on.
 void Simulation::edited() {
   work_.valid = evaluated_ = false;
+  tangent_->forget();
   watch_->doubt();
   kept_model_.reset();
 }
@@ -122,7 +133,7 @@ void Simulation::refresh() {
   next_ = choose_step();
   swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   clock.mark(StepPart::estimate);
-  if (next_.dt > 0) control_displacement(model_, state_, work_, {swept_.dt, rest_});
+  if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
   evaluated_ = true;
 }
 
@@ -135,6 +146,10 @@ void Simulation::drop_work() {
 NextStep Simulation::choose_step() const {
   if (!stage_) return {state_.dt, state_.safety, 0};
   const StageOptions& options = stage_->options;
+  if (options.implicit) {
+    const double longest = options.dt > 0 ? options.dt : usual_implicit_step;
+    return {state_.dt > 0 ? std::min(state_.dt, longest) : longest, 0, 0};
+  }
   // A stage that asks for another step than the one before is heard at once.
   const double safety = options.dt > 0 ? 0 : options.safety;
   const bool other = state_.safety != safety || (options.dt > 0 && state_.dt != options.dt);
@@ -151,6 +166,7 @@ double Simulation::whole_step() const {
 
 /// Throws InputError where the step to come is longer than a stable one, or so short that no stage would end.
 void Simulation::require_step(const StageOptions& options) const {
+  if (options.implicit) return;
   if (options.dt > 0 && swept_.piece_a >= 0)
     throw InputError(
         fmt::format("stage '{}': dt is {:g} s, must be at most {:.2g} s at t = {:.4g} s, or one body could go through "
@@ -209,7 +225,39 @@ StageReport Simulation::run(const StageOptions& options, const RunListener& list
   rest_ = {options.rest_share};
   evaluated_ = false;
   watch_->reset();
+  if (options.implicit.has_value() != state_.implicit()) change_integrator();
   return go_on(listener);
+}
+
+/// What the last step led to is committed under the scheme that took it; then the state is made ready for the other.
+void Simulation::change_integrator() {
+  if (stage_->options.implicit && !model_.pushes.empty())
+    throw InputError(
+        fmt::format("stage '{}': push '{}' controls a displacement, which only explicit steps do; release "
+                    "it, or take integrator = \"explicit\"",
+                    stage_->options.name, model_.pushes.front().name));
+  refresh();
+  commit(model_, state_, work_, times_);
+  leaving_.insert(leaving_.end(), work_.events.begin(), work_.events.end());
+  if (stage_->options.implicit)
+    begin_implicit(model_, state_, work_);
+  else
+    begin_explicit(model_, state_, work_);
+  state_.dt = state_.safety = 0;
+  evaluated_ = false;
+}
+
+/// From a committed instant to the next one. False where that could not be found.
+bool Simulation::take_step(double dt, const Energy& energy) {
+  const std::optional<AlphaScheme>& scheme = stage_->options.implicit;
+  if (!scheme) {
+    advance(model_, state_, work_, {dt, rest_}, times_);
+    return true;
+  }
+  const ImplicitStep step = advance_implicitly(model_, state_, work_, energy, *tangent_,
+                                               {*scheme, dt, stage_->options.tolerance, stage_->options.accuracy});
+  if (!step.converged) stuck_ = stuck_reason(model_, state_, step);
+  return step.converged;
 }
 
 StageReport Simulation::resume(const RunListener& listener) {
@@ -318,6 +366,16 @@ void Simulation::tell_step(const RunListener& listener) {
   clock.mark(StepPart::listen);
 }
 
+/// Ends the stage where no step could be found: the state is that of the last whole one.
+void Simulation::get_stuck(const RunListener& listener) {
+  refresh();
+  const Instant now = instant();
+  set_end(stage_->report, now, std::nullopt, StageEnd::not_converged);
+  stage_->report.reason = std::exchange(stuck_, {});
+  stage_->over = true;
+  tell_end(listener, now);
+}
+
 /// From one step border to the next, or to the end of the stage.
 void Simulation::pass(const RunListener& listener) {
   StageProgress& stage = *stage_;
@@ -348,8 +406,9 @@ void Simulation::pass(const RunListener& listener) {
   state_.dt = next_.dt;
   state_.safety = next_.safety;
   evaluated_ = false;
+  const Energy before = state_.implicit() ? energy() : Energy{};
   commit(model_, state_, work_, times_);
-  advance(model_, state_, work_, {now.dt, rest_}, times_);
+  if (!take_step(now.dt, before)) return get_stuck(listener);
   refresh();
   tell_step(listener);
   if (times_ != nullptr) ++times_->steps;

@@ -45,6 +45,7 @@ struct NextStep {
   double longest = 0;  ///< the longest stable one [s], where it was looked for just now; else 0
 };
 class Watch;
+class Tangent;
 
 class Simulation {
  public:
@@ -108,6 +109,9 @@ class Simulation {
   bool ends(const RunListener& listener, const Instant& now);
   void tell_samples(const RunListener& listener, const Instant& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;
+  void change_integrator();
+  bool take_step(double dt, const Energy& energy);
+  void get_stuck(const RunListener& listener);
   [[nodiscard]] double whole_step() const;
   [[nodiscard]] Instant instant() const;
   void require_step(const StageOptions& options) const;
@@ -129,8 +133,10 @@ class Simulation {
   RestDamping rest_;        // of the present stage, or of the last one
   bool evaluated_ = false;  // work_, next_ and swept_ are those of state_ and model_
   std::unique_ptr<Watch> watch_;
-  std::vector<Event> leaving_;  // events of bodies that left at this instant, to be told
-  bool all_left_ = false;       // nothing is free to move any more, as all of that has left
+  std::unique_ptr<Tangent> tangent_;  // of implicit steps
+  std::string stuck_;                 // why an implicit step could not be taken
+  std::vector<Event> leaving_;        // events of bodies that left at this instant, to be told
+  bool all_left_ = false;             // nothing is free to move any more, as all of that has left
   std::atomic<bool> stop_{false};
   bool running_ = false, at_border_ = false;
 };

@@ -2,17 +2,19 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "step/alpha_scheme.hpp"
 #include "world/event.hpp"
 #include "world/work.hpp"
 
 namespace trilith {
 
 /// Why a stage ended.
-enum class StageEnd { time, rest, stopped, not_at_rest, diverged, all_left };
+enum class StageEnd { time, rest, stopped, not_at_rest, diverged, all_left, not_converged };
 constexpr const char* name_of(StageEnd e) {
-  constexpr const char* names[] = {"time", "rest", "stopped", "not at rest", "diverged", "all left"};
+  constexpr const char* names[] = {"time", "rest", "stopped", "not at rest", "diverged", "all left", "not converged"};
   return names[static_cast<int>(e)];
 }
 
@@ -24,6 +26,10 @@ struct StageOptions {
   double safety = 0.5;    ///< share of the longest stable step that is taken, above 0 to 0.9. At 0.5 a bounce keeps its
                           ///< energy to some percent, at 0.1 to a tenth of one
   double rest_share = 0;  ///< damping of consolidation (RestDamping), 0 to below 1
+
+  std::optional<AlphaScheme> implicit;  ///< steps of this scheme; else explicit central differences
+  double tolerance = 1e-8;              ///< of implicit steps: largest force left over, as a share of that carried
+  double accuracy = 1e-3;               ///< ... and what a step may miss of its energies, see ImplicitOptions
 
   bool until_rest = false;       ///< end when all is at rest
   double still_from = 0;         ///< rest is looked for from this time after the stage's start [s]

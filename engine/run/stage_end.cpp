@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "run/body_forces.hpp"
+#include "step/implicit_step.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -63,6 +65,15 @@ Event diverged_event(const Instant& now, const StageReport& report) {
 std::string unsettled_reason(const Instant& now) {
   const std::string what = unsettled_text(now, worst_bodies(now.model, now.work));
   return what + "; give more duration, or look at how it moves: it may be unable to stand";
+}
+
+std::string stuck_reason(const Model<2>& model, const State<2>& state, const ImplicitStep& step) {
+  const std::string where = step.worst < 0 ? "nowhere" : model.bodies[body_of_node(model, step.worst)].name;
+  return fmt::format(
+      "no step from t = {:.6g} s on converges, down to {:.2g} s: {:.2g} of the largest force is left over, most of it "
+      "on {}; look at what touches or yields there, take a smaller dt or more damping, or go on with integrator = "
+      "\"explicit\"",
+      state.time, step.dt, step.left, where);
 }
 
 Event unsettled_event(const Instant& now) {

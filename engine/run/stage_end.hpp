@@ -9,6 +9,8 @@
 
 namespace trilith {
 
+struct ImplicitStep;
+
 /// An event of the stage as a whole.
 Event stage_event(EventType type, const Instant& now, const std::string& text);
 
@@ -20,6 +22,8 @@ Event diverged_event(const Instant& now, const StageReport& report);
 
 /// Where rest was not reached: which body is worst, by how much, and what to try.
 std::string unsettled_reason(const Instant& now);
+/// Where an implicit step did not converge: where the most is left over, and what to try.
+std::string stuck_reason(const Model<2>& model, const State<2>& state, const ImplicitStep& step);
 /// The same as an event, without advice.
 Event unsettled_event(const Instant& now);
 

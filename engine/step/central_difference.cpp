@@ -1,5 +1,6 @@
 #include "step/central_difference.hpp"
 
+#include "step/implicit_step.hpp"
 #include "step/node_forces.hpp"
 #include "step/stored_energy.hpp"
 
@@ -117,6 +118,7 @@ void advance_nodes(const Model<2>& model, State<2>& state, const Work<2>& work, 
 }  // namespace
 
 Energy energy_now(const Model<2>& model, const State<2>& state, const Work<2>& work, const StepOptions& options) {
+  if (state.implicit()) return implicit_energy(model, state, work);
   Energy energy = work.given;
   const double span = 0.5 * (state.last_dt + options.dt);
   const Outside outside(model, state, work);

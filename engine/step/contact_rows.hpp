@@ -27,7 +27,8 @@ inline FaceOverlap<double> face_overlap(const Work<2>& work, const NearPair& p) 
 
 /// Room for a piece's corners where they stand and, where its body deforms, their velocities.
 struct PieceCorners {
-  std::array<Vec2, max_piece_corners> place, velocity;
+  std::array<Vec2, max_piece_corners> place, velocity, mean;
+  PlacedPiece over_step;  ///< with the mean velocities of an implicit step
 };
 
 /// A piece where it stands and how it moves; views into Model and `corners`.

@@ -70,6 +70,20 @@ bool moves(const Model<2>& model, const BodyRow& body) {
   return false;
 }
 
+/// Mean velocities of all skin points over the step behind, from where they were when it began.
+void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  work.skin_mean.resize(model.skin_place.size());
+  const double per_step = state.last_dt > 0 ? 1 / state.last_dt : 0;
+  int turned = -1;
+  Turn turn(0);
+  for (std::size_t s = 0; s < work.skin_mean.size(); ++s) {
+    const int n = model.skin_node[s], t = model.skin_turn[s];
+    if (t != turned) turn = Turn(state.rotation_before[t]), turned = t;
+    const Vec2 before = state.position_before[n] + turn.apply(model.skin_place[s]);
+    work.skin_mean[s] = (Vec2(work.skin[s].x, work.skin[s].y) - before) * per_step;
+  }
+}
+
 }  // namespace
 
 void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
@@ -83,6 +97,10 @@ void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
     farthest = std::max(farthest, path2);
     if (speed2 > fastest_moving && moves(model, body)) fastest_moving = speed2;
   }
+  if (state.implicit())
+    place_means(model, state, work);
+  else
+    work.skin_mean.clear();
   work.fastest = std::sqrt(fastest);
   work.fastest_moving = std::sqrt(fastest_moving);
   work.travel += std::sqrt(farthest);  // of no meaning, and not asked for, before the pairs are found

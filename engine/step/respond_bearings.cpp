@@ -15,13 +15,16 @@ struct RelativeMotion {
   double angle, spin;
 };
 
-/// Where an end is tied to several nodes, which turn by less than half a circle against the other.
-RelativeMotion motion_of_ties(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
-  const Pose p = pose_at(model, state, b.end_a), q = pose_at(model, state, b.end_b);
+/// Of ends with these poses, which turn by less than half a circle against each other.
+RelativeMotion motion_of_poses(const Bearing<2>& b, const Pose& p, const Pose& q) {
   const Turn axes(p.rotation + b.angle);
   const Vec2 between = q.place - p.place, rate = q.velocity - p.velocity - cross(p.spin, between);
   return {axes, axes.undo(between) - b.rest, axes.undo(rate),
           std::remainder(q.rotation - p.rotation - b.rest_angle, 2 * M_PI), q.spin - p.spin};
+}
+
+RelativeMotion motion_of_ties(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  return motion_of_poses(b, pose_at(model, state, b.end_a), pose_at(model, state, b.end_b));
 }
 
 RelativeMotion relative_motion(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
@@ -35,6 +38,17 @@ RelativeMotion relative_motion(const Model<2>& model, const State<2>& state, con
       state.velocity[nb] + cross(state.spin[nb], arm_b) - state.velocity[na] - cross(state.spin[na], from_a);
   return {axes, axes.undo(Vec2(from_a - anchor)) - b.rest, axes.undo(rate),
           state.rotation[nb] - state.rotation[na] - b.rest_angle, state.spin[nb] - state.spin[na]};
+}
+
+/// Mean rates over the step behind, by direction: those of now, but where an implicit scheme took it.
+std::array<double, 3> mean_rates(const Model<2>& model, const State<2>& state, const Bearing<2>& b,
+                                 const RelativeMotion& now, double dt) {
+  if (!state.implicit()) return {now.rate.x(), now.rate.y(), now.spin};
+  if (!(dt > 0)) return {};
+  const RelativeMotion before =
+      motion_of_poses(b, pose_before(model, state, b.end_a), pose_before(model, state, b.end_b));
+  const Vec2 moved = now.displacement - before.displacement;
+  return {moved.x() / dt, moved.y() / dt, std::remainder(now.angle - before.angle, 2 * M_PI) / dt};
 }
 
 DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion, const DirectionMemory& before) {
@@ -62,10 +76,12 @@ void respond_live(const Model<2>& model, const State<2>& state, Work<2>& work, s
   const RelativeMotion m = relative_motion(model, state, b);
   const std::array<double, 3> displacement{m.displacement.x(), m.displacement.y(), m.angle};
   const std::array<double, 3> rate{m.rate.x(), m.rate.y(), m.spin};
+  const std::array<double, 3> mean = mean_rates(model, state, b, m, dt);
   std::array<double, 3> force{};
   double compression = 0;
   for (const int k : {axial, along, turning}) {  // friction along the seat needs the axial force first
-    const DirectionResponse r = respond(b.law[k], {displacement[k], rate[k], dt, compression}, before.direction[k]);
+    const DirectionMotion motion{displacement[k], rate[k], dt, compression, mean[k]};
+    const DirectionResponse r = respond(b.law[k], motion, before.direction[k]);
     after.direction[k] = r.memory;
     force[k] = r.force();
     if (k == axial) compression = std::max(0.0, -r.memory.force);

@@ -55,6 +55,7 @@ constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
 /// Arrays of State and Work that the rows of a batch are read from and written to.
 struct Pass {
   const SkinMotion* skin;
+  const Vec2* skin_mean;  // nullptr: velocities over the step are those of now
   const NearPair* pairs;
   const ContactMemory* before;
   ContactMemory* after;
@@ -87,7 +88,18 @@ TRILITH_INLINE FaceMotion<Lanes> load_motion(const Pass& pass, const Rows& rows)
   ends(&NearPair::a1, a.x1, a.y1, a.u1, a.v1);
   ends(&NearPair::b0, b.x0, b.y0, b.u0, b.v0);
   ends(&NearPair::b1, b.x1, b.y1, b.u1, b.v1);
-  return {a, b, Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner}};
+  FaceMotion<Lanes> motion(a, b, Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner});
+  if (pass.skin_mean != nullptr) {
+    const auto mean = [&](int NearPair::*end, Lanes& u, Lanes& v) {
+      const double* row[lane_count];
+      for (int i = 0; i < lane_count; ++i) row[i] = pass.skin_mean[p[i]->*end].data();
+      load_columns(row, u, v);
+    };
+    mean(&NearPair::a0, a.u0, a.v0), mean(&NearPair::a1, a.u1, a.v1);
+    mean(&NearPair::b0, b.u0, b.v0), mean(&NearPair::b1, b.u1, b.v1);
+    motion.over_step(a, b);
+  }
+  return motion;
 }
 
 /// What four contacts and their law remember.
@@ -316,6 +328,7 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
     if (count == 0) continue;
     const std::span<const int> rows(work.face_rows.data(), count);
     const Pass pass{work.skin.data(),
+                    work.skin_mean.empty() ? nullptr : work.skin_mean.data(),
                     work.pairs.data(),
                     before.memory.data(),
                     work.contacts.memory.data(),

@@ -41,6 +41,13 @@ PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Wor
   const int node = body.first_node;
   PlacedPiece placed{std::span(corners.place).first(count), std::span(model.edge_is_face).subspan(first, count),
                      state.position[node], state.velocity[node], state.spin[node]};
+  if (!work.skin_mean.empty()) {
+    for (std::size_t c = 0; c < count; ++c) corners.mean[c] = work.skin_mean[model.corner_skin[first + c]];
+    corners.over_step = placed;
+    corners.over_step.corner_velocity = std::span(corners.mean).first(count);
+    fit_rigid(corners.over_step);
+    placed.over_step = &corners.over_step;
+  }
   if (body.is_rigid()) return placed;
   for (std::size_t c = 0; c < count; ++c) {
     const SkinMotion& s = work.skin[model.corner_skin[first + c]];

@@ -47,6 +47,11 @@ void end_bearings(const Model<2>& model, State<2>& state, const Work<2>& work, s
 void stop(const Model<2>& model, State<2>& state, int body) {
   const Body& b = model.bodies[body];
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n) state.velocity[n] = Vec2::Zero(), state.spin[n] = 0;
+  if (!state.implicit()) return;
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
+    state.acceleration[n] = Vec2::Zero(), state.spin_rate[n] = 0;
+    state.position_before[n] = state.position[n], state.rotation_before[n] = state.rotation[n];
+  }
 }
 
 }  // namespace
@@ -68,7 +73,7 @@ std::vector<Event> take_out(Model<2>& model, State<2>& state, Work<2>& work, con
   hold_left(model, state);
   work.valid = false;
   evaluate(model, state, work, state.last_dt);
-  control_displacement(model, state, work, options);
+  if (!state.implicit()) control_displacement(model, state, work, options);
   const double taken = before - energy_now(model, state, work, options).balance();
   state.given[EnergyTerm::left_bounds] += taken;
   work.given[EnergyTerm::left_bounds] += taken;

@@ -27,8 +27,9 @@ enum class EnergyTerm : int {
   support,       ///< put in by moving supports
   load,          ///< put in by steady forces
   left_bounds,   ///< what bodies held when they left the bounds
+  numerical,     ///< taken by the dissipation of an implicit scheme
 };
-inline constexpr int energy_terms = 18;
+inline constexpr int energy_terms = 19;
 
 struct EnergyTermInfo {
   std::string_view name, sentence;
@@ -56,6 +57,7 @@ inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
     {"support", "put in by moving supports", -1},
     {"load", "put in by steady forces", -1},
     {"left_bounds", "given off by bodies that left the bounds, which took it along", +1, true},
+    {"numerical", "given off by the numerical damping of implicit steps, less what their errors bring", +1, true},
 }};
 
 struct Energy {

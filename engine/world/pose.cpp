@@ -30,13 +30,15 @@ Vec2 mean_start(const Model<2>& model, const Cloud& c) {
   for (std::size_t i = 0; i < c.node.size(); ++i) sum += c.weight[i] * model.start_position[c.node[i]];
   return sum;
 }
-Vec2 mean_now(const State<2>& state, const Cloud& c) {
+template <class Nodes>
+Vec2 mean_now(const Nodes& state, const Cloud& c) {
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < c.node.size(); ++i) sum += c.weight[i] * state.position[c.node[i]];
   return sum;
 }
 
-BestTurn best_turn(const Model<2>& model, const State<2>& state, const Cloud& c) {
+template <class Nodes>
+BestTurn best_turn(const Model<2>& model, const Nodes& state, const Cloud& c) {
   const Vec2 start = mean_start(model, c), now = mean_now(state, c);
   BestTurn best;
   for (std::size_t i = 0; i < c.node.size(); ++i) {
@@ -48,7 +50,8 @@ BestTurn best_turn(const Model<2>& model, const State<2>& state, const Cloud& c)
 }
 
 /// Rotation and spin of a cloud; the spin is the rate of the rotation.
-void set_turn(const Model<2>& model, const State<2>& state, const Cloud& c, Pose& pose) {
+template <class Nodes>
+void set_turn(const Model<2>& model, const Nodes& state, const Cloud& c, Pose& pose) {
   const BestTurn best = best_turn(model, state, c);
   pose.rotation = best.angle();
   const Turn turn(pose.rotation);
@@ -84,7 +87,8 @@ Cloud cloud_of(const Tie& tie) {
 }
 
 /// Of nodes that turn, as the arms do.
-Pose pose_of_sections(const State<2>& state, const Tie& tie) {
+template <class Nodes>
+Pose pose_of_sections(const Nodes& state, const Tie& tie) {
   Pose pose;
   for (int i = 0; i < tie.nodes; ++i) {
     const int n = tie.node[i], t = tie.turn[i];
@@ -212,7 +216,18 @@ Tie tie_point(const Model<2>& model, int body, const Vec2& at, const std::string
   return tie;
 }
 
-Pose pose_at(const Model<2>& model, const State<2>& state, const Tie& tie) {
+namespace {
+
+/// Nodes as the step behind began.
+struct NodesBefore {
+  const std::vector<Vec2>& position;
+  const std::vector<double>& rotation;
+  const std::vector<Vec2>& velocity;
+  const std::vector<double>& spin;
+};
+
+template <class Nodes>
+Pose pose_of(const Model<2>& model, const Nodes& state, const Tie& tie) {
   if (tie.is_rigid()) {
     const int n = tie.node[0];
     const Vec2 arm = Turn(state.rotation[n]).apply(tie.arm[0]);
@@ -226,6 +241,16 @@ Pose pose_at(const Model<2>& model, const State<2>& state, const Tie& tie) {
   }
   set_turn(model, state, cloud_of(tie), pose);
   return pose;
+}
+
+}  // namespace
+
+Pose pose_at(const Model<2>& model, const State<2>& state, const Tie& tie) {
+  return pose_of(model, state, tie);
+}
+
+Pose pose_before(const Model<2>& model, const State<2>& state, const Tie& tie) {
+  return pose_of(model, NodesBefore{state.position_before, state.rotation_before, state.velocity, state.spin}, tie);
 }
 
 void push_at(const Model<2>& model, const State<2>& state, const Tie& tie, const Vec2& force, double moment,

@@ -35,6 +35,8 @@ Tie tie_point(const Model<2>& model, int body, const Vec2& at, const std::string
 
 /// Where a tied point is and how it moves, and how what is tied there turns.
 Pose pose_at(const Model<2>& model, const State<2>& state, const Tie& tie);
+/// Where it was as the step behind began, which an implicit scheme took. Velocities are of no meaning.
+Pose pose_before(const Model<2>& model, const State<2>& state, const Tie& tie);
 
 /// Adds a force [N] at the point and a moment [N m] to the nodes: the transpose of pose_at.
 void push_at(const Model<2>& model, const State<2>& state, const Tie& tie, const Vec2& force, double moment,

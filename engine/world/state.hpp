@@ -26,11 +26,19 @@ struct State {
   double safety = 0;      ///< share of the longest stable step that `dt` was found with [1]; 0: it was given
   double last_dt = 0;     ///< length of the last step [s]
 
-  // Motion of the nodes [node]. Velocities are those of the last half step (leapfrog).
+  // Motion of the nodes [node]. Velocities are those of the last half step (leapfrog), or where a step has just been
+  // taken by an implicit scheme, of this instant.
   std::vector<Vec<D>> position;                       ///< m
   std::vector<typename Space<D>::Rotation> rotation;  ///< rad
   std::vector<Vec<D>> velocity;                       ///< m/s
   std::vector<typename Space<D>::Spin> spin;          ///< rad/s
+
+  // What an implicit scheme goes on from [node]; empty in explicit stages.
+  std::vector<Vec<D>> position_before;                       ///< as the step behind began m
+  std::vector<typename Space<D>::Rotation> rotation_before;  ///< rad
+  std::vector<Vec<D>> acceleration;                          ///< m/s2
+  std::vector<typename Space<D>::Spin> spin_rate;            ///< rad/s2
+  double most_energy = 0;  ///< the most that has moved and been stored since implicit steps began [J]
 
   ContactHistory contacts;
   std::vector<Parted> parted;           ///< in the order of parting, then by key
@@ -43,6 +51,9 @@ struct State {
   std::vector<std::uint8_t> left;       ///< [body] 1: has left Model::bounds; it stands still there and touches nothing
 
   Energy given;  ///< running sums of the ledger (the terms that are not found from the state)
+
+  /// True where the last step was taken by an implicit scheme, or the next one will be.
+  [[nodiscard]] bool implicit() const { return !acceleration.empty(); }
 };
 
 /// The state at the model's start: at rest or with the start velocities, bonds made where bonded faces meet.

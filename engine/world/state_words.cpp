@@ -141,6 +141,13 @@ void Reader::contacts(ContactHistory& s) {
   }
 }
 
+/// For what an implicit scheme keeps of the nodes, as many as accelerations were announced.
+void make_room(State<2>& s) {
+  s.position_before.resize(s.acceleration.size());
+  s.rotation_before.resize(s.acceleration.size());
+  s.spin_rate.resize(s.acceleration.size());
+}
+
 /// Every field of a state, in order, for the writer and for the reader alike. `S`: State<2>, const or not.
 template <class File, class S>
 void walk(File& file, S& s) {
@@ -149,6 +156,12 @@ void walk(File& file, S& s) {
     file.number(s.position[n].x()), file.number(s.position[n].y()), file.number(s.rotation[n]);
     file.number(s.velocity[n].x()), file.number(s.velocity[n].y()), file.number(s.spin[n]);
   }
+  for (std::size_t n = 0, nodes = file.open_count(s.acceleration, 6); n < nodes; ++n) {
+    if constexpr (!std::is_const_v<S>) make_room(s);
+    file.number(s.position_before[n].x()), file.number(s.position_before[n].y()), file.number(s.rotation_before[n]);
+    file.number(s.acceleration[n].x()), file.number(s.acceleration[n].y()), file.number(s.spin_rate[n]);
+  }
+  file.number(s.most_energy);
   file.contacts(s.contacts);
   for (std::size_t i = 0, n = file.open_count(s.parted, 2); i < n; ++i)
     file.key(s.parted[i].contact), file.number(s.parted[i].time);
@@ -195,6 +208,11 @@ void check_passed(const Reader& file, const Model<2>& model, const State<2>& s) 
   }
 }
 
+void check_accelerations(const Reader& file, const State<2>& s) {
+  if (s.implicit() && s.acceleration.size() != s.position.size())
+    file.fail("has accelerations for other numbers of nodes than the model");
+}
+
 void check_bearings(const Reader& file, const State<2>& s) {
   for (const BearingMemory& m : s.bearing)
     if (m.status > BearingStatus::changed || m.failed_direction > 2) file.fail("has a bearing in no known state");
@@ -213,6 +231,7 @@ State<2> state_from_words(const Model<2>& model, std::span<const std::uint64_t> 
   Reader file(words, owner);
   walk(file, state);
   file.done();
+  check_accelerations(file, state);
   check_contacts(file, model, state);
   check_passed(file, model, state);
   check_bearings(file, state);

@@ -57,10 +57,11 @@ struct Work {
   bool valid = false;  ///< false: pairs must be found anew. Writer: detect
 
   // Writer: place
-  std::vector<BodyRow> body;     ///< [body], anew where the pairs must be found anew
-  std::vector<SkinMotion> skin;  ///< [skin]
-  double fastest = 0;            ///< largest speed of any skin point m/s
-  double fastest_moving = 0;     ///< ... of a body that is free to move m/s
+  std::vector<BodyRow> body;      ///< [body], anew where the pairs must be found anew
+  std::vector<SkinMotion> skin;   ///< [skin]
+  std::vector<Vec<D>> skin_mean;  ///< [skin] mean velocity over the step; empty in explicit stages m/s
+  double fastest = 0;             ///< largest speed of any skin point m/s
+  double fastest_moving = 0;      ///< ... of a body that is free to move m/s
 
   // Writer: detect
   std::vector<NearPair> pairs;         ///< [contact]

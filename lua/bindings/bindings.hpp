@@ -27,6 +27,7 @@ std::span<const Method> stage_methods();     ///< run, consolidate, shake, fix, 
 std::span<const Method> load_methods();      ///< point_load, pressure, set_load, release
 std::span<const Method> pushover_methods();  ///< pushover
 std::span<const Method> finding_methods();   ///< joints, thrust_line
+std::span<const Method> modes_methods();     ///< modes
 std::span<const Method> debug_methods();     ///< step, rewind, checkpoints
 std::span<const Method> change_methods();    ///< change
 std::span<const Method> reading_methods();   ///< bodies, contacts, history, results, explain_dt

@@ -158,7 +158,7 @@ std::vector<Method> all_methods() {
   };
   for (const auto part :
        {parts_methods(), bearing_methods(), bridge_methods(), frame_methods(), stage_methods(), load_methods(),
-        pushover_methods(), debug_methods(), change_methods(), finding_methods(), reading_methods()})
+        pushover_methods(), debug_methods(), change_methods(), finding_methods(), modes_methods(), reading_methods()})
     methods.insert(methods.end(), part.begin(), part.end());
   return methods;
 }

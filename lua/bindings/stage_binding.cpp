@@ -45,8 +45,28 @@ void read_step(Keys& keys, StageOptions& o) {
   o.watched = keys.flag("watch", true);
 }
 
+/// { integrator =, alpha =, spectral_radius =, tolerance = }: which scheme takes the steps.
+void read_integrator(Keys& keys, StageOptions& o) {
+  const std::string name = keys.text("integrator", "explicit");
+  if (name == "explicit") return keys.know({"alpha", "spectral_radius", "tolerance", "accuracy"});
+  if (name != "implicit")
+    keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\" or \"implicit\"", name));
+  const double alpha = keys.number("alpha", "1", -0.05), radius = keys.number("spectral_radius", "1", unbounded);
+  o.tolerance = keys.number("tolerance", "1", o.tolerance);
+  o.accuracy = keys.number("accuracy", "1", o.accuracy);
+  if (!(o.accuracy >= 0)) keys.problem(fmt::format("'accuracy' is {:g}, must not be below 0", o.accuracy));
+  if (!(alpha >= -1.0 / 3 && alpha <= 0))
+    keys.problem(fmt::format("'alpha' is {:g}, must be from -1/3 to 0, where nothing is damped", alpha));
+  if (std::isfinite(radius) && !(radius >= 0 && radius <= 1))
+    keys.problem(fmt::format("'spectral_radius' is {:g}, must be from 0 to 1, where nothing is damped", radius));
+  if (!(o.tolerance > 0 && o.tolerance <= 1e-2))
+    keys.problem(fmt::format("'tolerance' is {:g}, must be above 0 and at most 0.01", o.tolerance));
+  o.implicit = std::isfinite(radius) ? AlphaScheme::from_radius(radius) : AlphaScheme::hht(alpha);
+}
+
 int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o) {
   const StageReport report = run_stage(L, m, o);
+  if (report.end == StageEnd::not_converged) throw InputError(fmt::format("{}: {}", o.name, report.reason));
   push_report(L, report);
   return 1;
 }
@@ -76,6 +96,7 @@ int run(lua_State* L) {
     keys.problem(fmt::format("'to' is {:g} s, must be after the present {:g} s", to, m.time()));
   o.rest_share = keys.number("damping", "1", 0);
   read_step(keys, o);
+  read_integrator(keys, o);
   o.until_rest = read_rest_table(keys, "until_rest", o);
   keys.finish();
   if (m.paused()) return run_paused(L, m, {0, m.time() + o.duration, {}});
@@ -224,6 +245,7 @@ int shake(lua_State* L) {
   o.until_rest = read_rest_table(keys, "still", o);
   o.duration = keys.number("duration", "s", o.until_rest ? end + 60 : end);
   read_step(keys, o);
+  read_integrator(keys, o);
   keys.finish();
   if (m.running()) throw InputError("shake: a stage runs already; use m:drive to move a body while it runs");
   m.simulation();

@@ -40,5 +40,8 @@ joints      flag = true       with opening, slip and damage of each joint]] },
     gives = "table[]" },
   { "model:thrust_line", "Where the force goes through a chain of bodies: { a, b, x, y, fx, fy }.",
     args = "bodies  bodies  in order", gives = "table[]" },
+  { "model:modes", "Natural frequencies as it stands, lowest first: { frequency, period, square, mass_x, mass_y, "
+    .. "factor_x, factor_y, shape }; shape by body's name: { x, y, rotation }. Prints as a table.",
+    keys = "count  integer = 10  how many", gives = "table[]" },
   { "model:stresses", "Mean stress { xx, yy, xy, major, minor } by body's name [Pa].", gives = "table" },
 }

@@ -13,8 +13,13 @@ duration    number s?     how long
 to          number s?     or until this time
 name        text = "run"  what results call it
 damping     number = 0    share of the unbalanced force that brakes each body
-dt          number s?     fixed step; found by itself where left out
+dt          number s?     fixed step; found by itself where left out. Of implicit ones the longest (5 ms)
 safety      number = 0.5  share of the longest stable step, at most 0.9
+integrator       text = "explicit"   or "implicit": long steps, each found by Newton's method
+alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
+spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
+tolerance        number = 1e-8       implicit: force left over, as a share of the largest
+accuracy         number = 1e-3       implicit: share of energies and velocities a step may miss; 0: any
 watch       flag = true   speeds and energies that nothing gave end it as diverged
 until_rest  rest?         end at rest: ]] .. rest, gives = "report" },
   { "model:consolidate", "To rest under dead load, with a damping of its own.", keys = [[
@@ -38,6 +43,11 @@ still     rest?           end at rest after the motions: ]] .. rest .. [[
 name      text = "shake"  what results call it
 dt        number s?       fixed step
 safety    number = 0.5    share of the longest stable step, at most 0.9
+integrator       text = "explicit"   or "implicit": long steps, each found by Newton's method
+alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
+spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
+tolerance        number = 1e-8       implicit: force left over, as a share of the largest
+accuracy         number = 1e-3       implicit: share of energies and velocities a step may miss; 0: any
 watch     flag = true     speeds and energies that nothing gave end it as diverged]], gives = "report" },
   { "model:drive", "A body follows a motion from now on.", keys = drive },
   { "model:fix", "Holds bodies, in some directions or all.", args = [[

@@ -1,0 +1,102 @@
+#include "step/coupling.hpp"
+
+#include <algorithm>
+
+namespace trilith {
+namespace {
+
+void list_freedoms(const Model<2>& model, Coupling& out) {
+  out.unknown.assign(model.mass.size(), {-1, -1, -1});
+  for (int n = 0; n < model.nodes(); ++n)
+    for (int k = 0; k < 3; ++k) {
+      if (model.support[n][k] != Support::free) continue;
+      out.unknown[n][k] = out.size();
+      out.freedom.push_back({n, k});
+    }
+}
+
+/// Groups of nodes, each group coupled through and through.
+class Groups {
+ public:
+  Groups(const Model<2>& model, Coupling& out) : model_(model), out_(out) { out.near.resize(model.mass.size()); }
+
+  void add(int node) {
+    if (model_.moves(node)) group_.push_back(node);
+  }
+  void add(const Tie& tie) {
+    for (int i = 0; i < tie.nodes; ++i) add(tie.node[i]), add(tie.turn[i]);
+  }
+  void add_skin(int skin) { add(model_.skin_node[skin]), add(model_.skin_turn[skin]); }
+  void add_piece(int piece) {
+    const Body& body = model_.bodies[model_.piece_body[piece]];
+    if (body.is_rigid()) return add(body.first_node);
+    for (int c = model_.piece_first[piece]; c < model_.piece_first[piece + 1]; ++c) add_skin(model_.corner_skin[c]);
+  }
+  void end() {
+    std::sort(group_.begin(), group_.end());
+    group_.erase(std::unique(group_.begin(), group_.end()), group_.end());
+    for (const int n : group_) out_.near[n].insert(out_.near[n].end(), group_.begin(), group_.end());
+    group_.clear();
+  }
+
+ private:
+  const Model<2>& model_;
+  Coupling& out_;
+  std::vector<int> group_;
+};
+
+void add_bodies(const Model<2>& model, Groups& groups) {
+  for (int n = 0; n < model.nodes(); ++n) groups.add(n), groups.end();
+  for (const Element& e : model.elements) {
+    for (int i = 0; i < e.nodes; ++i) groups.add(e.node[i]);
+    groups.end();
+  }
+  for (const Beam& beam : model.beams) groups.add(beam.node[0]), groups.add(beam.node[1]), groups.end();
+}
+
+void add_links(const Model<2>& model, const Work<2>& work, Groups& groups) {
+  for (const Bearing<2>& b : model.bearings) groups.add(b.end_a), groups.add(b.end_b), groups.end();
+  for (const PointLoad& load : model.point_loads) groups.add(load.at), groups.end();
+  for (const FaceLoad& load : model.face_loads)
+    groups.add_skin(load.skin_a), groups.add_skin(load.skin_b), groups.end();
+  for (const NearPair& p : work.pairs) groups.add_piece(p.piece_a), groups.add_piece(p.piece_b), groups.end();
+}
+
+void make_unique(std::vector<std::vector<int>>& near) {
+  for (std::vector<int>& row : near) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+  }
+}
+
+/// Each node takes the first colour that none has that acts on a node it acts on (Curtis, Powell and Reid, "On the
+/// estimation of sparse Jacobian matrices", J. Inst. Maths Applics 13, 1974). The pattern is symmetric.
+void choose_colours(Coupling& out) {
+  std::vector<int> colour_of(out.near.size(), -1), taken_by;
+  for (std::size_t n = 0; n < out.near.size(); ++n) {
+    if (out.near[n].empty()) continue;
+    const int self = static_cast<int>(n);
+    for (const int through : out.near[n])
+      for (const int other : out.near[through])
+        if (colour_of[other] >= 0) taken_by[colour_of[other]] = self;
+    const auto free = std::find_if(taken_by.begin(), taken_by.end(), [&](int by) { return by != self; });
+    colour_of[n] = static_cast<int>(free - taken_by.begin());
+    if (free == taken_by.end()) taken_by.push_back(-1), out.colour.emplace_back();
+    out.colour[colour_of[n]].push_back(self);
+  }
+}
+
+}  // namespace
+
+Coupling coupling_of(const Model<2>& model, const Work<2>& work) {
+  Coupling out;
+  list_freedoms(model, out);
+  Groups groups(model, out);
+  add_bodies(model, groups);
+  add_links(model, work, groups);
+  make_unique(out.near);
+  choose_colours(out);
+  return out;
+}
+
+}  // namespace trilith

@@ -1,0 +1,399 @@
+#include "step/implicit_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "step/evaluate.hpp"
+#include "step/node_forces.hpp"
+#include "step/stored_energy.hpp"
+
+namespace trilith {
+namespace {
+
+/// A step is halved at most so often to converge, and to keep its energies.
+constexpr int most_cuts = 14, most_cuts_for_energy = 7;
+/// A step that misses less than this share of what it may can be longer.
+constexpr double well_kept = 0.2;
+/// Where a step halved so often misses more than this share of what it did before, it is no error of its length: a
+/// contact has changed its form.
+constexpr int cuts_that_tell = 4;
+constexpr double no_better = 0.6;
+/// Iterations within which a step is an easy one: the next may be longer, by `growth`.
+constexpr int easy_iterations = 8;
+constexpr double growth = 2;
+/// The tangent is found anew where an iteration has left more than this share of the forces.
+constexpr double slow_share = 0.1;
+
+/// Motion of the nodes as the step begins.
+struct NodesAtStart {
+  std::vector<Vec2> position, velocity, acceleration;
+  std::vector<double> rotation, spin, spin_rate;
+
+  explicit NodesAtStart(const State<2>& s)
+      : position(s.position),
+        velocity(s.velocity),
+        acceleration(s.acceleration),
+        rotation(s.rotation),
+        spin(s.spin),
+        spin_rate(s.spin_rate) {}
+};
+
+Dofs place_at(const State<2>& s, int n) {
+  return {s.position[n].x(), s.position[n].y(), s.rotation[n]};
+}
+Dofs before_at(const State<2>& s, int n) {
+  return {s.position_before[n].x(), s.position_before[n].y(), s.rotation_before[n]};
+}
+
+double dot_of(const Dofs& a, const Dofs& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Work of weight, loads, supports and dampings of the nodes along `path`.
+void add_path(const NodeForces& f, const Dofs& path, Energy& given) {
+  given[EnergyTerm::gravity] -= dot_of(f.weight, path);
+  given[EnergyTerm::load] += dot_of(f.load, path);
+  given[EnergyTerm::support] -= dot_of(f.on_support, path);
+  given[EnergyTerm::element_damping] -= dot_of(f.element_damping, path);
+  given[EnergyTerm::mass_damping] -= dot_of(f.mass, path);
+}
+
+/// ... of all nodes along half of the step behind, at the instant of the last evaluation.
+void add_half_behind(const Model<2>& model, const State<2>& state, const Work<2>& work, Energy& given) {
+  const Outside outside(model, state, work);
+  for (int n = 0; n < model.nodes(); ++n) {
+    const Dofs now = place_at(state, n), before = before_at(state, n);
+    const Dofs path{0.5 * (now[0] - before[0]), 0.5 * (now[1] - before[1]), 0.5 * (now[2] - before[2])};
+    add_path(node_forces(model, work, n, velocity_of(state, n), outside, {}), path, given);
+  }
+}
+
+double kinetic_of(const Model<2>& model, const State<2>& state) {
+  double sum = 0;
+  for (int n = 0; n < model.nodes(); ++n) {
+    const Dofs mass = mass_of(model, n), v = velocity_of(state, n);
+    for (const int k : {0, 1, 2})
+      if (model.support[n][k] == Support::free) sum += 0.5 * mass[k] * v[k] * v[k];
+  }
+  return sum;
+}
+
+/// What moves and what is stored [J].
+double held(const Energy& e) {
+  return e[EnergyTerm::kinetic] + e[EnergyTerm::contact_elastic] + e[EnergyTerm::bearing_elastic] +
+         e[EnergyTerm::strain];
+}
+
+/// One step: the trial state, what it began with, and what is left of the equation of motion.
+class Trial {
+ public:
+  Trial(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy, Tangent& tangent,
+        const ImplicitOptions& options)
+      : model_(model),
+        state_(state),
+        work_(work),
+        tangent_(tangent),
+        scheme_(options.scheme),
+        options_(options),
+        start_(state),
+        energy_(energy),
+        time_(state.time),
+        last_dt_(state.last_dt),
+        position_before_(state.position_before),
+        rotation_before_(state.rotation_before) {
+    const Outside outside(model, state, work);
+    for (int n = 0; n < model.nodes(); ++n)
+      forces_.push_back(node_forces(model, work, n, velocity_of(state, n), outside, {}));
+    path_.resize(forces_.size());
+    carried_ = work.carried;
+  }
+
+  /// Tries a step of length dt. False where it does not converge.
+  bool attempt(double dt, ImplicitStep& out);
+  void give_up();
+  /// The step's work, where it has converged.
+  [[nodiscard]] Energy booked() const;
+  /// What it missed of its energies with that, as a share.
+  [[nodiscard]] double missed(const Energy& booked) const;
+  [[nodiscard]] double wavering() const;
+
+ private:
+  void predict();
+  void correct(int n);
+  void evaluate_trial();
+  double left_over();
+  [[nodiscard]] double rounding_of(int n, int k) const;
+  bool improve(const Eigen::VectorXd& full);
+  void move(const Eigen::VectorXd& by, double share);
+  [[nodiscard]] double per_place() const { return scheme_.g / (scheme_.b * dt_); }
+
+  const Model<2>& model_;
+  State<2>& state_;
+  Work<2>& work_;
+  Tangent& tangent_;
+  const AlphaScheme scheme_;
+  const ImplicitOptions& options_;
+  const NodesAtStart start_;
+  const Energy energy_;  // as the step begins
+  double time_, last_dt_;
+  std::vector<Vec2> position_before_;
+  std::vector<double> rotation_before_;
+  std::vector<NodeForces> forces_;  // as the step begins
+  std::vector<Dofs> path_;          // [node] along the step
+  double carried_ = 0, dt_ = 0;
+  double merit_ = 0, share_left_ = 0;
+  int worst_ = -1;
+  Eigen::VectorXd left_;  // of the equation of motion, by unknown
+};
+
+/// Free nodes go on at their velocity; driven ones to where their motion has them.
+void Trial::predict() {
+  state_.time = time_ + dt_;
+  state_.last_dt = dt_;
+  state_.position_before = start_.position;
+  state_.rotation_before = start_.rotation;
+  for (int n = 0; n < model_.nodes(); ++n) {
+    path_[n] = {};
+    for (const int k : {0, 1, 2}) {
+      double& rate = k == 2 ? state_.spin[n] : state_.velocity[n][k];
+      double& rise = k == 2 ? state_.spin_rate[n] : state_.acceleration[n][k];
+      if (model_.support[n][k] == Support::free) {
+        path_[n][k] = dt_ * (k == 2 ? start_.spin[n] : start_.velocity[n][k]);
+      } else if (model_.support[n][k] == Support::driven) {
+        const Drive& drive = model_.drives[model_.drive_of[n][k]];
+        const MotionAt motion = drive.motion->at(state_.time - drive.start);
+        path_[n][k] = drive.origin + motion.displacement - (k == 2 ? start_.rotation[n] : start_.position[n][k]);
+        rate = motion.velocity, rise = motion.acceleration;
+      } else {
+        rate = rise = 0;
+      }
+    }
+    correct(n);
+  }
+}
+
+/// Place, velocity and acceleration of a node at the end of the step from its path there. The path is kept apart from
+/// the place: over a short step it has digits that the place has not.
+void Trial::correct(int n) {
+  state_.position[n] = start_.position[n] + Vec2(path_[n][0], path_[n][1]);
+  state_.rotation[n] = start_.rotation[n] + path_[n][2];
+  const double per = 1 / (scheme_.b * dt_ * dt_), half = 0.5 - scheme_.b;
+  for (const int k : {0, 1, 2}) {
+    if (model_.support[n][k] != Support::free) continue;
+    const double v0 = k == 2 ? start_.spin[n] : start_.velocity[n][k];
+    const double a0 = k == 2 ? start_.spin_rate[n] : start_.acceleration[n][k];
+    const double a = per * (path_[n][k] - dt_ * v0 - half * dt_ * dt_ * a0);
+    (k == 2 ? state_.spin_rate[n] : state_.acceleration[n][k]) = a;
+    (k == 2 ? state_.spin[n] : state_.velocity[n][k]) = v0 + dt_ * ((1 - scheme_.g) * a0 + scheme_.g * a);
+  }
+}
+
+void Trial::evaluate_trial() {
+  evaluate(model_, state_, work_, dt_);
+}
+
+/// What is left of the equation of motion at the evaluated trial state. Returns its square, each part over its inertia.
+double Trial::left_over() {
+  const Coupling& coupling = tangent_.coupling();
+  left_.resize(coupling.size());
+  double sum = 0, most = 0, carried = std::max(carried_, work_.carried);
+  const double m = scheme_.alpha_m, f = scheme_.alpha_f;
+  for (int i = 0; i < coupling.size(); ++i) {
+    const auto [n, k] = coupling.freedom[i];
+    const double mass = mass_of(model_, n)[k];
+    const double a0 = k == 2 ? start_.spin_rate[n] : start_.acceleration[n][k];
+    const double a = k == 2 ? state_.spin_rate[n] : state_.acceleration[n][k];
+    const double now = net_force(model_, state_, work_, coupling.freedom[i]);
+    const double inertia = mass * ((1 - m) * a + m * a0);
+    left_[i] = (1 - f) * now + f * forces_[n].force[k] - inertia;
+    sum += left_[i] * left_[i] / mass;
+    const double radius = k == 2 ? std::sqrt(model_.inertia[n] / model_.mass[n]) : 1;
+    const double left = std::abs(left_[i]) - rounding_of(n, k);
+    if (left / radius > most) most = left / radius, worst_ = n;
+    carried = std::max(carried, std::abs(inertia) / radius);
+  }
+  share_left_ = carried > 0 ? most / carried : most > 0 ? 1 : 0;
+  return sum;
+}
+
+/// What of the equation of motion is rounding alone: the acceleration is a small difference of paths.
+double Trial::rounding_of(int n, int k) const {
+  const double v0 = k == 2 ? start_.spin[n] : start_.velocity[n][k];
+  const double a0 = k == 2 ? start_.spin_rate[n] : start_.acceleration[n][k];
+  return 1e-15 * mass_of(model_, n)[k] * (std::abs(v0) / dt_ + std::abs(a0)) / scheme_.b;
+}
+
+void Trial::move(const Eigen::VectorXd& by, double share) {
+  const Coupling& coupling = tangent_.coupling();
+  for (int i = 0; i < coupling.size(); ++i) {
+    const auto [n, k] = coupling.freedom[i];
+    path_[n][k] += share * by[i];
+  }
+  for (int n = 0; n < model_.nodes(); ++n) correct(n);
+}
+
+/// Goes along `full` as far as less is left over. False where it does not get smaller: then it has gone a little.
+bool Trial::improve(const Eigen::VectorXd& full) {
+  double share = 1;
+  move(full, 1);
+  for (int halvings = 0;; ++halvings) {
+    evaluate_trial();
+    const double merit = left_over();
+    if (merit < merit_ || halvings == 6) {
+      const bool better = merit < merit_;
+      merit_ = merit;
+      return better;
+    }
+    move(full, -0.5 * share);
+    share *= 0.5;
+  }
+}
+
+bool Trial::attempt(double dt, ImplicitStep& out) {
+  dt_ = dt;
+  predict();
+  evaluate_trial();
+  tangent_.shape(model_, work_);
+  merit_ = left_over();
+  bool stale = true;
+  for (int i = 0; i < options_.most_iterations; ++i) {
+    out.left = share_left_, out.worst = worst_;
+    if (share_left_ <= options_.tolerance) return true;
+    if (!std::isfinite(merit_)) return false;
+    ++out.iterations;
+    const double before = merit_;
+    if (stale &&
+        !tangent_.find(model_, state_, work_,
+                       {dt_, per_place(), 1 - scheme_.alpha_f, (1 - scheme_.alpha_m) / (scheme_.b * dt_ * dt_)}))
+      return false;
+    if (!improve(tangent_.solve(left_)) && !stale) evaluate_trial();
+    stale = merit_ > slow_share * slow_share * before;
+  }
+  return false;
+}
+
+void Trial::give_up() {
+  state_.time = time_, state_.last_dt = last_dt_;
+  state_.position = start_.position, state_.velocity = start_.velocity, state_.acceleration = start_.acceleration;
+  state_.rotation = start_.rotation, state_.spin = start_.spin, state_.spin_rate = start_.spin_rate;
+  state_.position_before = position_before_, state_.rotation_before = rotation_before_;
+}
+
+/// Work of the forces of the step's begin along half of the step behind and half of the one ahead. What the scheme
+/// takes or brings is what the net force does, by the mean of its values at both ends, beyond the kinetic energy.
+Energy Trial::booked() const {
+  Energy given;
+  const Outside outside(model_, state_, work_);
+  double work = 0;
+  for (int n = 0; n < model_.nodes(); ++n) {
+    const Dofs now = place_at(state_, n), begin{start_.position[n].x(), start_.position[n].y(), start_.rotation[n]},
+               before{position_before_[n].x(), position_before_[n].y(), rotation_before_[n]};
+    Dofs path, ahead;
+    for (const int k : {0, 1, 2}) path[k] = 0.5 * (now[k] - before[k]), ahead[k] = 0.5 * (now[k] - begin[k]);
+    add_path(forces_[n], path, given);
+    const NodeForces end = node_forces(model_, work_, n, velocity_of(state_, n), outside, {});
+    work += dot_of(forces_[n].force, ahead) + dot_of(end.force, ahead);
+  }
+  given[EnergyTerm::numerical] = work - (kinetic_of(model_, state_) - energy_[EnergyTerm::kinetic]);
+  return given;
+}
+
+/// As a share of the most that has moved or been stored, so that what comes to rest needs no shorter steps. What
+/// the scheme damps is meant to go; what it brings is not.
+double Trial::missed(const Energy& booked) const {
+  Energy end = implicit_energy(model_, state_, work_);
+  for (std::size_t i = 0; i < end.value.size(); ++i) end.value[i] += booked.value[i];
+  const double most = std::max({state_.most_energy, held(energy_), held(end)});
+  const double off = std::abs(end.balance() - energy_.balance()) + std::max(0.0, -booked[EnergyTerm::numerical]);
+  return most > 0 ? std::max(off / most, 2 * std::sqrt(wavering() / most)) : 0;
+}
+
+/// Energy of the error of the velocities, dt (a' - a) / 12: that of the scheme's displacements over the step, (b - 1/6)
+/// dt^2 (a' - a) with b = 1/4, over dt (Zienkiewicz and Xie, "A simple error estimator and adaptive time stepping
+/// procedure for dynamic analysis", Earthq. Eng. Struct. Dyn. 20, 1991). It sees what the ledger does not, as a slider
+/// that turns back.
+double Trial::wavering() const {
+  double sum = 0;
+  for (int n = 0; n < model_.nodes(); ++n) {
+    const Vec2 jump = state_.acceleration[n] - start_.acceleration[n];
+    const double turn = state_.spin_rate[n] - start_.spin_rate[n];
+    const auto& support = model_.support[n];
+    for (const int k : {0, 1})
+      if (support[k] == Support::free) sum += model_.mass[n] * jump[k] * jump[k];
+    if (support[2] == Support::free) sum += model_.inertia[n] * turn * turn;
+  }
+  return 0.5 * sum * dt_ * dt_ / 144;
+}
+
+}  // namespace
+
+void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work) {
+  if (state.implicit()) return;
+  const Outside outside(model, state, work);
+  const auto nodes = static_cast<std::size_t>(model.nodes());
+  state.acceleration.assign(nodes, Vec2::Zero());
+  state.spin_rate.assign(nodes, 0);
+  for (int n = 0; n < model.nodes(); ++n) {
+    const Dofs v = velocity_of(state, n), mass = mass_of(model, n);
+    const NodeForces f = node_forces(model, work, n, v, outside, {});
+    const double half = 0.5 * state.last_dt;
+    add_path(f, {half * v[0], half * v[1], half * v[2]}, state.given);
+    for (const int k : {0, 1, 2}) {
+      if (model.support[n][k] != Support::free) continue;
+      const double a = f.force[k] / mass[k];
+      (k == 2 ? state.spin_rate[n] : state.acceleration[n][k]) = a;
+      (k == 2 ? state.spin[n] : state.velocity[n][k]) += half * a;
+    }
+  }
+  state.position_before = state.position;
+  state.rotation_before = state.rotation;
+  state.last_dt = 0;
+}
+
+void begin_explicit(const Model<2>& model, State<2>& state, const Work<2>& work) {
+  if (!state.implicit()) return;
+  add_half_behind(model, state, work, state.given);
+  state.position_before.clear(), state.rotation_before.clear();
+  state.acceleration.clear(), state.spin_rate.clear();
+  state.most_energy = 0;
+  state.last_dt = 0;
+}
+
+ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy,
+                                Tangent& tangent, const ImplicitOptions& options) {
+  Trial trial(model, state, work, energy, tangent, options);
+  ImplicitStep out;
+  out.dt = options.dt;
+  for (; out.cuts <= most_cuts; ++out.cuts, out.dt *= 0.5) {
+    const int before = out.iterations;
+    if (!trial.attempt(out.dt, out)) continue;
+    const Energy booked = trial.booked();
+    const double last = std::exchange(out.missed, options.accuracy > 0 ? trial.missed(booked) : 0);
+    const bool gains = out.cuts < cuts_that_tell || out.missed <= no_better * last;
+    if (out.missed > options.accuracy && gains && out.cuts < most_cuts_for_energy) continue;
+    for (std::size_t i = 0; i < booked.value.size(); ++i) state.given.value[i] += booked.value[i];
+    ++state.step;
+    state.most_energy = std::max(state.most_energy, held(energy));
+    out.converged = true;
+    const bool easy =
+        out.cuts == 0 && out.iterations - before <= easy_iterations && out.missed <= well_kept * options.accuracy;
+    state.dt = easy ? growth * out.dt : out.dt;
+    return out;
+  }
+  trial.give_up();
+  work.valid = false;
+  return out;
+}
+
+Energy implicit_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+  Energy energy = work.given;
+  add_half_behind(model, state, work, energy);
+  energy[EnergyTerm::kinetic] = kinetic_of(model, state);
+  energy[EnergyTerm::strain] = work.element_stored;
+  energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
+  energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
+  return energy;
+}
+
+}  // namespace trilith

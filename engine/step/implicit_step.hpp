@@ -1,0 +1,46 @@
+// A step of an implicit scheme (step/alpha_scheme.hpp): the place at its end is found by Newton's method.
+#pragma once
+
+#include <cstdint>
+
+#include "step/alpha_scheme.hpp"
+#include "step/tangent.hpp"
+
+namespace trilith {
+
+struct ImplicitOptions {
+  AlphaScheme scheme = AlphaScheme::hht(-0.05);
+  double dt = 0;            ///< longest length of this step [s]
+  double tolerance = 1e-8;  ///< largest force left over, as a share of the largest one carried
+  /// What a step may miss, beyond which it is halved: of its energies, as a share of those that move and are stored;
+  /// and, by half as much, of its velocities. 0: anything.
+  double accuracy = 0;
+  int most_iterations = 30;
+};
+
+/// How a step came out.
+struct ImplicitStep {
+  bool converged = false;
+  int iterations = 0;  ///< of all attempts
+  int cuts = 0;        ///< how often it was halved
+  double dt = 0;       ///< length taken [s]
+  double left = 0;     ///< force left over, as a share of the largest carried one
+  double missed = 0;   ///< see ImplicitOptions::accuracy
+  int worst = -1;      ///< the node where the most is left over
+};
+
+/// Makes a state that explicit steps have led to one that an implicit scheme goes on from, or the other way: `work` is
+/// evaluated and committed at this instant. Velocities are those of the instant then, and the ledger is up to it.
+void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work);
+void begin_explicit(const Model<2>& model, State<2>& state, const Work<2>& work);
+
+/// Takes one step from an instant that has been evaluated and committed, with the ledger `energy`; halved where it does
+/// not converge. Where it fails, State is as it was. `work` is then evaluated at the end of the step, which is not
+/// committed. State::dt: the step to try next, at most options.dt.
+ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy,
+                                Tangent& tangent, const ImplicitOptions& options);
+
+/// The ledger at the instant of the last evaluation, of a state that is implicit.
+Energy implicit_energy(const Model<2>& model, const State<2>& state, const Work<2>& work);
+
+}  // namespace trilith

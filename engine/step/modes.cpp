@@ -1,0 +1,142 @@
+#include "step/modes.hpp"
+
+#include <fmt/format.h>
+
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/MatOp/SymShiftInvert.h>
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "step/evaluate.hpp"
+#include "step/tangent.hpp"
+
+namespace trilith {
+namespace {
+
+/// Up to so many unknowns all modes are found at once.
+constexpr int few = 300;
+/// Over this time slip is elastic and dampers are stiff [s].
+constexpr double instant = 1e-6;
+/// How far nodes are moved for the tangent [m].
+constexpr double disturbance = 1e-8;
+
+/// The state at rest where it stands, as one that a change of place has slip and friction from.
+State<2> at_rest(const State<2>& from) {
+  State<2> state = from;
+  for (Vec2& v : state.velocity) v = Vec2::Zero();
+  std::fill(state.spin.begin(), state.spin.end(), 0);
+  state.position_before = state.position, state.rotation_before = state.rotation;
+  state.acceleration.assign(state.position.size(), Vec2::Zero());
+  state.spin_rate.assign(state.position.size(), 0);
+  state.last_dt = instant;
+  return state;
+}
+
+struct Pencil {
+  Eigen::SparseMatrix<double> stiffness, mass;
+};
+
+Pencil pencil_of(const Model<2>& model, const State<2>& now, Tangent& tangent) {
+  State<2> state = at_rest(now);
+  Work<2> work;
+  evaluate(model, state, work, instant);
+  tangent.shape(model, work);
+  tangent.assemble(model, state, work, {instant, 0, 1, 0, disturbance});
+  const Eigen::SparseMatrix<double> k = tangent.matrix(), turned = k.transpose();
+  Pencil out{0.5 * (k + turned), {}};
+  const auto& freedom = tangent.coupling().freedom;
+  out.mass.resize(k.rows(), k.cols());
+  for (int i = 0; i < tangent.coupling().size(); ++i)
+    out.mass.insert(i, i) = freedom[i].k == 2 ? model.inertia[freedom[i].node] : model.mass[freedom[i].node];
+  out.mass.makeCompressed();
+  return out;
+}
+
+struct Pairs {
+  Eigen::VectorXd square;
+  Eigen::MatrixXd shape;
+};
+
+Pairs all_pairs(const Pencil& p) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(p.stiffness),
+                                                                         Eigen::MatrixXd(p.mass));
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+/// A shift somewhat below 0 keeps the matrix regular where bodies are free to move as a whole.
+double shift_of(const Pencil& p) {
+  double least = 0;
+  for (Eigen::Index i = 0; i < p.mass.rows(); ++i) {
+    const double ratio = p.stiffness.coeff(i, i) / p.mass.coeff(i, i);
+    if (ratio > 0 && (least == 0 || ratio < least)) least = ratio;
+  }
+  return -1e-4 * (least > 0 ? least : 1);
+}
+
+Pairs lowest_pairs(const Pencil& p, int count) {
+  using Invert = Spectra::SymShiftInvert<double, Eigen::Sparse, Eigen::Sparse>;
+  using Product = Spectra::SparseSymMatProd<double>;
+  Invert invert(p.stiffness, p.mass);
+  Product product(p.mass);
+  const int basis = std::min(static_cast<int>(p.mass.rows()), std::max(2 * count + 1, 40));
+  Spectra::SymGEigsShiftSolver<Invert, Product, Spectra::GEigsMode::ShiftInvert> solver(invert, product, count, basis,
+                                                                                        shift_of(p));
+  solver.init();
+  const auto found = solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10, Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw InputError(fmt::format("modes: {} of {} were found and no more; ask for fewer", found, count));
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+Mode mode_of(const Model<2>& model, const Coupling& coupling, double square, const Eigen::VectorXd& shape) {
+  Mode mode;
+  mode.square = square;
+  mode.displacement.assign(model.mass.size(), Vec2::Zero());
+  mode.rotation.assign(model.mass.size(), 0);
+  double generalised = 0;
+  for (int i = 0; i < coupling.size(); ++i) {
+    const auto [n, k] = coupling.freedom[i];
+    (k == 2 ? mode.rotation[n] : mode.displacement[n][k]) = shape[i];
+    generalised += (k == 2 ? model.inertia[n] : model.mass[n]) * shape[i] * shape[i];
+    if (k < 2) mode.factor[k] += model.mass[n] * shape[i];
+  }
+  const double scale = 1 / std::sqrt(generalised);
+  for (Vec2& v : mode.displacement) v *= scale;
+  for (double& v : mode.rotation) v *= scale;
+  for (const int k : {0, 1}) mode.factor[k] *= scale, mode.mass[k] = mode.factor[k] * mode.factor[k];
+  return mode;
+}
+
+}  // namespace
+
+double Mode::frequency() const {
+  return square > 0 ? std::sqrt(square) / (2 * M_PI) : 0;
+}
+
+std::array<double, 2> free_mass(const Model<2>& model) {
+  std::array<double, 2> sum{};
+  for (int n = 0; n < model.nodes(); ++n)
+    for (const int k : {0, 1})
+      if (model.support[n][k] == Support::free) sum[k] += model.mass[n];
+  return sum;
+}
+
+std::vector<Mode> modes(const Model<2>& model, const State<2>& state, int count) {
+  if (count < 1) throw InputError(fmt::format("modes: count is {}, must be at least 1", count));
+  Tangent tangent;
+  const Pencil pencil = pencil_of(model, state, tangent);
+  const int size = tangent.coupling().size();
+  if (size == 0) throw InputError("modes: nothing is free to move");
+  const bool all = size <= few || count > size / 3;
+  const Pairs pairs = all ? all_pairs(pencil) : lowest_pairs(pencil, count);
+  std::vector<Mode> out;
+  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(count, pairs.square.size()); ++i)
+    out.push_back(mode_of(model, tangent.coupling(), pairs.square[i], pairs.shape.col(i)));
+  return out;
+}
+
+}  // namespace trilith

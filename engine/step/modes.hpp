@@ -1,0 +1,36 @@
+// Natural frequencies and shapes of an assembly as it stands: K phi = w^2 M phi.
+//
+// K is the tangent of all forces at the present state (step/tangent.hpp): of elements and beams with what loads and
+// weight make of their geometry, of bearings on their present branch, of contacts that are closed and stick. Where
+// faces stand apart there is no stiffness; where friction slides just now, K is not symmetric, and its symmetric part
+// is taken. M is lumped. Shift and invert (Lanczos), by Spectra; all at once where there are few.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/space.hpp"
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+struct Mode {
+  double square = 0;               ///< w^2; below 0 where the assembly is unstable [rad2/s2]
+  std::vector<Vec2> displacement;  ///< [node] phi' M phi = 1 [1/sqrt(kg)]
+  std::vector<double> rotation;    ///< [node]
+  std::array<double, 2> mass{};    ///< effective mass along x and y [kg]
+  std::array<double, 2> factor{};  ///< participation: phi' M r, r = 1 along x or y [sqrt(kg)]
+
+  /// [Hz]; of an unstable or a rigid mode 0.
+  [[nodiscard]] double frequency() const;
+};
+
+/// The lowest `count` modes, or as many as there are degrees of freedom, by rising w^2. Throws InputError where nothing
+/// is free to move, and where there are fewer than 1 to find.
+std::vector<Mode> modes(const Model<2>& model, const State<2>& state, int count);
+
+/// Mass that is free to move along x and y [kg].
+std::array<double, 2> free_mass(const Model<2>& model);
+
+}  // namespace trilith

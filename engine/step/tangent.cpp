@@ -1,0 +1,99 @@
+#include "step/tangent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "step/evaluate.hpp"
+#include "step/node_forces.hpp"
+
+namespace trilith {
+namespace {
+
+/// How far a node is moved: small against overlaps of faces, large against rounding; over a short step less, so that
+/// its velocity is not changed much. A rotation moves what is a radius of gyration away as far [m] or [rad].
+double disturbance_of(const Model<2>& model, const Freedom& f, const TangentOptions& options) {
+  const double move = options.move > 0 ? options.move : std::clamp(1e-5 * options.dt, 1e-12, 1e-8);
+  if (f.k < 2) return move;
+  const double radius = std::sqrt(model.inertia[f.node] / model.mass[f.node]);
+  return move / (radius > 0 ? radius : 1);
+}
+
+double& place_of(State<2>& state, const Freedom& f) {
+  return f.k == 2 ? state.rotation[f.node] : state.position[f.node][f.k];
+}
+double& rate_of(State<2>& state, const Freedom& f) {
+  return f.k == 2 ? state.spin[f.node] : state.velocity[f.node][f.k];
+}
+
+}  // namespace
+
+double net_force(const Model<2>& model, const State<2>& state, const Work<2>& work, const Freedom& f) {
+  const Dofs mass = mass_of(model, f.node), v = velocity_of(state, f.node);
+  const double force = f.k == 2 ? work.moment[f.node] : work.force[f.node][f.k];
+  return force - model.mass_damping * mass[f.k] * v[f.k];
+}
+
+void Tangent::shape(const Model<2>& model, const Work<2>& work) {
+  std::vector<std::pair<int, int>> pairs;
+  for (const NearPair& p : work.pairs) pairs.emplace_back(p.piece_a, p.piece_b);
+  if (shaped_ && pairs == pairs_) return;
+  pairs_ = std::move(pairs);
+  shaped_ = true;
+  coupling_ = coupling_of(model, work);
+  matrix_.resize(coupling_.size(), coupling_.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Freedom& column : coupling_.freedom)
+    for (const int n : coupling_.near[column.node])
+      for (const int row : coupling_.unknown[n])
+        if (row >= 0) entries.emplace_back(row, coupling_.unknown[column.node][column.k], 0.0);
+  matrix_.setFromTriplets(entries.begin(), entries.end());
+  matrix_.makeCompressed();
+  if (coupling_.size() > 0) factors_.analyzePattern(matrix_);
+}
+
+/// Forces on all unknowns while direction k of `nodes` is moved to one side.
+void Tangent::disturbed(const Model<2>& model, State<2>& state, Work<2>& work, const std::vector<int>& nodes, int k,
+                        double side, const TangentOptions& options, Eigen::VectorXd& force) const {
+  std::vector<std::pair<double, double>> kept;
+  for (const int n : nodes) {
+    if (coupling_.unknown[n][k] < 0) continue;
+    double &place = place_of(state, {n, k}), &rate = rate_of(state, {n, k});
+    kept.emplace_back(place, rate);
+    const double by = side * disturbance_of(model, {n, k}, options);
+    place += by, rate += options.rate * by;
+  }
+  if (kept.empty()) return;
+  evaluate(model, state, work, options.dt);
+  for (int i = 0; i < coupling_.size(); ++i) force[i] = net_force(model, state, work, coupling_.freedom[i]);
+  auto at = kept.begin();
+  for (const int n : nodes)
+    if (coupling_.unknown[n][k] >= 0) std::tie(place_of(state, {n, k}), rate_of(state, {n, k})) = *at++;
+}
+
+void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
+  Eigen::VectorXd more(coupling_.size()), less(coupling_.size());
+  for (const std::vector<int>& nodes : coupling_.colour)
+    for (const int k : {0, 1, 2}) {
+      disturbed(model, state, work, nodes, k, 1, options, more);
+      disturbed(model, state, work, nodes, k, -1, options, less);
+      for (const int n : nodes) {
+        const int column = coupling_.unknown[n][k];
+        if (column < 0) continue;
+        const double scale = -options.force / (2 * disturbance_of(model, {n, k}, options));
+        for (Eigen::SparseMatrix<double>::InnerIterator at(matrix_, column); at; ++at) {
+          at.valueRef() = scale * (more[at.row()] - less[at.row()]);
+          if (at.row() == column) at.valueRef() += options.inertia * mass_of(model, n)[k];
+        }
+      }
+    }
+}
+
+bool Tangent::find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
+  assemble(model, state, work, options);
+  factors_.factorize(matrix_);
+  return factors_.info() == Eigen::Success;
+}
+
+}  // namespace trilith
