@@ -98,7 +98,7 @@ TEST_CASE("a crack opens along its line, closes to where it began, and has cost 
   CHECK(near(-led.now.stress(), fc * (0.1 - 0.0025), 1e-12));
 }
 
-TEST_CASE("concrete without tension has none; without an end of tension it cracks at once") {
+TEST_CASE("concrete without tension has none, and without an end of tension it cracks at once") {
   LedFibre<KentPark> none{{fc, 0.002, 0.006, 0.2, 1, 0, 0}}, brittle{{fc, 0.002, 0.006, 0.2, 1, 3e6, 0}};
   none.along(1e-3), brittle.along(0.99 * 3e6 * 0.002 / (2 * fc));
   CHECK(none.now.stress() == 0);
