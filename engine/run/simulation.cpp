@@ -256,6 +256,7 @@ bool Simulation::take_step(double dt, const Energy& energy) {
   }
   const ImplicitStep step = advance_implicitly(model_, state_, work_, energy, *tangent_,
                                                {*scheme, dt, stage_->options.tolerance, stage_->options.accuracy});
+  stage_->report.shortest_dt = std::min(stage_->report.shortest_dt, step.dt);
   if (!step.converged) stuck_ = stuck_reason(model_, state_, step);
   return step.converged;
 }
@@ -309,6 +310,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   verdict_ = snapshot.verdict;
   all_left_ = hold_left(model_, state_);
   watch_->reset();
+  tangent_->forget();
   stage_ = snapshot.stage;
   rest_ = snapshot.rest;
   drop_work();
@@ -320,6 +322,7 @@ void Simulation::see_off() {
   if (bodies.empty()) return;
   leaving_ = take_out(model_, state_, work_, {swept_.dt, rest_}, bodies);
   all_left_ = hold_left(model_, state_);
+  tangent_->forget();
   kept_model_.reset();
 }
 

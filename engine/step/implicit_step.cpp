@@ -99,7 +99,6 @@ class Trial {
         start_(state),
         energy_(energy),
         time_(state.time),
-        last_dt_(state.last_dt),
         position_before_(state.position_before),
         rotation_before_(state.rotation_before) {
     const Outside outside(model, state, work);
@@ -124,7 +123,7 @@ class Trial {
   void evaluate_trial();
   double left_over();
   [[nodiscard]] double rounding_of(int n, int k) const;
-  bool improve(const Eigen::VectorXd& full);
+  void improve(const Eigen::VectorXd& full);
   void move(const Eigen::VectorXd& by, double share);
   [[nodiscard]] double per_place() const { return scheme_.g / (scheme_.b * dt_); }
 
@@ -136,7 +135,7 @@ class Trial {
   const ImplicitOptions& options_;
   const NodesAtStart start_;
   const Energy energy_;  // as the step begins
-  double time_, last_dt_;
+  const double time_;
   std::vector<Vec2> position_before_;
   std::vector<double> rotation_before_;
   std::vector<NodeForces> forces_;  // as the step begins
@@ -233,18 +232,15 @@ void Trial::move(const Eigen::VectorXd& by, double share) {
   for (int n = 0; n < model_.nodes(); ++n) correct(n);
 }
 
-/// Goes along `full` as far as less is left over. False where it does not get smaller: then it has gone a little.
-bool Trial::improve(const Eigen::VectorXd& full) {
+/// Goes along `full` as far as less is left over; where it gets no smaller, a little.
+void Trial::improve(const Eigen::VectorXd& full) {
+  const double before = merit_;
   double share = 1;
   move(full, 1);
   for (int halvings = 0;; ++halvings) {
     evaluate_trial();
-    const double merit = left_over();
-    if (merit < merit_ || halvings == 6) {
-      const bool better = merit < merit_;
-      merit_ = merit;
-      return better;
-    }
+    merit_ = left_over();
+    if (merit_ < before || halvings == 6) return;
     move(full, -0.5 * share);
     share *= 0.5;
   }
@@ -267,17 +263,24 @@ bool Trial::attempt(double dt, ImplicitStep& out) {
         !tangent_.find(model_, state_, work_,
                        {dt_, per_place(), 1 - scheme_.alpha_f, (1 - scheme_.alpha_m) / (scheme_.b * dt_ * dt_)}))
       return false;
-    if (!improve(tangent_.solve(left_)) && !stale) evaluate_trial();
+    improve(tangent_.solve(left_));
     stale = merit_ > slow_share * slow_share * before;
   }
   return false;
 }
 
+/// Back to where the step began. What led there is committed, so no step lies behind it any more: its half of the work
+/// is booked here.
 void Trial::give_up() {
-  state_.time = time_, state_.last_dt = last_dt_;
-  state_.position = start_.position, state_.velocity = start_.velocity, state_.acceleration = start_.acceleration;
-  state_.rotation = start_.rotation, state_.spin = start_.spin, state_.spin_rate = start_.spin_rate;
-  state_.position_before = position_before_, state_.rotation_before = rotation_before_;
+  state_.time = time_, state_.last_dt = 0;
+  state_.position = state_.position_before = start_.position;
+  state_.rotation = state_.rotation_before = start_.rotation;
+  state_.velocity = start_.velocity, state_.acceleration = start_.acceleration;
+  state_.spin = start_.spin, state_.spin_rate = start_.spin_rate;
+  for (int n = 0; n < model_.nodes(); ++n) {
+    const Vec2 path = 0.5 * (start_.position[n] - position_before_[n]);
+    add_path(forces_[n], {path.x(), path.y(), 0.5 * (start_.rotation[n] - rotation_before_[n])}, state_.given);
+  }
 }
 
 /// Work of the forces of the step's begin along half of the step behind and half of the one ahead. What the scheme
