@@ -7,22 +7,6 @@
 namespace trilith {
 namespace {
 
-[[gnu::always_inline]] inline double dot(const Dofs& a, const Dofs& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/// Work of weight, loads, supports and dampings along `path`. A step's path is half a step's at either velocity, before
-/// and after the instant of the forces: the work a leapfrog step really does.
-[[gnu::always_inline]] inline void add_work(const NodeForces& f, const Dofs& path, Energy& given) {
-  given[EnergyTerm::gravity] -= dot(f.weight, path);
-  given[EnergyTerm::load] += dot(f.load, path);
-  if (f.held) given[EnergyTerm::support] -= dot(f.on_support, path);
-  given[EnergyTerm::element_damping] -= dot(f.element_damping, path);
-  if (!f.damped) return;
-  given[EnergyTerm::rest_damping] -= dot(f.rest, path);
-  given[EnergyTerm::mass_damping] -= dot(f.mass, path);
-}
-
 /// Of the leapfrog scheme: half of m v(-) v(+), which together with the potential is kept exactly; m v^2 / 2 at the
 /// very start, where there is no step behind.
 double kinetic_energy(const Model<2>& model, const State<2>& state, int n, const Dofs& v, const Dofs& next) {

@@ -46,26 +46,13 @@ Dofs before_at(const State<2>& s, int n) {
   return {s.position_before[n].x(), s.position_before[n].y(), s.rotation_before[n]};
 }
 
-double dot_of(const Dofs& a, const Dofs& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/// Work of weight, loads, supports and dampings of the nodes along `path`.
-void add_path(const NodeForces& f, const Dofs& path, Energy& given) {
-  given[EnergyTerm::gravity] -= dot_of(f.weight, path);
-  given[EnergyTerm::load] += dot_of(f.load, path);
-  given[EnergyTerm::support] -= dot_of(f.on_support, path);
-  given[EnergyTerm::element_damping] -= dot_of(f.element_damping, path);
-  given[EnergyTerm::mass_damping] -= dot_of(f.mass, path);
-}
-
-/// ... of all nodes along half of the step behind, at the instant of the last evaluation.
+/// Work of all nodes along half of the step behind, at the instant of the last evaluation.
 void add_half_behind(const Model<2>& model, const State<2>& state, const Work<2>& work, Energy& given) {
   const Outside outside(model, state, work);
   for (int n = 0; n < model.nodes(); ++n) {
     const Dofs now = place_at(state, n), before = before_at(state, n);
     const Dofs path{0.5 * (now[0] - before[0]), 0.5 * (now[1] - before[1]), 0.5 * (now[2] - before[2])};
-    add_path(node_forces(model, work, n, velocity_of(state, n), outside, {}), path, given);
+    add_work(node_forces(model, work, n, velocity_of(state, n), outside, {}), path, given);
   }
 }
 
@@ -279,7 +266,7 @@ void Trial::give_up() {
   state_.spin = start_.spin, state_.spin_rate = start_.spin_rate;
   for (int n = 0; n < model_.nodes(); ++n) {
     const Vec2 path = 0.5 * (start_.position[n] - position_before_[n]);
-    add_path(forces_[n], {path.x(), path.y(), 0.5 * (start_.rotation[n] - rotation_before_[n])}, state_.given);
+    add_work(forces_[n], {path.x(), path.y(), 0.5 * (start_.rotation[n] - rotation_before_[n])}, state_.given);
   }
 }
 
@@ -294,9 +281,9 @@ Energy Trial::booked() const {
                before{position_before_[n].x(), position_before_[n].y(), rotation_before_[n]};
     Dofs path, ahead;
     for (const int k : {0, 1, 2}) path[k] = 0.5 * (now[k] - before[k]), ahead[k] = 0.5 * (now[k] - begin[k]);
-    add_path(forces_[n], path, given);
+    add_work(forces_[n], path, given);
     const NodeForces end = node_forces(model_, work_, n, velocity_of(state_, n), outside, {});
-    work += dot_of(forces_[n].force, ahead) + dot_of(end.force, ahead);
+    work += dot(forces_[n].force, ahead) + dot(end.force, ahead);
   }
   given[EnergyTerm::numerical] = work - (kinetic_of(model_, state_) - energy_[EnergyTerm::kinetic]);
   return given;
@@ -341,7 +328,7 @@ void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work)
     const Dofs v = velocity_of(state, n), mass = mass_of(model, n);
     const NodeForces f = node_forces(model, work, n, v, outside, {});
     const double half = 0.5 * state.last_dt;
-    add_path(f, {half * v[0], half * v[1], half * v[2]}, state.given);
+    add_work(f, {half * v[0], half * v[1], half * v[2]}, state.given);
     for (const int k : {0, 1, 2}) {
       if (model.support[n][k] != Support::free) continue;
       const double a = f.force[k] / mass[k];

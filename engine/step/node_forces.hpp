@@ -92,6 +92,22 @@ inline void add_trim(const Outside& outside, const std::array<Support, 3>& suppo
   return f;
 }
 
+[[gnu::always_inline]] inline double dot(const Dofs& a, const Dofs& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Work of weight, loads, supports and dampings along `path`. A step's path is half of the one behind and half of the
+/// one ahead of the instant of the forces: the work a step really does.
+[[gnu::always_inline]] inline void add_work(const NodeForces& f, const Dofs& path, Energy& given) {
+  given[EnergyTerm::gravity] -= dot(f.weight, path);
+  given[EnergyTerm::load] += dot(f.load, path);
+  if (f.held) given[EnergyTerm::support] -= dot(f.on_support, path);
+  given[EnergyTerm::element_damping] -= dot(f.element_damping, path);
+  if (!f.damped) return;
+  given[EnergyTerm::rest_damping] -= dot(f.rest, path);
+  given[EnergyTerm::mass_damping] -= dot(f.mass, path);
+}
+
 /// Velocity of a driven degree of freedom that brings it to its motion's place at the end of the step.
 inline double driven_velocity(const Model<2>& model, const State<2>& state, int n, int k, double dt) {
   const Drive& drive = model.drives[model.drive_of[n][k]];
