@@ -150,10 +150,15 @@ void look_at_new(const Model<2>& model, State<2>& state, Work<2>& work, std::vec
   }
 }
 
+/// What turns so fast that more looks are needed is no motion that a step could follow: the watch on speeds tells of
+/// it.
+constexpr int most_looks = 10000;
+
 /// Follows two pieces through the last step.
 void look_back(const Model<2>& model, State<2>& state, int p, int q, std::vector<Event>& told) {
   const double allowed = deepest_allowed(model, p, q), growth = allowed * depth_per_step / passed_share;
-  for (double left = state.last_dt; left > 0;) {
+  double left = state.last_dt;
+  for (int looks = 0; left > 0 && looks < most_looks; ++looks) {
     const Two two(model, state, p, q, -left);
     if (two.overlap.depth > allowed) return tell(model, state, p, q, two, told);
     const double time = time_to_depth(two.a, two.b, left, growth);

@@ -199,3 +199,15 @@ TEST_CASE("a stage that must come to rest and does not names its worst body and 
   CHECK(whole.report.end == StageEnd::rest);
   CHECK(sound.sound());
 }
+
+TEST_CASE("what turns beyond all measure within a step ends the stage, and does not hold it up") {
+  Scene scene(Frictional{1e8, 5e7, 0.5, 1e-3});
+  scene.fixed("base", box(-3, -0.5, 3, 0));
+  BodySpec low;
+  low.name = "low", low.outline = box(-0.5, 0, 0.5, 0.5), low.spin = 1e22;
+  scene.add(low);
+  Simulation sim(scene.builder.build());
+  StageOptions stage;
+  stage.duration = 0.004;
+  CHECK(sim.run(stage).end == StageEnd::diverged);
+}
