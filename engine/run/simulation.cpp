@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/flagged.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
 #include "step/central_difference.hpp"
@@ -28,12 +29,18 @@ namespace {
 constexpr std::int64_t steps_between_estimates = 32;
 /// Longest implicit step, where none is given [s].
 constexpr double usual_implicit_step = 0.005;
+/// Implicit steps are not cut below this share of the longest one for what they miss of their energies.
+constexpr double shortest_for_energy = 1.0 / 16384;
 /// The largest share of the longest stable step: above it impacts miss their energy by a fifth.
 constexpr double longest_safety = 0.9;
 /// A step below this [s], or below this share of its stage, is no step: time would stand still.
 constexpr double shortest_step = 1e-12, shortest_share = 1e-9;
 /// A stage of so long [s] is meant to end by something else: rest, a number of steps, the person at the console.
 constexpr double open_ended = 1e8;
+
+double longest_implicit(const StageOptions& o) {
+  return o.dt > 0 ? o.dt : usual_implicit_step;
+}
 
 void check(const StageOptions& o) {
   const std::string owner = fmt::format("stage '{}'", o.name);
@@ -59,18 +66,6 @@ void check(const StageOptions& o) {
     require_not_negative(o.still_hold, owner + ": hold", "s");
   }
 }
-
-/// True while it lives.
-class Flagged {
- public:
-  explicit Flagged(bool& flag) : flag_(flag) { flag_ = true; }
-  Flagged(const Flagged&) = delete;
-  Flagged& operator=(const Flagged&) = delete;
-  ~Flagged() { flag_ = false; }
-
- private:
-  bool& flag_;
-};
 
 }  // namespace
 
@@ -147,7 +142,7 @@ NextStep Simulation::choose_step() const {
   if (!stage_) return {state_.dt, state_.safety, 0};
   const StageOptions& options = stage_->options;
   if (options.implicit) {
-    const double longest = options.dt > 0 ? options.dt : usual_implicit_step;
+    const double longest = longest_implicit(options);
     return {state_.dt > 0 ? std::min(state_.dt, longest) : longest, 0, 0};
   }
   // A stage that asks for another step than the one before is heard at once.
@@ -214,7 +209,7 @@ void Simulation::tell_end(const RunListener& listener, const Instant& now) {
        now);
 }
 
-StageReport Simulation::run(const StageOptions& options, const RunListener& listener) {
+void Simulation::begin_stage(const StageOptions& options) {
   check(options);
   assert(!running_);
   if (verdict_.has(Fault::diverged))
@@ -225,6 +220,10 @@ StageReport Simulation::run(const StageOptions& options, const RunListener& list
   rest_ = {options.rest_share};
   evaluated_ = false;
   watch_->reset();
+}
+
+StageReport Simulation::run(const StageOptions& options, const RunListener& listener) {
+  begin_stage(options);
   if (options.implicit.has_value() != state_.implicit()) change_integrator();
   return go_on(listener);
 }
@@ -254,8 +253,10 @@ bool Simulation::take_step(double dt, const Energy& energy) {
     advance(model_, state_, work_, {dt, rest_}, times_);
     return true;
   }
-  const ImplicitStep step = advance_implicitly(model_, state_, work_, energy, *tangent_,
-                                               {*scheme, dt, stage_->options.tolerance, stage_->options.accuracy});
+  const StageOptions& options = stage_->options;
+  const ImplicitStep step = advance_implicitly(
+      model_, state_, work_, energy, *tangent_,
+      {*scheme, dt, options.tolerance, options.accuracy, shortest_for_energy * longest_implicit(options)});
   stage_->report.shortest_dt = std::min(stage_->report.shortest_dt, step.dt);
   if (!step.converged) stuck_ = stuck_reason(model_, state_, step);
   return step.converged;

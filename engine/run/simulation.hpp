@@ -46,6 +46,7 @@ struct NextStep {
 };
 class Watch;
 class Tangent;
+struct EquilibriumOptions;
 
 class Simulation {
  public:
@@ -61,6 +62,10 @@ class Simulation {
   /// What listeners throw ends the run and is passed on; the state is then that of the last whole step. Throws
   /// InputError too after a stage that diverged: its state means nothing.
   StageReport run(const StageOptions& options, const RunListener& listener = {});
+  /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Where
+  /// none is found the state is as it was, and the report says what fails. Of `options` name, must_rest and intervals
+  /// count.
+  StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener& listener = {});
   /// Runs a stage that restore() has brought back to its end.
   StageReport resume(const RunListener& listener = {});
   /// Within at_border of a running stage: takes further steps of that stage, up to `limit` or its end.
@@ -103,6 +108,7 @@ class Simulation {
   void drop_work();
 
  private:
+  void begin_stage(const StageOptions& options);
   StageReport go_on(const RunListener& listener);
   void pass(const RunListener& listener);
   void see_off();

@@ -209,7 +209,8 @@ bool ScriptModel::apply_changes(Model<2>& model) {
   return true;
 }
 
-StageReport ScriptModel::run(const StageOptions& asked, const RunListener& listener, Host& host) {
+StageReport ScriptModel::run(const StageOptions& asked, const RunListener& listener, Host& host,
+                             const EquilibriumOptions* statics) {
   if (running_)
     throw InputError(fmt::format("{}: a stage runs already; begin the next one when it has ended", title()));
   Simulation& s = simulation();
@@ -233,7 +234,11 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
     s.measure(&host.profile.times);
     host.profile.laws = s.model().law_names;
   }
-  return guarded_run([&] { return s.run(options, listen_with(listener, host.observer)); }, host);
+  const auto go = [&] {
+    const RunListener all = listen_with(listener, host.observer);
+    return statics != nullptr ? s.settle(options, *statics, all) : s.run(options, all);
+  };
+  return guarded_run(go, host);
 }
 
 StageReport ScriptModel::guarded_run(const std::function<StageReport()>& go, Host& host) {

@@ -105,7 +105,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   [[nodiscard]] double time() const { return simulation_ ? simulation_->state().time : 0; }
 
   /// Runs a stage with `listener` wrapped by recording and observing.
-  StageReport run(const StageOptions& options, const RunListener& listener, Host& host);
+  StageReport run(const StageOptions& options, const RunListener& listener, Host& host,
+                  const EquilibriumOptions* statics = nullptr);
   /// While the model is paused: further steps of its stage, up to `limit` or its end.
   void run_on(const RunLimit& limit, const RunListener& listener, Host& host);
   /// Runs the stage that rewind() has brought back to its end. InputError where there is none.

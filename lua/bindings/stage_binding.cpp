@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "load/motion_check.hpp"
 #include "stage_run.hpp"
+#include "step/equilibrium.hpp"
 #include "world/bounds.hpp"
 #include "world/usual.hpp"
 
@@ -118,18 +119,22 @@ int consolidate(lua_State* L) {
   const double grow = keys.number("grow", "s", 0.5);
   if (!(grow >= 0)) keys.problem(fmt::format("'grow' is {:g} s, must not be below 0", grow));
   const bool fresh = keys.flag("fresh", false), or_go_on = keys.flag("or_go_on", false);
+  const bool by_statics = keys.choice("integrator", {"explicit", "static"}, 0) == 1;
+  EquilibriumOptions how;
+  how.shares = keys.count("shares", how.shares), how.tolerance = keys.number("tolerance", "1", how.tolerance);
+  if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a stage of its own");
   o.must_rest = !or_go_on;
   keys.finish();
   if (fresh && m.running()) throw InputError("consolidate: a stage runs already; mortar cannot be fresh within it");
-  if (m.simulation().state().step == 0) {
+  if (!by_statics && m.simulation().state().step == 0) {
     o.still_from = std::max(o.still_from, grow);
     m.change([grow](Model<2>& model) { model.gravity.grow_end = grow; });
   }
   if (fresh) m.simulation().lift_bonds();
-  const StageReport report = run_stage(L, m, o);
+  const StageReport report = by_statics ? settle_stage(L, m, o, how) : run_stage(L, m, o);
   if (report.end == StageEnd::not_at_rest && !or_go_on)
-    throw InputError(fmt::format("{} did not come to rest in {:g} s: {}; or_go_on = true goes on all the same", o.name,
-                                 o.duration, report.reason));
+    throw InputError(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
+                                 by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
   if (report.end == StageEnd::not_at_rest) {
     const std::string said =
         fmt::format("{} did not come to rest, and goes on all the same: {}", o.name, report.reason);
@@ -361,7 +366,7 @@ int stop(lua_State* L) {
 const std::array stage_method_list{
     Method{"run", guarded<run>, "run{duration= | to=, name=, dt=, until_rest=}: a stage"},
     Method{"consolidate", guarded<consolidate>,
-           "consolidate{duration=, ratio=, speed=, hold=, damping=, grow=, fresh=, or_go_on=}: to rest under dead "
+           "consolidate{duration=, ratio=, damping=, grow=, fresh=, or_go_on=, integrator=}: to rest under dead "
            "load; fresh "
            "mortar sets at its end"},
     Method{"shake", guarded<shake>,

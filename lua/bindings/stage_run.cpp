@@ -185,6 +185,12 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
   });
 }
 
+StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how) {
+  Host& h = host(L);
+  refuse_unread_arguments(h);
+  return listen(L, model, h, [&](const RunListener& listener) { return model.run(options, listener, h, &how); });
+}
+
 StageReport resume_stage(lua_State* L, ScriptModel& model) {
   Host& h = host(L);
   return listen(L, model, h, [&](const RunListener& listener) { return model.resume(listener, h); });

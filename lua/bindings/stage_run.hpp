@@ -10,6 +10,9 @@ namespace trilith::script {
 /// `steps`: it is stopped after so many; 0: it is not.
 StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, std::int64_t steps = 0);
 
+/// The same of a stage of statics, which takes no time.
+StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how);
+
 /// The same of a stage that rewind has brought back.
 StageReport resume_stage(lua_State* L, ScriptModel& model);
 

@@ -31,6 +31,9 @@ damping   number = 0.8            share of the unbalanced force that brakes each
 grow      number s = 0.5          gravity comes on over this time
 fresh     flag = false            mortar is fresh: joints are bonded as they stand at the end
 or_go_on  flag = false            where rest is not reached: a note instead of an error
+integrator  text = "explicit"     or "static": Newton's method, in no time; all else but fresh is then of no account
+shares     integer = 1            static: weight and loads come on in so many shares
+tolerance  number = 1e-8          static: force left over, as a share of the largest
 name      text = "consolidation"  what results call it
 dt        number s?               fixed step
 safety    number = 0.5            share of the longest stable step, at most 0.9

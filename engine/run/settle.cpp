@@ -1,0 +1,66 @@
+// Rest found by statics, as a stage of a run.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/flagged.hpp"
+#include "run/simulation.hpp"
+#include "run/stage_end.hpp"
+#include "run/watch.hpp"
+#include "step/equilibrium.hpp"
+
+namespace trilith {
+namespace {
+
+std::string no_rest_reason(const Model<2>& model, const Equilibrium& found) {
+  const auto of_node = [&](const Body& b) {
+    return found.worst >= b.first_node && found.worst < b.first_node + b.nodes;
+  };
+  const auto body = std::find_if(model.bodies.begin(), model.bodies.end(), of_node);
+  const std::string name = body == model.bodies.end() ? "?" : body->name;
+  if (found.end == EquilibriumEnd::goes_off)
+    return fmt::format(
+        "nothing holds {}, which goes farther than its own size; support it, or let it move: "
+        "integrator = \"explicit\"",
+        name);
+  return fmt::format(
+      "{:.2g} of the largest force is left over, most of it on {}; integrator = \"explicit\" shows how it "
+      "moves, shares = 10 brings the weight on more slowly",
+      found.left, name);
+}
+
+}  // namespace
+
+/// All of it lies between two looks at the same instant: what led to rest is told at the second one.
+StageReport Simulation::settle(const StageOptions& options, const EquilibriumOptions& how,
+                               const RunListener& listener) {
+  begin_stage(options);
+  StageReport& report = stage_->report;
+  const Flagged running(running_);
+  try {
+    refresh();
+    tell(stage_event(EventType::stage_begun, instant(), options.name), listener, instant());
+    const Equilibrium found = find_equilibrium(model_, state_, how);
+    watch_->reset();
+    drop_work();
+    refresh();
+    const Instant now = instant();
+    for (const Event& e : found.events) tell(e, listener, now);
+    if (listener.on_step) listener.on_step(now);
+    report.steps = found.steps, report.ended = state_.time;
+    report.speed = now.speed, report.ratio = found.left;
+    report.end = found.converged ? StageEnd::rest : StageEnd::not_at_rest;
+    if (!found.converged) report.reason = no_rest_reason(model_, found);
+    tell_samples(listener, now, true);
+    tell_end(listener, now);
+  } catch (...) {
+    stage_.reset();
+    throw;
+  }
+  const StageReport out = std::move(report);
+  stage_.reset();
+  return out;
+}
+
+}  // namespace trilith

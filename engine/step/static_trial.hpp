@@ -1,0 +1,84 @@
+// A state on its way to rest: what statics moves, evaluates and commits. Shared by step/equilibrium.hpp and
+// step/load_path.hpp.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "step/node_forces.hpp"
+#include "step/tangent.hpp"
+#include "world/event.hpp"
+
+namespace trilith {
+
+/// Bodies without velocities. Each step leads from a committed place to the next: what slides, yields or breaks does so
+/// along the straight way between the two, however long that takes; dampers do not act.
+class StaticTrial {
+ public:
+  /// Of a state at a step border (advanced, not committed, as Simulation holds it). Both must outlive this; `model` may
+  /// be changed between evaluations in its loads and weight, and in nothing else.
+  StaticTrial(const Model<2>& model, const State<2>& state);
+
+  /// Forces at the present place.
+  void evaluate_here();
+  /// What is left of F - inertia M d, where d is the way from the step's begin, at the place last evaluated. Returns
+  /// its square, each part over its mass. `inertia` [1/s2]
+  double measure(double inertia);
+  /// A = inertia M - dF/dx at the present place, ready to solve with; evaluates there again. False where it is
+  /// singular.
+  bool find_tangent(double inertia);
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return tangent_.solve(right); }
+  void move(const Eigen::VectorXd& by, double share);
+  /// The way from the step's begin, by unknown [m] or [rad].
+  [[nodiscard]] Eigen::VectorXd way() const;
+  /// Back to the step's begin, evaluated.
+  void go_back();
+  /// Makes the place last evaluated the begin of the next step: commits it, books the work of weight, loads and
+  /// supports along the way with the mean of their forces at both ends, and evaluates it anew.
+  void accept();
+  /// The state at rest at the step's begin, as one that either kind of step goes on from. What the way gave off beyond
+  /// what the laws book is the ledger's `rest_damping`. The last call.
+  State<2> finish();
+
+  [[nodiscard]] const Eigen::VectorXd& left() const { return left_; }
+  /// Largest force left over, as a share of the largest one carried; moments by the node's radius of gyration.
+  /// What the digits of places cannot tell is not counted.
+  [[nodiscard]] double share() const { return share_; }
+  [[nodiscard]] int worst() const { return worst_; }  ///< the node where that is, or -1
+  /// From now on shares are of no less than what is carried at the place last evaluated.
+  void keep_carried() { least_carried_ = std::max(least_carried_, carried()); }
+  /// Of the stiffest unknown by itself, as the last tangent has it; 0 where nothing is stiff [1/s2].
+  [[nodiscard]] double highest_square() const { return highest_square_; }
+  [[nodiscard]] const Coupling& coupling() const { return tangent_.coupling(); }
+  [[nodiscard]] const State<2>& state() const { return state_; }
+  [[nodiscard]] Work<2>& work() { return work_; }
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }  ///< of all accepted steps
+  /// The mass or inertia of an unknown.
+  [[nodiscard]] double mass_at(int unknown) const;
+
+ private:
+  void begin_here();
+  [[nodiscard]] std::vector<NodeForces> all_forces() const;
+  void find_rounding();
+  void find_stiffest(double inertia);
+  [[nodiscard]] double carried() const;
+
+  const Model<2>& model_;
+  State<2> state_;
+  Work<2> work_;
+  Tangent tangent_;
+  bool was_implicit_;
+  double balance_ = 0;                // of the ledger as statics began [J]
+  std::vector<Vec2> begin_position_;  // of the step
+  std::vector<double> begin_rotation_;
+  std::vector<NodeForces> begin_force_;
+  std::vector<double> reach_;        // [node] of its body [m]
+  double disturbance_;               // how far nodes are moved for the tangent [m]
+  Eigen::VectorXd left_, rounding_;  // by unknown
+  double least_carried_ = 0;         // [N]
+  double share_ = 0, highest_square_ = 0;
+  int worst_ = -1;
+  std::vector<Event> events_;
+};
+
+}  // namespace trilith

@@ -1,0 +1,63 @@
+-- Rest by statics from a script: the same joint forces as by consolidation, and what is said where there is none.
+local trilith = require "trilith"
+
+local function refused(text, f, ...)
+  local ok, message = pcall(f, ...)
+  assert(not ok, "this was not refused: " .. text)
+  assert(tostring(message):find(text, 1, true), ("said '%s' instead of '%s'"):format(message, text))
+end
+
+local function wall(bonded)
+  local m = trilith.model { name = "wall", thickness = 0.2 }
+  m:material { name = "brick", density = 1800 }
+  local law = bonded and trilith.bonded { kn = 1e10, ks = 4e9, mu = 0.6, cohesion = 2e5, tension = 1e5, beta = 2e-5 }
+    or trilith.frictional { kn = 1e10, ks = 4e9, mu = 0.6, beta = 2e-5 }
+  m:contact { between = { "*", "*" }, law = law }
+  m:wall { name = "w", length = 1.6, unit_length = 0.4, unit_height = 0.2, storeys = 2, storey_height = 0.8,
+           slab_height = 0.2, base_height = 0.5, material = "brick", fixed = "base" }
+  return m
+end
+
+-- Joint forces by the names of the bodies.
+local function joints(m)
+  local list, most = {}, 0
+  for _, c in ipairs(m:contacts()) do
+    list[c.a.name .. "|" .. c.b.name] = c.force
+    most = math.max(most, math.abs(c.force[2]))
+  end
+  return list, most
+end
+
+local a, b = wall(), wall()
+local report = a:consolidate { integrator = "static" }
+assert(report.rests and report.steps < 20 and report.ratio <= 1e-8 and a.time == 0 and a.speed == 0)
+b:consolidate { ratio = 1e-7, grow = 0.2 }
+local by_statics, most = joints(a)
+local by_steps = joints(b)
+for name in pairs(by_statics) do by_steps[name] = by_steps[name] or { 0, 0 } end -- units side by side hardly touch
+for name, force in pairs(by_steps) do
+  local found = by_statics[name] or { 0, 0 }
+  for k = 1, 2 do assert(math.abs(force[k] - found[k]) < 0.005*most, name) end
+end
+a:run { duration = 0.05 }
+assert(a.speed < 1e-6 and math.abs(a.energy.residual) < 1e-6*math.abs(a.energy.gravity))
+a:close() b:close()
+
+-- fresh mortar sets once the wall rests
+local f = wall(true)
+f:consolidate { integrator = "static", fresh = true }
+f:run { duration = 0.02 }
+assert(f.speed < 1e-6)
+f:close()
+
+local n = trilith.model { name = "air" }
+n:material { name = "brick", density = 1800 }
+n:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e10, ks = 4e9, mu = 0.6, beta = 2e-5 } }
+n:block { name = "base", width = 1, height = 1, at = { 0, 0 }, material = "brick", support = "fixed" }
+local low = n:block { name = "low", width = 1, height = 1, at = { 3, 3 }, material = "brick", floating = true }
+local y = low.y
+refused("nothing holds low", n.consolidate, n, { integrator = "static" })
+assert(low.y == y and low.vy == 0)
+refused("'integrator' is 'statics', must be one of explicit, static", n.consolidate, n, { integrator = "statics" })
+refused("0 shares, must be 1 to 1000", n.consolidate, n, { integrator = "static", shares = 0 })
+n:close()
