@@ -51,6 +51,9 @@ void add_bodies(const Model<2>& model, Groups& groups) {
     for (int i = 0; i < e.nodes; ++i) groups.add(e.node[i]);
     groups.end();
   }
+}
+
+void add_beams(const Model<2>& model, Groups& groups) {
   for (const Beam& beam : model.beams) groups.add(beam.node[0]), groups.add(beam.node[1]), groups.end();
 }
 
@@ -96,6 +99,8 @@ Coupling coupling_of(const Model<2>& model, const Work<2>& work) {
   add_links(model, work, groups);
   make_unique(out.near);
   choose_colours(out);
+  add_beams(model, groups);
+  make_unique(out.near);
   return out;
 }
 

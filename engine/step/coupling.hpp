@@ -20,7 +20,7 @@ struct Coupling {
   std::vector<Freedom> freedom;             ///< [unknown] by node, then by k
   std::vector<std::array<int, 3>> unknown;  ///< [node] index into `freedom`, or -1
   std::vector<std::vector<int>> near;       ///< [node] free nodes that its forces depend on, itself too; sorted
-  std::vector<std::vector<int>> colour;     ///< nodes no two of which act on the same node
+  std::vector<std::vector<int>> colour;     ///< nodes no two of which act on the same node, but by beams
 
   [[nodiscard]] int size() const { return static_cast<int>(freedom.size()); }
 };

@@ -86,6 +86,7 @@ class Trial {
         start_(state),
         energy_(energy),
         time_(state.time),
+        kept_(state.tangent),
         position_before_(state.position_before),
         rotation_before_(state.rotation_before) {
     const Outside outside(model, state, work);
@@ -123,6 +124,7 @@ class Trial {
   const NodesAtStart start_;
   const Energy energy_;  // as the step begins
   const double time_;
+  const std::shared_ptr<const KeptTangent> kept_;  // as the step begins
   std::vector<Vec2> position_before_;
   std::vector<double> rotation_before_;
   std::vector<NodeForces> forces_;  // as the step begins
@@ -239,19 +241,17 @@ bool Trial::attempt(double dt, ImplicitStep& out) {
   evaluate_trial();
   tangent_.shape(model_, work_);
   merit_ = left_over();
-  bool stale = true;
+  const TangentOptions wanted{dt_, per_place(), 1 - scheme_.alpha_f, (1 - scheme_.alpha_m) / (scheme_.b * dt_ * dt_)};
+  bool serves = tangent_.take(state_, wanted);
   for (int i = 0; i < options_.most_iterations; ++i) {
     out.left = share_left_, out.worst = worst_;
     if (share_left_ <= options_.tolerance) return true;
     if (!std::isfinite(merit_)) return false;
     ++out.iterations;
     const double before = merit_;
-    if (stale &&
-        !tangent_.find(model_, state_, work_,
-                       {dt_, per_place(), 1 - scheme_.alpha_f, (1 - scheme_.alpha_m) / (scheme_.b * dt_ * dt_)}))
-      return false;
+    if (!serves && !tangent_.find(model_, state_, work_, wanted)) return false;
     improve(tangent_.solve(left_));
-    stale = merit_ > slow_share * slow_share * before;
+    serves = merit_ <= slow_share * slow_share * before;
   }
   return false;
 }
@@ -260,6 +260,7 @@ bool Trial::attempt(double dt, ImplicitStep& out) {
 /// is booked here.
 void Trial::give_up() {
   state_.time = time_, state_.last_dt = 0;
+  state_.tangent = kept_;
   state_.position = state_.position_before = start_.position;
   state_.rotation = state_.rotation_before = start_.rotation;
   state_.velocity = start_.velocity, state_.acceleration = start_.acceleration;
@@ -347,6 +348,7 @@ void begin_explicit(const Model<2>& model, State<2>& state, const Work<2>& work)
   state.position_before.clear(), state.rotation_before.clear();
   state.acceleration.clear(), state.spin_rate.clear();
   state.most_energy = 0;
+  state.tangent.reset();
   state.last_dt = 0;
 }
 
@@ -361,7 +363,8 @@ ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>&
     const Energy booked = trial.booked();
     const double last = std::exchange(out.missed, options.accuracy > 0 ? trial.missed(booked) : 0);
     const bool gains = out.cuts < cuts_that_tell || out.missed <= no_better * last;
-    if (out.missed > options.accuracy && gains && out.cuts < most_cuts_for_energy) continue;
+    const bool can_be_cut = out.cuts < most_cuts_for_energy && 0.5 * out.dt >= options.shortest;
+    if (out.missed > options.accuracy && gains && can_be_cut) continue;
     for (std::size_t i = 0; i < booked.value.size(); ++i) state.given.value[i] += booked.value[i];
     ++state.step;
     state.most_energy = std::max(state.most_energy, held(energy));

@@ -15,6 +15,8 @@ struct ImplicitOptions {
   /// What a step may miss, beyond which it is halved: of its energies, as a share of those that move and are stored;
   /// and, by half as much, of its velocities. 0: anything.
   double accuracy = 0;
+  double shortest =
+      0;  ///< no step is halved below this for what it misses: of next to no energy it may be any share [s]
   int most_iterations = 30;
 };
 

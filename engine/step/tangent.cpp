@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "step/beam_tangent.hpp"
 #include "step/evaluate.hpp"
 #include "step/node_forces.hpp"
 
@@ -50,7 +51,6 @@ void Tangent::shape(const Model<2>& model, const Work<2>& work) {
         if (row >= 0) entries.emplace_back(row, coupling_.unknown[column.node][column.k], 0.0);
   matrix_.setFromTriplets(entries.begin(), entries.end());
   matrix_.makeCompressed();
-  if (coupling_.size() > 0) factors_.analyzePattern(matrix_);
 }
 
 /// Forces on all unknowns while direction k of `nodes` is moved to one side.
@@ -74,6 +74,7 @@ void Tangent::disturbed(const Model<2>& model, State<2>& state, Work<2>& work, c
 
 void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
   Eigen::VectorXd more(coupling_.size()), less(coupling_.size());
+  work.leave_out_beams = true;
   for (const std::vector<int>& nodes : coupling_.colour)
     for (const int k : {0, 1, 2}) {
       disturbed(model, state, work, nodes, k, 1, options, more);
@@ -88,12 +89,52 @@ void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, co
         }
       }
     }
+  work.leave_out_beams = false;
+  add_beams(model, state, options);
 }
 
+void Tangent::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
+  for (const Beam& beam : model.beams) {
+    const BeamBlock block = -options.force * beam_block(model, state, beam, options.rate);
+    const auto unknown = [&](int i) { return coupling_.unknown[beam.node[i / 3]][i % 3]; };
+    for (int column = 0; column < 6; ++column)
+      for (int row = 0; row < 6 && unknown(column) >= 0; ++row)
+        if (unknown(row) >= 0) matrix_.coeffRef(unknown(row), unknown(column)) += block(row, column);
+  }
+}
+
+/// Without entries of 0, which are there for pairs that do not touch: so that it is the same whenever these were found.
 bool Tangent::find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
   assemble(model, state, work, options);
-  factors_.factorize(matrix_);
-  return factors_.info() == Eigen::Success;
+  const auto kept = std::make_shared<KeptTangent>();
+  kept->dt = options.dt, kept->rate = options.rate, kept->force = options.force, kept->inertia = options.inertia;
+  kept->column.push_back(0);
+  for (int column = 0; column < coupling_.size(); ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator at(matrix_, column); at; ++at)
+      if (at.value() != 0) kept->row.push_back(static_cast<int>(at.row())), kept->value.push_back(at.value());
+    kept->column.push_back(static_cast<int>(kept->row.size()));
+  }
+  state.tangent = kept;
+  return factorise(kept);
+}
+
+bool Tangent::take(const State<2>& state, const TangentOptions& options) {
+  const KeptTangent* const kept = state.tangent.get();
+  if (kept == nullptr || kept->size() != coupling_.size() || kept->dt != options.dt || kept->rate != options.rate ||
+      kept->force != options.force || kept->inertia != options.inertia)
+    return false;
+  return ready_ == state.tangent || factorise(state.tangent);
+}
+
+bool Tangent::factorise(const std::shared_ptr<const KeptTangent>& kept) {
+  ready_.reset();
+  const Eigen::Map<const Eigen::SparseMatrix<double>> matrix(kept->size(), kept->size(),
+                                                             static_cast<Eigen::Index>(kept->row.size()),
+                                                             kept->column.data(), kept->row.data(), kept->value.data());
+  factors_.compute(matrix);
+  if (factors_.info() != Eigen::Success) return false;
+  ready_ = kept;
+  return true;
 }
 
 }  // namespace trilith

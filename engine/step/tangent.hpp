@@ -4,12 +4,15 @@
 //
 // with b, g, alpha of step/alpha_scheme.hpp. dF is found by central differences of `evaluate` itself, many nodes at a
 // time: nodes that act on no common node move together (Curtis, Powell and Reid 1974). So it is that of every law,
-// branch and load there is, one that is added included; rounding leaves it exact to about 1e-6.
+// branch and load there is, one that is added included; rounding leaves it exact to about 1e-6. Beams have theirs by
+// hand (step/beam_tangent.hpp), which costs less, and is of one side of a kink where a fibre or a hinge begins to
+// yield.
 #pragma once
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -40,8 +43,10 @@ class Tangent {
 
   /// At a trial state. `state` and `work` are disturbed meanwhile; evaluate anew afterwards.
   void assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
-  /// The same, made ready to solve with. False where it is singular.
+  /// The same, made ready to solve with and kept in the state. False where it is singular.
   bool find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
+  /// Makes that of the state ready to solve with. False where it has none that was taken for the same step.
+  bool take(const State<2>& state, const TangentOptions& options);
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factors_.solve(right); }
   [[nodiscard]] const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
@@ -52,7 +57,11 @@ class Tangent {
   Coupling coupling_;
   std::vector<std::pair<int, int>> pairs_;  // that it was found for
   bool shaped_ = false;
+  void add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options);
+  bool factorise(const std::shared_ptr<const KeptTangent>& kept);
+
   Eigen::SparseMatrix<double> matrix_;
+  std::shared_ptr<const KeptTangent> ready_;  // what is solved with
   Eigen::SparseLU<Eigen::SparseMatrix<double>> factors_;
 };
 

@@ -25,7 +25,7 @@
 
 namespace trilith {
 
-inline constexpr std::uint64_t checkpoint_version = 10;
+inline constexpr std::uint64_t checkpoint_version = 11;
 
 /// Writes `state` of `model` to `path`: first under a name of its own, which is then forced to the disk and renamed, so
 /// that at any time `path` is a whole checkpoint, the old or the new one. Throws InputError where it cannot be written;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/space.hpp"
@@ -16,6 +17,15 @@ namespace trilith {
 struct Parted {
   ContactKey contact;
   double time;  ///< [s]
+};
+
+/// A tangent of the equation of motion (step/tangent.hpp), which implicit steps use as long as it serves.
+struct KeptTangent {
+  double dt = 0, rate = 0, force = 0, inertia = 0;  ///< what it was taken for, see TangentOptions
+  std::vector<int> column;                          ///< [column + 1] where its entries begin
+  std::vector<int> row;                             ///< [entry] rising within a column
+  std::vector<double> value;                        ///< [entry] N/m and so on
+  [[nodiscard]] int size() const { return static_cast<int>(column.size()) - 1; }
 };
 
 template <int D>
@@ -39,12 +49,14 @@ struct State {
   std::vector<Vec<D>> acceleration;                          ///< m/s2
   std::vector<typename Space<D>::Spin> spin_rate;            ///< rad/s2
   double most_energy = 0;  ///< the most that has moved and been stored since implicit steps began [J]
+  std::shared_ptr<const KeptTangent> tangent;  ///< the last one; none in explicit stages
 
   ContactHistory contacts;
   std::vector<Parted> parted;           ///< in the order of parting, then by key
   std::vector<ContactKey> passed;       ///< of bodies, not pieces: one has been seen too deep in the other; sorted
   std::vector<BearingMemory> bearing;   ///< [bearing]
   std::vector<PlasticMemory> plastic;   ///< [plastic point] of inelastic elements
+  std::vector<double> beam_memory;      ///< of beams that yield, see Beam::first_memory
   std::vector<std::uint8_t> seat_lost;  ///< [seat]
   std::vector<double> moved_at;         ///< [body] when it was last faster than Model::still_speed s
   std::vector<std::uint8_t> resting;    ///< [body] 1: has been still for Model::still_time

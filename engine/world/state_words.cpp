@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <climits>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -31,6 +33,7 @@ class Writer {
   void whole(const std::int64_t& v) { words.push_back(std::bit_cast<std::uint64_t>(v)); }
   void key(const ContactKey& v) { words.push_back(v); }
   void flag(const std::uint8_t& v) { words.push_back(v); }
+  void index(const int& v) { words.push_back(static_cast<std::uint64_t>(v)); }
   template <class T, class U>
   void pair(const T& high, const U& low) {
     words.push_back(pack(static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(low)));
@@ -45,6 +48,7 @@ class Writer {
     return count(rows);
   }
   void contacts(const ContactHistory& s);
+  void tangent(const std::shared_ptr<const KeptTangent>& kept);
 };
 
 /// Takes them out again; says what is wrong where they cannot be.
@@ -65,6 +69,11 @@ class Reader {
     const std::uint64_t word = next();
     if (word > 1) fail("holds a mark that is neither 0 nor 1");
     v = static_cast<std::uint8_t>(word);
+  }
+  void index(int& v) {
+    const std::uint64_t word = next();
+    if (word > INT_MAX) fail("holds a place in a table that cannot be");
+    v = static_cast<int>(word);
   }
   template <class T, class U>
   void pair(T& high, U& low) {
@@ -87,6 +96,7 @@ class Reader {
     return rows.size();
   }
   void contacts(ContactHistory& s);
+  void tangent(std::shared_ptr<const KeptTangent>& kept);
   void done() const {
     if (at_ != words_.size()) fail("is longer than its contents");
   }
@@ -141,6 +151,29 @@ void Reader::contacts(ContactHistory& s) {
   }
 }
 
+/// Every number of a tangent, for the writer and for the reader alike.
+template <class File, class T>
+void walk_tangent(File& file, T& t) {
+  for (auto* v : {&t.dt, &t.rate, &t.force, &t.inertia}) file.number(*v);
+  for (std::size_t i = 0, n = file.open_count(t.column, 1); i < n; ++i) file.index(t.column[i]);
+  for (std::size_t i = 0, n = file.open_count(t.row, 1); i < n; ++i) file.index(t.row[i]);
+  for (std::size_t i = 0, n = file.open_count(t.value, 1); i < n; ++i) file.number(t.value[i]);
+}
+
+void Writer::tangent(const std::shared_ptr<const KeptTangent>& kept) {
+  flag(kept ? 1 : 0);
+  if (kept) walk_tangent(*this, *kept);
+}
+
+void Reader::tangent(std::shared_ptr<const KeptTangent>& kept) {
+  std::uint8_t has = 0;
+  flag(has);
+  if (has == 0) return;
+  const auto read = std::make_shared<KeptTangent>();
+  walk_tangent(*this, *read);
+  kept = read;
+}
+
 /// For what an implicit scheme keeps of the nodes, as many as accelerations were announced.
 void make_room(State<2>& s) {
   s.position_before.resize(s.acceleration.size());
@@ -161,7 +194,7 @@ void walk(File& file, S& s) {
     file.number(s.position_before[n].x()), file.number(s.position_before[n].y()), file.number(s.rotation_before[n]);
     file.number(s.acceleration[n].x()), file.number(s.acceleration[n].y()), file.number(s.spin_rate[n]);
   }
-  file.number(s.most_energy);
+  file.number(s.most_energy), file.tangent(s.tangent);
   file.contacts(s.contacts);
   for (std::size_t i = 0, n = file.open_count(s.parted, 2); i < n; ++i)
     file.key(s.parted[i].contact), file.number(s.parted[i].time);
@@ -175,6 +208,7 @@ void walk(File& file, S& s) {
     auto& p = s.plastic[i];
     for (auto* v : {&p.xx, &p.yy, &p.zz, &p.xy, &p.measure}) file.number(*v);
   }
+  for (std::size_t i = 0, n = file.count(s.beam_memory); i < n; ++i) file.number(s.beam_memory[i]);
   for (std::size_t i = 0, n = file.count(s.seat_lost); i < n; ++i) file.flag(s.seat_lost[i]);
   for (std::size_t i = 0, n = file.count(s.moved_at); i < n; ++i) file.number(s.moved_at[i]), file.flag(s.resting[i]);
   for (std::size_t i = 0, n = file.count(s.left); i < n; ++i) file.flag(s.left[i]);
@@ -213,6 +247,18 @@ void check_accelerations(const Reader& file, const State<2>& s) {
     file.fail("has accelerations for other numbers of nodes than the model");
 }
 
+/// A matrix in compressed columns, square, its rows in order.
+void check_tangent(const Reader& file, const State<2>& s) {
+  if (!s.tangent) return;
+  const KeptTangent& t = *s.tangent;
+  bool sound = !t.column.empty() && t.column.front() == 0 && t.row.size() == t.value.size() &&
+               t.column.back() == static_cast<int>(t.row.size()) && std::is_sorted(t.column.begin(), t.column.end());
+  for (int c = 0; sound && c < t.size(); ++c)
+    for (int i = t.column[c]; i < t.column[c + 1]; ++i)
+      sound = sound && t.row[i] < t.size() && (i == t.column[c] || t.row[i - 1] < t.row[i]);
+  if (!sound) file.fail("has a tangent that is no matrix");
+}
+
 void check_bearings(const Reader& file, const State<2>& s) {
   for (const BearingMemory& m : s.bearing)
     if (m.status > BearingStatus::changed || m.failed_direction > 2) file.fail("has a bearing in no known state");
@@ -231,7 +277,7 @@ State<2> state_from_words(const Model<2>& model, std::span<const std::uint64_t> 
   Reader file(words, owner);
   walk(file, state);
   file.done();
-  check_accelerations(file, state);
+  check_accelerations(file, state), check_tangent(file, state);
   check_contacts(file, model, state);
   check_passed(file, model, state);
   check_bearings(file, state);

@@ -54,7 +54,8 @@ struct GeneralContact {
 /// What a step needs and the next one can do without. `evaluate` writes nothing else; `commit` makes a State of it.
 template <int D>
 struct Work {
-  bool valid = false;  ///< false: pairs must be found anew. Writer: detect
+  bool valid = false;            ///< false: pairs must be found anew. Writer: detect
+  bool leave_out_beams = false;  ///< resist adds none of their forces: the tangent has theirs by itself. Writer: it
 
   // Writer: place
   std::vector<BodyRow> body;      ///< [body], anew where the pairs must be found anew
@@ -96,6 +97,7 @@ struct Work {
 
   // Writer: resist
   std::vector<PlasticMemory> plastic;          ///< [plastic point] trial
+  std::vector<double> beam_memory;             ///< trial
   std::vector<Vec<D>> element_force;           ///< [node] of elastic and plastic stress N; empty without elements
   std::vector<Vec<D>> element_damping;         ///< [node] of the dampings of elements N
   std::vector<double> element_moment;          ///< [node] of beams N m; empty without them

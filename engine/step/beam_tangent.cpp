@@ -1,0 +1,79 @@
+#include "step/beam_tangent.hpp"
+
+#include "step/beam_motion.hpp"
+#include "step/resist_beams.hpp"
+
+namespace trilith {
+namespace {
+
+/// Of the stretch and the bends, by place and rotation of both nodes: the chord's end-to-end way D goes with the nodes
+/// and with the arms that turn with them.
+struct BeamShape {
+  Eigen::Matrix<double, 3, 6> strain;
+  Eigen::Matrix<double, 2, 6> way, way_rate;  // dD; d(dD/dt) by place, where arms turn
+};
+
+BeamShape shape_of(const BeamNow& now, const std::array<Vec2, 2>& arm, const std::array<double, 2>& spin) {
+  BeamShape s;
+  s.way.setZero(), s.way_rate.setZero(), s.strain.setZero();
+  for (const int end : {0, 1}) {
+    const double sign = end == 0 ? -1 : 1;
+    s.way.block<2, 2>(0, 3 * end).diagonal().setConstant(sign);
+    s.way.col(3 * end + 2) = sign * left_of(arm[end]);
+    s.way_rate.col(3 * end + 2) = -sign * spin[end] * arm[end];
+    s.strain(1 + end, 3 * end + 2) = 1;
+  }
+  const Vec2 across = left_of(now.along);
+  s.strain.row(0) = now.along.transpose() * s.way;
+  const Eigen::Matrix<double, 1, 6> turn = across.transpose() * s.way / now.length;
+  s.strain.row(1) -= turn, s.strain.row(2) -= turn;
+  return s;
+}
+
+/// What stress adds where its own directions change: of N along the chord and of M_0 + M_1 that turn it, and of arms.
+BeamBlock geometric(const BeamNow& now, const BeamShape& shape, const std::array<Vec2, 2>& arm,
+                    const BeamStress& stress) {
+  const Vec2 across = left_of(now.along);
+  const double moments = stress[1] + stress[2];
+  const Eigen::Matrix2d both = now.along * across.transpose() + across * now.along.transpose();
+  const Eigen::Matrix2d chord =
+      stress[0] / now.length * (across * across.transpose()) + moments / (now.length * now.length) * both;
+  BeamBlock out = shape.way.transpose() * chord * shape.way;
+  const Vec2 pull = now.force_on_start(stress);
+  out(2, 2) += pull.dot(arm[0]), out(5, 5) -= pull.dot(arm[1]);
+  return out;
+}
+
+/// How the rates of stretch and bends change with place: `speed` is dD/dt.
+Eigen::Matrix<double, 3, 6> rate_by_place(const BeamNow& now, const BeamShape& shape, const Vec2& speed) {
+  const Vec2 across = left_of(now.along);
+  const double along = now.along.dot(speed), aside = across.dot(speed), per = 1 / now.length;
+  const Eigen::Matrix<double, 1, 6> stretch =
+      per * aside * (across.transpose() * shape.way) + now.along.transpose() * shape.way_rate;
+  const Eigen::Matrix<double, 1, 6> turn = -per * per * ((along * across + aside * now.along).transpose() * shape.way) +
+                                           per * (across.transpose() * shape.way_rate);
+  Eigen::Matrix<double, 3, 6> out;
+  out << stretch, -turn, -turn;
+  return out;
+}
+
+}  // namespace
+
+/// With s the stretch and bends, J = ds/dq and stress S(s) + C ds/dt the forces are -J^T S, so that
+///   dF = -(J^T T J + dJ^T S) dq - J^T C (J rate + d(ds/dt)/dq) dq.
+BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate) {
+  std::array<Vec2, 2> arm;
+  const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);
+  const BeamNow now(from, to, beam.length, beam.angle);
+  const BeamTangent t = tangent_of(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)));
+  const BeamShape shape = shape_of(now, arm, {from.spin, to.spin});
+  BeamStress all;
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = t.stress[k] + t.damping[k];
+  BeamBlock out = -shape.strain.transpose() * t.by_strain * shape.strain - geometric(now, shape, arm, all);
+  if (beam.damping > 0)
+    out -= shape.strain.transpose() * t.by_rate *
+           (rate * shape.strain + rate_by_place(now, shape, to.velocity - from.velocity));
+  return out;
+}
+
+}  // namespace trilith
