@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 
 #include "base/space.hpp"
@@ -15,6 +16,9 @@ struct BeamStiffness {
   std::array<double, 3> bow{};   ///< L q = bow[0] theta_0^2 + bow[1] theta_0 theta_1 + bow[2] theta_1^2 [m]
 };
 
+/// Whether a beam yields, and how that is followed; see body/beam_yield.hpp.
+enum class BeamYield : std::uint8_t { never, in_fibres, at_hinges };
+
 /// Between two nodes of a frame.
 struct Beam {
   int body = -1;
@@ -22,8 +26,11 @@ struct Beam {
   std::array<Vec2, 2> arm{Vec2(0, 0), Vec2(0, 0)};  ///< rigid: from the node to where the beam begins, in its axes [m]
   double length = 0;                                ///< at the start [m]
   double angle = 0;                                 ///< of its axis at the start [rad]
-  BeamStiffness stiffness;
-  double damping = 0;  ///< damping over elastic force, of strain rate [s]
+  BeamStiffness stiffness;                          ///< elastic; of one of fibres, the stiffest it can be
+  double damping = 0;                               ///< damping over elastic force, of strain rate [s]
+  BeamYield yield = BeamYield::never;
+  int yield_row = -1;     ///< of Model::yields, by its kind
+  int first_memory = -1;  ///< of State::beam_memory
 };
 
 /// A straight member of a frame: beams one after the other.
@@ -31,6 +38,7 @@ struct Member {
   std::string name;
   int body = -1;
   int first_beam = 0, beams = 0;
+  std::array<std::string, 2> joint;  ///< names of those it leads from and to
 };
 
 }  // namespace trilith

@@ -286,9 +286,10 @@ EndHingeResponse respond(const BeamStiffness& stiffness, const std::array<const 
   out.memory = before;
   const double stretch = beam.stretch + beam.bowed(at.ends.p) - at.normal / beam.axial;
   const bool flowed = at.ends.end[0].way != 0 || at.ends.end[1].way != 0 || at.normal != trial;
-  book_flow(hinge, at, flowed ? stretch : before.stretch, before, out);
+  const bool stretches = law[0]->has_axial() || law[1]->has_axial();
+  book_flow(hinge, at, flowed && stretches ? stretch : before.stretch, before, out);
   out.yielding = flowed;
-  out.settled = at.ends.settled && (!at.held || law[0]->has_axial() || law[1]->has_axial());
+  out.settled = at.ends.settled && (!at.held || stretches);
   const Eigen::Vector2d bent = beam.turn - at.ends.p;
   out.stored += 0.5 * (at.normal * at.normal / beam.axial + bent.dot(beam.bend * bent));
   out.stress = {at.normal, -at.ends.moment[0], at.ends.moment[1]};

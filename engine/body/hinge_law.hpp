@@ -73,6 +73,12 @@ struct HingeLaw {
     law.sagging = 1e5, law.exponent = 2;
     return law;
   }
+  /// Of an end that never yields.
+  static HingeLaw never() {
+    HingeLaw law;
+    law.sagging = unbounded;
+    return law;
+  }
   /// Throws InputError where the numbers do not fit each other.
   void check() const;
 

@@ -45,7 +45,9 @@ void write_counts(const std::vector<results::EventRow>& events, HtmlText& html) 
 std::string mark_of(const results::EventRow& e) {
   if (e.type == "bearing.failed" || e.type == "seat.lost") return "lost";
   if (results::is_failure(e) || e.type == "body.passed" || e.type == "element.overstrained") return "failed";
-  if (e.type == "bearing.yielded" || e.type == "bond.cracked" || e.type == "joint.crushed") return "yielded";
+  if (e.type == "bearing.yielded" || e.type == "member.yielded" || e.type == "bond.cracked" ||
+      e.type == "joint.crushed")
+    return "yielded";
   return e.type == "bearing.changed" ? "changed" : "plain";
 }
 

@@ -125,6 +125,8 @@ std::string losses(const ReportSource& source) {
   std::vector<std::string> parts;
   if (const std::size_t n = count("bearing.failed"); n > 0)
     parts.push_back(fmt::format("{} of {} failed", n, counted(source.header.bearings.size(), "bearing", "bearings")));
+  if (const std::size_t n = count("member.failed"); n > 0)
+    parts.push_back(counted(n, "hinge of a member", "hinges of members") + " lost the moment");
   if (const std::size_t n = count("seat.lost"); n > 0) parts.push_back(counted(n, "seat was", "seats were") + " lost");
   if (const std::size_t n = count("bond.broken"); n > 0) parts.push_back(counted(n, "bond", "bonds") + " broke");
   if (const std::size_t n = count("body.left"); n > 0)

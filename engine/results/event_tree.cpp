@@ -33,7 +33,8 @@ std::ptrdiff_t nearest_cause(const std::vector<EventRow>& all, const RowOf& in_a
 
 /// 0 for what brings a structure down; the last for what follows from it.
 int rank_of(const EventRow& event, bool first_failure) {
-  if (first_failure || event.type == "bearing.failed" || event.type == "seat.lost") return 0;
+  if (first_failure || event.type == "bearing.failed" || event.type == "member.failed" || event.type == "seat.lost")
+    return 0;
   return event.type == "impact" ? 2 : 1;
 }
 
@@ -59,7 +60,8 @@ void choose(EventTree& tree, const std::vector<std::ptrdiff_t>& cause, std::size
 }  // namespace
 
 bool is_failure(const EventRow& event) {
-  return event.type == "bearing.failed" || event.type == "seat.lost" || event.type == "bond.broken";
+  return event.type == "bearing.failed" || event.type == "member.failed" || event.type == "seat.lost" ||
+         event.type == "bond.broken";
 }
 
 EventTree event_tree(const std::vector<EventRow>& all, std::vector<EventRow> chosen, std::size_t room) {

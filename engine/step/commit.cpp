@@ -16,6 +16,7 @@ void commit(const Model<2>& model, State<2>& state, Work<2>& work, StepTimes* ti
   work.is_matched = false;
   state.bearing.swap(work.bearing);
   state.plastic.swap(work.plastic);
+  state.beam_memory.swap(work.beam_memory);
   state.given = work.given;
   clock.mark(StepPart::events);
 }

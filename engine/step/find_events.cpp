@@ -7,6 +7,7 @@
 #include "contact/face_resultant.hpp"
 #include "contact/overlap_energy.hpp"
 #include "detect/pairs.hpp"
+#include "step/beam_events.hpp"
 #include "step/contact_resultants.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
@@ -280,6 +281,7 @@ void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
     bearing_events(model, state, work, i);
     account_failed(state, work, i);
   }
+  beam_events(model, state, work);
   for (std::size_t i = 0; i < model.seats.size(); ++i) seat_event(model, state, work, i);
   body_events(model, state, work);
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "body/end_hinge.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 
@@ -19,5 +20,20 @@ struct SectionForces {
 
 /// At both ends of each of its beams, one after the other: two rows for each.
 std::vector<SectionForces> member_forces(const Model<2>& model, const State<2>& state, int member);
+
+/// A plastic hinge of a member.
+struct HingeReading {
+  int end = 0;                ///< 0: at the member's start
+  Vec2 place = Vec2::Zero();  ///< now [m]
+  HingeStatus status{};
+  double rotation = 0;   ///< plastic, above 0 where the bottom has lengthened [rad]
+  double stretch = 0;    ///< plastic, of the beam that has the hinge [m]
+  double moment = 0;     ///< above 0 where the bottom is in tension [N m]
+  double normal = 0;     ///< tension above 0 [N]
+  double given_off = 0;  ///< energy [J]
+};
+
+/// Those that a member has, at most two.
+std::vector<HingeReading> member_hinges(const Model<2>& model, const State<2>& state, int member);
 
 }  // namespace trilith

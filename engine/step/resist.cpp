@@ -2,17 +2,13 @@
 #include <algorithm>
 
 #include "body/corotation.hpp"
-#include "step/beam_motion.hpp"
 #include "step/element_stress.hpp"
 #include "step/evaluate.hpp"
+#include "step/resist_beams.hpp"
 #include "world/element_rows.hpp"
 
 namespace trilith {
 namespace {
-
-struct Sums {
-  double stored = 0, plastic = 0;
-};
 
 struct ElementPass {
   const Model<2>& model;
@@ -44,7 +40,7 @@ TRILITH_INLINE void add_damping(const Deformation<N>& now, const double* shape, 
 }
 
 template <int N>
-TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, Sums& sums) {
+TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, ResistSums& sums) {
   const double beta = pass.model.solids[batch.solid].damping();
   for (int i = batch.first; i < batch.first + batch.count; ++i) {
     const Element& e = pass.model.elements[i];
@@ -63,11 +59,11 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
 }
 
 [[gnu::target_clones("avx2", "default")]] void resist_quads(const ElementPass& pass, const ElementBatch& batch,
-                                                            Sums& sums) {
+                                                            ResistSums& sums) {
   resist_elastic<4>(pass, batch, sums);
 }
 [[gnu::target_clones("avx2", "default")]] void resist_triangles(const ElementPass& pass, const ElementBatch& batch,
-                                                                Sums& sums) {
+                                                                ResistSums& sums) {
   resist_elastic<3>(pass, batch, sums);
 }
 
@@ -80,7 +76,7 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
 }
 
 template <int N, class Law>
-void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const Law& law, Sums& sums) {
+void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const Law& law, ResistSums& sums) {
   const Plane plane = pass.model.solids[batch.solid].plane;
   constexpr int points = N == 4 ? 4 : 1;
   for (int i = batch.first; i < batch.first + batch.count; ++i) {
@@ -105,31 +101,7 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
   }
 }
 
-/// Beams of frames: forces and moments on their nodes are the derivatives of their energy, see body/beam_element.hpp;
-/// their damping is that of the same stiffness on the rate of strain.
-void resist_beams(const ElementPass& pass, Sums& sums) {
-  Work<2>& work = pass.work;
-  for (const Beam& beam : pass.model.beams) {
-    std::array<Vec2, 2> arm;
-    const BeamEnd from = end_of(pass.state, beam, 0, arm[0]), to = end_of(pass.state, beam, 1, arm[1]);
-    const BeamNow now(from, to, beam.length, beam.angle);
-    const auto add = [&](const BeamStress& stress, std::vector<Vec2>& force, std::vector<double>& moment) {
-      const Vec2 start = now.force_on_start(stress);
-      force[beam.node[0]] += start, force[beam.node[1]] -= start;
-      moment[beam.node[0]] += cross(arm[0], start) - stress[1];
-      moment[beam.node[1]] -= cross(arm[1], start) + stress[2];
-    };
-    const BeamStress stress = stress_of(beam.stiffness, now.strain);
-    sums.stored += stored_in(beam.stiffness, now.strain);
-    add(stress, work.element_force, work.element_moment);
-    if (!(beam.damping > 0)) continue;
-    BeamStress damping = linear_stress(beam.stiffness, now.rate);
-    for (double& v : damping) v *= beam.damping;
-    add(damping, work.element_damping, work.element_damping_moment);
-  }
-}
-
-void resist_batch(const ElementPass& pass, const ElementBatch& batch, Sums& sums) {
+void resist_batch(const ElementPass& pass, const ElementBatch& batch, ResistSums& sums) {
   std::visit(
       [&](const auto& law) {
         if constexpr (std::decay_t<decltype(law)>::is_elastic)
@@ -149,12 +121,13 @@ void resist(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.element_force.assign(nodes, Vec2::Zero());
   work.element_damping.assign(nodes, Vec2::Zero());
   work.plastic.resize(state.plastic.size());
-  Sums sums;
+  ResistSums sums;
   for (const ElementBatch& batch : model.element_batches) resist_batch({model, state, work}, batch, sums);
   if (!model.beams.empty()) {
     work.element_moment.assign(nodes, 0);
     work.element_damping_moment.assign(nodes, 0);
-    resist_beams({model, state, work}, sums);
+    work.beam_memory.resize(state.beam_memory.size());
+    if (!work.leave_out_beams) resist_beams(model, state, work, sums);
   }
   work.element_stored = sums.stored;
   work.given[EnergyTerm::plastic] += sums.plastic;

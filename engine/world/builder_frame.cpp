@@ -73,6 +73,53 @@ void add_masses(const FrameRows& rows, const Beam& beam, const EndMass& end) {
   bound.damping = std::max(bound.damping, beam.damping * most);
 }
 
+/// Rows of a member's beams that yield in fibres or at its ends. What is in the middle of a member with hinges is
+/// elastic. An elastic stiffness of fibres is the stiffest they can have, for the longest step.
+class YieldRows {
+ public:
+  YieldRows(const FrameMember& member, double shear_modulus, Model<2>& model)
+      : member_(member), shear_(member.shear ? shear_modulus * member.section.shear_area : 0), model_(model) {
+    if (const auto* const fibres = std::get_if<MemberFibres>(&member.yields)) {
+      section_ = static_cast<int>(model.yields.sections.size());
+      model.yields.sections.push_back(make_fibres(fibres->spec));
+    }
+    if (const auto* const hinges = std::get_if<MemberHinges>(&member.yields))
+      for (const int end : {0, 1}) hinge_[end] = add_law(hinges->end[end]);
+  }
+
+  /// `first`, `last`: the beam is the member's first or last one.
+  void add(Beam& beam, bool first, bool last, const std::array<bool, 2>& pinned) {
+    BeamYields& yields = model_.yields;
+    if (const auto* const fibres = std::get_if<MemberFibres>(&member_.yields)) {
+      const FibreBeam made =
+          make_fibre_beam(yields.sections[section_], beam.length, pinned, shear_, fibres->rule, fibres->stations);
+      beam.yield = BeamYield::in_fibres, beam.yield_row = static_cast<int>(yields.fibre_beams.size());
+      beam.stiffness = stiffest_beam(made, yields.sections[section_]);
+      yields.fibre_beams.push_back({made, section_});
+    } else if ((first && hinge_[0] >= 0) || (last && hinge_[1] >= 0)) {
+      const std::array<int, 2> law{first && hinge_[0] >= 0 ? hinge_[0] : add_law(HingeLaw::never()),
+                                   last && hinge_[1] >= 0 ? hinge_[1] : add_law(HingeLaw::never())};
+      beam.yield = BeamYield::at_hinges, beam.yield_row = static_cast<int>(yields.hinged_beams.size());
+      yields.hinged_beams.push_back(law);
+    }
+    beam.first_memory = model_.beam_memory;
+    model_.beam_memory += memory_size(yields, beam);
+  }
+
+ private:
+  int add_law(const std::optional<HingeLaw>& law) {
+    if (!law) return -1;
+    model_.yields.hinge_laws.push_back(*law);
+    return static_cast<int>(model_.yields.hinge_laws.size()) - 1;
+  }
+
+  const FrameMember& member_;
+  double shear_;  ///< G A_s [N]
+  Model<2>& model_;
+  int section_ = -1;
+  std::array<int, 2> hinge_{-1, -1};
+};
+
 /// What a member is made of: mass per length, elasticity and damping.
 struct MemberMaterial {
   double mass;  ///< [kg/m]
@@ -83,8 +130,12 @@ struct MemberMaterial {
 void append_beams(const FrameRows& rows, std::size_t m, const MemberMaterial& made) {
   const FrameMember& member = rows.frame.members[m];
   const std::vector<Station>& stations = rows.plan.stations[m];
-  rows.model.members.push_back({name_of(rows.frame, member), rows.body, static_cast<int>(rows.model.beams.size()),
-                                static_cast<int>(stations.size()) - 1});
+  rows.model.members.push_back({name_of(rows.frame, member),
+                                rows.body,
+                                static_cast<int>(rows.model.beams.size()),
+                                static_cast<int>(stations.size()) - 1,
+                                {rows.frame.joints[member.from].name, rows.frame.joints[member.to].name}});
+  YieldRows yields(member, made.elastic.shear, rows.model);
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     Beam beam;
     beam.body = rows.body;
@@ -98,6 +149,7 @@ void append_beams(const FrameRows& rows, std::size_t m, const MemberMaterial& ma
     beam.damping = made.damping;
     const std::array pinned{i == 0 && member.pinned[0], i + 2 == stations.size() && member.pinned[1]};
     beam.stiffness = beam_stiffness(made.elastic, member.section, beam.length, pinned);
+    yields.add(beam, i == 0, i + 2 == stations.size(), pinned);
     add_masses(rows, beam, end_mass(beam, made.mass * beam.length, member.section));
     rows.model.beams.push_back(beam);
   }
@@ -174,6 +226,26 @@ std::vector<MemberMaterial> member_materials(const FrameRows& rows, const std::v
   return made;
 }
 
+/// Throws InputError, with `what` in front, where a member of `length` [m] cannot yield as it says.
+void check_yields(const FrameMember& member, const Material& material, const std::string& what, double length) {
+  const auto* const hinges = std::get_if<MemberHinges>(&member.yields);
+  const double young = std::visit([](const auto& l) { return l.young; }, material.solid->law);
+  try {
+    if (const auto* const fibres = std::get_if<MemberFibres>(&member.yields))
+      make_fibre_beam(make_fibres(fibres->spec), length, member.pinned, 0, fibres->rule, fibres->stations);
+    for (const int end : {0, 1}) {
+      if (hinges == nullptr || !hinges->end[end]) continue;
+      const HingeLaw& law = *hinges->end[end];
+      check_parameters(law), law.check();
+      check_softening(law, 2 * young * member.section.second_moment * member.divisions / length);
+      if (member.pinned[end])
+        throw InputError(fmt::format("end_hinge: its {} is pinned already", end == 0 ? "start" : "end"));
+    }
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("{}: {}", what, e.what()));
+  }
+}
+
 }  // namespace
 
 void ModelBuilder::check_frame(BodySpec& spec, const std::string& owner) const {
@@ -189,9 +261,12 @@ void ModelBuilder::check_frame(BodySpec& spec, const std::string& owner) const {
       throw InputError(fmt::format("{}: its members need a material with a stiffness (E, nu); {} has none", owner,
                                    name.empty() ? "it" : "'" + name + "'"));
     if (!material->solid->is_elastic())
-      throw InputError(
-          fmt::format("{}: its members are elastic, and material '{}' is not ({}); give it one with E and nu", owner,
-                      name, describe(*material->solid)));
+      throw InputError(fmt::format(
+          "{}: the material of members is elastic, and '{}' is not ({}); give it one with E and nu, and let "
+          "members yield by a fibre_section or an end_hinge",
+          owner, name, describe(*material->solid)));
+    check_yields(m, *material, fmt::format("{}: member '{}'", owner, name_of(*spec.frame, m)),
+                 length_of(plan, static_cast<std::size_t>(&m - spec.frame->members.data())));
   }
   spec.outline.clear();
   for (const auto& [m, i, side] : plan.outline)

@@ -17,6 +17,8 @@ enum class EventType : int {
   bearing_yielded,
   bearing_failed,
   bearing_changed,
+  member_yielded,
+  member_failed,
   contact_made,
   contact_lost,
   seat_lost,
@@ -28,7 +30,7 @@ enum class EventType : int {
   stage_diverged,
   stage_unsettled,
 };
-inline constexpr int event_types = 18;
+inline constexpr int event_types = 20;
 
 /// How a mortar joint fails; results hold the number.
 enum class JointMode : std::uint8_t { tension, shear, compression };
@@ -65,6 +67,8 @@ inline constexpr std::array<EventTypeInfo, event_types> event_type_info{{
     {"bearing.yielded", "bearing yielded", "displacement", "m", has_place},
     {"bearing.failed", "bearing failed", "displacement", "m", has_place | can_cause},
     {"bearing.changed", "bearing changed", "displacement", "m", has_place | can_cause},
+    {"member.yielded", "member yielded", "moment", "N m", has_place},
+    {"member.failed", "member failed", "rotation", "rad", has_place | can_cause},
     {"contact.made", "contact made", "closing speed", "m/s", has_place | is_minor},
     {"contact.lost", "contact lost", "", "", is_minor},
     {"seat.lost", "seat lost", "speed", "m/s", has_place | can_cause},
@@ -94,7 +98,7 @@ struct Event {
   double value = 0;     ///< see EventTypeInfo
   double x = 0, y = 0;  ///< where [m]
   JointMode mode{};     ///< of a joint
-  std::string text;     ///< the rest in words: which element of its body, why a stage diverged or did not settle
+  std::string text;  ///< the rest in words: which element or member of its body, why a stage diverged or did not settle
 };
 
 }  // namespace trilith

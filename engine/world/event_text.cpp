@@ -14,6 +14,10 @@ std::string size_text(double metres) {
   return size < 0.1 ? fmt::format("{:.3g} mm", 1e3 * size) : fmt::format("{:.3g} m", size);
 }
 
+std::string moment_text(double moment) {
+  return moment < 1e6 ? fmt::format("{:.3g} kN m", 1e-3 * moment) : fmt::format("{:.3g} MN m", 1e-6 * moment);
+}
+
 std::string body_name(const Model<2>& model, int body) {
   return body >= 0 ? model.bodies[body].name : "?";
 }
@@ -75,6 +79,10 @@ std::string event_text(const Event& e, const Model<2>& model) {
       return failed_text(e, model, "failed");
     case EventType::bearing_changed:
       return changed_text(e, model);
+    case EventType::member_yielded:
+      return fmt::format("{}: {} yielded under {}", a, e.text, moment_text(e.value));
+    case EventType::member_failed:
+      return fmt::format("{}: {} lost its moment after {:.3g} rad", a, e.text, e.value);
     case EventType::contact_made:
       return fmt::format("{} touched {}", a, b);
     case EventType::contact_lost:

@@ -37,6 +37,9 @@ void add(Hash& hash, const Solid& s);
 void add(Hash& hash, const Element& e);
 void add(Hash& hash, const Beam& b);
 void add(Hash& hash, const Member& m);
+void add(Hash& hash, const FibreSection& s);
+void add(Hash& hash, const FibreBeamRow& r);
+void add(Hash& hash, const HingeLaw& l);
 void add(Hash& hash, const Drive& d);
 void add(Hash& hash, const PointLoad& l);
 void add(Hash& hash, const FaceLoad& l);
@@ -119,10 +122,34 @@ void add(Hash& hash, const Beam& b) {
   add(hash, b.body), add(hash, b.node), add(hash, b.arm);
   add(hash, b.length), add(hash, b.angle), add(hash, b.damping);
   add(hash, b.stiffness.axial), add(hash, b.stiffness.bend), add(hash, b.stiffness.bow);
+  hash.add(static_cast<std::uint64_t>(b.yield)), add(hash, b.yield_row), add(hash, b.first_memory);
+}
+
+void add(Hash& hash, const FibreSection& s) {
+  for (const Fibre& f : s.fibres) add(hash, f.area), add(hash, f.height);
+  for (const FibrePart& p : s.parts) {
+    std::visit([&](const auto& l) { add_law(hash, l); }, p.law);
+    add(hash, p.first), add(hash, p.count);
+  }
+}
+
+void add(Hash& hash, const FibreBeamRow& r) {
+  add(hash, r.section), add(hash, r.beam.length), add(hash, r.beam.bow), add(hash, r.beam.shear);
+  add(hash, r.beam.slant), add(hash, r.beam.stations);
+  for (const FibreStation& s : r.beam.station) add(hash, s.weight), add(hash, s.curvature);
+}
+
+void add(Hash& hash, const HingeLaw& l) {
+  add_law(hash, l), add(hash, l.force), add(hash, l.share);
+}
+
+void add(Hash& hash, const BeamYields& y) {
+  add(hash, y.sections), add(hash, y.fibre_beams), add(hash, y.hinge_laws), add(hash, y.hinged_beams);
 }
 
 void add(Hash& hash, const Member& m) {
   add(hash, m.name), add(hash, m.body), add(hash, m.first_beam), add(hash, m.beams);
+  for (const std::string& joint : m.joint) add(hash, joint);
 }
 
 void add(Hash& hash, const GroundMotion& m) {
@@ -170,6 +197,7 @@ std::uint64_t structure_of(const Model<2>& m) {
   add(hash, m.piece_body), add(hash, m.piece_first), add(hash, m.corner_skin), add(hash, m.edge_is_face);
   add(hash, m.edge_corner);
   add(hash, m.solids), add(hash, m.elements), add(hash, m.element_number), add(hash, m.beams), add(hash, m.members);
+  if (m.beam_memory > 0) add(hash, m.yields);
   add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, m.law_of);
   add(hash, m.bearings), add(hash, m.seats);
   return hash.value();

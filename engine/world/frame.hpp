@@ -4,8 +4,11 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "body/fibre_beam.hpp"
+#include "body/hinge_law.hpp"
 #include "body/section.hpp"
 #include "shape/polygon.hpp"
 #include "world/model.hpp"
@@ -21,6 +24,18 @@ struct FrameJoint {
   std::array<Support, 3> support{};  ///< x, y, rotation
 };
 
+/// A member of fibres, followed at stations along each of its beams.
+struct MemberFibres {
+  FibreSpec spec;
+  BeamRule rule = BeamRule::lobatto;
+  int stations = 4;
+};
+
+/// Plastic hinges where a member's flexible part begins and ends; without one, that end stays elastic.
+struct MemberHinges {
+  std::array<std::optional<HingeLaw>, 2> end;
+};
+
 /// A straight member. Its top is the side to the left of the way from `from` to `to`.
 struct FrameMember {
   std::string name;                         ///< for messages and readings
@@ -28,10 +43,11 @@ struct FrameMember {
   std::array<std::optional<Vec2>, 2> ends;  ///< where the flexible part begins and ends, which turns rigidly
                                             ///< with the joint; without it, at the joint itself [m]
   Section section;
-  std::string material;          ///< "": the body's
-  int divisions = 8;             ///< beam elements in a row
-  std::array<bool, 2> pinned{};  ///< carries no moment there
-  bool shear = false;            ///< with shear deformation
+  std::string material;                                             ///< "": the body's
+  int divisions = 8;                                                ///< beam elements in a row
+  std::array<bool, 2> pinned{};                                     ///< carries no moment there
+  bool shear = false;                                               ///< with shear deformation
+  std::variant<std::monostate, MemberFibres, MemberHinges> yields;  ///< not at all, or how
 };
 
 struct FrameSpec {

@@ -11,7 +11,7 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
-#include "body/beam.hpp"
+#include "body/beam_yield.hpp"
 #include "body/list.hpp"
 #include "contact/list.hpp"
 #include "load/forces.hpp"
@@ -151,8 +151,10 @@ struct Model {
   std::vector<double> element_number;         ///< see world/element_rows.hpp
   std::vector<Member> members;                ///< of frames, body by body
   std::vector<Beam> beams;                    ///< [beam] of frames, body by body
+  BeamYields yields;                          ///< of those that yield
   std::vector<RateBound> element_bound;       ///< [body] of its elements or beams; 0 where it is rigid
   int plastic_points = 0;                     ///< rows of State::plastic
+  int beam_memory = 0;                        ///< rows of State::beam_memory
 
   // Contact laws: which one holds between two surfaces.
   std::vector<ContactLaw> laws;

@@ -17,6 +17,7 @@ State<D> initial_state(const Model<D>& model) {
   for (std::size_t i = 0; i < model.bearings.size(); ++i)
     if (model.bearings[i].starts_waiting) state.bearing[i].status = BearingStatus::waiting;
   state.plastic.resize(static_cast<std::size_t>(model.plastic_points));
+  state.beam_memory.assign(static_cast<std::size_t>(model.beam_memory), 0);
   state.seat_lost.resize(model.seats.size());
   state.moved_at.assign(model.bodies.size(), 0);
   state.resting.assign(model.bodies.size(), 1);

@@ -12,6 +12,7 @@ void open_units(lua_State* L);         ///< units, params
 void open_math(lua_State* L);          ///< math.sin, math.exp, ...
 void open_laws(lua_State* L);          ///< frictional, bonded, linear, ...
 void open_sections(lua_State* L);      ///< rectangle_section, i_section, ...
+void open_yields(lua_State* L);        ///< fibre_section, kent_park, end_hinge, ...
 void open_motions(lua_State* L);       ///< motion
 void open_build(lua_State* L);         ///< build.block, build.arch, ...
 void open_study(lua_State* L);         ///< study
@@ -32,8 +33,9 @@ std::span<const Method> debug_methods();     ///< step, rewind, checkpoints
 std::span<const Method> change_methods();    ///< change
 std::span<const Method> reading_methods();   ///< bodies, contacts, history, results, explain_dt
 
-/// body:forces, of beams and frames.
+/// body:forces and body:hinges, of beams and frames.
 int push_member_forces(lua_State* L);
+int push_member_hinges(lua_State* L);
 
 /// Highest number of a storey ("storey 3") among the groups of the bodies so far.
 int storey_count(const ScriptModel& model);

@@ -14,9 +14,11 @@ std::size_t bytes_in(const Vectors&... vectors) {
 }  // namespace
 
 std::size_t bytes_of(const State<2>& s) {
-  return sizeof(State<2>) + bytes_in(s.position, s.rotation, s.velocity, s.spin, s.contacts.key, s.contacts.memory,
-                                     s.contacts.law_row, s.contacts.law_memory, s.parted, s.bearing, s.plastic,
-                                     s.seat_lost, s.moved_at, s.resting);
+  const std::size_t tangent = s.tangent ? bytes_in(s.tangent->column, s.tangent->row, s.tangent->value) : 0;
+  return sizeof(State<2>) + tangent +
+         bytes_in(s.position, s.rotation, s.velocity, s.spin, s.contacts.key, s.contacts.memory, s.contacts.law_row,
+                  s.contacts.law_memory, s.parted, s.bearing, s.plastic, s.beam_memory, s.seat_lost, s.moved_at,
+                  s.resting);
 }
 
 std::size_t bytes_of(const Model<2>& m) {

@@ -41,7 +41,8 @@ bool push_any_kind(lua_State* L, std::string_view name) {
 int properties(lua_State* L) {
   const std::string name = lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "";
   return push_any_kind<ModelBox, BodyHandle, BodySet, BearingHandle, SeatHandle, HistoryHandle, StoreyHandle,
-                       MotionValue, ContactLawValue, DirectionLawValue, SolidLawValue, SectionValue>(L, name)
+                       MotionValue, ContactLawValue, DirectionLawValue, SolidLawValue, FibreLawValue, HingeLawValue,
+                       SectionValue>(L, name)
              ? 1
              : 0;
 }
@@ -74,8 +75,8 @@ struct PushLaw {
   }
 };
 
-/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, preset } }, in four tables: laws of
-/// contacts, of a bearing's directions, of solids; shapes of sections.
+/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, preset } }, in six tables: laws of
+/// contacts, of a bearing's directions, of solids, of fibres, of hinges; shapes of sections.
 int laws(lua_State* L) {
   lua_newtable(L);
   ContactLaws::for_each(PushLaw{L});
@@ -84,8 +85,12 @@ int laws(lua_State* L) {
   lua_newtable(L);
   SolidLaws::for_each(PushLaw{L});
   lua_newtable(L);
+  UniaxialLaws::for_each(PushLaw{L});
+  lua_newtable(L);
+  TypeList<HingeLaw>::for_each(PushLaw{L});
+  lua_newtable(L);
   SectionShapes::for_each(PushLaw{L});
-  return 4;
+  return 6;
 }
 
 /// core.manual_pages(): the pages of the manual, each a function that gives its table.

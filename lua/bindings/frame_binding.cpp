@@ -1,5 +1,6 @@
 // Beams and frames: sections as values, model:beam, model:frame, and the forces within members.
 #include <algorithm>
+#include <type_traits>
 
 #include "bindings.hpp"
 #include "body_reading.hpp"
@@ -17,7 +18,9 @@ int make_section(lua_State* L) {
   keys.declared(shape);
   keys.finish();
   if constexpr (requires { shape.check(); }) shape.check();
-  push_handle(L, SectionValue{shape.numbers(), describe(shape)});
+  SectionValue value{shape.numbers(), describe(shape), std::nullopt, std::nullopt};
+  if constexpr (std::is_constructible_v<FibreShape, Shape>) value.shape = shape;
+  push_handle(L, std::move(value));
   return 1;
 }
 
@@ -35,16 +38,37 @@ int make_polygon_section(lua_State* L) {
   Polygon outline = keys.points("outline");
   keys.finish();
   outline = check_polygon(std::move(outline), "polygon_section").outline;
-  push_handle(L, SectionValue{polygon_section(outline), fmt::format("polygon_section of {} corners", outline.size())});
+  push_handle(L, SectionValue{polygon_section(outline), fmt::format("polygon_section of {} corners", outline.size()),
+                              SectionOutline{outline}, std::nullopt});
   return 1;
+}
+
+/// hinge = for both ends, from_hinge and to_hinge for one.
+void read_hinges(Keys& keys, FrameMember& member) {
+  MemberHinges hinges;
+  const auto read = [&](const char* key, std::initializer_list<int> ends) {
+    if (const auto* const hinge = keys.maybe_handle<HingeLawValue>(key))
+      for (const int end : ends) hinges.end[end] = std::get<HingeLaw>(hinge->law);
+  };
+  read("hinge", {0, 1}), read("from_hinge", {0}), read("to_hinge", {1});
+  if (!hinges.end[0] && !hinges.end[1]) return;
+  if (std::holds_alternative<MemberFibres>(member.yields))
+    keys.problem("it has both a hinge and a section of fibres; keep one");
+  member.yields = hinges;
 }
 
 /// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
 void read_member(Keys& keys, FrameMember& member) {
-  if (const auto* section = keys.maybe_handle<SectionValue>("section"))
+  const bool gauss = keys.choice("rule", {"lobatto", "gauss"}, 0) == 1;
+  const int stations = keys.count("stations", 4);
+  if (const auto* section = keys.maybe_handle<SectionValue>("section")) {
     member.section = section->numbers;
-  else if (!keys.has("section"))
+    if (section->fibres)
+      member.yields = MemberFibres{*section->fibres, gauss ? BeamRule::gauss : BeamRule::lobatto, stations};
+  } else if (!keys.has("section")) {
     keys.missing("section", "a section such as trilith.rectangle_section{width =, depth =}");
+  }
+  read_hinges(keys, member);
   member.divisions = keys.count("divisions", member.divisions);
   member.shear = keys.flag("shear", false);
   for (const std::string& end : keys.names("pinned")) {
@@ -173,8 +197,8 @@ int frame(lua_State* L) {
   return 1;
 }
 
-/// The member that body:forces is asked for: the only one, or the one of that name.
-int member_of(const Model<2>& model, int body, const std::optional<std::string>& name) {
+/// The member that body:forces and body:hinges (`call`) are asked for: the only one, or the one of that name.
+int member_of(const Model<2>& model, int body, const std::optional<std::string>& name, const char* call) {
   std::vector<std::string> known;
   int only = -1;
   for (int i = 0; i < static_cast<int>(model.members.size()); ++i) {
@@ -185,32 +209,43 @@ int member_of(const Model<2>& model, int body, const std::optional<std::string>&
   }
   const std::string& owner = model.bodies[body].name;
   if (known.empty())
-    throw InputError(fmt::format("forces: body '{}' is {}, which has no members; ask a beam or frame", owner,
+    throw InputError(fmt::format("{}: body '{}' is {}, which has no members; ask a beam or frame", call, owner,
                                  name_of(model.bodies[body].kind)));
   if (name)
-    throw InputError(fmt::format("forces: body '{}' has no member '{}'{}", owner, *name, name_hint(*name, known)));
+    throw InputError(fmt::format("{}: body '{}' has no member '{}'{}", call, owner, *name, name_hint(*name, known)));
   if (known.size() > 1)
-    throw InputError(fmt::format("forces: body '{}' has {} members; name one, such as forces \"{}\"", owner,
-                                 known.size(), known.front()));
+    throw InputError(fmt::format("{}: body '{}' has {} members; name one, such as {} \"{}\"", call, owner, known.size(),
+                                 call, known.front()));
   return only;
 }
 
-}  // namespace
-
-/// body:forces "member": a list of { along, x, y, normal, shear, moment }, two for each beam.
-int push_member_forces(lua_State* L) {
+/// A member of a body that is asked about: argument 2 names it where there are several.
+struct AskedMember {
+  const Simulation& run;
+  int member;
+};
+AskedMember asked_member(lua_State* L, const char* call) {
   const auto& b = handle<BodyHandle>(L, 1);
   std::optional<std::string> name;
   if (lua_type(L, 2) == LUA_TSTRING)
     name = text_at(L, 2);
   else if (!lua_isnoneornil(L, 2))
-    throw InputError(fmt::format("forces: takes the name of a member; this is {}", what_is(L, 2)));
+    throw InputError(fmt::format("{}: takes the name of a member; this is {}", call, what_is(L, 2)));
   const Simulation* const built = b.model().if_built();
-  if (built == nullptr) throw InputError("forces: nothing has run yet; ask during a stage or after it");
+  if (built == nullptr) throw InputError(fmt::format("{}: nothing has run yet; ask during a stage or after it", call));
+  return {*built, member_of(built->model(), b.index, name, call)};
+}
+
+constexpr std::array<const char*, 3> hinge_states{"elastic", "yielded", "failed"};
+
+}  // namespace
+
+/// body:forces "member": a list of { along, x, y, normal, shear, moment }, two for each beam.
+int push_member_forces(lua_State* L) {
+  const AskedMember asked = asked_member(L, "forces");
   lua_newtable(L);
   lua_Integer i = 0;
-  for (const SectionForces& row :
-       member_forces(built->model(), built->state(), member_of(built->model(), b.index, name))) {
+  for (const SectionForces& row : member_forces(asked.run.model(), asked.run.state(), asked.member)) {
     lua_createtable(L, 0, 6);
     set_number(L, "along", row.along);
     set_number(L, "x", row.place.x());
@@ -218,6 +253,33 @@ int push_member_forces(lua_State* L) {
     set_number(L, "normal", row.normal);
     set_number(L, "shear", row.shear);
     set_number(L, "moment", row.moment);
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// body:hinges "member": a list of { joint, state, rotation, stretch, moment, normal, given_off, x, y }.
+int push_member_hinges(lua_State* L) {
+  const AskedMember asked = asked_member(L, "hinges");
+  const Model<2>& model = asked.run.model();
+  const std::vector<HingeReading> hinges = member_hinges(model, asked.run.state(), asked.member);
+  if (hinges.empty())
+    throw InputError(
+        fmt::format("hinges: member '{}' has no hinges; give it some by hinge = trilith.end_hinge{{sagging =}}",
+                    model.members[asked.member].name));
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const HingeReading& row : hinges) {
+    lua_createtable(L, 0, 9);
+    set_text(L, "joint", model.members[asked.member].joint[row.end]);
+    set_text(L, "state", hinge_states[static_cast<std::size_t>(row.status)]);
+    set_number(L, "rotation", row.rotation);
+    set_number(L, "stretch", row.stretch);
+    set_number(L, "moment", row.moment);
+    set_number(L, "normal", row.normal);
+    set_number(L, "given_off", row.given_off);
+    set_number(L, "x", row.place.x());
+    set_number(L, "y", row.place.y());
     lua_rawseti(L, -2, ++i);
   }
   return 1;

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <variant>
 #include <vector>
 
 #include "keys.hpp"
@@ -79,10 +81,21 @@ struct SolidLawValue {
   SolidLaw law;
 };
 
+struct FibreLawValue {
+  UniaxialLaw law;
+};
+
+/// One kind so far.
+struct HingeLawValue {
+  std::variant<HingeLaw> law;
+};
+
 /// A cross-section of beams.
 struct SectionValue {
   Section numbers;
-  std::string text;  ///< how it was made
+  std::string text;                 ///< how it was made
+  std::optional<FibreShape> shape;  ///< where it can be cut into fibres
+  std::optional<FibreSpec> fibres;  ///< where it is made of them
 };
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type as a template argument takes none.
@@ -109,6 +122,8 @@ TRILITH_KIND(MotionValue, "motion");
 TRILITH_KIND(ContactLawValue, "contact law");
 TRILITH_KIND(DirectionLawValue, "direction law");
 TRILITH_KIND(SolidLawValue, "solid law");
+TRILITH_KIND(FibreLawValue, "fibre law");
+TRILITH_KIND(HingeLawValue, "hinge law");
 TRILITH_KIND(SectionValue, "section");
 #undef TRILITH_KIND
 

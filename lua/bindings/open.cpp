@@ -39,6 +39,7 @@ int fill(lua_State* L) {
   open_math(L);
   open_laws(L);
   open_sections(L);
+  open_yields(L);
   open_motions(L);
   open_build(L);
   open_study(L);

@@ -7,7 +7,7 @@ local kind_names = {
   model = "model", body = "body", set = "set of bodies", bearing = "bearing", seat = "seat", history = "history",
   storey = "storey", motion = "motion", ["contact law"] = "contact law", section = "section",
 }
-local law_kinds = { "contact law", "direction law", "solid law", "section" }
+local law_kinds = { "contact law", "direction law", "solid law", "fibre law", "hinge law", "section" }
 
 --- "name  number s = 3  sentence" as { name, type, unit, preset, optional, doc }.
 local function read_key(line)
@@ -73,6 +73,10 @@ local function add_laws(manual)
       if i == 1 then
         entry.keys[1] = { name = "name", type = "text", unit = "", optional = true, doc = "its name in results" }
       end
+      if name == "end_hinge" then
+        entry.keys[1] = { name = "axial", type = "points", unit = "", optional = true,
+          doc = "{ normal force, share of the moment left }, ..., instead of tension, compression, exponent" }
+      end
       if name == "table" then
         entry.keys[1] = { name = "points", type = "points", unit = "", doc = "{ displacement, force }, ..." }
       end
@@ -130,7 +134,7 @@ function console.manual()
     if page.tables then add_tables(manual, page) end
   end
   manual.pages[#manual.pages + 1] = { name = "laws",
-    title = "Laws of contacts, bearings and solids; sections of beams" }
+    title = "Laws of contacts, bearings, solids, fibres and hinges; sections of beams" }
   add_laws(manual)
   manual.pages[#manual.pages + 1] = { name = "fields", title = "What can be read, by kind" }
   add_fields(manual, types)

@@ -5,7 +5,8 @@ local class_of = {
   model = "trilith.model", body = "trilith.body", set = "trilith.set", bearing = "trilith.bearing",
   seat = "trilith.seat", history = "trilith.history", storey = "trilith.storey", motion = "trilith.motion",
   ["contact law"] = "trilith.contact_law", ["direction law"] = "trilith.direction_law",
-  ["solid law"] = "trilith.solid_law", section = "trilith.section", report = "trilith.report",
+  ["solid law"] = "trilith.solid_law", ["fibre law"] = "trilith.fibre_law", ["hinge law"] = "trilith.hinge_law",
+  section = "trilith.section", report = "trilith.report",
   findings = "trilith.findings",
   event = "trilith.event", part = "trilith.part",
 }
@@ -15,7 +16,8 @@ local type_of = {
   body = "trilith.body|string", bodies = "trilith.body|trilith.set|string|table", bearing = "trilith.bearing|string",
   seat = "trilith.seat|string", motion = "trilith.motion", rest = "boolean|table", ["body form"] = "string|table",
   ["contact law"] = "trilith.contact_law|string", ["direction law"] = "trilith.direction_law",
-  ["solid law"] = "trilith.solid_law", section = "trilith.section", ["text or integer"] = "string|integer",
+  ["solid law"] = "trilith.solid_law", ["fibre law"] = "trilith.fibre_law", ["hinge law"] = "trilith.hinge_law",
+  section = "trilith.section", ["text or integer"] = "string|integer",
   course = "number|table",
   place = "number[]|string", ["two bodies"] = "table[]",
   ["bearing or law"] = "trilith.bearing|trilith.contact_law|string", storeys = "integer|table[]",
@@ -108,7 +110,8 @@ end
 function console.meta_text()
   local manual = console.manual()
   local lines = { "---@meta trilith", "-- Made by trilith manual --meta; see docs/editor.md.", "" }
-  for _, owner in ipairs { "report", "findings", "event", "part", "direction law", "solid law", "section", "model",
+  for _, owner in ipairs { "report", "findings", "event", "part", "direction law", "solid law", "fibre law",
+    "hinge law", "section", "model",
     "body", "set",
     "bearing", "seat", "history", "storey", "motion", "contact law" } do
     add_class(lines, owner)

@@ -5,19 +5,35 @@ return {
 name          text                its name
 from          point               its start, on the axis of the section
 to            point               its end
-section       section             such as trilith.rectangle_section{...}
+section       section             such as trilith.rectangle_section{...}, or trilith.fibre_section{...}
 divisions     integer = 8         beam elements in a row
 shear         flag = false        with shear deformation (Timoshenko)
 pinned        names?              "from", "to" or both: carries no moment there
+hinge         hinge law?          a plastic hinge at both ends
+from_hinge    hinge law?          ... at its start
+to_hinge      hinge law?          ... at its end
+stations      integer = 4         of fibres, along each beam element
+rule          text = "lobatto"    where those are: "lobatto" (ends too) or "gauss"
 from_support  text?               "fixed", "free" or directions { x = "fixed", rotation = "fixed" }
 to_support    text?               the same of its end]], with = "beam", gives = "body" },
   { "model:frame", "Beams that meet at joints, as one body: a bent, a portal, a truss.", keys = [[
 name     text   its name
 joints   table  { A = {x, y}, B = { at = {x, y}, support = , mass = , inertia = }, ... }
-members  list   { { from = , to = , section = , name = , from_at = , to_at = , divisions = , pinned = , ... }, ... }]],
+members  list   { { from = , to = , section = , name = , from_at = , to_at = , divisions = , hinge = , ... }, ... }]],
     with = "beam", gives = "body" },
   { "trilith.polygon_section", "A section of any simple polygon, in its own axes.", keys = [[
 outline  points  corners in order: x out of the plane, y up metres]], gives = "section" },
+  { "trilith.fibre_section", "A section of fibres, each with its law: concrete with bars, steel.", keys = [[
+shape      section         its outline, such as trilith.rectangle_section{...}
+law        fibre law       such as trilith.kent_park{...}; with a cover, of the core
+layers     integer = 20    over the depth
+cover      number m = 0    thickness outside of the core
+cover_law  fibre law?      of the cover; else as the core
+core       section?        its shape, instead of what the cover leaves
+bars       list?           { { area = , height = }, ... }: of all at a height above the bottom [m2, m]
+bar_law    fibre law?      of the bars, such as trilith.menegotto_pinto{...}]], gives = "section" },
+  { "body:hinges", "Plastic hinges of a member: joint, state, rotation, stretch, moment, normal, given_off, x, y.",
+    args = "member  text?  its name", gives = "table[]" },
   { "body:forces", "Inner forces along a member of a beam or frame: a row for both ends of each of its beams.",
     args = "member  text?  its name; joints of one without a name are joined, as in \"A-B\"", gives = "table[]" },
   shared = { beam = [[

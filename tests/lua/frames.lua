@@ -85,7 +85,7 @@ refused("joint 'b' is 4, must be", p.frame, p, portal(nil, { joints = { a = { 0,
 p:material { name = "stone", density = 2000 }
 refused("stiffness", p.frame, p, portal(nil, { material = "stone" }))
 p:material { name = "steel", density = 7850, solid = trilith.j2 { E = 2e11, nu = 0.3, yield = 2.4e8 } }
-refused("its members are elastic, and material 'steel' is not (j2", p.frame, p, portal(nil, { material = "steel" }))
+refused("the material of members is elastic, and 'steel' is not (j2", p.frame, p, portal(nil, { material = "steel" }))
 refused("unknown key 'inertia'", p.frame, p, portal(nil, { inertia = 3 }))
 local body = p:frame(portal())
 p:consolidate { ratio = 1e-6, speed = 1e-8 }

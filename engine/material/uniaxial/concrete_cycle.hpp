@@ -75,7 +75,6 @@ struct ConcreteCycle {
       most = open;
       out.memory[last_stress] = line(open);
       out.tangent = open < end ? -law.tension * share / (end - first) : 0;
-      out.yielding = true;
     } else if (most > first) {
       out.tangent = line(most) / most;
       out.memory[last_stress] = out.tangent * open;

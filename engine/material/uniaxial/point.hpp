@@ -18,7 +18,7 @@ struct UniaxialResponse {
   double tangent = 0;     ///< d stress / d strain for what is remembered from before [Pa]
   double stored = 0;      ///< elastic energy, that of the memory [J/m3]
   double dissipated = 0;  ///< of this step: work of its mean stress less what is stored [J/m3]
-  bool yielding = false;  ///< in this step
+  bool yielding = false;  ///< in this step: steel flows, concrete crushes; cracks are none of it
   [[nodiscard]] double stress() const { return memory[last_stress]; }  ///< [Pa]
 };
 

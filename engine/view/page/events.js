@@ -9,7 +9,7 @@ const faults = ["body.passed", "element.overstrained"];
 export function eventColour(type, theme, palette) {
   if (type.endsWith("failed") || type === "seat.lost" || faults.includes(type)) return theme.dark ? "#ff6a3c" : palette.failed;
   if (type.startsWith("bond.")) return theme.dark ? "#ff8f6b" : "#d9653b";
-  if (type === "bearing.yielded") return palette.yielded;
+  if (type.endsWith(".yielded")) return palette.yielded;
   if (type === "bearing.changed") return palette.changed;
   if (type === "impact") return theme.accent;
   return theme.quiet;

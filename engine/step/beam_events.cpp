@@ -1,0 +1,68 @@
+#include "step/beam_events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "step/beam_motion.hpp"
+#include "step/resist_beams.hpp"
+
+namespace trilith {
+namespace {
+
+/// "column 1 at a"; of beams within a member, how far along they begin.
+std::string place_text(const Model<2>& model, const Member& m, int beam, int end) {
+  const std::string member = m.name == model.bodies[m.body].name ? "" : m.name + " ";
+  if (end == 0 && beam == m.first_beam) return fmt::format("{}at {}", member, m.joint[0]);
+  if (end == 1 && beam + 1 == m.first_beam + m.beams) return fmt::format("{}at {}", member, m.joint[1]);
+  double along = 0;
+  for (int i = m.first_beam; i < beam; ++i) along += model.beams[i].length;
+  return fmt::format("{}{:.3g} m from {}", member, along, m.joint[0]);
+}
+
+/// Moment that the end of a beam carries, or of one of fibres the larger of both [N m].
+double moment_at(const Model<2>& model, const State<2>& state, const Work<2>& work, const Beam& beam, int end) {
+  const std::span after = memory_of(model, beam, std::span<const double>(work.beam_memory));
+  if (beam.yield == BeamYield::at_hinges) return std::abs(hinge_memory(after).moment[end]);
+  Vec2 arm;
+  const BeamNow now(end_of(state, beam, 0, arm), end_of(state, beam, 1, arm), beam.length, beam.angle);
+  const BeamStress stress = beam_stress(model, state, beam, now);
+  return std::max(std::abs(stress[1]), std::abs(stress[2]));
+}
+
+void member_event(const Model<2>& model, const State<2>& state, Work<2>& work, const Member& m, int beam, int end) {
+  const Beam& b = model.beams[beam];
+  const std::span after = memory_of(model, b, std::span<const double>(work.beam_memory));
+  const HingeStatus was = yield_status(b, memory_of(model, b, std::span<const double>(state.beam_memory)), end);
+  const HingeStatus is = yield_status(b, after, end);
+  if (was == is) return;
+  Event e;
+  e.type = is == HingeStatus::lost ? EventType::member_failed : EventType::member_yielded;
+  e.time = state.time, e.step = state.step, e.body_a = m.body;
+  e.value = is == HingeStatus::lost ? hinge_memory(after).reach[end] : moment_at(model, state, work, b, end);
+  Vec2 arm;
+  const Vec2 at = end_of(state, b, static_cast<std::size_t>(end), arm).place;
+  e.x = at.x(), e.y = at.y();
+  e.text = place_text(model, m, beam, end);
+  work.events.push_back(std::move(e));
+}
+
+bool can_yield(const Model<2>& model, const Beam& beam, int end) {
+  if (beam.yield == BeamYield::at_hinges) return has_hinge(model.yields, beam, end);
+  return beam.yield == BeamYield::in_fibres;
+}
+
+}  // namespace
+
+void beam_events(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  if (model.beam_memory == 0) return;
+  for (const Member& m : model.members)
+    for (int i = m.first_beam; i < m.first_beam + m.beams; ++i) {
+      for (const int end : {0, 1})
+        if (can_yield(model, model.beams[i], end)) member_event(model, state, work, m, i, end);
+    }
+}
+
+}  // namespace trilith

@@ -1,0 +1,52 @@
+#include "step/resist_beams.hpp"
+
+#include "step/beam_motion.hpp"
+
+namespace trilith {
+namespace {
+
+BeamResponse respond_elastic(const Beam& beam, const BeamNow& now) {
+  BeamResponse out{stress_of(beam.stiffness, now.strain), {}, stored_in(beam.stiffness, now.strain), 0};
+  if (!(beam.damping > 0)) return out;
+  out.damping = linear_stress(beam.stiffness, now.rate);
+  for (double& v : out.damping) v *= beam.damping;
+  return out;
+}
+
+BeamResponse respond_yielding(const Model<2>& model, const State<2>& state, Work<2>& work, const Beam& beam,
+                              const BeamNow& now) {
+  return respond(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)),
+                 memory_of(model, beam, std::span(work.beam_memory)));
+}
+
+}  // namespace
+
+/// Forces and moments on the nodes are the derivatives of a beam's energy where it is elastic (body/beam_element.hpp),
+/// and what its fibres or hinges carry where it yields (body/beam_yield.hpp); the ends go with their nodes rigidly.
+void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, ResistSums& sums) {
+  for (const Beam& beam : model.beams) {
+    std::array<Vec2, 2> arm;
+    const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);
+    const BeamNow now(from, to, beam.length, beam.angle);
+    const auto add = [&](const BeamStress& stress, std::vector<Vec2>& force, std::vector<double>& moment) {
+      const Vec2 start = now.force_on_start(stress);
+      force[beam.node[0]] += start, force[beam.node[1]] -= start;
+      moment[beam.node[0]] += cross(arm[0], start) - stress[1];
+      moment[beam.node[1]] -= cross(arm[1], start) + stress[2];
+    };
+    const BeamResponse r =
+        beam.yield == BeamYield::never ? respond_elastic(beam, now) : respond_yielding(model, state, work, beam, now);
+    sums.stored += r.stored, sums.plastic += r.dissipated;
+    add(r.stress, work.element_force, work.element_moment);
+    if (beam.damping > 0) add(r.damping, work.element_damping, work.element_damping_moment);
+  }
+}
+
+BeamStress beam_stress(const Model<2>& model, const State<2>& state, const Beam& beam, const BeamNow& now) {
+  if (beam.yield == BeamYield::never) return stress_of(beam.stiffness, now.strain);
+  const std::span before = memory_of(model, beam, std::span(state.beam_memory));
+  std::vector<double> after(before.size());
+  return respond(model.yields, beam, now, before, after).stress;
+}
+
+}  // namespace trilith

@@ -1,0 +1,29 @@
+// Beams of frames: what the motion of their nodes makes of them.
+#pragma once
+
+#include <span>
+
+#include "body/beam_element.hpp"
+#include "world/work.hpp"
+
+namespace trilith {
+
+/// Energies of deformable bodies, summed in the order of their elements.
+struct ResistSums {
+  double stored = 0;   ///< [J]
+  double plastic = 0;  ///< given off in this step [J]
+};
+
+/// Adds to the forces and dampings on the nodes, and writes the trial memories of beams that yield.
+void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, ResistSums& sums);
+
+/// Normal force and end moments of a beam at a state that has been committed, without damping.
+BeamStress beam_stress(const Model<2>& model, const State<2>& state, const Beam& beam, const BeamNow& now);
+
+/// What a beam that yields remembers.
+template <class Number>
+std::span<Number> memory_of(const Model<2>& model, const Beam& beam, std::span<Number> memories) {
+  return memories.subspan(beam.first_memory, memory_size(model.yields, beam));
+}
+
+}  // namespace trilith

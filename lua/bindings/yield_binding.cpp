@@ -1,0 +1,126 @@
+// How members of frames yield, as values: laws of fibres, sections of fibres, laws of hinges.
+#include <type_traits>
+
+#include "bindings.hpp"
+#include "law_values.hpp"
+#include "part_reading.hpp"
+
+namespace trilith::script {
+namespace {
+
+template <class L>
+int make_fibre_law(lua_State* lua) {
+  Keys keys(lua, 1, std::string(L::name));
+  L law;
+  keys.declared(law);
+  keys.finish();
+  if constexpr (requires { law.check(); }) law.check();
+  push_handle(lua, FibreLawValue{law});
+  return 1;
+}
+
+struct AddFibreLaw {
+  lua_State* lua;
+  template <class L>
+  void operator()() const {
+    set_function(lua, std::string(L::name).c_str(), guarded<make_fibre_law<L>>);
+  }
+};
+
+/// trilith.end_hinge{ sagging =, hogging =, ..., axial = {{N, share}, ...} }
+int make_end_hinge(lua_State* L) {
+  Keys keys(L, 1, std::string(HingeLaw::name));
+  HingeLaw law;
+  keys.declared(law);
+  if (keys.has("axial"))
+    for (const Vec2& p : keys.points("axial")) law.force.push_back(p.x()), law.share.push_back(p.y());
+  keys.finish();
+  law.check();
+  push_handle(L, HingeLawValue{law});
+  return 1;
+}
+
+/// The shape of the section under `key`, which must be one that can be cut into fibres.
+std::optional<FibreShape> read_shape(Keys& keys, const char* key) {
+  const auto* const section = keys.maybe_handle<SectionValue>(key);
+  if (section == nullptr) return std::nullopt;
+  if (!section->shape)
+    keys.problem(
+        fmt::format("'{}' is {}, which has no shape to cut into fibres; give one such as "
+                    "trilith.rectangle_section{{width =, depth =}}",
+                    key, section->fibres ? "made of fibres already" : section->text));
+  return section->shape;
+}
+
+std::optional<UniaxialLaw> read_fibre_law(Keys& keys, const char* key) {
+  const auto* const law = keys.maybe_handle<FibreLawValue>(key);
+  return law == nullptr ? std::nullopt : std::optional(law->law);
+}
+
+/// trilith.fibre_section{ shape =, law =, layers =, cover =, cover_law =, core =, bars =, bar_law = }
+int make_fibre_section(lua_State* L) {
+  Keys keys(L, 1, "fibre_section");
+  if (!keys.has("shape")) keys.missing("shape", "a section such as trilith.rectangle_section{width =, depth =}");
+  if (!keys.has("law")) keys.missing("law", "a law of fibres such as trilith.kent_park{strength = 30e6}");
+  const std::optional<FibreShape> shape = read_shape(keys, "shape");
+  FibreSpec spec{shape.value_or(RectangleSection{1, 1}), read_fibre_law(keys, "law").value_or(UniaxialElastic{})};
+  spec.layers = keys.count("layers", spec.layers);
+  spec.cover = keys.number("cover", "m", 0);
+  spec.core = read_shape(keys, "core");
+  spec.cover_law = read_fibre_law(keys, "cover_law").value_or(spec.law);
+  read_list(keys, "bars", "bars", [&](Keys& own) {
+    spec.bars.push_back({own.number("area", "m2"), own.number("height", "m")});
+  });
+  const std::optional<UniaxialLaw> bar_law = read_fibre_law(keys, "bar_law");
+  if (!spec.bars.empty() && !bar_law) keys.missing("bar_law", "the law of the bars, such as trilith.menegotto_pinto{}");
+  spec.bar_law = bar_law.value_or(UniaxialElastic{});
+  keys.finish();
+  const FibreSection made = make_fibres(spec);  // whatever is wrong is told here, and not by a member later
+  const std::string text = fmt::format("fibre_section of {} fibres of {}", made.fibres.size(), law_text(spec.law));
+  push_handle(L, SectionValue{section_of(spec.shape), text, std::nullopt, spec});
+  return 1;
+}
+
+}  // namespace
+
+void open_yields(lua_State* L) {
+  register_kind<FibreLawValue>(L);
+  register_kind<HingeLawValue>(L);
+  UniaxialLaws::for_each(AddFibreLaw{L});
+  set_function(L, std::string(HingeLaw::name).c_str(), guarded<make_end_hinge>);
+  set_function(L, "fibre_section", guarded<make_fibre_section>);
+}
+
+std::span<const Property<FibreLawValue>> Kind<FibreLawValue>::properties() {
+  return {};
+}
+std::span<const Method> Kind<FibreLawValue>::methods() {
+  return {};
+}
+std::string Kind<FibreLawValue>::title(const FibreLawValue& v) {
+  return law_text(v.law);
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<FibreLawValue>::metamethods() {
+  return {};
+}
+bool Kind<FibreLawValue>::read_item(lua_State* L, const FibreLawValue& v) {
+  return push_declared(L, v.law);
+}
+
+std::span<const Property<HingeLawValue>> Kind<HingeLawValue>::properties() {
+  return {};
+}
+std::span<const Method> Kind<HingeLawValue>::methods() {
+  return {};
+}
+std::string Kind<HingeLawValue>::title(const HingeLawValue& v) {
+  return law_text(v.law);
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<HingeLawValue>::metamethods() {
+  return {};
+}
+bool Kind<HingeLawValue>::read_item(lua_State* L, const HingeLawValue& v) {
+  return push_declared(L, v.law);
+}
+
+}  // namespace trilith::script
