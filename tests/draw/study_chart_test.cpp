@@ -1,6 +1,7 @@
 #include "draw/study_chart.hpp"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -29,7 +30,8 @@ std::vector<StudyColumn> small_study() {
 }
 
 struct TableFile {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "trilith_study_chart_test.h5";
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("trilith_study_chart_" + std::to_string(::getpid()) + ".h5");
   TableFile() { results::write_study_table(path, small_study(), {}, true); }
   TableFile(const TableFile&) = delete;
   TableFile& operator=(const TableFile&) = delete;

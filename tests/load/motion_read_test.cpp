@@ -1,6 +1,7 @@
 #include "load/motion_read.hpp"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -171,7 +172,8 @@ TEST_CASE("a missing file, a folder and an empty file are refused") {
   };
   CHECK(contains(refused("no/such/file.csv"), "motion file 'no/such/file.csv' does not exist"));
   CHECK(contains(refused(own_record("")), "is not a regular file"));
-  const auto empty = std::filesystem::temp_directory_path() / "trilith_motion_read_test_empty.csv";
+  const auto empty =
+      std::filesystem::temp_directory_path() / ("trilith_motion_read_" + std::to_string(::getpid()) + ".csv");
   std::ofstream(empty).close();
   CHECK(contains(refused(empty), "is empty"));
   std::filesystem::remove(empty);

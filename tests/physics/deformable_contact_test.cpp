@@ -1,4 +1,6 @@
 // Deformable bodies in contact with each other and with rigid ones, driven, tied to bearings; and their bits.
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 
@@ -192,7 +194,7 @@ TEST_CASE(
   };
   dropped.run(options, drops);
   CHECK(state_hash(straight.state()) == state_hash(dropped.state()));
-  const auto path = std::filesystem::temp_directory_path() / "trilith_deformable_test.state";
+  const auto path = std::filesystem::temp_directory_path() / ("trilith_deformable_" + std::to_string(::getpid()));
   save_state(straight.state(), straight.model(), path);
   Simulation loaded(straight.model(), load_state(straight.model(), path));
   run_for(straight, 0.1), run_for(loaded, 0.1);

@@ -1,4 +1,6 @@
 // Loads, prescribed displacements, quiet release and pushover against closed forms, the ledger and their own bits.
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "load/ramp.hpp"
@@ -351,7 +353,7 @@ TEST_CASE("a released push leaves its force as a load that fades, and the block 
 }
 
 TEST_CASE("a checkpoint goes on to the same bits while a load curve, a ramp and a push run") {
-  const auto path = std::filesystem::temp_directory_path() / "trilith_load_test_state";
+  const auto path = std::filesystem::temp_directory_path() / ("trilith_load_" + std::to_string(::getpid()));
   Scene scene = block_on_base(1e9);
   Model<2> model = scene.builder.build();
   model.point_loads.push_back(
