@@ -39,18 +39,6 @@ BeamStress times(const Eigen::Matrix3d& m, const BeamStrain& v) {
   return {out[0], out[1], out[2]};
 }
 
-FibreBeamResponse respond_fibres(const BeamYields& yields, const Beam& beam, const BeamNow& now,
-                                 std::span<const double> before, std::span<double> after) {
-  const FibreBeamRow& row = yields.fibre_beams[beam.yield_row];
-  return respond(row.beam, yields.sections[row.section], now.strain, before.subspan(1), after.subspan(1));
-}
-
-EndHingeResponse respond_hinges(const BeamYields& yields, const Beam& beam, const BeamNow& now,
-                                const EndHingeMemory& before) {
-  const auto [first, second] = yields.hinged_beams[beam.yield_row];
-  return respond(beam.stiffness, {&yields.hinge_laws[first], &yields.hinge_laws[second]}, now.strain, before);
-}
-
 /// What is left of K while ends flow or are lost.
 Eigen::Matrix3d left_stiffness(const Beam& beam, const EndHingeMemory& before, const EndHingeMemory& after) {
   std::array<bool, 2> let_go{};
@@ -65,6 +53,36 @@ Eigen::Matrix3d elastic_tangent(const BeamStiffness& k, const BeamStrain& d, dou
   out += k.axial * stretch * stretch.transpose();
   out(1, 1) += 2 * normal * k.bow[0], out(2, 2) += 2 * normal * k.bow[2];
   out(1, 2) += normal * k.bow[1], out(2, 1) += normal * k.bow[1];
+  return out;
+}
+
+/// What a beam that yields does, and how that answers.
+struct Answer {
+  BeamTangent tangent;
+  double stored = 0, dissipated = 0;
+};
+
+Answer answer(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before,
+              std::span<double> after) {
+  Answer out;
+  BeamTangent& t = out.tangent;
+  if (beam.yield == BeamYield::in_fibres) {
+    const FibreBeamRow& row = yields.fibre_beams[beam.yield_row];
+    const FibreBeamResponse r =
+        respond(row.beam, yields.sections[row.section], now.strain, before.subspan(1), after.subspan(1));
+    after[0] = before[0] != 0 || r.yielding ? 1 : 0;
+    t.stress = r.stress, t.by_strain = r.tangent, out.stored = r.stored, out.dissipated = r.dissipated;
+    if (beam.damping > 0) t.by_rate = beam.damping * resisting(r.tangent);
+  } else {
+    const auto [first, second] = yields.hinged_beams[beam.yield_row];
+    const EndHingeMemory was = hinge_memory(before);
+    const EndHingeResponse r =
+        respond(beam.stiffness, {&yields.hinge_laws[first], &yields.hinge_laws[second]}, now.strain, was);
+    std::ranges::copy(std::bit_cast<std::array<double, EndHingeMemory::size>>(r.memory), after.begin());
+    t.stress = r.stress, t.by_strain = r.tangent, out.stored = r.stored, out.dissipated = r.dissipated;
+    if (beam.damping > 0) t.by_rate = beam.damping * left_stiffness(beam, was, r.memory);
+  }
+  if (beam.damping > 0) t.damping = times(t.by_rate, now.rate);
   return out;
 }
 
@@ -86,40 +104,19 @@ int memory_size(const BeamYields& yields, const Beam& beam) {
 
 BeamResponse respond(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before,
                      std::span<double> after) {
-  BeamResponse out;
-  Eigen::Matrix3d by_rate = Eigen::Matrix3d::Zero();
-  if (beam.yield == BeamYield::in_fibres) {
-    const FibreBeamResponse r = respond_fibres(yields, beam, now, before, after);
-    after[0] = before[0] != 0 || r.yielding ? 1 : 0;
-    out = {r.stress, {}, r.stored, r.dissipated};
-    if (beam.damping > 0) by_rate = resisting(r.tangent);
-  } else {
-    const EndHingeMemory was = hinge_memory(before);
-    const EndHingeResponse r = respond_hinges(yields, beam, now, was);
-    std::ranges::copy(std::bit_cast<std::array<double, EndHingeMemory::size>>(r.memory), after.begin());
-    out = {r.stress, {}, r.stored, r.dissipated};
-    if (beam.damping > 0) by_rate = left_stiffness(beam, was, r.memory);
-  }
-  if (beam.damping > 0) out.damping = times(beam.damping * by_rate, now.rate);
-  return out;
+  const Answer a = answer(yields, beam, now, before, after);
+  return {a.tangent.stress, a.tangent.damping, a.stored, a.dissipated};
 }
 
 BeamTangent tangent_of(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before) {
-  BeamTangent out;
-  if (beam.yield == BeamYield::in_fibres) {
+  if (beam.yield != BeamYield::never) {
     std::vector<double> after(before.size());
-    const FibreBeamResponse r = respond_fibres(yields, beam, now, before, after);
-    out.stress = r.stress, out.by_strain = r.tangent, out.by_rate = resisting(r.tangent);
-  } else if (beam.yield == BeamYield::at_hinges) {
-    const EndHingeMemory was = hinge_memory(before);
-    const EndHingeResponse r = respond_hinges(yields, beam, now, was);
-    out.stress = r.stress, out.by_strain = r.tangent, out.by_rate = left_stiffness(beam, was, r.memory);
-  } else {
-    out.stress = stress_of(beam.stiffness, now.strain);
-    out.by_strain = elastic_tangent(beam.stiffness, now.strain, out.stress[0]);
-    out.by_rate = matrix_of(beam.stiffness.bend, beam.stiffness.axial);
+    return answer(yields, beam, now, before, after).tangent;
   }
-  out.by_rate *= beam.damping;
+  BeamTangent out;
+  out.stress = stress_of(beam.stiffness, now.strain);
+  out.by_strain = elastic_tangent(beam.stiffness, now.strain, out.stress[0]);
+  out.by_rate = beam.damping * matrix_of(beam.stiffness.bend, beam.stiffness.axial);
   out.damping = times(out.by_rate, now.rate);
   return out;
 }

@@ -1,7 +1,4 @@
 // Rest found by statics, as a stage of a run.
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <utility>
 
 #include "base/flagged.hpp"
@@ -11,26 +8,6 @@
 #include "step/equilibrium.hpp"
 
 namespace trilith {
-namespace {
-
-std::string no_rest_reason(const Model<2>& model, const Equilibrium& found) {
-  const auto of_node = [&](const Body& b) {
-    return found.worst >= b.first_node && found.worst < b.first_node + b.nodes;
-  };
-  const auto body = std::find_if(model.bodies.begin(), model.bodies.end(), of_node);
-  const std::string name = body == model.bodies.end() ? "?" : body->name;
-  if (found.end == EquilibriumEnd::goes_off)
-    return fmt::format(
-        "nothing holds {}, which goes farther than its own size; support it, or let it move: "
-        "integrator = \"explicit\"",
-        name);
-  return fmt::format(
-      "{:.2g} of the largest force is left over, most of it on {}; integrator = \"explicit\" shows how it "
-      "moves, shares = 10 brings the weight on more slowly",
-      found.left, name);
-}
-
-}  // namespace
 
 /// All of it lies between two looks at the same instant: what led to rest is told at the second one.
 StageReport Simulation::settle(const StageOptions& options, const EquilibriumOptions& how,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "run/body_forces.hpp"
+#include "step/equilibrium.hpp"
 #include "step/implicit_step.hpp"
 #include "world/pose.hpp"
 
@@ -74,6 +75,18 @@ std::string stuck_reason(const Model<2>& model, const State<2>& state, const Imp
       "on {}; look at what touches or yields there, take a smaller dt or more damping, or go on with integrator = "
       "\"explicit\"",
       state.time, step.dt, step.left, where);
+}
+
+std::string no_rest_reason(const Model<2>& model, const Equilibrium& found) {
+  const std::string where = found.worst < 0 ? "nothing" : model.bodies[body_of_node(model, found.worst)].name;
+  if (found.end == EquilibriumEnd::goes_off)
+    return fmt::format(
+        "nothing holds {}, which goes farther than its own size; support it, or let it move: integrator = \"explicit\"",
+        where);
+  return fmt::format(
+      "{:.2g} of the largest force is left over, most of it on {}; integrator = \"explicit\" shows how it moves, "
+      "shares = 10 brings the weight on more slowly",
+      found.left, where);
 }
 
 Event unsettled_event(const Instant& now) {

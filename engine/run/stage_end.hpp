@@ -9,6 +9,7 @@
 
 namespace trilith {
 
+struct Equilibrium;
 struct ImplicitStep;
 
 /// An event of the stage as a whole.
@@ -24,7 +25,9 @@ Event diverged_event(const Instant& now, const StageReport& report);
 std::string unsettled_reason(const Instant& now);
 /// Where an implicit step did not converge: where the most is left over, and what to try.
 std::string stuck_reason(const Model<2>& model, const State<2>& state, const ImplicitStep& step);
-/// The same as an event, without advice.
+/// Where statics found no rest: what goes off, or where the most is left over, and what to try.
+std::string no_rest_reason(const Model<2>& model, const Equilibrium& found);
+/// Why rest was not reached, as an event without advice.
 Event unsettled_event(const Instant& now);
 
 }  // namespace trilith

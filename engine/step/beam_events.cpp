@@ -26,9 +26,7 @@ std::string place_text(const Model<2>& model, const Member& m, int beam, int end
 double moment_at(const Model<2>& model, const State<2>& state, const Work<2>& work, const Beam& beam, int end) {
   const std::span after = memory_of(model, beam, std::span<const double>(work.beam_memory));
   if (beam.yield == BeamYield::at_hinges) return std::abs(hinge_memory(after).moment[end]);
-  Vec2 arm;
-  const BeamNow now(end_of(state, beam, 0, arm), end_of(state, beam, 1, arm), beam.length, beam.angle);
-  const BeamStress stress = beam_stress(model, state, beam, now);
+  const BeamStress stress = beam_stress(model, state, beam, now_of(state, beam));
   return std::max(std::abs(stress[1]), std::abs(stress[2]));
 }
 
@@ -59,10 +57,9 @@ bool can_yield(const Model<2>& model, const Beam& beam, int end) {
 void beam_events(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (model.beam_memory == 0) return;
   for (const Member& m : model.members)
-    for (int i = m.first_beam; i < m.first_beam + m.beams; ++i) {
+    for (int i = m.first_beam; i < m.first_beam + m.beams; ++i)
       for (const int end : {0, 1})
         if (can_yield(model, model.beams[i], end)) member_event(model, state, work, m, i, end);
-    }
 }
 
 }  // namespace trilith

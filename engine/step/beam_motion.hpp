@@ -16,4 +16,10 @@ inline BeamEnd end_of(const State<2>& state, const Beam& beam, std::size_t side,
   return {state.position[n] + arm, state.rotation[n], state.velocity[n] + cross(state.spin[n], arm), state.spin[n]};
 }
 
+/// The beam itself.
+inline BeamNow now_of(const State<2>& state, const Beam& beam) {
+  Vec2 arm;
+  return {end_of(state, beam, 0, arm), end_of(state, beam, 1, arm), beam.length, beam.angle};
+}
+
 }  // namespace trilith

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "step/static_trial.hpp"
+#include "world/loads.hpp"
 
 namespace trilith {
 namespace {
@@ -45,14 +46,8 @@ constexpr int most_tries = 8;
 void scale_all(const Model<2>& whole, double share, Model<2>& model) {
   model.gravity.field = share * whole.gravity.field;
   for (std::size_t n = 0; n < whole.load.size(); ++n) model.load[n] = share * whole.load[n];
-  for (std::size_t i = 0; i < whole.point_loads.size(); ++i) {
-    model.point_loads[i].force = share * whole.point_loads[i].force;
-    model.point_loads[i].moment = share * whole.point_loads[i].moment;
-  }
-  for (std::size_t i = 0; i < whole.face_loads.size(); ++i) {
-    model.face_loads[i].pressure = share * whole.face_loads[i].pressure;
-    model.face_loads[i].dead = share * whole.face_loads[i].dead;
-  }
+  model.point_loads = whole.point_loads, model.face_loads = whole.face_loads;
+  scale_loads(model, "", share);
 }
 
 /// One search for rest.

@@ -23,7 +23,7 @@ struct EquilibriumOptions {
   double tolerance = 1e-8;   ///< largest force left over, as a share of the largest one carried
   int shares = 1;            ///< weight and loads are brought on in so many equal shares, each from rest to rest
   double first = 1;          ///< pseudo-time of the first step [s]; it is cut where that is too long
-  int most_steps = 200;      ///< of pseudo-time, for each share
+  int most_steps = 1000;     ///< of pseudo-time, for each share
   int most_iterations = 20;  ///< of a step
   /// A body that has gone farther than this share of its size (the distance of its farthest point) from where it was
   /// finds no rest.

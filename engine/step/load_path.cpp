@@ -8,6 +8,7 @@
 #include "step/equilibrium.hpp"
 #include "step/evaluate.hpp"
 #include "step/static_trial.hpp"
+#include "world/loads.hpp"
 
 namespace trilith {
 namespace {
@@ -310,19 +311,6 @@ void check_path(const LoadPathOptions& o) {
 }
 
 }  // namespace
-
-int scale_loads(Model<2>& model, const std::string& name, double factor) {
-  int count = 0;
-  for (PointLoad& p : model.point_loads) {
-    if (!name.empty() && p.name != name) continue;
-    p.force *= factor, p.moment *= factor, ++count;
-  }
-  for (FaceLoad& f : model.face_loads) {
-    if (!name.empty() && f.name != name) continue;
-    f.pressure *= factor, f.dead *= factor, ++count;
-  }
-  return count;
-}
 
 LoadPath follow_loads(const Model<2>& model, State<2>& state, const LoadPathOptions& options) {
   check_path(options);

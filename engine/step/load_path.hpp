@@ -88,7 +88,4 @@ struct LoadPath {
 /// was. Throws InputError for options out of range, where no load has the name, and as find_equilibrium does.
 LoadPath follow_loads(const Model<2>& model, State<2>& state, const LoadPathOptions& options);
 
-/// Scales the point and face loads called `name`, or all where it is empty. Gives how many.
-int scale_loads(Model<2>& model, const std::string& name, double factor);
-
 }  // namespace trilith

@@ -34,12 +34,12 @@ std::vector<HingeReading> member_hinges(const Model<2>& model, const State<2>& s
     // What is remembered is of the last commit; what is read is of the present place.
     const std::span before = memory_of(model, beam, std::span(state.beam_memory));
     std::vector<double> memory(before.size());
+    respond(model.yields, beam, now_of(state, beam), before, memory);
     Vec2 arm;
-    const std::array<BeamEnd, 2> ends{end_of(state, beam, 0, arm), end_of(state, beam, 1, arm)};
-    respond(model.yields, beam, BeamNow(ends[0], ends[1], beam.length, beam.angle), before, memory);
+    const Vec2 place = end_of(state, beam, static_cast<std::size_t>(end), arm).place;
     const EndHingeMemory at = hinge_memory(memory);
-    rows.push_back({end, ends[static_cast<std::size_t>(end)].place, yield_status(beam, memory, end), at.turned[end],
-                    at.stretch, at.moment[end], at.normal, at.given_off[end]});
+    rows.push_back({end, place, yield_status(beam, memory, end), at.turned[end], at.stretch, at.moment[end], at.normal,
+                    at.given_off[end]});
   }
   return rows;
 }

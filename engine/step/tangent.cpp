@@ -114,8 +114,9 @@ bool Tangent::find(const Model<2>& model, State<2>& state, Work<2>& work, const 
       if (at.value() != 0) kept->row.push_back(static_cast<int>(at.row())), kept->value.push_back(at.value());
     kept->column.push_back(static_cast<int>(kept->row.size()));
   }
+  if (!factorise(kept)) return false;
   state.tangent = kept;
-  return factorise(kept);
+  return true;
 }
 
 bool Tangent::take(const State<2>& state, const TangentOptions& options) {

@@ -101,6 +101,19 @@ int change_loads(Model<2>& model, const std::string& name, double now, double sh
   return count;
 }
 
+int scale_loads(Model<2>& model, const std::string& name, double factor) {
+  int count = 0;
+  for (PointLoad& p : model.point_loads) {
+    if (!name.empty() && p.name != name) continue;
+    p.force *= factor, p.moment *= factor, ++count;
+  }
+  for (FaceLoad& f : model.face_loads) {
+    if (!name.empty() && f.name != name) continue;
+    f.pressure *= factor, f.dead *= factor, ++count;
+  }
+  return count;
+}
+
 std::vector<std::string> load_names(const Model<2>& model) {
   std::vector<std::string> names;
   const auto add = [&](const auto& list) {

@@ -67,6 +67,8 @@ void drop_faded(Model<2>& model, double now);
 /// From `now` [s] on the loads called `name` go to `share` of their full size within `duration` [s], smoothly, from
 /// the share they have. Gives how many.
 int change_loads(Model<2>& model, const std::string& name, double now, double share, double duration);
+/// Scales the point and face loads called `name`, or all where it is empty. Gives how many.
+int scale_loads(Model<2>& model, const std::string& name, double factor);
 /// Names of all loads and pushes, each once.
 std::vector<std::string> load_names(const Model<2>& model);
 

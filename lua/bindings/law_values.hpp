@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "keys.hpp"
+#include "handles.hpp"
 
 namespace trilith::script {
 
@@ -43,5 +43,46 @@ std::string law_text(const Law& law) {
       law);
   return text;
 }
+
+/// A constructor of a law that is its declared numbers alone, as a `Value` (handles.hpp).
+template <class Value, class L>
+int make_law(lua_State* lua) {
+  Keys keys(lua, 1, std::string(L::name));
+  L law;
+  keys.declared(law);
+  keys.finish();
+  if constexpr (requires { law.check(); }) law.check();
+  push_handle(lua, Value{law});
+  return 1;
+}
+/// For the laws of a list: adds the constructor of each to the table on top of the stack.
+template <class Value>
+struct AddLaw {
+  lua_State* lua;
+  template <class L>
+  void operator()() const {
+    set_function(lua, std::string(L::name).c_str(), guarded<make_law<Value, L>>);
+  }
+};
+
+// NOLINTBEGIN(bugprone-macro-parentheses): a type as a template argument takes none.
+/// What a kind of handle is that holds a law and nothing else.
+#define TRILITH_LAW_KIND(Value)                                                       \
+  std::span<const Property<Value>> Kind<Value>::properties() {                        \
+    return {};                                                                        \
+  }                                                                                   \
+  std::span<const Method> Kind<Value>::methods() {                                    \
+    return {};                                                                        \
+  }                                                                                   \
+  std::string Kind<Value>::title(const Value& v) {                                    \
+    return law_text(v.law);                                                           \
+  }                                                                                   \
+  std::span<const std::pair<const char*, lua_CFunction>> Kind<Value>::metamethods() { \
+    return {};                                                                        \
+  }                                                                                   \
+  bool Kind<Value>::read_item(lua_State* L, const Value& v) {                         \
+    return push_declared(L, v.law);                                                   \
+  }
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace trilith::script

@@ -41,24 +41,6 @@ int make_direction_law(lua_State* lua) {
   return 1;
 }
 
-template <class L>
-int make_solid_law(lua_State* lua) {
-  Keys keys(lua, 1, std::string(L::name));
-  L law;
-  keys.declared(law);
-  keys.finish();
-  if constexpr (requires { law.check(); }) law.check();
-  push_handle(lua, SolidLawValue{law});
-  return 1;
-}
-
-struct AddSolidLaw {
-  lua_State* lua;
-  template <class L>
-  void operator()() const {
-    set_function(lua, std::string(L::name).c_str(), guarded<make_solid_law<L>>);
-  }
-};
 struct AddContactLaw {
   lua_State* lua;
   template <class L>
@@ -98,7 +80,7 @@ void open_laws(lua_State* L) {
   register_kind<ContactLawValue>(L);
   register_kind<DirectionLawValue>(L);
   register_kind<SolidLawValue>(L);
-  SolidLaws::for_each(AddSolidLaw{L});
+  SolidLaws::for_each(AddLaw<SolidLawValue>{L});
   ContactLaws::for_each(AddContactLaw{L});
   DirectionLaws::for_each(AddDirectionLaw{L});
 }
@@ -139,36 +121,7 @@ bool Kind<ContactLawValue>::read_item(lua_State* L, const ContactLawValue& v) {
   return push_declared(L, v.law);
 }
 
-std::span<const Property<DirectionLawValue>> Kind<DirectionLawValue>::properties() {
-  return {};
-}
-std::span<const Method> Kind<DirectionLawValue>::methods() {
-  return {};
-}
-std::string Kind<DirectionLawValue>::title(const DirectionLawValue& v) {
-  return law_text(v.law);
-}
-std::span<const std::pair<const char*, lua_CFunction>> Kind<DirectionLawValue>::metamethods() {
-  return {};
-}
-bool Kind<DirectionLawValue>::read_item(lua_State* L, const DirectionLawValue& v) {
-  return push_declared(L, v.law);
-}
-
-std::span<const Property<SolidLawValue>> Kind<SolidLawValue>::properties() {
-  return {};
-}
-std::span<const Method> Kind<SolidLawValue>::methods() {
-  return {};
-}
-std::string Kind<SolidLawValue>::title(const SolidLawValue& v) {
-  return law_text(v.law);
-}
-std::span<const std::pair<const char*, lua_CFunction>> Kind<SolidLawValue>::metamethods() {
-  return {};
-}
-bool Kind<SolidLawValue>::read_item(lua_State* L, const SolidLawValue& v) {
-  return push_declared(L, v.law);
-}
+TRILITH_LAW_KIND(DirectionLawValue)
+TRILITH_LAW_KIND(SolidLawValue)
 
 }  // namespace trilith::script

@@ -1,31 +1,10 @@
 // How members of frames yield, as values: laws of fibres, sections of fibres, laws of hinges.
-#include <type_traits>
-
 #include "bindings.hpp"
 #include "law_values.hpp"
 #include "part_reading.hpp"
 
 namespace trilith::script {
 namespace {
-
-template <class L>
-int make_fibre_law(lua_State* lua) {
-  Keys keys(lua, 1, std::string(L::name));
-  L law;
-  keys.declared(law);
-  keys.finish();
-  if constexpr (requires { law.check(); }) law.check();
-  push_handle(lua, FibreLawValue{law});
-  return 1;
-}
-
-struct AddFibreLaw {
-  lua_State* lua;
-  template <class L>
-  void operator()() const {
-    set_function(lua, std::string(L::name).c_str(), guarded<make_fibre_law<L>>);
-  }
-};
 
 /// trilith.end_hinge{ sagging =, hogging =, ..., axial = {{N, share}, ...} }
 int make_end_hinge(lua_State* L) {
@@ -86,41 +65,12 @@ int make_fibre_section(lua_State* L) {
 void open_yields(lua_State* L) {
   register_kind<FibreLawValue>(L);
   register_kind<HingeLawValue>(L);
-  UniaxialLaws::for_each(AddFibreLaw{L});
+  UniaxialLaws::for_each(AddLaw<FibreLawValue>{L});
   set_function(L, std::string(HingeLaw::name).c_str(), guarded<make_end_hinge>);
   set_function(L, "fibre_section", guarded<make_fibre_section>);
 }
 
-std::span<const Property<FibreLawValue>> Kind<FibreLawValue>::properties() {
-  return {};
-}
-std::span<const Method> Kind<FibreLawValue>::methods() {
-  return {};
-}
-std::string Kind<FibreLawValue>::title(const FibreLawValue& v) {
-  return law_text(v.law);
-}
-std::span<const std::pair<const char*, lua_CFunction>> Kind<FibreLawValue>::metamethods() {
-  return {};
-}
-bool Kind<FibreLawValue>::read_item(lua_State* L, const FibreLawValue& v) {
-  return push_declared(L, v.law);
-}
-
-std::span<const Property<HingeLawValue>> Kind<HingeLawValue>::properties() {
-  return {};
-}
-std::span<const Method> Kind<HingeLawValue>::methods() {
-  return {};
-}
-std::string Kind<HingeLawValue>::title(const HingeLawValue& v) {
-  return law_text(v.law);
-}
-std::span<const std::pair<const char*, lua_CFunction>> Kind<HingeLawValue>::metamethods() {
-  return {};
-}
-bool Kind<HingeLawValue>::read_item(lua_State* L, const HingeLawValue& v) {
-  return push_declared(L, v.law);
-}
+TRILITH_LAW_KIND(FibreLawValue)
+TRILITH_LAW_KIND(HingeLawValue)
 
 }  // namespace trilith::script
