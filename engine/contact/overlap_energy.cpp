@@ -34,6 +34,8 @@ struct Pressed {
 };
 
 /// Over `outline`; depths are those below the nearest surface face of `piece`.
+/// phi is the least of linear depths, so each face f has a cell in which it is the nearest: what is left of the outline
+/// where depth_g >= depth_f for all others. There phi is linear, and the law integrates it over a fan of triangles.
 template <class K>
 Pressed pressed_in(const K& law, const Outline& outline, const PlacedPiece& piece, const PlacedEdges& edges,
                    double crushed) {
@@ -56,6 +58,7 @@ Pressed pressed_in(const K& law, const Outline& outline, const PlacedPiece& piec
 template <class K>
 Pressed pressed_between(const K& law, const PlacedPiece& a, const PlacedPiece& b, double crushed) {
   const PlacedEdges edges_a(a), edges_b(b);
+  // What lies in both: b, clipped at the line of each edge of a, inner cuts too.
   Outline common(b.corner.begin(), b.corner.end());
   for (int f = 0; f < edges_a.count && common.size() > 2; ++f)
     common = clip(common, [&](const Vec2& x) { return edges_a.normal[f].dot(a.corner[f] - x); });
@@ -70,6 +73,7 @@ double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, const LawInUse
   return with_kernel(law, [&](const auto& k) { return 0.5 * k.kn * pressed_between(k, a, b, crushed).pressure; });
 }
 
+/// W = kn/2 integral of phi - z over what is pressed in either piece, so -dW/dz is kn/2 times that area.
 double crushing_force(const PlacedPiece& a, const PlacedPiece& b, const Coulomb& law, double crushed) {
   return 0.5 * law.kn * pressed_between(law, a, b, crushed).area;
 }

@@ -12,6 +12,14 @@
 namespace trilith {
 namespace {
 
+// Stages of one call: depths of all corners of each piece below all edges of the other (a face with all corners
+// outside ends it here); then a walk along every surface edge of either inside the other; then friction and memory.
+//
+//       v     from           crossing      to      w       phi along the edge (v, w) of the walker is the least of
+//       |------|===== f1 =======|=== f2 ===|-------|       its depths below the owner's faces: straight in pieces,
+//      outside     phi = depth       phi = depth           slopes falling, so integrals are exact piece by piece
+//                  below f1          below f2
+
 /// depth(f, v): how far corner v of the other piece lies inside face f [m].
 struct Depths {
   int corners = 0;
@@ -150,6 +158,7 @@ struct Walk {
 template <class K>
 void Walk<K>::press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0, double phi1, Sums& sums) const {
   const Vec2& n = walker_edges.normal[edge];  // out of the walker, into the owner
+  // c > 0: they close. k is half of kn, and half the length counts, as the other piece's walk brings the other halves.
   const double c0 = n.dot(walker.velocity_at(edge, x0) - owner.velocity_at(face, x0));
   const double c1 = n.dot(walker.velocity_at(edge, x1) - owner.velocity_at(face, x1));
   const double length = (x1 - x0).norm(), k = 0.5 * law.kn;
@@ -158,6 +167,7 @@ void Walk<K>::press(int edge, int face, const Vec2& x0, const Vec2& x1, double p
   sums.deepest = std::max({sums.deepest, phi0, phi1});
   const double total = k * length * stress.sum;
   const double sign = walker_is_b ? 1.0 : -1.0;
+  // On b acts -n where b walks, as n then points from b into a, and +n where a does: hence `sign`.
   const double damping = k * length * (stress.sum - spring.sum),
                first_moment = k * length * (stress.moment - spring.moment);
   sums.damping += -sign * damping * n;
@@ -166,6 +176,7 @@ void Walk<K>::press(int edge, int face, const Vec2& x0, const Vec2& x1, double p
   const bool alike = walker.over_step == nullptr && owner.over_step == nullptr;
   const double m0 = alike ? c0 : closing(edge, face, n, x0), m1 = alike ? c1 : closing(edge, face, n, x1);
   sums.damped += damping * m0 + first_moment * (m1 - m0);
+  // What the damping took is booked above: it may be all of the pressure where the two part.
   if (total <= 0) return;
   const Vec2 x = x0 + (stress.moment / stress.sum) * (x1 - x0);
   add_at(on_walker, walker, edge, x, -total * n);
@@ -173,6 +184,7 @@ void Walk<K>::press(int edge, int face, const Vec2& x0, const Vec2& x1, double p
   sums.force += -sign * total * n;
   sums.pressure += total;
   sums.moment_arm += total * x;
+  // The edges that carry most stand for their pieces where friction is added, which acts at one point.
   double& most_walker = walker_is_b ? sums.most_b : sums.most_a;
   double& most_owner = walker_is_b ? sums.most_a : sums.most_b;
   if (total > most_walker) most_walker = total, (walker_is_b ? sums.edge_b : sums.edge_a) = edge;
@@ -188,6 +200,7 @@ void Walk<K>::run(Sums& sums) const {
     if (span.from >= span.to) continue;
     const Vec2 start = walker.corner[e], along = walker.corner[w] - start;
     double at = span.from, slope = std::numeric_limits<double>::infinity();
+    // Each turn presses the edge against one face, up to where the next one is nearer.
     while (at < span.to) {
       const Nearest nearest = nearest_from(depths, owner_edges, e, w, at, span.to, slope);
       if (nearest.face < 0) break;  // the last face of the envelope has been passed, up to rounding
@@ -215,6 +228,7 @@ double let_go_all(const ContactMemory& m, double ks) {
 }
 
 /// Elastic shear energy let go where two halves of unlike stress become one contact; never negative.
+/// T_0^2 / 2 ks l_0 + T_1^2 / 2 ks l_1 is at least (T_0 + T_1)^2 / 2 ks (l_0 + l_1).
 double merging_loss(const ContactMemory& m, double ks) {
   double sum = 0;
   for (const int h : {0, 1}) sum += 0.5 * m.shear_elastic[h] * m.shear_elastic[h] * inverse_or_zero(ks * m.active[h]);
@@ -266,6 +280,8 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
     return;
   }
   const Vec2 t = left_of(Vec2(sums.force / normal));
+  // The law is asked as about one half of a face; either half then remembers half of it, good for two faces at any
+  // step.
   HalfState<double> state{};
   state.length = sums.length;
   state.slip_rate = t.dot(rate_at_centre(a, b, sums, out.centre));
@@ -300,6 +316,7 @@ struct Overlapping {
     return sums;
   }
   /// Mean overlap above that at which the mortar crushes [m]. `springs`: without damping.
+  /// force / (kn length) is the overlap of parallel faces with this mean pressure; law.crushing is fc / kn.
   [[nodiscard]] double excess(const K& springs, double crushed) const {
     std::array<Vec2, max_piece_corners> on_a, on_b;  // asked for by the walk, and left
     on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());

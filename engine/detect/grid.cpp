@@ -8,6 +8,8 @@ namespace trilith {
 namespace {
 
 /// A grid over the small boxes: cells of twice the median size, and for each cell the boxes that reach into it.
+/// As lists behind one another: member[start[c]] to member[start[c + 1] - 1] are the boxes of cell c = row * columns +
+/// column. What lies outside of the grid counts to its outermost cells.
 struct Grid {
   double x0 = 0, y0 = 0, cell = 1;
   std::int64_t columns = 1, rows = 1;
@@ -30,6 +32,7 @@ double size_of(const Box& b) {
   return std::max(b.x1 - b.x0, b.y1 - b.y0);
 }
 
+/// The middle one, as a few slabs of ground or one stone far out would spoil a mean.
 double median_size(const std::vector<Box>& boxes) {
   std::vector<double> sizes(boxes.size());
   std::transform(boxes.begin(), boxes.end(), sizes.begin(), size_of);
@@ -51,6 +54,7 @@ Grid lay_grid(const std::vector<Box>& boxes, const std::vector<int>& small, doub
   const double most = 8.0 * static_cast<double>(small.size()) + 1;
   grid.columns = std::int64_t(std::min((all.x1 - all.x0) / grid.cell, most)) + 1;
   grid.rows = std::int64_t(std::min((all.y1 - all.y0) / grid.cell, most)) + 1;
+  // Sorted by counting: how many boxes each cell has, where its list begins, then the boxes in their order.
   grid.start.assign(static_cast<std::size_t>(grid.columns * grid.rows + 1), 0);
   const auto for_cells = [&](int box, auto&& visit) {
     const Grid::Range r = grid.range(boxes[box]);
@@ -67,6 +71,8 @@ Grid lay_grid(const std::vector<Box>& boxes, const std::vector<int>& small, doub
 
 }  // namespace
 
+/// A box meets the boxes of the cells it reaches into; two that share several cells are found several times, and once
+/// after the last line. Boxes above 8 cells, such as the ground, would fill the grid and are tried against all.
 std::vector<std::pair<int, int>> meeting_boxes(const std::vector<Box>& boxes) {
   std::vector<std::pair<int, int>> pairs;
   if (boxes.size() < 2) return pairs;

@@ -19,6 +19,8 @@ double place_section(const Model<2>& model, const State<2>& state, double later,
 
 }  // namespace
 
+/// Bodies in three kinds: corners that are nodes go straight on; those of a rigid body and of a frame's sections turn
+/// with a node, x = x_n + R(rotation + later spin) r, so their way bends by spin^2 |r|.
 MovingPiece moving_piece(const Model<2>& model, const State<2>& state, int piece, double later) {
   MovingPiece out;
   const Body& body = model.bodies[model.piece_body[piece]];
@@ -70,6 +72,11 @@ int deepest_corner(const MovingPiece& piece, const Vec2& n) {
 }
 
 /// Takes over what is less: `other` beneath the edges of `owner`.
+/// The overlap along a normal n of the owner's edge is how far the other's deepest corner lies below the edge:
+///
+///         owner   ________  edge, n upwards
+///                |   \/   |  } depth           the least over all edges of both is the shortest way out,
+///                         corner               and `at` half-way between the corner and the edge
 void add_edges(const MovingPiece& owner, const MovingPiece& other, PieceOverlap& least) {
   const bool has_face = std::any_of(owner.is_face, owner.is_face + owner.corners, [](auto face) { return face != 0; });
   for (int e = 0; e < owner.corners; ++e) {
@@ -92,6 +99,8 @@ struct Direction {
     for (int j = 0; j < others; ++j) other[j] = n.dot(b.at[j]), other_rate[j] = n.dot(b.velocity[j]);
     overlap = after(0);
   }
+  /// The overlap `time` from now: the owner's farthest corner along n less the other's nearest, each a greatest or
+  /// least of linear functions, so that their difference is convex.
   [[nodiscard]] double after(double time) const {
     double far = -unbounded, near = unbounded;
     for (int i = 0; i < owners; ++i) far = std::max(far, owner[i] + time * owner_rate[i]);
@@ -102,6 +111,7 @@ struct Direction {
   [[nodiscard]] double time_to(double most, double longest) const {
     if (overlap > most) return 0;
     if (after(longest) <= most) return longest;
+    // Convex and allowed now: it passes `most` once, as the first two corners, i of the owner and j of the other, do.
     double time = longest;
     for (int i = 0; i < owners; ++i)
       for (int j = 0; j < others; ++j) {
@@ -129,10 +139,13 @@ PieceOverlap overlap_of(const MovingPiece& a, const MovingPiece& b) {
   return least;
 }
 
+/// `least` bounds the overlap of now from above. Where the two are apart it is below 0 and -depth is asked for.
 double time_to_depth(const MovingPiece& a, const MovingPiece& b, double longest, double depth) {
   double least = unbounded;
   for_directions(a, b, [&](const Direction& d) { return least = std::min(least, d.overlap), true; });
   const double most = std::max(least + depth, -depth), bend = 0.5 * (a.bend + b.bend);
+  // Any one direction that stays allowed will do, so the longest time of all counts; the room is less what turning
+  // takes, bend t^2, with the t that is tried.
   double found = 0;
   const auto try_all = [&](double time) {
     const double by_rotation = bend * time * time;

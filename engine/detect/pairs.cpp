@@ -33,6 +33,8 @@ void set_faces(NearPair& pair, const Edge& a, const Edge& b) {
 }
 
 /// Calls visit(edge a, edge b) for every two surface edges of the pieces whose directions oppose within `angle`.
+/// With e_a, e_b along the faces, both counter-clockwise: e_a . e_b < 0 and |e_a x e_b| <= tan(angle) |e_a . e_b|, so
+/// no root and no angle is found. `angle` is that tangent.
 template <class Visit>
 void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, int piece_b, double angle,
                       Visit&& visit) {
@@ -69,12 +71,15 @@ double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece)
   return 0.5 * least;
 }
 
+/// Counts the pairs of faces that may come to touch flatly, up to two, and keeps the first. 0: a contact of general
+/// shape until the next search; 1: of these two faces; 2: chosen anew at each step.
 void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
   const auto turn = [&](int piece) {
     const int body = model.piece_body[piece];
     const double arm = model.bodies[body].is_rigid() ? model.body_radius[body] : half_shortest_face(model, work, piece);
     return work.margin / std::max(arm, work.margin);
   };
+  // A body moves by half the margin at most before the next search, and so turns by margin / 2 arm at most.
   const double angle =
       portable::tan(std::min(1.0, face_pair_max_tilt + 0.5 * (turn(pair.piece_a) + turn(pair.piece_b))));
   pair.facing = 0;
@@ -107,6 +112,7 @@ double thinnest_piece(const Model<2>& model, const Body& b) {
 }
 
 /// A twentieth of the median thickness (smaller side of the box in its own axes) of the bodies that move.
+/// A wider margin finds more pairs that do not touch, a narrower one searches more often.
 double search_margin(const Model<2>& model) {
   std::vector<double> thickness;
   for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body) {
@@ -128,6 +134,7 @@ double search_margin(const Model<2>& model) {
   return 0.05 * *middle;
 }
 
+/// Pairs of faces by law, for kernels that do several rows at once; all others one by one. Rows stay in their order.
 void sort_into_batches(const Model<2>& model, Work<2>& work) {
   work.batches.assign(model.laws.size(), {});
   work.general.clear();
@@ -194,6 +201,8 @@ double body_moved(const Model<2>& model, const State<2>& state, const Work<2>& w
 
 }  // namespace
 
+/// First the cheap bound, the path of the fastest point since the search; only where that has come to `look_again`
+/// is each body looked at, and the next look put off by what is left of half the margin.
 bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (!work.valid) return true;
   if (work.travel < work.look_again) return false;
@@ -214,6 +223,7 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.found_position = state.position;
   work.found_rotation = state.rotation;
   work.pairs.clear();
+  // Each box is widened by half the margin, as each of two bodies may move by that.
   for (const auto& [p, q] : meeting_boxes(piece_boxes(model, work, 0.5 * work.margin))) {
     const int body_p = model.piece_body[p], body_q = model.piece_body[q];
     if (body_p == body_q || state.left[body_p] != 0 || state.left[body_q] != 0) continue;
@@ -242,6 +252,7 @@ bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, N
     nearest = gap;
     if (found++ == 0 || bonded) set_faces(pair, a, b);
   });
+  // Two flat pairs that touch at once, as of a wedge in a notch, are one contact of general shape.
   return bonded ? found > 0 : found == 1;
 }
 

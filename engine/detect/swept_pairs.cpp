@@ -29,6 +29,8 @@ struct Range {
   [[nodiscard]] double half() const { return 0.5 * (high - low).norm(); }
 };
 
+/// Of a rigid body: the velocity of its node and |spin| times its radius around it. Of others: the middle of the box
+/// that the velocities of their nodes or sections' corners lie in, and its half diagonal.
 std::vector<Pace> paces(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   std::vector<Pace> out(work.body.size());
   for (std::size_t b = 0; b < out.size(); ++b) {
@@ -69,6 +71,7 @@ Box swept_box(const Model<2>& model, const Work<2>& work, int piece, const Vec2&
     range.add(at);
     range.add(at + dt * (Vec2(s.u, s.v) - common));
   }
+  // A point that turns is off its straight way by a t^2 / 2 at most, and never by more than twice its own path.
   const double widen = std::min(0.5 * pace.bend * dt * dt, 2 * pace.spread * std::abs(dt));
   return {range.low.x() - widen, range.low.y() - widen, range.high.x() + widen, range.high.y() + widen};
 }
@@ -87,6 +90,7 @@ struct Sweep {
     return (p.velocity - common).norm() + p.spread;
   }
   /// Any pair that counts has one piece that is fast for the thinnest of all, and one that is thin for the fastest.
+  /// For v_a + v_b > s / t some v is above s / 2 t: so the shorter of the two lists, `fewest`, misses no pair.
   [[nodiscard]] bool is_fast(int piece) const { return 2 * speed(piece) * time > share * model.least_thickness; }
   [[nodiscard]] bool is_thin(int piece) const {
     return (speed(piece) + fastest) * time > share * model.piece_thickness[piece];
@@ -127,6 +131,7 @@ std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<
   const auto keep = [&](int p, int q) {
     if (sweep.counts(p, q)) found.emplace_back(std::min(p, q), std::max(p, q));
   };
+  // Many: all boxes on the grid. Few: each of them against all boxes, which costs less than laying a grid.
   if (32 * few.size() > boxes.size()) {
     for (const auto& [p, q] : meeting_boxes(boxes)) keep(p, q);
     return found;
