@@ -213,6 +213,7 @@ bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work)
   // A node moves no faster than the fastest skin point, turning takes the farthest point from it at twice that at most,
   // and each component of what all move by together is no faster either.
   const double most = 0.5 * work.margin;
+  // 5 is above 1 + 2 + sqrt(2), the three paths of above; the share of 1e-6 is for rounding.
   work.look_again = work.travel + (most * (1 - 1e-6) - moved) / 5;
   return moved > most;
 }
@@ -239,6 +240,8 @@ void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.valid = true;
 }
 
+/// Bonded faces stay a pair however far they open or tilt, so the one at the smallest mean gap is taken, and touch and
+/// flatness are not asked.
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
   int found = 0;
   double nearest = unbounded;

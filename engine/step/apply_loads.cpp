@@ -13,6 +13,8 @@ void add_point_load(const Model<2>& model, const State<2>& state, const PointLoa
   push_at(model, state, p.at, share * force, share * p.moment, work.load, work.load_moment);
 }
 
+/// A pressure over a face goes to its two skin points by the shares of the face that it covers, and from there to their
+/// nodes: the force as it is, its moment by the arm.
 void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad& f, Work<2>& work) {
   const double share = f.curve.at(state.time);
   if (share == 0) return;
@@ -36,6 +38,7 @@ Vec2 face_force(const FaceLoad& load, const SkinMotion& a, const SkinMotion& b) 
 }
 
 void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  // Arrays that are empty mean no loads: then `sum` and the nodes read the model's own.
   if (!model.loaded()) {
     if (work.load.empty()) return;
     work.load.clear(), work.load_moment.clear(), work.trim.clear(), work.trim_moment.clear();

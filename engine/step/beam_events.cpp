@@ -30,6 +30,8 @@ double moment_at(const Model<2>& model, const State<2>& state, const Work<2>& wo
   return std::max(std::abs(stress[1]), std::abs(stress[2]));
 }
 
+/// Elastic, yielded, lost: told where the trial's memory says another one than the committed memory. The figure is the
+/// moment as it yields, or the rotation at which it is lost.
 void member_event(const Model<2>& model, const State<2>& state, Work<2>& work, const Member& m, int beam, int end) {
   const Beam& b = model.beams[beam];
   const std::span after = memory_of(model, b, std::span<const double>(work.beam_memory));

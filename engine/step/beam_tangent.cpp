@@ -13,6 +13,8 @@ struct BeamShape {
   Eigen::Matrix<double, 2, 6> way, way_rate;  // dD; d(dD/dt) by place, where arms turn
 };
 
+/// Columns x_0, y_0, turn_0, x_1, y_1, turn_1. D = x_1 + arm_1 - x_0 - arm_0, and an arm turns by left_of(arm):
+///   d stretch = along . dD,   d theta_i = d turn_i - across . dD / l.
 BeamShape shape_of(const BeamNow& now, const std::array<Vec2, 2>& arm, const std::array<double, 2>& spin) {
   BeamShape s;
   s.way.setZero(), s.way_rate.setZero(), s.strain.setZero();

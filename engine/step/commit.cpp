@@ -6,6 +6,8 @@
 
 namespace trilith {
 
+/// First the events, which compare the memories of before with those of the trial; then the trial's become State. Sums
+/// of energy too: `work.given` began as a copy of `state.given`.
 void commit(const Model<2>& model, State<2>& state, Work<2>& work, StepTimes* times) {
   StepClock clock(times);
   find_events(model, state, work);

@@ -26,6 +26,7 @@ ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, cons
 
 void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<TouchingContact>& out) {
   out.clear();
+  // Of general contacts it is the list of this evaluation that is read: their force is not remembered.
   const auto append = [&](int row, const ContactResultant& r) {
     const NearPair& p = work.pairs[row];
     const double mu = std::visit([](const auto& law) { return law.mu; }, model.laws[p.law]);

@@ -19,6 +19,8 @@ struct Response {
   double rate = 0, per_force = 0;
 };
 
+/// The velocity after the step under the forces of now, weighed as the push weighs its points, and sum of w^2 / m
+/// times the time over which a force acts on a leapfrog velocity, the mean of the steps behind and ahead.
 Response respond(const Model<2>& model, const State<2>& state, const Work<2>& work, const Push& push,
                  const StepOptions& options, const RestDamping& rest) {
   const Outside outside(model, state, work);
@@ -66,6 +68,7 @@ void control_displacement(const Model<2>& model, const State<2>& state, Work<2>&
   work.trim_moment.assign(work.load.size(), 0);
   for (std::size_t i = 0; i < model.pushes.size(); ++i) {
     const Push& push = model.pushes[i];
+    // Where the points are to be at the end of the step, over its length: the velocity they need.
     const double then = push.origin + push.motion->displacement(state.time + options.dt - push.start);
     const double rate = (then - push_place(state, push)) / options.dt;
     const Response free = respond(model, state, work, push, options, {});
@@ -73,6 +76,8 @@ void control_displacement(const Model<2>& model, const State<2>& state, Work<2>&
     const double force = (rate - free.rate) / free.per_force;
     add(state, push, force, work.load, work.load_moment);
     add(state, push, force, work.force, work.moment);
+    // With `force` in place the node is nearly balanced, so RestDamping finds little to answer; what it takes is the
+    // trim.
     const Response damped = respond(model, state, work, push, options, options.rest);
     const double more = (rate - damped.rate) / damped.per_force;
     add(state, push, more, work.trim, work.trim_moment);

@@ -120,6 +120,7 @@ bool Search::improve(const Eigen::VectorXd& full, double inertia, double enough)
     const double work = trial_.left().dot(full);
     if (trial_.share() <= enough || work >= -work_left * std::abs(begin)) return true;
     if (tries == most_tries) return false;
+    // Where a line through the work at 0 and at `share` is 0, within bounds.
     const double next = std::clamp(share * begin / (begin - work), 0.1 * share, 0.9 * share);
     trial_.move(full, next - share);
     share = next;
@@ -176,6 +177,7 @@ bool Search::settle(Equilibrium& out) {
     if (out.left <= options_.tolerance) out.end = EquilibriumEnd::rests;
     if (out.left <= options_.tolerance || steps == options_.most_steps) break;
     int before = out.iterations;
+    // Fails until a shorter h succeeds; iterations of failed tries do not make a step count as a hard one.
     for (; h > shortest_pseudo && !step(h, out.left, out); h = shorter(h)) ++out.cuts, before = out.iterations;
     if (h <= shortest_pseudo) out.end = EquilibriumEnd::stuck;
     if (h <= shortest_pseudo) break;

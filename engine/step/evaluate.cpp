@@ -4,6 +4,7 @@
 
 namespace trilith {
 
+/// State is not touched: losses are added to a copy of the ledger's sums, trial memories lie in Work.
 void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {
   StepClock clock(times);
   place(model, state, work);

@@ -9,6 +9,7 @@ namespace trilith {
 namespace {
 
 /// Where the laws of the pairs keep what they remember.
+/// One after the other in one array, each as long as its law asks.
 std::vector<LawRow> law_rows(const Model<2>& model, const Work<2>& work) {
   std::vector<LawRow> rows(work.pairs.size());
   std::uint32_t numbers = 0;
@@ -29,6 +30,7 @@ void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>&
   now.law_row = law_rows(model, work);
   const auto numbers = [](const LawRow& row) { return law_number_counts[row.place]; };
   now.law_memory.assign(now.law_row.empty() ? 0 : now.law_row.back().first + numbers(now.law_row.back()), 0.0);
+  // Both lists are sorted by key, the pieces of a pair: one pass over both.
   std::size_t old = 0;
   for (std::size_t row = 0; row < now.size(); ++row) {
     now.key[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);
@@ -48,6 +50,7 @@ ContactHistory emptied(const ContactHistory& rows) {
 
 }  // namespace
 
+/// Does nothing while the list of pairs still holds, as in nearly every step.
 void find(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (!pairs_outdated(model, state, work)) return;
   if (!work.valid) bound_faces(model, work);

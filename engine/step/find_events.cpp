@@ -32,6 +32,10 @@ struct Meeting {
   double closing;
 };
 
+/// Of a general contact: its centre, and the speed along its force. Of two faces, along d from a0:
+///
+///            a0 ---------------------> a1  d, and n = (d_y, -d_x) downwards, into b
+///       b1 <-------------------- b0        shared from max(0, s(b1)) to min(s(a1), s(b0)); `at` is its middle
 Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
   const int na = p.piece_a, nb = p.piece_b;
@@ -54,6 +58,7 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
 }
 
 /// True where the bond of a row opened beyond its limit, and did not slide beyond it.
+/// By the gaps of now, with what the law remembers of before: after is lost with the bond.
 bool is_pulled(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
   const ContactHistory& before = contacts_before(state, work);
@@ -110,6 +115,7 @@ void joint_events(const Model<2>& model, const State<2>& state, Work<2>& work, i
 
 /// A contact that opened a moment ago and closes again was never lost: true if it was one. Joints of rubble and of
 /// rocking units chatter; telling each time would bury what matters.
+/// State::parted has contacts in the order in which they opened.
 bool take_back(State<2>& state, ContactKey contact) {
   const auto found =
       std::find_if(state.parted.begin(), state.parted.end(), [&](const Parted& p) { return p.contact == contact; });
@@ -129,6 +135,7 @@ void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int r
     state.parted.push_back({work.contacts.key[row], state.time});
     return;
   }
+  // A contact that closes again is told only where it strikes.
   const bool again = take_back(state, work.contacts.key[row]);
   const Meeting m = meeting(model, state, work, row);
   const bool strikes = m.closing > model.impact_speed;
@@ -142,6 +149,7 @@ void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int r
 /// Tells which of the contacts that opened have now stayed open long enough to count as lost.
 void parted_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   const auto lasting = [&](const Parted& p) { return state.time - p.time >= model.apart_time; };
+  // They opened in the order of the list, so those that have lasted stand first.
   auto end = state.parted.begin();
   for (; end != state.parted.end() && lasting(*end); ++end)
     work.events.push_back(event_now(state, EventType::contact_lost, model.piece_body[first_piece(end->contact)],
@@ -166,6 +174,7 @@ bool alters_contact(const Bearing<2>& b) {
 }
 
 /// Elastic energy that the contact of two pieces has while their bearings are as given [J].
+/// Of overlap, whatever shape it has; 0 where it is still held off.
 double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>& work,
                      std::span<const BearingMemory> bearings, int p, int q) {
   NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
@@ -180,6 +189,7 @@ double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>
 /// Elastic energy that the contact beside bearing `i` has after its failure more than before [J].
 double released_contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t i) {
   const Bearing<2>& b = model.bearings[i];
+  // Two bearings may sit between the same pieces: the energy is booked once, by the first that changes the rule.
   for (std::size_t j = 0; j < i; ++j)  // one that failed in the same step has counted it
     if (is_live(state.bearing[j].status) && !is_live(work.bearing[j].status) && alters_contact(model.bearings[j]) &&
         model.bearings[j].sits_between(b.piece_a, b.piece_b))
@@ -199,6 +209,8 @@ void hand_on(const Model<2>& model, const State<2>& state, Work<2>& work, std::s
   work.valid = false;  // another rule holds for the contact of its two pieces from now on
 }
 
+/// A bearing goes intact -> yielded -> failed, or -> changed where something follows it: another bearing that waited,
+/// or contact of the two pieces under a law of its own. A change is told after the failure that led to it.
 void bearing_events(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
   const BearingStatus before = state.bearing[i].status;
   BearingMemory& after = work.bearing[i];
@@ -219,6 +231,7 @@ void account_failed(const State<2>& state, Work<2>& work, std::size_t i) {
   work.given[EnergyTerm::bearing_failure] += work.bearing_energy[i];
 }
 
+/// Lost, once and for ever, where the end of the span has come to the seat's edge.
 void seat_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t i) {
   if (state.seat_lost[i] != 0) return;
   const Seat& seat = model.seats[i];
@@ -238,6 +251,7 @@ bool plainly_moves(const Model<2>& model, const State<2>& state, int node) {
   return std::max(std::abs(v.x()), std::abs(v.y())) > model.still_speed && model.moves(node);
 }
 
+/// Slower than still_speed for still_time. The fastest point counts: of a rigid body |v| + |spin| times its radius.
 void rest_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t b) {
   if (!model.body_moves(static_cast<int>(b))) return;
   const int n = model.bodies[b].first_node;
@@ -266,6 +280,7 @@ void body_events(const Model<2>& model, State<2>& state, Work<2>& work) {
 
 }  // namespace
 
+/// How far the end of the span lies behind the edge of its seat, along `inward` of the support [m].
 double seat_length(const Model<2>& model, const State<2>& state, const Seat& seat) {
   const Pose edge = pose_at(model, state, seat.edge);
   const Vec2 end = pose_at(model, state, seat.end).place;
@@ -274,6 +289,7 @@ double seat_length(const Model<2>& model, const State<2>& state, const Seat& sea
 
 void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   work.events.clear();
+  // In the order of rows, as faces and general contacts have put theirs there one after the other.
   std::sort(work.turned.begin(), work.turned.end());
   for (const int row : work.turned) contact_events(model, state, work, row);
   if (!state.parted.empty()) parted_events(model, state, work);

@@ -73,6 +73,8 @@ double held(const Energy& e) {
 }
 
 /// One step: the trial state, what it began with, and what is left of the equation of motion.
+/// Order: predict the path, evaluate, measure what is left over, correct the path by A^-1 of it, and again; then the
+/// energies of the whole step. `state` is the trial's, `start_` and the members beside it are the begin's.
 class Trial {
  public:
   Trial(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy, Tangent& tangent,
@@ -194,6 +196,7 @@ double Trial::left_over() {
     const double a = k == 2 ? state_.spin_rate[n] : state_.acceleration[n][k];
     const double now = net_force(model_, state_, work_, coupling.freedom[i]);
     const double inertia = mass * ((1 - m) * a + m * a0);
+    // r = (1 - alpha_f) F' + alpha_f F - M ((1 - alpha_m) a' + alpha_m a), [N] or [N m].
     left_[i] = (1 - f) * now + f * forces_[n].force[k] - inertia;
     sum += left_[i] * left_[i] / mass;
     const double radius = k == 2 ? std::sqrt(model_.inertia[n] / model_.mass[n]) : 1;
@@ -249,6 +252,7 @@ bool Trial::attempt(double dt, ImplicitStep& out) {
     if (!std::isfinite(merit_)) return false;
     ++out.iterations;
     const double before = merit_;
+    // Found anew only where the last one does not serve: it costs many evaluations, a solve with it none.
     if (!serves && !tangent_.find(model_, state_, work_, wanted)) return false;
     improve(tangent_.solve(left_));
     serves = merit_ <= slow_share * slow_share * before;
@@ -364,6 +368,7 @@ ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>&
     const double last = std::exchange(out.missed, options.accuracy > 0 ? trial.missed(booked) : 0);
     const bool gains = out.cuts < cuts_that_tell || out.missed <= no_better * last;
     const bool can_be_cut = out.cuts < most_cuts_for_energy && 0.5 * out.dt >= options.shortest;
+    // Not the tangent's fault: the step is right but too long, and is tried from its begin at half the length.
     if (out.missed > options.accuracy && gains && can_be_cut) continue;
     for (std::size_t i = 0; i < booked.value.size(); ++i) state.given.value[i] += booked.value[i];
     ++state.step;

@@ -38,6 +38,14 @@ Model<2> reference_of(const Model<2>& model, const std::string& name) {
 }
 
 /// One path.
+/// Unknowns x and factor; one step from the last equilibrium:
+///
+///     factor |        _.-o  correct: dx = dx_r + dfactor dx_q, until F = 0 and the condition hold at once
+///            |     .'  /    predict: along the tangent, dx_q = A^-1 q
+///            |   o'---x
+///            +------------ x
+///
+/// All states on the way are the trial's; the factor is set by scaling the loads of `loaded_`, which it evaluates.
 class Path {
  public:
   Path(const Model<2>& model, const State<2>& state, const LoadPathOptions& options, LoadPath& out);
@@ -92,6 +100,7 @@ Path::Path(const Model<2>& model, const State<2>& state, const LoadPathOptions& 
       factor_(options.begin),
       last_factor_(options.begin) {
   const Coupling& coupling = trial_.coupling();
+  // S: masses and inertias over the sum of the masses along x and y.
   share_.resize(coupling.size());
   double sum = 0;
   for (int i = 0; i < coupling.size(); ++i) {
@@ -130,6 +139,7 @@ void Path::move(const Eigen::VectorXd& by, double factor) {
 }
 
 /// The scaled loads at the factor 1 on the unknowns, where the bodies are now.
+/// The loads of `reference_` are written to Work for this alone, and those of `loaded_` put back.
 void Path::find_loads() {
   Work<2>& work = trial_.work();
   apply_loads(reference_, trial_.state(), work);
@@ -207,6 +217,7 @@ bool Path::correct(double size) {
     ++out_.iterations;
     if (!solve_loads()) return false;
     const Eigen::VectorXd rest = trial_.solve(trial_.left());
+    // g + g_x (dx_r + dfactor dx_q) + g_factor dfactor = 0, solved for dfactor.
     const double by_factor = change(per_factor_) + (options_.control == PathControl::load ? 1 : 0);
     const double factor = -(off + change(rest)) / by_factor;
     if (!std::isfinite(factor)) return false;
@@ -224,6 +235,7 @@ double Path::turned() const {
 /// Tries a step of this size. Where it fails all is as it was.
 bool Path::step(double size) {
   const int before = out_.iterations;
+  // An arc that has turned by more than a right angle would go back on the path it came by.
   if (predict(size) && correct(size) && turned() > 0) {
     last_way_ = trial_.way();
     last_factor_ = factor_;
@@ -291,6 +303,7 @@ void Path::follow() {
       continue;
     }
     on = add_point(taken_);
+    // Few iterations: a longer step; the root keeps it from swinging.
     size *= std::clamp(std::sqrt(options_.wanted_iterations / std::max(1.0, 1.0 * taken_)), least_change, most_change);
     size = std::copysign(std::min(std::abs(size), longest), size);
   }

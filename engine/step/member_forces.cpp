@@ -5,6 +5,7 @@
 
 namespace trilith {
 
+/// Two rows for each beam, its start and its end: the moment is linear in between, N and the shear even.
 std::vector<SectionForces> member_forces(const Model<2>& model, const State<2>& state, int member) {
   const Member& m = model.members[member];
   std::vector<SectionForces> rows;

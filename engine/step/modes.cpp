@@ -40,6 +40,7 @@ struct Pencil {
   Eigen::SparseMatrix<double> stiffness, mass;
 };
 
+/// K = -dF/dx about the state at rest, by the tangent with no inertia and no rates; M, a diagonal.
 Pencil pencil_of(const Model<2>& model, const State<2>& now, Tangent& tangent) {
   State<2> state = at_rest(now);
   Work<2> work;
@@ -92,6 +93,7 @@ Pairs lowest_pairs(const Pencil& p, int count) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+/// Scaled to phi' M phi = 1; factor = phi' M r for r = 1 along x or y, effective mass = factor^2.
 Mode mode_of(const Model<2>& model, const Coupling& coupling, double square, const Eigen::VectorXd& shape) {
   Mode mode;
   mode.square = square;
@@ -131,6 +133,7 @@ std::vector<Mode> modes(const Model<2>& model, const State<2>& state, int count)
   const Pencil pencil = pencil_of(model, state, tangent);
   const int size = tangent.coupling().size();
   if (size == 0) throw InputError("modes: nothing is free to move");
+  // Lanczos with a basis near the size of the matrix is no gain.
   const bool all = size <= few || count > size / 3;
   const Pairs pairs = all ? all_pairs(pencil) : lowest_pairs(pencil, count);
   std::vector<Mode> out;

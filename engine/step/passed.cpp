@@ -78,6 +78,8 @@ double mobility(const Model<2>& model, int piece) {
 
 /// The stiffness that would keep two pieces half as deep as is told [Pa/m]: the elastic energy there is the energy of
 /// their motion, what the contact holds now and what their weight has still to give.
+/// kn l d^2 / 2 = m (v^2 / 2 + g d) + kn_now l depth^2 / 2 at d = `most`, m the mass that two free bodies have against
+/// each other, 1 / (1/m_a + 1/m_b).
 double holding_stiffness(const Model<2>& model, const State<2>& state, int p, int q, const Two& two) {
   const double most = 0.5 * deepest_allowed(model, p, q), length = two.shared_length() * model.thickness,
                speed = two.closing_speed(), depth = two.overlap.depth;
@@ -89,6 +91,7 @@ double holding_stiffness(const Model<2>& model, const State<2>& state, int p, in
   return twice / (length * most * most);
 }
 
+/// The faster body is named first, as the one that passed.
 void tell(const Model<2>& model, State<2>& state, int p, int q, const Two& two, std::vector<Event>& told) {
   const PieceOverlap& overlap = two.overlap;
   const ContactKey key = bodies_of(model, p, q);
@@ -107,6 +110,7 @@ void tell(const Model<2>& model, State<2>& state, int p, int q, const Two& two, 
 }
 
 /// Overlap along the normal of the first of two faces that look at each other, no less than that of the pieces [m].
+/// One direction bounds the overlap of both: a cheap question before the exact one of all normals.
 double beneath_face(const Model<2>& model, const Work<2>& work, const NearPair& pair) {
   const SkinMotion &from = work.skin[pair.a0], &to = work.skin[pair.a1];
   const double x = to.x - from.x, y = to.y - from.y;
@@ -161,6 +165,8 @@ void look_back(const Model<2>& model, State<2>& state, int p, int q, std::vector
   for (int looks = 0; left > 0 && looks < most_looks; ++looks) {
     const Two two(model, state, p, q, -left);
     if (two.overlap.depth > allowed) return tell(model, state, p, q, two, told);
+    // From the step's begin on, with the velocities of its end: exactly the way that a leapfrog step has gone, turning
+    // too.
     const double time = time_to_depth(two.a, two.b, left, growth);
     if (!(time > 0)) return;  // what moves is no number any more
     left -= time;
@@ -169,6 +175,8 @@ void look_back(const Model<2>& model, State<2>& state, int p, int q, std::vector
 
 }  // namespace
 
+/// Two ways to be too deep: through and out again within the last step, which is followed back, and deeper step by
+/// step, for which pairs are looked at only once the path of the fastest point may have made one so deep.
 std::vector<Event> notice_passed(const Model<2>& model, State<2>& state, Work<2>& work) {
   std::vector<Event> told;
   // Through the whole of a piece and out again within a step: only what goes farther than it is thick.

@@ -40,6 +40,7 @@ int release_supports(Model<2>& model, const State<2>& state, int body, const std
   for (std::size_t i = 0; i < freed.size(); ++i) {
     const auto& [n, k, pull] = freed[i];
     load.at = Tie::to_node(n, Vec2::Zero());
+    // m a = F + load, a as the support's motion had it: the load begins as what the support gave, and fades to 0.
     if (k == 2)
       load.moment = model.inertia[n] * pull - work.moment[n];
     else

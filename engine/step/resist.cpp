@@ -39,6 +39,8 @@ TRILITH_INLINE void add_damping(const Deformation<N>& now, const double* shape, 
   now.subtract(shape, g, nodes.damping);
 }
 
+/// h = k d in the element's own axes, energy d . k d / 2; Deformation turns h to forces on the nodes (see
+/// body/corotation.hpp). Loops are over fixed counts, so that one copy for wide registers has the same bits.
 template <int N>
 TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, ResistSums& sums) {
   const double beta = pass.model.solids[batch.solid].damping();
@@ -75,6 +77,8 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
   return strain;
 }
 
+/// h = sum over the points of B' s V: strain e = B d in, stress s and the memory of the trial out. Damping goes by the
+/// elastic stiffness whatever has yielded.
 template <int N, class Law>
 void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const Law& law, ResistSums& sums) {
   const Plane plane = pass.model.solids[batch.solid].plane;
@@ -114,6 +118,8 @@ void resist_batch(const ElementPass& pass, const ElementBatch& batch, ResistSums
 
 }  // namespace
 
+/// Batches of elements in their order, then beams. Energies that are stored are of the instant, those given
+/// off are added to the ledger's.
 void resist(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.element_stored = 0;
   if (model.elements.empty() && model.beams.empty()) return;
@@ -133,6 +139,7 @@ void resist(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.given[EnergyTerm::plastic] += sums.plastic;
 }
 
+/// A reading: B is made anew, as elastic elements keep only their stiffness.
 ElementStress element_stress(const Model<2>& model, const State<2>& state, int element) {
   const Element& e = model.elements[element];
   const Solid& solid = model.solids[e.solid];
@@ -167,6 +174,7 @@ ElementStress element_stress(const Model<2>& model, const State<2>& state, int e
   return out;
 }
 
+/// R S R' with R by (c, s), the angle of the element's axes.
 Stress in_world(const ElementStress& e) {
   const double c = e.axes_c, s = e.axes_s;
   const Stress& m = e.mean;

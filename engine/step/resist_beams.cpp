@@ -28,6 +28,7 @@ void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, R
     std::array<Vec2, 2> arm;
     const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);
     const BeamNow now(from, to, beam.length, beam.angle);
+    // On the nodes: the force brings its moment by the arm; M_0 and M_1 resist the bends, so nodes get their opposite.
     const auto add = [&](const BeamStress& stress, std::vector<Vec2>& force, std::vector<double>& moment) {
       const Vec2 start = now.force_on_start(stress);
       force[beam.node[0]] += start, force[beam.node[1]] -= start;

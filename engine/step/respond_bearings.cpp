@@ -9,6 +9,10 @@ namespace trilith {
 namespace {
 
 /// Displacement and rate of b's point against a's, in the bearing's axes.
+/// In axes fixed to a, so that both may turn as one rigid piece: with p the point of a and q that of b
+///
+///     axes = turn_p + b.angle            displacement = axes' (q - p) - rest
+///     angle = turn_q - turn_p - rest     rate = axes' (v_q - v_p - spin_p x (q - p))
 struct RelativeMotion {
   Turn axes;
   Vec2 displacement, rate;
@@ -28,6 +32,7 @@ RelativeMotion motion_of_ties(const Model<2>& model, const State<2>& state, cons
 }
 
 RelativeMotion relative_motion(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  // Ties to one node each, as nearly always, need no poses, and count whole turns too.
   if (!b.end_a.is_rigid() || !b.end_b.is_rigid()) return motion_of_ties(model, state, b);
   const int na = b.end_a.node[0], nb = b.end_b.node[0];
   const Turn axes(state.rotation[na] + b.angle);
@@ -44,6 +49,7 @@ RelativeMotion relative_motion(const Model<2>& model, const State<2>& state, con
 std::array<double, 3> mean_rates(const Model<2>& model, const State<2>& state, const Bearing<2>& b,
                                  const RelativeMotion& now, double dt) {
   if (!state.implicit()) return {now.rate.x(), now.rate.y(), now.spin};
+  // The first evaluation under a scheme has no step behind it.
   if (!(dt > 0)) return {};
   const RelativeMotion before =
       motion_of_poses(b, pose_before(model, state, b.end_a), pose_before(model, state, b.end_b));
@@ -91,6 +97,7 @@ void respond_live(const Model<2>& model, const State<2>& state, Work<2>& work, s
     work.given[EnergyTerm::bearing_damping] += r.lost_damping;
   }
   work.bearing_stored += work.bearing_energy[i];
+  // On b, against its displacement; a gets the opposite through b's point, so that nothing turns both together.
   work.bearing_force[i] = -m.axes.apply(Vec2(force[along], force[axial]));
   work.bearing_moment[i] = -force[turning];
   work.bearing_displacement[i] = m.displacement;
@@ -113,6 +120,7 @@ DirectionMemory memory_at(const DirectionLaw& law, double displacement) {
 
 }  // namespace
 
+/// Sliders and dashpots begin where they are, springs with what their displacement asks: that energy is new.
 double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, int i) {
   const Bearing<2>& b = model.bearings[i];
   BearingMemory& begun = work.bearing[i];

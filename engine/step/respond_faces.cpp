@@ -15,12 +15,25 @@
 namespace trilith {
 namespace {
 
+// Rows of one law go through its kernel four at once, a lane each. What comes in is gathered row by row and turned:
+//
+//     row 0   x0 y0                  x: x0 x1 x2 x3
+//     row 1   x1 y1   load_columns   y: y0 y1 y2 y3     kernel     columns of forces   RowPairs    rows again
+//     row 2   x2 y2  ------------>                    -------->    and memories        -------->   to be written
+//     row 3   x3 y3
+//
+// A lane that is no row (`valid`), or whose faces are no pair of faces now, or that does not touch, is computed with
+// the others and left out as its results are written. Each row writes its own memory; forces are added to skin points
+// row by row, in the order of the list, so that the bits do not depend on the lanes.
+
 static_assert(offsetof(ContactMemory, bonds) == offsetof(ContactMemory, slip) + sizeof(double) &&
                   offsetof(ContactMemory, state) == offsetof(ContactMemory, bonds) + sizeof(std::uint32_t),
               "slip, bonds and state are moved as one pair");
+// ... as (slip, word), the bonds in the lower half of the word and the state in the upper.
 static_assert(std::endian::native == std::endian::little, "bonds and state are read as one number");
 
 /// Two columns as a pair for each of four rows.
+/// Lanes 0 and 2 of both columns lie in `row02`, 1 and 3 in `row13`: of(row) is then two neighbouring numbers.
 struct RowPairs {
   Lanes row02, row13;
   RowPairs() = default;
@@ -223,8 +236,10 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& row
   add_lanes(given.damping, counts, r.lost_damping);
   add_lanes(given.friction, counts, r.lost_friction);
   if constexpr (K::bonds) add_lanes(given.fracture, counts, r.lost_fracture);
+  // What may be an event or needs care, row by row: a contact made or lost, a bond or the mortar that changes.
   const LaneMask turns = (r.touching ^ memory.touching) | K::turns(memory.face, memory.own, r.memory, r.own);
   const RowResponse<law_numbers<K> / 2> out(r, K::template keeps<Lanes>(r.own));
+  // All four touch as they did, and none is beyond the list's end: written without a question.
   if (!any(flip(found & r.touching) | turns)) {  // as nearly always
     for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i);
     return;
@@ -232,6 +247,7 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& row
   for (int i = 0; i < lane_count; ++i) {
     if (rows.valid[i] == 0) continue;
     const int row = rows.row[i];
+    // Too tilted or too deep for faces: it is found by overlap in this same evaluation.
     if (r.is_face_pair[i] == 0) {
       pass.work.general_now.push_back(row);
       continue;

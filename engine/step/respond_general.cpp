@@ -11,6 +11,7 @@ namespace trilith {
 namespace {
 
 /// The velocity and spin of the rigid piece that fits the corners of a piece that deforms best.
+/// Least squares over its corners: the mean velocity, and spin = sum of r x v / sum of r^2 about their mean place.
 void fit_rigid(PlacedPiece& piece) {
   const auto count = piece.corner.size();
   piece.origin = piece.velocity = Vec2::Zero();
@@ -29,6 +30,8 @@ void fit_rigid(PlacedPiece& piece) {
 
 }  // namespace
 
+/// `corners` keeps what the piece's spans point to. Where an implicit step was taken it comes with its mean velocities
+/// over the step, by which slip and losses go.
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
                          PieceCorners& corners) {
   const auto first = static_cast<std::size_t>(model.piece_first[piece]),
@@ -90,8 +93,10 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   ContactMemory& after = work.contacts.memory[row];
   const bool was = (before.state & contact_touching) != 0;
   part_row(contacts, work.contacts, row);
+  // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
   if (!was && work.travel < work.asleep_until[row]) return;
   const NearPair& pair = work.pairs[row];
+  // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
   if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) {
     if (was) work.turned.push_back(row);
     return;
@@ -124,6 +129,7 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
 
 }  // namespace
 
+/// Rows of general shape, and those that were to be faces and are not now, in the order of rows.
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
   work.general_touching.clear();
   work.general_now.insert(work.general_now.end(), work.general.begin(), work.general.end());

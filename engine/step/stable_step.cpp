@@ -24,11 +24,14 @@ struct Local {
 /// matrices in between: this is done four times for every contact.
 void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, double beta, double length, const Vec2& spread,
                 double weight) {
+  // K += k b b', b = (e, arm x e) as the spring is stretched by e . (u + theta x arm); springs spread over `length`
+  // turn about their middle with k length^2 / 12 more.
   const double stiffness = weight * k, lever = cross(spread, e);
   const double b[3] = {e.x(), e.y(), cross(arm, e)};
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) {
       double m = stiffness * b[row] * b[column];
+      // row = column = 2, the rotation.
       if (row + column == 4) m += stiffness * lever * lever * length * length / 12;
       local.k(row, column) += m;
       local.c(row, column) += beta * m;
@@ -133,6 +136,8 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
   }
 }
 
+/// Springs of all that touches now: those of two faces by the length they share, those of general shape by the length
+/// in contact; each as stiff as its law can be at the depth of now.
 void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work, std::vector<Local>& locals) {
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     const ContactMemory& m = work.contacts.memory[row];
@@ -172,6 +177,7 @@ void add_to_nodes(const Model<2>& model, const State<2>& state, const Tie& tie, 
     for (const int k : {0, 1, 2}) {
       if (k == 2 && !tie.turns) continue;
       const double part = k == 2 ? couple[n] : force[n][k], mass = k == 2 ? model.inertia[n] : model.mass[n];
+      // Row i of v v' scaled by 1/sqrt(m_i m_j) sums to sum |v_i|/sqrt(m_i); `bound` will divide by m_i.
       const double row = std::abs(part) * sum * std::sqrt(mass);
       locals[n].k(k, k) += tangent * row, locals[n].c(k, k) += dashpot * row;
     }
@@ -283,6 +289,7 @@ Local on_stiffest_face(const Model<2>& model, int body) {
   return stiffest;
 }
 
+/// The root of lambda_K dt^2 + 2 lambda_C dt = 4.
 double step_for(double stiffness, double damping) {
   if (!(stiffness > 0)) return damping > 0 ? std::min(longest_step, 2 / damping) : longest_step;
   return std::min(longest_step, (std::sqrt(4 * stiffness + damping * damping) - damping) / stiffness);
@@ -313,6 +320,7 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];
     if (!model.body_moves(static_cast<int>(b))) continue;
+    // Of its own stiffest face, or of what touches now, whichever is stiffer; its elements come on top of either.
     double k = work.face_bound[b].stiffness, c = work.face_bound[b].damping;
     for (int node = body.first_node; node < body.first_node + body.nodes; ++node) {
       if (!model.moves(node)) continue;

@@ -46,12 +46,15 @@ void find_contacts(const Model<2>& model, State<2>& state, Work<2>& work) {
 
 }  // namespace
 
+/// Where two faces look at each other within `reach` of the smaller body's size, mortar is put between them as they
+/// stand. Stresses stay as they are (see Filling); where what is stored changes, the ledger has the difference.
 void set_bonds(const Model<2>& model, State<2>& state, double reach) {
   Work<2> work;
   find_contacts(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     NearPair& pair = work.pairs[row];
     const ContactMemory& memory = state.contacts.memory[row];
+    // A joint bonded on both halves is left as it is, so this may be called again.
     if (!may_bond(model.laws[pair.law]) || memory.bonds == 3) continue;
     if (!choose_face_pair(model, work, true, pair)) continue;
     const FaceOverlap<double> overlap = face_overlap(work, pair);

@@ -30,6 +30,7 @@ double gyration_of(const Model<2>& model, int n) {
   return radius > 0 ? radius : 1;
 }
 
+/// Size of the body that each node belongs to [m].
 std::vector<double> reaches(const Model<2>& model) {
   std::vector<double> out(model.mass.size(), 0.0);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
@@ -48,6 +49,8 @@ StaticTrial::StaticTrial(const Model<2>& model, const State<2>& state)
   if (!model.pushes.empty())
     throw InputError("statics: push '" + model.pushes.front().name +
                      "' controls a displacement in time; release it, or follow the path of its load instead");
+  // Simulation holds a state that has been advanced and not committed: that is done first, under the scheme that took
+  // the step, then velocities are brought to the instant, so that the balance of now is what statics has to keep.
   evaluate(model_, state_, work_, state_.last_dt);
   commit(model_, state_, work_);
   events_ = work_.events;
@@ -56,6 +59,7 @@ StaticTrial::StaticTrial(const Model<2>& model, const State<2>& state)
   evaluate(model_, state_, work_, 0);  // commit has taken the memories along that tell what is stored
   balance_ = implicit_energy(model_, state_, work_).balance();
   stop_moving(state_);
+  // Laws take `position_before` and `last_dt` for mean rates: the way of the step over 1000 s.
   state_.last_dt = slow_step;
   begin_here();
 }
@@ -106,6 +110,7 @@ Eigen::VectorXd StaticTrial::way() const {
   return out;
 }
 
+/// left = F - inertia M d; its square, sum of left^2 / m, is what iterations are judged by; `share_` what ends them.
 double StaticTrial::measure(double inertia) {
   left_ = inertia > 0 ? Eigen::VectorXd(-inertia * way()) : Eigen::VectorXd(Eigen::VectorXd::Zero(coupling().size()));
   double sum = 0, most = 0;
@@ -136,6 +141,7 @@ void StaticTrial::find_stiffest(double inertia) {
   highest_square_ = 0;
   for (int i = 0; i < coupling().size(); ++i) {
     const double mass = mass_at(i), stiffness = tangent_.matrix().coeff(i, i) - inertia * mass;
+    // The diagonal less its inertia: K_ii / m_i.
     highest_square_ = std::max(highest_square_, stiffness / mass);
     if (coupling().freedom[i].k < 2) stiffest = std::max(stiffest, stiffness);
   }
@@ -169,6 +175,7 @@ void StaticTrial::go_back() {
   evaluate_here();
 }
 
+/// F (x' - x) with the mean of F at both ends, as half the way with either; `finish` books what the balance then lacks.
 void StaticTrial::accept() {
   const std::vector<NodeForces> force = all_forces();
   commit(model_, state_, work_);

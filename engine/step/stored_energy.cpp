@@ -10,6 +10,7 @@ namespace trilith {
 namespace {
 
 /// Of one half.
+/// T^2 / (2 ks l), l the length that carries shear.
 double shear_energy(const ContactMemory& m, int half, double ks) {
   if (!(m.active[half] > 0 && ks > 0)) return 0;
   return 0.5 * m.shear_elastic[half] * m.shear_elastic[half] / (ks * m.active[half]);

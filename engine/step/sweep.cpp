@@ -21,6 +21,8 @@ double largest_speed(const MovingPiece& a, const MovingPiece& b) {
 
 }  // namespace
 
+/// The shortest time of all pairs in which one may get deeper by `share` of the thinner one's thickness. Each pair is
+/// asked only for less than the shortest so far. Rounded down to the ladder, as every step is.
 SweptStep swept_step(const Model<2>& model, const State<2>& state, const Work<2>& work, double dt, double share) {
   SweptStep step{dt};
   if (goes_slowly(model, work, dt, share)) return step;

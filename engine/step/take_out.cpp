@@ -56,6 +56,8 @@ void stop(const Model<2>& model, State<2>& state, int body) {
 
 }  // namespace
 
+/// Held where it is, the body is like ground. The energy that goes with it, of motion, contacts, bearings and its
+/// weight, is what the balance differs by before and after; it is booked, so that the balance goes on.
 std::vector<Event> take_out(Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options,
                             std::span<const int> bodies) {
   const double before = energy_now(model, state, work, options).balance();
