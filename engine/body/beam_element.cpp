@@ -8,6 +8,8 @@
 
 namespace trilith {
 
+/// K by `near`, the moment of an end by its own bend, and `far`, by that of the other. Beside a pinned end what is left
+/// is near - far^2 / near. `bow`: the terms of L q by theta_0^2, theta_0 theta_1 and theta_1^2.
 BeamStiffness beam_stiffness(const BeamMaterial& material, const Section& section, double length,
                              const std::array<bool, 2>& pinned) {
   const double bending = material.young * section.second_moment;
@@ -50,11 +52,13 @@ BeamNow::BeamNow(const BeamEnd& from, const BeamEnd& to, double length_0, double
   along = chord / length;
   const double turned = portable::atan2(chord.y(), chord.x()) - angle_0, spin = cross(along, speed) / length;
   // Rotations count full turns and the chord's does not: the bend is what is left within half a turn.
+  // u = (l^2 - L^2) / (l + L): the digits of l - L where the stretch is small.
   strain = {(chord.squaredNorm() - length_0 * length_0) / (length + length_0), within_half_turn(from.rotation - turned),
             within_half_turn(to.rotation - turned)};
   rate = {along.dot(speed), from.spin - spin, to.spin - spin};
 }
 
+/// The largest eigenvalue of J' K J, with J = d(u, theta_0, theta_1) / d(motion of both nodes), scaled by 1 / sqrt(m).
 double beam_frequency2(const BeamStiffness& stiffness, double length, const std::array<Vec2, 2>& arm,
                        const std::array<double, 2>& mass, const std::array<double, 2>& inertia) {
   // Rows: stretch, bends; columns: x, y, rotation of either node, in the beam's axes.

@@ -21,6 +21,7 @@ Eigen::Matrix3d stiffness_beside(const BeamStiffness& k, const std::array<bool, 
   std::array<double, 3> left = k.bend;
   for (const int end : {0, 1}) {
     if (!let_go[end]) continue;
+    // Condensed: K_other - K_01^2 / K_own. With both ends let go only the stretch has stiffness.
     double &own = left[2 * end], &other = left[2 * (1 - end)];
     if (own > 0) other -= left[1] * left[1] / own;
     own = left[1] = 0;
@@ -29,6 +30,7 @@ Eigen::Matrix3d stiffness_beside(const BeamStiffness& k, const std::array<bool, 
 }
 
 /// The part of a tangent that resists.
+/// Where fibres soften some eigenvalues are below 0; a dashpot of those would feed the motion, so they count as 0.
 Eigen::Matrix3d resisting(const Eigen::Matrix3d& tangent) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(0.5 * (tangent + tangent.transpose()));
   return modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() * modes.eigenvectors().transpose();
@@ -66,6 +68,7 @@ Answer answer(const BeamYields& yields, const Beam& beam, const BeamNow& now, st
               std::span<double> after) {
   Answer out;
   BeamTangent& t = out.tangent;
+  // The first number of the memory is kept apart from those of the fibres.
   if (beam.yield == BeamYield::in_fibres) {
     const FibreBeamRow& row = yields.fibre_beams[beam.yield_row];
     const FibreBeamResponse r =

@@ -8,6 +8,13 @@ namespace trilith {
 
 namespace {
 
+// One search within another:
+//   flow_towards     one end, N and the other end given: p along the straight pieces of its law
+//   ends_at          both ends, N given: each in turn until neither moves
+//   return_to_laws   N: the root of N - EA/L (u + L q - p_u), which rises with N; or the tip of the surface
+// Then book_flow for memory and energies, returned_tangent for how all answers. Signs here: bends and moments are above
+// 0 where the bottom lengthens, those of end 0 are the beam's turned about.
+
 /// A hinge during one step.
 struct HingeStep {
   const HingeLaw* law;
@@ -37,6 +44,13 @@ struct HingeFlow {
 
 /// p where `trial` - stiffness (p - from) is the most moment towards `way`: exact on each straight piece of the law.
 HingeFlow flow_towards(const HingeStep& end, int way, double trial, double stiffness, double share) {
+  // q = way p grows from where the hinge was. `gap` is how far the elastic moment, which falls along the way, is still
+  // above what the hinge can carry, `most`; the answer lies where it comes to 0.
+  //
+  //     M |  .                     .   elastic: trial - stiffness (q - from)
+  //       |     .  ___-o---.       o   most: bends at the cap, where r begins to grow, where softening ends
+  //       | ___-o  .        `o---
+  //       +---------------------- q
   const double cap = end.law->cap();
   std::array<double, 5> corner{-cap, cap, end.reach, -end.reach,
                                cap + (end.law->capping > 0 ? end.law->softening : 0.0)};
@@ -91,6 +105,7 @@ struct EndsAt {
   bool settled = true;
 };
 
+/// Bending by K + N d2(L q)/dtheta2: a pull makes it stiffer, pressure softer.
 EndsAt ends_at(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, double normal) {
   constexpr int most_turns = 400;
   constexpr double done = 1e-14;
@@ -130,6 +145,7 @@ struct Range {
   double low = -unbounded, high = unbounded;
 };
 
+/// Normal forces beside which every hinge with a surface still carries some moment.
 Range normal_range(const std::array<HingeStep, 2>& hinge) {
   Range out;
   for (const HingeStep& h : hinge)
@@ -174,6 +190,7 @@ Returned find_root(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge
   return out;
 }
 
+/// First N of a step without flow, cut to the range; if that is not it already, a bracket from there and its root.
 Returned return_to_laws(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, double plastic, double trial) {
   Range range = normal_range(hinge);
   const double first = std::clamp(trial, range.low, range.high);
@@ -207,6 +224,8 @@ Eigen::Matrix3d returned_tangent(const BeamOfStep& beam, const std::array<HingeS
     return elastic;
   }
   // Unknown: dN, dp_0, dp_1. Given: du, dtheta_0, dtheta_1.
+  // Row 0: N = EA/L (u + L q - p_u), with p_u by the flow at both ends; or dN = 0 at the tip.
+  // Row 1 + i: where end i flows, its moment stays the most it carries; where it does not, dp_i = 0.
   Eigen::Matrix3d left = Eigen::Matrix3d::Identity(), right = Eigen::Matrix3d::Zero();
   if (!at.held) {
     left.row(0) << 1, beam.axial * arm[0], beam.axial * arm[1];
@@ -243,6 +262,8 @@ HingeStep step_of(const HingeLaw& law, const EndHingeMemory& m, int i) {
 }
 
 /// Memory and energies of what was returned; `normal` and the moments are those of the end of the step.
+/// Work on the flow, by mean moments and mean N, is what hardening stores more and what is given off; the latter wears
+/// the hinge from the next step on.
 void book_flow(const std::array<HingeStep, 2>& hinge, const Returned& at, double stretch, const EndHingeMemory& before,
                EndHingeResponse& out) {
   EndHingeMemory& m = out.memory;
@@ -294,6 +315,7 @@ EndHingeResponse respond(const BeamStiffness& stiffness, const std::array<const 
   out.stored += 0.5 * (at.normal * at.normal / beam.axial + bent.dot(beam.bend * bent));
   out.stress = {at.normal, -at.ends.moment[0], at.ends.moment[1]};
   out.tangent = returned_tangent(beam, hinge, at);
+  // Back to the beam's signs.
   out.tangent.row(1) *= -1, out.tangent.col(1) *= -1;
   return out;
 }

@@ -20,6 +20,7 @@ std::vector<RulePoint> mirrored(std::initializer_list<RulePoint> half) {
   return all;
 }
 
+/// With the ends among the points; exact for polynomials up to 2 n - 3.
 std::vector<RulePoint> lobatto_points(int count) {
   const double seven = std::sqrt(7.0);
   switch (count) {
@@ -38,6 +39,7 @@ std::vector<RulePoint> lobatto_points(int count) {
   }
 }
 
+/// Points within alone; exact for polynomials up to 2 n - 1.
 std::vector<RulePoint> gauss_points(int count) {
   const double six = 2 * std::sqrt(1.2), ten = 2 * std::sqrt(10.0 / 7), thirty = std::sqrt(30.0);
   const double seventy = 13 * std::sqrt(70.0);
@@ -68,9 +70,11 @@ FibreBeam make_fibre_beam(const FibreSection& section, double length, const std:
   FibreBeam beam;
   beam.length = length, beam.stations = stations;
   beam.bow = beam_stiffness({1, 0}, {.area = 1, .second_moment = 1}, length, pinned).bow;
+  // The elastic energy of the slant, 6 EI/((1 + phi) L) theta^2 for two equal bends, less that of its curvature.
   beam.shear = 3 * phi * bending / ((1 + phi) * (1 + phi) * length);
   // Bends at the ends by the bends given: those of pinned ends follow.
   Eigen::Matrix2d bends = Eigen::Matrix2d::Identity();
+  // M = 0 at a pinned end: (4 + phi) theta_i + (2 - phi) theta_j = 0.
   const double follows = -(2 - phi) / (4 + phi);
   for (const int end : {0, 1})
     if (pinned[end]) bends(end, end) = 0, bends(end, 1 - end) = pinned[1 - end] ? 0 : follows;
@@ -78,6 +82,7 @@ FibreBeam make_fibre_beam(const FibreSection& section, double length, const std:
   for (int i = 0; i < stations; ++i) {
     FibreStation& s = beam.station[i];
     s.weight = 0.5 * points[i].weight;
+    // (6 x/L - 3) / ((1 + phi) L) at the place from -1 to 1.
     const double slanted = 3 * points[i].place / ((1 + phi) * length);
     for (const int end : {0, 1})
       s.curvature[end] = (bends(1, end) - bends(0, end)) / length + beam.slant[end] * slanted;
@@ -116,6 +121,7 @@ FibreBeamResponse respond(const FibreBeam& beam, const FibreSection& section, co
     const FibreStation& s = beam.station[i];
     const SectionStrain strain{per * (d[0] + bowed), s.curvature[0] * d[1] + s.curvature[1] * d[2]};
     const SectionResponse r = respond(section, strain, before.subspan(i * size, size), after.subspan(i * size, size));
+    // d(axial strain, curvature) / d(u, theta_0, theta_1): stress and tangent are sums of B' s and B' t B.
     Eigen::Matrix<double, 2, 3> b;
     b << per, per * by[0], per * by[1], 0, s.curvature[0], s.curvature[1];
     const double share = s.weight * beam.length;
@@ -130,6 +136,7 @@ FibreBeamResponse respond(const FibreBeam& beam, const FibreSection& section, co
   stress += beam.shear * slanted * slant;
   out.tangent += beam.shear * (slant * slant.transpose());
   out.stored += 0.5 * beam.shear * slanted * slanted;
+  // The bow's part: mean N times the second derivatives of L q.
   out.tangent(1, 1) += 2 * normal * beam.bow[0], out.tangent(2, 2) += 2 * normal * beam.bow[2];
   out.tangent(1, 2) += normal * beam.bow[1], out.tangent(2, 1) += normal * beam.bow[1];
   for (int k = 0; k < 3; ++k) out.stress[k] = stress[k];

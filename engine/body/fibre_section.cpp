@@ -10,6 +10,7 @@ namespace {
 /// Nearer than this times the depth, two levels are one.
 constexpr double same_level = 1e-9;
 
+/// Even layers, cut further where the width of shape or core changes at once, from the bottom up.
 std::vector<double> levels_of(const FibreSpec& spec, double depth, const FibreShape* core) {
   std::vector<double> all = borders_of(spec.shape);
   for (int i = 1; i < spec.layers; ++i) all.push_back(depth * i / spec.layers);
@@ -27,6 +28,7 @@ void add_layer(const StripMoments& layer, double below, double least_area, std::
   if (layer.area <= least_area) return;
   const double centroid = layer.first / layer.area;
   const double gyration = std::sqrt(std::max(0.0, layer.second / layer.area - centroid * centroid));
+  // Half of the area at plus and minus the radius of gyration keeps area, centroid and second moment.
   for (const double way : {-1.0, 1.0}) out.push_back({layer.area / 2, centroid - below + way * gyration});
 }
 
@@ -59,6 +61,7 @@ void check_fibre_spec(const FibreSpec& spec, double depth) {
 }
 
 /// Response of the fibres of one law, added to `out`.
+/// Strain e = e_0 - y k of each fibre; N += s A, M -= s A y, and their derivatives by e_0 and k.
 template <UniaxialLawType L>
 void respond_part(const L& law, std::span<const Fibre> fibres, const SectionStrain& strain, const double* before,
                   double* after, SectionResponse& out) {
@@ -96,6 +99,7 @@ Eigen::Matrix2d FibreSection::stiffest() const {
   return out;
 }
 
+/// Layer by layer: what of it is core, and what is left as cover. Bars are added as they are, at their height.
 FibreSection make_fibres(const FibreSpec& spec) {
   const Section whole = section_of(spec.shape);
   check_fibre_spec(spec, whole.depth());

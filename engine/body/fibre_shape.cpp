@@ -52,6 +52,7 @@ StripMoments lifted(const StripMoments& m, double up) {
   return {m.area, m.first + up * m.area, m.second + up * (2 * m.first + up * m.area)};
 }
 
+/// Levels from the centre.
 StripMoments strip_of_disc(double diameter, double low, double high) {
   StripMoments out = disc_below(diameter / 2, high);
   return out -= disc_below(diameter / 2, low);
@@ -76,6 +77,7 @@ double bottom_of(const Polygon& outline) {
   return low;
 }
 
+/// Triangles from a point on the bottom to each edge of the strip: moments about the bottom.
 StripMoments strip_of_outline(const Polygon& outline, double low, double high) {
   const double bottom = bottom_of(outline);
   const Polygon strip = cut_at(cut_at(outline, bottom + low, 1), bottom + high, -1);
@@ -95,6 +97,8 @@ RectangleSection core(const RectangleSection& s, double c) {
 CircleSection core(const CircleSection& s, double c) {
   return {s.diameter - 2 * c, s.hollow > 0 ? s.hollow + 2 * c : 0};
 }
+/// Each part of the outline goes in by c: depth and widths by twice that, webs and flanges too, as both of their sides
+/// are covered.
 ISection core(const ISection& s, double c) {
   return {s.depth - 2 * c,         s.web - 2 * c,          s.top_width - 2 * c,
           s.top_thickness - 2 * c, s.bottom_width - 2 * c, s.bottom_thickness - 2 * c};
@@ -102,6 +106,7 @@ ISection core(const ISection& s, double c) {
 TSection core(const TSection& s, double c) {
   return {s.depth - 2 * c, s.web - 2 * c, s.width - 2 * c, s.thickness - 2 * c};
 }
+/// `webs` are two together.
 BoxSection core(const BoxSection& s, double c) {
   return {s.width - 2 * c, s.depth - 2 * c, s.webs - 4 * c, s.top - 2 * c, s.bottom - 2 * c};
 }

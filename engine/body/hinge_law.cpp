@@ -4,6 +4,7 @@ namespace trilith {
 
 namespace {
 
+/// A concave share makes the surface of N and M convex, so that there is one nearest way back to it.
 void check_points(const std::vector<double>& force, const std::vector<double>& share) {
   const std::size_t n = force.size();
   if (share.size() != n || n < 3)
@@ -34,6 +35,8 @@ void HingeLaw::check() const {
   if (!force.empty() || !share.empty()) check_points(force, share);
 }
 
+/// By the exponent e with n = |N| / Np: c = 1 - n^e, dc/dN = -sign(N) e n^(e-1) / Np, d2c/dN2 = -e (e-1) n^(e-2) /
+/// Np^2. By points: straight between them, at a point the piece on the side away from 0.
 AxialShare HingeLaw::beside(double normal) const {
   if (!has_axial()) return {};
   if (force.empty()) {
@@ -51,6 +54,7 @@ AxialShare HingeLaw::beside(double normal) const {
   return {share[i] + slope * (normal - force[i]), slope, 0};
 }
 
+/// From the top of the backbone, yield and hardening up to the cap, down to the residual share of it over `softening`.
 void check_softening(const HingeLaw& law, double even_bending) {
   if (!(law.capping > 0)) return;
   const double top = std::max(law.yield(1), law.yield(-1)) + law.hardening * law.capping;

@@ -33,6 +33,7 @@ void set_strain(M& b, int i, double dx, double dy) {
   b(2, 2 * i) = dy, b(2, 2 * i + 1) = dx;
 }
 
+/// The gradient of corner i is the opposite edge, turned by 90 degrees inwards, over twice the area.
 ElementStrain triangle_strain(std::span<const Vec2> c) {
   ElementStrain out;
   const double twice = cross(Vec2(c[1] - c[0]), Vec2(c[2] - c[0]));
@@ -66,6 +67,7 @@ ElementStrain plain_strain(std::span<const Vec2> corners) {
   return out;
 }
 
+/// G in `modes`, G'CG in `inner`, G'CB in `mixed`; B - G (G'CG)^-1 (G'CB) at each point.
 ElementStrain assumed_strain(std::span<const Vec2> corners, const Eigen::Matrix3d& elastic) {
   ElementStrain out = plain_strain(corners);
   if (corners.size() == 3) return out;
@@ -111,6 +113,7 @@ std::array<Vec2, max_element_nodes> mean_gradients(std::span<const Vec2> corners
   return mean;
 }
 
+/// Integral of each shape function: the share of the element's mass that goes to its node.
 std::array<double, max_element_nodes> node_areas(std::span<const Vec2> corners) {
   std::array<double, max_element_nodes> areas{};
   if (corners.size() == 3) {
@@ -163,6 +166,7 @@ bool is_inside(std::span<const Vec2> corners, const Vec2& x) {
 }
 
 /// Newton's method; the map of a convex quadrilateral is one to one inside it.
+/// Natural coordinates of a point inside: x(natural) = x.
 Vec2 natural_inside(std::span<const Vec2> corners, const Vec2& x) {
   if (corners.size() == 3) {
     const Vec2 a = corners[1] - corners[0], b = corners[2] - corners[0], r = x - corners[0];
@@ -191,6 +195,7 @@ ElementPoint nearest_in_element(std::span<const Vec2> corners, const Vec2& x) {
   return best;
 }
 
+/// Of M^-1/2 K M^-1/2, M lumped at the nodes.
 double largest_frequency2(const ElementMatrix& stiffness, std::span<const double> mass) {
   const auto count = static_cast<Eigen::Index>(2 * mass.size());
   Eigen::MatrixXd scaled = stiffness.topLeftCorner(count, count);

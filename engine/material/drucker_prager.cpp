@@ -38,6 +38,14 @@ double top_of(const DruckerPrager& law, const Cone& cone) {
   return cone.slope > 0 ? std::min(law.tension, cone.share * law.cohesion / cone.slope) : law.tension;
 }
 
+/// In the plane of the mean stress p and sqrt(J2) (tension to the right), the trial comes back to one of three:
+///
+///     sqrt(J2) |`-._    1          1  cone: sqrt(J2) falls by G g, p by K flow g
+///              |    `-._     2     2  the edge of cone and cut-off, or the tip
+///              |        `-|        3  cut-off: p alone falls
+///              |          |   3
+///              +----------+---- p
+///                        top
 Returned return_to_cone(const DruckerPrager& law, const Deviator& trial) {
   const double shear = law.young / (2 * (1 + law.poisson)), bulk = law.young / (3 * (1 - 2 * law.poisson));
   const Cone cone(law.friction);
@@ -67,6 +75,8 @@ PointResponse respond_in_space(const DruckerPrager& law, const PlaneVector& stra
   if (law.excess(trial) > 1e-13 * (std::abs(d.mean) + d.size)) {
     const Returned r = return_to_cone(law, d);
     const double share = d.size > 0 ? r.size / d.size : 0, gone = 1 - share;
+    // Plastic strain is what the stress gave up, over its stiffness: a third of the volume on each axis, the deviator
+    // by 2 G.
     const double swell = (d.mean - r.mean) / bulk / 3;
     grown = {swell + gone * d.xx / (2 * shear), swell + gone * d.yy / (2 * shear), swell + gone * d.zz / (2 * shear),
              gone * d.xy / shear};
@@ -86,6 +96,7 @@ PointResponse respond_without_stress_across(const DruckerPrager& law, const Plan
                                             const PlasticMemory& before) {
   const double x = strain[0] - before.xx, y = strain[1] - before.yy, xy = strain[2] - before.xy;
   const double size = std::abs(x) + std::abs(y) + std::abs(xy);
+  // Elastic: no stress across.
   const double guess = before.zz - law.poisson / (1 - law.poisson) * (x + y);
   PointResponse out = respond_in_space(law, strain, guess, before);
   const double enough = 1e-13 * law.young * size;
@@ -96,6 +107,7 @@ PointResponse respond_without_stress_across(const DruckerPrager& law, const Plan
   for (double reach = size; f_high < 0 && reach < 1e3 * size; reach *= 2)
     high = guess + reach, f_high = respond_in_space(law, strain, high, before).stress.zz;
   for (int i = 0; i < 100; ++i) {
+    // False position, and every third time a half, so that the bracket shrinks from both sides.
     const bool halve = i % 3 == 2 || !(f_high > f_low);
     const double at = halve ? 0.5 * (low + high) : low - f_low * (high - low) / (f_high - f_low);
     out = respond_in_space(law, strain, at, before);

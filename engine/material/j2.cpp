@@ -83,6 +83,7 @@ PointResponse return_in_stress(const J2& law, const PlaneVector& strain, const P
                             law.yield,
                             law.hardening,
                             before.measure};
+  // g P s: the plastic strain; the one across keeps the volume.
   const double g = r.solve();
   const double fa = 1 / (1 + r.slope_a * g), fb = 1 / (1 + r.slope_b * g);
   const double a = r.a * fa, b = r.b * fb, xy = r.c * fb, xx = half * (a - b), yy = half * (a + b);

@@ -26,6 +26,7 @@ struct Principal {
   }
 };
 
+/// (1 + sin) s_i - (1 - sin) s_j <= 2 cohesion cos, flow by the angle of dilation.
 YieldPlane shear_plane(const MohrCoulomb& law, int i, int j) {
   const auto [sine, cosine] = portable::sine_cosine(law.friction);
   const double flow = portable::sin(law.dilation);
@@ -42,6 +43,7 @@ YieldPlane cut_off_plane(double tension, int i) {
 }
 
 /// Planes of any two principal stresses, those that the trial is likely to meet first.
+/// In plane stress there is no cut-off across, where the stress is 0.
 std::vector<YieldPlane> planes_at(const MohrCoulomb& law, Plane plane, const Eigen::Vector3d& trial) {
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int i, int j) { return trial[i] > trial[j]; });
@@ -110,6 +112,8 @@ double MohrCoulomb::excess(const Stress& stress) const {
   return std::max(most - least + (most + least) * sine - 2 * cohesion * cosine, most - tension);
 }
 
+/// Trial stress, its principal values, return to the planes there, and back in the axes of the trial, which for
+/// isotropic elasticity are those of the answer too.
 PointResponse MohrCoulomb::respond(Plane plane, const PlaneVector& strain, const PlasticMemory& before) const {
   const PlaneVector elastic = strain - PlaneVector(before.xx, before.yy, before.xy);
   const Stress trial = elastic_stress(young, poisson, plane, elastic, before.zz);

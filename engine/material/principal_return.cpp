@@ -13,6 +13,7 @@ bool return_to_set(const Eigen::Vector3d& trial, const Eigen::Matrix3d& elastic,
   const auto count = static_cast<Eigen::Index>(set.size());
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   Eigen::Vector3d excess = Eigen::Vector3d::Zero();
+  // f_i(trial) = sum_j n_i . D r_j multiplier_j: each plane of the set holds exactly after the return.
   for (Eigen::Index i = 0; i < count; ++i) {
     const YieldPlane& p = planes[set[i]];
     excess[i] = p.normal.dot(trial) - p.limit;
@@ -42,6 +43,7 @@ PrincipalReturn return_to_planes(const Eigen::Vector3d& trial, const Eigen::Matr
   PrincipalReturn out;
   const double tolerance = 1e-11 * std::max(size, trial.cwiseAbs().maxCoeff());
   const int count = static_cast<int>(planes.size());
+  // Sides first, then edges, then corners. Where the flow is associated no other set would give another answer.
   const auto is_answer = [&](std::span<const int> set) {
     return return_to_set(trial, elastic, planes, set, out) && within(planes, out.stress, tolerance);
   };
