@@ -59,6 +59,7 @@ NumberedPoints without_repeats(const NumberedPoints& points, double tolerance, s
   return kept;
 }
 
+/// All points near the line from the first one to the one farthest from it: no area.
 void require_width(const NumberedPoints& points, double tolerance, std::string_view owner) {
   const Vec2 from = points.at[0];
   const auto nearer = [&](const Vec2& a, const Vec2& b) { return (a - from).squaredNorm() < (b - from).squaredNorm(); };
@@ -93,6 +94,8 @@ void refuse_crossing(const NumberedPoints& points, double tolerance, std::string
 
 }  // namespace
 
+/// In this order, as each check relies on those before: finite, no doubles, some width, no spike, no crossing; then the
+/// sense. Tolerances are of the polygon's own size.
 CheckedPolygon check_polygon(Polygon points, std::string_view owner) {
   require_three(points.size(), owner);
   NumberedPoints given{std::move(points), {}};

@@ -16,6 +16,14 @@ struct Cut {
   double length;
 };
 
+/// From the whole outline on, each piece with a corner that turns right is cut there; then cuts that are not needed are
+/// taken out (Hertel and Mehlhorn 1983).
+///
+///       +----------+     v turns right: the cut from v to w makes two pieces of one, which go on alike. Good cuts
+///       |          |     leave v without a right turn on either side, and w too where it had one; of those that are
+///       |    v-----+     as good as each other the shortest is taken.
+///       |    :
+///       +----w
 class Partition {
  public:
   explicit Partition(std::span<const Vec2> outline) : outline_(outline) {}
@@ -67,6 +75,7 @@ class Partition {
   }
 
   /// True if `target` lies inside the angle of the piece at `v`, away from both its edges.
+  /// Beside a right turn the angle is above half a circle: to the left of one edge is enough.
   bool in_angle(const Corners& piece, std::size_t v, std::size_t target) const {
     const Vec2 out = at(piece[next(piece, v)]) - at(piece[v]), in = at(piece[previous(piece, v)]) - at(piece[v]);
     const Vec2 ray = at(piece[target]) - at(piece[v]);
@@ -77,6 +86,7 @@ class Partition {
   }
 
   /// True if the segment from v to w runs inside the piece and meets its outline only at its two ends.
+  /// Edges that begin or end at v or w are left to in_angle.
   bool sees(const Corners& piece, std::size_t v, std::size_t w) const {
     if (!in_angle(piece, v, w) || !in_angle(piece, w, v)) return false;
     const Vec2 &a = at(piece[v]), &b = at(piece[w]);
@@ -112,6 +122,7 @@ class Partition {
   }
 
   /// Takes out every cut whose two pieces together are convex, longest first.
+  /// Longest first, as that leaves the rounder pieces.
   void join_needless() {
     std::stable_sort(cuts_.begin(), cuts_.end(), [](const Cut& x, const Cut& y) { return x.length > y.length; });
     for (const Cut& cut : cuts_) {
@@ -145,6 +156,8 @@ class Partition {
 
 }  // namespace
 
+/// Sorted by corners, so that the order does not tell how they were found. An edge between neighbouring corners of the
+/// outline is surface, any other one is a cut (-1).
 std::vector<ConvexPiece> convex_parts(std::span<const Vec2> outline) {
   std::vector<Corners> parts = Partition(outline).run();
   for (Corners& part : parts) std::rotate(part.begin(), std::min_element(part.begin(), part.end()), part.end());

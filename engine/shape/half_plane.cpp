@@ -17,6 +17,11 @@ Vec2 crossing(const Vec2& a, double da, const Vec2& b, double db) {
   return a + da / (da - db) * (b - a);
 }
 
+/// A concave outline may come in more than once, each time a chain:
+///
+///              .--.      .--.          inside: depth below 0
+///      ======[ 1 ]======[ 2 ]=====     line; a chain enters at `in` and leaves at `out`, places along it
+///             |  `------'  |           outside
 std::vector<Chain> chains_of(const Polygon& outline, const std::vector<double>& depth, const Vec2& along) {
   const std::size_t n = outline.size();
   std::vector<Chain> chains;
@@ -40,6 +45,8 @@ std::vector<Chain> chains_of(const Polygon& outline, const std::vector<double>& 
 
 /// Index of the chain that the line leads to from where chain `from` left. Crossings taken in order along the line
 /// bound stretches of the inside in pairs.
+/// Along the line inside and outside take turns: sorted crossings 0 and 1 bound the first stretch inside, 2 and 3 the
+/// next. A piece goes from where its chain leaves along such a stretch to where another one enters.
 std::size_t follower(const std::vector<Chain>& chains, std::size_t from) {
   struct Crossing {
     double at;
@@ -79,6 +86,7 @@ std::vector<Polygon> cut_by(const Polygon& outline, const HalfPlane& half_plane,
   std::vector<Polygon> pieces;
   for (std::size_t first = 0; first < chains.size(); ++first) {
     Polygon piece;
+    // Round one piece: chain after chain, until the line leads back to one that is used.
     for (std::size_t i = first; !chains[i].used; i = follower(chains, i)) {
       chains[i].used = true;
       piece.insert(piece.end(), chains[i].points.begin(), chains[i].points.end());

@@ -66,6 +66,8 @@ void check_shapes(const Mesh& mesh, std::string_view owner) {
   }
 }
 
+/// Each edge by its two nodes in the order in which its element, counter-clockwise, runs: a neighbour has it the other
+/// way round, so an edge whose reverse is not there is boundary, and the same one twice is two elements on one side.
 EdgeMap edges_of(const Mesh& mesh, std::string_view owner) {
   EdgeMap edges;
   for (int e = 0; e < static_cast<int>(mesh.element.size()); ++e)
@@ -85,6 +87,7 @@ int root_of(std::vector<int>& parent, int i) {
   return i;
 }
 
+/// Elements with an edge in common are one set (union and find); all must come to be the same.
 void check_hangs_together(const Mesh& mesh, const EdgeMap& edges, std::string_view owner) {
   std::vector<int> parent(mesh.element.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -99,6 +102,8 @@ void check_hangs_together(const Mesh& mesh, const EdgeMap& edges, std::string_vi
 
 /// The loops of boundary nodes, that of the largest area (the outer one) first. A node at which two loops meet parts
 /// them.
+/// Boundary edges from node to node. The outer loop runs counter-clockwise, those of holes clockwise: of all only its
+/// area is above 0.
 std::vector<std::vector<int>> boundary_loops(const Mesh& mesh, const EdgeMap& edges, std::string_view owner) {
   std::map<int, int> next;
   for (const auto& [nodes, edge] : edges) {
@@ -169,6 +174,8 @@ CheckedMesh check_mesh(Mesh mesh, std::string_view owner) {
   return out;
 }
 
+/// Bilinear between the four corners:  3 --- 2
+///                                     0 --- 1   x to the right, y up, nodes row by row from 0.
 Mesh grid_mesh(const std::array<Vec2, 4>& corners, int nx, int ny) {
   Mesh mesh;
   for (int j = 0; j <= ny; ++j)

@@ -35,6 +35,7 @@ Overlap convex_overlap(std::span<const Vec2> a, std::span<const Vec2> b, Overlap
     clip_left(buffer.corners, b[i], b[i + 1 == b.size() ? 0 : i + 1], buffer.spare);
     buffer.corners.swap(buffer.spare);
   }
+  // What only touches may leave a sliver without area, or one that rounding turns about: that is no overlap.
   if (buffer.corners.size() >= 3) {
     const PolygonMoments moments = polygon_moments(buffer.corners);
     if (moments.area > 0) return {moments.area, moments.centroid};
@@ -46,6 +47,8 @@ Overlap convex_overlap(std::span<const Vec2> a, std::span<const Vec2> b, Overlap
 namespace {
 
 /// Best face of `a` as seen from `b`; outward normal as axis, no owner set.
+/// The separation along a face's normal is the height of the other's lowest corner above it; the best face has the
+/// largest, which is above 0 where the two are apart.
 Penetration best_face(std::span<const Vec2> a, std::span<const Vec2> b) {
   Penetration best{-std::numeric_limits<double>::infinity(), Vec2::Zero(), true, 0, 0};
   for (std::size_t i = 0; i < a.size(); ++i) {

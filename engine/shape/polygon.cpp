@@ -15,6 +15,9 @@ double signed_area(std::span<const Vec2> outline) {
   return twice / 2;
 }
 
+/// Triangles (0, a, b) from the first point, c twice the area of one:
+///   area = sum c / 2,   first moment = sum c (a + b) / 6,   polar = sum c (a.a + a.b + b.b) / 12;
+/// the last one is then moved to the centroid.
 PolygonMoments polygon_moments(std::span<const Vec2> outline) {
   const Vec2 origin = outline[0];
   double twice = 0, polar = 0;
@@ -56,6 +59,7 @@ double polygon_size(std::span<const Vec2> points) {
   return (box.high - box.low).norm();
 }
 
+/// The least width of a convex outline is across one of its edges: the height of its farthest corner over it.
 double least_width(std::span<const Vec2> outline) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -79,6 +83,7 @@ double turn_sine(const Vec2& before, const Vec2& corner, const Vec2& after) {
   return lengths > 0 ? cross(in, out) / lengths : 0;
 }
 
+/// No right turn, and once round in all: a whole turn, but for rounding.
 bool is_convex(std::span<const Vec2> outline) {
   const std::size_t n = outline.size();
   if (n < 3) return false;
@@ -108,6 +113,7 @@ bool boxes_apart(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, dou
 
 }  // namespace
 
+/// Each parts the ends of the other: they cross. Else they may meet at an end, within the tolerance.
 std::optional<Vec2> meeting_point(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double tolerance) {
   if (boxes_apart(a, b, c, d, tolerance)) return std::nullopt;
   const double side_c = cross(b - a, c - a), side_d = cross(b - a, d - a);
@@ -125,6 +131,7 @@ std::optional<Crossing> find_self_crossing(std::span<const Vec2> outline, double
   const std::size_t n = outline.size();
   for (std::size_t i = 0; i + 2 < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j) {
+      // Neighbours, round the end of the list.
       if (i == 0 && j + 1 == n) continue;
       const auto point = meeting_point(outline[i], outline[i + 1], outline[j], outline[(j + 1) % n], tolerance);
       if (point) return Crossing{static_cast<int>(i), static_cast<int>(j), *point};

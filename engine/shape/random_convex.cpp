@@ -15,6 +15,7 @@ Vec2 on_circle(double way) {
 
 }  // namespace
 
+/// 53 bits are what a double holds of [0, 1).
 double random_between(std::mt19937_64& bits, double low, double high) {
   return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
 }
@@ -34,6 +35,7 @@ Polygon random_convex(std::mt19937_64& bits, const RandomConvex& wanted) {
   const double start = random_between(bits, 0, 4);
   Polygon outline;
   for (int i = 0; i < n; ++i) {
+    // One corner in each n-th of the ellipse and not near its ends: no two are very near.
     const double within = random_between(bits, 0.15, 0.85);
     const Vec2 p = on_circle(start + 4 * (i + within) / n);
     outline.emplace_back(size / 2 * p.x(), size / (2 * ratio) * p.y());
