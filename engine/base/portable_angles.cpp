@@ -26,6 +26,7 @@ struct Reduced {
 Reduced reduce_near(double angle) {
   constexpr double first = 0x1.921fb544p+0, second = 0x1.0b4611a6p-34, third = 0x1.3198a2ep-69,
                    fourth = 0x1.b839a252049c1p-104, to_whole = 0x1.8p52;
+  // Adding and taking off 1.5 2^52 leaves the nearest whole number.
   const double n = (angle * 0x1.45f306dc9c883p-1 + to_whole) - to_whole;
   const TwoDoubles a = exact_sum(angle - n * first, -n * second), b = exact_sum(a.high, -n * third);
   const TwoDoubles sum = ordered_sum(b.high, (a.low + b.low) - n * fourth);
@@ -158,6 +159,7 @@ TwoDoubles arc(const TwoDoubles& small, const TwoDoubles& big) {
   const TwoDoubles t = small / big;
   const auto nearest = static_cast<std::size_t>(std::floor(8 * t.high + 0.5));
   const double place = 0.125 * static_cast<double>(nearest);
+  // c is the nearest eighth.
   // atan t = atan c + atan((t - c) / (1 + t c)), of which the last is below 1/16.
   TwoDoubles rest = t;
   if (nearest > 0) rest = (TwoDoubles{t.high - place, t.low}) / (TwoDoubles{1, 0} + t * TwoDoubles{place, 0});
@@ -191,6 +193,7 @@ TwoDoubles other_leg(double x) {
 }  // namespace
 
 SineCosine sine_cosine(double angle) {
+  // sin and cos of r + n pi/2 are +-sin or +-cos of r, by n modulo 4.
   const Reduced reduced = reduce(angle);
   const Sums found = sums(reduced);
   const double s = std::copysign(found.sine.high + found.sine.low, reduced.high),
@@ -230,6 +233,7 @@ double atan2(double y, double x) {
   double a = std::abs(x), b = std::abs(y);
   if (std::isinf(a) || std::isinf(b)) a = std::isinf(a) ? 1 : 0, b = std::isinf(b) ? 1 : 0;
   const double size = std::max(a, b);
+  // Only the ratio counts: both are brought to where products neither overflow nor lose digits.
   if (size > 0x1p500 && std::min(a, b) > 0x1p0) a *= 0x1p-600, b *= 0x1p-600;
   if (size < 0x1p-400) a *= 0x1p600, b *= 0x1p600;
   TwoDoubles angle = size > 0 ? arc_of({b, 0}, {a, 0}) : TwoDoubles{};
@@ -237,6 +241,7 @@ double atan2(double y, double x) {
   return std::copysign(angle.high, y);
 }
 
+/// The angle of the point (sqrt(1 - x^2), x) on the circle.
 double asin(double x) {
   if (!(std::abs(x) <= 1)) return std::numeric_limits<double>::quiet_NaN();
   if (std::abs(x) < 0x1p-400) return x;

@@ -12,6 +12,7 @@ namespace {
 constexpr double kLogTwo = 0x1.62e42fefa2p-1, kLogTwoRest = 0x1.9ef35793c7673p-41;
 
 /// exp(x.high + x.low).
+/// x = n ln 2 + r: 2^n exp(r), the sum 1 + r in two doubles and r^2 (1/2! + r/3! + ...) on top.
 double exp_of(const TwoDoubles& x) {
   constexpr double far = 800;  // both ways out of the range of doubles
   const double power = std::clamp(x.high, -far, far), n = std::floor(power * 0x1.71547652b82fep+0 + 0.5);
@@ -27,6 +28,7 @@ double exp_of(const TwoDoubles& x) {
   return std::ldexp(one.high + (one.low + (rest.low + rest.high * rest.high * sum)), static_cast<int>(n));
 }
 
+/// x = m 2^e: e ln 2 + 2 s (1 + s^2/3 + s^4/5 + ...), s = (m - 1)/(m + 1).
 TwoDoubles log_of(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);

@@ -8,6 +8,8 @@
 
 namespace trilith {
 
+/// Straight between two points, or smooth: 10 p^3 - 15 p^4 + 6 p^5, which begins and ends without slope and bend, so
+/// that nothing is set off.
 double LoadCurve::between(double t) const {
   const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
   double part = (t - time[after - 1]) / (time[after] - time[after - 1]);

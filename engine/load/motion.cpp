@@ -26,6 +26,7 @@ void integrate(std::vector<MotionAt>& samples, double dt) {
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
     const MotionAt& now = samples[i];
     MotionAt& next = samples[i + 1];
+    // Acceleration linear within the interval: v' = v + dt (a + a')/2, u' = u + dt v + dt^2 (a/3 + a'/6), both exact.
     next.velocity = now.velocity + dt * (now.acceleration + next.acceleration) / 2;
     next.displacement = now.displacement + dt * (now.velocity + dt * (now.acceleration / 3 + next.acceleration / 6));
   }
@@ -63,6 +64,7 @@ GroundMotion::GroundMotion(std::span<const double> acceleration, double step, Mo
   duration_ = static_cast<double>(samples_.size() - 1) * step_;
 }
 
+/// Always from the accelerations anew, so that velocity and displacement belong to them as they do in any other motion.
 GroundMotion GroundMotion::transformed(double amplitude, double time, MotionStart start,
                                        const std::string& note) const {
   std::vector<double> acceleration;
@@ -103,6 +105,7 @@ GroundMotion GroundMotion::reversed() const {
   return transformed(-1, 1, {-start().velocity, -start().displacement}, "reversed");
 }
 
+/// With t' = factor t and accelerations as they are, velocities grow with the factor and displacements with its square.
 GroundMotion GroundMotion::time_scaled(double factor) const {
   require_positive(factor, "time factor of motion '" + description_ + "'", "");
   return transformed(1, factor, {start().velocity * factor, start().displacement * factor * factor},

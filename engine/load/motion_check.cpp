@@ -24,6 +24,8 @@ double last_quarter_velocity(const GroundMotion& motion) {
   return (samples[last].displacement - samples[from].displacement) / time;
 }
 
+/// A record drifts where it ends fast, whatever came before, or where it does not end at rest and has travelled one way
+/// over its last quarter. A ground that ends at rest beside where it was does not drift.
 std::string drift_of(const GroundMotion& motion) {
   const double pgv = std::abs(motion_peaks(motion).velocity.value);
   const double end = motion.samples().back().velocity;
@@ -43,6 +45,7 @@ std::string drift_of(const GroundMotion& motion) {
 
 }  // namespace
 
+/// The start velocity that would end the record where it began: it adds its product with the duration.
 double balanced_start_velocity(const GroundMotion& motion) {
   const double offset = motion.samples().back().displacement - motion.start().displacement;
   return motion.start().velocity - offset / motion.duration();

@@ -23,6 +23,7 @@ double square_integral(double from, double jerk, double s) {
 
 /// Integral of |a| over an interval of length `dt` where a goes linearly from `from` to `to`.
 double absolute_integral(double from, double to, double dt) {
+  // Of one sign: the trapezoid.
   if (from * to >= 0) return dt * std::abs(from + to) / 2;
   return dt * (from * from + to * to) / (2 * std::abs(to - from));  // two triangles
 }
@@ -43,6 +44,7 @@ double time_of_sum(const GroundMotion& motion, const std::vector<double>& sums, 
   const auto above = std::lower_bound(sums.begin(), sums.end(), goal);
   if (above == sums.begin()) return motion.start_time();
   if (above == sums.end()) return motion.end_time();
+  // Within interval i the integral of a^2 is a cubic in time.
   const auto i = static_cast<std::size_t>(above - sums.begin()) - 1;
   const double from = motion.samples()[i].acceleration;
   const double jerk = (motion.samples()[i + 1].acceleration - from) / motion.step();
@@ -76,6 +78,7 @@ MotionPeaks motion_peaks(const GroundMotion& motion) {
   return peaks;
 }
 
+/// pi / 2 g times the integral of a^2 (Arias 1970).
 double arias_intensity(const GroundMotion& motion) {
   return std::numbers::pi / (2 * standard_gravity) * square_sums(motion).back();
 }
@@ -96,6 +99,7 @@ TimeSpan significant_duration(const GroundMotion& motion, double low, double hig
   return {time_of_sum(motion, sums, low * sums.back()), time_of_sum(motion, sums, high * sums.back())};
 }
 
+/// From the first time |a| comes to the level until the last time it leaves it, both between samples.
 TimeSpan bracketed_duration(const GroundMotion& motion, double level) {
   require_positive(level, "level of the bracketed duration", "m/s2");
   const auto samples = motion.samples();

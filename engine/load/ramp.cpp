@@ -32,6 +32,7 @@ void check_distance(double distance, const char* owner) {
 GroundMotion ramp_motion(double distance, double duration) {
   check_distance(distance, "ramp");
   require_positive(duration, "ramp: the duration", "s");
+  // Speeds up over one half and slows down over the other, and its acceleration has no jump.
   constexpr std::array<double, 5> shape{0, 1, 0, -1, 0};
   return to_distance(shape, duration / 4, distance, fmt::format("ramp by {:g} within {:g} s", distance, duration));
 }
@@ -39,6 +40,8 @@ GroundMotion ramp_motion(double distance, double duration) {
 GroundMotion even_motion(double distance, double speed) {
   check_distance(distance, "push");
   require_positive(speed, "push: the speed", "m/s");
+  // Two intervals to get to the speed, 96 at it and two to stop; the first and last two are worth one each in distance,
+  // hence 98 below.
   constexpr std::size_t intervals = 100;
   std::array<double, intervals + 1> shape{};
   shape[1] = 1, shape[intervals - 1] = -1;
@@ -49,6 +52,7 @@ GroundMotion even_motion(double distance, double speed) {
 GroundMotion stopping_motion(double displacement, double velocity, double duration) {
   require_positive(duration, "stop: the duration", "s");
   const double step = duration / 2;
+  // A triangle whose area is the velocity it takes away.
   const std::array<double, 3> acceleration{0, -velocity / step, 0};
   MotionSource source;
   source.title = fmt::format("to rest from {:g} m/s within {:g} s", velocity, duration);

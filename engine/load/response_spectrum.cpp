@@ -38,6 +38,9 @@ class Recurrence {
   double step() const { return step_; }
 
   /// The oscillation one step later; the load per mass [m/s2] goes linearly from `from` to `to`.
+  /// Of u'' + 2 zeta w u' + w^2 u = from + (to - from) s / step: a particular solution `base` + `slope` s, and beside
+  /// it exp(-zeta w s) (c cos(w_d s) + s sin(w_d s)), with c and s from the oscillation of now (Nigam and Jennings
+  /// 1969).
   Oscillation advance(Oscillation now, double from, double to) const {
     const double slope = (to - from) / (step_ * omega_ * omega_);  // of the particular solution `base` + `slope` s
     const double base = from / (omega_ * omega_) - 2 * damping_ / omega_ * slope;
@@ -61,6 +64,7 @@ Peak extreme_between(const Oscillation& from, const Oscillation& to, double step
   // Root of linear + 2 square r + 3 cube r^2 in 0..1: unique, for the slope has opposite signs at the two ends.
   const double root = std::sqrt(std::max(0.0, square * square - 3 * cube * linear));
   const double sum = -(square + std::copysign(root, square));
+  // The root of the two that keeps its digits first; the other where that lies outside.
   double r = sum == 0 ? 0.5 : linear / sum;
   if (!(r >= 0 && r <= 1)) r = cube == 0 ? 0.5 : sum / (3 * cube);
   r = std::clamp(r, 0.0, 1.0);
@@ -92,6 +96,7 @@ class PeakFollower {
 };
 
 Peak largest_displacement(const GroundMotion& motion, double period, double damping) {
+  // At least 20 looks a period; the load stays linear within each.
   const auto parts = std::max(1.0, std::ceil(points_per_period * motion.step() / period));
   const Recurrence recurrence(period, damping, motion.step() / parts);
   PeakFollower follower(motion.start_time());
@@ -103,6 +108,7 @@ Peak largest_displacement(const GroundMotion& motion, double period, double damp
       follower.advance(recurrence, motion.sample_time(i) + part * recurrence.step(), from + part * change,
                        from + (part + 1) * change);
   }
+  // Free oscillation for one period more: the largest displacement may come after the record's end.
   const Recurrence after(period, damping, period / points_per_period);
   for (double part = 0; part < points_per_period; ++part)
     follower.advance(after, motion.end_time() + part * after.step(), 0, 0);

@@ -15,6 +15,7 @@ constexpr double extents_around = 10, least_margin = 100;  // [1], [m]
 
 }  // namespace
 
+/// The box of all skin at the start, and around it ten times its larger side, at least 100 m.
 Bounds default_bounds(const Model<2>& model) {
   Bounds box{Vec2::Constant(unbounded), Vec2::Constant(-unbounded)};
   for (std::size_t i = 0; i < model.skin_place.size(); ++i) {

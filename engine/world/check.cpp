@@ -89,6 +89,8 @@ void check_overlaps(const Model<2>& model, double allowed, std::vector<std::stri
   }
 }
 
+/// Bodies that touch or are linked are one set, with one more that stands for what is fixed or driven (index `bodies`);
+/// what is not in its set would fall. Pieces with a small gap between them count as touching.
 void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults) {
   if (model.gravity.field.isZero()) return;
   const auto bodies = static_cast<int>(model.bodies.size());

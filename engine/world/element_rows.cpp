@@ -11,6 +11,7 @@ std::vector<Vec2> corners_at_start(const Model<2>& model, const Element& element
   return corners;
 }
 
+/// Nodes from their mean, then mean gradients, eight numbers each; a triangle's last two are 0.
 void append_shape(Model<2>& model, std::span<const Vec2> corners) {
   Vec2 mean = Vec2::Zero();
   for (const Vec2& x : corners) mean += x;
@@ -30,6 +31,7 @@ void append_points(Model<2>& model, const ElementStrain& strain, double thicknes
   }
 }
 
+/// Elements of one kind and solid that follow each other are worked on in one loop.
 void add_to_batch(Model<2>& model, const Element& element) {
   if (!model.element_batches.empty()) {
     ElementBatch& last = model.element_batches.back();
@@ -65,6 +67,7 @@ void append_element(Model<2>& model, Element element, double density) {
     mass[i] *= density * element.thickness;
     model.mass[element.node[i]] += mass[i];
   }
+  // The largest of any element alone bounds that of all; the damping of a solid is its stiffness times a time.
   RateBound& bound = model.element_bound[element.body];
   const double most =
       largest_frequency2(stiffness, std::span<const double>(mass).first(static_cast<std::size_t>(element.nodes)));

@@ -12,6 +12,7 @@ double turn_between(const Vec2& in, const Vec2& out) {
   return portable::atan2(cross(in, out), in.dot(out));
 }
 
+/// cot(turn) from 45 degrees down, 1 above: how far along a face a depth reaches beside a shallow corner.
 double flatness_of(double turn) {
   return turn > 0.25 * M_PI ? 1.0 : 1.0 / portable::tan(std::max(turn, kStraightAngle));
 }

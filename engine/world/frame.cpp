@@ -70,6 +70,8 @@ void check_connected(const FrameSpec& spec, const std::string& owner) {
                       spec.joints[0].name, spec.joints[j].name));
 }
 
+/// A member's nodes from one joint to the other: its joints' own at the ends, new ones between. A pinned end's section
+/// turns with the next node, as the joint's rotation is not the member's.
 void add_stations(const FrameSpec& spec, const FrameMember& m, FramePlan& plan) {
   const Vec2 from = end_of(spec, m, 0), to = end_of(spec, m, 1);
   std::vector<Station> stations{{m.from, from - spec.joints[m.from].place, m.from}};
@@ -86,6 +88,9 @@ void add_stations(const FrameSpec& spec, const FrameMember& m, FramePlan& plan) 
 
 /// Goes round the frame counter-clockwise: out along the right of a member, round what hangs on its far joint, and back
 /// along its left. A member that closes a ring ends where the ring does.
+///          c
+///          |                 From the tip a: the right of a-b, at b counter-clockwise from where it came, so all round
+///     a -- b -- d            b-d, then all round b-c, and back along the left of a-b.
 class Tour {
  public:
   Tour(const FrameSpec& spec, FramePlan& plan)

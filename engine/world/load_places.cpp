@@ -58,6 +58,7 @@ OnOutline nearest_on(const Model<2>& model, const std::vector<FacePart>& faces, 
 }
 
 /// A body's part in a push before it is divided by the sum.
+/// `triangle`: by mass and height, as floors take part in a first mode that is a straight line.
 double share_of(const Model<2>& model, int body, PushPattern pattern, double lowest) {
   switch (pattern) {
     case PushPattern::uniform:
@@ -122,6 +123,7 @@ std::vector<FacePart> outline_faces(const Model<2>& model, int body) {
   return faces;
 }
 
+/// Faces whose outward normal is within 45 degrees of `side`.
 std::vector<FacePart> faces_towards(const Model<2>& model, int body, const Vec2& side) {
   const double least = std::sqrt(0.5) - 1e-9;
   std::vector<FacePart> faces;
@@ -142,6 +144,7 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
           fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from the outline of '{}'; give points "
                       "on it, where it is at the start",
                       owner, point.x(), point.y(), found.distance, model.bodies[body].name));
+  // Counter-clockwise from `from` to `to`: all the way round where both lie on one face and `to` comes first.
   const bool round = first.face == last.face && first.share >= last.share;
   if (round && first.share == last.share)
     throw InputError(
@@ -157,6 +160,7 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
   }
 }
 
+/// Weighed mean displacement of the pushed points along the push: what its motion gives.
 double push_place(const State<2>& state, const Push& push) {
   double sum = 0;
   for (const PushRow& row : push.rows)

@@ -20,6 +20,7 @@ void check_finite(const Vec2& v, const std::string& what) {
   require_finite(v.y(), what + " along y");
 }
 
+/// On a body that deforms, by mass, as weight is.
 std::vector<PointLoad> spread_load(const Model<2>& model, int body, const PointLoad& whole) {
   const Body& b = model.bodies[body];
   const double mass = body_mass(model, body);
@@ -72,11 +73,13 @@ std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::
     FaceLoad load;
     load.name = spec.name, load.body = body, load.curve = spec.curve;
     load.skin_a = face.skin_a, load.skin_b = face.skin_b;
+    // Over the part from s = from to s = to of a face, shape functions 1 - s and s: integral of s is (to^2 - from^2)/2.
     load.share[1] = 0.5 * (face.to * face.to - face.from * face.from);
     load.share[0] = face.to - face.from - load.share[1];
     load.pressure = spec.value, load.depth = depth, load.follows = spec.follows;
     const Vec2 along = skin_start(model, face.skin_b) - skin_start(model, face.skin_a);
     const Vec2 way = spec.direction ? Vec2(along.norm() * spec.direction->normalized()) : left_of(along);
+    // Pressure that does not follow acts for ever as it does at the start.
     if (!spec.follows) load.dead = spec.value * depth * way;
     loads.push_back(std::move(load));
   }

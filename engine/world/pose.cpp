@@ -19,6 +19,8 @@ struct Cloud {
 };
 
 /// The turn that takes `from` nearest to `to`, both from their weighed means; its rate for the velocities of `to`.
+/// Largest sum of w to . R from: tan(angle) = sum w (from x to) / sum w (from . to), r = `size` the root of both
+/// squared.
 struct BestTurn {
   double dot = 0, turn = 0;
   [[nodiscard]] double angle() const { return dot != 0 || turn != 0 ? portable::atan2(turn, dot) : 0; }
@@ -50,6 +52,7 @@ BestTurn best_turn(const Model<2>& model, const Nodes& state, const Cloud& c) {
 }
 
 /// Rotation and spin of a cloud; the spin is the rate of the rotation.
+/// d(angle)/dt = sum w (R from) x v / r: what the turn that fits best changes by.
 template <class Nodes>
 void set_turn(const Model<2>& model, const Nodes& state, const Cloud& c, Pose& pose) {
   const BestTurn best = best_turn(model, state, c);
@@ -122,6 +125,10 @@ std::pair<Tie, double> tie_to_elements(const Model<2>& model, int body, const Ve
 
 /// The sections of a frame that a point lies between, or nearest to: it keeps its share of the way from the one to the
 /// other, and its arm across. So a point on the skin stays on the face that joins the two.
+///    skin 3 ------------------ 2     height of the point over the line of middles is kept as the arm of both ends,
+///         |         x          |     its share of the way as their weights
+///    from | - - - - - - - - -> | along
+///         0 ------------------ 1
 std::pair<Tie, double> tie_to_sections(const Model<2>& model, int body, const Vec2& at) {
   Tie best;
   double least = unbounded;
@@ -253,6 +260,8 @@ Pose pose_before(const Model<2>& model, const State<2>& state, const Tie& tie) {
   return pose_of(model, NodesBefore{state.position_before, state.rotation_before, state.velocity, state.spin}, tie);
 }
 
+/// The transpose of pose_at: a force goes to the nodes by their weights, a moment as the forces by which the best turn
+/// changes.
 void push_at(const Model<2>& model, const State<2>& state, const Tie& tie, const Vec2& force, double moment,
              std::vector<Vec2>& node_force, std::vector<double>& node_moment) {
   if (tie.turns) {

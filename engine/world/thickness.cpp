@@ -34,6 +34,7 @@ double thickness_behind(const SurfaceEdge& edge, const std::vector<SurfaceEdge>&
   const Vec2 along = (edge.to - edge.from).normalized(), inwards = left_of(along), middle = 0.5 * (edge.from + edge.to);
   double least = unbounded;
   for (const SurfaceEdge& other : surface) {
+    // A ray from the middle inwards: `other` crosses it where its ends lie on either side.
     const double from = along.dot(other.from - middle), to = along.dot(other.to - middle);
     if (!(to <= 0 && from >= 0 && from > to)) continue;  // the far side runs against this edge
     const Vec2 at = other.from + from / (from - to) * (other.to - other.from);
@@ -57,6 +58,8 @@ bool touches_something(const Model<2>& model, const Body& body) {
 
 }  // namespace
 
+/// Of a body of one piece: the least width. Of several, whose cuts have no surface: the least distance from the middle
+/// of a surface edge through the body, as a thin piece may have much behind it; but no less than its own width.
 void find_thickness(Model<2>& model) {
   model.piece_thickness.assign(static_cast<std::size_t>(model.pieces()), 0);
   model.least_thickness = unbounded;
