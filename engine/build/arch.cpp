@@ -27,6 +27,11 @@ double crown_angle(const Arch& arch, double radius) {
   return portable::asin(arch.offset / radius);
 }
 
+///           crown          Each side has a circle of its own, with its centre c on the other side of the middle:
+///          .-'|`-.         x = side (r sin(angle) - offset), y = r cos(angle). The sides meet at sin = offset / r,
+///          another
+///        .'   |   `.       angle for each r; towards a pointed crown `to_crown` is the share of the way to that angle.
+///       +---c-+-c---+
 Vec2 point_at(const Arch& arch, const Mark& mark, double radius) {
   if (mark.to_crown == 1) return arch.centre + Vec2(0, std::sqrt(radius * radius - arch.offset * arch.offset));
   double angle = mark.angle;
@@ -81,6 +86,7 @@ void check(const Arch& arch, const std::string& owner) {
 }
 
 /// Angles of the joints of one side from the crown outwards, those of the key or the crown first.
+/// Even along the mid line: from the crown to the springing lie `count` voussoirs and, of an odd number, half the key.
 std::vector<double> joint_angles(const Arch& arch, const std::string& owner) {
   const bool odd = arch.voussoirs % 2 == 1;
   const int count = arch.voussoirs / 2;  // whole voussoirs of a side
@@ -88,6 +94,7 @@ std::vector<double> joint_angles(const Arch& arch, const std::string& owner) {
   const double first = odd ? arch.key / 2 : 0;
   std::vector<double> angles;
   for (int i = 0; i <= count; ++i) angles.push_back(crown + way * (i + first) / (count + first));
+  // A joint beyond the crown of the intrados would cut the other side.
   if (odd || arch.offset > 0) {
     const double last = odd ? angles.front() : angles[1];
     if (last <= crown_angle(arch, inner(arch)))
@@ -118,6 +125,7 @@ Joints moved_joints(const Arch& arch, const std::vector<double>& angles) {
 }
 
 /// Marks of voussoir i of one side, counted from the crown, from its inner to its outer joint.
+/// Beside a pointed crown without a key the marks are shares of the way to it, as it lies at no common angle.
 std::vector<Mark> side_marks(const Arch& arch, const std::vector<double>& joints, std::size_t i, int side) {
   const int k = arch.sub_edges;
   const double from = joints[i], to = joints[i + 1];
@@ -163,6 +171,7 @@ Part make_voussoir(const Arch& arch, int number, const std::vector<Mark>& marks)
 Part make_abutment(const Arch& arch, int side, double low, double high, double depth) {
   const Mark springing{side, arch.half_angle};
   const Vec2 inside = point_at(arch, springing, low), outside = point_at(arch, springing, high);
+  // Away from the arch, square to the springing joint.
   const Vec2 behind = (-side * depth) * left_of((outside - inside).normalized());
   Polygon outline{inside, inside + behind, outside + behind, outside};
   if (side < 0) outline = {outside, outside + behind, inside + behind, inside};

@@ -56,6 +56,8 @@ const BondPattern& find_bond(std::string_view name, std::string_view owner) {
   throw InputError(fmt::format("{}: there is no bond '{}'{}", owner, name, name_hint(name, known)));
 }
 
+/// The units of the start, then the repeat as often as it goes, then those of the end, which are measured from the
+/// right: what does not fit between is the last unit of the repeat, cut.
 std::vector<double> head_joints(const BondCourse& course, const BondUnits& units, double length) {
   const double same = 1e-9 * length;
   double right = length;  // where the end's units begin

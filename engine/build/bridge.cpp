@@ -65,6 +65,11 @@ Part build_pier(const Pier& given) {
   check_pier(pier, builder_title("pier", pier.name));
   const double stem = pier.stem_width / 2, top = pier.top_width > 0 ? pier.top_width / 2 : stem;
   const double seat = pier.ground_level + pier.height;
+  //      +-----top------+  seat
+  //      +--+        +--+          cap; without one the stem widens evenly to the top
+  //         |  stem  |
+  //      +--+        +--+          footing
+  //      +--------------+  ground
   std::vector<Vec2> right;  // half width and level, from the ground to the seat
   if (pier.footing_width > pier.stem_width) {
     const double footing = pier.footing_width / 2, level = pier.ground_level + pier.footing_thickness;
@@ -123,6 +128,12 @@ Part build_abutment(const Abutment& given) {
     throw InputError(fmt::format("{}: back wall width is {:g} m, must be below the width of {:g} m or no seat is left",
                                  owner, abutment.back_wall_width, abutment.width));
   // as for the right side: x grows away from the span
+  //
+  //             +----+ top
+  //             |    |      back wall
+  //   seat +----+    |
+  //        |         |
+  //        +---------+      x = 0 is the face towards the span, x = step that of the back wall
   const double seat = abutment.ground_level + abutment.height, step = abutment.width - abutment.back_wall_width;
   Polygon outline{{0, abutment.ground_level}, {abutment.width, abutment.ground_level}};
   if (abutment.back_wall_height > 0) {

@@ -38,6 +38,7 @@ SupportJoint joint_on(const SupportTop& top, const std::optional<double>& gap, c
 }
 
 /// The left (0) or right (1) end of a span, but for the level. `into`: towards the middle of the span.
+/// From the axis half the joint to the deck's end, from there the seat's length to its edge, the bearing midway.
 SpanEnd lay_end(const SupportTop& top, const SupportJoint& joint, std::size_t side) {
   const double into = side == 0 ? 1 : -1, end = joint.axis + into * joint.gap / 2;
   SpanEnd e;

@@ -86,6 +86,7 @@ class Filling {
   }
 
   /// Each point goes to the centroid of its cell's largest piece.
+  /// Lloyd's step: evens out size and shape.
   void relax() {
     const auto cells = voronoi_cells(outline_, points_, 0);
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -97,6 +98,7 @@ class Filling {
     }
   }
 
+  /// One that would leave the outline stays.
   void shift() {
     if (rubble_.jitter == 0) return;
     for (Vec2& p : points_) {

@@ -102,6 +102,10 @@ class Panel {
   }
 
   /// Walks along the course by half units; a unit ends at its own joint and at the edge of a field.
+  // Grid lines are half units; courses with halves have their joints at odd lines, the others at even ones.
+  //
+  //     line 0   1   2   3   4   5   6        joint_parity 1:  |half|  unit  |  unit  |half|
+  //                                           joint_parity 0:  |  unit  |  unit  |  unit   |
   void lay_units(int course) {
     const int end = 2 * bond_.columns;
     const int joint_parity = (course % 2 == 1) == (bond_.half_courses == HalfCourses::odd) ? 1 : 0;

@@ -41,6 +41,8 @@ double farthest_corner(const std::vector<Polygon>& pieces, const Vec2& point) {
   return most;
 }
 
+/// Cut by the bisectors with the other points, near ones first, each set back. A point at a distance d cuts at d/2 less
+/// the set-back: once that is beyond the farthest corner left, no farther point can cut.
 std::vector<Polygon> cell_of(const Polygon& outline, const std::vector<Vec2>& points, std::size_t i, double set_back,
                              double same) {
   std::vector<Polygon> pieces{outline};
@@ -62,6 +64,8 @@ std::vector<Polygon> cell_of(const Polygon& outline, const std::vector<Vec2>& po
 enum class OutlinePart { none, side, corner };
 
 /// Cells as indices into shared corners.
+/// Corners are merged by giving them the same index, so neighbours have the same bits. Which of two stays: one at a
+/// corner of the outline before one on a side of it before a free one, as the outline must keep its shape.
 class Corners {
  public:
   Corners(const std::vector<Polygon>& cells, const Polygon& outline, double same) : outline_(outline), same_(same) {
@@ -97,6 +101,7 @@ class Corners {
 
  private:
   /// Corners are looked up in a list sorted by x, so that all are not compared with all.
+  /// The first within `same` is taken, which is far below any face.
   std::size_t index_of(const Vec2& p) {
     const auto by_x = [&](std::size_t i, double x) { return place_[i].x() < x; };
     auto found = std::lower_bound(sorted_.begin(), sorted_.end(), p.x() - same_, by_x);

@@ -99,6 +99,10 @@ class Laying {
     groups.insert(groups.end(), {"piers", fmt::format("pier {}", pier)});
   }
 
+  /// The bond's head joints over the whole length, cut off by openings, lintels and sills: each stretch of masonry
+  /// between two of them is laid by itself, on the joints that fall into it.
+  ///
+  ///     |  unit  |  unit  |un|  opening  |it |  unit  |
   void lay_course(int number, const StoreyPlan& storey, int course) {
     const auto row = static_cast<std::size_t>((course - 1 + wall_.first_row - 1) % plan_.bond->courses);
     const std::vector<double> joints = head_joints(plan_.bond->course[row], plan_.units, plan_.length);
@@ -139,6 +143,7 @@ class Laying {
           fmt::format("{}: the masonry from x = {:g} to {:g} m is {:g} m long, less than the least length of a unit, "
                       "{:g} m; move the opening, or give a smaller least_length",
                       what, from, to, to - from, plan_.least_length));
+    // A piece too short is merged with its shorter neighbour, and the stretch is looked at from its begin again.
     for (std::size_t i = 0; i + 1 < cuts.size();) {
       if (cuts[i + 1] - cuts[i] >= least) {
         ++i;

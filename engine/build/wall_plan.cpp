@@ -127,6 +127,7 @@ WallField plan_opening(const Wall& wall, WallPlan& plan, const WallOpening& give
 }
 
 /// Whether masonry of course `course` is beside or below the stretch from `from` to `to`.
+/// That is, no opening: a block's ends must lie on something.
 bool is_masonry(const StoreyPlan& storey, double from, double to, int course) {
   const WallField stretch{from, to, course, course, FieldKind::opening, 0};
   return std::none_of(storey.fields.begin(), storey.fields.end(), [&](const WallField& f) {
@@ -139,6 +140,11 @@ WallField plan_block(const WallPlan& plan, const StoreyPlan& storey, const WallF
                      int courses, double bearing, const std::string& what) {
   const int number = 1 + static_cast<int>(std::count_if(storey.fields.begin(), storey.fields.end(),
                                                         [&](const WallField& f) { return f.kind == kind; }));
+  //      +--------------+   lintel: courses above the head, `bearing` over either side
+  //      +--+        +--+
+  //         | opening|
+  //      +--+        +--+
+  //      +--------------+   sill: courses below
   const bool above = kind == FieldKind::lintel;
   const int first = above ? opening.last + 1 : opening.first - courses;
   WallField block{opening.from - bearing, opening.to + bearing, first, first + courses - 1, kind, number};
@@ -206,6 +212,8 @@ void plan_openings(const Wall& wall, WallPlan& plan) {
   }
 }
 
+/// Openings that are above each other, or lap over each other in x, are one strip: piers stand beside it, spandrels in
+/// it.
 std::vector<WallStrip> strips_of(const std::vector<WallField>& fields) {
   std::vector<WallStrip> all, strips;
   for (const WallField& field : fields)

@@ -63,6 +63,7 @@ int decimals_of(double value, double step) {
 
 }  // namespace
 
+/// The finest step that gives no more than `most`; where that leaves fewer than 3, the one before, with more.
 std::vector<double> linear_ticks(double low, double high, int most) {
   assert(std::isfinite(low) && std::isfinite(high) && most >= 2);
   assert(high - low > 1e-12 * std::max(std::abs(low), std::abs(high)));
@@ -75,6 +76,8 @@ std::vector<double> linear_ticks(double low, double high, int most) {
   }
 }
 
+/// Whole powers of ten, every n-th where there are many; over less than about two decades 1, 2 and 5 times them; over
+/// still less as on a linear axis.
 std::vector<double> log_ticks(double low, double high, int most) {
   assert(low > 0 && low < high && std::isfinite(high) && most >= 2);
   const int first = static_cast<int>(std::ceil(std::log10(low) - slack));

@@ -126,6 +126,8 @@ std::optional<PageBox> place_beside(const Room& room, std::size_t i, double widt
 
 }  // namespace
 
+/// Inside its body near the centroid, else beside it where nothing else is near; else the name is left out. Names that
+/// are placed take room from those that follow.
 void draw_labels(Canvas& canvas, const Scene& scene, const SceneView& view, const PageView& page,
                  std::vector<PageBox> marks, const TextStyle& style) {
   Room room{page.box, {}, {}, std::move(marks)};

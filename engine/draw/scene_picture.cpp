@@ -75,6 +75,7 @@ void fit_scale(Layout& out, const SceneView& view, bool labels, const PictureSty
     out.plot_height += 1.3 * style.font_size;
     out.world.y1 += 1.3 * style.font_size / out.scale;
   }
+  // A panel higher than what it shows has it in its middle.
   const double more = out.plot_height / out.scale - out.world.height();
   out.world.y0 -= more / 2, out.world.y1 += more / 2;
   out.panel_width = std::min(column, std::max(out.plot_width, least_panel_width));

@@ -153,6 +153,7 @@ void set_forces(SceneView& view, const std::vector<Scene>& scenes, ForceMark mar
   view.longest_arrow = size * std::clamp(1.6 / std::sqrt(static_cast<double>(most) + 1), 0.05, 0.18);
 }
 
+/// All free bodies, but no farther than around the bulk of them; then arrows, a border of ground and a margin.
 void set_world(SceneView& view, const std::vector<Scene>& scenes, const PictureStyle& style) {
   Extent content = free_extent(scenes);
   const Extent ground = ground_extent(scenes);
@@ -185,6 +186,7 @@ void set_groups_and_values(SceneView& view, const std::vector<Scene>& scenes) {
       view.high = view.has_values ? std::max(view.high, *body.value) : *body.value;
       view.has_values = true;
     }
+  // Values of both signs have 0 in the middle of their colours.
   if (view.low < 0 && view.high > 0) {
     view.high = std::max(view.high, -view.low);
     view.low = -view.high;

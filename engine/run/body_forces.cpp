@@ -75,6 +75,9 @@ double MeanStress::minor() const {
   return 0.5 * (xx + yy) - portable::hypot(0.5 * (xx - yy), xy);
 }
 
+/// Mean stress = sum over the forces on the body of x f' / volume, x from its centroid (the virial); of a body at rest
+/// that is symmetric, of one that turns its symmetric part is taken. Of held bodies the forces of the supports are not
+/// known, so they have none.
 std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state, const Work<2>& work,
                                     std::span<const TouchingContact> touching) {
   std::vector<Virial> virial(model.bodies.size());
@@ -123,6 +126,8 @@ WorstBodies worst_bodies(const Model<2>& model, const Work<2>& work) {
   return worst;
 }
 
+/// Where the force from one body of the chain to the next passes: several contacts between two are one, at the mean of
+/// their points, weighed by their normal forces.
 std::vector<ThrustPoint> thrust_line(std::span<const int> chain, std::span<const TouchingContact> touching) {
   std::vector<ThrustPoint> line;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {

@@ -9,6 +9,7 @@ void Causes::name(Event& event) {
     stage_ = event.id;
     return;
   }
+  // The last thing that happened to either body and can cause others; without, the stage.
   event.cause = stage_;
   for (const int body : {event.body_a, event.body_b})
     if (body >= 0) event.cause = std::max(event.cause, last_[body]);

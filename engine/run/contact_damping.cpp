@@ -19,6 +19,7 @@ std::vector<ContactDamping> contact_damping(const Model<2>& model, const std::ve
     if (law < 0 || !(yielding > 0)) continue;
     std::visit(
         [&](const auto& l) {
+          // w = sqrt(k (1/m1 + 1/m2)); damping beta k is beta w / 2 of critical.
           const double frequency = std::sqrt(l.kn * length * model.thickness * yielding);
           all.push_back({joint.body_a, joint.body_b, law, frequency, 0.5 * l.beta * frequency});
         },

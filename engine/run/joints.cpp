@@ -35,6 +35,10 @@ struct FaceAxes {
 };
 
 /// Ends of the shared length of the two faces; false where they do not lie on each other.
+///
+///         a0 -----------------> a1   Both ends are kept as shares of either face, so that they go with the bodies, and
+///         with lo |.........| hi          the gap and slip that they have at the start.
+///    b1 <------------------ b0
 bool lay_joint(const Work<2>& work, Joint& joint) {
   const FaceAxes face(work, joint.a0, joint.a1);
   const Vec2 b0 = at(work, joint.b0), b1 = at(work, joint.b1);
@@ -83,6 +87,7 @@ std::vector<Joint> find_joints(const Model<2>& model) {
   return joints;
 }
 
+/// Opening: the wider of both ends; slip: the mean.
 JointMotion joint_motion(const Joint& joint, const Work<2>& work) {
   const FaceAxes face(work, joint.a0, joint.a1);
   JointMotion motion;
@@ -95,6 +100,7 @@ JointMotion joint_motion(const Joint& joint, const Work<2>& work) {
   return motion;
 }
 
+/// Mean over the halves that were bonded at the start: 1 for one that is lost, or for a contact that is no more.
 double joint_damage(const Joint& joint, const State<2>& state) {
   if (joint.bonds == 0) return 0;
   const ContactHistory& contacts = state.contacts;

@@ -32,6 +32,8 @@ bool PushoverRecorder::step(const Instant& now) {
     first_drift_ = drift;
     next_ = now.state.time - now.state.last_dt + interval_;
   }
+  // Means over the interval, weighed by the steps: the force of a push rings with the contacts, and a single instant of
+  // it says little.
   const double dt = now.dt;
   time_ += dt * now.state.time, displacement_ += dt * (place - first_place_), force_ += dt * now.work.push_force[index];
   sway_ += dt * (drift - first_drift_), weight_ += dt;

@@ -36,6 +36,7 @@ std::vector<StoreyDamage> damage_by_storey(const Model<2>& model, const State<2>
                                            const DamageLimits& limits) {
   std::vector<StoreyDamage> all;
   for (std::size_t i = 0; i < storeys.size(); ++i) {
+    // A unit that goes with its floor is in place, however far that has gone.
     const double floor = mean_sway(model, state, i == 0 ? base : storeys[i - 1].top);
     StoreyDamage damage{.storey = storeys[i].number};
     bool any = false;

@@ -29,6 +29,8 @@ Extent extent_of(const Model<2>& model, int body) {
   return e;
 }
 
+/// From the top of the storey below, or its own lowest point, to its own highest; its top is its slabs or, without,
+/// what reaches up to there within a thousandth of its height.
 void lay_storey(const Model<2>& model, Storey& storey, double below) {
   constexpr double same_height = 1e-3;  // share of the storey's height
   Extent all;

@@ -43,6 +43,8 @@ struct Stretches {
   double least, most;
 };
 
+/// F = first_now g' + second_now h', with g and h such that F takes the edges of the start to those of now. Its
+/// singular values are p + q and |p - q|; p - q < 0: turned inside out.
 Stretches stretches_at(const Corner& c) {
   const double area = cross(c.first, c.second);
   const Vec2 g(c.second.y() / area, -c.second.x() / area), h(-c.first.y() / area, c.first.x() / area);
@@ -69,6 +71,7 @@ ElementStretch stretch_of(const Model<2>& model, const State<2>& state, int elem
   for (int i = 0; i < e.nodes; ++i) {
     const Corner c = corner_of(model, state, e, i);
     const Stretches s = stretches_at(c);
+    // Room to both limits: not less than 1 - limit, not more than 1 + limit of the length at the start.
     const double squeezed = s.least - std::max(0.0, 1 - limit), stretched = 1 + limit - s.most;
     const double spare = std::min(squeezed, stretched);
     room = std::min(room, spare * path_per_stretch(c));
@@ -85,6 +88,7 @@ double peak_velocity(const GroundMotion& motion) {
 }
 
 /// What start, present and all motions give in speed, the turning of driven bodies included.
+/// All added: no body could have more from them together.
 double given_speed(const Instant& now) {
   double speed = now.work.fastest;
   const double reach =
@@ -144,6 +148,7 @@ void Watch::reset() {
 
 std::optional<Divergence> Watch::look_at_elements(const Instant& now) {
   if (now.model.elements.empty()) return std::nullopt;
+  // Until the fastest point has gone as far as any element has room, none is looked at.
   element_room_ -= now.work.fastest * now.state.last_dt;
   if (element_room_ > 0) return std::nullopt;
   ElementStretch worst{-1, 0, unbounded};
@@ -177,6 +182,9 @@ void Watch::count_from(const Instant& now, const Energy& energy) {
   most_energy_ = held(energy);
 }
 
+/// Two bounds that no sound run passes, however wild:
+///   energy made, held + given off - start - put in: at most what ever was there or put in;
+///   speed: at most that of start and motions, of a fall through the bounds, and of sound, all added.
 std::optional<Divergence> Watch::look_at_magnitudes(const Instant& now) {
   const Energy e = energy_now(now.model, now.state, now.work, {now.dt, {now.stage.rest_share}});
   // What was freed or left took its motion along: from here on.
@@ -208,6 +216,7 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant& now) {
         "look at loads and masses near it; a speed that is meant is given at the start",
         sound_until_,
         {}};
+  // Energy made does not count as what was there, or a slow growth would raise its own bound.
   most_energy_ = std::max({most_energy_, start + given, held(e) + lost - std::max(0.0, made)});
   looked_speed_ = std::max(now.speed, least_speed);
   next_look_ = now.state.step + steps_between_looks;
@@ -223,6 +232,7 @@ std::optional<Divergence> Watch::look(const Instant& now, bool last) {
                       {}};
   if (auto found = look_at_elements(now)) return found;
   if (!now.stage.watched) return std::nullopt;
+  // Energies cost a pass over all contacts, so they are looked at now and then.
   if (counts_ && !last && now.speed <= 2 * looked_speed_ && now.state.step < next_look_) return std::nullopt;
   return look_at_magnitudes(now);
 }
