@@ -22,6 +22,7 @@ void Table::check() const {
                     displacement.front(), displacement.back()));
 }
 
+/// The steepest piece: what the step has to reckon with, wherever the bearing is.
 double Table::tangent() const {
   double steepest = 0;
   for (std::size_t i = 1; i < displacement.size(); ++i)
@@ -29,6 +30,7 @@ double Table::tangent() const {
   return steepest;
 }
 
+/// Beyond either end the last force holds.
 double Table::force_at(double d) const {
   if (d <= displacement.front()) return force.front();
   if (d >= displacement.back()) return force.back();

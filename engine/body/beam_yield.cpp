@@ -49,6 +49,7 @@ Eigen::Matrix3d left_stiffness(const Beam& beam, const EndHingeMemory& before, c
 }
 
 /// Of an elastic beam: K, and what the bow's normal force adds.
+/// d stress / d strain = K + EA/L s s' + N d2(L q), s = d(u + L q)/d(u, theta_0, theta_1).
 Eigen::Matrix3d elastic_tangent(const BeamStiffness& k, const BeamStrain& d, double normal) {
   Eigen::Matrix3d out = matrix_of(k.bend, 0);
   const Eigen::Vector3d stretch(1, 2 * k.bow[0] * d[1] + k.bow[1] * d[2], 2 * k.bow[2] * d[2] + k.bow[1] * d[1]);
@@ -111,6 +112,7 @@ BeamResponse respond(const BeamYields& yields, const Beam& beam, const BeamNow& 
   return {a.tangent.stress, a.tangent.damping, a.stored, a.dissipated};
 }
 
+/// One that yields is asked for a trial whose memory is thrown away.
 BeamTangent tangent_of(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before) {
   if (beam.yield != BeamYield::never) {
     std::vector<double> after(before.size());

@@ -90,6 +90,7 @@ FibreBeam make_fibre_beam(const FibreSection& section, double length, const std:
   return beam;
 }
 
+/// The same integral as `respond` has, with the stiffest that section can be at each station.
 BeamStiffness stiffest_beam(const FibreBeam& beam, const FibreSection& section) {
   const Eigen::Matrix2d k = section.stiffest();
   // Where the stiffness is not centred, stretch and bending meet: their coupling adds at most this share to either.

@@ -87,6 +87,7 @@ int FibreSection::memory_size() const {
   return size;
 }
 
+/// Sum of E A (1, -y)(1, -y)', E the largest slope of each law.
 Eigen::Matrix2d FibreSection::stiffest() const {
   Eigen::Matrix2d out = Eigen::Matrix2d::Zero();
   for (const FibrePart& p : parts) {

@@ -139,6 +139,7 @@ StripMoments strip_of(const FibreShape& shape, double low, double high) {
       shape);
 }
 
+/// Of an outline all its corners' levels, of a stack where one rectangle gives way to the next, of a pipe its hole's.
 std::vector<double> borders_of(const FibreShape& shape) {
   std::vector<double> out{0, section_of(shape).depth()};
   std::visit(

@@ -8,6 +8,10 @@
 namespace trilith {
 namespace {
 
+//     3 (-1, 1) ------ 2 (1, 1)       natural coordinates xi to the right, eta up;
+//        |                |           N_i = (1 + xi xi_i) (1 + eta eta_i) / 4,
+//     0 (-1, -1) ----- 1 (1, -1)      at the Gauss points xi, eta = +-1/sqrt(3), each of weight 1
+
 constexpr std::array<double, 4> xi_of{-1, 1, 1, -1}, eta_of{-1, -1, 1, 1};
 
 /// Derivatives of a quadrilateral's shape functions along xi (row 0) and eta (row 1).
@@ -51,6 +55,7 @@ using ModeMatrix = Eigen::Matrix<double, 3, 4>;
 
 }  // namespace
 
+/// Gradients in space: J^-1 d, J = d x by rows xi and eta; det J is the area that a point stands for.
 ElementStrain plain_strain(std::span<const Vec2> corners) {
   if (corners.size() == 3) return triangle_strain(corners);
   ElementStrain out;
@@ -184,6 +189,7 @@ Vec2 natural_inside(std::span<const Vec2> corners, const Vec2& x) {
 
 }  // namespace
 
+/// Inside it by the inverse of its map, else on its nearest edge, where the map is straight.
 ElementPoint nearest_in_element(std::span<const Vec2> corners, const Vec2& x) {
   if (is_inside(corners, x)) return {natural_inside(corners, x), 0};
   ElementPoint best{Vec2::Zero(), std::numeric_limits<double>::infinity()};

@@ -22,6 +22,7 @@ Edge edge_of(const Model<2>& model, int piece, int e) {
   return {model.corner_skin[first + e], model.corner_skin[first + (e + 1) % count], model.edge_corner[first + e]};
 }
 
+/// As Work is placed: ends of a face and their velocities, counter-clockwise around its own body.
 FaceEnds<double> ends(const Work<2>& work, int s0, int s1) {
   const SkinMotion &p = work.skin[s0], &q = work.skin[s1];
   return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
@@ -60,6 +61,7 @@ bool may_touch(const FaceOverlap<double>& o, double margin) {
 }
 
 /// The faces of a deformable body turn with their nodes.
+/// A face whose ends move by d each turns by up to 2 d over its length: half of the shortest is its arm.
 double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece) {
   double least = unbounded;
   for (int e = 0; e < model.corners_of(piece); ++e) {
@@ -168,6 +170,7 @@ void apply_bearings(const Model<2>& model, std::span<const BearingMemory> bearin
 namespace {
 
 /// The middle of what all nodes have moved by since the pairs were found, between the least and the most of it.
+/// As of a building on its ground: what all of it goes by brings no two bodies nearer.
 Vec2 moved_together(const State<2>& state, const Work<2>& work) {
   Vec2 least = Vec2::Constant(unbounded), most = Vec2::Constant(-unbounded);
   for (std::size_t n = 0; n < state.position.size(); ++n) {

@@ -95,6 +95,7 @@ struct Sweep {
   [[nodiscard]] bool is_thin(int piece) const {
     return (speed(piece) + fastest) * time > share * model.piece_thickness[piece];
   }
+  /// A law holds between them, one may move, and they go against each other by more than their share of the thinner.
   [[nodiscard]] bool counts(int p, int q) const {
     const int a = model.piece_body[p], b = model.piece_body[q];
     if (a == b || state.left[a] != 0 || state.left[b] != 0) return false;
@@ -117,6 +118,7 @@ std::vector<int> fewest(const Sweep& sweep) {
 std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<2>& state, const Work<2>& work,
                                              double dt, double share) {
   Sweep sweep{model, state, paces(model, state, work), Vec2::Zero(), 0, std::abs(dt), share};
+  // What most go by is no motion against each other: a quake alone makes no pair.
   sweep.common = {median(sweep.pace, 0), median(sweep.pace, 1)};
   for (const Pace& p : sweep.pace)
     sweep.fastest = std::max(sweep.fastest, (p.velocity - sweep.common).norm() + p.spread);

@@ -69,6 +69,7 @@ Eigen::Matrix3d principal_stiffness(const MohrCoulomb& law, Plane plane) {
 }
 
 /// All principal stresses at the tip of the surface: what is left where no set of planes answers.
+/// Strain by the elastic compliance of what lies between the trial and the tip.
 Eigen::Vector3d plastic_to_tip(const MohrCoulomb& law, Plane plane, const Eigen::Vector3d& trial) {
   const double tip = law.friction > 0 ? std::min(law.tension, law.cohesion / portable::tan(law.friction)) : law.tension;
   Eigen::Vector3d over = trial - Eigen::Vector3d::Constant(tip);
@@ -82,6 +83,7 @@ Eigen::Vector3d plastic_to_tip(const MohrCoulomb& law, Plane plane, const Eigen:
 /// With growth of principal plastic strains turned back into the axes.
 PointResponse flown(const MohrCoulomb& law, Plane plane, const PlaneVector& strain, const PlasticMemory& before,
                     const Principal& axes, const Eigen::Vector3d& plastic) {
+  // Turned by the double angle: the first principal axis has (c2, s2); xy is engineering.
   const double middle = 0.5 * (plastic[0] + plastic[1]), half = 0.5 * (plastic[0] - plastic[1]);
   const double x = middle + half * axes.c2, y = middle - half * axes.c2, xy = 2 * half * axes.s2;
   PointResponse out;

@@ -20,6 +20,7 @@ bool return_to_set(const Eigen::Vector3d& trial, const Eigen::Matrix3d& elastic,
     for (Eigen::Index j = 0; j < count; ++j) matrix(i, j) = p.normal.dot(elastic * planes[set[j]].flow);
   }
   const auto block = matrix.topLeftCorner(count, count).eval();
+  // Planes that are parallel, or nearly, do not meet in one place.
   const double scale = block.diagonal().cwiseAbs().prod();
   if (!(std::abs(block.determinant()) > 1e-12 * scale)) return false;
   const Eigen::VectorXd multiplier = block.fullPivLu().solve(excess.head(count));

@@ -134,6 +134,7 @@ std::vector<std::vector<int>> boundary_loops(const Mesh& mesh, const EdgeMap& ed
 }
 
 /// New numbers: the boundary's nodes loop by loop, then the others in their order; -1 where unused.
+/// Skin points of a body are its first nodes, so the boundary comes first.
 std::vector<int> new_numbers(const Mesh& mesh, const std::vector<std::vector<int>>& loops) {
   std::vector<int> number(mesh.node.size(), -1);
   int count = 0;
@@ -161,6 +162,7 @@ CheckedMesh check_mesh(Mesh mesh, std::string_view owner) {
   const std::vector<int> number = new_numbers(mesh, loops);
   const auto unused = std::count(number.begin(), number.end(), -1);
   if (unused > 0) out.notes.push_back(fmt::format("{}: {} nodes of the mesh are in no element", owner, unused));
+  // An edge whose reverse no element has.
   out.boundary_edges.assign(mesh.element.size(), 0U);
   for (const auto& [nodes, edge] : edges)
     if (edges.count({nodes.second, nodes.first}) == 0)

@@ -10,6 +10,7 @@ namespace trilith {
 namespace {
 
 /// Keeps the part of `from` on the left of the line from `a` to `b`.
+/// Each corner in turn, with the one before it: where the line is crossed between them, and itself where it is kept.
 void clip_left(const std::vector<Vec2>& from, const Vec2& a, const Vec2& b, std::vector<Vec2>& into) {
   into.clear();
   if (from.empty()) return;

@@ -99,6 +99,7 @@ bool is_convex(std::span<const Vec2> outline) {
 
 namespace {
 
+/// Of the point from the segment ab.
 bool within(const Vec2& p, const Vec2& a, const Vec2& b, double tolerance) {
   const Vec2 along = b - a;
   const double squared = along.squaredNorm();

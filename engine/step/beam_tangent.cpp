@@ -37,11 +37,14 @@ BeamBlock geometric(const BeamNow& now, const BeamShape& shape, const std::array
                     const BeamStress& stress) {
   const Vec2 across = left_of(now.along);
   const double moments = stress[1] + stress[2];
+  // With D the way from end to end, l = |D|: d2 l = across across' / l, and for the turn of the chord
+  // d2 turn = -(along across' + across along') / l^2. The bends have it with the opposite sign.
   const Eigen::Matrix2d both = now.along * across.transpose() + across * now.along.transpose();
   const Eigen::Matrix2d chord =
       stress[0] / now.length * (across * across.transpose()) + moments / (now.length * now.length) * both;
   BeamBlock out = shape.way.transpose() * chord * shape.way;
   const Vec2 pull = now.force_on_start(stress);
+  // An arm that turns by w goes by w left_of(arm) - w^2 arm / 2: its second derivative against the force.
   out(2, 2) += pull.dot(arm[0]), out(5, 5) -= pull.dot(arm[1]);
   return out;
 }

@@ -8,6 +8,7 @@
 namespace trilith {
 namespace {
 
+/// Bonded while either half is; else by how near the shear is to mu N.
 ContactHold hold_of(const ContactMemory& memory, const ContactResultant& r, double mu) {
   if (memory.bonds != 0) return ContactHold::bonded;
   // Sliding shear stands at the limit, up to rounding.

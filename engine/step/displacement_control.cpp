@@ -83,6 +83,7 @@ void control_displacement(const Model<2>& model, const State<2>& state, Work<2>&
     add(state, push, more, work.trim, work.trim_moment);
     work.push_force[i] = force;
   }
+  // The push has changed what is left over on the nodes it acts on.
   find_unbalanced(model, work);
 }
 

@@ -108,6 +108,7 @@ Path::Path(const Model<2>& model, const State<2>& state, const LoadPathOptions& 
     if (coupling.freedom[i].k < 2) sum += share_[i];
   }
   share_ /= sum;
+  // One row of weights: the followed displacement is their product with the way.
   followed_ = Eigen::VectorXd::Zero(coupling.size());
   for (const FollowedFreedom& f : options.followed) {
     const int i = coupling.unknown[f.freedom.node][f.freedom.k];
@@ -251,6 +252,7 @@ bool Path::step(double size) {
 
 /// True where the path is to go on from it.
 bool Path::add_point(int iterations) {
+  // Of the path by arcs, whatever it is controlled by: limit points are looked for over it.
   const double length = last_way_.size() == 0 ? 0 : std::sqrt(inner(last_way_, last_way_));
   const double before = out_.points.empty() ? 0 : out_.points.back().length;
   out_.points.push_back({factor_, followed_place(), before + length, iterations});

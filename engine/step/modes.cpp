@@ -83,6 +83,7 @@ Pairs lowest_pairs(const Pencil& p, int count) {
   using Product = Spectra::SparseSymMatProd<double>;
   Invert invert(p.stiffness, p.mass);
   Product product(p.mass);
+  // Twice the modes asked for, as Lanczos' method converges well with; at least 40.
   const int basis = std::min(static_cast<int>(p.mass.rows()), std::max(2 * count + 1, 40));
   Spectra::SymGEigsShiftSolver<Invert, Product, Spectra::GEigsMode::ShiftInvert> solver(invert, product, count, basis,
                                                                                         shift_of(p));

@@ -12,6 +12,7 @@ struct Freed {
   double pull;
 };
 
+/// Frees them in the model, and tells what acceleration each had.
 std::vector<Freed> free_nodes(Model<2>& model, double time, int body, const std::array<bool, 3>& on) {
   const Body& b = model.bodies[body];
   std::vector<Freed> freed;

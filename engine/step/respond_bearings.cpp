@@ -86,6 +86,7 @@ void respond_live(const Model<2>& model, const State<2>& state, Work<2>& work, s
   std::array<double, 3> force{};
   double compression = 0;
   for (const int k : {axial, along, turning}) {  // friction along the seat needs the axial force first
+    // The law gives force, energies and memory of the trial; nothing of State is written.
     const DirectionMotion motion{displacement[k], rate[k], dt, compression, mean[k]};
     const DirectionResponse r = respond(b.law[k], motion, before.direction[k]);
     after.direction[k] = r.memory;

@@ -89,6 +89,8 @@ struct Rows {
   }
 };
 
+/// Places and velocities of the four face ends of each row, as columns. After an implicit step the mean velocities over
+/// it are read too; in a leapfrog step both are the same and nothing more is read.
 TRILITH_INLINE FaceMotion<Lanes> load_motion(const Pass& pass, const Rows& rows) {
   const NearPair* p[lane_count];
   for (int i = 0; i < lane_count; ++i) p[i] = &pass.pairs[rows.row[i]];
@@ -141,12 +143,14 @@ TRILITH_INLINE LaneMemory<M> load_memory(const Pass& pass, const Rows& rows) {
   load(&ContactMemory::shear_total, m.face.shear_total[0], m.face.shear_total[1]);
   load(&ContactMemory::damping_force, m.face.damping_force[0], m.face.damping_force[1]);
   load(&ContactMemory::active, m.face.active[0], m.face.active[1]);
+  // Slip and the word of bonds and state lie side by side and are moved as one pair of numbers.
   load(&ContactMemory::slip, m.face.slip, bits);
   const LaneMask word = bits_of(bits);
   m.face.bonds[0] = has_bit(word, 1);
   m.face.bonds[1] = has_bit(word, 2);
   m.face.general = has_bit(word, general_bit);
   m.touching = has_bit(word, touching_bit);
+  // What a law remembers is read two by two; each law has an even count of numbers.
   int number = 0;
   m.own.fields([&](Lanes& c0, Lanes& c1) {
     const double* row[lane_count];
@@ -162,6 +166,7 @@ template <std::size_t pairs>
 struct RowResponse {
   RowPairs elastic, total, damping, active, slip_bits, a0, a1, b0, b1;
   std::array<RowPairs, pairs> own;
+  /// Bonds in bits 0 and 1, touching always: a row that does not touch is not written from here.
   TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m, const LaneMask& kept) {
     const LaneMask none{};
     return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (kept & (none + kept_bit)) |
@@ -221,6 +226,7 @@ struct GivenOff {
   double damping = 0, friction = 0, fracture = 0;
 };
 
+/// One lane after the other, not by a tree: the sum has the bits that single rows would give.
 TRILITH_INLINE void add_lanes(double& sum, const LaneMask& counts, const Lanes& lost) {
   const Lanes v = select(counts, lost, Lanes{});
   for (int i = 0; i < lane_count; ++i) sum += v[i];
@@ -232,6 +238,7 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& row
   using M = typename K::template Memory<Lanes>;
   const LaneMemory<M> memory = load_memory<M>(pass, rows);
   FaceResponse<Lanes, M> r = respond_face_motion<K>(motion, memory.face, memory.own, law);
+  // A contact that has just parted still gives off what it held.
   const LaneMask found = rows.valid & r.is_face_pair, counts = found & (r.touching | memory.touching);
   add_lanes(given.damping, counts, r.lost_damping);
   add_lanes(given.friction, counts, r.lost_friction);

@@ -71,6 +71,7 @@ void add_to_skin(const Model<2>& model, int piece, const Corners& force, Work<2>
 }
 
 /// What two faces held that their contact does not as one of general shape.
+/// Dilation that faces held open, halves crushed unlike: neither has a place in the overlap of areas.
 void book_change_of_shape(Work<2>& work, const NearPair& pair, const Remembered& before, const LawInUse& use) {
   const ShapeLoss lost = with_kernel(use, [&]<class K>(const K& law) {
     return law.leave_faces(face_overlap(work, pair), before.contact, law_memory<K>(before.law));
@@ -92,6 +93,7 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   const ContactMemory& before = contacts.memory[row];
   ContactMemory& after = work.contacts.memory[row];
   const bool was = (before.state & contact_touching) != 0;
+  // First as if it did not touch; written over below where it does.
   part_row(contacts, work.contacts, row);
   // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
   if (!was && work.travel < work.asleep_until[row]) return;

@@ -129,6 +129,7 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
                   c, locals);
       continue;
     }
+    // A rigid body: springs along n and t at the middle of the contact, both spread over its length.
     Local& local = locals[node[side]];
     const Vec2 arm = at - state.position[node[side]];
     add_spring(local, n, arm, law.normal * length, law.beta, length, t, weight);
@@ -149,6 +150,7 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
     add_contact(model, state, work, p, {origin + 0.5 * (o.lo + o.hi) * d, n, o.shared, law},
                 {{{p.a0, p.a1}, {p.b0, p.b1}}}, locals);
   }
+  // Along the resultant, at the centre of pressure.
   for (const GeneralContact& g : work.general_touching) {
     const double size = g.force.norm();
     if (!(size > 0)) continue;
@@ -277,6 +279,7 @@ Local on_stiffest_face(const Model<2>& model, int body) {
           add_stiffer_face(model, model.skin_node[from], model.skin_node[to], numbers, stiffest);
           continue;
         }
+        // Weight 2: against a body that moves as well.
         const Vec2 &p = model.skin_place[from], &q = model.skin_place[to];
         const double length = (q - p).norm();
         const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);

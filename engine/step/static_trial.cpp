@@ -64,6 +64,7 @@ StaticTrial::StaticTrial(const Model<2>& model, const State<2>& state)
   begin_here();
 }
 
+/// Forces at the begin are kept: work is booked by the mean of them and those at the end.
 void StaticTrial::begin_here() {
   state_.position_before = begin_position_ = state_.position;
   state_.rotation_before = begin_rotation_ = state_.rotation;
@@ -128,6 +129,7 @@ double StaticTrial::measure(double inertia) {
   return sum;
 }
 
+/// Differences leave State and Work disturbed, so all is evaluated anew; then what follows from the tangent.
 bool StaticTrial::find_tangent(double inertia) {
   const bool regular = tangent_.find(model_, state_, work_, {slow_step, 0, 1, inertia, disturbance_});
   evaluate_here();
@@ -189,6 +191,7 @@ void StaticTrial::accept() {
   begin_here();
 }
 
+/// What statics cannot say where it went is `rest_damping`: the motion to rest that was left out.
 State<2> StaticTrial::finish() {
   go_back();
   state_.given[EnergyTerm::rest_damping] += balance_ - implicit_energy(model_, state_, work_).balance();

@@ -42,6 +42,7 @@ double general_energy(const Model<2>& model, const State<2>& state, const Work<2
 
 }  // namespace
 
+/// Faces by row, then contacts of general shape, which this evaluation has listed.
 double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   double sum = 0;
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {

@@ -44,6 +44,7 @@ void end_bearings(const Model<2>& model, State<2>& state, const Work<2>& work, s
   }
 }
 
+/// Its acceleration and the step behind it too, or implicit steps would begin with a motion it has not.
 void stop(const Model<2>& model, State<2>& state, int body) {
   const Body& b = model.bodies[body];
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n) state.velocity[n] = Vec2::Zero(), state.spin[n] = 0;

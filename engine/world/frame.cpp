@@ -124,6 +124,7 @@ class Tour {
     const FrameMember& member = spec_.members[m];
     const bool forward = member.from == joint;
     const int far = forward ? member.to : member.from, last = static_cast<int>(plan_.stations[m].size()) - 1;
+    // Out on the right of the way it is gone: side 0 where that is the member's own direction, else 1.
     for (int i = 0; i <= last; ++i) plan_.outline.push_back({m, forward ? i : last - i, forward ? 0 : 1});
     if (seen_[far] == 0) go_round(far, heading(m, far), m);
     for (int i = last; i >= 0; --i) plan_.outline.push_back({m, forward ? i : last - i, forward ? 1 : 0});
@@ -141,6 +142,7 @@ std::string name_of(const FrameSpec& spec, const FrameMember& member) {
   return fmt::format("{}-{}", spec.joints[member.from].name, spec.joints[member.to].name);
 }
 
+/// The tour begins at a tip, where a member ends alone, if there is any.
 FramePlan plan_frame(const FrameSpec& spec, const std::string& owner) {
   if (spec.members.empty()) throw InputError(owner + ": a frame without members; give one at least");
   for (const FrameJoint& joint : spec.joints) check_joint(spec, joint, owner);

@@ -32,6 +32,7 @@ Vec2 middle_of(const Model<2>& model, const std::vector<FacePart>& faces) {
   return sum / length;
 }
 
+/// Of corners as far as each other the first one, whatever rounding makes of them.
 Vec2 farthest(const Model<2>& model, int body, const Vec2& way) {
   const Body& b = model.bodies[body];
   Vec2 best = skin_start(model, b.first_skin);
@@ -79,6 +80,7 @@ double lowest_of(const Model<2>& model, const std::vector<int>& bodies) {
   return lowest;
 }
 
+/// A rigid body by one row; a point of one that deforms by the nodes it is tied to; a whole one by mass.
 void add_body_rows(const Model<2>& model, int body, const std::optional<Vec2>& at, double weight,
                    std::vector<PushRow>& rows) {
   const Body& b = model.bodies[body];

@@ -51,6 +51,7 @@ double width_of(const Model<2>& model, int piece) {
   return least_width(outline);
 }
 
+/// What touches nothing by any law bounds no step.
 bool touches_something(const Model<2>& model, const Body& body) {
   const auto first = model.law_of.begin() + std::ptrdiff_t{body.surface} * model.surfaces;
   return std::any_of(first, first + model.surfaces, [](int law) { return law >= 0; });
