@@ -46,6 +46,7 @@ double within_half_turn(double angle) {
 
 }  // namespace
 
+/// theta_i = rotation_i - (angle of the chord now - angle_0); the chord spins by n . (v_1 - v_0) / l.
 BeamNow::BeamNow(const BeamEnd& from, const BeamEnd& to, double length_0, double angle_0) {
   const Vec2 chord = to.place - from.place, speed = to.velocity - from.velocity;
   length = portable::hypot(chord.x(), chord.y());

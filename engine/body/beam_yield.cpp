@@ -126,6 +126,7 @@ BeamTangent tangent_of(const BeamYields& yields, const Beam& beam, const BeamNow
   return out;
 }
 
+/// An end that never yields has a law without bound.
 bool has_hinge(const BeamYields& yields, const Beam& beam, int end) {
   return std::isfinite(yields.hinge_laws[yields.hinged_beams[beam.yield_row][end]].sagging);
 }
@@ -136,6 +137,7 @@ EndHingeMemory hinge_memory(std::span<const double> memory) {
   return std::bit_cast<EndHingeMemory>(words);
 }
 
+/// Fibres are one for the beam and told at its end 0.
 HingeStatus yield_status(const Beam& beam, std::span<const double> memory, int end) {
   if (beam.yield == BeamYield::at_hinges) return status_of(hinge_memory(memory), end);
   return end == 0 && memory[0] != 0 ? HingeStatus::yielded : HingeStatus::elastic;

@@ -131,6 +131,7 @@ FibreSection make_fibres(const FibreSpec& spec) {
   return out;
 }
 
+/// Part after part, as fibres and their memories lie.
 SectionResponse respond(const FibreSection& section, const SectionStrain& strain, std::span<const double> before,
                         std::span<double> after) {
   assert(before.size() == after.size() && static_cast<int>(after.size()) == section.memory_size());

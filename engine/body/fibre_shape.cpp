@@ -42,6 +42,7 @@ StripMoments strip_of_stack(const LayerStack& stack, double low, double high) {
 /// Of a disc of radius r below the level y, about its centre: integrals of 2 sqrt(r^2 - y^2), times y, times y^2.
 StripMoments disc_below(double r, double y) {
   const double at = std::clamp(y, -r, r), half = std::sqrt(std::max(0.0, r * r - at * at));
+  // y = r sin(angle - pi/2): from 0 at the bottom to pi at the top.
   const double angle = portable::asin(std::clamp(at / r, -1.0, 1.0)) + M_PI / 2;
   return {at * half + r * r * angle, -2.0 / 3 * half * half * half,
           at * half * (2 * at * at - r * r) / 4 + r * r * r * r * angle / 4};
@@ -129,6 +130,7 @@ StripMoments strip_of(const FibreShape& shape, double low, double high) {
     const double r = s->diameter / 2;
     StripMoments out = strip_of_disc(s->diameter, low - r, high - r);
     if (s->hollow > 0) out -= strip_of_disc(s->hollow, low - r, high - r);
+    // From the centre to the bottom.
     return lifted(out, r);
   }
   return std::visit(

@@ -58,6 +58,7 @@ AxialShare HingeLaw::beside(double normal) const {
 void check_softening(const HingeLaw& law, double even_bending) {
   if (!(law.capping > 0)) return;
   const double top = std::max(law.yield(1), law.yield(-1)) + law.hardening * law.capping;
+  // The slope of the way down; a beam less stiff than that would snap.
   const double steep = (1 - law.residual) * top / law.softening;
   if (!(steep < even_bending))
     throw InputError(fmt::format(

@@ -164,6 +164,7 @@ Vec2 nearest_on_edge(std::span<const Vec2> corners, std::size_t e, const Vec2& x
   return (1 - share) * natural(e) + share * natural(f);
 }
 
+/// Convex and counter-clockwise: to the left of every edge.
 bool is_inside(std::span<const Vec2> corners, const Vec2& x) {
   for (std::size_t e = 0; e < corners.size(); ++e)
     if (cross(Vec2(corners[(e + 1) % corners.size()] - corners[e]), Vec2(x - corners[e])) < 0) return false;
@@ -181,6 +182,7 @@ Vec2 natural_inside(std::span<const Vec2> corners, const Vec2& x) {
   for (int i = 0; i < 50; ++i) {
     const Eigen::Matrix2d jacobian = natural_gradient(natural.x(), natural.y()) * as_rows(corners);
     const Vec2 step = jacobian.transpose().inverse() * (x - place_of(corners, natural));
+    // Kept in the element, where the map is one to one.
     natural = (natural + step).cwiseMax(-1).cwiseMin(1);
     if (step.norm() < 1e-15) break;
   }

@@ -52,6 +52,7 @@ Grid lay_grid(const std::vector<Box>& boxes, const std::vector<int>& small, doub
   grid.cell = std::max(cell, std::sqrt(area / (4.0 * static_cast<double>(small.size()))));
   grid.x0 = all.x0, grid.y0 = all.y0;
   const double most = 8.0 * static_cast<double>(small.size()) + 1;
+  // `most` bounds columns and rows whatever the extents are.
   grid.columns = std::int64_t(std::min((all.x1 - all.x0) / grid.cell, most)) + 1;
   grid.rows = std::int64_t(std::min((all.y1 - all.y0) / grid.cell, most)) + 1;
   // Sorted by counting: how many boxes each cell has, where its list begins, then the boxes in their order.

@@ -123,6 +123,7 @@ std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<
   for (const Pace& p : sweep.pace)
     sweep.fastest = std::max(sweep.fastest, (p.velocity - sweep.common).norm() + p.spread);
   std::vector<std::pair<int, int>> found;
+  // Two of the fastest against each other; what has run away, or is no number, is not followed.
   const double farthest = 2 * sweep.fastest * sweep.time;
   if (!(farthest > share * model.least_thickness && farthest < beyond_all)) return found;
   const std::vector<int> few = fewest(sweep);

@@ -93,6 +93,8 @@ void colour_by_stress(const Header& header, const Frame& frame, std::string_view
   scene.value_unit = "Pa";
 }
 
+/// Joints that have lost some of their bonds, drawn where the first body has taken their ends; a joint that is farther
+/// open than it is long is none any more.
 void add_cracks(const Header& header, const Frame& frame, Scene& scene) {
   const std::vector<double>&damage = frame.fields[find_field(header, "joint_damage")],
         &opening = frame.fields[find_field(header, "joint_opening")],
@@ -110,6 +112,8 @@ void add_cracks(const Header& header, const Frame& frame, Scene& scene) {
   }
 }
 
+/// From body to body of the group, in its order: the mean of the points where they press on each other, weighed by the
+/// forces there. It is broken where two neighbours do not touch.
 void add_thrust_line(const Header& header, const Frame& frame, std::string_view group, Scene& scene) {
   std::vector<int> chain;
   for (std::size_t i = 0; i < header.bodies.size(); ++i)

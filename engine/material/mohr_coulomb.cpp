@@ -100,6 +100,7 @@ PointResponse flown(const MohrCoulomb& law, Plane plane, const PlaneVector& stra
 }  // namespace
 
 void MohrCoulomb::check() const {
+  // More dilation than friction would make energy as it flows.
   if (dilation > friction)
     throw InputError(
         fmt::format("mohr_coulomb: dilation is {:g} rad, must be at most the friction, {:g} rad", dilation, friction));

@@ -52,6 +52,7 @@ void PushoverRecorder::take_sample() {
   curve_.force.push_back(force_ / weight_);
   curve_.drift.push_back(sway_ / weight_);
   time_ = displacement_ = force_ = sway_ = weight_ = 0;
+  // Below a share of the peak so far, sample after sample: it has dropped.
   const double peak = curve_.force[curve_.peak()];
   low_ = peak > 0 && curve_.force.back() < limits_.drop * peak ? low_ + 1 : 0;
   if (limit_.empty() && low_ >= samples_below) limit_ = "drop";

@@ -90,6 +90,7 @@ std::vector<int> find_base(const Model<2>& model) {
   return base.empty() ? held : base;
 }
 
+/// Each body counts alike, whatever nodes it has.
 double mean_sway(const Model<2>& model, const State<2>& state, const std::vector<int>& bodies) {
   double sum = 0;
   for (const int body : bodies) {

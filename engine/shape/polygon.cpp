@@ -117,6 +117,7 @@ bool boxes_apart(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, dou
 /// Each parts the ends of the other: they cross. Else they may meet at an end, within the tolerance.
 std::optional<Vec2> meeting_point(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double tolerance) {
   if (boxes_apart(a, b, c, d, tolerance)) return std::nullopt;
+  // On which side of each line the ends of the other segment lie.
   const double side_c = cross(b - a, c - a), side_d = cross(b - a, d - a);
   const double side_a = cross(d - c, a - c), side_b = cross(d - c, b - c);
   const bool parts_cd = (side_c < 0) != (side_d < 0), parts_ab = (side_a < 0) != (side_b < 0);

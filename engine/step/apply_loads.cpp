@@ -9,6 +9,7 @@ namespace {
 void add_point_load(const Model<2>& model, const State<2>& state, const PointLoad& p, Work<2>& work) {
   const double share = p.curve.at(state.time);
   if (share == 0) return;
+  // One that follows turns with what it is tied to.
   const Vec2 force = p.follows ? Turn(pose_at(model, state, p.at).rotation).apply(p.force) : p.force;
   push_at(model, state, p.at, share * force, share * p.moment, work.load, work.load_moment);
 }

@@ -30,6 +30,7 @@ struct ElementNodes {
   }
 };
 
+/// beta k v: the elastic forces of the rate of the deformation, times a time.
 template <int N>
 TRILITH_INLINE void add_damping(const Deformation<N>& now, const double* shape, const double* k, double beta,
                                 const ElementNodes<N>& nodes) {
@@ -171,6 +172,7 @@ ElementStress element_stress(const Model<2>& model, const State<2>& state, int e
     out.mean.xx += share * s.xx, out.mean.yy += share * s.yy, out.mean.zz += share * s.zz, out.mean.xy += share * s.xy;
     out.plastic += share * memory.measure;
   }
+  // Sums over the points, each weighed by its area, are means now.
   for (double* v : {&out.mean.xx, &out.mean.yy, &out.mean.zz, &out.mean.xy, &out.plastic}) *v /= out.area;
   out.axes_c = axes.first, out.axes_s = axes.second;
   return out;

@@ -8,6 +8,7 @@ namespace {
 BeamResponse respond_elastic(const Beam& beam, const BeamNow& now) {
   BeamResponse out{stress_of(beam.stiffness, now.strain), {}, stored_in(beam.stiffness, now.strain), 0};
   if (!(beam.damping > 0)) return out;
+  // K alone on the rates: what the bow does to the normal force is not damped.
   out.damping = linear_stress(beam.stiffness, now.rate);
   for (double& v : out.damping) v *= beam.damping;
   return out;

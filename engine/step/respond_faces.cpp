@@ -202,6 +202,7 @@ TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse<pairs
     for (std::size_t k = 0; k < pairs; ++k) store_pair(own + 2 * k, r.own[k].of(i));
   }
   const NearPair& p = pass.pairs[row];
+  // One row after the other: two of the four may have a skin point in common.
   const auto add = [&](int skin, const LanePair& force) {
     double* on = pass.skin_force[skin].data();
     store_pair(on, load_pair(on) + force);
@@ -269,6 +270,7 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& row
 
 template <class K>
 TRILITH_INLINE void respond_batch(const Pass& pass, const K& kernel, std::span<const int> rows) {
+  // A copy of its own: nothing that the loops write can change it.
   const K law = kernel;
   GivenOff given;
   // In blocks, motions first: two short loops leave the processor more to do at once than one long one.
@@ -334,6 +336,7 @@ const std::vector<int>& facing_now(const Model<2>& model, const ContactHistory& 
     const bool bonded = before.memory[row].bonds != 0;
     (choose_face_pair(model, work, bonded, work.pairs[row]) ? batch.chosen : work.general_now).push_back(row);
   }
+  // Both lists rise, and so does what they are merged to.
   batch.now.resize(batch.row.size() + batch.chosen.size());
   std::merge(batch.row.begin(), batch.row.end(), batch.chosen.begin(), batch.chosen.end(), batch.now.begin());
   return batch.now;

@@ -227,6 +227,7 @@ double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
   for (int r = 0; r < 3; ++r) {
     double row = 0;
     for (int c = 0; c < 3; ++c)
+      // What is held or driven does not swing.
       if (model.support[node][c] == Support::free && model.support[node][r] == Support::free)
         row += std::abs(m(r, c)) * scale[r] * scale[c];
     most = std::max(most, row);
@@ -325,6 +326,7 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
     if (!model.body_moves(static_cast<int>(b))) continue;
     // Of its own stiffest face, or of what touches now, whichever is stiffer; its elements come on top of either.
     double k = work.face_bound[b].stiffness, c = work.face_bound[b].damping;
+    // The largest of its nodes' bounds bounds the whole.
     for (int node = body.first_node; node < body.first_node + body.nodes; ++node) {
       if (!model.moves(node)) continue;
       k = std::max(k, bound(model, node, locals[node].k));

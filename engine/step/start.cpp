@@ -58,6 +58,7 @@ void set_bonds(const Model<2>& model, State<2>& state, double reach) {
     if (!may_bond(model.laws[pair.law]) || memory.bonds == 3) continue;
     if (!choose_face_pair(model, work, true, pair)) continue;
     const FaceOverlap<double> overlap = face_overlap(work, pair);
+    // Length of the joint and gap are judged by the smaller of both bodies.
     const double size = smaller_size(model, pair);
     if (std::max(std::abs(overlap.gap_lo), std::abs(overlap.gap_hi)) > reach * size) continue;
     if (overlap.shared < least_shared * size) continue;
@@ -69,6 +70,7 @@ void set_bonds(const Model<2>& model, State<2>& state, double reach) {
   }
 }
 
+/// Fresh mortar: joints press and rub, and hold nothing.
 void lift_bonds(const Model<2>& model, State<2>& state) {
   Work<2> work;
   find_contacts(model, state, work);

@@ -25,6 +25,7 @@ void stop_moving(State<2>& state) {
   std::fill(state.spin_rate.begin(), state.spin_rate.end(), 0.0);
 }
 
+/// By it moments compare with forces; 1 m where a node has no size.
 double gyration_of(const Model<2>& model, int n) {
   const double radius = std::sqrt(model.inertia[n] / model.mass[n]);
   return radius > 0 ? radius : 1;
@@ -113,6 +114,7 @@ Eigen::VectorXd StaticTrial::way() const {
 
 /// left = F - inertia M d; its square, sum of left^2 / m, is what iterations are judged by; `share_` what ends them.
 double StaticTrial::measure(double inertia) {
+  // `inertia` is 1/h^2 in a step of pseudo-time and 0 on a path.
   left_ = inertia > 0 ? Eigen::VectorXd(-inertia * way()) : Eigen::VectorXd(Eigen::VectorXd::Zero(coupling().size()));
   double sum = 0, most = 0;
   worst_ = -1;

@@ -73,6 +73,7 @@ std::vector<Event> take_out(Model<2>& model, State<2>& state, Work<2>& work, con
     return state.left[model.piece_body[first_piece(p.contact)]] != 0 ||
            state.left[model.piece_body[second_piece(p.contact)]] != 0;
   });
+  // Its nodes are fixed, and pairs found anew without it; the balance is then taken from a new evaluation.
   hold_left(model, state);
   work.valid = false;
   evaluate(model, state, work, state.last_dt);

@@ -65,6 +65,7 @@ void check_overlaps(const Model<2>& model, double allowed, std::vector<std::stri
   for_near_pieces(model, 0, [&](int p, int q, double separation) {
     if (separation >= 0 || !may_touch(model, p, q)) return;
     const auto [a, b] = std::minmax(model.piece_body[p], model.piece_body[q]);
+    // Of the smaller body's size; below 1e-12 it is rounding.
     const double share = -separation / (2 * std::min(model.body_radius[a], model.body_radius[b]));
     if (share >= 1e-12) found.push_back({share, -separation, a, b});
   });

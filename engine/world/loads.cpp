@@ -86,6 +86,7 @@ std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::
   return loads;
 }
 
+/// Loads without a name are those that stand for something released.
 void drop_faded(Model<2>& model, double now) {
   std::erase_if(model.point_loads, [now](const PointLoad& l) { return l.name.empty() && l.curve.spent(now); });
 }
@@ -129,6 +130,7 @@ std::vector<std::string> load_names(const Model<2>& model) {
   return names;
 }
 
+/// Its force goes on as loads at the points it pushed and fades, so that nothing is set off.
 bool release_push(Model<2>& model, const State<2>& state, const Work<2>& work, const std::string& name, double fade) {
   const auto at = std::find_if(model.pushes.begin(), model.pushes.end(), [&](const Push& p) { return p.name == name; });
   if (at == model.pushes.end()) return false;

@@ -256,6 +256,7 @@ Pose pose_at(const Model<2>& model, const State<2>& state, const Tie& tie) {
   return pose_of(model, state, tie);
 }
 
+/// Velocities of then are not kept: those in it are of now.
 Pose pose_before(const Model<2>& model, const State<2>& state, const Tie& tie) {
   return pose_of(model, NodesBefore{state.position_before, state.rotation_before, state.velocity, state.spin}, tie);
 }
