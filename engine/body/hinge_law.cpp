@@ -4,7 +4,7 @@ namespace trilith {
 
 namespace {
 
-/// A concave share makes the surface of N and M convex, so that there is one nearest way back to it.
+/// A concave share keeps the surface of N and M convex, on which the search for N relies.
 void check_points(const std::vector<double>& force, const std::vector<double>& share) {
   const std::size_t n = force.size();
   if (share.size() != n || n < 3)

@@ -140,6 +140,7 @@ std::vector<Mark> side_marks(const Arch& arch, const std::vector<double>& joints
 }
 
 /// Marks of the middle voussoir from left to right.
+/// Under a pointed crown up the left side and down the right; else in even steps of the angle through the middle.
 std::vector<Mark> key_marks(const Arch& arch, double left, double right) {
   const int k = arch.sub_edges;
   std::vector<Mark> marks;
@@ -197,6 +198,7 @@ void set_span_and_rise(Arch& arch, double span, double rise) {
   require_positive(span, owner + ": span", "m");
   require_positive(rise, owner + ": rise", "m");
   require_positive(arch.thickness, owner + ": thickness", "m");
+  // A rise above half the span takes two circles, which meet in a point.
   const double half = span / 2;
   const bool pointed = rise > half;
   // Pythagoras: segmental (low - rise)^2 + half^2 = low^2; pointed low - offset = half and low^2 - offset^2 = rise^2

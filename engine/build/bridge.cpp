@@ -50,6 +50,7 @@ Pier with_seats(const Pier& pier) {
     if (p.top_width > 0)
       throw InputError(
           fmt::format("{}: both top width, {:g} m, and seat, {:g} m, are given; keep one", owner, p.top_width, p.seat));
+    // Top = seat + joint + seat; it is the stem's own width where that is not given.
     (p.stem_width > 0 ? p.top_width : p.stem_width) = 2 * p.seat + *p.gap;
   } else if (p.gap) {
     const double top = p.top_width > 0 ? p.top_width : p.stem_width;
@@ -102,6 +103,7 @@ Abutment with_seats(const Abutment& abutment) {
       throw InputError(fmt::format("{}: width is {:g} m, must be above seat and joint together, {:g} m", owner, a.width,
                                    a.seat + *a.gap));
     if (a.back_wall_height > 0) a.back_wall_width = wall;
+    // x is the edge of the seat: half the joint and the seat away from its axis, towards the span.
     if (a.axis) a.x = *a.axis + (a.side == AbutmentSide::left ? 1 : -1) * (*a.gap / 2 + a.seat);
   } else if (a.gap) {
     a.seat = a.width - a.back_wall_width - *a.gap;

@@ -24,6 +24,7 @@ SupportJoint joint_on(const SupportTop& top, const std::optional<double>& gap, c
         fmt::format("{}: how wide the joint on support '{}' is, is missing; give gap there, or here", owner, top.name));
   SupportJoint joint{.gap = *gap};
   const double length = top.right - top.left;
+  // A pier has the joint in the middle of its top and a seat on either side; an abutment has it at the back wall.
   if (top.kind == SupportKind::pier) {
     joint.axis = (top.left + top.right) / 2;
     joint.seat = (length - *gap) / 2;
@@ -159,6 +160,7 @@ LaidSpan BridgeLayout::lay(const SpanPlan& plan) const {
   const std::array types{&require_type(plan.left, owner + ": left"), &require_type(plan.right, owner + ": right")};
   check_sides(*tops[0], *tops[1], owner);
   const std::array joints{joint_on(*tops[0], plan.gap, owner), joint_on(*tops[1], plan.gap, owner)};
+  // The left bearing sets the level, and the right one has to fit.
   const double soffit = plan.soffit_level.value_or(tops[0]->level + types[0]->height);
   LaidSpan span;
   for (const std::size_t side : {0, 1}) {
@@ -173,6 +175,7 @@ LaidSpan BridgeLayout::lay(const SpanPlan& plan) const {
   return span;
 }
 
+/// Each seat carries one span, and decks do not overlap.
 void BridgeLayout::require_free(const LaidSpan& span, const std::string& owner) const {
   const Box2 box = bounding_box(span.deck.outline);
   for (const LaidSpan& other : spans_) {

@@ -113,6 +113,8 @@ void read_format(Words& words) {
   words.expect("$EndMeshFormat");
 }
 
+/// Blocks of nodes: first all their tags, then all their places, x y z and, where the block says so, as many parameters
+/// as the block's dimension. Tags may be any numbers.
 void read_nodes(Words& words, GmshNodes& nodes) {
   const std::int64_t blocks = words.count("the number of node blocks"), all = words.count("the number of nodes");
   words.whole("the smallest node tag"), words.whole("the largest node tag");
@@ -147,6 +149,7 @@ const ElementType& known_type(const Words& words, std::int64_t type) {
       type));
 }
 
+/// Points and lines are of the mesh's construction, and left out.
 void read_elements(Words& words, const GmshNodes& nodes, Mesh& mesh) {
   const std::int64_t blocks = words.count("the number of element blocks"), all = words.count("the number of elements");
   words.whole("the smallest element tag"), words.whole("the largest element tag");

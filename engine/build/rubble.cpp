@@ -74,6 +74,7 @@ class Filling {
     check(rubble_.jitter, "jitter", 0.5);
   }
 
+  /// Even over the outline, by trial; none on top of another.
   void scatter() {
     const Box2 box = bounding_box(outline_);
     while (points_.size() < static_cast<std::size_t>(rubble_.stones)) {

@@ -52,6 +52,7 @@ class Panel {
     require_finite(bond_.at.y(), owner_ + ": y");
   }
 
+  /// The number of the grid line at x; fields that lie beside the grid are refused, not moved.
   int grid_line(double x, const std::string& what) const {
     const double half = bond_.unit_width / 2, lines = require_finite(x, what) / half, nearest = std::round(lines);
     if (std::abs(lines - nearest) > 1e-6)

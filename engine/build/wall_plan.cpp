@@ -44,6 +44,7 @@ int whole_courses(double height, double course_height) {
   return std::abs(courses - nearest) <= whole_within && nearest < 1e6 ? static_cast<int>(nearest) : -1;
 }
 
+/// Height or number of courses; where both are given they have to agree.
 int count_courses(const WallStorey& storey, double slab, double course_height, const std::string& what) {
   require_not_negative(storey.height, what + ": height", "m");
   if (storey.height == 0) return require_count(storey.courses, 1, 100'000, what + ": number of courses");
@@ -174,6 +175,7 @@ void plan_lintel(const Wall& wall, WallPlan& plan, const WallOpening& given, con
   double bearing = given.lintel_bearing < 0 ? wall.lintel_bearing : given.lintel_bearing;
   height = height == 0 ? plan.course_height : require_finite(height, what + " height");
   bearing = bearing == 0 ? plan.units.stretcher / 2 : require_finite(bearing, what + " bearing");
+  // At least one course, however it is snapped.
   const int courses = std::max(1, course_line(wall, plan, height, what + " height"));
   const WallField block = plan_block(plan, storey, opening, FieldKind::lintel, courses, bearing, what);
   if (!is_masonry(storey, block.from, opening.from, opening.last) ||
@@ -194,6 +196,7 @@ void plan_sill(const Wall& wall, WallPlan& plan, const WallOpening& given, const
   storey.fields.push_back(plan_block(plan, storey, opening, FieldKind::sill, courses, given.sill_bearing, what));
 }
 
+/// All openings first: lintels and sills must not run into any.
 void plan_openings(const Wall& wall, WallPlan& plan) {
   std::vector<WallField> made;
   std::vector<std::string> names;

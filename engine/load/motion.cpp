@@ -95,6 +95,7 @@ GroundMotion GroundMotion::scaled_to_peak(double peak) const {
                      fmt::format("scaled to PGA {:.6g} g", peak / standard_gravity));
 }
 
+/// By the factor that the other has been scaled by in all: components of one record go together.
 GroundMotion GroundMotion::scaled_as(const GroundMotion& other) const {
   const double factor = std::abs(other.factor_);
   return transformed(factor, 1, {start().velocity * factor, start().displacement * factor},

@@ -37,6 +37,7 @@ GroundMotion ramp_motion(double distance, double duration) {
   return to_distance(shape, duration / 4, distance, fmt::format("ramp by {:g} within {:g} s", distance, duration));
 }
 
+/// Without a jump in velocity, which would be a blow.
 GroundMotion even_motion(double distance, double speed) {
   check_distance(distance, "push");
   require_positive(speed, "push: the speed", "m/s");

@@ -42,7 +42,7 @@ MotionAt relative_at(const GroundMotion& right, const GroundMotion& left, double
   return {r.acceleration - l.acceleration, r.velocity - l.velocity, r.displacement - l.displacement};
 }
 
-/// By samples of a grid finer than either record, as peaks of a difference lie between samples of both.
+/// By samples of a fine grid, as peaks of a difference lie between the samples of both.
 RelativePeaks relative_peaks(const GroundMotion& right, const GroundMotion& left, double grid) {
   const Grid times = grid_over(right, left, grid);
   const double rest = offset_at_rest(right, left);

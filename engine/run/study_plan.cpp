@@ -64,10 +64,12 @@ class Random {
 double normal_share(double x) {
   const double density = portable::exp(-0.5 * x * x) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
   if (std::abs(x) < 3) {
+    // Phi(x) = 1/2 + density (x + x^3/3 + x^5/(3 5) + ...).
     double sum = x, term = x;
     for (int n = 3; n < 200; n += 2) term *= x * x / n, sum += term;
     return 0.5 + density * sum;
   }
+  // density / (x + 1/(x + 2/(x + ...))), from the inside out.
   double beyond = std::abs(x);
   for (int n = 100; n > 0; --n) beyond = std::abs(x) + n / beyond;
   return x < 0 ? density / beyond : 1 - density / beyond;

@@ -70,6 +70,7 @@ void require_width(const NumberedPoints& points, double tolerance, std::string_v
                                points.at.size(), shown(points, 0)));
 }
 
+/// Back the way it came, but for an angle that counts as straight.
 void refuse_spikes(const NumberedPoints& points, std::string_view owner) {
   const std::size_t n = points.at.size();
   for (std::size_t i = 0; i < n; ++i) {

@@ -114,6 +114,7 @@ std::vector<std::vector<int>> boundary_loops(const Mesh& mesh, const EdgeMap& ed
                       owner, nodes.first + 1, mesh.node[nodes.first].x(), mesh.node[nodes.first].y()));
   }
   std::vector<std::vector<int>> loops;
+  // One loop after the other: from its lowest node along `next` until it comes back there.
   while (!next.empty()) {
     std::vector<int>& loop = loops.emplace_back();
     for (auto at = next.begin(); at != next.end(); at = next.find(loop.back())) {

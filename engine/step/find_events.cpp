@@ -189,7 +189,6 @@ double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>
 /// Elastic energy that the contact beside bearing `i` has after its failure more than before [J].
 double released_contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t i) {
   const Bearing<2>& b = model.bearings[i];
-  // Two bearings may sit between the same pieces: the energy is booked once, by the first that changes the rule.
   for (std::size_t j = 0; j < i; ++j)  // one that failed in the same step has counted it
     if (is_live(state.bearing[j].status) && !is_live(work.bearing[j].status) && alters_contact(model.bearings[j]) &&
         model.bearings[j].sits_between(b.piece_a, b.piece_b))

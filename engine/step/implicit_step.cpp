@@ -74,7 +74,7 @@ double held(const Energy& e) {
 
 /// One step: the trial state, what it began with, and what is left of the equation of motion.
 /// Order: predict the path, evaluate, measure what is left over, correct the path by A^-1 of it, and again; then the
-/// energies of the whole step. `state` is the trial's, `start_` and the members beside it are the begin's.
+/// energies of the whole step. `state_` is the trial's; `start_`, `forces_` and `energy_` are of the step's begin.
 class Trial {
  public:
   Trial(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy, Tangent& tangent,

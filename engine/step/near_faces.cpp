@@ -30,8 +30,8 @@ TRILITH_INLINE LaneMask clearly_apart(const SkinMotion* skin, const NearPair* co
   // Height of b's ends over a's face, and of a's ends over b's, times its length.
   const Lanes over_a = smaller(ay * x0 - ax * y0, ay * x1 - ax * y1);
   const Lanes over_b = smaller(bx * y0 - by * x0, bx * y0 - by * x0 + sine);
-  // With `corner` at most 1 the edges next to a face turn away by 45 degrees or more, so at a tilt below atan(1/2) no
-  // corner beyond the face's ends comes back over the line.
+  // With `corner` at most 1 the surface edges next to a face turn away by 45 degrees or more, so at a tilt below
+  // atan(1/2) they do not lead back over the line.
   const LaneMask parallel = (corner <= 1.0 + Lanes{}) & (magnitude(sine) < -0.5 * cosine);
   return parallel & ((over_a > slack * (ax * ax + ay * ay)) | (over_b > slack * (bx * bx + by * by)));
 }

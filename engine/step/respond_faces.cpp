@@ -247,7 +247,6 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& row
   // What may be an event or needs care, row by row: a contact made or lost, a bond or the mortar that changes.
   const LaneMask turns = (r.touching ^ memory.touching) | K::turns(memory.face, memory.own, r.memory, r.own);
   const RowResponse<law_numbers<K> / 2> out(r, K::template keeps<Lanes>(r.own));
-  // All four touch as they did, and none is beyond the list's end: written without a question.
   if (!any(flip(found & r.touching) | turns)) {  // as nearly always
     for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i);
     return;

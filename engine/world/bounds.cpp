@@ -32,6 +32,7 @@ void set_bounds(Model<2>& model, const Bounds& chosen) {
   Bounds out = default_bounds(model);
   constexpr std::array low_names{"left", "bottom"}, high_names{"right", "top"};
   for (const int k : {0, 1}) {
+    // Sides that are not given are the preset ones.
     if (std::isfinite(chosen.low[k])) out.low[k] = chosen.low[k];
     if (std::isfinite(chosen.high[k])) out.high[k] = chosen.high[k];
     if (!(out.low[k] < out.high[k]))

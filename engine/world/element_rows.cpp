@@ -53,6 +53,7 @@ void append_element(Model<2>& model, Element element, double density) {
   const std::vector<Vec2> corners = corners_at_start(model, element);
   const Solid& solid = model.solids[element.solid];
   const ElementStrain strain = element_strain(corners, solid);
+  // Of an inelastic solid too: damping and the longest step go by it.
   const ElementMatrix stiffness = element.thickness * element_stiffness(strain, solid.elastic());
   element.first_number = static_cast<int>(model.element_number.size());
   append_shape(model, corners);
@@ -62,6 +63,7 @@ void append_element(Model<2>& model, Element element, double density) {
     element.first_point = model.plastic_points;
     model.plastic_points += strain.points;
   }
+  // Lumped at the nodes, by the integrals of their shape functions.
   std::array<double, max_element_nodes> mass = node_areas(corners);
   for (int i = 0; i < element.nodes; ++i) {
     mass[i] *= density * element.thickness;

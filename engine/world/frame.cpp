@@ -61,6 +61,7 @@ void check_member(const FrameSpec& spec, const FrameMember& m, double size, cons
 void check_connected(const FrameSpec& spec, const std::string& owner) {
   std::vector<int> group(spec.joints.size());
   std::iota(group.begin(), group.end(), 0);
+  // The lowest number spreads along members; after as many passes as joints it has come everywhere it can.
   for (std::size_t pass = 0; pass < spec.joints.size(); ++pass)
     for (const FrameMember& m : spec.members) group[m.from] = group[m.to] = std::min(group[m.from], group[m.to]);
   for (std::size_t j = 0; j < group.size(); ++j)
@@ -116,9 +117,11 @@ class Tour {
   }
   /// Counter-clockwise from one to the other, above 0 and at most a full turn.
   static double angle_past(double from, double to) {
+    // One that lies where the way came from comes last, after a full turn.
     const double turn = std::fmod(to - from, 2 * M_PI);
     return turn > 1e-9 ? turn : turn + 2 * M_PI;
   }
+  /// Stations there on one side and back on the other; what hangs on the far joint comes in between, once.
   void visit(int m, int joint) {
     been_[m] = 1;
     const FrameMember& member = spec_.members[m];

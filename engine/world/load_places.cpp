@@ -98,6 +98,7 @@ void add_body_rows(const Model<2>& model, int body, const std::optional<Vec2>& a
     rows.push_back({n, Vec2::Zero(), weight * model.mass[n] / mass});
 }
 
+/// Free in every direction that the push has a part in.
 bool can_go(const Model<2>& model, const PushRow& row, const Vec2& direction) {
   for (const int k : {0, 1})
     if (std::abs(direction[k]) > 1e-12 && model.support[row.node][k] != Support::free) return false;
@@ -106,6 +107,7 @@ bool can_go(const Model<2>& model, const PushRow& row, const Vec2& direction) {
 
 }  // namespace
 
+/// A side is the middle of its faces, a corner what reaches farthest both ways.
 std::optional<Vec2> named_place(const Model<2>& model, int body, std::string_view name) {
   if (name == "centroid") return body_start(model, body);
   for (const auto& [side, way] : sides) {
@@ -155,6 +157,7 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
   for (std::size_t i = first.face, done = 0;; i = (i + 1) % faces.size(), ++done) {
     FacePart part = faces[i];
     if (done == 0) part.from = first.share;
+    // The face on which both lie is met twice on the way all round: first from `from` on, then up to `to`.
     const bool ends = i == last.face && (done > 0 || !round);
     if (ends) part.to = last.share;
     if (part.to > part.from) parts.push_back(part);

@@ -65,6 +65,7 @@ std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::
   if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
     throw InputError(
         fmt::format("{}: a direction is a vector other than 0, for pressure that does not follow the face", owner));
+  // A body that deforms may be of another depth.
   double depth = model.thickness;  // as contacts have it
   for (const Element& e : model.elements)
     if (e.body == body) depth = e.thickness;
@@ -96,6 +97,7 @@ int change_loads(Model<2>& model, const std::string& name, double now, double sh
   const auto change = [&](auto& loads) {
     for (auto& load : loads) {
       if (load.name != name) continue;
+      // From what acts now, smoothly.
       load.curve = ramp_curve(now, load.curve.at(now), share, duration, true);
       ++count;
     }

@@ -65,6 +65,7 @@ void set_turn(const Model<2>& model, const Nodes& state, const Cloud& c, Pose& p
   pose.spin = best.size() > 0 ? sum / best.size() : 0;
 }
 
+/// The nodes of a body, weighed by their masses: its place is its centre of mass.
 struct BodyCloud {
   std::vector<int> node;
   std::vector<double> weight;
@@ -105,6 +106,7 @@ Pose pose_of_sections(const Nodes& state, const Tie& tie) {
 }
 
 /// The element of a mesh that a point lies in, or whose edge is nearest, and its distance from it [m].
+/// Shape functions there are the weights, so that the point moves as the element does.
 std::pair<Tie, double> tie_to_elements(const Model<2>& model, int body, const Vec2& at) {
   Tie best;
   best.turns = false;
@@ -172,6 +174,7 @@ Vec2 body_start(const Model<2>& model, int body) {
   return mean_start(model, BodyCloud(model, body).view());
 }
 
+/// About the centre of mass: what nodes have of their own, and m r^2.
 double body_inertia(const Model<2>& model, int body) {
   const Body& b = model.bodies[body];
   if (b.is_rigid()) return model.inertia[b.first_node];
@@ -194,6 +197,7 @@ Pose body_pose(const Model<2>& model, const State<2>& state, int body) {
   return pose;
 }
 
+/// Nodes of bodies lie one body after the other.
 int body_of_node(const Model<2>& model, int node) {
   const auto after = std::upper_bound(model.bodies.begin(), model.bodies.end(), node,
                                       [](int n, const Body& b) { return n < b.first_node; });
@@ -214,6 +218,7 @@ Tie tie_point(const Model<2>& model, int body, const Vec2& at, const std::string
   const Body& b = model.bodies[body];
   if (b.is_rigid()) return Tie::to_node(b.first_node, at - model.start_position[b.first_node]);
   const auto [tie, distance] = b.nodes_turn() ? tie_to_sections(model, body, at) : tie_to_elements(model, body, at);
+  // As far off as rounding and rough input may be; farther, it is another place that was meant.
   if (distance > 0.02 * model.body_radius[body])
     throw InputError(
         fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from '{}', which deforms, so there is nothing to tie "
@@ -278,6 +283,7 @@ void push_at(const Model<2>& model, const State<2>& state, const Tie& tie, const
   const BestTurn best = best_turn(model, state, cloud);
   const Turn turn(best.angle());
   const Vec2 start = mean_start(model, cloud);
+  // Forces w left_of(R from) on the nodes have the moment r about their middle, and no resultant.
   const double couple = best.size() > 0 ? moment / best.size() : 0;
   for (int i = 0; i < tie.nodes; ++i)
     node_force[tie.node[i]] +=
