@@ -28,10 +28,9 @@ double crown_angle(const Arch& arch, double radius) {
 }
 
 ///           crown          Each side has a circle of its own, with its centre c on the other side of the middle:
-///          .-'|`-.         x = side (r sin(angle) - offset), y = r cos(angle). The sides meet at sin = offset / r,
-///          another
-///        .'   |   `.       angle for each r; towards a pointed crown `to_crown` is the share of the way to that angle.
-///       +---c-+-c---+
+///          .-'|`-.         x = side (r sin(angle) - offset), y = r cos(angle). The sides meet where the sine is
+///        .'   |   `.       offset / r, so at another angle for each r; towards a pointed crown `to_crown` is the
+///       +---c-+-c---+      share of the way to that angle.
 Vec2 point_at(const Arch& arch, const Mark& mark, double radius) {
   if (mark.to_crown == 1) return arch.centre + Vec2(0, std::sqrt(radius * radius - arch.offset * arch.offset));
   double angle = mark.angle;

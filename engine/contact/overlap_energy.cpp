@@ -24,7 +24,6 @@ Outline clip(const Outline& outline, Depth&& inside_depth) {
 
 /// Where a point lies deeper in a piece than its mortar is crushed: the area, and the integral of the pressure there
 /// over the stiffness.
-// Only asked where energies are: for the ledger, for what crushing gives off, where a bearing hands on to contact.
 struct Pressed {
   double area = 0, pressure = 0;  // [m2], [m3] per metre of thickness
 

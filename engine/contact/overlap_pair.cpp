@@ -176,7 +176,7 @@ void Walk<K>::press(int edge, int face, const Vec2& x0, const Vec2& x1, double p
   const bool alike = walker.over_step == nullptr && owner.over_step == nullptr;
   const double m0 = alike ? c0 : closing(edge, face, n, x0), m1 = alike ? c1 : closing(edge, face, n, x1);
   sums.damped += damping * m0 + first_moment * (m1 - m0);
-  // What the damping took is booked above: it may be all of the pressure where the two part.
+  // No pressure where the two part fast; what the damping took of the spring then is booked above.
   if (total <= 0) return;
   const Vec2 x = x0 + (stress.moment / stress.sum) * (x1 - x0);
   add_at(on_walker, walker, edge, x, -total * n);

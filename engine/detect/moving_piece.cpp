@@ -74,9 +74,10 @@ int deepest_corner(const MovingPiece& piece, const Vec2& n) {
 /// Takes over what is less: `other` beneath the edges of `owner`.
 /// The overlap along a normal n of the owner's edge is how far the other's deepest corner lies below the edge:
 ///
-///         owner   ________  edge, n upwards
-///                |   \/   |  } depth           the least over all edges of both is the shortest way out,
-///                         corner               and `at` half-way between the corner and the edge
+///             |  other |
+///       ______|________|______  edge, n upwards      The least over all edges of both is the shortest way out;
+///      |      `-._  _.-'      |                      `at` is half-way from the deepest corner to the edge.
+///      | owner    `'          |
 void add_edges(const MovingPiece& owner, const MovingPiece& other, PieceOverlap& least) {
   const bool has_face = std::any_of(owner.is_face, owner.is_face + owner.corners, [](auto face) { return face != 0; });
   for (int e = 0; e < owner.corners; ++e) {

@@ -90,7 +90,7 @@ struct Sweep {
     return (p.velocity - common).norm() + p.spread;
   }
   /// Any pair that counts has one piece that is fast for the thinnest of all, and one that is thin for the fastest.
-  /// For v_a + v_b > s / t some v is above s / 2 t: so the shorter of the two lists, `fewest`, misses no pair.
+  /// With v_a + v_b > s / t one of the two is above s / 2 t: so the shorter of both lists, `fewest`, misses no pair.
   [[nodiscard]] bool is_fast(int piece) const { return 2 * speed(piece) * time > share * model.least_thickness; }
   [[nodiscard]] bool is_thin(int piece) const {
     return (speed(piece) + fastest) * time > share * model.piece_thickness[piece];

@@ -157,8 +157,8 @@ void draw_bearing_mark(Canvas& canvas, const PagePoint& at, BearingMark state, d
   }
 }
 
-/// Along x alone, half of what is missing each, so that marks stay at their height: |d.x| is to be sqrt(least^2 -
-/// d.y^2). A few rounds, as one pair's room may be another's.
+/// Along x alone, so that marks stay at their height: |d.x| is to be sqrt(least^2 - d.y^2), and each goes half of what
+/// is missing. A few rounds, as one pair's room may be another's.
 std::vector<PagePoint> spread(std::vector<PagePoint> points, double least) {
   for (int round = 0; round < 12; ++round)
     for (std::size_t i = 0; i < points.size(); ++i)

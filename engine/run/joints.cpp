@@ -36,8 +36,8 @@ struct FaceAxes {
 
 /// Ends of the shared length of the two faces; false where they do not lie on each other.
 ///
-///         a0 -----------------> a1   Both ends are kept as shares of either face, so that they go with the bodies, and
-///         with lo |.........| hi          the gap and slip that they have at the start.
+///         a0 -----------------> a1   Both ends are kept as shares of either face, so that they go with
+///         lo |.........| hi          the bodies, and with the gap and slip that they have at the start.
 ///    b1 <------------------ b0
 bool lay_joint(const Work<2>& work, Joint& joint) {
   const FaceAxes face(work, joint.a0, joint.a1);

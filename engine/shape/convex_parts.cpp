@@ -19,11 +19,11 @@ struct Cut {
 /// From the whole outline on, each piece with a corner that turns right is cut there; then cuts that are not needed are
 /// taken out (Hertel and Mehlhorn 1983).
 ///
-///       +----------+     v turns right: the cut from v to w makes two pieces of one, which go on alike. Good cuts
-///       |          |     leave v without a right turn on either side, and w too where it had one; of those that are
-///       |    v-----+     as good as each other the shortest is taken.
-///       |    :
-///       +----w
+///       w----------+     v turns right: the cut from v to w makes two pieces of one, which go on alike. Good cuts
+///       | `.       |     leave v without a right turn on either side, and w too where it had one; of those that are
+///       |   `v-----+     as good as each other the shortest is taken.
+///       |    |
+///       +----+
 class Partition {
  public:
   explicit Partition(std::span<const Vec2> outline) : outline_(outline) {}
