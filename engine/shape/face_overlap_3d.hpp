@@ -27,8 +27,8 @@ inline constexpr int max_face_corners = 32;
 
 /// A convex plane face where it stands.
 struct PlacedFace {
-  std::span<const Vec3> corners;  ///< counter-clockwise as seen from outside, 3 to max_face_corners, no two in one
-                                  ///< place [m]
+  /// Counter-clockwise as seen from outside, 3 to max_face_corners, no two in one place [m].
+  std::span<const Vec3> corners;
   Vec3 normal;  ///< outward, of length 1
 };
 
@@ -51,8 +51,8 @@ struct MeanPlane {
 struct SharedPolygon {
   int count = 0;                                  ///< corners; 0: nothing
   std::array<Vec2, 2 * max_face_corners> corner;  ///< [count] [m]
-  std::array<int, 2 * max_face_corners> edge;     ///< [count] whose edge runs from corner i to the next: k of edge k of
-                                                  ///< a (from its corner k on), -1 - k of edge k of b
+  /// [count] Whose edge runs from corner i to the next: k is edge k of a (from its corner k on), -1 - k is edge k of b.
+  std::array<int, 2 * max_face_corners> edge;
 };
 
 /// Where two faces may touch.

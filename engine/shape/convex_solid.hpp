@@ -1,0 +1,33 @@
+// A convex solid with what contact asks of it again and again, and the same where it stands.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "base/rotation_3d.hpp"
+#include "shape/polyhedron.hpp"
+
+namespace trilith {
+
+/// A convex solid in the axes of its body, made once.
+struct ConvexSolid {
+  Polyhedron shape;           ///< corners in the axes of the body [m]
+  std::vector<Vec3> normals;  ///< [faces] outward, of length 1
+  std::vector<SolidEdge> edges;
+};
+
+/// Refuses what check_convex refuses, with the same messages.
+ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double flat = kFlatFace);
+
+/// Where a solid stands in the world. Filled anew in each step, it allocates nothing after the first time.
+struct PlacedSolid {
+  const ConvexSolid* solid = nullptr;
+  std::vector<Vec3> corners;  ///< [m]
+  std::vector<Vec3> normals;  ///< [faces]
+  std::vector<Vec3> along;    ///< [edges] from one end to the other [m]
+};
+
+/// `solid` turned about the origin of its body, which stands at `at` [m]. The solid must outlive `out`.
+void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out);
+
+}  // namespace trilith

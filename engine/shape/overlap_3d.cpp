@@ -1,0 +1,178 @@
+#include "shape/overlap_3d.hpp"
+
+#include <algorithm>
+
+namespace trilith {
+namespace {
+
+using Buffer3 = SolidOverlapBuffer;
+
+/// A half-space: what is not above the plane stays.
+struct CuttingPlane {
+  Vec3 normal;
+  double offset;
+  int face;  ///< as in SolidOverlapBuffer::Face::of
+};
+
+void begin_with(const PlacedSolid& solid, Buffer3& s) {
+  s.points.assign(solid.corners.begin(), solid.corners.end());
+  s.edges.clear(), s.faces.clear();
+  const FaceLoops& faces = solid.solid->shape.faces;
+  for (int f = 0; f < faces.count(); ++f) {
+    const auto loop = faces[f];
+    int from = loop.back();
+    for (const int to : loop) {
+      s.edges.push_back({from, to});
+      from = to;
+    }
+    s.faces.push_back({f, static_cast<int>(s.edges.size())});
+  }
+}
+
+/// Heights of all points over the plane; the range of them.
+struct HeightRange {
+  double lowest = 0, highest = 0;
+};
+HeightRange measure(const CuttingPlane& plane, Buffer3& s) {
+  s.height.clear();
+  HeightRange range;
+  for (const Vec3& p : s.points) {
+    const double h = plane.normal.dot(p) - plane.offset;
+    range.lowest = std::min(range.lowest, h), range.highest = std::max(range.highest, h);
+    s.height.push_back(h);
+  }
+  return range;
+}
+
+/// Keeps the points that are not above the plane, with their new numbers.
+void keep_points(Buffer3& s) {
+  s.points_before.swap(s.points);
+  s.points.clear(), s.number.clear();
+  for (std::size_t i = 0; i < s.points_before.size(); ++i) {
+    s.number.push_back(static_cast<int>(s.points.size()));
+    if (s.height[i] <= 0) s.points.push_back(s.points_before[i]);
+  }
+}
+
+/// Where the edge from `inner` to `outer` passes through the plane. Always found from the inner end, for the same bits
+/// in both faces of the edge.
+int cut_point(int inner, int outer, Buffer3& s) {
+  const auto i = static_cast<std::size_t>(inner), o = static_cast<std::size_t>(outer);
+  const double from = s.height[i], to = s.height[o];
+  if (from == 0) return s.number[i];
+  const Vec3 &p = s.points_before[i], &q = s.points_before[o];
+  s.points.push_back(p + (from / (from - to)) * (q - p));
+  return static_cast<int>(s.points.size()) - 1;
+}
+
+void add_edge(std::vector<Buffer3::Edge>& edges, int from, int to) {
+  if (from != to) edges.push_back({from, to});
+}
+
+/// Edges of one face, from `first` to `end` of those before the cut. Where the rim leaves the half-space and where it
+/// comes back are joined by way of the first of these points, and the same edge turned round becomes the lid's. A
+/// convex face leaves once; one that lies in the plane but for rounding may leave more often and is closed all the
+/// same.
+void cut_face(int first, int end, Buffer3& s) {
+  int pivot = -1;
+  for (int i = first; i < end; ++i) {
+    const auto [from, to] = s.edges_before[static_cast<std::size_t>(i)];
+    const bool from_in = s.height[static_cast<std::size_t>(from)] <= 0;
+    const bool to_in = s.height[static_cast<std::size_t>(to)] <= 0;
+    if (from_in && to_in)
+      s.edges.push_back({s.number[static_cast<std::size_t>(from)], s.number[static_cast<std::size_t>(to)]});
+    if (from_in == to_in) continue;
+    const int at = from_in ? cut_point(from, to, s) : cut_point(to, from, s);
+    if (pivot < 0) pivot = at;
+    if (from_in) {
+      add_edge(s.edges, s.number[static_cast<std::size_t>(from)], at);
+      add_edge(s.edges, at, pivot), add_edge(s.lid, pivot, at);
+    } else {
+      add_edge(s.edges, at, s.number[static_cast<std::size_t>(to)]);
+      add_edge(s.edges, pivot, at), add_edge(s.lid, at, pivot);
+    }
+  }
+}
+
+/// False where nothing is left.
+bool cut_solid(const CuttingPlane& plane, Buffer3& s) {
+  const HeightRange range = measure(plane, s);
+  if (range.highest <= 0) return true;
+  if (range.lowest >= 0) return false;
+  keep_points(s);
+  s.edges_before.swap(s.edges), s.faces_before.swap(s.faces);
+  s.edges.clear(), s.faces.clear(), s.lid.clear();
+  int first = 0;
+  for (const auto& [of, end] : s.faces_before) {
+    const std::size_t before = s.edges.size();
+    cut_face(first, end, s);
+    if (s.edges.size() > before) s.faces.push_back({of, static_cast<int>(s.edges.size())});
+    first = end;
+  }
+  s.edges.insert(s.edges.end(), s.lid.begin(), s.lid.end());
+  if (!s.lid.empty()) s.faces.push_back({plane.face, static_cast<int>(s.edges.size())});
+  return true;
+}
+
+/// Sums over the triangles between a point of each face and its edges; volumes from one point of the solid.
+SolidOverlap sum_up(const Buffer3& s) {
+  const Vec3 origin = s.points[static_cast<std::size_t>(s.edges[0].from)];
+  double six = 0;
+  Vec3 first = Vec3::Zero(), area = Vec3::Zero(), moment = Vec3::Zero();
+  int i = 0;
+  for (const auto& [of, end] : s.faces) {
+    const Vec3 base = s.points[static_cast<std::size_t>(s.edges[static_cast<std::size_t>(i)].from)] - origin;
+    for (; i < end; ++i) {
+      const auto [from, to] = s.edges[static_cast<std::size_t>(i)];
+      const Vec3 p = s.points[static_cast<std::size_t>(from)] - origin;
+      const Vec3 q = s.points[static_cast<std::size_t>(to)] - origin;
+      const Vec3 twice = cross(Vec3(p - base), Vec3(q - base)), sum = base + p + q;
+      const double d = base.dot(twice);
+      six += d;
+      first += d * sum;
+      if (of < 0) continue;
+      area += 0.5 * twice;
+      moment += cross(sum, twice) / 6;
+    }
+  }
+  if (!(six > 0)) return {};
+  const Vec3 arm = first / (4 * six);
+  return {six / 6, origin + arm, area, moment - cross(arm, area)};
+}
+
+}  // namespace
+
+SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer) {
+  begin_with(a, buffer);
+  const FaceLoops& faces = b.solid->shape.faces;
+  SolidOverlap out;
+  bool some = true;
+  for (int f = 0; f < faces.count() && some; ++f) {
+    const Vec3& normal = b.normals[static_cast<std::size_t>(f)];
+    some = cut_solid({normal, normal.dot(b.corners[static_cast<std::size_t>(faces[f][0])]), -1 - f}, buffer) &&
+           !buffer.edges.empty();
+  }
+  if (some) out = sum_up(buffer);
+  if (!(out.volume > 0)) buffer.points.clear(), buffer.edges.clear(), buffer.faces.clear();
+  return out;
+}
+
+SharedFace shared_face(const SolidOverlapBuffer& buffer, int f, const Vec3& normal) {
+  const int first = f == 0 ? 0 : buffer.faces[static_cast<std::size_t>(f) - 1].end;
+  const int end = buffer.faces[static_cast<std::size_t>(f)].end;
+  const Vec3 base = buffer.points[static_cast<std::size_t>(buffer.edges[static_cast<std::size_t>(first)].from)];
+  double twice = 0;
+  Vec3 moment = Vec3::Zero();
+  for (int i = first; i < end; ++i) {
+    const auto [from, to] = buffer.edges[static_cast<std::size_t>(i)];
+    const Vec3 p = buffer.points[static_cast<std::size_t>(from)] - base;
+    const Vec3 q = buffer.points[static_cast<std::size_t>(to)] - base;
+    const double t = normal.dot(cross(p, q));
+    twice += t;
+    moment += t * (p + q);
+  }
+  if (!(twice > 0)) return {0, base};
+  return {twice / 2, base + moment / (3 * twice)};
+}
+
+}  // namespace trilith
