@@ -35,7 +35,7 @@ Separation3 best_solid_face(const PlacedSolid& a, const PlacedSolid& b, double e
   return best;
 }
 
-Separation3 seen_from_b(Separation3 of_b) {
+Separation3 seen_from_b(const Separation3& of_b) {
   return {of_b.distance, -of_b.axis, SeparatingFeature::face_of_b, of_b.b, of_b.a};
 }
 

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
+#include "base/portable.hpp"
 #include "base/rotation_3d.hpp"
 #include "near.hpp"
 #include "shape/overlap.hpp"
@@ -80,7 +82,7 @@ LoadedJoint pressed_joint(double b, double h, const Vec2& e) {
   Vec3 u(load / (stiffness * b * h), 0, 0);  // down, slope along x, slope along y
   FaceOverlap3 now;
   for (int round = 0; round < 60; ++round) {
-    // sinking by s per x is a turn by s about y, by s per y a turn by -s about x
+    // sinking by s per x is a turn by s about y, by s per y one by -s about x
     now = faces_of(lower, face_moved(upper, rotation_by(Vec3(-u[2], u[1], 0)), Vec3(0, 0, -u[0])));
     const FaceIntegrals k = integrals_in_contact(now);
     const Vec2 middle = now.plane.project(Vec3(0, 0, 0));
@@ -349,4 +351,31 @@ TEST_CASE("integrals go on smoothly as corners come in and go out") {
       CHECK(std::abs(less.energy - 2 * now.energy + more.energy) < 0.02 * step * step);
       CHECK((less.first_moment - 2 * now.first_moment + more.first_moment).norm() < 2 * step * step);
     }
+}
+
+TEST_CASE("faces that are flush but for rounding share all of themselves") {
+  std::mt19937_64 bits(31);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Polygon outline = trial % 2 == 0 ? centred_face(0.4, 0.2) : random_convex(bits);
+    const UnitQuaternion q = face_rotation(bits, 3);
+    const Vec3 at(random_between(bits, -30, 30), random_between(bits, -30, 30), random_between(bits, -30, 30));
+    const OwnFace a = face_moved(face_up(outline, 0), q, at), b = face_moved(face_down(outline, -1e-5), q, at);
+    const FaceIntegrals k = integrals_in_contact(faces_of(a, b));
+    CHECK(near_zero(k.area - signed_area(outline), 1e-13));
+    CHECK(near(k.first, 1e-5 * signed_area(outline), 1e-8));
+  }
+}
+
+TEST_CASE("two faces of as many corners as there may be share a polygon of twice as many") {
+  Polygon many, between;
+  for (int i = 0; i < max_face_corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / max_face_corners;
+    many.push_back(Turn(angle).apply(Vec2(1, 0)));
+    between.push_back(Turn(angle + std::numbers::pi / max_face_corners).apply(Vec2(1, 0)));
+  }
+  const FaceOverlap3 o = faces_of(face_up(many, 0), face_down(between, -0.1));
+  CHECK(o.shared.count == 2 * max_face_corners);
+  // the regular one of 64 corners whose edges lie as far out as those of 32 do
+  const double inner = portable::cos(std::numbers::pi / 32);
+  CHECK(near(integrals_in_contact(o).area, 64 * inner * inner * portable::tan(std::numbers::pi / 64), 1e-13));
 }

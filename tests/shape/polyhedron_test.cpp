@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -116,10 +117,10 @@ TEST_CASE("a prism over a circle of many sides comes near to a cylinder by the s
   for (const int round : {0, 1}) {
     const int n = 32 << round;
     std::vector<Vec2> circle;
-    for (int i = 0; i < n; ++i) circle.emplace_back(Turn(2 * 3.14159265358979323846 * i / n).apply(Vec2(1, 0)));
+    for (int i = 0; i < n; ++i) circle.emplace_back(Turn(2 * std::numbers::pi * i / n).apply(Vec2(1, 0)));
     const SolidMoments m = solid_moments(prism(circle, 0, 1));
-    off[round] = 3.14159265358979323846 - m.volume;
-    CHECK(near(m.inertia(2, 2), 3.14159265358979323846 / 2, 30.0 / (n * n)));
+    off[round] = std::numbers::pi - m.volume;
+    CHECK(near(m.inertia(2, 2), std::numbers::pi / 2, 30.0 / (n * n)));
   }
   CHECK(near(off[0] / off[1], 4, 0.01));
 }
