@@ -293,7 +293,11 @@ void book_flow(const std::array<HingeStep, 2>& hinge, const Returned& at, double
 
 HingeStatus status_of(const EndHingeMemory& memory, int end) {
   if (memory.gone[end] != 0) return HingeStatus::lost;
-  return memory.reach[end] > 0 || memory.stretch != 0 ? HingeStatus::yielded : HingeStatus::elastic;
+  // The stretch is of both ends; what an end has given off tells whether its own law let it flow. Rounding leaves the
+  // other one a trace of it.
+  constexpr double trace = 1e-6;
+  const double own = memory.given_off[end], other = memory.given_off[1 - end];
+  return memory.reach[end] > 0 || own > trace * other ? HingeStatus::yielded : HingeStatus::elastic;
 }
 
 EndHingeResponse respond(const BeamStiffness& stiffness, const std::array<const HingeLaw*, 2>& law,

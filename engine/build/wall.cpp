@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "base/error.hpp"
 #include "build/wall_plan.hpp"
@@ -18,7 +19,7 @@ class Lines {
  public:
   explicit Lines(double same) : same_(same) {}
   double at(double x) {
-    const auto found = std::lower_bound(lines_.begin(), lines_.end(), x - same_);
+    const auto found = lines_.lower_bound(x - same_);
     if (found != lines_.end() && *found <= x + same_) return *found;
     lines_.insert(found, x);
     return x;
@@ -26,7 +27,7 @@ class Lines {
 
  private:
   double same_;
-  std::vector<double> lines_;
+  std::set<double> lines_;  // of a wall whose joints jitter there are as many as joints
 };
 
 class Laying {

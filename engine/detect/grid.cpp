@@ -28,14 +28,22 @@ struct Grid {
   }
 };
 
+/// Coordinates beyond which nothing is looked for [m]: what is there is out of all measure, or no number, and the watch
+/// ends the stage. Sums and products of those within stay numbers.
+constexpr double farthest = 1e100;
+
+bool is_within_measure(const Box& b) {
+  return b.x0 >= -farthest && b.y0 >= -farthest && b.x1 <= farthest && b.y1 <= farthest;
+}
+
 double size_of(const Box& b) {
   return std::max(b.x1 - b.x0, b.y1 - b.y0);
 }
 
 /// The middle one, as a few slabs of ground or one stone far out would spoil a mean.
-double median_size(const std::vector<Box>& boxes) {
-  std::vector<double> sizes(boxes.size());
-  std::transform(boxes.begin(), boxes.end(), sizes.begin(), size_of);
+double median_size(const std::vector<Box>& boxes, const std::vector<int>& among) {
+  std::vector<double> sizes(among.size());
+  std::transform(among.begin(), among.end(), sizes.begin(), [&](int i) { return size_of(boxes[i]); });
   std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
   return sizes[sizes.size() / 2];
 }
@@ -76,12 +84,14 @@ Grid lay_grid(const std::vector<Box>& boxes, const std::vector<int>& small, doub
 /// after the last line. Boxes above 8 cells, such as the ground, would fill the grid and are tried against all.
 std::vector<std::pair<int, int>> meeting_boxes(const std::vector<Box>& boxes) {
   std::vector<std::pair<int, int>> pairs;
-  if (boxes.size() < 2) return pairs;
-  const double cell = 2 * median_size(boxes);
-  std::vector<int> small, large;
-  for (int i = 0; i < static_cast<int>(boxes.size()); ++i) (size_of(boxes[i]) > 8 * cell ? large : small).push_back(i);
+  std::vector<int> known, small, large;
+  for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
+    if (is_within_measure(boxes[i])) known.push_back(i);
+  if (known.size() < 2) return pairs;
+  const double cell = 2 * median_size(boxes, known);
+  for (const int i : known) (size_of(boxes[i]) > 8 * cell ? large : small).push_back(i);
   for (const int l : large)
-    for (int i = 0; i < static_cast<int>(boxes.size()); ++i) {
+    for (const int i : known) {
       const bool once = size_of(boxes[i]) <= 8 * cell || l < i;  // two large boxes are met from the lower one
       if (i != l && once && boxes[l].meets(boxes[i])) pairs.emplace_back(std::min(l, i), std::max(l, i));
     }

@@ -241,6 +241,22 @@ TEST_CASE("work on a beam with hinges is stored or given off, by every kind of s
   }
 }
 
+TEST_CASE("an end whose hinge stretches as it turns leaves a stronger one at the other end elastic") {
+  HingeLaw strong = pressed_hinge();
+  strong.sagging *= 100, strong.hogging *= 100, strong.tension *= 100;
+  for (const int weak : {0, 1}) {
+    LedHinges led{hinge_beam(false), {strong, strong}};
+    led.law[static_cast<std::size_t>(weak)] = pressed_hinge();
+    led.along({3e-3, weak == 0 ? 0.06 : 0, weak == 1 ? 0.06 : 0});
+    CHECK(led.now.memory.stretch != 0);
+    CHECK(status_of(led.now.memory, weak) == HingeStatus::yielded);
+    CHECK(status_of(led.now.memory, 1 - weak) == HingeStatus::elastic);
+  }
+  LedHinges both{hinge_beam(false), {pressed_hinge(), pressed_hinge()}};  // pulled alone: half of it is each end's
+  both.along({0.1, 0, 0});
+  for (const int end : {0, 1}) CHECK(status_of(both.now.memory, end) == HingeStatus::yielded);
+}
+
 TEST_CASE("the tangent of a beam with hinges is that of finite differences on every branch") {
   std::mt19937_64 bits(9);
   for (const HingeLaw& law : {plain_hinge(), pressed_hinge(), rich_hinge(), tabled_hinge()}) {

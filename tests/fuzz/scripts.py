@@ -11,7 +11,8 @@ NUMBERS = ["0", "-1", "1e308", "-1e308", "1e-308", "(0/0)", "(1/0)", "1e9", "1e6
 TOKEN = re.compile(r'"[^"\n]*"|\b\d+(?:\.\d+)?(?:e[-+]?\d+)?\b|\b[a-z_]\w*\b|[-+*/^=,{}().:]', re.I)
 # In front, on the first line, so that lines keep their numbers: each stage of each model ends after some steps.
 SHORT = ('do local t = require "trilith" local make = t.model t.model = function(...) local m, n = make(...), 0 '
-         "m:on_step(function() n = n + 1 if n % 40 == 0 then m:stop() end end) return m end end ")
+         "m:on_step(function() n = n + 1 if n % 40 == 0 then m:stop() end end) return m end "
+         "local p = print print = function(...) p('said', ...) end end ")
 
 
 def changed(draw, text):

@@ -41,7 +41,7 @@ INTERNAL = re.compile(r"std::|vector::|basic_string|bad_alloc|map::at|bad option
                       r"|runtime error|Sanitizer|terminate called|core dumped|HDF5-DIAG|Can't allocate"
                       r"|^(?!\t).*trilith/\w+\.lua:\d+: (?!cannot resume)"
                       r"|attempt to \w+ a \w+ value \(upvalue '(?:" + WITHIN + r")'"
-                      r"|bad argument #\d to '\?'|\d{60}", re.M)
+                      r"|bad argument #\d to '\?'|^(?!said\t).*\d{60}", re.M)
 
 
 class Job:
