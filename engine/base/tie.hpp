@@ -14,23 +14,31 @@
 
 namespace trilith {
 
+template <int D>
 struct Tie {
-  static constexpr int most_nodes = 4;
+  static constexpr int most_nodes = D == 2 ? 4 : 8;
 
   int nodes = 0;
   bool turns = true;                   ///< with rotations of nodes; else as its nodes go round their mean
   std::array<int, most_nodes> node{};  ///< whose places count
   std::array<int, most_nodes> turn{};  ///< whose rotation turns the arm; mostly the same node
   std::array<double, most_nodes> weight{};
-  std::array<Vec2, most_nodes> arm{Vec2(0, 0), Vec2(0, 0), Vec2(0, 0), Vec2(0, 0)};  ///< [m], in the axes of `turn`
+  std::array<Vec<D>, most_nodes> arm = no_arms();  ///< [m], in the axes of `turn`
 
   /// To one node that it turns with.
-  static Tie to_node(int node, const Vec2& arm) {
+  static Tie to_node(int node, const Vec<D>& arm) {
     Tie tie;
     tie.nodes = 1, tie.node[0] = tie.turn[0] = node, tie.weight[0] = 1, tie.arm[0] = arm;
     return tie;
   }
   [[nodiscard]] bool is_rigid() const { return nodes == 1; }
+
+ private:
+  static std::array<Vec<D>, most_nodes> no_arms() {
+    std::array<Vec<D>, most_nodes> out;
+    out.fill(Vec<D>::Zero());
+    return out;
+  }
 };
 
 }  // namespace trilith

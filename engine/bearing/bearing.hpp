@@ -33,17 +33,24 @@ constexpr bool is_live(BearingStatus s) {
 template <int D>
 struct Bearing;
 
+/// In space they come with laws of coupled directions; until then there are none.
+template <>
+struct Bearing<3> {
+  std::string name;
+  bool starts_waiting = false;
+};
+
 template <>
 struct Bearing<2> {
   std::string name;
   int body_a = -1, body_b = -1;
-  Tie end_a, end_b;                 ///< its points on them
+  Tie<2> end_a, end_b;              ///< its points on them
   double angle = 0;                 ///< of direction `along`, in the axes of body a [rad]
   std::array<DirectionLaw, 3> law;  ///< along, axial (vertical), turning
   std::array<double, 3> limit = {unbounded, unbounded, unbounded};  ///< displacement that ends it [m], [m], [rad]
   Vec2 rest = Vec2::Zero();        ///< b's point from a's when placed, in the bearing's axes [m]
   double rest_angle = 0;           ///< of b against a when placed [rad]
-  bool holds_off_contact = false;  ///< while live, it stands for the flat contact of the pieces it sits between
+  bool replaces_contact = false;   ///< while live, it stands for the flat contact of the pieces it sits between
   int piece_a = -1, piece_b = -1;  ///< those pieces: the ones whose faces are nearest to its points
   int contact_after = -1;          ///< index into Model::laws of the contact of the two pieces after
                                    ///< failure, or -1 for the one their surfaces have

@@ -17,10 +17,10 @@ Eigen::Matrix3d matrix_of(const std::array<double, 3>& bend, double axial) {
 }
 
 /// K where hinges let ends go: their bends follow without moment.
-Eigen::Matrix3d stiffness_beside(const BeamStiffness& k, const std::array<bool, 2>& let_go) {
+Eigen::Matrix3d stiffness_beside(const BeamStiffness& k, const std::array<bool, 2>& flowing) {
   std::array<double, 3> left = k.bend;
   for (const int end : {0, 1}) {
-    if (!let_go[end]) continue;
+    if (!flowing[end]) continue;
     // Condensed: K_other - K_01^2 / K_own. With both ends let go only the stretch has stiffness.
     double &own = left[2 * end], &other = left[2 * (1 - end)];
     if (own > 0) other -= left[1] * left[1] / own;
@@ -43,9 +43,9 @@ BeamStress times(const Eigen::Matrix3d& m, const BeamStrain& v) {
 
 /// What is left of K while ends flow or are lost.
 Eigen::Matrix3d left_stiffness(const Beam& beam, const EndHingeMemory& before, const EndHingeMemory& after) {
-  std::array<bool, 2> let_go{};
-  for (const int end : {0, 1}) let_go[end] = after.gone[end] != 0 || after.turned[end] != before.turned[end];
-  return stiffness_beside(beam.stiffness, let_go);
+  std::array<bool, 2> flowing{};
+  for (const int end : {0, 1}) flowing[end] = after.gone[end] != 0 || after.turned[end] != before.turned[end];
+  return stiffness_beside(beam.stiffness, flowing);
 }
 
 /// Of an elastic beam: K, and what the bow's normal force adds.

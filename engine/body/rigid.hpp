@@ -6,16 +6,18 @@
 
 #include "base/lanes.hpp"
 #include "base/portable.hpp"
+#include "base/rotation_3d.hpp"
 #include "base/space.hpp"
 
 namespace trilith {
 
 /// Motion of a node.
+template <int D>
 struct NodeMotion {
-  Vec2 position;    ///< [m]
-  double rotation;  ///< [rad]
-  Vec2 velocity;    ///< [m/s]
-  double spin;      ///< [rad/s]
+  Vec<D> position;       ///< [m]
+  Rotation<D> rotation;  ///< [rad] in the plane
+  Vec<D> velocity;       ///< [m/s]
+  Spin<D> spin;          ///< [rad/s]
 };
 
 /// How fast skin points are and how far they have come since they were placed last: the largest squares.
@@ -29,7 +31,7 @@ struct SkinReach {
 /// place: skin points fixed in the body's axes to where they are and how fast they move.
 /// `Point` has x, y [m], u, v [m/s], side by side at a multiple of 16; of before, and overwritten.
 template <class Point>
-SkinReach place_rigid(const NodeMotion& node, std::span<const Vec2> skin, std::span<Point> out) {
+SkinReach place_rigid(const NodeMotion<2>& node, std::span<const Vec2> skin, std::span<Point> out) {
   const auto [s, c] = portable::sine_cosine(node.rotation);
   const LanePair to_x{c, s}, to_y{-s, c}, spin{-node.spin, node.spin};  // columns of the turn; spin x (y, x)
   const LanePair origin{node.position.x(), node.position.y()}, velocity{node.velocity.x(), node.velocity.y()};
@@ -42,6 +44,21 @@ SkinReach place_rigid(const NodeMotion& node, std::span<const Vec2> skin, std::s
     store_pair(&out[i].x, place);
     store_pair(&out[i].u, rate);
     reach.add(squares[0] + squares[1], paths[0] + paths[1]);
+  }
+  return reach;
+}
+
+/// place in space. `Point` has x, y, z [m] and u, v, w [m/s].
+template <class Point>
+SkinReach place_rigid(const NodeMotion<3>& node, std::span<const Vec3> skin, std::span<Point> out) {
+  const Turn3 turn(node.rotation);
+  SkinReach reach;
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    const Vec3 arm = turn.apply(skin[i]), place = node.position + arm, rate = node.velocity + cross(node.spin, arm);
+    Point& point = out[i];
+    reach.add(rate.squaredNorm(), (place - Vec3(point.x, point.y, point.z)).squaredNorm());
+    point.x = place.x(), point.y = place.y(), point.z = place.z();
+    point.u = rate.x(), point.v = rate.y(), point.w = rate.z();
   }
   return reach;
 }
@@ -65,6 +82,17 @@ NodeLoad spread_rigid(const Vec2& node, std::span<const Point> skin, std::span<c
     moment += turning[0] - turning[1];
   }
   return {sum[0], sum[1], moment};
+}
+
+/// spread in space: adds what forces at skin points come to at the node.
+template <class Point>
+void spread_rigid(const Vec3& node, std::span<const Point> skin, std::span<const Vec3> skin_force, Vec3& force,
+                  Vec3& moment) {
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    const Vec3 arm = Vec3(skin[i].x, skin[i].y, skin[i].z) - node;
+    force += skin_force[i];
+    moment += cross(arm, skin_force[i]);
+  }
 }
 
 }  // namespace trilith

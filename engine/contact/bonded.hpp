@@ -75,8 +75,8 @@ struct Bonded::Kernel : Mortar {
   template <class T>
   TRILITH_INLINE void press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const;
   template <class T>
-  TRILITH_INLINE static Mask<T> turns(const FaceMemory<T>& before, const Memory<T>& /*own*/,
-                                      const FaceMemory<T>& memory, const Memory<T>& /*after*/) {
+  TRILITH_INLINE static Mask<T> changes(const FaceMemory<T>& before, const Memory<T>& /*own*/,
+                                        const FaceMemory<T>& memory, const Memory<T>& /*after*/) {
     return (before.bonds[0] != memory.bonds[0]) | (before.bonds[1] != memory.bonds[1]);
   }
 

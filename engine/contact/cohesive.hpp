@@ -130,8 +130,8 @@ struct Cohesive::Kernel : Mortar {
   TRILITH_INLINE T lifting(const FaceMemory<T>& before, const FaceMemory<T>& memory, const Memory<T>& own,
                            const HalfResponse<T>* s) const;
   template <class T>
-  TRILITH_INLINE static Mask<T> turns(const FaceMemory<T>& before, const Memory<T>& own, const FaceMemory<T>& memory,
-                                      const Memory<T>& after);
+  TRILITH_INLINE static Mask<T> changes(const FaceMemory<T>& before, const Memory<T>& own, const FaceMemory<T>& memory,
+                                        const Memory<T>& after);
   template <class T>
   TRILITH_INLINE static Mask<T> keeps(const Memory<T>& own) {
     return larger(own.crushed[0], own.crushed[1]) > T{};

@@ -207,8 +207,8 @@ TRILITH_INLINE T Cohesive::Kernel::lifting(const FaceMemory<T>& before, const Fa
 
 /// A bond lost, a bond's first damage, the first crushing.
 template <class T>
-TRILITH_INLINE Mask<T> Cohesive::Kernel::turns(const FaceMemory<T>& before, const Memory<T>& own,
-                                               const FaceMemory<T>& memory, const Memory<T>& after) {
+TRILITH_INLINE Mask<T> Cohesive::Kernel::changes(const FaceMemory<T>& before, const Memory<T>& own,
+                                                 const FaceMemory<T>& memory, const Memory<T>& after) {
   const T none{};
   Mask<T> turns = (before.bonds[0] != memory.bonds[0]) | (before.bonds[1] != memory.bonds[1]);
   turns |= (larger(own.damage[0], own.damage[1]) <= none) & (larger(after.damage[0], after.damage[1]) > none);

@@ -97,8 +97,8 @@ struct Coulomb {
   }
   /// True where the step began or ended something that is told.
   template <class T, class M>
-  TRILITH_INLINE static Mask<T> turns(const FaceMemory<T>& /*before*/, const M& /*own*/,
-                                      const FaceMemory<T>& /*memory*/, const M& /*after*/) {
+  TRILITH_INLINE static Mask<T> changes(const FaceMemory<T>& /*before*/, const M& /*own*/,
+                                        const FaceMemory<T>& /*memory*/, const M& /*after*/) {
     return Mask<T>{};
   }
   /// True where something is remembered even when the faces part.

@@ -221,10 +221,10 @@ ShearBefore<double> both_halves(const ContactMemory& m) {
 }
 
 /// Elastic shear energy let go where a contact parts [J].
-double let_go_all(const ContactMemory& m, double ks) {
+double released_energy(const ContactMemory& m, double ks) {
   const ShearBefore<double> both = both_halves(m);
   double kept = 0;
-  return let_go(both, 0.0, ShearCompliance<double>(both.active, 0.0, ks), kept);
+  return released_energy(both, 0.0, ShearCompliance<double>(both.active, 0.0, ks), kept);
 }
 
 /// Elastic shear energy let go where two halves of unlike stress become one contact; never negative.
@@ -254,7 +254,7 @@ double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMe
 }
 
 /// Share of what the damping force of now does that the one remembered does, where both act alike.
-double likeness(const ContactMemory& before, const ContactMemory& now) {
+double similarity(const ContactMemory& before, const ContactMemory& now) {
   const Vec2 was(before.damping_force[0], before.damping_force[1]), is(now.damping_force[0], now.damping_force[1]);
   const double size2 = is.squaredNorm();
   return (before.state & contact_general) != 0 && size2 > 0 ? std::clamp(was.dot(is) / size2, 0.0, 1.0) : 0.0;
@@ -267,7 +267,7 @@ double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMem
   const Vec2 rate = rate_at_centre(a.mean(), b.mean(), sums, out.centre);
   double taken = sums.damped - damping_power(a, b, before, out.force, rate);
   if (!a.corner_velocity.empty() || !b.corner_velocity.empty())
-    taken += likeness(before, out.memory) * (sums.damped + damping_power(a, b, out.memory, out.force, rate));
+    taken += similarity(before, out.memory) * (sums.damped + damping_power(a, b, out.memory, out.force, rate));
   return 0.5 * dt * taken;
 }
 
@@ -276,7 +276,7 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
                   const Sums& sums, std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
   const double normal = sums.force.norm();
   if (!(normal > 0)) {
-    out.lost_friction += let_go_all(before, law.ks);
+    out.lost_friction += released_energy(before, law.ks);
     return;
   }
   const Vec2 t = left_of(Vec2(sums.force / normal));
@@ -365,7 +365,7 @@ OverlapResponse respond(const PlacedPiece& a, const PlacedPiece& b, const Contac
   after = K::parted(own);
   // Where the two part, their elastic shear is let go, and the last damping force works for half a step more.
   const double merged = merging_loss(before, law.ks);
-  out.lost_friction = merged + let_go_all(before, law.ks);
+  out.lost_friction = merged + released_energy(before, law.ks);
   out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, out.force, Vec2::Zero());
   out.separation = separation(a, edges_a, b, edges_b, b_in_a, a_in_b);
   if (out.separation > 0) return out;

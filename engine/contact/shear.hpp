@@ -47,7 +47,8 @@ struct ShearCompliance {
 /// Elastic shear energy let go because the length in contact changed to one of the given stiffness: length that parts
 /// takes its share of the force along, new length carries none. `kept`: the force left. Never negative.
 template <class T>
-TRILITH_INLINE T let_go(const ShearBefore<T>& before, T stiffness, const ShearCompliance<T>& compliance, T& kept) {
+TRILITH_INLINE T released_energy(const ShearBefore<T>& before, T stiffness, const ShearCompliance<T>& compliance,
+                                 T& kept) {
   const T one = T{} + 1.0;
   kept = before.elastic * smaller(one, stiffness * compliance.before);
   return 0.5 * (before.elastic * before.elastic * compliance.before - kept * kept * compliance.now);
@@ -64,7 +65,7 @@ struct ShearTrial {
                             const ShearBefore<T>& before)
       : compliance(before.active, active, ks) {
     const T stiffness = ks * active;
-    relaxed = let_go(before, stiffness, compliance, kept);
+    relaxed = released_energy(before, stiffness, compliance, kept);
     move = h.slip_mean * dt;
     elastic = kept + stiffness * move;
     total = elastic + beta * stiffness * h.slip_rate;

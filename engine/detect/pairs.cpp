@@ -24,7 +24,7 @@ Edge edge_of(const Model<2>& model, int piece, int e) {
 
 /// As Work is placed: ends of a face and their velocities, counter-clockwise around its own body.
 FaceEnds<double> ends(const Work<2>& work, int s0, int s1) {
-  const SkinMotion &p = work.skin[s0], &q = work.skin[s1];
+  const SkinMotion<2>&p = work.skin[s0], &q = work.skin[s1];
   return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
 }
 
@@ -66,7 +66,7 @@ double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece)
   double least = unbounded;
   for (int e = 0; e < model.corners_of(piece); ++e) {
     const Edge edge = edge_of(model, piece, e);
-    const SkinMotion &p = work.skin[edge.s0], &q = work.skin[edge.s1];
+    const SkinMotion<2>&p = work.skin[edge.s0], &q = work.skin[edge.s1];
     if (model.edge_is_face[model.piece_first[piece] + e])
       least = std::min(least, portable::hypot(q.x - p.x, q.y - p.y));
   }
@@ -98,7 +98,7 @@ std::vector<Box> piece_boxes(const Model<2>& model, const Work<2>& work, double 
   for (int p = 0; p < model.pieces(); ++p) {
     Box box{1e300, 1e300, -1e300, -1e300};
     for (int c = model.piece_first[p]; c < model.piece_first[p + 1]; ++c) {
-      const SkinMotion& s = work.skin[model.corner_skin[c]];
+      const SkinMotion<2>& s = work.skin[model.corner_skin[c]];
       box.x0 = std::min(box.x0, s.x), box.x1 = std::max(box.x1, s.x);
       box.y0 = std::min(box.y0, s.y), box.y1 = std::max(box.y1, s.y);
     }
@@ -143,7 +143,7 @@ void sort_into_batches(const Model<2>& model, Work<2>& work) {
   for (std::size_t l = 0; l < model.laws.size(); ++l) work.batches[l].law = static_cast<int>(l);
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
     const NearPair& pair = work.pairs[row];
-    if (pair.facing == 0 || pair.held_off)
+    if (pair.facing == 0 || pair.replaced)
       work.general.push_back(row);
     else
       (pair.facing == 1 ? work.batches[pair.law].row : work.batches[pair.law].choice).push_back(row);
@@ -161,7 +161,7 @@ void apply_bearings(const Model<2>& model, std::span<const BearingMemory> bearin
     const Bearing<2>& b = model.bearings[i];
     if (!b.sits_between(pair.piece_a, pair.piece_b)) continue;
     if (is_live(bearings[i].status))
-      pair.held_off = pair.held_off || b.holds_off_contact;
+      pair.replaced = pair.replaced || b.replaces_contact;
     else if (b.contact_after >= 0)
       pair.law = b.contact_after;
   }

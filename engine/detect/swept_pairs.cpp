@@ -66,7 +66,7 @@ double median(const std::vector<Pace>& paces, int k) {
 Box swept_box(const Model<2>& model, const Work<2>& work, int piece, const Vec2& common, const Pace& pace, double dt) {
   Range range;
   for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c) {
-    const SkinMotion& s = work.skin[model.corner_skin[c]];
+    const SkinMotion<2>& s = work.skin[model.corner_skin[c]];
     const Vec2 at(s.x, s.y);
     range.add(at);
     range.add(at + dt * (Vec2(s.u, s.v) - common));

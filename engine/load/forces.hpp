@@ -14,18 +14,20 @@
 namespace trilith {
 
 /// A force and a moment at a point of a body, times their load curve.
+template <int D>
 struct PointLoad {
   std::string name;
   int body = -1;
-  Tie at;                     ///< the point it acts on
-  Vec2 force = Vec2::Zero();  ///< [N]
-  double moment = 0;          ///< [N m]
-  bool follows = false;       ///< turns with the point; given for where it was at the start
+  Tie<D> at;                                ///< the point it acts on
+  Vec<D> force = Vec<D>::Zero();            ///< [N]
+  Moment<D> moment = nothing<Moment<D>>();  ///< [N m]
+  bool follows = false;                     ///< turns with the point; given for where it was at the start
   LoadCurve curve;
 };
 
 /// Even pressure on a part of the face between two skin points of a body, counter-clockwise; times its load curve. What
 /// is given to the two ends does the work that the pressure does on the straight face.
+template <int D>
 struct FaceLoad {
   std::string name;
   int body = -1;
@@ -34,25 +36,28 @@ struct FaceLoad {
   double pressure = 0;                    ///< pushes onto the face where above 0 [Pa]
   double depth = 1;                       ///< of the face out of plane [m]
   bool follows = true;                    ///< acts along the face's normal and on its length as they are now
-  Vec2 dead = Vec2::Zero();               ///< force on a full face where it does not follow [N]
+  Vec<D> dead = Vec<D>::Zero();           ///< force on a full face where it does not follow [N]
   LoadCurve curve;
 };
 
 /// A point of a body that is pushed, with its part in the whole.
+template <int D>
 struct PushRow {
-  int node = -1;
-  Vec2 place = Vec2::Zero();  ///< in the axes of the node; 0 for a node of a deformable body [m]
+  int node = -1;                  ///< whose place counts
+  int turn = -1;                  ///< whose rotation turns `place`; mostly the same node
+  Vec<D> place = Vec<D>::Zero();  ///< in the axes of `turn`; 0 for a node that does not turn [m]
   double weight = 0;
 };
 
 /// Displacement control: points are pushed along one direction by forces in fixed proportion (their weights), as large
 /// as needed for the weighed mean of their displacements to follow a motion. Everything else of them stays free.
+template <int D>
 struct Push {
   std::string name;
-  std::vector<PushRow> rows;       ///< weights sum to 1
-  Vec2 direction = Vec2::UnitX();  ///< unit vector
-  double origin = 0;               ///< weighed mean of the places along `direction` where the motion's is 0 [m]
-  double start = 0;                ///< time at which the motion's clock is 0 [s]
+  std::vector<PushRow<D>> rows;        ///< weights sum to 1
+  Vec<D> direction = Vec<D>::UnitX();  ///< unit vector
+  double origin = 0;                   ///< weighed mean of the places along `direction` where the motion's is 0 [m]
+  double start = 0;                    ///< time at which the motion's clock is 0 [s]
   std::shared_ptr<const GroundMotion> motion;
 };
 

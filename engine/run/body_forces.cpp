@@ -32,13 +32,13 @@ Vec2 centre_of(const Model<2>& model, const State<2>& state, const Body& body) {
 
 void add_loads(const Model<2>& model, const State<2>& state, const Work<2>& work, const std::vector<Vec2>& centre,
                std::vector<Virial>& virial) {
-  for (const PointLoad& p : model.point_loads) {
+  for (const PointLoad<2>& p : model.point_loads) {
     const Pose at = pose_at(model, state, p.at);
     const Vec2 force = p.follows ? Turn(at.rotation).apply(p.force) : p.force;
     virial[p.body].add(at.place - centre[p.body], p.curve.at(state.time) * force);
   }
-  for (const FaceLoad& f : model.face_loads) {
-    const SkinMotion &a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
+  for (const FaceLoad<2>& f : model.face_loads) {
+    const SkinMotion<2>&a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
     const Vec2 force = f.curve.at(state.time) * face_force(f, a, b);
     virial[f.body].add(Vec2(a.x, a.y) - centre[f.body], f.share[0] * force);
     virial[f.body].add(Vec2(b.x, b.y) - centre[f.body], f.share[1] * force);

@@ -74,7 +74,7 @@ std::vector<Joint> find_joints(const Model<2>& model) {
   find(model, state, work);
   std::vector<Joint> joints;
   for (NearPair pair : work.pairs) {
-    if (pair.held_off) continue;
+    if (pair.replaced) continue;
     Joint joint;
     joint.contact = contact_key(pair.piece_a, pair.piece_b);
     joint.bonds = bonds_of(state, joint.contact);

@@ -22,7 +22,7 @@ PushoverRecorder::PushoverRecorder(std::string name, double interval, const Push
 
 bool PushoverRecorder::step(const Instant& now) {
   const auto& pushes = now.model.pushes;
-  const auto at = std::find_if(pushes.begin(), pushes.end(), [&](const Push& p) { return p.name == name_; });
+  const auto at = std::find_if(pushes.begin(), pushes.end(), [&](const Push<2>& p) { return p.name == name_; });
   const auto index = static_cast<std::size_t>(at - pushes.begin());
   if (at == pushes.end() || index >= now.work.push_force.size()) return false;
   const double place = push_place(now.state, *at), drift = drift_(now);

@@ -49,7 +49,7 @@ std::string nodes_support_text(const Model<2>& model, const Body& body) {
 }
 
 /// In the axes of the body's first node; of a point tied to several, as it was at the start.
-Vec2 point_from_node(const Model<2>& model, int body, const Tie& tie) {
+Vec2 point_from_node(const Model<2>& model, int body, const Tie<2>& tie) {
   if (tie.is_rigid()) return tie.arm[0];
   return pose_at(model, initial_state(model), tie).place - model.start_position[model.bodies[body].first_node];
 }
@@ -222,7 +222,7 @@ std::string bearing_text(const Model<2>& model, const Bearing<2>& bearing) {
   }
   if (bearing.angle != 0) out += fmt::format("; axes turned by {:g} rad", bearing.angle);
   if (bearing.starts_waiting) out += "; waits for another's failure";
-  if (bearing.holds_off_contact) out += "; its bodies do not touch while it holds";
+  if (bearing.replaces_contact) out += "; its bodies do not touch while it holds";
   if (bearing.contact_after >= 0) out += fmt::format("; becomes contact {}", model.law_names[bearing.contact_after]);
   if (bearing.becomes_bearing >= 0)
     out += fmt::format("; becomes bearing {}", model.bearings[bearing.becomes_bearing].name);

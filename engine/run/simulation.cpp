@@ -25,22 +25,12 @@
 namespace trilith {
 namespace {
 
-/// The step is looked at anew every so many steps.
-constexpr std::int64_t steps_between_estimates = 32;
-/// Longest implicit step, where none is given [s].
-constexpr double usual_implicit_step = 0.005;
-/// Implicit steps are not cut below this share of the longest one for what they miss of their energies.
-constexpr double shortest_for_energy = 1.0 / 16384;
 /// The largest share of the longest stable step: above it impacts miss their energy by a fifth.
 constexpr double longest_safety = 0.9;
 /// A step below this [s], or below this share of its stage, is no step: time would stand still.
 constexpr double shortest_step = 1e-12, shortest_share = 1e-9;
 /// A stage of so long [s] is meant to end by something else: rest, a number of steps, the person at the console.
 constexpr double open_ended = 1e8;
-
-double longest_implicit(const StageOptions& o) {
-  return o.dt > 0 ? o.dt : usual_implicit_step;
-}
 
 void check(const StageOptions& o) {
   const std::string owner = fmt::format("stage '{}'", o.name);
@@ -137,22 +127,6 @@ void Simulation::drop_work() {
   evaluated_ = false;
 }
 
-/// As it was found before, but where a running stage asks for another one or some steps have gone by.
-NextStep Simulation::choose_step() const {
-  if (!stage_) return {state_.dt, state_.safety, 0};
-  const StageOptions& options = stage_->options;
-  if (options.implicit) {
-    const double longest = longest_implicit(options);
-    return {state_.dt > 0 ? std::min(state_.dt, longest) : longest, 0, 0};
-  }
-  // A stage that asks for another step than the one before is heard at once.
-  const double safety = options.dt > 0 ? 0 : options.safety;
-  const bool other = state_.safety != safety || (options.dt > 0 && state_.dt != options.dt);
-  if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return {state_.dt, state_.safety, 0};
-  const double longest = stable_step(model_, state_, work_).dt;
-  return {options.dt > 0 ? options.dt : settled_step(longest, options.safety), safety, longest};
-}
-
 /// The step to come ends with the stage at the latest.
 double Simulation::whole_step() const {
   if (!stage_ || state_.time >= stage_->end - 1e-9 * stage_->options.duration) return next_.dt;
@@ -161,15 +135,16 @@ double Simulation::whole_step() const {
 
 /// Throws InputError where the step to come is longer than a stable one, or so short that no stage would end.
 void Simulation::require_step(const StageOptions& options) const {
-  if (options.implicit) return;
-  if (options.dt > 0 && swept_.piece_a >= 0)
+  if (goes_implicitly()) return;
+  const double asked = options.implicit ? 0 : options.dt;
+  if (asked > 0 && swept_.piece_a >= 0)
     throw InputError(
         fmt::format("stage '{}': dt is {:g} s, must be at most {:.2g} s at t = {:.4g} s, or one body could go through "
                     "another unseen: {}; "
                     "leave dt out, and the step is cut short where it has to be",
                     options.name, options.dt, swept_.needed(), state_.time, explain_sweep(model_, swept_)));
   if (next_.longest == 0) return;
-  if (options.dt > next_.longest)
+  if (asked > next_.longest)
     throw InputError(fmt::format(
         "stage '{}': dt is {:g} s, the longest stable step is {:.4g} s at t = {:.4g} s; leave dt out, or: {}",
         options.name, options.dt, next_.longest, state_.time, explain_step(model_, state_, work_)));
@@ -224,42 +199,8 @@ void Simulation::begin_stage(const StageOptions& options) {
 
 StageReport Simulation::run(const StageOptions& options, const RunListener& listener) {
   begin_stage(options);
-  if (options.implicit.has_value() != state_.implicit()) change_integrator();
+  if (const bool implicit = wants_implicit(); implicit != state_.implicit()) change_integrator(implicit);
   return go_on(listener);
-}
-
-/// What the last step led to is committed under the scheme that took it; then the state is made ready for the other.
-void Simulation::change_integrator() {
-  if (stage_->options.implicit && !model_.pushes.empty())
-    throw InputError(
-        fmt::format("stage '{}': push '{}' controls a displacement, which only explicit steps do; release "
-                    "it, or take integrator = \"explicit\"",
-                    stage_->options.name, model_.pushes.front().name));
-  refresh();
-  commit(model_, state_, work_, times_);
-  leaving_.insert(leaving_.end(), work_.events.begin(), work_.events.end());
-  if (stage_->options.implicit)
-    begin_implicit(model_, state_, work_);
-  else
-    begin_explicit(model_, state_, work_);
-  state_.dt = state_.safety = 0;
-  evaluated_ = false;
-}
-
-/// From a committed instant to the next one. False where that could not be found.
-bool Simulation::take_step(double dt, const Energy& energy) {
-  const std::optional<AlphaScheme>& scheme = stage_->options.implicit;
-  if (!scheme) {
-    advance(model_, state_, work_, {dt, rest_}, times_);
-    return true;
-  }
-  const StageOptions& options = stage_->options;
-  const ImplicitStep step = advance_implicitly(
-      model_, state_, work_, energy, *tangent_,
-      {*scheme, dt, options.tolerance, options.accuracy, shortest_for_energy * longest_implicit(options)});
-  stage_->report.shortest_dt = std::min(stage_->report.shortest_dt, step.dt);
-  if (!step.converged) stuck_ = stuck_reason(model_, state_, step);
-  return step.converged;
 }
 
 StageReport Simulation::resume(const RunListener& listener) {
@@ -384,6 +325,7 @@ void Simulation::get_stuck(const RunListener& listener) {
 void Simulation::pass(const RunListener& listener) {
   StageProgress& stage = *stage_;
   StageReport& report = stage.report;
+  if (stage.options.may_change && !stage.first) choose_integrator();
   refresh();
   require_step(stage.options);
   std::vector<Event> passed = notice_passed(model_, state_, work_);  // before what has left is taken out
@@ -393,6 +335,7 @@ void Simulation::pass(const RunListener& listener) {
   report.speed = now.speed;
   report.ratio = now.ratio;
   if (stage.first) tell(stage_event(EventType::stage_begun, now, stage.options.name), listener, now);
+  if (!changed_.empty()) tell(integrator_event(now, std::exchange(changed_, {})), listener, now);
   for (Event& e : passed) tell(std::move(e), listener, now);
   for (Event& e : std::exchange(leaving_, {})) tell(std::move(e), listener, now);
   const bool over = ends(listener, now);

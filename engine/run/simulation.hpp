@@ -115,7 +115,11 @@ class Simulation {
   bool ends(const RunListener& listener, const Instant& now);
   void tell_samples(const RunListener& listener, const Instant& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;
-  void change_integrator();
+  [[nodiscard]] bool wants_implicit() const;
+  [[nodiscard]] bool goes_implicitly() const;
+  void choose_integrator();
+  void change_integrator(bool implicit);
+  void leave_implicit();
   bool take_step(double dt, const Energy& energy);
   void get_stuck(const RunListener& listener);
   [[nodiscard]] double whole_step() const;
@@ -141,6 +145,7 @@ class Simulation {
   std::unique_ptr<Watch> watch_;
   std::unique_ptr<Tangent> tangent_;  // of implicit steps
   std::string stuck_;                 // why an implicit step could not be taken
+  std::string changed_;               // why the integrator has changed within the stage, until that is told
   std::vector<Event> leaving_;        // events of bodies that left at this instant, to be told
   bool all_left_ = false;             // nothing is free to move any more, as all of that has left
   std::atomic<bool> stop_{false};

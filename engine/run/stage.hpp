@@ -28,6 +28,7 @@ struct StageOptions {
   double rest_share = 0;  ///< damping of consolidation (RestDamping), 0 to below 1
 
   std::optional<AlphaScheme> implicit;  ///< steps of this scheme; else explicit central differences
+  bool may_change = false;              ///< with `implicit`: explicit steps where those do not pay
   double tolerance = 1e-8;              ///< of implicit steps: largest force left over, as a share of that carried
   double accuracy = 1e-3;               ///< ... and what a step may miss of its energies, see ImplicitOptions
 

@@ -41,6 +41,12 @@ Event stage_event(EventType type, const Instant& now, const std::string& text) {
   return e;
 }
 
+Event integrator_event(const Instant& now, const std::string& text) {
+  Event e = stage_event(EventType::integrator_changed, now, text);
+  e.value = now.dt;
+  return e;
+}
+
 void set_end(StageReport& report, const Instant& now, const std::optional<Divergence>& diverged, StageEnd end) {
   report.end = diverged ? StageEnd::diverged : end;
   report.ended = now.state.time;

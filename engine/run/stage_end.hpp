@@ -15,6 +15,9 @@ struct ImplicitStep;
 /// An event of the stage as a whole.
 Event stage_event(EventType type, const Instant& now, const std::string& text);
 
+/// That the stage goes on by the other integrator, and why.
+Event integrator_event(const Instant& now, const std::string& text);
+
 /// How the stage ends: as diverged, or as `end`; and the reason in words where that is not as asked.
 void set_end(StageReport& report, const Instant& now, const std::optional<Divergence>& diverged, StageEnd end);
 

@@ -94,7 +94,7 @@ double given_speed(const Instant& now) {
   const double reach =
       now.model.body_radius.empty() ? 0 : *std::max_element(now.model.body_radius.begin(), now.model.body_radius.end());
   for (const Drive& d : now.model.drives) speed += (d.dof == 2 ? reach : 1) * peak_velocity(*d.motion);
-  for (const Push& p : now.model.pushes) speed += peak_velocity(*p.motion);
+  for (const Push<2>& p : now.model.pushes) speed += peak_velocity(*p.motion);
   return speed;
 }
 

@@ -6,7 +6,7 @@
 namespace trilith {
 namespace {
 
-void add_point_load(const Model<2>& model, const State<2>& state, const PointLoad& p, Work<2>& work) {
+void add_point_load(const Model<2>& model, const State<2>& state, const PointLoad<2>& p, Work<2>& work) {
   const double share = p.curve.at(state.time);
   if (share == 0) return;
   // One that follows turns with what it is tied to.
@@ -16,12 +16,12 @@ void add_point_load(const Model<2>& model, const State<2>& state, const PointLoa
 
 /// A pressure over a face goes to its two skin points by the shares of the face that it covers, and from there to their
 /// nodes: the force as it is, its moment by the arm.
-void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad& f, Work<2>& work) {
+void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad<2>& f, Work<2>& work) {
   const double share = f.curve.at(state.time);
   if (share == 0) return;
-  const SkinMotion &a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
+  const SkinMotion<2>&a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
   const Vec2 full = share * face_force(f, a, b);
-  const auto add = [&](int skin, const SkinMotion& at, double part) {
+  const auto add = [&](int skin, const SkinMotion<2>& at, double part) {
     const int n = model.skin_node[skin];
     const Vec2 force = part * full;
     work.load[n] += force;
@@ -34,7 +34,7 @@ void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad&
 
 }  // namespace
 
-Vec2 face_force(const FaceLoad& load, const SkinMotion& a, const SkinMotion& b) {
+Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotion<2>& b) {
   return load.follows ? Vec2(load.pressure * load.depth * left_of(Vec2(b.x - a.x, b.y - a.y))) : load.dead;
 }
 
@@ -42,16 +42,16 @@ void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work) {
   // Arrays that are empty mean no loads: then `sum` and the nodes read the model's own.
   if (!model.loaded()) {
     if (work.load.empty()) return;
-    work.load.clear(), work.load_moment.clear(), work.trim.clear(), work.trim_moment.clear();
+    work.load.clear(), work.load_moment.clear(), work.correction.clear(), work.correction_moment.clear();
     work.push_force.clear();
     return;
   }
   work.load.assign(model.load.begin(), model.load.end());
   work.load_moment.assign(model.load.size(), 0);
-  work.trim.clear(), work.trim_moment.clear();
+  work.correction.clear(), work.correction_moment.clear();
   work.push_force.assign(model.pushes.size(), 0);
-  for (const PointLoad& p : model.point_loads) add_point_load(model, state, p, work);
-  for (const FaceLoad& f : model.face_loads) add_face_load(model, state, f, work);
+  for (const PointLoad<2>& p : model.point_loads) add_point_load(model, state, p, work);
+  for (const FaceLoad<2>& f : model.face_loads) add_face_load(model, state, f, work);
 }
 
 }  // namespace trilith

@@ -8,12 +8,22 @@ namespace trilith {
 namespace {
 
 /// Of the leapfrog scheme: half of m v(-) v(+), which together with the potential is kept exactly; m v^2 / 2 at the
-/// very start, where there is no step behind.
-double kinetic_energy(const Model<2>& model, const State<2>& state, int n, const Dofs& v, const Dofs& next) {
-  const Dofs mass = mass_of(model, n);
+/// very start, where there is no step behind. Of turns in space: half of w(-) L(+), both of the body as it is turned
+/// now.
+template <int D>
+double kinetic_energy(const Model<D>& model, const State<D>& state, int n, const Dofs<D>& v, const Dofs<D>& ahead) {
+  const Dofs<D>& next = state.last_dt > 0 ? ahead : v;
+  const auto& support = model.support[n];
   double sum = 0;
-  for (const int k : {0, 1, 2})
-    if (model.support[n][k] == Support::free) sum += 0.5 * mass[k] * v[k] * (state.last_dt > 0 ? next[k] : v[k]);
+  for (int k = 0; k < Space<D>::translations; ++k)
+    if (support[k] == Support::free) sum += 0.5 * model.mass[n] * v[k] * next[k];
+  if constexpr (D == 2) {
+    if (support[2] == Support::free) sum += 0.5 * model.inertia[n] * v[2] * next[2];
+  } else {
+    const Vec3 momentum = momentum_of(model.inertia[n], state.rotation[n], about_of(next));
+    for (int k = 3; k < 6; ++k)
+      if (support[k] == Support::free) sum += 0.5 * v[k] * momentum[k - 3];
+  }
   return sum;
 }
 
@@ -23,24 +33,46 @@ struct StepSpan {
   double between;     ///< from the middle of the one to that of the other
 };
 
+/// Turns a node for a time dt with the spin that its step begins with. A free body keeps its angular momentum and not
+/// its spin; one that is held about some axis of the world keeps its spin.
+void turn_node(const Model<2>& /*model*/, State<2>& state, int n, double spin, double dt) {
+  state.spin[n] = spin;
+  state.rotation[n] += dt * spin;
+}
+void turn_node(const Model<3>& model, State<3>& state, int n, const Vec3& spin, double dt) {
+  const auto [x, y, z] = free_turns(model, n);
+  UnitQuaternion& rotation = state.rotation[n];
+  if (x && y && z) {
+    const Vec3& inertia = model.inertia[n];
+    const Vec3 momentum = momentum_of(inertia, rotation, spin);
+    rotation = turned_freely(inertia, rotation, momentum, dt);
+    state.spin[n] = spin_of(inertia, rotation, momentum);
+  } else {
+    rotation = renormalised(rotation_by(dt * spin) * rotation);
+    state.spin[n] = spin;
+  }
+}
+
 /// One step of any node.
-[[gnu::noinline]] void advance_node(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside& outside,
-                                    const StepOptions& options, const StepSpan& span, int n) {
-  const Dofs v = velocity_of(state, n);
-  const NodeForces f = node_forces(model, work, n, v, outside, options.rest);
-  const Dofs next = speed_ahead(model, state, n, v, f, span.between, span.next);
-  Dofs path;
-  for (const int k : {0, 1, 2}) path[k] = 0.5 * (span.last * v[k] + span.next * next[k]);
+template <int D>
+[[gnu::noinline]] void advance_node(const Model<D>& model, State<D>& state, const Work<D>& work,
+                                    const Outside<D>& outside, const StepOptions& options, const StepSpan& span,
+                                    int n) {
+  const Dofs<D> v = velocity_of(state, n);
+  const NodeForces<D> f = node_forces(model, state, work, n, v, outside, options.rest);
+  const Dofs<D> next = speed_ahead(model, state, n, v, f, span.between, span.next);
+  Dofs<D> path;
+  for (std::size_t k = 0; k < path.size(); ++k) path[k] = 0.5 * (span.last * v[k] + span.next * next[k]);
   add_work(f, path, state.given);
-  state.velocity[n] = {next[0], next[1]};
-  state.spin[n] = next[2];
-  state.position[n] += Vec2(span.next * next[0], span.next * next[1]);
-  state.rotation[n] += span.next * next[2];
+  state.velocity[n] = along_of(next);
+  state.position[n] += span.next * state.velocity[n];
+  turn_node(model, state, n, about_of(next), span.next);
 }
 
 /// True where forces, weight and steady loads are all that nodes go by: no dampings of their own, no load curve.
-bool goes_plainly(const Model<2>& model, const Outside& outside, const StepOptions& options) {
-  return !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.moment == nullptr && outside.trim == nullptr;
+bool goes_plainly(const Model<2>& model, const Outside<2>& outside, const StepOptions& options) {
+  return !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.moment == nullptr &&
+         outside.correction == nullptr;
 }
 
 /// Free to move; and to turn where it `turns`, else fixed against that and not turning.
@@ -54,7 +86,7 @@ template <bool turns>
 /// advance_node for a run of free nodes that go plainly: the same sums without the terms that are 0, kept in registers.
 /// Returns the first node after the run.
 template <bool turns>
-int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside& outside,
+int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside<2>& outside,
                  const StepSpan& span, int n) {
   const Vec2* damping = work.element_damping.empty() ? nullptr : work.element_damping.data();
   const double* couple = work.element_damping_moment.empty() ? nullptr : work.element_damping_moment.data();
@@ -85,43 +117,58 @@ int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, co
   return n;
 }
 
-void advance_nodes(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
+template <int D>
+void advance_nodes(const Model<D>& model, State<D>& state, const Work<D>& work, const StepOptions& options,
                    const StepSpan& span) {
   const Outside outside(model, state, work);
-  const bool plain = goes_plainly(model, outside, options);
-  for (int n = 0; n < model.nodes();) {
-    if (plain && is_free<true>(model, state, n))
-      n = advance_free<true>(model, state, work, outside, span, n);
-    else if (plain && is_free<false>(model, state, n))
-      n = advance_free<false>(model, state, work, outside, span, n);
-    else
-      advance_node(model, state, work, outside, options, span, n++);
+  if constexpr (D == 2) {
+    const bool plain = goes_plainly(model, outside, options);
+    for (int n = 0; n < model.nodes();) {
+      if (plain && is_free<true>(model, state, n))
+        n = advance_free<true>(model, state, work, outside, span, n);
+      else if (plain && is_free<false>(model, state, n))
+        n = advance_free<false>(model, state, work, outside, span, n);
+      else
+        advance_node(model, state, work, outside, options, span, n++);
+    }
+  } else {
+    for (int n = 0; n < model.nodes(); ++n) advance_node(model, state, work, outside, options, span, n);
   }
 }
 
+/// Elastic energies that are found from the state [J].
+void add_stored(const Model<2>& model, const State<2>& state, const Work<2>& work, Energy& energy) {
+  energy[EnergyTerm::strain] = work.element_stored;
+  energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
+  energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
+}
+void add_stored(const Model<3>& /*model*/, const State<3>& /*state*/, const Work<3>& /*work*/, Energy& /*energy*/) {}
+
 }  // namespace
 
-Energy energy_now(const Model<2>& model, const State<2>& state, const Work<2>& work, const StepOptions& options) {
-  if (state.implicit()) return implicit_energy(model, state, work);
+template <int D>
+Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options) {
+  if constexpr (D == 2)
+    if (state.implicit()) return implicit_energy(model, state, work);
   Energy energy = work.given;
   const double span = 0.5 * (state.last_dt + options.dt);
   const Outside outside(model, state, work);
   double kinetic = 0;
   for (int n = 0; n < model.nodes(); ++n) {
-    const Dofs v = velocity_of(state, n);
-    const double half = 0.5 * state.last_dt;
-    const NodeForces f = node_forces(model, work, n, v, outside, options.rest);
-    add_work(f, {half * v[0], half * v[1], half * v[2]}, energy);
+    const Dofs<D> v = velocity_of(state, n);
+    const NodeForces<D> f = node_forces(model, state, work, n, v, outside, options.rest);
+    Dofs<D> path = v;
+    for (double& p : path) p *= 0.5 * state.last_dt;
+    add_work(f, path, energy);
     kinetic += kinetic_energy(model, state, n, v, speed_ahead(model, state, n, v, f, span, options.dt));
   }
   energy[EnergyTerm::kinetic] = kinetic;
-  energy[EnergyTerm::strain] = work.element_stored;
-  energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
-  energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
+  add_stored(model, state, work, energy);
   return energy;
 }
 
-void advance(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
+template <int D>
+void advance(const Model<D>& model, State<D>& state, const Work<D>& work, const StepOptions& options,
              StepTimes* times) {
   StepClock clock(times);
   const double dt = options.dt, last = state.last_dt, span = 0.5 * (last + dt);
@@ -131,5 +178,10 @@ void advance(const Model<2>& model, State<2>& state, const Work<2>& work, const 
   ++state.step;
   clock.mark(StepPart::advance);
 }
+
+template Energy energy_now(const Model<2>&, const State<2>&, const Work<2>&, const StepOptions&);
+template Energy energy_now(const Model<3>&, const State<3>&, const Work<3>&, const StepOptions&);
+template void advance(const Model<2>&, State<2>&, const Work<2>&, const StepOptions&, StepTimes*);
+template void advance(const Model<3>&, State<3>&, const Work<3>&, const StepOptions&, StepTimes*);
 
 }  // namespace trilith

@@ -21,11 +21,13 @@ struct StepOptions {
 };
 
 /// Takes one step from an instant that has been evaluated and committed.
-void advance(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
+template <int D>
+void advance(const Model<D>& model, State<D>& state, const Work<D>& work, const StepOptions& options,
              StepTimes* times = nullptr);
 
 /// The ledger at the instant of the last evaluation (before `advance`): stored terms from the state, given-off terms
 /// from the running sums. Kinetic energy is that of the leapfrog scheme, half of m v(-) v(+).
-Energy energy_now(const Model<2>& model, const State<2>& state, const Work<2>& work, const StepOptions& options);
+template <int D>
+Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options);
 
 }  // namespace trilith

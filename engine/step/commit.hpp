@@ -10,6 +10,7 @@ namespace trilith {
 
 /// Finds the events of the step that led to the evaluated instant (Work::events), then makes the trial memories and the
 /// ledger's sums those of the state. Time and motion are the integrator's.
-void commit(const Model<2>& model, State<2>& state, Work<2>& work, StepTimes* times = nullptr);
+template <int D>
+void commit(const Model<D>& model, State<D>& state, Work<D>& work, StepTimes* times = nullptr);
 
 }  // namespace trilith

@@ -16,7 +16,7 @@ inline LawInUse law_in_use(const Model<2>& model, int law, double dt = 0) {
 
 /// The ends of the face between two skin points, as Work is placed.
 inline FaceEnds<double> face_ends(const Work<2>& work, int from, int to) {
-  const SkinMotion &p = work.skin[from], &q = work.skin[to];
+  const SkinMotion<2>&p = work.skin[from], &q = work.skin[to];
   return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
 }
 

@@ -23,7 +23,7 @@ class Groups {
   void add(int node) {
     if (model_.moves(node)) group_.push_back(node);
   }
-  void add(const Tie& tie) {
+  void add(const Tie<2>& tie) {
     for (int i = 0; i < tie.nodes; ++i) add(tie.node[i]), add(tie.turn[i]);
   }
   void add_skin(int skin) { add(model_.skin_node[skin]), add(model_.skin_turn[skin]); }
@@ -59,8 +59,8 @@ void add_beams(const Model<2>& model, Groups& groups) {
 
 void add_links(const Model<2>& model, const Work<2>& work, Groups& groups) {
   for (const Bearing<2>& b : model.bearings) groups.add(b.end_a), groups.add(b.end_b), groups.end();
-  for (const PointLoad& load : model.point_loads) groups.add(load.at), groups.end();
-  for (const FaceLoad& load : model.face_loads)
+  for (const PointLoad<2>& load : model.point_loads) groups.add(load.at), groups.end();
+  for (const FaceLoad<2>& load : model.face_loads)
     groups.add_skin(load.skin_a), groups.add_skin(load.skin_b), groups.end();
   for (const NearPair& p : work.pairs) groups.add_piece(p.piece_a), groups.add_piece(p.piece_b), groups.end();
 }

@@ -10,7 +10,7 @@ namespace trilith {
 /// evaluation. The force is that of a rigid constraint, w_i lambda on point i, with
 ///   lambda = (velocity wanted - velocity without) / (span * sum of w_i^2 / m_i).
 /// Dampings that answer forces (RestDamping) see the force that leaves no unbalance, and what they take is then added
-/// (Work::trim); it is no part of the force that is reported.
+/// (Work::correction); it is no part of the force that is reported.
 void control_displacement(const Model<2>& model, const State<2>& state, Work<2>& work, const StepOptions& options);
 
 }  // namespace trilith

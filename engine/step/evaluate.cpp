@@ -5,6 +5,7 @@
 namespace trilith {
 
 /// State is not touched: losses are added to a copy of the ledger's sums, trial memories lie in Work.
+template <>
 void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {
   StepClock clock(times);
   place(model, state, work);
@@ -13,8 +14,8 @@ void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, doubl
   clock.mark(StepPart::find);
   work.given = state.given;
   // Rows that are not worked on hold an empty memory, before and after: those that turned last are cleared here.
-  for (const int row : work.turned) work.contacts.clear(static_cast<std::size_t>(row));
-  work.turned.clear();
+  for (const int row : work.changed_rows) work.contacts.clear(static_cast<std::size_t>(row));
+  work.changed_rows.clear();
   std::fill(work.skin_force.begin(), work.skin_force.end(), Vec2::Zero());
   clock.mark(StepPart::place);
   respond_faces(model, state, work, dt, times);
@@ -26,6 +27,18 @@ void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, doubl
   resist(model, state, work);
   clock.mark(StepPart::resist);
   apply_loads(model, state, work);
+  sum(model, state, work);
+  clock.mark(StepPart::sum);
+}
+
+template <>
+void evaluate(const Model<3>& model, const State<3>& state, Work<3>& work, double /*dt*/, StepTimes* times) {
+  StepClock clock(times);
+  place(model, state, work);
+  work.valid = true;
+  work.given = state.given;
+  std::fill(work.skin_force.begin(), work.skin_force.end(), Vec3::Zero());
+  clock.mark(StepPart::place);
   sum(model, state, work);
   clock.mark(StepPart::sum);
 }

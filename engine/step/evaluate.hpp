@@ -11,11 +11,13 @@ namespace trilith {
 
 /// place -> find -> respond (contacts, bearings) -> resist -> apply loads -> spread -> sum, at the present pose and
 /// velocity, over a step `dt` [s] since the last commit. To evaluate again changes nothing. `times`: where the time
-/// goes is added to it.
-void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
+/// goes is added to it. In space bodies are rigid and free of each other: place -> sum.
+template <int D>
+void evaluate(const Model<D>& model, const State<D>& state, Work<D>& work, double dt, StepTimes* times = nullptr);
 
 // The stages, each the only writer of its part of Work.
-void place(const Model<2>& model, const State<2>& state, Work<2>& work);
+template <int D>
+void place(const Model<D>& model, const State<D>& state, Work<D>& work);
 void find(const Model<2>& model, const State<2>& state, Work<2>& work);
 void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
@@ -28,7 +30,8 @@ void resist(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
 void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// Force on the whole of a face that is loaded, at the full size of its load curve [N].
-Vec2 face_force(const FaceLoad& load, const SkinMotion& a, const SkinMotion& b);
-void sum(const Model<2>& model, const State<2>& state, Work<2>& work);
+Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotion<2>& b);
+template <int D>
+void sum(const Model<D>& model, const State<D>& state, Work<D>& work);
 
 }  // namespace trilith

@@ -27,8 +27,8 @@ TRILITH_INLINE void load_columns(const double* const* row, Lanes& c0, Lanes& c1)
 }
 
 /// Positions or velocities of one end of the faces of four pairs, by columns.
-TRILITH_INLINE void load_ends(const SkinMotion* skin, const NearPair* const* p, int NearPair::*end,
-                              double SkinMotion::*first, Lanes& c0, Lanes& c1) {
+TRILITH_INLINE void load_ends(const SkinMotion<2>* skin, const NearPair* const* p, int NearPair::*end,
+                              double SkinMotion<2>::*first, Lanes& c0, Lanes& c1) {
   const double* place[lane_count];
   for (int i = 0; i < lane_count; ++i) place[i] = &(skin[p[i]->*end].*first);
   load_columns(place, c0, c1);

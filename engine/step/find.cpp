@@ -57,10 +57,10 @@ void find(const Model<2>& model, const State<2>& state, Work<2>& work) {
   find_pairs(model, state, work);
   match_contacts(model, state.contacts, work);
   work.contacts = emptied(work.matched);
-  work.turned.clear();
+  work.changed_rows.clear();
   work.general_now.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());
-  work.turned.reserve(work.pairs.size());
+  work.changed_rows.reserve(work.pairs.size());
 }
 
 }  // namespace trilith

@@ -49,9 +49,9 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
     const Vec2 n = size > 0 ? Vec2(g.force / size) : Vec2::Zero();
     return {g.centre, -n.dot(velocity(nb, g.centre) - velocity(na, g.centre))};
   }
-  const SkinMotion &a0 = work.skin[p.a0], &a1 = work.skin[p.a1], &b0 = work.skin[p.b0], &b1 = work.skin[p.b1];
+  const SkinMotion<2>&a0 = work.skin[p.a0], &a1 = work.skin[p.a1], &b0 = work.skin[p.b0], &b1 = work.skin[p.b1];
   const Vec2 along = Vec2(a1.x - a0.x, a1.y - a0.y).normalized(), n(along.y(), -along.x()), origin(a0.x, a0.y);
-  const auto s = [&](const SkinMotion& q) { return along.dot(Vec2(q.x, q.y) - origin); };
+  const auto s = [&](const SkinMotion<2>& q) { return along.dot(Vec2(q.x, q.y) - origin); };
   const double middle = 0.5 * (std::max(0.0, s(b1)) + std::min(s(a1), s(b0)));
   const Vec2 at = origin + middle * along;
   return {at, -n.dot(velocity(nb, at) - velocity(na, at))};
@@ -170,7 +170,7 @@ void push_bearing_event(const Model<2>& model, const State<2>& state, Work<2>& w
 
 /// True where its failure changes the rule for the contact of the two pieces it sits between.
 bool alters_contact(const Bearing<2>& b) {
-  return b.holds_off_contact || b.contact_after >= 0;
+  return b.replaces_contact || b.contact_after >= 0;
 }
 
 /// Elastic energy that the contact of two pieces has while their bearings are as given [J].
@@ -180,7 +180,7 @@ double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>
   NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
   if (pair.law < 0) return 0;
   apply_bearings(model, bearings, pair);
-  if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) return 0;
+  if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) return 0;
   PieceCorners corners_p, corners_q;
   return overlap_energy(placed_piece(model, state, work, p, corners_p), placed_piece(model, state, work, q, corners_q),
                         law_in_use(model, pair.law));
@@ -233,7 +233,7 @@ void account_failed(const State<2>& state, Work<2>& work, std::size_t i) {
 /// Lost, once and for ever, where the end of the span has come to the seat's edge.
 void seat_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t i) {
   if (state.seat_lost[i] != 0) return;
-  const Seat& seat = model.seats[i];
+  const Seat<2>& seat = model.seats[i];
   if (seat_length(model, state, seat) > 0) return;
   state.seat_lost[i] = 1;
   Event e = event_now(state, EventType::seat_lost, seat.body, seat.support);
@@ -280,7 +280,7 @@ void body_events(const Model<2>& model, State<2>& state, Work<2>& work) {
 }  // namespace
 
 /// How far the end of the span lies behind the edge of its seat, along `inward` of the support [m].
-double seat_length(const Model<2>& model, const State<2>& state, const Seat& seat) {
+double seat_length(const Model<2>& model, const State<2>& state, const Seat<2>& seat) {
   const Pose edge = pose_at(model, state, seat.edge);
   const Vec2 end = pose_at(model, state, seat.end).place;
   return Turn(edge.rotation).apply(seat.inward).dot(end - edge.place);
@@ -289,8 +289,8 @@ double seat_length(const Model<2>& model, const State<2>& state, const Seat& sea
 void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   work.events.clear();
   // In the order of rows, as faces and general contacts have put theirs there one after the other.
-  std::sort(work.turned.begin(), work.turned.end());
-  for (const int row : work.turned) contact_events(model, state, work, row);
+  std::sort(work.changed_rows.begin(), work.changed_rows.end());
+  for (const int row : work.changed_rows) contact_events(model, state, work, row);
   if (!state.parted.empty()) parted_events(model, state, work);
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     bearing_events(model, state, work, i);

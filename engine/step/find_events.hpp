@@ -12,6 +12,6 @@ namespace trilith {
 void find_events(const Model<2>& model, State<2>& state, Work<2>& work);
 
 /// Length the end still reaches over the edge of its seat [m]; not above 0: the seat is lost.
-double seat_length(const Model<2>& model, const State<2>& state, const Seat& seat);
+double seat_length(const Model<2>& model, const State<2>& state, const Seat<2>& seat);
 
 }  // namespace trilith

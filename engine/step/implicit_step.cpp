@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "step/evaluate.hpp"
 #include "step/node_forces.hpp"
-#include "step/stored_energy.hpp"
+#include "step/turned_back.hpp"
 
 namespace trilith {
 namespace {
@@ -22,6 +23,8 @@ constexpr double no_better = 0.6;
 /// Iterations within which a step is an easy one: the next may be longer, by `growth`.
 constexpr int easy_iterations = 8;
 constexpr double growth = 2;
+/// Rounding of a place, as a share of it.
+constexpr double digits = std::numeric_limits<double>::epsilon();
 /// The tangent is found anew where an iteration has left more than this share of the forces.
 constexpr double slow_share = 0.1;
 
@@ -39,33 +42,9 @@ struct NodesAtStart {
         spin_rate(s.spin_rate) {}
 };
 
-Dofs place_at(const State<2>& s, int n) {
+Dofs<2> place_at(const State<2>& s, int n) {
   return {s.position[n].x(), s.position[n].y(), s.rotation[n]};
 }
-Dofs before_at(const State<2>& s, int n) {
-  return {s.position_before[n].x(), s.position_before[n].y(), s.rotation_before[n]};
-}
-
-/// Work of all nodes along half of the step behind, at the instant of the last evaluation.
-void add_half_behind(const Model<2>& model, const State<2>& state, const Work<2>& work, Energy& given) {
-  const Outside outside(model, state, work);
-  for (int n = 0; n < model.nodes(); ++n) {
-    const Dofs now = place_at(state, n), before = before_at(state, n);
-    const Dofs path{0.5 * (now[0] - before[0]), 0.5 * (now[1] - before[1]), 0.5 * (now[2] - before[2])};
-    add_work(node_forces(model, work, n, velocity_of(state, n), outside, {}), path, given);
-  }
-}
-
-double kinetic_of(const Model<2>& model, const State<2>& state) {
-  double sum = 0;
-  for (int n = 0; n < model.nodes(); ++n) {
-    const Dofs mass = mass_of(model, n), v = velocity_of(state, n);
-    for (const int k : {0, 1, 2})
-      if (model.support[n][k] == Support::free) sum += 0.5 * mass[k] * v[k] * v[k];
-  }
-  return sum;
-}
-
 /// What moves and what is stored [J].
 double held(const Energy& e) {
   return e[EnergyTerm::kinetic] + e[EnergyTerm::contact_elastic] + e[EnergyTerm::bearing_elastic] +
@@ -93,7 +72,7 @@ class Trial {
         rotation_before_(state.rotation_before) {
     const Outside outside(model, state, work);
     for (int n = 0; n < model.nodes(); ++n)
-      forces_.push_back(node_forces(model, work, n, velocity_of(state, n), outside, {}));
+      forces_.push_back(node_forces(model, state, work, n, velocity_of(state, n), outside, {}));
     path_.resize(forces_.size());
     carried_ = work.carried;
   }
@@ -112,7 +91,8 @@ class Trial {
   void correct(int n);
   void evaluate_trial();
   double left_over();
-  [[nodiscard]] double rounding_of(int n, int k) const;
+  void find_rounding();
+  [[nodiscard]] double rounding_of(int i) const;
   void improve(const Eigen::VectorXd& full);
   void move(const Eigen::VectorXd& by, double share);
   [[nodiscard]] double per_place() const { return scheme_.g / (scheme_.b * dt_); }
@@ -129,12 +109,13 @@ class Trial {
   const std::shared_ptr<const KeptTangent> kept_;  // as the step begins
   std::vector<Vec2> position_before_;
   std::vector<double> rotation_before_;
-  std::vector<NodeForces> forces_;  // as the step begins
-  std::vector<Dofs> path_;          // [node] along the step
+  std::vector<NodeForces<2>> forces_;  // as the step begins
+  std::vector<Dofs<2>> path_;          // [node] along the step
   double carried_ = 0, dt_ = 0;
   double merit_ = 0, share_left_ = 0;
   int worst_ = -1;
-  Eigen::VectorXd left_;  // of the equation of motion, by unknown
+  Eigen::VectorXd left_;      // of the equation of motion, by unknown
+  Eigen::VectorXd rounding_;  // of the forces by that of the places, by unknown
 };
 
 /// Free nodes go on at their velocity; driven ones to where their motion has them.
@@ -200,7 +181,7 @@ double Trial::left_over() {
     left_[i] = (1 - f) * now + f * forces_[n].force[k] - inertia;
     sum += left_[i] * left_[i] / mass;
     const double radius = k == 2 ? std::sqrt(model_.inertia[n] / model_.mass[n]) : 1;
-    const double left = std::abs(left_[i]) - rounding_of(n, k);
+    const double left = std::abs(left_[i]) - rounding_of(i);
     if (left / radius > most) most = left / radius, worst_ = n;
     carried = std::max(carried, std::abs(inertia) / radius);
   }
@@ -208,11 +189,29 @@ double Trial::left_over() {
   return sum;
 }
 
-/// What of the equation of motion is rounding alone: the acceleration is a small difference of paths.
-double Trial::rounding_of(int n, int k) const {
+/// Forces know of a place no more than its digits: those times the last tangent. Moments on next to no inertia, on a
+/// stiff member that has turned, get no nearer to balance.
+void Trial::find_rounding() {
+  rounding_.setZero(tangent_.coupling().size());
+  const KeptTangent* const kept = state_.tangent.get();
+  if (kept == nullptr || kept->size() != rounding_.size()) return;
+  for (int column = 0; column < kept->size(); ++column) {
+    const auto [n, k] = tangent_.coupling().freedom[column];
+    const double place = std::abs(k == 2 ? state_.rotation[n] : state_.position[n][k]);
+    for (int at = kept->column[column]; at < kept->column[column + 1]; ++at) {
+      const int row = kept->row[at];
+      const double inertia = row == column ? kept->inertia * mass_of(model_, n)[k] : 0;
+      rounding_[row] += digits * place * std::abs(kept->value[at] - inertia);
+    }
+  }
+}
+
+/// What of the equation of motion is rounding alone. The acceleration is a small difference of paths.
+double Trial::rounding_of(int i) const {
+  const auto [n, k] = tangent_.coupling().freedom[i];
   const double v0 = k == 2 ? start_.spin[n] : start_.velocity[n][k];
   const double a0 = k == 2 ? start_.spin_rate[n] : start_.acceleration[n][k];
-  return 1e-15 * mass_of(model_, n)[k] * (std::abs(v0) / dt_ + std::abs(a0)) / scheme_.b;
+  return rounding_[i] + 1e-15 * mass_of(model_, n)[k] * (std::abs(v0) / dt_ + std::abs(a0)) / scheme_.b;
 }
 
 void Trial::move(const Eigen::VectorXd& by, double share) {
@@ -243,6 +242,7 @@ bool Trial::attempt(double dt, ImplicitStep& out) {
   predict();
   evaluate_trial();
   tangent_.shape(model_, work_);
+  find_rounding();
   merit_ = left_over();
   const TangentOptions wanted{dt_, per_place(), 1 - scheme_.alpha_f, (1 - scheme_.alpha_m) / (scheme_.b * dt_ * dt_)};
   bool serves = tangent_.take(state_, wanted);
@@ -253,7 +253,10 @@ bool Trial::attempt(double dt, ImplicitStep& out) {
     ++out.iterations;
     const double before = merit_;
     // Found anew only where the last one does not serve: it costs many evaluations, a solve with it none.
-    if (!serves && !tangent_.find(model_, state_, work_, wanted)) return false;
+    if (!serves) {
+      if (!tangent_.find(model_, state_, work_, wanted)) return false;
+      find_rounding();
+    }
     improve(tangent_.solve(left_));
     serves = merit_ <= slow_share * slow_share * before;
   }
@@ -282,32 +285,33 @@ Energy Trial::booked() const {
   const Outside outside(model_, state_, work_);
   double work = 0;
   for (int n = 0; n < model_.nodes(); ++n) {
-    const Dofs now = place_at(state_, n), begin{start_.position[n].x(), start_.position[n].y(), start_.rotation[n]},
-               before{position_before_[n].x(), position_before_[n].y(), rotation_before_[n]};
-    Dofs path, ahead;
+    const Dofs<2> now = place_at(state_, n), begin{start_.position[n].x(), start_.position[n].y(), start_.rotation[n]},
+                  before{position_before_[n].x(), position_before_[n].y(), rotation_before_[n]};
+    Dofs<2> path, ahead;
     for (const int k : {0, 1, 2}) path[k] = 0.5 * (now[k] - before[k]), ahead[k] = 0.5 * (now[k] - begin[k]);
     add_work(forces_[n], path, given);
-    const NodeForces end = node_forces(model_, work_, n, velocity_of(state_, n), outside, {});
+    const NodeForces<2> end = node_forces(model_, state_, work_, n, velocity_of(state_, n), outside, {});
     work += dot(forces_[n].force, ahead) + dot(end.force, ahead);
   }
-  given[EnergyTerm::numerical] = work - (kinetic_of(model_, state_) - energy_[EnergyTerm::kinetic]);
+  given[EnergyTerm::numerical] = work - (implicit_kinetic(model_, state_) - energy_[EnergyTerm::kinetic]);
   return given;
 }
 
 /// As a share of the most that has moved or been stored, so that what comes to rest needs no shorter steps. What
-/// the scheme damps is meant to go; what it brings is not.
+/// the scheme damps is meant to go; what it brings is not. Where friction turned back neither the ledger nor forces at
+/// both ends tell: the work it was out by counts as energy of the error of velocities.
 double Trial::missed(const Energy& booked) const {
   Energy end = implicit_energy(model_, state_, work_);
   for (std::size_t i = 0; i < end.value.size(); ++i) end.value[i] += booked.value[i];
   const double most = std::max({state_.most_energy, held(energy_), held(end)});
   const double off = std::abs(end.balance() - energy_.balance()) + std::max(0.0, -booked[EnergyTerm::numerical]);
-  return most > 0 ? std::max(off / most, 2 * std::sqrt(wavering() / most)) : 0;
+  const double wrong = wavering() + turned_back(model_, state_, work_, dt_);
+  return most > 0 ? std::max(off / most, 2 * std::sqrt(wrong / most)) : 0;
 }
 
 /// Energy of the error of the velocities, dt (a' - a) / 12: that of the scheme's displacements over the step, (b - 1/6)
 /// dt^2 (a' - a) with b = 1/4, over dt (Zienkiewicz and Xie, "A simple error estimator and adaptive time stepping
-/// procedure for dynamic analysis", Earthq. Eng. Struct. Dyn. 20, 1991). It sees what the ledger does not, as a slider
-/// that turns back.
+/// procedure for dynamic analysis", Earthq. Eng. Struct. Dyn. 20, 1991).
 double Trial::wavering() const {
   double sum = 0;
   for (int n = 0; n < model_.nodes(); ++n) {
@@ -323,45 +327,12 @@ double Trial::wavering() const {
 
 }  // namespace
 
-void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work) {
-  if (state.implicit()) return;
-  const Outside outside(model, state, work);
-  const auto nodes = static_cast<std::size_t>(model.nodes());
-  state.acceleration.assign(nodes, Vec2::Zero());
-  state.spin_rate.assign(nodes, 0);
-  for (int n = 0; n < model.nodes(); ++n) {
-    const Dofs v = velocity_of(state, n), mass = mass_of(model, n);
-    const NodeForces f = node_forces(model, work, n, v, outside, {});
-    const double half = 0.5 * state.last_dt;
-    add_work(f, {half * v[0], half * v[1], half * v[2]}, state.given);
-    for (const int k : {0, 1, 2}) {
-      if (model.support[n][k] != Support::free) continue;
-      const double a = f.force[k] / mass[k];
-      (k == 2 ? state.spin_rate[n] : state.acceleration[n][k]) = a;
-      (k == 2 ? state.spin[n] : state.velocity[n][k]) += half * a;
-    }
-  }
-  state.position_before = state.position;
-  state.rotation_before = state.rotation;
-  state.last_dt = 0;
-}
-
-void begin_explicit(const Model<2>& model, State<2>& state, const Work<2>& work) {
-  if (!state.implicit()) return;
-  add_half_behind(model, state, work, state.given);
-  state.position_before.clear(), state.rotation_before.clear();
-  state.acceleration.clear(), state.spin_rate.clear();
-  state.most_energy = 0;
-  state.tangent.reset();
-  state.last_dt = 0;
-}
-
 ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy,
                                 Tangent& tangent, const ImplicitOptions& options) {
   Trial trial(model, state, work, energy, tangent, options);
   ImplicitStep out;
   out.dt = options.dt;
-  for (; out.cuts <= most_cuts; ++out.cuts, out.dt *= 0.5) {
+  for (; out.cuts <= most_cuts && (out.cuts == 0 || out.dt >= options.give_up); ++out.cuts, out.dt *= 0.5) {
     const int before = out.iterations;
     if (!trial.attempt(out.dt, out)) continue;
     const Energy booked = trial.booked();
@@ -382,16 +353,6 @@ ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>&
   trial.give_up();
   work.valid = false;
   return out;
-}
-
-Energy implicit_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {
-  Energy energy = work.given;
-  add_half_behind(model, state, work, energy);
-  energy[EnergyTerm::kinetic] = kinetic_of(model, state);
-  energy[EnergyTerm::strain] = work.element_stored;
-  energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
-  energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
-  return energy;
 }
 
 }  // namespace trilith

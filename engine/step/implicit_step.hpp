@@ -17,6 +17,7 @@ struct ImplicitOptions {
   double accuracy = 0;
   double shortest =
       0;  ///< no step is halved below this for what it misses: of next to no energy it may be any share [s]
+  double give_up = 0;  ///< no step is halved below this, whatever for: then there is none [s]
   int most_iterations = 30;
 };
 
@@ -41,6 +42,9 @@ void begin_explicit(const Model<2>& model, State<2>& state, const Work<2>& work)
 /// committed. State::dt: the step to try next, at most options.dt.
 ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy,
                                 Tangent& tangent, const ImplicitOptions& options);
+
+/// Kinetic energy of a state that is implicit: its velocities are those of the instant [J].
+double implicit_kinetic(const Model<2>& model, const State<2>& state);
 
 /// The ledger at the instant of the last evaluation, of a state that is implicit.
 Energy implicit_energy(const Model<2>& model, const State<2>& state, const Work<2>& work);

@@ -24,18 +24,6 @@ constexpr double instant = 1e-6;
 /// How far nodes are moved for the tangent [m].
 constexpr double disturbance = 1e-8;
 
-/// The state at rest where it stands, as one that a change of place has slip and friction from.
-State<2> at_rest(const State<2>& from) {
-  State<2> state = from;
-  for (Vec2& v : state.velocity) v = Vec2::Zero();
-  std::fill(state.spin.begin(), state.spin.end(), 0);
-  state.position_before = state.position, state.rotation_before = state.rotation;
-  state.acceleration.assign(state.position.size(), Vec2::Zero());
-  state.spin_rate.assign(state.position.size(), 0);
-  state.last_dt = instant;
-  return state;
-}
-
 struct Pencil {
   Eigen::SparseMatrix<double> stiffness, mass;
 };
@@ -115,6 +103,17 @@ Mode mode_of(const Model<2>& model, const Coupling& coupling, double square, con
 }
 
 }  // namespace
+
+State<2> at_rest(const State<2>& from) {
+  State<2> state = from;
+  for (Vec2& v : state.velocity) v = Vec2::Zero();
+  std::fill(state.spin.begin(), state.spin.end(), 0);
+  state.position_before = state.position, state.rotation_before = state.rotation;
+  state.acceleration.assign(state.position.size(), Vec2::Zero());
+  state.spin_rate.assign(state.position.size(), 0);
+  state.last_dt = instant;
+  return state;
+}
 
 double Mode::frequency() const {
   return square > 0 ? std::sqrt(square) / (2 * M_PI) : 0;

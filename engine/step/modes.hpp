@@ -26,6 +26,10 @@ struct Mode {
   [[nodiscard]] double frequency() const;
 };
 
+/// The state at rest where it stands, as one that a change of place has slip and friction from; to be evaluated over
+/// State::last_dt.
+State<2> at_rest(const State<2>& from);
+
 /// The lowest `count` modes, or as many as there are degrees of freedom, by rising w^2. Throws InputError where nothing
 /// is free to move, and where there are fewer than 1 to find.
 std::vector<Mode> modes(const Model<2>& model, const State<2>& state, int count);

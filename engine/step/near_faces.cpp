@@ -16,13 +16,13 @@ void pad(std::vector<int>& rows, std::size_t count) {
 /// True where the line along one of the two faces keeps the two pieces apart, for certain: both ends of the other face
 /// lie beyond it, and no corner next to them can reach back. What does not touch now remembers nothing and does
 /// nothing.
-TRILITH_INLINE LaneMask clearly_apart(const SkinMotion* skin, const NearPair* const* p) {
+TRILITH_INLINE LaneMask clearly_apart(const SkinMotion<2>* skin, const NearPair* const* p) {
   const Lanes slack = Lanes{} + 1e-12;  // of the face's length, far above the rounding of positions
   Lanes ax0, ay0, ax1, ay1, bx0, by0, bx1, by1;
-  load_ends(skin, p, &NearPair::a0, &SkinMotion::x, ax0, ay0);
-  load_ends(skin, p, &NearPair::a1, &SkinMotion::x, ax1, ay1);
-  load_ends(skin, p, &NearPair::b0, &SkinMotion::x, bx0, by0);
-  load_ends(skin, p, &NearPair::b1, &SkinMotion::x, bx1, by1);
+  load_ends(skin, p, &NearPair::a0, &SkinMotion<2>::x, ax0, ay0);
+  load_ends(skin, p, &NearPair::a1, &SkinMotion<2>::x, ax1, ay1);
+  load_ends(skin, p, &NearPair::b0, &SkinMotion<2>::x, bx0, by0);
+  load_ends(skin, p, &NearPair::b1, &SkinMotion<2>::x, bx1, by1);
   const Lanes corner{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner};
   const Lanes ax = ax1 - ax0, ay = ay1 - ay0, bx = bx1 - bx0, by = by1 - by0;
   const Lanes x0 = bx0 - ax0, y0 = by0 - ay0, x1 = bx1 - ax0, y1 = by1 - ay0;
@@ -37,7 +37,7 @@ TRILITH_INLINE LaneMask clearly_apart(const SkinMotion* skin, const NearPair* co
 }
 
 /// Of the first `count` of a padded list keeps those that are not clearly apart, in their order.
-[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] std::size_t keep_near(const SkinMotion* skin,
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] std::size_t keep_near(const SkinMotion<2>* skin,
                                                                                   const NearPair* pairs, int* rows,
                                                                                   std::size_t count) {
   std::size_t kept = 0;

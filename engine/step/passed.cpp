@@ -112,11 +112,11 @@ void tell(const Model<2>& model, State<2>& state, int p, int q, const Two& two, 
 /// Overlap along the normal of the first of two faces that look at each other, no less than that of the pieces [m].
 /// One direction bounds the overlap of both: a cheap question before the exact one of all normals.
 double beneath_face(const Model<2>& model, const Work<2>& work, const NearPair& pair) {
-  const SkinMotion &from = work.skin[pair.a0], &to = work.skin[pair.a1];
+  const SkinMotion<2>&from = work.skin[pair.a0], &to = work.skin[pair.a1];
   const double x = to.x - from.x, y = to.y - from.y;
   double deepest = 0;
   for (int c = model.piece_first[pair.piece_b]; c < model.piece_first[pair.piece_b + 1]; ++c) {
-    const SkinMotion& corner = work.skin[model.corner_skin[c]];
+    const SkinMotion<2>& corner = work.skin[model.corner_skin[c]];
     deepest = std::max(deepest, x * (corner.y - from.y) - y * (corner.x - from.x));
   }
   return deepest / portable::hypot(x, y);
@@ -147,7 +147,7 @@ void look_now(const Model<2>& model, State<2>& state, Work<2>& work, std::vector
 
 /// Where a bearing held a contact off, it may begin deep.
 void look_at_new(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
-  for (const int row : work.turned) {
+  for (const int row : work.changed_rows) {
     const NearPair& pair = work.pairs[row];
     if (room_of(model, state, work, row, told) < 0.5 * deepest_allowed(model, pair.piece_a, pair.piece_b))
       work.clear_path = 0;

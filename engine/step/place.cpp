@@ -14,7 +14,7 @@ SkinReach place_nodes(const State<2>& state, const BodyRow& body, Work<2>& work)
   SkinReach reach;
   for (int i = 0; i < body.skins; ++i) {
     const Vec2 &x = state.position[body.node + i], &v = state.velocity[body.node + i];
-    SkinMotion& skin = work.skin[body.skin + i];
+    SkinMotion<2>& skin = work.skin[body.skin + i];
     const double dx = x.x() - skin.x, dy = x.y() - skin.y;
     skin = {x.x(), x.y(), v.x(), v.y()};
     reach.add(v.squaredNorm(), dx * dx + dy * dy);
@@ -29,7 +29,7 @@ SkinReach place_sections(const Model<2>& model, const State<2>& state, const Bod
     const int n = model.skin_node[s], t = model.skin_turn[s];
     const Vec2 arm = Turn(state.rotation[t]).apply(model.skin_place[s]);
     const Vec2 x = state.position[n] + arm, v = state.velocity[n] + cross(state.spin[t], arm);
-    SkinMotion& skin = work.skin[s];
+    SkinMotion<2>& skin = work.skin[s];
     const double dx = x.x() - skin.x, dy = x.y() - skin.y;
     skin = {x.x(), x.y(), v.x(), v.y()};
     reach.add(v.squaredNorm(), dx * dx + dy * dy);
@@ -38,14 +38,16 @@ SkinReach place_sections(const Model<2>& model, const State<2>& state, const Bod
 }
 
 /// place of a rigid body.
-SkinReach place_one_node(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+template <int D>
+SkinReach place_one_node(const Model<D>& model, const State<D>& state, const BodyRow& body, Work<D>& work) {
   const int n = body.node;
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
-  return place_rigid({state.position[n], state.rotation[n], state.velocity[n], state.spin[n]},
+  return place_rigid(NodeMotion<D>{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]},
                      std::span(model.skin_place).subspan(first, count), std::span(work.skin).subspan(first, count));
 }
 
-void list_bodies(const Model<2>& model, Work<2>& work) {
+template <int D>
+void list_bodies(const Model<D>& model, Work<D>& work) {
   work.body.clear();
   for (const Body& b : model.bodies)
     work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, info_of(b.kind).skin});
@@ -63,8 +65,14 @@ SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow
   return place_sections(model, state, body, work);
 }
 
+/// In space there are rigid bodies alone.
+SkinReach place_body(const Model<3>& model, const State<3>& state, const BodyRow& body, Work<3>& work) {
+  return place_one_node(model, state, body, work);
+}
+
 /// True where some node of the body is free to move.
-bool moves(const Model<2>& model, const BodyRow& body) {
+template <int D>
+bool moves(const Model<D>& model, const BodyRow& body) {
   for (int n = body.node; n < body.node + body.nodes; ++n)
     if (model.moves(n)) return true;
   return false;
@@ -86,7 +94,8 @@ void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
 
 }  // namespace
 
-void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
+template <int D>
+void place(const Model<D>& model, const State<D>& state, Work<D>& work) {
   if (!work.valid) list_bodies(model, work);
   work.skin.resize(model.skin_place.size());
   work.skin_force.resize(model.skin_place.size());
@@ -97,13 +106,15 @@ void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
     farthest = std::max(farthest, path2);
     if (speed2 > fastest_moving && moves(model, body)) fastest_moving = speed2;
   }
-  if (state.implicit())
-    place_means(model, state, work);
-  else
-    work.skin_mean.clear();
+  work.skin_mean.clear();
+  if constexpr (D == 2)
+    if (state.implicit()) place_means(model, state, work);
   work.fastest = std::sqrt(fastest);
   work.fastest_moving = std::sqrt(fastest_moving);
   work.travel += std::sqrt(farthest);  // of no meaning, and not asked for, before the pairs are found
 }
+
+template void place(const Model<2>&, const State<2>&, Work<2>&);
+template void place(const Model<3>&, const State<3>&, Work<3>&);
 
 }  // namespace trilith

@@ -36,12 +36,11 @@ int release_supports(Model<2>& model, const State<2>& state, int body, const std
   if (freed.empty() || !(fade > 0)) return static_cast<int>(freed.size());
   Work<2> work;
   evaluate(model, state, work, state.last_dt);
-  PointLoad load;
+  PointLoad<2> load;
   load.body = body, load.curve = ramp_curve(state.time, 1, 0, fade, true);
   for (std::size_t i = 0; i < freed.size(); ++i) {
     const auto& [n, k, pull] = freed[i];
-    load.at = Tie::to_node(n, Vec2::Zero());
-    // m a = F + load, a as the support's motion had it: the load begins as what the support gave, and fades to 0.
+    load.at = Tie<2>::to_node(n, Vec2::Zero());
     if (k == 2)
       load.moment = model.inertia[n] * pull - work.moment[n];
     else

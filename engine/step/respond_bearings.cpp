@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "step/evaluate.hpp"
+#include "step/turned_back.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
@@ -108,6 +109,28 @@ void respond_live(const Model<2>& model, const State<2>& state, Work<2>& work, s
   after.failed_direction = static_cast<std::uint32_t>(beyond);
 }
 
+/// Of a live one: its laws are asked again for both ways.
+double turned_back(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t i, double dt) {
+  const Bearing<2>& b = model.bearings[i];
+  const RelativeMotion m = relative_motion(model, state, b);
+  const std::array<double, 3> displacement{m.displacement.x(), m.displacement.y(), m.angle};
+  const std::array<double, 3> rate{m.rate.x(), m.rate.y(), m.spin};
+  const std::array<double, 3> mean = mean_rates(model, state, b, m, dt);
+  const double compression = std::max(0.0, -work.bearing[i].direction[axial].force);
+  double sum = 0;
+  for (const int k : {axial, along, turning}) {
+    const Ways way(rate[k], mean[k], dt);
+    if (way.back == 0) continue;
+    const double time_on = dt - way.time_back;
+    const DirectionMotion on{displacement[k] - way.back, 0, time_on, compression, way.on / time_on};
+    const DirectionMotion back{displacement[k], rate[k], way.time_back, compression, way.back / way.time_back};
+    const DirectionResponse r = respond(b.law[k], back, respond(b.law[k], on, state.bearing[i].direction[k]).memory);
+    const DirectionMemory& now = work.bearing[i].direction[k];
+    sum += 0.5 * std::abs((now.force + now.damping - r.force()) * way.back);
+  }
+  return sum;
+}
+
 DirectionMemory memory_at(const DirectionLaw& law, double displacement) {
   return std::visit(
       [&](const auto& l) {
@@ -151,6 +174,13 @@ void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& wor
     work.bearing[i] = state.bearing[i];
     if (is_live(state.bearing[i].status)) respond_live(model, state, work, i, dt);
   }
+}
+
+double bearings_turned_back(const Model<2>& model, const State<2>& state, const Work<2>& work, double dt) {
+  double sum = 0;
+  for (std::size_t i = 0; i < model.bearings.size(); ++i)
+    if (is_live(state.bearing[i].status)) sum += turned_back(model, state, work, i, dt);
+  return sum;
 }
 
 }  // namespace trilith

@@ -67,7 +67,7 @@ constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
 
 /// Arrays of State and Work that the rows of a batch are read from and written to.
 struct Pass {
-  const SkinMotion* skin;
+  const SkinMotion<2>* skin;
   const Vec2* skin_mean;  // nullptr: velocities over the step are those of now
   const NearPair* pairs;
   const ContactMemory* before;
@@ -95,8 +95,8 @@ TRILITH_INLINE FaceMotion<Lanes> load_motion(const Pass& pass, const Rows& rows)
   const NearPair* p[lane_count];
   for (int i = 0; i < lane_count; ++i) p[i] = &pass.pairs[rows.row[i]];
   const auto ends = [&](int NearPair::*end, Lanes& x, Lanes& y, Lanes& u, Lanes& v) {
-    load_ends(pass.skin, p, end, &SkinMotion::x, x, y);
-    load_ends(pass.skin, p, end, &SkinMotion::u, u, v);
+    load_ends(pass.skin, p, end, &SkinMotion<2>::x, x, y);
+    load_ends(pass.skin, p, end, &SkinMotion<2>::u, u, v);
   };
   FaceEnds<Lanes> a, b;
   ends(&NearPair::a0, a.x0, a.y0, a.u0, a.v0);
@@ -245,7 +245,7 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& row
   add_lanes(given.friction, counts, r.lost_friction);
   if constexpr (K::bonds) add_lanes(given.fracture, counts, r.lost_fracture);
   // What may be an event or needs care, row by row: a contact made or lost, a bond or the mortar that changes.
-  const LaneMask turns = (r.touching ^ memory.touching) | K::turns(memory.face, memory.own, r.memory, r.own);
+  const LaneMask turns = (r.touching ^ memory.touching) | K::changes(memory.face, memory.own, r.memory, r.own);
   const RowResponse<law_numbers<K> / 2> out(r, K::template keeps<Lanes>(r.own));
   if (!any(flip(found & r.touching) | turns)) {  // as nearly always
     for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i);
@@ -263,7 +263,7 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& row
       write_row(pass, row, out, i);
     else
       part_row<K>(pass, row);
-    if (turns[i] != 0) pass.work.turned.push_back(row);
+    if (turns[i] != 0) pass.work.changed_rows.push_back(row);
   }
 }
 

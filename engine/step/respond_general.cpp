@@ -37,7 +37,7 @@ PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Wor
   const auto first = static_cast<std::size_t>(model.piece_first[piece]),
              count = static_cast<std::size_t>(model.corners_of(piece));
   for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion& s = work.skin[model.corner_skin[first + c]];
+    const SkinMotion<2>& s = work.skin[model.corner_skin[first + c]];
     corners.place[c] = {s.x, s.y};
   }
   const Body& body = model.bodies[model.piece_body[piece]];
@@ -53,7 +53,7 @@ PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Wor
   }
   if (body.is_rigid()) return placed;
   for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion& s = work.skin[model.corner_skin[first + c]];
+    const SkinMotion<2>& s = work.skin[model.corner_skin[first + c]];
     corners.velocity[c] = {s.u, s.v};
   }
   placed.corner_velocity = std::span(corners.velocity).first(count);
@@ -99,8 +99,8 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   if (!was && work.travel < work.asleep_until[row]) return;
   const NearPair& pair = work.pairs[row];
   // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
-  if (NearPair flat = pair; pair.held_off && choose_face_pair(model, work, false, flat)) {
-    if (was) work.turned.push_back(row);
+  if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) {
+    if (was) work.changed_rows.push_back(row);
     return;
   }
   PieceCorners corners_a, corners_b;
@@ -114,7 +114,7 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
   const OverlapResponse r = respond_overlap(a, b, remembered, law, on_a, on_b, work.contacts.law_numbers(row));
   if (was && (before.state & contact_general) == 0) book_change_of_shape(work, pair, remembered, law);
   if (was != r.touching || before.bonds != 0 || (before.state & contact_kept) != (r.memory.state & contact_kept))
-    work.turned.push_back(row);
+    work.changed_rows.push_back(row);
   work.given[EnergyTerm::contact_damping] += r.lost_damping;
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
   work.given[EnergyTerm::contact_fracture] += r.lost_fracture;

@@ -162,7 +162,7 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
 
 /// A spring along e through `at` (e = 0: about it) that is tied to several nodes: row sums of v v' for the forces v on
 /// them by a unit force, scaled by their masses.
-void add_to_nodes(const Model<2>& model, const State<2>& state, const Tie& tie, const Vec2& at, const Vec2& e,
+void add_to_nodes(const Model<2>& model, const State<2>& state, const Tie<2>& tie, const Vec2& at, const Vec2& e,
                   double tangent, double dashpot, std::vector<Local>& locals) {
   std::vector<Vec2> force(static_cast<std::size_t>(model.nodes()), Vec2::Zero());
   std::vector<double> couple(tie.turns ? force.size() : 0, 0.0);
@@ -190,7 +190,7 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
     // One that waits counts already: it may go live between two estimates.
     if (!is_live(work.bearing[i].status) && work.bearing[i].status != BearingStatus::waiting) continue;
     const Bearing<2>& b = model.bearings[i];
-    const std::array<const Tie*, 2> tie{&b.end_a, &b.end_b};
+    const std::array<const Tie<2>*, 2> tie{&b.end_a, &b.end_b};
     const std::array<int, 2> body{b.body_a, b.body_b};
     const Vec2 at = pose_at(model, state, b.end_b).place;
     const Turn axes(pose_at(model, state, b.end_a).rotation + b.angle);

@@ -73,11 +73,11 @@ void StaticTrial::begin_here() {
   begin_force_ = all_forces();
 }
 
-std::vector<NodeForces> StaticTrial::all_forces() const {
+std::vector<NodeForces<2>> StaticTrial::all_forces() const {
   const Outside outside(model_, state_, work_);
-  std::vector<NodeForces> out;
+  std::vector<NodeForces<2>> out;
   out.reserve(model_.mass.size());
-  for (int n = 0; n < model_.nodes(); ++n) out.push_back(node_forces(model_, work_, n, {}, outside, {}));
+  for (int n = 0; n < model_.nodes(); ++n) out.push_back(node_forces(model_, state_, work_, n, {}, outside, {}));
   return out;
 }
 
@@ -181,11 +181,11 @@ void StaticTrial::go_back() {
 
 /// F (x' - x) with the mean of F at both ends, as half the way with either; `finish` books what the balance then lacks.
 void StaticTrial::accept() {
-  const std::vector<NodeForces> force = all_forces();
+  const std::vector<NodeForces<2>> force = all_forces();
   commit(model_, state_, work_);
   for (int n = 0; n < model_.nodes(); ++n) {
     const Vec2 half = 0.5 * (state_.position[n] - begin_position_[n]);
-    const Dofs path{half.x(), half.y(), 0.5 * (state_.rotation[n] - begin_rotation_[n])};
+    const Dofs<2> path{half.x(), half.y(), 0.5 * (state_.rotation[n] - begin_rotation_[n])};
     add_work(begin_force_[n], path, state_.given);
     add_work(force[n], path, state_.given);
   }

@@ -58,7 +58,7 @@ class StaticTrial {
 
  private:
   void begin_here();
-  [[nodiscard]] std::vector<NodeForces> all_forces() const;
+  [[nodiscard]] std::vector<NodeForces<2>> all_forces() const;
   void find_rounding();
   void find_stiffest(double inertia);
   [[nodiscard]] double carried() const;
@@ -71,7 +71,7 @@ class StaticTrial {
   double balance_ = 0;                // of the ledger as statics began [J]
   std::vector<Vec2> begin_position_;  // of the step
   std::vector<double> begin_rotation_;
-  std::vector<NodeForces> begin_force_;
+  std::vector<NodeForces<2>> begin_force_;
   std::vector<double> reach_;        // [node] of its body [m]
   double disturbance_;               // how far nodes are moved for the tangent [m]
   Eigen::VectorXd left_, rounding_;  // by unknown

@@ -49,10 +49,19 @@ void spread_sections(const Model<2>& model, const State<2>& state, const BodyRow
 void spread_one_node(const State<2>& state, const BodyRow& body, Work<2>& work) {
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
   const NodeLoad load =
-      spread_rigid(state.position[body.node], std::span<const SkinMotion>(work.skin).subspan(first, count),
+      spread_rigid(state.position[body.node], std::span<const SkinMotion<2>>(work.skin).subspan(first, count),
                    std::span<const Vec2>(work.skin_force).subspan(first, count));
   work.force[body.node] = {load.x, load.y};
   work.moment[body.node] = load.moment;
+}
+
+/// In space there are rigid bodies alone.
+void spread_body(const Model<3>& /*model*/, const State<3>& state, const BodyRow& body, Work<3>& work) {
+  const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
+  const int n = body.node;
+  work.force[n] = work.moment[n] = Vec3::Zero();
+  spread_rigid(state.position[n], std::span<const SkinMotion<3>>(work.skin).subspan(first, count),
+               std::span<const Vec3>(work.skin_force).subspan(first, count), work.force[n], work.moment[n]);
 }
 
 void spread_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
@@ -106,14 +115,39 @@ void add_outside(const Model<2>& model, const Vec2& field, Work<2>& work) {
   work.carried = std::sqrt(carried);
 }
 
+/// The same in space.
+void add_outside(const Model<3>& model, const Vec3& field, Work<3>& work) {
+  const bool loaded = !work.load.empty();
+  const Vec3* load = loaded ? work.load.data() : model.load.data();
+  double unbalanced = 0, carried = 0;
+  for (int n = 0; n < model.nodes(); ++n) {
+    const Vec3 reacts = work.force[n], steady = model.mass[n] * field + load[n];
+    Vec3 left = reacts + steady;
+    work.force[n] = left;
+    if (loaded) work.moment[n] += work.load_moment[n];
+    if (!model.moves(n)) continue;
+    carried = std::max(carried, std::max(reacts.squaredNorm(), steady.squaredNorm()));
+    for (const int k : {0, 1, 2})
+      if (model.support[n][k] != Support::free) left[k] = 0;
+    unbalanced = std::max(unbalanced, left.squaredNorm());
+  }
+  work.unbalanced = std::sqrt(unbalanced);
+  work.carried = std::sqrt(carried);
+}
+
 }  // namespace
 
-void sum(const Model<2>& model, const State<2>& state, Work<2>& work) {
+template <int D>
+void sum(const Model<D>& model, const State<D>& state, Work<D>& work) {
   work.force.resize(model.mass.size());
   work.moment.resize(model.mass.size());
   for (const BodyRow& body : work.body) spread_body(model, state, body, work);
-  for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
+  if constexpr (D == 2)
+    for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
   add_outside(model, model.gravity.at(state.time), work);
 }
+
+template void sum(const Model<2>&, const State<2>&, Work<2>&);
+template void sum(const Model<3>&, const State<3>&, Work<3>&);
 
 }  // namespace trilith

@@ -31,7 +31,7 @@ double& rate_of(State<2>& state, const Freedom& f) {
 }  // namespace
 
 double net_force(const Model<2>& model, const State<2>& state, const Work<2>& work, const Freedom& f) {
-  const Dofs mass = mass_of(model, f.node), v = velocity_of(state, f.node);
+  const Dofs<2> mass = mass_of(model, f.node), v = velocity_of(state, f.node);
   const double force = f.k == 2 ? work.moment[f.node] : work.force[f.node][f.k];
   return force - model.mass_damping * mass[f.k] * v[f.k];
 }

@@ -16,8 +16,8 @@ constexpr double extents_around = 10, least_margin = 100;  // [1], [m]
 }  // namespace
 
 /// The box of all skin at the start, and around it ten times its larger side, at least 100 m.
-Bounds default_bounds(const Model<2>& model) {
-  Bounds box{Vec2::Constant(unbounded), Vec2::Constant(-unbounded)};
+Bounds<2> default_bounds(const Model<2>& model) {
+  Bounds<2> box{Vec2::Constant(unbounded), Vec2::Constant(-unbounded)};
   for (std::size_t i = 0; i < model.skin_place.size(); ++i) {
     const int n = model.skin_node[i];
     const Vec2 x = model.start_position[n] + Turn(model.start_rotation[n]).apply(model.skin_place[i]);
@@ -28,8 +28,8 @@ Bounds default_bounds(const Model<2>& model) {
   return {box.low - margin, box.high + margin};
 }
 
-void set_bounds(Model<2>& model, const Bounds& chosen) {
-  Bounds out = default_bounds(model);
+void set_bounds(Model<2>& model, const Bounds<2>& chosen) {
+  Bounds<2> out = default_bounds(model);
   constexpr std::array low_names{"left", "bottom"}, high_names{"right", "top"};
   for (const int k : {0, 1}) {
     // Sides that are not given are the preset ones.

@@ -34,7 +34,7 @@ double mass_of(const BodySpec& spec, double area, double thickness, const std::v
 
 }  // namespace
 
-bool holds_at(const NodeHold& hold, const Vec2& place) {
+bool is_supported_at(const NodeSupport& hold, const Vec2& place) {
   const Vec2 low = hold.low.cwiseMin(hold.high), high = hold.low.cwiseMax(hold.high);
   const double reach = 1e-9 * (high - low).norm();
   return ((place - low).array() >= -reach).all() && ((high - place).array() >= -reach).all();
@@ -219,9 +219,9 @@ double mesh_area(const Mesh& mesh) {
 /// A node without rotation at `place`, of a body that starts as `spec` says and turns about `centre`.
 void append_node(const BodySpec& spec, const Vec2& place, const Vec2& centre, Model<2>& model) {
   std::array<Support, 3> support{spec.support[0], spec.support[1], Support::fixed};
-  for (const NodeHold& hold : spec.holds)
+  for (const NodeSupport& hold : spec.supports)
     for (const int k : {0, 1})
-      if (holds_at(hold, place) && hold.support[k] != Support::free) support[k] = hold.support[k];
+      if (is_supported_at(hold, place) && hold.support[k] != Support::free) support[k] = hold.support[k];
   model.skin_place.push_back(Vec2::Zero());
   model.skin_node.push_back(model.nodes());
   model.skin_turn.push_back(model.nodes());

@@ -23,12 +23,12 @@ struct Material {
 };
 
 /// Holds the nodes of a deformable body that stand in a box at the start.
-struct NodeHold {
+struct NodeSupport {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< opposite corners [m]
   std::array<Support, 2> support{};              ///< x, y; free leaves as it is
 };
 /// True where `place` [m] is in its box.
-bool holds_at(const NodeHold& hold, const Vec2& place);
+bool is_supported_at(const NodeSupport& hold, const Vec2& place);
 
 /// A body to be. Give at most one of density, mass, weight; without any, the material's density counts.
 struct BodySpec {
@@ -39,7 +39,7 @@ struct BodySpec {
   std::array<int, 2> divisions{1, 1};  ///< of a mesh, along the first and the second side of the outline
   std::optional<Mesh> mesh;            ///< of a body of kind mesh, instead of outline and divisions [m]
   std::optional<FrameSpec> frame;      ///< of a body of kind frame, instead of outline
-  std::vector<NodeHold> holds;         ///< of some nodes of a deformable body
+  std::vector<NodeSupport> supports;   ///< of some nodes of a deformable body
   std::string material;
   std::vector<std::string> groups;
   std::optional<double> density;     ///< [kg/m3]
@@ -62,10 +62,10 @@ struct BearingSpec {
   double angle = 0;                                     ///< of direction `along` to the x axis [rad]
   std::array<DirectionLaw, 3> law;
   std::array<double, 3> limit{unbounded, unbounded, unbounded};
-  bool holds_off_contact = false;  ///< while live, stands for the flat contact of the pieces whose faces are nearest
-                                   ///< to its points; their corners still touch
-  std::string contact_after;       ///< name of the contact law after failure; "": the one of the surfaces
-  std::string becomes_bearing;     ///< name of the bearing that follows; "": none
+  bool replaces_contact = false;  ///< while live, stands for the flat contact of the pieces whose faces are nearest
+                                  ///< to its points; their corners still touch
+  std::string contact_after;      ///< name of the contact law after failure; "": the one of the surfaces
+  std::string becomes_bearing;    ///< name of the bearing that follows; "": none
   bool starts_waiting = false;
 };
 
@@ -87,7 +87,7 @@ class ModelBuilder {
   double still_speed = 2.54e-7;        ///< [m/s]
   double still_time = 0.5;             ///< [s]
   double overlap_allowed = 1e-6;       ///< deepest overlap at the start, share of the smaller body's size
-  Bounds bounds;                       ///< sides that are infinite are those of default_bounds
+  Bounds<2> bounds;                    ///< sides that are infinite are those of default_bounds
 
   // Each throws InputError, and leaves the builder as it was.
   void add_material(const Material& material);

@@ -23,13 +23,13 @@ struct FrameRows {
   std::vector<std::vector<std::array<int, 2>>> skin = {};  ///< [member][station] of its bottom and top
 };
 
-/// The nodes that stand in a box of spec.holds are held as it says.
+/// The nodes that stand in a box of spec.supports are held as it says.
 std::array<Support, 3> support_of(const BodySpec& spec, const Vec2& place, std::array<Support, 3> own) {
   for (int k = 0; k < 3; ++k)
     if (spec.support[k] != Support::free) own[k] = spec.support[k];
-  for (const NodeHold& hold : spec.holds)
+  for (const NodeSupport& hold : spec.supports)
     for (const int k : {0, 1})
-      if (holds_at(hold, place) && hold.support[k] != Support::free) own[k] = hold.support[k];
+      if (is_supported_at(hold, place) && hold.support[k] != Support::free) own[k] = hold.support[k];
   return own;
 }
 

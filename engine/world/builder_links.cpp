@@ -119,7 +119,7 @@ void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) cons
   b.rest = Turn(spec.angle)
                .undo(deforms ? Vec2(pose_at(model, start, b.end_b).place - pose_at(model, start, b.end_a).place)
                              : Vec2(spec.point_b - spec.point_a));
-  b.holds_off_contact = spec.holds_off_contact;
+  b.replaces_contact = spec.replaces_contact;
   b.starts_waiting = spec.starts_waiting;
   if (!spec.contact_after.empty()) {
     const std::vector<std::string> known = law_names();
@@ -144,7 +144,7 @@ void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) cons
 }
 
 void ModelBuilder::append_seat(const SeatSpec& spec, Model<2>& model) const {
-  Seat seat;
+  Seat<2> seat;
   seat.name = spec.name;
   seat.body = require_body(spec.body, spec.name);
   seat.support = require_body(spec.support, spec.name);

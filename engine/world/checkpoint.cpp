@@ -85,7 +85,8 @@ void check_conditions(std::span<const std::uint64_t> words, const std::filesyste
 
 }  // namespace
 
-void save_state(const State<2>& state, const Model<2>& model, const std::filesystem::path& path) try {
+template <int D>
+void save_state(const State<D>& state, const Model<D>& model, const std::filesystem::path& path) try {
   const Fingerprint print = model_fingerprint(model, state);
   const std::vector<std::uint64_t> contents = state_words(state);
   std::vector<std::uint64_t> words{magic(),         byte_order_mark,  checkpoint_version,
@@ -99,13 +100,19 @@ void save_state(const State<2>& state, const Model<2>& model, const std::filesys
   throw InputError(fmt::format("{} cannot be written: {}", title(path), error.code().message()));
 }
 
-State<2> load_state(const Model<2>& model, const std::filesystem::path& path) {
+template <int D>
+State<D> load_state(const Model<D>& model, const std::filesystem::path& path) {
   const std::vector<std::uint64_t> words = read_words(path);
   check_head(words, path, model_fingerprint(model).structure);
   const std::span<const std::uint64_t> all(words);
-  const State<2> state = state_from_words(model, all.subspan(head_words, words.size() - head_words - 1), title(path));
+  const State<D> state = state_from_words(model, all.subspan(head_words, words.size() - head_words - 1), title(path));
   check_conditions(words, path, model_fingerprint(model, state).conditions);
   return state;
 }
+
+template void save_state(const State<2>&, const Model<2>&, const std::filesystem::path&);
+template void save_state(const State<3>&, const Model<3>&, const std::filesystem::path&);
+template State<2> load_state(const Model<2>&, const std::filesystem::path&);
+template State<3> load_state(const Model<3>&, const std::filesystem::path&);
 
 }  // namespace trilith

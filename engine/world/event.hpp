@@ -29,8 +29,9 @@ enum class EventType : int {
   element_overstrained,
   stage_diverged,
   stage_unsettled,
+  integrator_changed,
 };
-inline constexpr int event_types = 20;
+inline constexpr int event_types = 21;
 
 /// How a mortar joint fails; results hold the number.
 enum class JointMode : std::uint8_t { tension, shear, compression };
@@ -79,6 +80,7 @@ inline constexpr std::array<EventTypeInfo, event_types> event_type_info{{
     {"element.overstrained", "overstrained", "strain", "1", has_place | can_cause},
     {"stage.diverged", "diverged", "sound until", "s", spoils_run},
     {"stage.unsettled", "not at rest", "unbalanced", "1", spoils_run},
+    {"integrator.changed", "integrator changed", "step", "s", is_minor},
 }};
 
 constexpr const EventTypeInfo& info_of(EventType type) {

@@ -103,6 +103,8 @@ std::string event_text(const Event& e, const Model<2>& model) {
       return fmt::format("diverged, as {}", e.text);
     case EventType::stage_unsettled:
       return fmt::format("did not come to rest: {}", e.text);
+    case EventType::integrator_changed:
+      return e.text;
   }
   return {};
 }

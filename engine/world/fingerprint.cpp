@@ -26,13 +26,21 @@ void add(Hash& hash, const std::string& v) {
 void add(Hash& hash, const Vec2& v) {
   hash.add(v.x()), hash.add(v.y());
 }
+void add(Hash& hash, const Vec3& v) {
+  hash.add(v.x()), hash.add(v.y()), hash.add(v.z());
+}
+void add(Hash& hash, const UnitQuaternion& v) {
+  hash.add(v.w), hash.add(v.x), hash.add(v.y), hash.add(v.z);
+}
 
 // Declared ahead of the arrays of them.
 void add(Hash& hash, const ContactLaw& law);
 void add(Hash& hash, const DirectionLaw& law);
 void add(Hash& hash, const Body& b);
 void add(Hash& hash, const Bearing<2>& b);
-void add(Hash& hash, const Seat& s);
+void add(Hash& hash, const Bearing<3>& b);
+template <int D>
+void add(Hash& hash, const Seat<D>& s);
 void add(Hash& hash, const Solid& s);
 void add(Hash& hash, const Element& e);
 void add(Hash& hash, const Beam& b);
@@ -41,10 +49,14 @@ void add(Hash& hash, const FibreSection& s);
 void add(Hash& hash, const FibreBeamRow& r);
 void add(Hash& hash, const HingeLaw& l);
 void add(Hash& hash, const Drive& d);
-void add(Hash& hash, const PointLoad& l);
-void add(Hash& hash, const FaceLoad& l);
-void add(Hash& hash, const PushRow& r);
-void add(Hash& hash, const Push& p);
+template <int D>
+void add(Hash& hash, const PointLoad<D>& l);
+template <int D>
+void add(Hash& hash, const FaceLoad<D>& l);
+template <int D>
+void add(Hash& hash, const PushRow<D>& r);
+template <int D>
+void add(Hash& hash, const Push<D>& p);
 
 /// The length counts too, so that elements cannot slip from one array to the next.
 template <class T, std::size_t N>
@@ -87,9 +99,14 @@ void add(Hash& hash, const Body& b) {
     add(hash, v);
 }
 
-void add(Hash& hash, const Tie& t) {
+template <int D>
+void add(Hash& hash, const Tie<D>& t) {
   add(hash, t.nodes), hash.add(static_cast<std::uint64_t>(t.turns));
   add(hash, t.node), add(hash, t.turn), add(hash, t.weight), add(hash, t.arm);
+}
+
+void add(Hash& hash, const Bearing<3>& b) {
+  add(hash, b.name), add(hash, b.starts_waiting);
 }
 
 void add(Hash& hash, const Bearing<2>& b) {
@@ -98,10 +115,11 @@ void add(Hash& hash, const Bearing<2>& b) {
   add(hash, b.end_a), add(hash, b.end_b), add(hash, b.rest);
   add(hash, b.angle), add(hash, b.rest_angle);
   add(hash, b.law), add(hash, b.limit);
-  add(hash, b.holds_off_contact), add(hash, b.starts_waiting);
+  add(hash, b.replaces_contact), add(hash, b.starts_waiting);
 }
 
-void add(Hash& hash, const Seat& s) {
+template <int D>
+void add(Hash& hash, const Seat<D>& s) {
   add(hash, s.name), add(hash, s.body), add(hash, s.support);
   add(hash, s.end), add(hash, s.edge), add(hash, s.inward);
 }
@@ -168,27 +186,32 @@ void add(Hash& hash, const LoadCurve& c) {
   add(hash, c.time), add(hash, c.share), add(hash, c.smooth);
 }
 
-void add(Hash& hash, const PointLoad& l) {
+template <int D>
+void add(Hash& hash, const PointLoad<D>& l) {
   add(hash, l.name), add(hash, l.body), add(hash, l.at), add(hash, l.force);
   add(hash, l.moment), add(hash, l.follows), add(hash, l.curve);
 }
 
-void add(Hash& hash, const FaceLoad& l) {
+template <int D>
+void add(Hash& hash, const FaceLoad<D>& l) {
   add(hash, l.name), add(hash, l.body), add(hash, l.skin_a), add(hash, l.skin_b), add(hash, l.share),
       add(hash, l.pressure);
   add(hash, l.depth), add(hash, l.follows), add(hash, l.dead), add(hash, l.curve);
 }
 
-void add(Hash& hash, const PushRow& r) {
-  add(hash, r.node), add(hash, r.place), add(hash, r.weight);
+template <int D>
+void add(Hash& hash, const PushRow<D>& r) {
+  add(hash, r.node), add(hash, r.turn), add(hash, r.place), add(hash, r.weight);
 }
 
-void add(Hash& hash, const Push& p) {
+template <int D>
+void add(Hash& hash, const Push<D>& p) {
   add(hash, p.name), add(hash, p.rows), add(hash, p.direction), add(hash, p.origin), add(hash, p.start);
   add(hash, *p.motion);
 }
 
-std::uint64_t structure_of(const Model<2>& m) {
+template <int D>
+std::uint64_t structure_of(const Model<D>& m) {
   Hash hash;
   add(hash, m.thickness);
   add(hash, m.mass), add(hash, m.inertia);
@@ -203,12 +226,14 @@ std::uint64_t structure_of(const Model<2>& m) {
   return hash.value();
 }
 
-std::uint64_t conditions_of(const Model<2>& m) {
+template <int D>
+std::uint64_t conditions_of(const Model<D>& m) {
   Hash hash;
   add(hash, m.gravity.field);
   add(hash, m.bounds.low), add(hash, m.bounds.high);
-  for (const double v : {m.gravity.tilt_rate, m.gravity.tilt_start, m.gravity.tilt_end, m.gravity.grow_start,
-                         m.gravity.grow_end, m.mass_damping, m.impact_speed, m.apart_time, m.still_speed, m.still_time})
+  add(hash, m.gravity.tilt_rate);
+  for (const double v : {m.gravity.tilt_start, m.gravity.tilt_end, m.gravity.grow_start, m.gravity.grow_end,
+                         m.mass_damping, m.impact_speed, m.apart_time, m.still_speed, m.still_time})
     add(hash, v);
   add(hash, m.support), add(hash, m.load), add(hash, m.drives), add(hash, m.drive_of);
   if (m.loaded()) add(hash, m.point_loads), add(hash, m.face_loads), add(hash, m.pushes);
@@ -217,11 +242,13 @@ std::uint64_t conditions_of(const Model<2>& m) {
 
 }  // namespace
 
-Fingerprint model_fingerprint(const Model<2>& model) {
+template <int D>
+Fingerprint model_fingerprint(const Model<D>& model) {
   return {structure_of(model), conditions_of(model)};
 }
 
-Fingerprint model_fingerprint(Model<2> model, const State<2>& state) {
+template <int D>
+Fingerprint model_fingerprint(Model<D> model, const State<D>& state) {
   for (std::size_t b = 0; b < state.left.size(); ++b) {
     if (state.left[b] == 0) continue;
     const Body& body = model.bodies[b];
@@ -230,5 +257,10 @@ Fingerprint model_fingerprint(Model<2> model, const State<2>& state) {
   }
   return model_fingerprint(model);
 }
+
+template Fingerprint model_fingerprint(const Model<2>&);
+template Fingerprint model_fingerprint(const Model<3>&);
+template Fingerprint model_fingerprint(Model<2>, const State<2>&);
+template Fingerprint model_fingerprint(Model<3>, const State<3>&);
 
 }  // namespace trilith

@@ -18,8 +18,10 @@ struct Fingerprint {
   friend bool operator==(const Fingerprint&, const Fingerprint&) = default;
 };
 
-Fingerprint model_fingerprint(const Model<2>& model);
+template <int D>
+Fingerprint model_fingerprint(const Model<D>& model);
 /// The same whatever the supports of bodies that have left the bounds by `state` are: they are held there.
-Fingerprint model_fingerprint(Model<2> model, const State<2>& state);
+template <int D>
+Fingerprint model_fingerprint(Model<D> model, const State<D>& state);
 
 }  // namespace trilith

@@ -21,13 +21,13 @@ void check_finite(const Vec2& v, const std::string& what) {
 }
 
 /// On a body that deforms, by mass, as weight is.
-std::vector<PointLoad> spread_load(const Model<2>& model, int body, const PointLoad& whole) {
+std::vector<PointLoad<2>> spread_load(const Model<2>& model, int body, const PointLoad<2>& whole) {
   const Body& b = model.bodies[body];
   const double mass = body_mass(model, body);
-  std::vector<PointLoad> loads;
+  std::vector<PointLoad<2>> loads;
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
     loads.push_back(whole);
-    loads.back().at = Tie::to_node(n, Vec2::Zero());
+    loads.back().at = Tie<2>::to_node(n, Vec2::Zero());
     loads.back().force *= model.mass[n] / mass;
   }
   return loads;
@@ -35,13 +35,13 @@ std::vector<PointLoad> spread_load(const Model<2>& model, int body, const PointL
 
 }  // namespace
 
-std::vector<PointLoad> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec) {
+std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec) {
   const std::string owner = owner_of("load", spec.name, model, body);
   check_finite(spec.force, owner + ": force");
   require_finite(spec.moment, owner + ": moment");
   check_load_curve(spec.curve, owner);
   const Body& b = model.bodies[body];
-  PointLoad load;
+  PointLoad<2> load;
   load.name = spec.name, load.body = body, load.curve = spec.curve;
   load.force = spec.force, load.moment = spec.moment, load.follows = spec.follows;
   if (spec.at) {
@@ -49,7 +49,7 @@ std::vector<PointLoad> make_point_load(const Model<2>& model, int body, const Po
     load.at = tie_point(model, body, *spec.at, owner);
     return {load};
   }
-  load.at = Tie::to_node(b.first_node, Vec2::Zero());
+  load.at = Tie<2>::to_node(b.first_node, Vec2::Zero());
   if (b.is_rigid()) return {load};
   if (spec.moment != 0 || spec.follows)
     throw InputError(fmt::format("{}: the body deforms; say with 'at' where the {} acts", owner,
@@ -57,8 +57,8 @@ std::vector<PointLoad> make_point_load(const Model<2>& model, int body, const Po
   return spread_load(model, body, load);
 }
 
-std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
-                                    const PressureSpec& spec) {
+std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
+                                       const PressureSpec& spec) {
   const std::string owner = owner_of("pressure", spec.name, model, body);
   require_finite(spec.value, owner + ": value");
   check_load_curve(spec.curve, owner);
@@ -69,9 +69,9 @@ std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::
   double depth = model.thickness;  // as contacts have it
   for (const Element& e : model.elements)
     if (e.body == body) depth = e.thickness;
-  std::vector<FaceLoad> loads;
+  std::vector<FaceLoad<2>> loads;
   for (const FacePart& face : faces) {
-    FaceLoad load;
+    FaceLoad<2> load;
     load.name = spec.name, load.body = body, load.curve = spec.curve;
     load.skin_a = face.skin_a, load.skin_b = face.skin_b;
     // Over the part from s = from to s = to of a face, shape functions 1 - s and s: integral of s is (to^2 - from^2)/2.
@@ -89,7 +89,7 @@ std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::
 
 /// Loads without a name are those that stand for something released.
 void drop_faded(Model<2>& model, double now) {
-  std::erase_if(model.point_loads, [now](const PointLoad& l) { return l.name.empty() && l.curve.spent(now); });
+  std::erase_if(model.point_loads, [now](const PointLoad<2>& l) { return l.name.empty() && l.curve.spent(now); });
 }
 
 int change_loads(Model<2>& model, const std::string& name, double now, double share, double duration) {
@@ -109,11 +109,11 @@ int change_loads(Model<2>& model, const std::string& name, double now, double sh
 
 int scale_loads(Model<2>& model, const std::string& name, double factor) {
   int count = 0;
-  for (PointLoad& p : model.point_loads) {
+  for (PointLoad<2>& p : model.point_loads) {
     if (!name.empty() && p.name != name) continue;
     p.force *= factor, p.moment *= factor, ++count;
   }
-  for (FaceLoad& f : model.face_loads) {
+  for (FaceLoad<2>& f : model.face_loads) {
     if (!name.empty() && f.name != name) continue;
     f.pressure *= factor, f.dead *= factor, ++count;
   }
@@ -134,15 +134,17 @@ std::vector<std::string> load_names(const Model<2>& model) {
 
 /// Its force goes on as loads at the points it pushed and fades, so that nothing is set off.
 bool release_push(Model<2>& model, const State<2>& state, const Work<2>& work, const std::string& name, double fade) {
-  const auto at = std::find_if(model.pushes.begin(), model.pushes.end(), [&](const Push& p) { return p.name == name; });
+  const auto at =
+      std::find_if(model.pushes.begin(), model.pushes.end(), [&](const Push<2>& p) { return p.name == name; });
   if (at == model.pushes.end()) return false;
   drop_faded(model, state.time);
   const auto index = static_cast<std::size_t>(at - model.pushes.begin());
   const double size = index < work.push_force.size() ? work.push_force[index] : 0;
-  for (const PushRow& row : at->rows) {
+  for (const PushRow<2>& row : at->rows) {
     if (size == 0 || !(fade > 0)) break;
-    PointLoad load;
-    load.body = body_of_node(model, row.node), load.at = Tie::to_node(row.node, row.place);
+    PointLoad<2> load;
+    load.body = body_of_node(model, row.node), load.at = Tie<2>::to_node(row.node, row.place);
+    load.at.turn[0] = row.turn;
     load.force = size * row.weight * at->direction;
     load.curve = ramp_curve(state.time, 1, 0, fade, true);
     model.point_loads.push_back(std::move(load));

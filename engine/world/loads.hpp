@@ -58,9 +58,9 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
 
 /// The load as the model holds it, work-consistent: in the element that `at` lies in. Throws InputError for numbers
 /// that are not finite, a load curve that makes no sense, a point that is not in a deformable body.
-std::vector<PointLoad> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec);
-std::vector<FaceLoad> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
-                                    const PressureSpec& spec);
+std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec);
+std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
+                                       const PressureSpec& spec);
 
 /// Drops the loads of supports released before `now` [s] that have faded; they have no name.
 void drop_faded(Model<2>& model, double now);
@@ -77,14 +77,14 @@ enum class PushPattern { uniform, mass, triangle };  ///< triangle: mass times h
 
 /// Rows of a push of `bodies`, at their centroids or, of a single body, at a point. Throws InputError where a body
 /// cannot move along `direction` (unit vector).
-std::vector<PushRow> push_rows(const Model<2>& model, const std::vector<int>& bodies, const std::optional<Vec2>& at,
-                               PushPattern pattern, const Vec2& direction);
+std::vector<PushRow<2>> push_rows(const Model<2>& model, const std::vector<int>& bodies, const std::optional<Vec2>& at,
+                                  PushPattern pattern, const Vec2& direction);
 /// Adds it, from the present place on. Throws InputError where one of its nodes is pushed already or its name is taken.
-void add_push(Model<2>& model, const State<2>& state, const std::string& name, std::vector<PushRow> rows,
+void add_push(Model<2>& model, const State<2>& state, const std::string& name, std::vector<PushRow<2>> rows,
               const Vec2& direction, std::shared_ptr<const GroundMotion> motion);
 
 /// Where a push stands: the weighed mean of its points' places along its direction [m].
-double push_place(const State<2>& state, const Push& push);
+double push_place(const State<2>& state, const Push<2>& push);
 
 /// Ends a push: its forces stay as loads that fade smoothly within `fade` [s], so that nothing is set off. False where
 /// there is none of that name.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/rotation_3d.hpp"
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
 #include "body/beam_yield.hpp"
@@ -77,56 +78,62 @@ struct Drive {
 
 /// Gravity; its direction may turn at a steady rate, which is what a tilting table does, and it may grow from nothing,
 /// so that weight comes on without a jolt.
+template <int D>
 struct Gravity {
-  Vec2 field = Vec2::Zero();  ///< [m/s2]
-  double tilt_rate = 0;       ///< the field turns counter-clockwise [rad/s]
-  double tilt_start = 0;      ///< time at which it begins to turn [s]
+  Vec<D> field = Vec<D>::Zero();           ///< [m/s2]
+  Spin<D> tilt_rate = nothing<Spin<D>>();  ///< the field turns with this [rad/s]
+  double tilt_start = 0;                   ///< time at which it begins to turn [s]
   double tilt_end = unbounded;
   double grow_start = 0, grow_end = 0;  ///< its share goes from 0 to 1 between these times [s]
 
-  [[nodiscard]] double angle(double time) const {
+  /// How far it has turned [rad].
+  [[nodiscard]] Spin<D> angle(double time) const {
     return tilt_rate * (std::min(std::max(time, tilt_start), tilt_end) - tilt_start);
   }
-  [[nodiscard]] Vec2 grown(double time) const { return tilt_rate == 0 ? field : Turn(angle(time)).apply(field); }
-  [[nodiscard]] Vec2 at(double time) const {
+  [[nodiscard]] Vec<D> grown(double time) const {
+    return tilt_rate == nothing<Spin<D>>() ? field : turn_by(angle(time)).apply(field);
+  }
+  [[nodiscard]] Vec<D> at(double time) const {
     if (time >= grow_end) return grown(time);
     return std::max(0.0, (time - grow_start) / (grow_end - grow_start)) * grown(time);
   }
 };
 
 /// Where bodies are followed. What leaves stands still from then on and is no longer part of the step.
+template <int D>
 struct Bounds {
-  Vec2 low = Vec2::Constant(-unbounded), high = Vec2::Constant(unbounded);  ///< opposite corners [m]
+  Vec<D> low = Vec<D>::Constant(-unbounded), high = Vec<D>::Constant(unbounded);  ///< opposite corners [m]
 
-  [[nodiscard]] bool hold(const Vec2& x) const {
+  [[nodiscard]] bool contain(const Vec<D>& x) const {
     return (x.array() >= low.array()).all() && (x.array() <= high.array()).all();
   }
 };
 
 /// A body's end resting on a support. Its length left is how far the end reaches over the edge of the seat.
+template <int D>
 struct Seat {
   std::string name;
   int body = -1, support = -1;
-  Tie end;                      ///< the body's end
-  Tie edge;                     ///< the edge of the seat, on the support
-  Vec2 inward = Vec2::UnitX();  ///< from the edge over the seat, unit vector in the axes of the support
+  Tie<D> end;                       ///< the body's end
+  Tie<D> edge;                      ///< the edge of the seat, on the support
+  Vec<D> inward = Vec<D>::UnitX();  ///< from the edge over the seat, unit vector in the axes of the support
 };
 
 template <int D>
 struct Model {
   double thickness = 1;  ///< out of plane, of every contact [m]
-  Gravity gravity;
+  Gravity<D> gravity;
   double mass_damping = 0;  ///< C = mass_damping * M, on velocities relative to rest [1/s]
-  Bounds bounds;            ///< wide ones around where all begins, unless chosen: see default_bounds
+  Bounds<D> bounds;         ///< wide ones around where all begins, unless chosen: see default_bounds
 
   // Nodes: one row per node.
   std::vector<double> mass;                                  ///< [node] kg
   std::vector<typename Space<D>::Inertia> inertia;           ///< [node] kg m2
   std::vector<std::array<Support, Space<D>::dofs>> support;  ///< [node]
   std::vector<Vec<D>> start_position;                        ///< [node] m
-  std::vector<typename Space<D>::Rotation> start_rotation;   ///< [node] rad
+  std::vector<Rotation<D>> start_rotation;                   ///< [node]
   std::vector<Vec<D>> start_velocity;                        ///< [node] m/s
-  std::vector<typename Space<D>::Spin> start_spin;           ///< [node] rad/s
+  std::vector<Spin<D>> start_spin;                           ///< [node] rad/s
   std::vector<Vec<D>> load;                                  ///< [node] steady force N
 
   std::vector<Body> bodies;         ///< [body]
@@ -163,12 +170,12 @@ struct Model {
   std::vector<int> law_of;  ///< [surface * surfaces] index into laws, or -1 for no contact
 
   std::vector<Bearing<D>> bearings;
-  std::vector<Seat> seats;
+  std::vector<Seat<D>> seats;
   std::vector<Drive> drives;
   std::vector<std::array<int, Space<D>::dofs>> drive_of;  ///< [node] index into drives, or -1
-  std::vector<PointLoad> point_loads;
-  std::vector<FaceLoad> face_loads;
-  std::vector<Push> pushes;
+  std::vector<PointLoad<D>> point_loads;
+  std::vector<FaceLoad<D>> face_loads;
+  std::vector<Push<D>> pushes;
   double impact_speed = 0.5;     ///< a contact made faster than this is an impact [m/s]
   double apart_time = 0.02;      ///< a contact is lost when it has been open this long [s]
   double still_speed = 2.54e-7;  ///< a body slower than this for still_time is at rest [m/s]

@@ -84,7 +84,7 @@ constexpr std::array<double, 4> quarters{0.25, 0.25, 0.25, 0.25};
 constexpr std::array<double, 3> thirds{1.0 / 3, 1.0 / 3, 1.0 / 3};
 
 /// The nodes of an element, which all count alike for its turn.
-Cloud cloud_of(const Tie& tie) {
+Cloud cloud_of(const Tie<2>& tie) {
   const auto nodes = static_cast<std::size_t>(tie.nodes);
   return {std::span(tie.node).first(nodes),
           tie.nodes == 4 ? std::span<const double>(quarters) : std::span<const double>(thirds)};
@@ -92,7 +92,7 @@ Cloud cloud_of(const Tie& tie) {
 
 /// Of nodes that turn, as the arms do.
 template <class Nodes>
-Pose pose_of_sections(const Nodes& state, const Tie& tie) {
+Pose pose_of_sections(const Nodes& state, const Tie<2>& tie) {
   Pose pose;
   for (int i = 0; i < tie.nodes; ++i) {
     const int n = tie.node[i], t = tie.turn[i];
@@ -107,8 +107,8 @@ Pose pose_of_sections(const Nodes& state, const Tie& tie) {
 
 /// The element of a mesh that a point lies in, or whose edge is nearest, and its distance from it [m].
 /// Shape functions there are the weights, so that the point moves as the element does.
-std::pair<Tie, double> tie_to_elements(const Model<2>& model, int body, const Vec2& at) {
-  Tie best;
+std::pair<Tie<2>, double> tie_to_elements(const Model<2>& model, int body, const Vec2& at) {
+  Tie<2> best;
   best.turns = false;
   double least = unbounded;
   for (const Element& element : model.elements) {
@@ -131,8 +131,8 @@ std::pair<Tie, double> tie_to_elements(const Model<2>& model, int body, const Ve
 ///         |         x          |     its share of the way as their weights
 ///    from | - - - - - - - - -> | along
 ///         0 ------------------ 1
-std::pair<Tie, double> tie_to_sections(const Model<2>& model, int body, const Vec2& at) {
-  Tie best;
+std::pair<Tie<2>, double> tie_to_sections(const Model<2>& model, int body, const Vec2& at) {
+  Tie<2> best;
   double least = unbounded;
   for (int piece = model.bodies[body].first_piece; piece < model.bodies[body].first_piece + model.bodies[body].pieces;
        ++piece) {
@@ -214,9 +214,9 @@ Vec2 skin_place(const Model<2>& model, const State<2>& state, int skin) {
          Turn(state.rotation[model.skin_turn[skin]]).apply(model.skin_place[skin]);
 }
 
-Tie tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner) {
+Tie<2> tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner) {
   const Body& b = model.bodies[body];
-  if (b.is_rigid()) return Tie::to_node(b.first_node, at - model.start_position[b.first_node]);
+  if (b.is_rigid()) return Tie<2>::to_node(b.first_node, at - model.start_position[b.first_node]);
   const auto [tie, distance] = b.nodes_turn() ? tie_to_sections(model, body, at) : tie_to_elements(model, body, at);
   // As far off as rounding and rough input may be; farther, it is another place that was meant.
   if (distance > 0.02 * model.body_radius[body])
@@ -239,7 +239,7 @@ struct NodesBefore {
 };
 
 template <class Nodes>
-Pose pose_of(const Model<2>& model, const Nodes& state, const Tie& tie) {
+Pose pose_of(const Model<2>& model, const Nodes& state, const Tie<2>& tie) {
   if (tie.is_rigid()) {
     const int n = tie.node[0];
     const Vec2 arm = Turn(state.rotation[n]).apply(tie.arm[0]);
@@ -257,18 +257,18 @@ Pose pose_of(const Model<2>& model, const Nodes& state, const Tie& tie) {
 
 }  // namespace
 
-Pose pose_at(const Model<2>& model, const State<2>& state, const Tie& tie) {
+Pose pose_at(const Model<2>& model, const State<2>& state, const Tie<2>& tie) {
   return pose_of(model, state, tie);
 }
 
 /// Velocities of then are not kept: those in it are of now.
-Pose pose_before(const Model<2>& model, const State<2>& state, const Tie& tie) {
+Pose pose_before(const Model<2>& model, const State<2>& state, const Tie<2>& tie) {
   return pose_of(model, NodesBefore{state.position_before, state.rotation_before, state.velocity, state.spin}, tie);
 }
 
 /// The transpose of pose_at: a force goes to the nodes by their weights, a moment as the forces by which the best turn
 /// changes.
-void push_at(const Model<2>& model, const State<2>& state, const Tie& tie, const Vec2& force, double moment,
+void push_at(const Model<2>& model, const State<2>& state, const Tie<2>& tie, const Vec2& force, double moment,
              std::vector<Vec2>& node_force, std::vector<double>& node_moment) {
   if (tie.turns) {
     for (int i = 0; i < tie.nodes; ++i) {

@@ -31,15 +31,15 @@ Vec2 skin_place(const Model<2>& model, const State<2>& state, int skin);
 
 /// Ties the point of a body that is at `at` [m] at the start. On a body that deforms: in the element it lies in, or
 /// whose edge is nearest; throws InputError where it is farther from the body than a hundredth of its size.
-Tie tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner);
+Tie<2> tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner);
 
 /// Where a tied point is and how it moves, and how what is tied there turns.
-Pose pose_at(const Model<2>& model, const State<2>& state, const Tie& tie);
+Pose pose_at(const Model<2>& model, const State<2>& state, const Tie<2>& tie);
 /// Where it was as the step behind began, which an implicit scheme took. Velocities are of no meaning.
-Pose pose_before(const Model<2>& model, const State<2>& state, const Tie& tie);
+Pose pose_before(const Model<2>& model, const State<2>& state, const Tie<2>& tie);
 
 /// Adds a force [N] at the point and a moment [N m] to the nodes: the transpose of pose_at.
-void push_at(const Model<2>& model, const State<2>& state, const Tie& tie, const Vec2& force, double moment,
+void push_at(const Model<2>& model, const State<2>& state, const Tie<2>& tie, const Vec2& force, double moment,
              std::vector<Vec2>& node_force, std::vector<double>& node_moment);
 
 }  // namespace trilith

@@ -25,35 +25,34 @@ State<D> initial_state(const Model<D>& model) {
   return state;
 }
 
-template State<2> initial_state(const Model<2>& model);
-
-namespace {
-
-void add_nodes(Hash& hash, const State<2>& state) {
-  for (std::size_t i = 0; i < state.position.size(); ++i)
-    for (const double v : {state.position[i].x(), state.position[i].y(), state.rotation[i], state.velocity[i].x(),
-                           state.velocity[i].y(), state.spin[i]})
-      hash.add(v);
-}
-
-}  // namespace
-
-template <>
-std::uint64_t motion_hash(const State<2>& state) {
+template <int D>
+std::uint64_t motion_hash(const State<D>& state) {
   Hash hash;
   hash.add(state.time);
   hash.add(static_cast<std::uint64_t>(state.step));
   hash.add(state.last_dt);
-  add_nodes(hash, state);
+  for (std::size_t n = 0; n < state.position.size(); ++n) {
+    for_each_number(state.position[n], [&](double v) { hash.add(v); });
+    for_each_number(state.rotation[n], [&](double v) { hash.add(v); });
+    for_each_number(state.velocity[n], [&](double v) { hash.add(v); });
+    for_each_number(state.spin[n], [&](double v) { hash.add(v); });
+  }
   for (const double energy : state.given.value) hash.add(energy);
   return hash.value();
 }
 
-template <>
-std::uint64_t state_hash(const State<2>& state) {
+template <int D>
+std::uint64_t state_hash(const State<D>& state) {
   Hash hash;
   for (const std::uint64_t word : state_words(state)) hash.add(word);
   return hash.value();
 }
+
+template State<2> initial_state(const Model<2>&);
+template State<3> initial_state(const Model<3>&);
+template std::uint64_t motion_hash(const State<2>&);
+template std::uint64_t motion_hash(const State<3>&);
+template std::uint64_t state_hash(const State<2>&);
+template std::uint64_t state_hash(const State<3>&);
 
 }  // namespace trilith

@@ -38,17 +38,17 @@ struct State {
 
   // Motion of the nodes [node]. Velocities are those of the last half step (leapfrog), or where a step has just been
   // taken by an implicit scheme, of this instant.
-  std::vector<Vec<D>> position;                       ///< m
-  std::vector<typename Space<D>::Rotation> rotation;  ///< rad
-  std::vector<Vec<D>> velocity;                       ///< m/s
-  std::vector<typename Space<D>::Spin> spin;          ///< rad/s
+  std::vector<Vec<D>> position;       ///< m
+  std::vector<Rotation<D>> rotation;  ///< rad in the plane
+  std::vector<Vec<D>> velocity;       ///< m/s
+  std::vector<Spin<D>> spin;          ///< rad/s
 
   // What an implicit scheme goes on from [node]; empty in explicit stages.
-  std::vector<Vec<D>> position_before;                       ///< as the step behind began m
-  std::vector<typename Space<D>::Rotation> rotation_before;  ///< rad
-  std::vector<Vec<D>> acceleration;                          ///< m/s2
-  std::vector<typename Space<D>::Spin> spin_rate;            ///< rad/s2
-  double most_energy = 0;  ///< the most that has moved and been stored since implicit steps began [J]
+  std::vector<Vec<D>> position_before;       ///< as the step behind began m
+  std::vector<Rotation<D>> rotation_before;  ///< as `rotation`
+  std::vector<Vec<D>> acceleration;          ///< m/s2
+  std::vector<Spin<D>> spin_rate;            ///< rad/s2
+  double most_energy = 0;                    ///< the most that has moved and been stored since implicit steps began [J]
   std::shared_ptr<const KeptTangent> tangent;  ///< the last one; none in explicit stages
 
   ContactHistory contacts;

@@ -175,24 +175,31 @@ void Reader::tangent(std::shared_ptr<const KeptTangent>& kept) {
 }
 
 /// For what an implicit scheme keeps of the nodes, as many as accelerations were announced.
-void make_room(State<2>& s) {
+template <int D>
+void make_room(State<D>& s) {
   s.position_before.resize(s.acceleration.size());
   s.rotation_before.resize(s.acceleration.size());
   s.spin_rate.resize(s.acceleration.size());
 }
 
-/// Every field of a state, in order, for the writer and for the reader alike. `S`: State<2>, const or not.
+/// The numbers of a place, a turn, a velocity or a spin.
+template <class File, class V>
+void walk_numbers(File& file, V& v) {
+  for_each_number(v, [&](auto& number) { file.number(number); });
+}
+
+/// Every field of a state, in order, for the writer and for the reader alike. `S`: State<D>, const or not.
 template <class File, class S>
 void walk(File& file, S& s) {
   file.number(s.time), file.whole(s.step), file.number(s.dt), file.number(s.safety), file.number(s.last_dt);
   for (std::size_t n = 0, nodes = file.count(s.position); n < nodes; ++n) {
-    file.number(s.position[n].x()), file.number(s.position[n].y()), file.number(s.rotation[n]);
-    file.number(s.velocity[n].x()), file.number(s.velocity[n].y()), file.number(s.spin[n]);
+    walk_numbers(file, s.position[n]), walk_numbers(file, s.rotation[n]);
+    walk_numbers(file, s.velocity[n]), walk_numbers(file, s.spin[n]);
   }
   for (std::size_t n = 0, nodes = file.open_count(s.acceleration, 6); n < nodes; ++n) {
     if constexpr (!std::is_const_v<S>) make_room(s);
-    file.number(s.position_before[n].x()), file.number(s.position_before[n].y()), file.number(s.rotation_before[n]);
-    file.number(s.acceleration[n].x()), file.number(s.acceleration[n].y()), file.number(s.spin_rate[n]);
+    walk_numbers(file, s.position_before[n]), walk_numbers(file, s.rotation_before[n]);
+    walk_numbers(file, s.acceleration[n]), walk_numbers(file, s.spin_rate[n]);
   }
   file.number(s.most_energy), file.tangent(s.tangent);
   file.contacts(s.contacts);
@@ -217,11 +224,13 @@ void walk(File& file, S& s) {
 
 // What a state that was read must be beside whole: of this model.
 
-bool is_contact_of(const Model<2>& model, ContactKey key) {
+template <int D>
+bool is_contact_of(const Model<D>& model, ContactKey key) {
   return first_piece(key) >= 0 && first_piece(key) < second_piece(key) && second_piece(key) < model.pieces();
 }
 
-void check_contacts(const Reader& file, const Model<2>& model, const State<2>& s) {
+template <int D>
+void check_contacts(const Reader& file, const Model<D>& model, const State<D>& s) {
   const ContactHistory& c = s.contacts;
   for (std::size_t i = 0; i < c.size(); ++i) {
     if (!is_contact_of(model, c.key[i]) || (i > 0 && c.key[i - 1] >= c.key[i]))
@@ -233,7 +242,8 @@ void check_contacts(const Reader& file, const Model<2>& model, const State<2>& s
     if (!is_contact_of(model, p.contact)) file.fail("has a parted contact of pieces that are not there");
 }
 
-void check_passed(const Reader& file, const Model<2>& model, const State<2>& s) {
+template <int D>
+void check_passed(const Reader& file, const Model<D>& model, const State<D>& s) {
   const int bodies = static_cast<int>(model.bodies.size());
   for (std::size_t i = 0; i < s.passed.size(); ++i) {
     const int a = first_piece(s.passed[i]), b = second_piece(s.passed[i]);
@@ -242,13 +252,15 @@ void check_passed(const Reader& file, const Model<2>& model, const State<2>& s) 
   }
 }
 
-void check_accelerations(const Reader& file, const State<2>& s) {
+template <int D>
+void check_accelerations(const Reader& file, const State<D>& s) {
   if (s.implicit() && s.acceleration.size() != s.position.size())
     file.fail("has accelerations for other numbers of nodes than the model");
 }
 
 /// A matrix in compressed columns, square, its rows in order.
-void check_tangent(const Reader& file, const State<2>& s) {
+template <int D>
+void check_tangent(const Reader& file, const State<D>& s) {
   if (!s.tangent) return;
   const KeptTangent& t = *s.tangent;
   bool sound = !t.column.empty() && t.column.front() == 0 && t.row.size() == t.value.size() &&
@@ -259,21 +271,24 @@ void check_tangent(const Reader& file, const State<2>& s) {
   if (!sound) file.fail("has a tangent that is no matrix");
 }
 
-void check_bearings(const Reader& file, const State<2>& s) {
+template <int D>
+void check_bearings(const Reader& file, const State<D>& s) {
   for (const BearingMemory& m : s.bearing)
     if (m.status > BearingStatus::changed || m.failed_direction > 2) file.fail("has a bearing in no known state");
 }
 
 }  // namespace
 
-std::vector<std::uint64_t> state_words(const State<2>& state) {
+template <int D>
+std::vector<std::uint64_t> state_words(const State<D>& state) {
   Writer file;
   walk(file, state);
   return std::move(file.words);
 }
 
-State<2> state_from_words(const Model<2>& model, std::span<const std::uint64_t> words, const std::string& owner) {
-  State<2> state = initial_state(model);  // for the number of rows
+template <int D>
+State<D> state_from_words(const Model<D>& model, std::span<const std::uint64_t> words, const std::string& owner) {
+  State<D> state = initial_state(model);  // for the number of rows
   Reader file(words, owner);
   walk(file, state);
   file.done();
@@ -283,5 +298,10 @@ State<2> state_from_words(const Model<2>& model, std::span<const std::uint64_t> 
   check_bearings(file, state);
   return state;
 }
+
+template std::vector<std::uint64_t> state_words(const State<2>&);
+template std::vector<std::uint64_t> state_words(const State<3>&);
+template State<2> state_from_words(const Model<2>&, std::span<const std::uint64_t>, const std::string&);
+template State<3> state_from_words(const Model<3>&, std::span<const std::uint64_t>, const std::string&);
 
 }  // namespace trilith

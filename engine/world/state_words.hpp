@@ -13,9 +13,11 @@
 namespace trilith {
 
 /// Empty contacts, which come and go with the search for pairs and mean nothing, are left out.
-std::vector<std::uint64_t> state_words(const State<2>& state);
+template <int D>
+std::vector<std::uint64_t> state_words(const State<D>& state);
 
 /// Throws InputError, beginning with `owner`, where `words` are no state of `model`.
-State<2> state_from_words(const Model<2>& model, std::span<const std::uint64_t> words, const std::string& owner);
+template <int D>
+State<D> state_from_words(const Model<D>& model, std::span<const std::uint64_t> words, const std::string& owner);
 
 }  // namespace trilith

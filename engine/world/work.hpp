@@ -18,7 +18,7 @@ struct NearPair {
   int facing;          ///< number of pairs of faces that look at each other: 0, 1, 2 (more counts as 2)
   int a0, a1, b0, b1;  ///< skin points of the two faces, where facing > 0
   double corner;       ///< see FaceOverlap::is_flat, where facing > 0
-  bool held_off;       ///< a live bearing stands for the flat contact of these pieces; corners still touch
+  bool replaced;       ///< a live bearing stands for the flat contact of these pieces; corners still touch
 };
 
 /// Rows of `pairs` that are handled alike: one contact law, faces that look at each other.
@@ -31,8 +31,16 @@ struct FaceBatch {
 };
 
 /// A skin point's position [m] and velocity [m/s], in the order the contact kernel loads them.
-struct alignas(32) SkinMotion {
+template <int D>
+struct SkinMotion;
+template <>
+struct alignas(32) SkinMotion<2> {
   double x, y, u, v;
+};
+template <>
+struct alignas(32) SkinMotion<3> {
+  double x, y, z, unused_place;
+  double u, v, w, unused_velocity;
 };
 
 /// Where the rows of a body are: all that a pass over the bodies reads of Body, without its names.
@@ -58,27 +66,27 @@ struct Work {
   bool leave_out_beams = false;  ///< resist adds none of their forces: the tangent has theirs by itself. Writer: it
 
   // Writer: place
-  std::vector<BodyRow> body;      ///< [body], anew where the pairs must be found anew
-  std::vector<SkinMotion> skin;   ///< [skin]
-  std::vector<Vec<D>> skin_mean;  ///< [skin] mean velocity over the step; empty in explicit stages m/s
-  double fastest = 0;             ///< largest speed of any skin point m/s
-  double fastest_moving = 0;      ///< ... of a body that is free to move m/s
+  std::vector<BodyRow> body;        ///< [body], anew where the pairs must be found anew
+  std::vector<SkinMotion<D>> skin;  ///< [skin]
+  std::vector<Vec<D>> skin_mean;    ///< [skin] mean velocity over the step; empty in explicit stages m/s
+  double fastest = 0;               ///< largest speed of any skin point m/s
+  double fastest_moving = 0;        ///< ... of a body that is free to move m/s
 
   // Writer: detect
-  std::vector<NearPair> pairs;         ///< [contact]
-  std::vector<FaceBatch> batches;      ///< by law
-  std::vector<int> general;            ///< rows that have no single pair of facing faces
-  std::vector<double> asleep_until;    ///< [contact] not touching while `travel` is below this m
-  std::vector<Vec<D>> found_position;  ///< [node] pose at which the pairs were found m
-  std::vector<double> found_rotation;  ///< [node] rad
-  std::vector<RateBound> face_bound;   ///< [body] lying on its stiffest face
-  double margin = 0;                   ///< boxes are widened by this m
-  ContactHistory matched;              ///< the state's contacts in the rows of the pairs, where these were found after
-                                       ///< the last commit; else empty
-  bool is_matched = false;             ///< they were
-  double travel = 0;                   ///< path of the skin point that went farthest since then, from one evaluated
-                                       ///< pose to the next, an upper bound. Writer: place m
-  double look_again = 0;               ///< no body has moved half the margin while `travel` is below this m
+  std::vector<NearPair> pairs;              ///< [contact]
+  std::vector<FaceBatch> batches;           ///< by law
+  std::vector<int> general;                 ///< rows that have no single pair of facing faces
+  std::vector<double> asleep_until;         ///< [contact] not touching while `travel` is below this m
+  std::vector<Vec<D>> found_position;       ///< [node] pose at which the pairs were found m
+  std::vector<Rotation<D>> found_rotation;  ///< [node]
+  std::vector<RateBound> face_bound;        ///< [body] lying on its stiffest face
+  double margin = 0;                        ///< boxes are widened by this m
+  ContactHistory matched;   ///< the state's contacts in the rows of the pairs, where these were found after
+                            ///< the last commit; else empty
+  bool is_matched = false;  ///< they were
+  double travel = 0;        ///< path of the skin point that went farthest since then, from one evaluated
+                            ///< pose to the next, an upper bound. Writer: place m
+  double look_again = 0;    ///< no body has moved half the margin while `travel` is below this m
 
   // Writer: respond
   ContactHistory contacts;                       ///< [contact] trial
@@ -86,36 +94,36 @@ struct Work {
   std::vector<int> face_rows, fresh_rows;        ///< of a batch: rows that touched or may touch now; the latter alone
   std::vector<int> general_now;                  ///< rows whose shape is general at this step
   std::vector<GeneralContact> general_touching;  ///< those of them that touch
-  std::vector<int> turned;                       ///< rows that began or ceased to touch, or lost a bond
+  std::vector<int> changed_rows;                 ///< rows that began or ceased to touch, or lost a bond
   std::vector<Vec<D>> skin_force;                ///< [skin] N
   std::vector<Vec<D>> bearing_force;             ///< [bearing] on body b, in world axes N
-  std::vector<double> bearing_moment;            ///< [bearing] on body b N m
+  std::vector<Moment<D>> bearing_moment;         ///< [bearing] on body b N m
   std::vector<Vec<D>> bearing_displacement;      ///< [bearing] in its axes m
   Energy given;                                  ///< trial: energy given off and put in up to this instant J
   std::vector<double> bearing_energy;            ///< [bearing] elastic energy J
   double bearing_stored = 0;                     ///< their sum J
 
   // Writer: resist
-  std::vector<PlasticMemory> plastic;          ///< [plastic point] trial
-  std::vector<double> beam_memory;             ///< trial
-  std::vector<Vec<D>> element_force;           ///< [node] of elastic and plastic stress N; empty without elements
-  std::vector<Vec<D>> element_damping;         ///< [node] of the dampings of elements N
-  std::vector<double> element_moment;          ///< [node] of beams N m; empty without them
-  std::vector<double> element_damping_moment;  ///< [node] N m
-  double element_stored = 0;                   ///< elastic energy of elements J
+  std::vector<PlasticMemory> plastic;             ///< [plastic point] trial
+  std::vector<double> beam_memory;                ///< trial
+  std::vector<Vec<D>> element_force;              ///< [node] of elastic and plastic stress N; empty without elements
+  std::vector<Vec<D>> element_damping;            ///< [node] of the dampings of elements N
+  std::vector<Moment<D>> element_moment;          ///< [node] of beams N m; empty without them
+  std::vector<Moment<D>> element_damping_moment;  ///< [node] N m
+  double element_stored = 0;                      ///< elastic energy of elements J
 
   // Writer: apply_loads. All empty where Model::loaded() is false.
-  std::vector<Vec<D>> load;         ///< [node] all forces from outside but weight, steady ones included N
-  std::vector<double> load_moment;  ///< [node] N m
+  std::vector<Vec<D>> load;            ///< [node] all forces from outside but weight, steady ones included N
+  std::vector<Moment<D>> load_moment;  ///< [node] N m
 
   // Writer: control_displacement. The forces of Model::pushes are part of `load`, `force` and so on from then on.
-  std::vector<double> push_force;   ///< [push] without what makes up for dampings N
-  std::vector<Vec<D>> trim;         ///< [node] the part of them that makes up for dampings; empty without pushes N
-  std::vector<double> trim_moment;  ///< [node] N m
+  std::vector<double> push_force;  ///< [push] without what makes up for dampings N
+  std::vector<Vec<D>> correction;  ///< [node] the part of them that makes up for dampings; empty without pushes N
+  std::vector<Moment<D>> correction_moment;  ///< [node] N m
 
   // Writer: sum
   std::vector<Vec<D>> force;           ///< [node] N
-  std::vector<double> moment;          ///< [node] N m
+  std::vector<Moment<D>> moment;       ///< [node] N m
   double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
 
   std::vector<Event> events;  ///< of this step. Writer: find_events

@@ -81,7 +81,7 @@ int add_bearing(lua_State* L) {
   spec.angle = keys.number("angle", "rad", 0);
   read_directions(keys, spec);
   spec.starts_waiting = keys.flag("waiting", false);
-  spec.holds_off_contact = keys.flag("holds_off_contact", false);
+  spec.replaces_contact = keys.flag("replaces_contact", false);
   read_successor(keys, m, spec);
   keys.finish();
   m.builder.add_bearing(spec);

@@ -164,7 +164,7 @@ int body_point(lua_State* L) {
   const Simulation* s = b.model().if_built();
   Vec2 now = *at;
   if (s != nullptr) {
-    const Tie tied = tie_point(s->model(), b.index, *at, fmt::format("point of body '{}'", spec(b).name));
+    const Tie<2> tied = tie_point(s->model(), b.index, *at, fmt::format("point of body '{}'", spec(b).name));
     now = pose_at(s->model(), s->state(), tied).place;
   }
   lua_pushnumber(L, now.x());

@@ -35,7 +35,7 @@ void read_divisions(Keys& keys, std::array<int, 2>& divisions) {
 }
 
 /// hold = { { from = {x, y}, to = {x, y}, x = "fixed", y = "fixed" }, ... }: nodes of a deformable body in a box.
-void read_holds(Keys& keys, std::vector<NodeHold>& holds) {
+void read_holds(Keys& keys, std::vector<NodeSupport>& holds) {
   lua_State* L = keys.lua();
   const int type = keys.push("hold");
   if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong("hold", "a list { { from = , to = , x = , y = }, ... }");
@@ -44,7 +44,7 @@ void read_holds(Keys& keys, std::vector<NodeHold>& holds) {
     lua_rawgeti(L, -1, i);
     try {
       Keys own(L, -1, fmt::format("hold {}", i));
-      NodeHold hold;
+      NodeSupport hold;
       hold.low = own.point("from"), hold.high = own.point("to");
       hold.support = {support_at(own, "x", own.text("x", "fixed")), support_at(own, "y", own.text("y", "fixed"))};
       own.finish();
@@ -67,7 +67,7 @@ BodySpec read_spec(Keys& keys, const BodySpec& preset) {
     if (const auto inertia = keys.maybe_number("inertia", "kg m2")) s.inertia = inertia;
     if (const auto thickness = keys.maybe_number("body_thickness", "m")) s.thickness = thickness;
   }
-  read_holds(keys, s.holds);
+  read_holds(keys, s.supports);
   s.material = keys.text("material", preset.material);
   const std::vector<std::string> groups = keys.names("groups");
   s.groups.insert(s.groups.end(), groups.begin(), groups.end());

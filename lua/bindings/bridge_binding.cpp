@@ -53,7 +53,7 @@ int add_bearing_type(lua_State* L) {
   keys.finish();
   // A bearing that carries the deck and has no height sits in the contact of deck and seat, and stands for it. One
   // without an axial law, such as a dowel, leaves the weight to the contact.
-  recipe.bearing.holds_off_contact = keys.has("axial") && type.height == 0;
+  recipe.bearing.replaces_contact = keys.has("axial") && type.height == 0;
   book_of(m).layout.add_bearing_type(type);
   book_of(m).recipes.emplace(type.name, recipe);
   lua_pushstring(L, type.name.c_str());

@@ -132,10 +132,10 @@ int point_load(lua_State* L) {
   const auto places = read_places(keys, model, bodies);
   keys.finish();
   if (spec.name.empty()) spec.name = free_name(m, "load");
-  std::vector<PointLoad> loads;
+  std::vector<PointLoad<2>> loads;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     spec.at = places[i];
-    for (PointLoad& load : make_point_load(model, bodies[i], spec)) loads.push_back(std::move(load));
+    for (PointLoad<2>& load : make_point_load(model, bodies[i], spec)) loads.push_back(std::move(load));
   }
   m.change([loads](Model<2>& changed) {
     changed.point_loads.insert(changed.point_loads.end(), loads.begin(), loads.end());
@@ -195,9 +195,9 @@ int pressure(lua_State* L) {
   keys.finish();
   if (spec.name.empty()) spec.name = free_name(m, "pressure");
   const Model<2>& model = m.simulation().model();
-  std::vector<FaceLoad> loads;
+  std::vector<FaceLoad<2>> loads;
   for (const int body : bodies)
-    for (FaceLoad& load : make_pressure(model, body, chosen_faces(model, body, faces), spec))
+    for (FaceLoad<2>& load : make_pressure(model, body, chosen_faces(model, body, faces), spec))
       loads.push_back(std::move(load));
   m.change(
       [loads](Model<2>& changed) { changed.face_loads.insert(changed.face_loads.end(), loads.begin(), loads.end()); });

@@ -1,5 +1,5 @@
 // Natural frequencies and shapes of a model as it stands.
-#include "step/modes.hpp"
+#include "step/mode_damping.hpp"
 
 #include <algorithm>
 
@@ -9,15 +9,16 @@
 namespace trilith::script {
 namespace {
 
-/// "  1    15.0359 Hz   0.0665 s    mass x  83.1 %   y   0.0 %"
-std::string modes_text(const std::vector<Mode>& found, const std::array<double, 2>& all) {
-  std::string text = "mode   frequency [Hz]   period [s]   mass x [%]   mass y [%]";
+/// "   1          15.036       0.0665        83.10         0.00       2.13"
+std::string modes_text(const std::vector<Mode>& found, const std::vector<ModeDamping>& damping,
+                       const std::array<double, 2>& all) {
+  std::string text = "mode   frequency [Hz]   period [s]   mass x [%]   mass y [%]   damping [%]";
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Mode& mode = found[i];
     const double f = mode.frequency();
     const auto share = [&](int k) { return all[k] > 0 ? 100 * mode.mass[k] / all[k] : 0; };
-    text += fmt::format("\n{:4}   {:14.5g}   {:10}   {:10.2f}   {:10.2f}", i + 1, f,
-                        f > 0 ? fmt::format("{:.5g}", 1 / f) : "-", share(0), share(1));
+    text += fmt::format("\n{:4}   {:14.5g}   {:10}   {:10.2f}   {:10.2f}   {:11.3g}", i + 1, f,
+                        f > 0 ? fmt::format("{:.5g}", 1 / f) : "-", share(0), share(1), 100 * damping[i].total());
     if (mode.square < 0) text += "   unstable";
   }
   return text;
@@ -44,19 +45,26 @@ void push_shape(lua_State* L, const Model<2>& model, const Mode& mode) {
   }
 }
 
-/// m:modes{ count = }: a list, lowest first.
-int find_modes(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+/// { count = }, or nothing.
+int read_count(lua_State* L, const char* owner) {
   lua_settop(L, 2);
   if (lua_isnil(L, 2)) {
     lua_newtable(L);
     lua_replace(L, 2);
   }
-  Keys keys(L, 2, "modes");
+  Keys keys(L, 2, owner);
   const int count = keys.count("count", 10);
   keys.finish();
+  return count;
+}
+
+/// m:modes{ count = }: a list, lowest first.
+int find_modes(lua_State* L) {
+  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  const int count = read_count(L, "modes");
   const Simulation& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
+  const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
   const std::array<double, 2> all = free_mass(sim.model());
   lua_createtable(L, static_cast<int>(found.size()), 1);
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -69,16 +77,51 @@ int find_modes(lua_State* L) {
     set_number(L, "mass_y", mode.mass[1]);
     set_number(L, "factor_x", mode.factor[0]);
     set_number(L, "factor_y", mode.factor[1]);
+    set_number(L, "damping", damping[i].total());
     push_shape(L, sim.model(), mode);
     lua_setfield(L, -2, "shape");
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
-  set_text(L, "text", modes_text(found, all));
+  set_text(L, "text", modes_text(found, damping, all));
+  luaL_setmetatable(L, "trilith.findings");
+  return 1;
+}
+
+std::string damping_text(const std::vector<Mode>& found, const std::vector<ModeDamping>& damping) {
+  std::string text = "frequency [Hz]   damping [%]   contacts   bearings   elements       mass";
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const ModeDamping& d = damping[i];
+    text += fmt::format("\n{:14.5g}   {:11.3g}   {:8.3g}   {:8.3g}   {:8.3g}   {:8.3g}", found[i].frequency(),
+                        100 * d.total(), 100 * d.contacts, 100 * d.bearings, 100 * d.elements, 100 * d.mass);
+  }
+  return text;
+}
+
+/// m:damping{ count = }: ratios to critical damping by frequency, and what gives them.
+int find_damping(lua_State* L) {
+  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  const int count = read_count(L, "damping");
+  const Simulation& sim = m.evaluated();
+  const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
+  const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
+  lua_createtable(L, static_cast<int>(found.size()), 1);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    lua_createtable(L, 0, 6);
+    set_number(L, "frequency", found[i].frequency());
+    set_number(L, "ratio", damping[i].total());
+    set_number(L, "contacts", damping[i].contacts);
+    set_number(L, "bearings", damping[i].bearings);
+    set_number(L, "elements", damping[i].elements);
+    set_number(L, "mass", damping[i].mass);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  set_text(L, "text", damping_text(found, damping));
   luaL_setmetatable(L, "trilith.findings");
   return 1;
 }
 
 const std::array modes_method_list{
+    Method{"damping", guarded<find_damping>, "damping{count=}: ratios to critical damping by frequency, and from what"},
     Method{"modes", guarded<find_modes>, "modes{count=}: natural frequencies and shapes as it stands"},
 };
 

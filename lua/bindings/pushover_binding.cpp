@@ -85,7 +85,7 @@ std::function<double(const Instant&)> drift_reading(ScriptModel& m, const PushOr
   if (f.storeys.empty()) {
     if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
     return [name = o.stage.name](const Instant& now) {
-      for (const Push& p : now.model.pushes)
+      for (const Push<2>& p : now.model.pushes)
         if (p.name == name) return push_place(now.state, p) - p.origin;
       return 0.0;
     };
@@ -101,7 +101,7 @@ std::function<double(const Instant&)> drift_reading(ScriptModel& m, const PushOr
 void stop_push(ScriptModel& m, const PushOrder& o) {
   m.change([&](Model<2>& model) {
     const double now = m.time();
-    for (Push& p : model.pushes) {
+    for (Push<2>& p : model.pushes) {
       if (p.name != o.stage.name) continue;
       const MotionAt at = p.motion->at(now - p.start);
       if (at.velocity == 0) continue;
@@ -167,7 +167,7 @@ int pushover(lua_State* L) {
   const auto motion = std::make_shared<const GroundMotion>(even_motion(o.displacement, o.rate));
   o.stage.duration = motion->duration();
   PushoverRecorder recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading(m, o));
-  std::vector<PushRow> rows = push_rows(model, o.bodies, o.at, o.pattern, o.direction);
+  std::vector<PushRow<2>> rows = push_rows(model, o.bodies, o.at, o.pattern, o.direction);
   m.change([&](Model<2>& changed) {
     add_push(changed, m.if_built()->state(), o.stage.name, std::move(rows), o.direction, motion);
   });
@@ -191,7 +191,7 @@ double sum_of_pushes(const ModelBox& box) {
 double push_displacement(const ModelBox& box) {
   const Simulation* s = box.get().if_built();
   if (s == nullptr || s->model().pushes.empty()) return 0;
-  const Push& p = s->model().pushes.back();
+  const Push<2>& p = s->model().pushes.back();
   return push_place(s->state(), p) - p.origin;
 }
 

@@ -50,8 +50,9 @@ void read_step(Keys& keys, StageOptions& o) {
 void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
   if (name == "explicit") return keys.know({"alpha", "spectral_radius", "tolerance", "accuracy"});
-  if (name != "implicit")
-    keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\" or \"implicit\"", name));
+  if (name != "implicit" && name != "auto")
+    keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\", \"implicit\" or \"auto\"", name));
+  o.may_change = name == "auto";
   const double alpha = keys.number("alpha", "1", -0.05), radius = keys.number("spectral_radius", "1", unbounded);
   o.tolerance = keys.number("tolerance", "1", o.tolerance);
   o.accuracy = keys.number("accuracy", "1", o.accuracy);
@@ -325,7 +326,7 @@ int tilt(lua_State* L) {
   const ScriptModel* const self_model = &m;
   m.change([rate, by, self_model](Model<2>& model) {
     const double now = self_model->if_built()->state().time;
-    Gravity& g = model.gravity;
+    Gravity<2>& g = model.gravity;
     g.field = g.grown(now);
     g.tilt_rate = rate;
     g.tilt_start = now;
@@ -338,7 +339,7 @@ int tilt(lua_State* L) {
 int bounds(lua_State* L) {
   ScriptModel& m = this_model(L);
   Keys keys(L, 2, "bounds");
-  Bounds chosen;
+  Bounds<2> chosen;
   const std::array low{"left", "bottom"}, high{"right", "top"};
   bool any = false;
   for (const std::size_t k : {0UL, 1UL}) {

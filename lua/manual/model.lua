@@ -51,7 +51,7 @@ turning            direction law?  moment
 limit              table?         { along = , axial = , turning = }: displacements that end it
 becomes            bearing or law?  what is there after it failed: another bearing, or a contact law
 waiting            flag = false   it goes live only as another's successor
-holds_off_contact  flag = false   it stands for the flat contact it sits in]], gives = "bearing" },
+replaces_contact  flag = false   it stands for the flat contact it sits in]], gives = "bearing" },
   { "model:seat", "A body's end on the edge of a support: how much is left is followed.", keys = [[
 name     text    its name
 body     body    what sits

@@ -15,7 +15,7 @@ name        text = "run"  what results call it
 damping     number = 0    share of the unbalanced force that brakes each body
 dt          number s?     fixed step; found by itself where left out. Of implicit ones the longest (5 ms)
 safety      number = 0.5  share of the longest stable step, at most 0.9
-integrator       text = "explicit"   or "implicit": long steps, each found by Newton's method
+integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest
@@ -46,7 +46,7 @@ still     rest?           end at rest after the motions: ]] .. rest .. [[
 name      text = "shake"  what results call it
 dt        number s?       fixed step
 safety    number = 0.5    share of the longest stable step, at most 0.9
-integrator       text = "explicit"   or "implicit": long steps, each found by Newton's method
+integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest

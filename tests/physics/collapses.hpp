@@ -135,7 +135,7 @@ inline Model<2> pulled_span() {
     else
       bearing.law[along] = Friction{0.15, 2e6, 0};
     bearing.limit = {left ? 0.12 : 0.25, 0.05, unbounded};
-    bearing.holds_off_contact = true;
+    bearing.replaces_contact = true;
     scene.builder.add_bearing(bearing);
   }
   SeatSpec end;

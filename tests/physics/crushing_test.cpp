@@ -80,7 +80,7 @@ TEST_CASE("a toe that crushes lets a tilted block topple earlier, by a third of 
     scene.block("block", rectangle({0, 0}, {width, height}), mass);
     Simulation sim = scene.start();
     settle(sim);
-    Gravity& gravity = sim.edit_model().gravity;
+    Gravity<2>& gravity = sim.edit_model().gravity;
     gravity.tilt_rate = 0.5 * degree, gravity.tilt_start = sim.state().time - 0.7 * upright / gravity.tilt_rate;
     RunListener listener;
     double tilt = 0;

@@ -118,7 +118,7 @@ TEST_CASE("a tied point and a force at it are transposes of each other") {
     state.position[n] = turn.apply(model.start_position[n]) + 0.02 * Vec2(std::sin(1.0 + n), std::cos(2.0 * n));
     state.velocity[n] = {std::sin(3.0 * n + 1), std::cos(5.0 * n)};
   }
-  const Tie tie = tie_point(model, 0, {0.5, 0.3}, "test");
+  const Tie<2> tie = tie_point(model, 0, {0.5, 0.3}, "test");
   const Pose pose = pose_at(model, state, tie);
   const Vec2 force(3, -2);
   const double moment = 0.7;

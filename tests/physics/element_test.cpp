@@ -120,8 +120,8 @@ double row_deflection(int count, double aspect, Skew skew, bool moment, ElementF
   BodySpec spec;
   spec.name = "beam", spec.kind = BodyKind::mesh, spec.mesh = mesh;
   // Held so that the root's section may change its shape: x all along, y in one place.
-  spec.holds = {{{0, 0}, {0, height}, {Support::fixed, Support::free}},
-                {{0, 0}, {0, 0}, {Support::fixed, Support::fixed}}};
+  spec.supports = {{{0, 0}, {0, height}, {Support::fixed, Support::free}},
+                   {{0, 0}, {0, 0}, {Support::fixed, Support::fixed}}};
   const Model<2> model = alone(elastic("m", 1, young, 0, Plane::stress, form), spec);
   std::vector<Vec2> load(static_cast<std::size_t>(model.nodes()), Vec2::Zero());
   for (int j = 0; j <= rows; ++j) {
@@ -176,8 +176,8 @@ Solved half_beam(int n, bool triangles) {
   }
   BodySpec spec;
   spec.name = "beam", spec.kind = BodyKind::mesh, spec.mesh = mesh;
-  spec.holds = {{{0, 0}, {0, height}, {Support::fixed, Support::free}},
-                {{0, 0}, {0, 0}, {Support::fixed, Support::fixed}}};
+  spec.supports = {{{0, 0}, {0, height}, {Support::fixed, Support::free}},
+                   {{0, 0}, {0, 0}, {Support::fixed, Support::fixed}}};
   const Model<2> model = alone(elastic("m", 1, young, poisson), spec);
   std::vector<Vec2> load(static_cast<std::size_t>(model.nodes()), Vec2::Zero());
   const double h = height / n;

@@ -202,7 +202,7 @@ TEST_CASE("a bearing that becomes another one or contact leaves nothing out of t
     first.name = "first", first.body_a = "base", first.body_b = "block", first.point_a = first.point_b = {0.5, 0};
     first.law = {Linear{2e4, 0}, Linear{1e8, 2e5}, Linear{1e6, 1e4}};
     first.limit[along] = 0.05;
-    first.holds_off_contact = true;
+    first.replaces_contact = true;
     second = first;
     second.name = "second", second.starts_waiting = true, second.limit[along] = unbounded;
     second.law = {Friction{0.3, 1e6, 0}, Linear{1.5e8, 2e5}, Linear{1e6, 1e4}};

@@ -24,7 +24,7 @@ TEST_CASE("F13: a loaded beam lifts off its bed where a beam on a bed without te
     scene.builder.add_material(elastic_material("concrete", 2400, 30e9));
     scene.fixed("bed", box(-11, -1, 11, 0));
     BodySpec spec = beam_body("beam", {-10, 0.15}, {10, 0.15}, rectangle_section(0.3, 0.3), "concrete", 80);
-    spec.holds = {{{-10, 0.15}, {-10, 0.15}, {Support::fixed, Support::free}}};
+    spec.supports = {{{-10, 0.15}, {-10, 0.15}, {Support::fixed, Support::free}}};
     scene.builder.add_body(spec);
     Model<2> model = scene.builder.build();
     add_load(model, "beam", {0, 0.15}, {0, -100e3}, 0, {{0, 0.2}, {0, 1}, true});
@@ -84,12 +84,13 @@ double sag_on_piers(int divisions) {
   scene.fixed("left", box(-2, -1, 0, 0));
   scene.fixed("right", box(8, -1, 10, 0));
   BodySpec spec = beam_body("beam", {-0.25, 0.25}, {8.25, 0.25}, rectangle_section(0.3, 0.5), "concrete", divisions);
-  spec.holds = {{{4, 0.25}, {4, 0.25}, {Support::fixed, Support::free}}};
+  spec.supports = {{{4, 0.25}, {4, 0.25}, {Support::fixed, Support::free}}};
   scene.builder.add_body(spec);
   Simulation sim = scene.start();
   const StageReport report = settle(sim, 20, 1e-7);
   CHECK(report.end == StageEnd::rest);
-  const Tie middle = tie_point(sim.model(), 2, {4, 0.25}, "test"), end = tie_point(sim.model(), 2, {0, 0.25}, "test");
+  const Tie<2> middle = tie_point(sim.model(), 2, {4, 0.25}, "test"),
+               end = tie_point(sim.model(), 2, {0, 0.25}, "test");
   return pose_at(sim.model(), sim.state(), end).place.y() - pose_at(sim.model(), sim.state(), middle).place.y();
 }
 

@@ -277,7 +277,7 @@ TEST_CASE("F4: Lee's frame reaches its first limit load") {
   m.section = rectangle_section(0.03, 0.02), m.divisions = 10;
   for (const int i : {0, 1}) m.from = i, m.to = i + 1, frame.members.push_back(m);
   spec.frame = frame;
-  spec.holds = {{{0.24, 1.2}, {0.24, 1.2}, {Support::free, Support::fixed}}};
+  spec.supports = {{{0.24, 1.2}, {0.24, 1.2}, {Support::free, Support::fixed}}};
   const Model<2> model = of_frames(elastic_material("m", 2700, 70.608e9), {spec});
   const int loaded = 3 + 9 + 1;  // joints, the nodes within the column, the second within the beam
   REQUIRE((model.start_position[loaded] - Vec2(0.24, 1.2)).norm() < 1e-12);

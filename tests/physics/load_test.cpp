@@ -19,8 +19,8 @@ namespace {
 
 constexpr double g = standard_gravity;
 
-PointLoad force_on_body(const Model<2>& model, const std::string& body, const std::optional<Vec2>& at,
-                        const Vec2& force, const LoadCurve& curve = {}) {
+PointLoad<2> force_on_body(const Model<2>& model, const std::string& body, const std::optional<Vec2>& at,
+                           const Vec2& force, const LoadCurve& curve = {}) {
   PointLoadSpec spec;
   spec.name = "P", spec.at = at, spec.force = force, spec.curve = curve;
   return make_point_load(model, model.find_body(body), spec).front();

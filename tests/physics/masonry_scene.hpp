@@ -86,7 +86,7 @@ inline Fate let_go(Simulation& sim, const LettingGo& how = {}) {
 /// more than 20 mm/s [rad], or `to`.
 inline double tilt_on(Simulation& sim, double from, double to, double rate) {
   const double start = sim.state().time;
-  Gravity& gravity = sim.edit_model().gravity;
+  Gravity<2>& gravity = sim.edit_model().gravity;
   gravity.field = Turn(from).apply(Vec2(0, -standard_gravity));
   gravity.tilt_rate = rate, gravity.tilt_start = start;
   RunListener listener;

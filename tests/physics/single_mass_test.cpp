@@ -238,7 +238,7 @@ struct TiedBlock {
     link.point_a = link.point_b = {0.5, 0};
     link.law = {Linear{stiffness, 0}, Linear{1e9, 1e6}, {}};
     link.limit[along] = limit;
-    link.holds_off_contact = becomes_friction;
+    link.replaces_contact = becomes_friction;
     scene.builder.add_bearing(link);
     return scene.builder.build();
   }

@@ -32,7 +32,7 @@ inline BearingSpec span_bearing(const std::string& name, const std::string& pier
   b.point_a = b.point_b = Vec2(x, 5);
   b.law = {along, DirectionLaw(Linear{1e9, 1e6}), std::monostate{}};
   b.limit = {limit, 0.05, unbounded};
-  b.holds_off_contact = true;
+  b.replaces_contact = true;
   return b;
 }
 

@@ -17,7 +17,7 @@ Simulation pressed_square(double push, double limit) {
   Material soft = elastic("soft", 2400, young, 0);
   soft.solid->strain_limit = limit;
   BodySpec spec = grid_body("q", box(0, 0, 1, 1), "soft", 1, 1);
-  spec.holds.push_back({{0, 0}, {1, 0}, {Support::fixed, Support::fixed}});
+  spec.supports.push_back({{0, 0}, {1, 0}, {Support::fixed, Support::fixed}});
   spec.load = {0, -2 * push * young};  // spread like the mass: the upper half of it acts
   return Simulation(alone(soft, spec));
 }

@@ -201,7 +201,7 @@ TEST_CASE("a bearing becomes contact: the two bodies touch from then on, under t
     p.scene.builder.add_law("worn", Frictional{1e8, 5e7, mu, 2e-4});
     BearingSpec l = p.link();
     l.law[axial] = Linear{1e8, 2e5};
-    l.holds_off_contact = true;
+    l.replaces_contact = true;
     l.contact_after = "worn";
     p.scene.builder.add_bearing(l);
     Simulation sim = p.scene.start();

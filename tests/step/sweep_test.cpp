@@ -181,7 +181,7 @@ TEST_CASE("plates and shots that deform are held and told like rigid ones") {
     low.support = held, high.velocity = {0, -speed};
     if (soft == Soft::plate)
       low.support = {Support::free, Support::free, Support::free},
-      low.holds.push_back({{-0.06, -plate}, {0.06, -plate}, {Support::fixed, Support::fixed}});
+      low.supports.push_back({{-0.06, -plate}, {0.06, -plate}, {Support::fixed, Support::fixed}});
     builder.add_body(low);
     builder.add_body(high);
     Simulation sim(builder.build());

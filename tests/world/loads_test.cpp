@@ -81,7 +81,7 @@ TEST_CASE("pressure on a part of the outline is its size times its length, at it
       CHECK(near(r.moment / r.force.y(), 0.5 * (1.7 + 0.45), 1e-12));
       // The rest of the outline, round three corners, makes it whole.
       spec.name = "rest";
-      for (FaceLoad& f : make_pressure(model, 0, faces_between(model, 0, {0.45, 1}, {1.7, 1}, "p"), spec))
+      for (FaceLoad<2>& f : make_pressure(model, 0, faces_between(model, 0, {0.45, 1}, {1.7, 1}, "p"), spec))
         model.face_loads.push_back(std::move(f));
       CHECK(pushed(model, initial_state(model)).force.norm() < 1e-9);
     }
@@ -196,6 +196,7 @@ TEST_CASE("the fingerprint knows every number of a load and of a push") {
   CHECK(differs([](Model<2>& m) { m.face_loads[0].pressure *= 1.001; }));
   CHECK(differs([](Model<2>& m) { m.face_loads[0].share = {0.4, 0.6}; }));
   CHECK(differs([](Model<2>& m) { m.pushes[0].rows[0].weight = 0.9; }));
+  CHECK(differs([](Model<2>& m) { m.pushes[0].rows[0].turn = 1; }));
   CHECK(differs([](Model<2>& m) { m.pushes[0].origin += 1e-9; }));
 }
 
@@ -211,7 +212,7 @@ TEST_CASE("pushes share bodies by mass, evenly or by mass times height, and no n
   Model<2> model = builder.build();
   const auto weights = [&](PushPattern pattern) {
     std::vector<double> w;
-    for (const PushRow& r : push_rows(model, {0, 1, 2}, {}, pattern, Vec2::UnitX())) w.push_back(r.weight);
+    for (const PushRow<2>& r : push_rows(model, {0, 1, 2}, {}, pattern, Vec2::UnitX())) w.push_back(r.weight);
     return w;
   };
   CHECK(near(weights(PushPattern::uniform)[1], 1.0 / 3, 1e-12));

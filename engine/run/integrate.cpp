@@ -1,0 +1,144 @@
+// Which integrator takes the next step of a stage, how long that step is, and the step itself.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+#include "run/simulation.hpp"
+#include "run/stage_end.hpp"
+#include "step/central_difference.hpp"
+#include "step/commit.hpp"
+#include "step/evaluate.hpp"
+#include "step/implicit_step.hpp"
+#include "step/stable_step.hpp"
+
+namespace trilith {
+namespace {
+
+/// The explicit step is looked at anew every so many steps.
+constexpr std::int64_t steps_between_estimates = 32;
+/// Longest implicit step, where none is given [s].
+constexpr double usual_implicit_step = 0.005;
+/// Implicit steps are not cut below this share of the longest one for what they miss of their energies.
+constexpr double shortest_for_energy = 1.0 / 16384;
+/// What an implicit step costs, in explicit ones: one that is not so many times as long does not pay.
+constexpr double least_gain = 20;
+/// Where explicit steps are taken instead, implicit ones are tried again after so many of the longest.
+constexpr double tries_after = 40;
+
+double longest_implicit(const StageOptions& o) {
+  return o.dt > 0 ? o.dt : usual_implicit_step;
+}
+
+/// True where a multiple of `interval` lies within the step behind.
+bool passes_multiple(double time, double last_dt, double interval) {
+  return std::floor(time / interval) != std::floor((time - last_dt) / interval);
+}
+
+}  // namespace
+
+/// What a stage begins with. One that leaves it open goes on as the state is, and from the very start implicitly.
+bool Simulation::wants_implicit() const {
+  const StageOptions& o = stage_->options;
+  if (!o.may_change) return o.implicit.has_value();
+  return state_.implicit() || (state_.last_dt == 0 && model_.pushes.empty());
+}
+
+/// Whether the next step is implicit.
+bool Simulation::goes_implicitly() const {
+  return stage_->options.implicit && (!stage_->options.may_change || state_.implicit());
+}
+
+/// As it was found before, but where a running stage asks for another one or some steps have gone by.
+NextStep Simulation::choose_step() const {
+  if (!stage_) return {state_.dt, state_.safety, 0};
+  const StageOptions& options = stage_->options;
+  if (goes_implicitly()) {
+    const double longest = longest_implicit(options);
+    const double stable = options.may_change ? stable_step(model_, state_, work_).dt : 0;
+    return {state_.dt > 0 ? std::min(state_.dt, longest) : longest, 0, stable};
+  }
+  // A stage that asks for another step than the one before is heard at once.
+  const double given = options.implicit ? 0 : options.dt, safety = given > 0 ? 0 : options.safety;
+  const bool other = state_.safety != safety || (given > 0 && state_.dt != given);
+  if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return {state_.dt, state_.safety, 0};
+  const double longest = stable_step(model_, state_, work_).dt;
+  return {given > 0 ? given : settled_step(longest, options.safety), safety, longest};
+}
+
+/// In a stage that leaves it open. The state alone decides, so that a run that is continued decides alike.
+void Simulation::choose_integrator() {
+  const StageOptions& options = stage_->options;
+  const double longest = longest_implicit(options);
+  refresh();
+  if (state_.implicit()) {
+    if (next_.dt >= least_gain * options.safety * next_.longest) return;
+    changed_ = fmt::format("goes on by explicit steps, as implicit ones came down to {:.2g} s", next_.dt);
+    change_integrator(false);
+  } else if (model_.pushes.empty() && longest >= least_gain * next_.dt &&
+             passes_multiple(state_.time, state_.last_dt, tries_after * longest)) {
+    changed_ = "tries implicit steps again";
+    change_integrator(true);
+  }
+}
+
+/// What the last step led to is committed under the scheme that took it; then the state is made ready for the other.
+void Simulation::change_integrator(bool implicit) {
+  if (implicit && !model_.pushes.empty())
+    throw InputError(
+        fmt::format("stage '{}': push '{}' controls a displacement, which only explicit steps do; release "
+                    "it, or take integrator = \"explicit\"",
+                    stage_->options.name, model_.pushes.front().name));
+  refresh();
+  commit(model_, state_, work_, times_);
+  leaving_.insert(leaving_.end(), work_.events.begin(), work_.events.end());
+  if (implicit)
+    begin_implicit(model_, state_, work_);
+  else
+    begin_explicit(model_, state_, work_);
+  state_.dt = state_.safety = 0;
+  evaluated_ = false;
+}
+
+/// Where an implicit step could not be found from a committed instant: the state is as it was, with nothing on the way
+/// since the commit, and is made ready for explicit steps.
+void Simulation::leave_implicit() {
+  std::vector<Vec2> position = std::exchange(state_.position_before, state_.position);
+  std::vector<double> rotation = std::exchange(state_.rotation_before, state_.rotation);
+  evaluate(model_, state_, work_, state_.last_dt, times_);
+  state_.position_before.swap(position), state_.rotation_before.swap(rotation);  // the ledger wants the step behind
+  begin_explicit(model_, state_, work_);
+  state_.dt = state_.safety = 0;
+  evaluated_ = false;
+  refresh();
+  state_.dt = next_.dt, state_.safety = next_.safety;
+}
+
+/// From a committed instant to the next one. False where that could not be found.
+bool Simulation::take_step(double dt, const Energy& energy) {
+  const StageOptions& options = stage_->options;
+  if (!state_.implicit()) {
+    advance(model_, state_, work_, {dt, rest_}, times_);
+    return true;
+  }
+  ImplicitOptions how;
+  how.scheme = *options.implicit, how.dt = dt, how.tolerance = options.tolerance, how.accuracy = options.accuracy;
+  how.shortest = shortest_for_energy * longest_implicit(options);
+  how.give_up = options.may_change ? least_gain * options.safety * next_.longest : 0;
+  const ImplicitStep step = advance_implicitly(model_, state_, work_, energy, *tangent_, how);
+  stage_->report.shortest_dt = std::min(stage_->report.shortest_dt, step.dt);
+  if (step.converged) return true;
+  if (!options.may_change) {
+    stuck_ = stuck_reason(model_, state_, step);
+    return false;
+  }
+  changed_ = fmt::format("goes on by explicit steps, as no implicit one of {:.2g} s or more was found",
+                         std::min(dt, how.give_up));
+  leave_implicit();
+  advance(model_, state_, work_, {swept_.dt, rest_}, times_);
+  return true;
+}
+
+}  // namespace trilith

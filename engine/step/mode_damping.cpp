@@ -1,0 +1,80 @@
+#include "step/mode_damping.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "step/evaluate.hpp"
+#include "world/pose.hpp"
+
+namespace trilith {
+namespace {
+
+/// Largest speed of a node [m/s]; where nothing but turns, of a turn [rad/s].
+constexpr double tried_speed = 1e-3;
+
+/// What dampings do along a mode: forces against its motion, times it [1/s where phi' M phi = 1], by source.
+struct Along {
+  double all = 0, bearings = 0, elements = 0;
+};
+
+double work_along(const Mode& mode, const std::vector<Vec2>& force, const std::vector<double>& moment) {
+  double sum = 0;
+  for (std::size_t n = 0; n < force.size(); ++n)
+    sum += force[n].dot(mode.displacement[n]) + (moment.empty() ? 0 : moment[n] * mode.rotation[n]);
+  return sum;
+}
+
+/// The forces of bearings on the nodes, as they are summed there: along one line, through b's point.
+double bearings_along(const Model<2>& model, const State<2>& state, const Work<2>& work, const Mode& mode) {
+  std::vector<Vec2> force(model.mass.size(), Vec2::Zero());
+  std::vector<double> moment(model.mass.size(), 0);
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    const Bearing<2>& b = model.bearings[i];
+    const Vec2 f = work.bearing_force[i];
+    const Vec2 between = pose_at(model, state, b.end_b).place - pose_at(model, state, b.end_a).place;
+    push_at(model, state, b.end_b, f, work.bearing_moment[i], force, moment);
+    push_at(model, state, b.end_a, -f, -cross(between, f) - work.bearing_moment[i], force, moment);
+  }
+  return work_along(mode, force, moment);
+}
+
+/// The forces of now along the mode, while the state moves with `scale` times it.
+Along forces_along(const Model<2>& model, State<2>& state, const Mode& mode, double scale) {
+  for (std::size_t n = 0; n < state.velocity.size(); ++n)
+    state.velocity[n] = scale * mode.displacement[n], state.spin[n] = scale * mode.rotation[n];
+  Work<2> work;
+  evaluate(model, state, work, state.last_dt);
+  Along out;
+  out.all = work_along(mode, work.force, work.moment);
+  out.bearings = bearings_along(model, state, work, mode);
+  if (!work.element_damping.empty()) out.elements = work_along(mode, work.element_damping, work.element_damping_moment);
+  return out;
+}
+
+ModeDamping damping_of(const Model<2>& model, State<2>& rest, const Mode& mode) {
+  if (!(mode.square > 0)) return {};
+  double most = 0, most_turn = 0;
+  for (const Vec2& v : mode.displacement) most = std::max(most, v.norm());
+  for (const double v : mode.rotation) most_turn = std::max(most_turn, std::abs(v));
+  const double scale = tried_speed / (most > 0 ? most : most_turn);
+  const Along ahead = forces_along(model, rest, mode, scale), back = forces_along(model, rest, mode, -scale);
+  const double critical = 2 * std::sqrt(mode.square);
+  const auto ratio = [&](double more, double less) { return -(more - less) / (2 * scale) / critical; };
+  ModeDamping out;
+  out.bearings = ratio(ahead.bearings, back.bearings);
+  out.elements = ratio(ahead.elements, back.elements);
+  out.contacts = ratio(ahead.all, back.all) - out.bearings - out.elements;
+  out.mass = model.mass_damping / critical;
+  return out;
+}
+
+}  // namespace
+
+std::vector<ModeDamping> mode_damping(const Model<2>& model, const State<2>& state, const std::vector<Mode>& modes) {
+  State<2> rest = at_rest(state);
+  std::vector<ModeDamping> out;
+  for (const Mode& mode : modes) out.push_back(damping_of(model, rest, mode));
+  return out;
+}
+
+}  // namespace trilith

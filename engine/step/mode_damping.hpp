@@ -1,0 +1,25 @@
+// How much of critical the dampings of a model are for each of its modes, as it stands.
+//
+//   ratio = phi' C phi / (2 w),     C = -dF/dv about the state at rest,  phi' M phi = 1
+//
+// C phi is found by two evaluations with the velocities of the mode, to either side of rest, at a largest speed of
+// 1 mm/s: of a damper that is no straight line it is what it does at that speed. Friction that slides is no damping
+// here, and numerical damping of implicit steps is none of the model's.
+#pragma once
+
+#include <vector>
+
+#include "step/modes.hpp"
+
+namespace trilith {
+
+/// Ratios to critical damping [1], by what gives them. 0 where the mode does not swing.
+struct ModeDamping {
+  double contacts = 0, bearings = 0, elements = 0, mass = 0;
+  [[nodiscard]] double total() const { return contacts + bearings + elements + mass; }
+};
+
+/// Of modes that were found of this state, one for each.
+std::vector<ModeDamping> mode_damping(const Model<2>& model, const State<2>& state, const std::vector<Mode>& modes);
+
+}  // namespace trilith

@@ -1,0 +1,102 @@
+#include "step/turned_back.hpp"
+
+#include <cmath>
+
+#include "contact/face_pair.hpp"
+#include "step/contact_rows.hpp"
+
+namespace trilith {
+namespace {
+
+FaceMotion<double> motion_of(const Work<2>& work, const NearPair& p) {
+  FaceEnds<double> a = face_ends(work, p.a0, p.a1), b = face_ends(work, p.b0, p.b1);
+  FaceMotion<double> motion(a, b, p.corner);
+  const auto over_step = [&](int from, int to, FaceEnds<double>& ends) {
+    const Vec2 &u = work.skin_mean[from], &v = work.skin_mean[to];
+    ends.u0 = u.x(), ends.v0 = u.y(), ends.u1 = v.x(), ends.v1 = v.y();
+  };
+  over_step(p.a0, p.a1, a), over_step(p.b0, p.b1, b);
+  motion.over_step(a, b);
+  return motion;
+}
+
+/// With these ways of both halves in the place of what they slid.
+FaceMotion<double> slid(FaceMotion<double> motion, double first, double second, double dt) {
+  motion.mean.slip_lo = 0.5 * (3 * first - second) / dt, motion.mean.slip_hi = 0.5 * (3 * second - first) / dt;
+  return motion;
+}
+
+FaceMemory<double> face_memory(const ContactMemory& m) {
+  FaceMemory<double> out;
+  for (const int h : {0, 1}) {
+    out.shear_elastic[h] = m.shear_elastic[h], out.shear_total[h] = m.shear_total[h];
+    out.damping_force[h] = m.damping_force[h], out.active[h] = m.active[h];
+    out.bonds[h] = m.bonded(h);
+  }
+  out.slip = m.slip;
+  out.general = (m.state & contact_general) != 0;
+  return out;
+}
+
+double of_faces(const Model<2>& model, const ContactHistory& before, const Work<2>& work, int row, double dt) {
+  const NearPair& p = work.pairs[row];
+  const FaceMotion<double> motion = motion_of(work, p);
+  const FaceMemory<double> memory = face_memory(before.memory[row]);
+  const FaceHalves<double> halves(motion.overlap, motion.rates, motion.mean, memory);
+  const Ways way[2] = {{halves.half[0].slip_rate, halves.half[0].slip_mean, dt},
+                       {halves.half[1].slip_rate, halves.half[1].slip_mean, dt}};
+  if (way[0].back == 0 && way[1].back == 0) return 0;
+  return with_kernel(law_in_use(model, p.law, dt), [&]<class K>(const K& law) {
+    FaceMotion<double> turning = slid(motion, way[0].on, way[1].on, dt);
+    turning.rates.slip_lo = turning.rates.slip_hi = 0;
+    const auto on = respond_face_motion<K>(turning, memory, law_memory<K>(before.law_numbers(row)), law);
+    const auto back = respond_face_motion<K>(slid(motion, way[0].back, way[1].back, dt), on.memory, on.own, law);
+    double sum = 0;
+    for (const int h : {0, 1})
+      sum += 0.5 * std::abs((work.contacts.memory[row].shear_total[h] - back.memory.shear_total[h]) * way[h].back);
+    return sum;
+  });
+}
+
+double of_general(const Model<2>& model, const State<2>& state, const ContactHistory& before, const Work<2>& work,
+                  const GeneralContact& g, double dt) {
+  const NearPair& p = work.pairs[g.row];
+  if (!(g.force.squaredNorm() > 0)) return 0;
+  const Vec2 t = left_of(Vec2(g.force.normalized()));
+  PieceCorners corners_a, corners_b;
+  const PlacedPiece a = placed_piece(model, state, work, p.piece_a, corners_a);
+  const PlacedPiece b = placed_piece(model, state, work, p.piece_b, corners_b);
+  const auto slip = [&](const PlacedPiece& on_a, const PlacedPiece& on_b) {
+    return t.dot(Vec2(on_b.velocity_at(g.centre) - on_a.velocity_at(g.centre)));
+  };
+  const double rate = slip(a, b);
+  const Ways way(rate, slip(a.mean(), b.mean()), dt);
+  if (way.back == 0) return 0;
+  const ContactMemory &m = before.memory[g.row], &now = work.contacts.memory[g.row];
+  const Coulomb law = with_kernel(law_in_use(model, p.law, dt), [](const Coulomb& kernel) { return kernel; });
+  HalfResponse<double> out{};
+  out.normal = g.force.norm();
+  HalfState<double> half{};
+  half.length = g.length, half.slip_mean = way.on / dt;
+  law.slide(half, g.length,
+            {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]},
+            out);
+  half.slip_rate = rate, half.slip_mean = way.back / dt;
+  law.slide(half, g.length, {out.shear_elastic, out.shear_total, out.active}, out);
+  return 0.5 * std::abs((now.shear_total[0] + now.shear_total[1] - out.shear_total) * way.back);
+}
+
+}  // namespace
+
+double turned_back(const Model<2>& model, const State<2>& state, const Work<2>& work, double dt) {
+  const ContactHistory& before = contacts_before(state, work);
+  double sum = bearings_turned_back(model, state, work, dt);
+  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
+    const std::uint32_t now = work.contacts.memory[row].state;
+    if ((now & contact_touching) != 0 && (now & contact_general) == 0) sum += of_faces(model, before, work, row, dt);
+  }
+  for (const GeneralContact& g : work.general_touching) sum += of_general(model, state, before, work, g, dt);
+  return sum;
+}
+
+}  // namespace trilith
