@@ -17,7 +17,7 @@ local p = trilith.params {
   pga = { 0.8, unit = "g", "peak horizontal acceleration" },
   sign = { 1, "1: as the agency gives it, or -1" },
   columns = { "hinges", choices = { "elastic", "hinges", "fibres" }, "how piers yield" },
-  integrator = { "explicit", choices = { "explicit", "implicit" }, "how time is stepped" },
+  integrator = { "explicit", choices = { "explicit", "implicit", "auto" }, "how time is stepped" },
   dt = { 0.01, unit = "s", "longest step of the implicit integrator" },
   duration = { 30, unit = "s", "of the shaking" },
   gap = { 4, unit = "inch", "joints" },
