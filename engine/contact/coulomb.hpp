@@ -70,6 +70,7 @@ struct Coulomb {
 
   static constexpr bool bonds = false;    ///< may hold faces together
   static constexpr bool crushes = false;  ///< may lose depth for good
+  static constexpr bool linear = true;    ///< its pressure goes with the overlap
   template <class T>
   using Memory = NoMemory<T>;
 
@@ -109,6 +110,8 @@ struct Coulomb {
 
   // --- of a contact of any shape ---
 
+  /// The overlap at which a linear spring of stiffness kn would press as much as the law does at `overlap` [m].
+  [[nodiscard]] double effective(double overlap) const { return overlap; }
   /// Depths d and closing speeds c at both ends of a stretch [m], [m/s].
   [[nodiscard]] StretchPressure stretch(double d0, double d1, double c0, double c1) const;
   /// Integral of the pressure over kn over a triangle of the given area with these depths at its corners.

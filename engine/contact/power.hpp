@@ -41,6 +41,7 @@ struct Power {
 };
 
 struct Power::Kernel : Coulomb {
+  static constexpr bool linear = false;
   double depth, exponent;
 
   Kernel(const Power& law, double thickness, double step)

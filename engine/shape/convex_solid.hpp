@@ -1,6 +1,7 @@
 // A convex solid with what contact asks of it again and again, and the same where it stands.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,12 @@ struct ConvexSolid {
   Polyhedron shape;           ///< corners in the axes of the body [m]
   std::vector<Vec3> normals;  ///< [faces] outward, of length 1
   std::vector<SolidEdge> edges;
+  std::vector<std::uint8_t>
+      surface;  ///< [faces] 1: part of the body's surface, 0: an inner cut; empty: all are surface
+
+  [[nodiscard]] bool is_surface(int face) const {
+    return surface.empty() || surface[static_cast<std::size_t>(face)] != 0;
+  }
 };
 
 /// Refuses what check_convex refuses, with the same messages.

@@ -7,13 +7,6 @@ namespace {
 
 using Buffer3 = SolidOverlapBuffer;
 
-/// A half-space: what is not above the plane stays.
-struct CuttingPlane {
-  Vec3 normal;
-  double offset;
-  int face;  ///< as in SolidOverlapBuffer::Face::of
-};
-
 void begin_with(const PlacedSolid& solid, Buffer3& s) {
   s.points.assign(solid.corners.begin(), solid.corners.end());
   s.edges.clear(), s.faces.clear();
@@ -33,11 +26,11 @@ void begin_with(const PlacedSolid& solid, Buffer3& s) {
 struct HeightRange {
   double lowest = 0, highest = 0;
 };
-HeightRange measure(const CuttingPlane& plane, Buffer3& s) {
+HeightRange heights_over(const HalfSpace& half, Buffer3& s) {
   s.height.clear();
   HeightRange range;
   for (const Vec3& p : s.points) {
-    const double h = plane.normal.dot(p) - plane.offset;
+    const double h = half.normal.dot(p) - half.offset;
     range.lowest = std::min(range.lowest, h), range.highest = std::max(range.highest, h);
     s.height.push_back(h);
   }
@@ -94,26 +87,6 @@ void cut_face(int first, int end, Buffer3& s) {
   }
 }
 
-/// False where nothing is left.
-bool cut_solid(const CuttingPlane& plane, Buffer3& s) {
-  const HeightRange range = measure(plane, s);
-  if (range.highest <= 0) return true;
-  if (range.lowest >= 0) return false;
-  keep_points(s);
-  s.edges_before.swap(s.edges), s.faces_before.swap(s.faces);
-  s.edges.clear(), s.faces.clear(), s.lid.clear();
-  int first = 0;
-  for (const auto& [of, end] : s.faces_before) {
-    const std::size_t before = s.edges.size();
-    cut_face(first, end, s);
-    if (s.edges.size() > before) s.faces.push_back({of, static_cast<int>(s.edges.size())});
-    first = end;
-  }
-  s.edges.insert(s.edges.end(), s.lid.begin(), s.lid.end());
-  if (!s.lid.empty()) s.faces.push_back({plane.face, static_cast<int>(s.edges.size())});
-  return true;
-}
-
 /// Sums over the triangles between a point of each face and its edges; volumes from one point of the solid.
 SolidOverlap sum_up(const Buffer3& s) {
   const Vec3 origin = s.points[static_cast<std::size_t>(s.edges[0].from)];
@@ -142,6 +115,30 @@ SolidOverlap sum_up(const Buffer3& s) {
 
 }  // namespace
 
+bool cut(const HalfSpace& half, Buffer3& s) {
+  const HeightRange range = heights_over(half, s);
+  if (range.highest <= 0) return true;
+  if (range.lowest >= 0) return false;
+  keep_points(s);
+  s.edges_before.swap(s.edges), s.faces_before.swap(s.faces);
+  s.edges.clear(), s.faces.clear(), s.lid.clear();
+  int first = 0;
+  for (const auto& [of, end] : s.faces_before) {
+    const std::size_t before = s.edges.size();
+    cut_face(first, end, s);
+    if (s.edges.size() > before) s.faces.push_back({of, static_cast<int>(s.edges.size())});
+    first = end;
+  }
+  s.edges.insert(s.edges.end(), s.lid.begin(), s.lid.end());
+  if (!s.lid.empty()) s.faces.push_back({half.face, static_cast<int>(s.edges.size())});
+  return true;
+}
+
+SolidMeasure measured(const SolidOverlapBuffer& buffer) {
+  const SolidOverlap all = sum_up(buffer);
+  return {all.volume, all.centroid};
+}
+
 SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer) {
   begin_with(a, buffer);
   const FaceLoops& faces = b.solid->shape.faces;
@@ -149,7 +146,7 @@ SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOver
   bool some = true;
   for (int f = 0; f < faces.count() && some; ++f) {
     const Vec3& normal = b.normals[static_cast<std::size_t>(f)];
-    some = cut_solid({normal, normal.dot(b.corners[static_cast<std::size_t>(faces[f][0])]), -1 - f}, buffer) &&
+    some = cut({normal, normal.dot(b.corners[static_cast<std::size_t>(faces[f][0])]), -1 - f}, buffer) &&
            !buffer.edges.empty();
   }
   if (some) out = sum_up(buffer);

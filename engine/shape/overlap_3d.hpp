@@ -38,6 +38,23 @@ struct SolidOverlapBuffer {
   std::vector<int> number;
 };
 
+/// A half-space: where normal . x <= offset. The normal may be of any length.
+struct HalfSpace {
+  Vec3 normal;
+  double offset;
+  int face;  ///< what the cut counts as, see SolidOverlapBuffer::Face::of
+};
+
+/// Keeps what of the solid in `buffer` lies in a half-space; the cut becomes a face. False where nothing is left.
+bool cut(const HalfSpace& half, SolidOverlapBuffer& buffer);
+
+/// Volume [m3] and centroid [m] of the solid in `buffer`, which has at least one face.
+struct SolidMeasure {
+  double volume;
+  Vec3 centroid;
+};
+SolidMeasure measured(const SolidOverlapBuffer& buffer);
+
 /// Volume shared by two convex solids.
 struct SolidOverlap {
   double volume = 0;                ///< m3, never below 0

@@ -45,7 +45,7 @@ void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<
     }
     while (general < work.general_touching.size() && work.general_touching[general].row < row) ++general;
     if (general == work.general_touching.size()) continue;
-    const GeneralContact& g = work.general_touching[general];
+    const GeneralContact<2>& g = work.general_touching[general];
     if (g.row == row) append(row, general_resultant(g.centre, g.force, memory));
   }
 }

@@ -32,13 +32,19 @@ void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, doubl
 }
 
 template <>
-void evaluate(const Model<3>& model, const State<3>& state, Work<3>& work, double /*dt*/, StepTimes* times) {
+void evaluate(const Model<3>& model, const State<3>& state, Work<3>& work, double dt, StepTimes* times) {
   StepClock clock(times);
   place(model, state, work);
-  work.valid = true;
+  clock.mark(StepPart::place);
+  find(model, state, work);
+  clock.mark(StepPart::find);
   work.given = state.given;
+  for (const int row : work.changed_rows) work.contacts.clear(static_cast<std::size_t>(row));
+  work.changed_rows.clear();
   std::fill(work.skin_force.begin(), work.skin_force.end(), Vec3::Zero());
   clock.mark(StepPart::place);
+  respond_general(model, state, work, dt);
+  clock.mark(StepPart::general);
   sum(model, state, work);
   clock.mark(StepPart::sum);
 }

@@ -11,7 +11,7 @@ namespace trilith {
 
 /// place -> find -> respond (contacts, bearings) -> resist -> apply loads -> spread -> sum, at the present pose and
 /// velocity, over a step `dt` [s] since the last commit. To evaluate again changes nothing. `times`: where the time
-/// goes is added to it. In space bodies are rigid and free of each other: place -> sum.
+/// goes is added to it. In space bodies are rigid, and there are no bearings yet: place -> find -> respond -> sum.
 template <int D>
 void evaluate(const Model<D>& model, const State<D>& state, Work<D>& work, double dt, StepTimes* times = nullptr);
 
@@ -19,8 +19,10 @@ void evaluate(const Model<D>& model, const State<D>& state, Work<D>& work, doubl
 template <int D>
 void place(const Model<D>& model, const State<D>& state, Work<D>& work);
 void find(const Model<2>& model, const State<2>& state, Work<2>& work);
+void find(const Model<3>& model, const State<3>& state, Work<3>& work);
 void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
+void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work, double dt);
 void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
 /// Makes the waiting bearing `i` live where it stands: sliders begin unstressed there, springs act from where the
 /// bearing was placed. Writes its trial memory. Returns the elastic energy it begins with [J].

@@ -92,6 +92,16 @@ void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
   }
 }
 
+void place_solids(const Model<2>& /*model*/, const State<2>& /*state*/, Work<2>& /*work*/) {}
+/// Corners, normals and edges of all pieces.
+void place_solids(const Model<3>& model, const State<3>& state, Work<3>& work) {
+  work.solids.placed.resize(model.piece_solid.size());
+  for (std::size_t p = 0; p < model.piece_solid.size(); ++p) {
+    const int node = model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node;
+    place(model.piece_solid[p], Turn3(state.rotation[node]), state.position[node], work.solids.placed[p]);
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -106,6 +116,7 @@ void place(const Model<D>& model, const State<D>& state, Work<D>& work) {
     farthest = std::max(farthest, path2);
     if (speed2 > fastest_moving && moves(model, body)) fastest_moving = speed2;
   }
+  place_solids(model, state, work);
   work.skin_mean.clear();
   if constexpr (D == 2)
     if (state.implicit()) place_means(model, state, work);

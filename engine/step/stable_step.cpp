@@ -151,12 +151,12 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
                 {{{p.a0, p.a1}, {p.b0, p.b1}}}, locals);
   }
   // Along the resultant, at the centre of pressure.
-  for (const GeneralContact& g : work.general_touching) {
+  for (const GeneralContact<2>& g : work.general_touching) {
     const double size = g.force.norm();
     if (!(size > 0)) continue;
     const NearPair& p = work.pairs[g.row];
     const ContactTangent law = tangent(model, p.law, g.depth);
-    add_contact(model, state, work, p, {g.centre, g.force / size, g.length, law}, {{{-1, -1}, {-1, -1}}}, locals);
+    add_contact(model, state, work, p, {g.centre, g.force / size, g.size, law}, {{{-1, -1}, {-1, -1}}}, locals);
   }
 }
 

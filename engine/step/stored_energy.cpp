@@ -26,7 +26,7 @@ double face_energy(const Model<2>& model, const Work<2>& work, std::size_t row) 
   });
 }
 
-double general_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, const GeneralContact& g) {
+double general_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, const GeneralContact<2>& g) {
   const NearPair& p = work.pairs[g.row];
   const ContactMemory& m = work.contacts.memory[g.row];
   const LawInUse use = law_in_use(model, p.law);
@@ -50,7 +50,19 @@ double contact_energy(const Model<2>& model, const State<2>& state, const Work<2
     const bool face = (m.state & contact_touching) != 0 && (m.state & contact_general) == 0;
     if (face) sum += face_energy(model, work, row);
   }
-  for (const GeneralContact& g : work.general_touching) sum += general_energy(model, state, work, g);
+  for (const GeneralContact<2>& g : work.general_touching) sum += general_energy(model, state, work, g);
+  return sum;
+}
+
+double contact_energy(const Model<3>& model, const State<3>& /*state*/, const Work<3>& work) {
+  SolidOverlapBuffer shared, cell;
+  double sum = 0;
+  for (const GeneralContact<3>& g : work.general_touching) {
+    const NearPair& p = work.pairs[g.row];
+    const LawInUse law{model.laws[p.law], model.thickness, 0};
+    sum += solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b],
+                                work.contacts.memory[g.row], law, shared, cell);
+  }
   return sum;
 }
 

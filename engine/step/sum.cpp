@@ -62,6 +62,7 @@ void spread_body(const Model<3>& /*model*/, const State<3>& state, const BodyRow
   work.force[n] = work.moment[n] = Vec3::Zero();
   spread_rigid(state.position[n], std::span<const SkinMotion<3>>(work.skin).subspan(first, count),
                std::span<const Vec3>(work.skin_force).subspan(first, count), work.force[n], work.moment[n]);
+  work.force[n] += work.solids.force[n], work.moment[n] += work.solids.moment[n];
 }
 
 void spread_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {

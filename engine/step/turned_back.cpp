@@ -59,7 +59,7 @@ double of_faces(const Model<2>& model, const ContactHistory& before, const Work<
 }
 
 double of_general(const Model<2>& model, const State<2>& state, const ContactHistory& before, const Work<2>& work,
-                  const GeneralContact& g, double dt) {
+                  const GeneralContact<2>& g, double dt) {
   const NearPair& p = work.pairs[g.row];
   if (!(g.force.squaredNorm() > 0)) return 0;
   const Vec2 t = left_of(Vec2(g.force.normalized()));
@@ -77,12 +77,12 @@ double of_general(const Model<2>& model, const State<2>& state, const ContactHis
   HalfResponse<double> out{};
   out.normal = g.force.norm();
   HalfState<double> half{};
-  half.length = g.length, half.slip_mean = way.on / dt;
-  law.slide(half, g.length,
+  half.length = g.size, half.slip_mean = way.on / dt;
+  law.slide(half, g.size,
             {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]},
             out);
   half.slip_rate = rate, half.slip_mean = way.back / dt;
-  law.slide(half, g.length, {out.shear_elastic, out.shear_total, out.active}, out);
+  law.slide(half, g.size, {out.shear_elastic, out.shear_total, out.active}, out);
   return 0.5 * std::abs((now.shear_total[0] + now.shear_total[1] - out.shear_total) * way.back);
 }
 
@@ -95,7 +95,7 @@ double turned_back(const Model<2>& model, const State<2>& state, const Work<2>& 
     const std::uint32_t now = work.contacts.memory[row].state;
     if ((now & contact_touching) != 0 && (now & contact_general) == 0) sum += of_faces(model, before, work, row, dt);
   }
-  for (const GeneralContact& g : work.general_touching) sum += of_general(model, state, before, work, g, dt);
+  for (const GeneralContact<2>& g : work.general_touching) sum += of_general(model, state, before, work, g, dt);
   return sum;
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "contact/list.hpp"
+#include "contact/solid_contact.hpp"
 
 namespace trilith {
 
@@ -36,5 +38,18 @@ struct ContactHistory {
   /// The row of a contact, or -1.
   [[nodiscard]] int find(ContactKey contact) const;
 };
+
+/// The same of solids in space, whose laws remember nothing of their own there.
+struct SolidHistory {
+  std::vector<ContactKey> key;      ///< [contact]
+  std::vector<SolidMemory> memory;  ///< [contact]
+
+  [[nodiscard]] std::size_t size() const { return key.size(); }
+  void clear(std::size_t row) { memory[row] = {}; }
+};
+
+/// What the contacts of a model of D dimensions remember.
+template <int D>
+using Contacts = std::conditional_t<D == 2, ContactHistory, SolidHistory>;
 
 }  // namespace trilith

@@ -39,6 +39,7 @@ void add(Hash& hash, const DirectionLaw& law);
 void add(Hash& hash, const Body& b);
 void add(Hash& hash, const Bearing<2>& b);
 void add(Hash& hash, const Bearing<3>& b);
+void add(Hash& hash, const ConvexSolid& s);
 template <int D>
 void add(Hash& hash, const Seat<D>& s);
 void add(Hash& hash, const Solid& s);
@@ -103,6 +104,10 @@ template <int D>
 void add(Hash& hash, const Tie<D>& t) {
   add(hash, t.nodes), hash.add(static_cast<std::uint64_t>(t.turns));
   add(hash, t.node), add(hash, t.turn), add(hash, t.weight), add(hash, t.arm);
+}
+
+void add(Hash& hash, const ConvexSolid& s) {
+  add(hash, s.shape.corners), add(hash, s.shape.faces.corner), add(hash, s.shape.faces.start), add(hash, s.surface);
 }
 
 void add(Hash& hash, const Bearing<3>& b) {
@@ -223,6 +228,7 @@ std::uint64_t structure_of(const Model<D>& m) {
   if (m.beam_memory > 0) add(hash, m.yields);
   add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, m.law_of);
   add(hash, m.bearings), add(hash, m.seats);
+  if constexpr (D == 3) add(hash, m.piece_solid);
   return hash.value();
 }
 

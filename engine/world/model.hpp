@@ -18,6 +18,7 @@
 #include "load/forces.hpp"
 #include "load/motion.hpp"
 #include "material/list.hpp"
+#include "shape/convex_solid.hpp"
 
 namespace trilith {
 
@@ -150,6 +151,7 @@ struct Model {
   std::vector<double> edge_corner;         ///< [corner] flatness of the edge's two ends, see world/flatness.hpp [1]
   std::vector<double> piece_thickness;     ///< [piece] of its body where it is, see world/thickness.hpp m
   double least_thickness = unbounded;      ///< of all pieces that may touch something [m]
+  std::vector<ConvexSolid> piece_solid;    ///< [piece] in the axes of its body; of models in space
 
   // Finite elements of deformable bodies.
   std::vector<Solid> solids;

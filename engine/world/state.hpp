@@ -51,7 +51,7 @@ struct State {
   double most_energy = 0;                    ///< the most that has moved and been stored since implicit steps began [J]
   std::shared_ptr<const KeptTangent> tangent;  ///< the last one; none in explicit stages
 
-  ContactHistory contacts;
+  Contacts<D> contacts;
   std::vector<Parted> parted;           ///< in the order of parting, then by key
   std::vector<ContactKey> passed;       ///< of bodies, not pieces: one has been seen too deep in the other; sorted
   std::vector<BearingMemory> bearing;   ///< [bearing]

@@ -48,6 +48,7 @@ class Writer {
     return count(rows);
   }
   void contacts(const ContactHistory& s);
+  void contacts(const SolidHistory& s);
   void tangent(const std::shared_ptr<const KeptTangent>& kept);
 };
 
@@ -96,6 +97,7 @@ class Reader {
     return rows.size();
   }
   void contacts(ContactHistory& s);
+  void contacts(SolidHistory& s);
   void tangent(std::shared_ptr<const KeptTangent>& kept);
   void done() const {
     if (at_ != words_.size()) fail("is longer than its contents");
@@ -132,6 +134,37 @@ void Writer::contacts(const ContactHistory& s) {
     const std::uint32_t place = s.law_row[row].place, numbers = law_number_counts[place];
     pair(place, numbers);
     for (std::uint32_t k = 0; k < numbers; ++k) number(s.law_numbers(row)[k]);
+  }
+}
+
+/// One contact of solids, for the writer and for the reader alike.
+template <class File, class Memory>
+void walk_solid_memory(File& file, Memory& m) {
+  SolidMemory::fields(
+      m, [&](auto& v) { file.number(v); },
+      [&](auto& state) {
+        std::uint32_t none = 0;
+        file.pair(none, state);
+      });
+}
+
+void Writer::contacts(const SolidHistory& s) {
+  std::size_t kept = 0;
+  for (const SolidMemory& m : s.memory) kept += m.empty() ? 0 : 1;
+  words.push_back(kept);
+  for (std::size_t row = 0; row < s.memory.size(); ++row) {
+    if (s.memory[row].empty()) continue;
+    key(s.key[row]);
+    walk_solid_memory(*this, s.memory[row]);
+  }
+}
+
+void Reader::contacts(SolidHistory& s) {
+  const std::size_t count = open_count(s.key, 19);
+  s.memory.resize(count);
+  for (std::size_t row = 0; row < count; ++row) {
+    key(s.key[row]);
+    walk_solid_memory(*this, s.memory[row]);
   }
 }
 
@@ -229,14 +262,20 @@ bool is_contact_of(const Model<D>& model, ContactKey key) {
   return first_piece(key) >= 0 && first_piece(key) < second_piece(key) && second_piece(key) < model.pieces();
 }
 
+bool in_known_state(const ContactMemory& m) {
+  return !m.empty() && m.bonds <= 3 && m.state <= contact_states;
+}
+bool in_known_state(const SolidMemory& m) {
+  return !m.empty() && m.state <= contact_states;
+}
+
 template <int D>
 void check_contacts(const Reader& file, const Model<D>& model, const State<D>& s) {
-  const ContactHistory& c = s.contacts;
+  const Contacts<D>& c = s.contacts;
   for (std::size_t i = 0; i < c.size(); ++i) {
     if (!is_contact_of(model, c.key[i]) || (i > 0 && c.key[i - 1] >= c.key[i]))
       file.fail("has a contact of pieces that are not there, or out of order");
-    if (c.memory[i].empty() || c.memory[i].bonds > 3 || c.memory[i].state > contact_states)
-      file.fail("has a contact in no known state");
+    if (!in_known_state(c.memory[i])) file.fail("has a contact in no known state");
   }
   for (const Parted& p : s.parted)
     if (!is_contact_of(model, p.contact)) file.fail("has a parted contact of pieces that are not there");

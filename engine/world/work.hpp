@@ -5,6 +5,8 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
+#include "shape/overlap_3d.hpp"
+#include "shape/separation_3d.hpp"
 #include "world/event.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
@@ -51,12 +53,24 @@ struct BodyRow {
 };
 
 /// What the general contact of one row came to, for the step estimate, events and recording.
+template <int D>
 struct GeneralContact {
   int row;
-  double length;  ///< length in contact [m]
+  double size;    ///< length in contact [m], in space the area [m2]
   double depth;   ///< greatest overlap [m]
-  Vec2 centre;    ///< centre of pressure [m]
-  Vec2 force;     ///< on the second body [N]
+  Vec<D> centre;  ///< centre of pressure [m]
+  Vec<D> force;   ///< on the second body [N]
+};
+
+/// Solids in space where they stand, and what their contacts give.
+template <int D>
+struct SolidWork {};
+template <>
+struct SolidWork<3> {
+  std::vector<PlacedSolid> placed;      ///< [piece]. Writer: place
+  std::vector<Separation3> separation;  ///< [contact] along the axis that parted them last. Writer: respond
+  std::vector<Vec3> force, moment;      ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
+  SolidOverlapBuffer shared;            ///< room
 };
 
 /// What a step needs and the next one can do without. `evaluate` writes nothing else; `commit` makes a State of it.
@@ -81,27 +95,29 @@ struct Work {
   std::vector<Rotation<D>> found_rotation;  ///< [node]
   std::vector<RateBound> face_bound;        ///< [body] lying on its stiffest face
   double margin = 0;                        ///< boxes are widened by this m
-  ContactHistory matched;   ///< the state's contacts in the rows of the pairs, where these were found after
+  Contacts<D> matched;      ///< the state's contacts in the rows of the pairs, where these were found after
                             ///< the last commit; else empty
   bool is_matched = false;  ///< they were
   double travel = 0;        ///< path of the skin point that went farthest since then, from one evaluated
                             ///< pose to the next, an upper bound. Writer: place m
   double look_again = 0;    ///< no body has moved half the margin while `travel` is below this m
 
+  SolidWork<D> solids;  ///< in space
+
   // Writer: respond
-  ContactHistory contacts;                       ///< [contact] trial
-  std::vector<BearingMemory> bearing;            ///< [bearing] trial
-  std::vector<int> face_rows, fresh_rows;        ///< of a batch: rows that touched or may touch now; the latter alone
-  std::vector<int> general_now;                  ///< rows whose shape is general at this step
-  std::vector<GeneralContact> general_touching;  ///< those of them that touch
-  std::vector<int> changed_rows;                 ///< rows that began or ceased to touch, or lost a bond
-  std::vector<Vec<D>> skin_force;                ///< [skin] N
-  std::vector<Vec<D>> bearing_force;             ///< [bearing] on body b, in world axes N
-  std::vector<Moment<D>> bearing_moment;         ///< [bearing] on body b N m
-  std::vector<Vec<D>> bearing_displacement;      ///< [bearing] in its axes m
-  Energy given;                                  ///< trial: energy given off and put in up to this instant J
-  std::vector<double> bearing_energy;            ///< [bearing] elastic energy J
-  double bearing_stored = 0;                     ///< their sum J
+  Contacts<D> contacts;                    ///< [contact] trial
+  std::vector<BearingMemory> bearing;      ///< [bearing] trial
+  std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
+  std::vector<int> general_now;            ///< rows whose shape is general at this step
+  std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch
+  std::vector<int> changed_rows;                    ///< rows that began or ceased to touch, or lost a bond
+  std::vector<Vec<D>> skin_force;                   ///< [skin] N
+  std::vector<Vec<D>> bearing_force;                ///< [bearing] on body b, in world axes N
+  std::vector<Moment<D>> bearing_moment;            ///< [bearing] on body b N m
+  std::vector<Vec<D>> bearing_displacement;         ///< [bearing] in its axes m
+  Energy given;                                     ///< trial: energy given off and put in up to this instant J
+  std::vector<double> bearing_energy;               ///< [bearing] elastic energy J
+  double bearing_stored = 0;                        ///< their sum J
 
   // Writer: resist
   std::vector<PlasticMemory> plastic;             ///< [plastic point] trial
@@ -133,7 +149,7 @@ struct Work {
 
 /// What the contacts remember up to now, in the rows of the pairs.
 template <int D>
-const ContactHistory& contacts_before(const State<D>& state, const Work<D>& work) {
+const Contacts<D>& contacts_before(const State<D>& state, const Work<D>& work) {
   return work.is_matched ? work.matched : state.contacts;
 }
 

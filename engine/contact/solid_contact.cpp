@@ -1,0 +1,97 @@
+#include "contact/solid_contact.hpp"
+
+#include "base/portable.hpp"
+
+namespace trilith {
+namespace {
+
+/// `v`, which belongs to a plane of normal `from`, in the plane of normal `to`: turned the shortest way, by the
+/// rotation that takes one normal to the other. Its length stays.
+Vec3 carried_over(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const Vec3 axis = cross(from, to);
+  const double cosine = from.dot(to);
+  if (cosine <= -0.5) return v - 2 * v.dot(to) * to;  // turned over: no shortest way worth the name
+  // Rodrigues with the sine in the axis: v + a x v + a x (a x v) / (1 + c).
+  const Vec3 once = cross(axis, v);
+  return v + once + cross(axis, once) / (1 + cosine);
+}
+
+/// The shear remembered, turned with the plane of contact and, about its normal, with both bodies.
+SlidingForce turned_along(const SolidMemory& before, const Vec3& normal, double turn) {
+  SlidingForce f = before.shear;
+  if (before.normal.squaredNorm() == 0) return f;
+  const portable::SineCosine spun = portable::sine_cosine(turn);
+  const auto carried = [&](const Vec3& v) {
+    const Vec3 in_plane = carried_over(v, before.normal, normal), aside = cross(normal, in_plane);
+    const double along = normal.dot(in_plane);
+    return Vec3(along * normal + spun.cosine * (in_plane - along * normal) + spun.sine * aside);
+  };
+  f.elastic = carried(f.elastic), f.total = carried(f.total);
+  return f;
+}
+
+/// Power of the damping force remembered in the motion of b against a [W].
+double damping_power(const MovingSolid& a, const MovingSolid& b, const SolidMemory& m) {
+  const Vec3 rate = b.velocity_at(a.origin) - a.velocity;
+  return m.damping.dot(rate) + m.damping_moment.dot(Vec3(b.spin - a.spin));
+}
+
+/// Friction on the resultant, and about its normal, at the centre of pressure.
+void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const Coulomb& law,
+                  const SolidPressure& pressed, SolidResponse& out) {
+  const double normal_force = pressed.force.norm();
+  const Vec3 n = pressed.force / normal_force;
+  const double radius = pressed.radius, turning = n.dot(Vec3(b.spin - a.spin));
+  Vec3 rate = b.velocity_at(pressed.centre) - a.velocity_at(pressed.centre);
+  rate += (radius * turning - n.dot(rate)) * n;
+  const SlidingMotion motion{law.dt * rate, rate, law.mu * normal_force};
+  const double turned = 0.5 * law.dt * n.dot(Vec3(a.spin + b.spin));
+  const SlidingResponse s =
+      slide(motion, pressed.area, turned_along(before, n, turned), SlidingLaw{law.ks, law.beta, law.dt});
+  const double along = n.dot(s.force.total);
+  out.force -= s.force.total - along * n;
+  out.moment -= radius * along * n;
+  out.memory.shear = s.force, out.memory.normal = n;
+  out.memory.slip += s.slip;
+  out.lost_damping += s.lost_damping, out.lost_friction += s.lost_friction;
+}
+
+/// Two that part let their elastic shear go, and the last damping force works for half a step more.
+SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const Coulomb& law) {
+  SolidResponse out;
+  out.lost_friction = sliding_energy(law.ks, before.shear);
+  out.lost_damping = -0.5 * law.dt * damping_power(a, b, before);
+  return out;
+}
+
+}  // namespace
+
+SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const LawInUse& use,
+                             double volume, const SolidOverlapBuffer& shared) {
+  return with_kernel(use, [&](const Coulomb& law) {
+    SolidResponse out = parted(a, b, before, law);
+    const SolidPressure pressed = volume > 0 ? solid_pressure(a, b, use, shared) : SolidPressure{};
+    if (!(pressed.area > 0)) return out;
+    out.touching = true;
+    out.force = out.normal_force = pressed.force, out.moment = pressed.moment;
+    out.centre = pressed.centre, out.area = pressed.area, out.depth = pressed.depth;
+    out.memory.state = contact_touching | contact_general;
+    out.memory.slip = before.slip;
+    out.memory.damping = pressed.damping;
+    out.memory.damping_moment = pressed.damping_moment + cross(Vec3(pressed.centre - a.origin), pressed.damping);
+    out.lost_damping = 0.5 * law.dt * (pressed.damped - damping_power(a, b, before));
+    if (pressed.force.squaredNorm() > 0) {
+      out.lost_friction = 0;
+      add_friction(a, b, before, law, pressed, out);
+    }
+    return out;
+  });
+}
+
+double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const SolidMemory& memory, const LawInUse& use,
+                            SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch) {
+  const double pressure = solid_energy(a, b, use, shared, scratch);
+  return pressure + with_kernel(use, [&](const Coulomb& law) { return sliding_energy(law.ks, memory.shear); });
+}
+
+}  // namespace trilith

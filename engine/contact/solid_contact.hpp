@@ -1,0 +1,52 @@
+// Contact of two convex solids of any shape and pose: pressure from the volume they share, friction on its resultant.
+//
+// Where they are near and do not touch, the axis that parted them last is asked first (shape/separation_3d.hpp).
+#pragma once
+
+#include "contact/memory.hpp"
+#include "contact/shear_3d.hpp"
+#include "contact/solid_pressure.hpp"
+
+namespace trilith {
+
+/// History of the contact of two convex solids. All zero means: nothing to remember.
+struct SolidMemory {
+  SlidingForce shear;                  ///< b drives a by it; in the axes of the world
+  Vec3 normal = Vec3::Zero();          ///< of the plane of contact, from a to b, of length 1
+  Vec3 damping = Vec3::Zero();         ///< damping part of the last normal force on b [N]
+  Vec3 damping_moment = Vec3::Zero();  ///< ... about a's origin [N m]
+  double slip = 0;                     ///< accumulated sliding distance [m]
+  std::uint32_t state = 0;             ///< bits of ContactState
+
+  [[nodiscard]] bool empty() const { return state == 0; }
+
+  /// Calls f with every number in turn, then g with the state: for the hash and checkpoints.
+  template <class Self, class F, class G>
+  static void fields(Self& m, F&& f, G&& g) {
+    for (auto* v : {&m.shear.elastic, &m.shear.total, &m.normal, &m.damping, &m.damping_moment})
+      for (const int k : {0, 1, 2}) f((*v)[k]);
+    f(m.shear.area), f(m.slip), g(m.state);
+  }
+};
+
+/// What the contact gives. Forces on a are the opposite ones, along the same lines.
+struct SolidResponse {
+  SolidMemory memory;
+  bool touching = false;
+  Vec3 force = Vec3::Zero();   ///< on b [N]
+  Vec3 moment = Vec3::Zero();  ///< ... about `centre` [N m]
+  Vec3 normal_force = Vec3::Zero();
+  Vec3 centre = Vec3::Zero();                                     ///< of pressure [m]
+  double area = 0, depth = 0;                                     ///< [m2], [m]
+  double lost_damping = 0, lost_friction = 0, lost_fracture = 0;  ///< [J]
+};
+
+/// Of two solids whose shared volume is `volume` [m3] and lies in `shared`. The motion over the step is that of now.
+SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const LawInUse& law,
+                             double volume, const SolidOverlapBuffer& shared);
+
+/// Elastic energy of a contact, of its pressure and of its shear [J].
+double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const SolidMemory& memory, const LawInUse& law,
+                            SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch);
+
+}  // namespace trilith

@@ -1,0 +1,56 @@
+// Normal pressure between two convex solids of any shape and pose, from the volume they share.
+//
+// As contact/overlap_pair.hpp in the plane: the elastic energy is W = kn/2 ( integral of e(phi_A) + integral of
+// e(phi_B) ) over the shared volume, phi being the distance to the nearest surface face of a solid. Its derivative is a
+// pressure kn/2 e(phi_A) on the faces of B inside A, along their own normals, and the same for A's faces inside B. So
+// energy is kept by construction, and two parallel faces press each other by kn times their overlap.
+//
+//            _______________
+//           |  A            |        On the face f of B that is inside of A, phi_A is the least of the depths below A's
+//           |   \__f__/ - - | - B    faces: linear in cells, each a convex polygon, over which all integrals are exact
+//           |_______________|        where the law is linear.
+//
+// Damping acts on the closing speed along each face's normal; the pressure is never below 0 with it.
+#pragma once
+
+#include "contact/list.hpp"
+#include "shape/overlap_3d.hpp"
+
+namespace trilith {
+
+/// A convex solid where it stands and how its body moves.
+struct MovingSolid {
+  const PlacedSolid& placed;
+  Vec3 origin, velocity, spin;  ///< of its body: a point of it and its velocity [m], [m/s], [rad/s]
+
+  [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - origin)); }
+};
+
+/// Sums over the pressed faces of two solids.
+struct SolidPressure {
+  Vec3 force = Vec3::Zero();           ///< on b [N]
+  Vec3 moment = Vec3::Zero();          ///< ... about the centre [N m]
+  Vec3 damping = Vec3::Zero();         ///< the part of `force` that damping adds [N]
+  Vec3 damping_moment = Vec3::Zero();  ///< ... about the centre [N m]
+  double damped = 0;                   ///< power that damping takes [W]
+  Vec3 centre = Vec3::Zero();          ///< of pressure, or of the area where there is none [m]
+  double pressure = 0;                 ///< integral of the pressure, whatever way it acts [N]
+  double area = 0;                     ///< in contact: half of the pressed faces of both [m2]
+  double radius = 0;                   ///< mean distance of the area from its centroid, see turning_radius [m]
+  double depth = 0;                    ///< greatest depth of a pressed face in the other solid [m]
+};
+
+/// Of the solid they share, which solid_overlap has left in `shared`; all zero where it is empty.
+SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
+                             const SolidOverlapBuffer& shared);
+
+/// The elastic energy of above [J]. `scratch`: room.
+double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
+                    SolidOverlapBuffer& scratch);
+
+/// Mean distance of a plane area from its centroid [m], from its second moments about it (of unit area, trace of the
+/// tensor and the product of its two principal values). A line of length l has l/4 and a gyration of l/sqrt(12), a
+/// square .9375 of its gyration, a disc .9428; between them this is right to 1 %, triangles to 2 %.
+double turning_radius(double trace, double product);
+
+}  // namespace trilith

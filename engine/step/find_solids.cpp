@@ -1,0 +1,40 @@
+// The pairs of solids that may touch, and what the state remembers of their contacts.
+#include <algorithm>
+
+#include "detect/solid_pairs.hpp"
+#include "step/evaluate.hpp"
+
+namespace trilith {
+namespace {
+
+/// Brings what the state remembers into the rows of the pairs just found: kept memories move, the rest start empty.
+/// Both lists are sorted by key.
+void match_solids(const SolidHistory& state, Work<3>& work) {
+  SolidHistory& now = work.matched;
+  now.key.resize(work.pairs.size());
+  now.memory.assign(work.pairs.size(), {});
+  std::size_t old = 0;
+  for (std::size_t row = 0; row < now.size(); ++row) {
+    now.key[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);
+    while (old < state.size() && state.key[old] < now.key[row]) ++old;
+    if (old < state.size() && state.key[old] == now.key[row]) now.memory[row] = state.memory[old];
+  }
+  work.is_matched = true;
+}
+
+}  // namespace
+
+/// Does nothing while the list of pairs still holds.
+void find(const Model<3>& model, const State<3>& state, Work<3>& work) {
+  if (!pairs_outdated(work)) return;
+  find_pairs(model, state, work);
+  match_solids(state.contacts, work);
+  work.contacts = {work.matched.key, std::vector<SolidMemory>(work.pairs.size())};
+  work.changed_rows.clear();
+  work.changed_rows.reserve(work.pairs.size());
+  work.general_touching.reserve(work.pairs.size());
+  // No axis parts them yet.
+  work.solids.separation.assign(work.pairs.size(), {0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0});
+}
+
+}  // namespace trilith
