@@ -12,7 +12,7 @@ namespace {
 // triangle, the cells in which one face of the other solid is nearest; over each cell the pressure and its moments.
 
 /// A point of a pressed face: where it is, how deep in the other solid, and how fast the two close there.
-struct Pressed {
+struct PressedPoint {
   Vec3 x;
   double depth, closing;  // [m], [m/s]
 };
@@ -20,15 +20,15 @@ struct Pressed {
 /// A convex polygon with room for a triangle cut by many planes.
 struct PressedPolygon {
   static constexpr std::size_t most = 64;
-  std::array<Pressed, most> corner;
+  std::array<PressedPoint, most> corner;
   std::size_t count = 0;
 
-  void add(const Pressed& p) {
+  void add(const PressedPoint& p) {
     if (count < most) corner[count++] = p;
   }
 };
 
-Pressed between(const Pressed& p, const Pressed& q, double share) {
+PressedPoint between(const PressedPoint& p, const PressedPoint& q, double share) {
   return {p.x + share * (q.x - p.x), p.depth + share * (q.depth - p.depth),
           p.closing + share * (q.closing - p.closing)};
 }
@@ -38,7 +38,7 @@ template <class Height>
 void keep_above(const PressedPolygon& from, Height&& height, PressedPolygon& kept) {
   kept.count = 0;
   for (std::size_t i = 0; i < from.count; ++i) {
-    const Pressed &p = from.corner[i], &q = from.corner[(i + 1) % from.count];
+    const PressedPoint &p = from.corner[i], &q = from.corner[(i + 1) % from.count];
     const double hp = height(p), hq = height(q);
     if (hp >= 0) kept.add(p);
     if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) kept.add(between(p, q, hp / (hp - hq)));
@@ -63,8 +63,8 @@ void add_linear(double area, const std::array<double, 3>& p, const std::array<Ve
 
 /// Six points of a triangle, exact to degree 4 (Dunavant 1985, as in contact/power.hpp), for laws that are not linear.
 template <class Pressure>
-void add_sampled(double area, const std::array<Pressed, 3>& at, const std::array<Vec3, 3>& arm, Pressure&& pressure,
-                 TriangleSums& sums) {
+void add_sampled(double area, const std::array<PressedPoint, 3>& at, const std::array<Vec3, 3>& arm,
+                 Pressure&& pressure, TriangleSums& sums) {
   constexpr std::array<std::array<double, 3>, 2> rule{{{0.108103018168070, 0.445948490915965, 0.223381589678011},
                                                        {0.816847572980459, 0.091576213509771, 0.109951743655322}}};
   for (const auto& [own, other, weight] : rule)
@@ -81,13 +81,13 @@ void add_sampled(double area, const std::array<Pressed, 3>& at, const std::array
 template <class Visit>
 void for_triangles(const PressedPolygon& polygon, const Vec3& normal, Visit&& visit) {
   for (std::size_t i = 2; i < polygon.count; ++i) {
-    const std::array<Pressed, 3> at{polygon.corner[0], polygon.corner[i - 1], polygon.corner[i]};
+    const std::array<PressedPoint, 3> at{polygon.corner[0], polygon.corner[i - 1], polygon.corner[i]};
     visit(0.5 * normal.dot(cross(Vec3(at[1].x - at[0].x), Vec3(at[2].x - at[0].x))), at);
   }
 }
 
-/// Sums over all pressed faces. Moments are about `origin`, a point near the contact.
-struct Sums {
+/// SolidSums over all pressed faces. Moments are about `origin`, a point near the contact.
+struct SolidSums {
   Vec3 origin;
   SolidPressure out;
   Vec3 arm_sum = Vec3::Zero();                       // integral of pressure times arm
@@ -95,7 +95,7 @@ struct Sums {
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // ... of its square
 };
 
-void add_area(double area, const std::array<Vec3, 3>& arm, Sums& sums) {
+void add_area(double area, const std::array<Vec3, 3>& arm, SolidSums& sums) {
   const Vec3 sum = arm[0] + arm[1] + arm[2];
   sums.out.area += 0.5 * area;
   sums.area_arm += area / 6 * sum;
@@ -112,9 +112,9 @@ struct PressedFace {
   bool walker_is_b;
 
   /// Adds one cell, over which depth and closing speed are linear.
-  void add_cell(const PressedPolygon& cell, Sums& sums) const {
+  void add_cell(const PressedPolygon& cell, SolidSums& sums) const {
     TriangleSums springs, total;
-    for_triangles(cell, normal, [&](double area, const std::array<Pressed, 3>& at) {
+    for_triangles(cell, normal, [&](double area, const std::array<PressedPoint, 3>& at) {
       const std::array<Vec3, 3> arm{at[0].x - sums.origin, at[1].x - sums.origin, at[2].x - sums.origin};
       add_area(area, arm, sums);
       if constexpr (K::linear)
@@ -137,16 +137,16 @@ struct PressedFace {
   }
 
  private:
-  static std::array<double, 3> closings(const std::array<Pressed, 3>& at) {
+  static std::array<double, 3> closings(const std::array<PressedPoint, 3>& at) {
     return {at[0].closing, at[1].closing, at[2].closing};
   }
 
   /// The pressure with its damping, where that is above 0.
   void add_damped(const PressedPolygon& cell, const Vec3& origin, TriangleSums& total) const {
-    const auto pressure = [&](const Pressed& p) { return p.depth + law.beta * p.closing; };
+    const auto pressure = [&](const PressedPoint& p) { return p.depth + law.beta * p.closing; };
     PressedPolygon pressed;
     keep_above(cell, pressure, pressed);
-    for_triangles(pressed, normal, [&](double area, const std::array<Pressed, 3>& at) {
+    for_triangles(pressed, normal, [&](double area, const std::array<PressedPoint, 3>& at) {
       add_linear(area, {pressure(at[0]), pressure(at[1]), pressure(at[2])},
                  {at[0].x - origin, at[1].x - origin, at[2].x - origin}, closings(at), total);
     });
@@ -154,7 +154,7 @@ struct PressedFace {
 
   /// k is half of kn, as the faces of the other solid bring the other half. On b acts -n where b walks, as n then
   /// points from b into a, and +n where a does.
-  void add(const TriangleSums& springs, const TriangleSums& total, Sums& sums) const {
+  void add(const TriangleSums& springs, const TriangleSums& total, SolidSums& sums) const {
     const double k = 0.5 * law.kn, sign = walker_is_b ? -1 : 1;
     const Vec3 n = sign * k * normal;
     SolidPressure& out = sums.out;
@@ -190,8 +190,8 @@ NearestFace nearest_face(const PlacedSolid& solid, const Vec3& x) {
 /// Presses one triangle of a face of the walker against the owner's nearest faces. Where one face is nearest to all
 /// three corners it is so to all of the triangle, as depths are linear.
 template <class K>
-void press_triangle(const MovingSolid& owner, const PressedFace<K>& face, const std::array<Pressed, 3>& at,
-                    const std::array<int, 3>& nearest, Sums& sums) {
+void press_triangle(const MovingSolid& owner, const PressedFace<K>& face, const std::array<PressedPoint, 3>& at,
+                    const std::array<int, 3>& nearest, SolidSums& sums) {
   PressedPolygon triangle;
   triangle.count = 3;
   std::copy(at.begin(), at.end(), triangle.corner.begin());
@@ -201,11 +201,11 @@ void press_triangle(const MovingSolid& owner, const PressedFace<K>& face, const 
   for (int f = 0; f < solid.solid->shape.faces.count(); ++f) {
     if (!solid.solid->is_surface(f)) continue;
     cell.count = 0;
-    for (const Pressed& p : at) cell.add({p.x, depth_below(solid, f, p.x), p.closing});
+    for (const PressedPoint& p : at) cell.add({p.x, depth_below(solid, f, p.x), p.closing});
     for (int g = 0; g < solid.solid->shape.faces.count() && cell.count > 2; ++g) {
       if (g == f || !solid.solid->is_surface(g)) continue;
       keep_above(
-          cell, [&](const Pressed& p) { return depth_below(solid, g, p.x) - p.depth; }, cut_cell);
+          cell, [&](const PressedPoint& p) { return depth_below(solid, g, p.x) - p.depth; }, cut_cell);
       std::swap(cell, cut_cell);
     }
     if (cell.count > 2) face.add_cell(cell, sums);
@@ -215,15 +215,15 @@ void press_triangle(const MovingSolid& owner, const PressedFace<K>& face, const 
 /// One face of the shared solid: the edges `first` to `end` of its rim.
 template <class K>
 void press_face(const MovingSolid& owner, const MovingSolid& walker, const PressedFace<K>& face,
-                const SolidOverlapBuffer& shared, int first, int end, Sums& sums) {
+                const SolidOverlapBuffer& shared, int first, int end, SolidSums& sums) {
   const auto pressed_at = [&](int point, int& nearest) {
     const Vec3& x = shared.points[static_cast<std::size_t>(point)];
     const NearestFace below = nearest_face(owner.placed, x);
     nearest = below.face;
     const double closing = face.normal.dot(walker.velocity_at(x) - owner.velocity_at(x));
-    return Pressed{x, std::max(0.0, below.depth), closing};
+    return PressedPoint{x, std::max(0.0, below.depth), closing};
   };
-  std::array<Pressed, 3> at{};
+  std::array<PressedPoint, 3> at{};
   std::array<int, 3> nearest{};
   const int base = shared.edges[static_cast<std::size_t>(first)].from;
   at[0] = pressed_at(base, nearest[0]);
@@ -237,7 +237,7 @@ void press_face(const MovingSolid& owner, const MovingSolid& walker, const Press
 }
 
 /// Moves the moments to the centre of pressure and finds the mean distance from it.
-SolidPressure finished(Sums& sums) {
+SolidPressure finished(SolidSums& sums) {
   SolidPressure& out = sums.out;
   if (!(out.area > 0)) return {};
   const Vec3 middle = sums.area_arm / out.area;
@@ -262,7 +262,7 @@ bool on_surface(const PlacedSolid& a, const PlacedSolid& b, int of) {
 
 template <class K>
 SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, const SolidOverlapBuffer& shared) {
-  Sums sums;
+  SolidSums sums;
   sums.origin = shared.points[static_cast<std::size_t>(shared.edges[0].from)];
   int first = 0;
   for (const auto& [of, end] : shared.faces) {

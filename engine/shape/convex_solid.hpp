@@ -15,8 +15,8 @@ struct ConvexSolid {
   Polyhedron shape;           ///< corners in the axes of the body [m]
   std::vector<Vec3> normals;  ///< [faces] outward, of length 1
   std::vector<SolidEdge> edges;
-  std::vector<std::uint8_t>
-      surface;  ///< [faces] 1: part of the body's surface, 0: an inner cut; empty: all are surface
+  /// [faces] 1: part of the surface of the body, 0: an inner cut; empty: all are surface
+  std::vector<std::uint8_t> surface;
 
   [[nodiscard]] bool is_surface(int face) const {
     return surface.empty() || surface[static_cast<std::size_t>(face)] != 0;

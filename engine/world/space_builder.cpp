@@ -1,0 +1,136 @@
+#include "world/space_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace trilith {
+namespace {
+
+/// Two faces count as lying on each other up to this share of the size of their solids.
+constexpr double same_plane = 1e-7;
+
+double plane_distance(const ConvexSolid& solid, int face, const Vec3& x) {
+  const Vec3& on = solid.shape.corners[static_cast<std::size_t>(solid.shape.faces[face][0])];
+  return solid.normals[static_cast<std::size_t>(face)].dot(x - on);
+}
+
+/// Whether a face of one piece lies on the surface of another, within it.
+bool is_covered(const ConvexSolid& piece, int face, const ConvexSolid& by, double within) {
+  for (int f = 0; f < by.shape.faces.count(); ++f) {
+    if (piece.normals[static_cast<std::size_t>(face)].dot(by.normals[static_cast<std::size_t>(f)]) > -1 + same_plane)
+      continue;
+    bool covered = true;
+    for (const int corner : piece.shape.faces[face]) {
+      const Vec3& x = piece.shape.corners[static_cast<std::size_t>(corner)];
+      covered = covered && std::abs(plane_distance(by, f, x)) <= within;
+      for (int g = 0; g < by.shape.faces.count() && covered; ++g) covered = plane_distance(by, g, x) <= within;
+    }
+    if (covered) return true;
+  }
+  return false;
+}
+
+/// Faces by which pieces of one body hang together are no surface.
+void mark_inner_faces(std::vector<ConvexSolid>& pieces) {
+  if (pieces.size() < 2) return;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    ConvexSolid& piece = pieces[p];
+    const double within = same_plane * solid_size(piece.shape.corners);
+    piece.surface.assign(static_cast<std::size_t>(piece.shape.faces.count()), 1);
+    for (int f = 0; f < piece.shape.faces.count(); ++f)
+      for (std::size_t q = 0; q < pieces.size(); ++q)
+        if (q != p && is_covered(piece, f, pieces[q], within)) piece.surface[static_cast<std::size_t>(f)] = 0;
+  }
+}
+
+void check_solid_body(const Model<3>& model, const SolidBody& body) {
+  if (model.find_body(body.name) >= 0) throw InputError(fmt::format("there is a body '{}' already", body.name));
+  if (body.pieces.empty()) throw InputError(fmt::format("body '{}' has no piece; it needs at least one", body.name));
+  if (!(body.density > 0) || !std::isfinite(body.density))
+    throw InputError(fmt::format("body '{}' has a density of {} kg/m3; it must be above 0", body.name, body.density));
+  if (!body.velocity.allFinite() || !body.spin.allFinite())
+    throw InputError(fmt::format("body '{}' begins with a velocity or spin that is not finite", body.name));
+}
+
+}  // namespace
+
+SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density) {
+  double volume = 0;
+  Vec3 first = Vec3::Zero();
+  for (const Polyhedron& piece : pieces) {
+    const SolidMoments m = solid_moments(piece);
+    volume += m.volume, first += m.volume * m.centroid;
+  }
+  const Vec3 centroid = first / volume;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (const Polyhedron& piece : pieces) {
+    const SolidMoments m = solid_moments(piece);
+    const Vec3 arm = m.centroid - centroid;
+    inertia += m.inertia + m.volume * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
+  }
+  return {density * volume, centroid, principal_inertia(density * inertia)};
+}
+
+int SpaceBuilder::add(const SolidBody& body) {
+  check_solid_body(model_, body);
+  for (std::size_t p = 0; p < body.pieces.size(); ++p)
+    check_convex(body.pieces[p], fmt::format("body '{}', piece {}", body.name, p + 1));
+  const SolidMass mass = mass_of(body.pieces, body.density);
+  const int node = model_.nodes(), index = static_cast<int>(model_.bodies.size());
+  model_.mass.push_back(mass.mass), model_.inertia.push_back(mass.inertia.moments);
+  model_.support.emplace_back().fill(body.fixed ? Support::fixed : Support::free);
+  model_.drive_of.emplace_back().fill(-1);
+  model_.start_position.push_back(mass.centroid), model_.start_rotation.push_back(mass.inertia.axes);
+  model_.start_velocity.push_back(body.velocity), model_.start_spin.push_back(body.spin);
+  model_.load.push_back(Vec3::Zero());
+
+  // Pieces in the principal axes of the body, about its centroid.
+  const UnitQuaternion back = inverse(mass.inertia.axes);
+  std::vector<ConvexSolid> pieces;
+  for (const Polyhedron& piece : body.pieces) {
+    Polyhedron own = placed(piece, {}, -mass.centroid);
+    pieces.push_back(convex_solid(placed(own, back, Vec3::Zero()), body.name, 1e-8));
+  }
+  mark_inner_faces(pieces);
+  Body row;
+  row.name = body.name, row.first_node = node, row.surface = body.surface;
+  row.first_skin = static_cast<int>(model_.skin_place.size()), row.first_piece = model_.pieces();
+  row.pieces = static_cast<int>(pieces.size());
+  if (model_.piece_first.empty()) model_.piece_first.push_back(0);
+  double radius = 0;
+  for (const ConvexSolid& piece : pieces) {
+    for (const Vec3& x : piece.shape.corners) {
+      model_.corner_skin.push_back(static_cast<int>(model_.skin_place.size()));
+      model_.skin_place.push_back(x), model_.skin_node.push_back(node), model_.skin_turn.push_back(node);
+      radius = std::max(radius, x.norm());
+    }
+    model_.piece_body.push_back(index);
+    model_.piece_first.push_back(static_cast<int>(model_.corner_skin.size()));
+    model_.piece_solid.push_back(piece);
+  }
+  row.skins = static_cast<int>(model_.skin_place.size()) - row.first_skin;
+  model_.body_radius.push_back(radius);
+  model_.surfaces = std::max(model_.surfaces, body.surface + 1);
+  model_.bodies.push_back(row);
+  return index;
+}
+
+void SpaceBuilder::contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name) {
+  pairings_.push_back({surface_a, surface_b, static_cast<int>(model_.laws.size())});
+  model_.laws.push_back(law), model_.law_names.push_back(name);
+}
+
+Model<3> SpaceBuilder::build() const {
+  Model<3> model = model_;
+  for (const Pairing& p : pairings_) model.surfaces = std::max({model.surfaces, p.a + 1, p.b + 1});
+  model.law_of.assign(static_cast<std::size_t>(model.surfaces) * static_cast<std::size_t>(model.surfaces), -1);
+  const auto row = [&](int a, int b) { return static_cast<std::size_t>(a * model.surfaces + b); };
+  for (const Pairing& p : pairings_) model.law_of[row(p.a, p.b)] = model.law_of[row(p.b, p.a)] = p.law;
+  return model;
+}
+
+}  // namespace trilith

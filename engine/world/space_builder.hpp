@@ -1,0 +1,51 @@
+// Builds a model in space from rigid solids: mass, principal axes, pieces, laws, and the checks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shape/polyhedron.hpp"
+#include "world/model.hpp"
+
+namespace trilith {
+
+/// A rigid body in space: convex pieces where they stand, which share faces or nothing.
+struct SolidBody {
+  std::string name;
+  std::vector<Polyhedron> pieces;
+  double density = 0;  ///< [kg/m3]
+  bool fixed = false;
+  Vec3 velocity = Vec3::Zero();  ///< of its centroid [m/s]
+  Vec3 spin = Vec3::Zero();      ///< [rad/s]
+  int surface = 0;               ///< whose law of contact it has, see SpaceBuilder::contact
+};
+
+/// Collects bodies and laws, then makes the model. Refuses with an InputError what is no body, with its name.
+class SpaceBuilder {
+ public:
+  /// Weight per mass, by default none [m/s2].
+  void gravity(const Vec3& field) { model_.gravity.field = field; }
+  /// Returns its index. Throws InputError: a name taken, no piece, a piece that is not convex or is open (see
+  /// check_convex), a density that is not above 0, numbers that are not finite.
+  int add(const SolidBody& body);
+  /// The law between two surfaces, which are numbered from 0. Without one, bodies pass through each other.
+  void contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name);
+  [[nodiscard]] Model<3> build() const;
+
+ private:
+  struct Pairing {
+    int a, b, law;
+  };
+  Model<3> model_;
+  std::vector<Pairing> pairings_;
+};
+
+/// Mass, centroid and inertia of solids of one density that share no volume.
+struct SolidMass {
+  double mass;               ///< [kg]
+  Vec3 centroid;             ///< [m]
+  PrincipalInertia inertia;  ///< about the centroid [kg m2]
+};
+SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density);
+
+}  // namespace trilith

@@ -1,0 +1,56 @@
+#include "contact/shear_3d.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "near.hpp"
+
+using namespace trilith;
+using testing::near;
+using testing::near_zero;
+
+TEST_CASE("shear below its limit is elastic, in any direction") {
+  const SlidingLaw law{1e8, 0, 1e-3};
+  SlidingForce force{Vec3::Zero(), Vec3::Zero(), 0.5};
+  const Vec3 path(3e-6, -4e-6, 0);
+  const SlidingResponse r = slide({path, path / law.dt, 1e9}, 0.5, force, law);
+  CHECK(near_zero((r.force.elastic - 5e7 * path).norm(), 1e-9));
+  CHECK(r.slip == 0);
+  CHECK(r.lost_friction == 0);
+  CHECK(near(sliding_energy(law.ks, r.force), 0.5 * 5e7 * path.squaredNorm(), 1e-12));
+}
+
+TEST_CASE("beyond its limit shear slides against the motion with just the limit") {
+  const SlidingLaw law{1e8, 0, 1e-3};
+  SlidingForce force{Vec3::Zero(), Vec3::Zero(), 0.5};
+  const Vec3 way = Vec3(1, 2, 0).normalized() * 1e-5;
+  double slip = 0, lost = 0;
+  for (int i = 0; i < 200; ++i) {
+    const SlidingResponse r = slide({way, way / law.dt, 100}, 0.5, force, law);
+    force = r.force, slip += r.slip, lost += r.lost_friction;
+  }
+  CHECK(near(force.total.norm(), 100, 1e-12));
+  CHECK(near(force.total.dot(way) / way.norm(), 100, 1e-9));
+  CHECK(near(slip, 200 * way.norm() - 100 / 5e7, 1e-9));
+  CHECK(near(lost, 100 * slip, 1e-2));
+}
+
+TEST_CASE("energy put into shear is held or given off, with damping and changing area") {
+  const SlidingLaw law{1e8, 2e-4, 1e-3};
+  SlidingForce force{Vec3::Zero(), Vec3::Zero(), 0.5};
+  double put_in = 0, lost = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double t = 0.02 * i;
+    const Vec3 path = 1e-6 * Vec3(std::cos(t), std::sin(1.7 * t), 0.5 * std::cos(2.3 * t));
+    const double area = 0.5 + 0.3 * std::sin(0.5 * t);
+    const Vec3 before = force.total;
+    const SlidingResponse r = slide({path, path / law.dt, 60}, area, force, law);
+    force = r.force;
+    put_in += 0.5 * (before + force.total).dot(path);
+    lost += r.lost_friction + r.lost_damping;
+    CHECK(force.total.norm() <= 60 * (1 + 1e-12));
+  }
+  CHECK(lost > 0);
+  CHECK(near(put_in, lost + sliding_energy(law.ks, force), 1e-9));
+}

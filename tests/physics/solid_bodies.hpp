@@ -1,0 +1,120 @@
+// Rigid solids in space that touch: models by few words, and runs of them.
+#pragma once
+
+#include <functional>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "shape/random_convex_3d.hpp"
+#include "step/central_difference.hpp"
+#include "step/commit.hpp"
+#include "step/evaluate.hpp"
+#include "world/energy.hpp"
+#include "world/space_builder.hpp"
+
+namespace trilith::testing {
+
+/// A box of given sides about `centre`, turned.
+inline Polyhedron box_at(const Vec3& sides, const Vec3& centre, const UnitQuaternion& turn = {}) {
+  return placed(box_solid(-0.5 * sides, 0.5 * sides), turn, centre);
+}
+
+/// A body of one piece.
+inline SolidBody stone(const std::string& name, const Polyhedron& shape, double density = 2000) {
+  SolidBody body;
+  body.name = name, body.pieces = {shape}, body.density = density;
+  return body;
+}
+inline SolidBody fixed_stone(const std::string& name, const Polyhedron& shape) {
+  SolidBody body = stone(name, shape);
+  body.fixed = true;
+  return body;
+}
+
+/// A run of solids by steps of one length, in a world turned by `world` as a whole: places, velocities, gravity.
+class SolidRun {
+ public:
+  SolidRun(const Model<3>& model, double dt) : model_(model), state_(initial_state(model)) {
+    options_.dt = dt;
+    evaluate(model_, state_, work_, dt);
+    commit(model_, state_, work_);
+  }
+  SolidRun(const Model<3>& model, const State<3>& state, double dt) : model_(model), state_(state) {
+    options_.dt = dt;
+    evaluate(model_, state_, work_, dt);
+    commit(model_, state_, work_);
+  }
+  void step() {
+    advance(model_, state_, work_, options_);
+    evaluate(model_, state_, work_, options_.dt);
+    commit(model_, state_, work_);
+  }
+  void run(double seconds) {
+    const auto count = static_cast<int>(std::lround(seconds / options_.dt));
+    for (int i = 0; i < count; ++i) step();
+  }
+  /// Until `done` or the time is over; true where it was done.
+  bool run_until(double most, const std::function<bool()>& done) {
+    for (const double end = state_.time + most; state_.time < end;) {
+      step();
+      if (done()) return true;
+    }
+    return false;
+  }
+  void drop_work() { work_ = {}, evaluate(model_, state_, work_, options_.dt); }
+  Model<3>& model() { return model_; }
+  State<3>& state() { return state_; }
+  [[nodiscard]] const State<3>& state() const { return state_; }
+  [[nodiscard]] const Work<3>& work() const { return work_; }
+  [[nodiscard]] double time() const { return state_.time; }
+  [[nodiscard]] Energy energy() const { return energy_now(model_, state_, work_, options_); }
+  [[nodiscard]] double moving_energy() const { return energy()[EnergyTerm::kinetic]; }
+  [[nodiscard]] Vec3 place(int body) const { return state_.position[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] Vec3 velocity(int body) const { return state_.velocity[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] Vec3 spin(int body) const { return state_.spin[static_cast<std::size_t>(body)]; }
+  /// How far a body has turned since the start [rad].
+  [[nodiscard]] Vec3 turned(int body) const {
+    const auto b = static_cast<std::size_t>(body);
+    return angle_of(state_.rotation[b] * inverse(model_.start_rotation[b]));
+  }
+  /// The sum over all bodies [kg m/s].
+  [[nodiscard]] Vec3 momentum() const {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t n = 0; n < state_.velocity.size(); ++n) sum += model_.mass[n] * state_.velocity[n];
+    return sum;
+  }
+  /// About the origin [kg m2/s], with places half a step after the velocities, as leapfrog has them: the moment of
+  /// m v about a place that moves along v is the same.
+  [[nodiscard]] Vec3 angular_momentum() const {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t n = 0; n < state_.velocity.size(); ++n)
+      sum += cross(state_.position[n], Vec3(model_.mass[n] * state_.velocity[n])) +
+             momentum_of(model_.inertia[n], state_.rotation[n], state_.spin[n]);
+    return sum;
+  }
+
+ private:
+  Model<3> model_;
+  State<3> state_;
+  Work<3> work_;
+  StepOptions options_;
+};
+
+inline Frictional frictional(double kn, double ks, double mu, double beta = 0) {
+  Frictional law;
+  law.kn = kn, law.ks = ks, law.mu = mu, law.beta = beta;
+  return law;
+}
+
+inline double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+/// Downhill on a plane tilted by `angle` [rad] towards an azimuth [rad]: instead of the plane, gravity is tilted.
+inline Vec3 tilted_gravity(double angle, double azimuth) {
+  return standard_gravity *
+         Vec3(std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), -std::cos(angle));
+}
+
+}  // namespace trilith::testing
