@@ -2,13 +2,9 @@
 // is free.
 //
 //            F t   ____          Slip along the plane of contact and turning about its normal n go through one slider:
-//          <------|__c_|         the motion is u = slip + n r turn, the force F = shear + n (couple / r), and sliding
-//             (   couple         begins where |F| = mu N. With r the mean distance of the area from its centre the
-//             couple
-//                                alone has its exact limit mu N r under uniform pressure; with shear at once the limit
-//                                is
-// an ellipsoid (Howe and Cutkosky, "Practical force-motion models for sliding manipulation", Int. J. Robotics Research
-// 15, 1996), as the limit of a whole area is but for some per cent.
+//          <------|__c_|         the motion is u = slip + n r turn, the force F = shear + n (couple / r), r the mean
+//             (   couple         distance of the area from its middle. Sliding begins at the limit of
+//                                contact/friction_limit.hpp and goes along its normal.
 //
 // Comes in: the motion of the step, the force remembered, turned along with the pair, the area that carried it and the
 // one that does now. Goes out: the force now, and what damping and sliding gave off, by the mean of force before and
@@ -16,8 +12,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/space.hpp"
+#include "contact/friction_limit.hpp"
 
 namespace trilith {
 
@@ -31,6 +29,7 @@ struct SlidingForce {
 struct SlidingMotion {
   Vec3 path;     ///< [m]
   Vec3 rate;     ///< now [m/s]
+  Vec3 normal;   ///< of the plane of contact, of length 1
   double limit;  ///< mu N [N]
 };
 
@@ -54,6 +53,25 @@ inline double sliding_energy(double ks, const SlidingForce& f) {
   return 0.5 * f.elastic.squaredNorm() * sliding_compliance(ks, f.area);
 }
 
+/// True where friction cannot hold a force.
+inline bool beyond_limit(const Vec3& total, const SlidingMotion& motion) {
+  if (total.squaredNorm() <= 0.25 * motion.limit * motion.limit) return false;  // within the straight line
+  const double turning = std::abs(motion.normal.dot(total));
+  const double along = (total - motion.normal.dot(total) * motion.normal).norm();
+  return !(motion.limit > 0) || limit_measure(along / motion.limit, turning / motion.limit) > 1;
+}
+
+/// The nearest force that friction holds.
+inline Vec3 held_by_friction(const Vec3& total, const SlidingMotion& motion) {
+  if (!(motion.limit > 0)) return Vec3::Zero();
+  const double turning = motion.normal.dot(total);
+  const Vec3 in_plane = total - turning * motion.normal;
+  const double along = in_plane.norm();
+  const auto [a, b] = nearest_on_limit(along / motion.limit, std::abs(turning) / motion.limit);
+  const Vec3 slides = along > 0 ? Vec3(in_plane * (a * motion.limit / along)) : Vec3(Vec3::Zero());
+  return slides + motion.normal * (turning < 0 ? -b : b) * motion.limit;
+}
+
 /// Area that parts takes its share of the force along and lets its energy go; new area carries none.
 inline SlidingResponse slide(const SlidingMotion& motion, double area, const SlidingForce& before,
                              const SlidingLaw& law) {
@@ -64,8 +82,8 @@ inline SlidingResponse slide(const SlidingMotion& motion, double area, const Sli
   const double relaxed = 0.5 * (before.elastic.squaredNorm() * compliance_before - kept.squaredNorm() * compliance);
   Vec3 elastic = kept + stiffness * motion.path, total = elastic + law.beta * stiffness * motion.rate;
   Vec3 stretch = motion.path;
-  if (const double size = total.norm(); size > motion.limit) {
-    const Vec3 held = total * (motion.limit / size);
+  if (beyond_limit(total, motion)) {
+    const Vec3 held = held_by_friction(total, motion);
     elastic = kept + (held - kept) * (law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0);
     total = held;
     stretch = (elastic - kept) * compliance;

@@ -44,7 +44,7 @@ void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
   const double radius = pressed.radius, turning = n.dot(Vec3(b.spin - a.spin));
   Vec3 rate = b.velocity_at(pressed.centre) - a.velocity_at(pressed.centre);
   rate += (radius * turning - n.dot(rate)) * n;
-  const SlidingMotion motion{law.dt * rate, rate, law.mu * normal_force};
+  const SlidingMotion motion{law.dt * rate, rate, n, law.mu * normal_force};
   const double turned = 0.5 * law.dt * n.dot(Vec3(a.spin + b.spin));
   const SlidingResponse s =
       slide(motion, pressed.area, turned_along(before, n, turned), SlidingLaw{law.ks, law.beta, law.dt});

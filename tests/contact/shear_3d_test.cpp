@@ -14,7 +14,7 @@ TEST_CASE("shear below its limit is elastic, in any direction") {
   const SlidingLaw law{1e8, 0, 1e-3};
   SlidingForce force{Vec3::Zero(), Vec3::Zero(), 0.5};
   const Vec3 path(3e-6, -4e-6, 0);
-  const SlidingResponse r = slide({path, path / law.dt, 1e9}, 0.5, force, law);
+  const SlidingResponse r = slide({path, path / law.dt, Vec3::UnitZ(), 1e9}, 0.5, force, law);
   CHECK(near_zero((r.force.elastic - 5e7 * path).norm(), 1e-9));
   CHECK(r.slip == 0);
   CHECK(r.lost_friction == 0);
@@ -27,7 +27,7 @@ TEST_CASE("beyond its limit shear slides against the motion with just the limit"
   const Vec3 way = Vec3(1, 2, 0).normalized() * 1e-5;
   double slip = 0, lost = 0;
   for (int i = 0; i < 200; ++i) {
-    const SlidingResponse r = slide({way, way / law.dt, 100}, 0.5, force, law);
+    const SlidingResponse r = slide({way, way / law.dt, Vec3::UnitZ(), 100}, 0.5, force, law);
     force = r.force, slip += r.slip, lost += r.lost_friction;
   }
   CHECK(near(force.total.norm(), 100, 1e-12));
@@ -45,12 +45,35 @@ TEST_CASE("energy put into shear is held or given off, with damping and changing
     const Vec3 path = 1e-6 * Vec3(std::cos(t), std::sin(1.7 * t), 0.5 * std::cos(2.3 * t));
     const double area = 0.5 + 0.3 * std::sin(0.5 * t);
     const Vec3 before = force.total;
-    const SlidingResponse r = slide({path, path / law.dt, 60}, area, force, law);
+    const SlidingResponse r = slide({path, path / law.dt, Vec3::UnitZ(), 60}, area, force, law);
     force = r.force;
     put_in += 0.5 * (before + force.total).dot(path);
     lost += r.lost_friction + r.lost_damping;
-    CHECK(force.total.norm() <= 60 * (1 + 1e-12));
+    CHECK(limit_measure(force.total.head<2>().norm() / 60, std::abs(force.total.z()) / 60) <= 1 + 1e-12);
   }
   CHECK(lost > 0);
   CHECK(near(put_in, lost + sliding_energy(law.ks, force), 1e-9));
+}
+
+TEST_CASE("the nearest point of the limit is nearest, and the way to it is along the normal") {
+  for (const double x : {0.0, 0.3, 0.9, 1.5, 20.0})
+    for (const double y : {0.0, 0.4, 0.8, 1.1, 30.0}) {
+      if (!(limit_measure(x, y) > 1)) continue;
+      const auto [a, b] = nearest_on_limit(x, y);
+      CHECK(near(limit_measure(a, b), 1, 1e-12));
+      const double least = std::hypot(x - a, y - b);
+      for (int i = 0; i <= 1000; ++i) {
+        const double c = i / 1000.0, d = std::pow(1 - std::pow(c, 1.75), 1 / 1.75);
+        CHECK(std::hypot(x - c, y - d) >= least * (1 - 1e-12));
+      }
+    }
+}
+
+TEST_CASE("T11: what a square carries in sliding and turning at once") {
+  // V / mu N, T / T_limit, about a point at d a from the middle
+  for (const auto& [v, t] : {std::pair(0.1758, 0.9771), std::pair(0.3485, 0.9094), std::pair(0.5142, 0.8014),
+                             std::pair(0.7902, 0.5178), std::pair(0.9534, 0.2352)}) {
+    const double strength = std::pow(limit_measure(v, t), 1 / 1.75);
+    CHECK(near(strength, 1, 1.5e-2));
+  }
 }

@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "body/rigid_turn.hpp"
 #include "shape/random_convex_3d.hpp"
 #include "step/central_difference.hpp"
 #include "step/commit.hpp"

@@ -20,15 +20,18 @@ struct Slope {
   Vec3 sides;
   double mu, angle, azimuth = 0, kn = 1e9, beta = 2e-4;
   UnitQuaternion world = {};
+  double grown_at = 0;  // weight comes on until then [s]
 
   [[nodiscard]] SolidRun run(double dt) const {
     SpaceBuilder builder;
     builder.gravity(Turn3(world).apply(tilted_gravity(angle, azimuth)));
     builder.add(fixed_stone("floor", placed(floor_slab(), world, Vec3::Zero())));
-    const double sunk = 2000 * sides.z() * standard_gravity * std::cos(angle) / kn;
+    const double sunk = grown_at > 0 ? 0 : 2000 * sides.z() * standard_gravity * std::cos(angle) / kn;
     builder.add(stone("block", placed(box_at(sides, Vec3(0, 0, sides.z() / 2 - sunk)), world, Vec3::Zero())));
     builder.contact(0, 0, frictional(kn, kn, mu, beta), "joint");
-    return {builder.build(), dt};
+    Model<3> model = builder.build();
+    model.gravity.grow_end = grown_at;
+    return {model, dt};
   }
   [[nodiscard]] Vec3 downhill() const { return Turn3(world).apply(Vec3(std::cos(azimuth), std::sin(azimuth), 0)); }
 };
@@ -72,7 +75,7 @@ TEST_CASE("T3: a cube dropped flat from 1 m meets the ground in time and comes t
   CHECK(near(run.velocity(1).norm(), 4.42869, 1e-3));
   run.run(6);
   CHECK(near(-(run.place(1).z() - 0.5), 1000 * standard_gravity / 1e8, 5e-3));
-  CHECK(run.velocity(1).norm() < 1e-9);
+  CHECK(run.velocity(1).norm() < run.model().still_speed);
   const Energy energy = run.energy();
   CHECK(near_zero(energy.balance(), 5e-3 * 1000 * standard_gravity));
 }
@@ -102,9 +105,9 @@ TEST_CASE("T9: a table of four feet spreads its load as a rigid plate does") {
     table.pieces.push_back(box_solid(Vec3(-0.6, -0.5, 0.5), Vec3(0.6, 0.5, 0.6)));
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.4, 0.4})
-        table.pieces.push_back(box_solid(Vec3(x - 0.05, y - 0.05, 0), Vec3(x + 0.05, y + 0.05, 0.5)));
+        table.pieces.push_back(box_solid(Vec3(x - 0.02, y - 0.02, 0), Vec3(x + 0.02, y + 0.02, 0.5)));
     builder.add(table);
-    builder.contact(0, 0, frictional(1e8, 1e8, 0.5, 1e-3), "joint");
+    builder.contact(0, 0, frictional(1e11, 1e11, 0.5, 1e-3), "joint");
     Model<3> model = builder.build();
     // A mass of 10 kN / g at (ex, ey, .55) with some inertia: the body's centroid is moved there.
     const Vec3 shift = Vec3(ex, ey, 0.55) - model.start_position[1];
@@ -152,7 +155,7 @@ TEST_CASE("T13: a tall block tips over its edge or its corner") {
   for (const auto& [azimuth, limit] :
        {std::pair(0.0, 18.435), std::pair(15.0, 19.04), std::pair(30.0, 21.05), std::pair(45.0, 25.24)}) {
     for (const double off : {-0.3, 0.05}) {
-      const Slope slope{Vec3(0.4, 0.4, 1.2), 0.9, radians(limit + off), radians(azimuth), 1e10, 1e-4};
+      const Slope slope{Vec3(0.4, 0.4, 1.2), 0.9, radians(limit + off), radians(azimuth), 1e12, 3e-5, {}, 0.5};
       SolidRun run = slope.run(1e-5);
       const bool fell = run.run_until(3, [&] { return run.turned(1).norm() > 0.1; });
       CHECK(fell == (off > 0));
@@ -195,8 +198,10 @@ TEST_CASE("T16: a corbel in two ways stands at .95 of its reach and falls at 1.0
       at += share * Vec3(sides.x() / (2 * k), sides.y() / (2 * k), 0);
       builder.add(stone("block " + std::to_string(k), box_at(sides, at)));
     }
-    builder.contact(0, 0, frictional(1e11, 1e11, 0.7, 3e-5), "joint");
-    SolidRun run(builder.build(), 1e-5);
+    builder.contact(0, 0, frictional(1e12, 1e12, 0.7, 1e-5), "joint");
+    Model<3> model = builder.build();
+    model.gravity.grow_end = 0.3;
+    SolidRun run(model, 3e-6);
     const bool fell = run.run_until(1.5, [&] { return run.place(blocks).z() < 0.43; });
     CHECK(fell == (share > 1));
   }
@@ -209,8 +214,10 @@ TEST_CASE("T22: a prism of many sides begins to roll at half the angle of a side
       builder.gravity(tilted_gravity(radians(limit + off), 0));
       builder.add(fixed_stone("floor", floor_slab()));
       builder.add(stone("prism", lying_prism(corners, 0.2, 0.5)));
-      builder.contact(0, 0, frictional(1e10, 1e10, 1, 1e-4), "joint");
-      SolidRun run(builder.build(), 1e-5);
+      builder.contact(0, 0, frictional(1e13, 1e13, 1, 1e-5), "joint");
+      Model<3> model = builder.build();
+      model.gravity.grow_end = 0.5;
+      SolidRun run(model, 5e-6);
       const bool rolls = run.run_until(2.5, [&] { return run.turned(1).norm() > 0.1; });
       CHECK(rolls == (off > 0));
     }
