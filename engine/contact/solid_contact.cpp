@@ -1,6 +1,7 @@
 #include "contact/solid_contact.hpp"
 
 #include "base/portable.hpp"
+#include "contact/solid_energy.hpp"
 
 namespace trilith {
 namespace {

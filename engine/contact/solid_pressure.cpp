@@ -26,6 +26,10 @@ struct PressedPolygon {
   void add(const PressedPoint& p) {
     if (count < most) corner[count++] = p;
   }
+  void take(const PressedPolygon& other) {
+    std::copy_n(other.corner.begin(), other.count, corner.begin());
+    count = other.count;
+  }
 };
 
 PressedPoint between(const PressedPoint& p, const PressedPoint& q, double share) {
@@ -166,47 +170,71 @@ struct PressedFace {
   }
 };
 
-/// The surface face of a solid that is nearest to a point inside, and how deep the point is below it.
-struct NearestFace {
-  int face = -1;
-  double depth = std::numeric_limits<double>::infinity();
+/// Faces of the owner as seen from a triangle.
+struct NearestFaces {
+  std::array<int, 3> face{-1, -1, -1};                     // nearest to each corner
+  std::array<double, 3> depth;                             // of each corner below it [m]
+  double reach = std::numeric_limits<double>::infinity();  // a face that all of it is deeper below is nearest nowhere
+
+  NearestFaces(const PlacedSolid& owner, const std::array<Vec3, 3>& at) {
+    depth.fill(std::numeric_limits<double>::infinity());
+    for (int f = 0; f < owner.solid->shape.faces.count(); ++f) {
+      if (!owner.solid->is_surface(f)) continue;
+      double deepest = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double d = depth_below(owner, f, at[i]);
+        if (d < depth[i]) depth[i] = d, face[i] = f;
+        deepest = std::max(deepest, d);
+      }
+      reach = std::min(reach, deepest);
+    }
+  }
+  [[nodiscard]] bool is_one() const { return face[0] == face[1] && face[0] == face[2]; }
 };
 
-double depth_below(const PlacedSolid& solid, int face, const Vec3& x) {
-  const auto f = static_cast<std::size_t>(face);
-  return solid.normals[f].dot(solid.corners[static_cast<std::size_t>(solid.solid->shape.faces[face][0])] - x);
-}
+/// Faces that may be nearest to some point of a triangle: depths of its corners below them.
+struct NearFaces {
+  struct Row {
+    int face;
+    std::array<double, 3> depth;
+  };
+  static constexpr std::size_t most = 32;
+  std::array<Row, most> row;
+  std::size_t count = 0;
 
-NearestFace nearest_face(const PlacedSolid& solid, const Vec3& x) {
-  NearestFace best;
-  for (int f = 0; f < solid.solid->shape.faces.count(); ++f) {
-    if (!solid.solid->is_surface(f)) continue;
-    const double depth = depth_below(solid, f, x);
-    if (depth < best.depth) best = {f, depth};
+  NearFaces(const PlacedSolid& owner, const std::array<PressedPoint, 3>& at, double reach) {
+    for (int f = 0; f < owner.solid->shape.faces.count() && count < most; ++f) {
+      if (!owner.solid->is_surface(f)) continue;
+      const Row r{f, {depth_below(owner, f, at[0].x), depth_below(owner, f, at[1].x), depth_below(owner, f, at[2].x)}};
+      if (std::min({r.depth[0], r.depth[1], r.depth[2]}) <= reach && !has_first_like(owner, f)) row[count++] = r;
+    }
   }
-  return best;
-}
+};
 
 /// Presses one triangle of a face of the walker against the owner's nearest faces. Where one face is nearest to all
 /// three corners it is so to all of the triangle, as depths are linear.
 template <class K>
-void press_triangle(const MovingSolid& owner, const PressedFace<K>& face, const std::array<PressedPoint, 3>& at,
-                    const std::array<int, 3>& nearest, SolidSums& sums) {
-  PressedPolygon triangle;
-  triangle.count = 3;
-  std::copy(at.begin(), at.end(), triangle.corner.begin());
-  if (nearest[0] == nearest[1] && nearest[0] == nearest[2]) return face.add_cell(triangle, sums);
-  const PlacedSolid& solid = owner.placed;
+void press_triangle(const PlacedSolid& owner, const PressedFace<K>& face, std::array<PressedPoint, 3> at,
+                    SolidSums& sums) {
+  const NearestFaces nearest(owner, {at[0].x, at[1].x, at[2].x});
+  if (nearest.face[0] < 0) return;  // a piece without a surface presses nothing
   PressedPolygon cell, cut_cell;
-  for (int f = 0; f < solid.solid->shape.faces.count(); ++f) {
-    if (!solid.solid->is_surface(f)) continue;
+  if (nearest.is_one()) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      at[i].depth = std::max(0.0, nearest.depth[i]);
+      cell.add(at[i]);
+    }
+    return face.add_cell(cell, sums);
+  }
+  const NearFaces faces(owner, at, nearest.reach);
+  for (std::size_t f = 0; f < faces.count; ++f) {
     cell.count = 0;
-    for (const PressedPoint& p : at) cell.add({p.x, depth_below(solid, f, p.x), p.closing});
-    for (int g = 0; g < solid.solid->shape.faces.count() && cell.count > 2; ++g) {
-      if (g == f || !solid.solid->is_surface(g)) continue;
+    for (std::size_t i = 0; i < 3; ++i) cell.add({at[i].x, std::max(0.0, faces.row[f].depth[i]), at[i].closing});
+    for (std::size_t g = 0; g < faces.count && cell.count > 2; ++g) {
+      if (g == f) continue;
       keep_above(
-          cell, [&](const PressedPoint& p) { return depth_below(solid, g, p.x) - p.depth; }, cut_cell);
-      std::swap(cell, cut_cell);
+          cell, [&](const PressedPoint& p) { return depth_below(owner, faces.row[g].face, p.x) - p.depth; }, cut_cell);
+      cell.take(cut_cell);
     }
     if (cell.count > 2) face.add_cell(cell, sums);
   }
@@ -216,23 +244,15 @@ void press_triangle(const MovingSolid& owner, const PressedFace<K>& face, const 
 template <class K>
 void press_face(const MovingSolid& owner, const MovingSolid& walker, const PressedFace<K>& face,
                 const SolidOverlapBuffer& shared, int first, int end, SolidSums& sums) {
-  const auto pressed_at = [&](int point, int& nearest) {
+  const auto point_at = [&](int point) {
     const Vec3& x = shared.points[static_cast<std::size_t>(point)];
-    const NearestFace below = nearest_face(owner.placed, x);
-    nearest = below.face;
-    const double closing = face.normal.dot(walker.velocity_at(x) - owner.velocity_at(x));
-    return PressedPoint{x, std::max(0.0, below.depth), closing};
+    return PressedPoint{x, 0, face.normal.dot(walker.velocity_at(x) - owner.velocity_at(x))};
   };
-  std::array<PressedPoint, 3> at{};
-  std::array<int, 3> nearest{};
   const int base = shared.edges[static_cast<std::size_t>(first)].from;
-  at[0] = pressed_at(base, nearest[0]);
-  if (nearest[0] < 0) return;  // a piece without a surface presses nothing
+  const PressedPoint about = point_at(base);
   for (int i = first; i < end; ++i) {
     const auto [from, to] = shared.edges[static_cast<std::size_t>(i)];
-    if (from == base || to == base) continue;
-    at[1] = pressed_at(from, nearest[1]), at[2] = pressed_at(to, nearest[2]);
-    press_triangle(owner, face, at, nearest, sums);
+    if (from != base && to != base) press_triangle(owner.placed, face, {about, point_at(from), point_at(to)}, sums);
   }
 }
 
@@ -276,72 +296,6 @@ SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, co
   return finished(sums);
 }
 
-/// Integral of effective(depth) over a tetrahedron, from the depths at its corners, for laws that are not linear:
-/// Gauss's points along each of three shares, the corner that they close in on taken into the weight.
-template <class K>
-double energy_of_tetrahedron(double volume, const std::array<double, 4>& depth, const K& law) {
-  constexpr std::array<double, 4> point{0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                        0.93056815579702629};
-  constexpr std::array<double, 4> weight{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                         0.17392742256872693};
-  double sum = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t k = 0; k < 4; ++k) {
-        const double u = point[i], v = (1 - u) * point[j], w = (1 - u) * (1 - point[j]) * point[k];
-        const double at = (1 - u - v - w) * depth[0] + u * depth[1] + v * depth[2] + w * depth[3];
-        sum += weight[i] * weight[j] * weight[k] * (1 - u) * (1 - u) * (1 - point[j]) * law.effective(at);
-      }
-  return 6 * volume * sum;
-}
-
-/// Over one cell, in which depths below face `f` of `owner` are linear.
-template <class K>
-double energy_of_cell(const PlacedSolid& owner, const K& law, int f, const SolidOverlapBuffer& cell) {
-  if constexpr (K::linear) {
-    const auto [volume, centroid] = measured(cell);
-    return volume > 0 ? volume * std::max(0.0, depth_below(owner, f, centroid)) : 0;
-  } else {
-    const auto point = [&](int i) -> const Vec3& { return cell.points[static_cast<std::size_t>(i)]; };
-    const auto depth = [&](int i) { return std::max(0.0, depth_below(owner, f, point(i))); };
-    const int top = cell.edges[0].from;
-    double sum = 0;
-    int i = 0;
-    for (const auto& face : cell.faces) {
-      const int base = cell.edges[static_cast<std::size_t>(i)].from;
-      for (; i < face.end; ++i) {
-        const auto [from, to] = cell.edges[static_cast<std::size_t>(i)];
-        const Vec3 twice = cross(Vec3(point(from) - point(base)), Vec3(point(to) - point(base)));
-        sum += energy_of_tetrahedron(twice.dot(point(base) - point(top)) / 6,
-                                     {depth(top), depth(base), depth(from), depth(to)}, law);
-      }
-    }
-    return sum;
-  }
-}
-
-/// Integral of e(phi) over the solid in `shared`, phi of `owner`, cell by cell.
-template <class K>
-double energy_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffer& shared, SolidOverlapBuffer& cell) {
-  const FaceLoops& faces = owner.solid->shape.faces;
-  const auto point_of = [&](int f) -> const Vec3& { return owner.corners[static_cast<std::size_t>(faces[f][0])]; };
-  double sum = 0;
-  for (int f = 0; f < faces.count(); ++f) {
-    if (!owner.solid->is_surface(f)) continue;
-    cell = shared;
-    bool some = !cell.faces.empty();
-    const Vec3& n = owner.normals[static_cast<std::size_t>(f)];
-    for (int g = 0; g < faces.count() && some; ++g) {
-      if (g == f || !owner.solid->is_surface(g)) continue;
-      // depth below f at most that below g
-      const Vec3& m = owner.normals[static_cast<std::size_t>(g)];
-      some = cut({m - n, m.dot(point_of(g)) - n.dot(point_of(f)), 0}, cell) && !cell.edges.empty();
-    }
-    if (some) sum += energy_of_cell(owner, law, f, cell);
-  }
-  return sum;
-}
-
 }  // namespace
 
 double turning_radius(double trace, double product) {
@@ -354,14 +308,6 @@ SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const L
                              const SolidOverlapBuffer& shared) {
   if (shared.faces.empty()) return {};
   return with_kernel(law, [&](const auto& kernel) { return press(a, b, kernel, shared); });
-}
-
-double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
-                    SolidOverlapBuffer& scratch) {
-  if (!(solid_overlap(a, b, shared).volume > 0)) return 0;
-  return with_kernel(law, [&](const auto& kernel) {
-    return 0.5 * kernel.kn * (energy_in(a, kernel, shared, scratch) + energy_in(b, kernel, shared, scratch));
-  });
 }
 
 }  // namespace trilith

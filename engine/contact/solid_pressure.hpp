@@ -44,10 +44,6 @@ struct SolidPressure {
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
                              const SolidOverlapBuffer& shared);
 
-/// The elastic energy of above [J]. `scratch`: room.
-double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
-                    SolidOverlapBuffer& scratch);
-
 /// Mean distance of a plane area from its centroid [m], from its second moments about it (of unit area, trace of the
 /// tensor and the product of its two principal values). A line of length l has l/4 and a gyration of l/sqrt(12), a
 /// square .9375 of its gyration, a disc .9428; between them this is right to 1 %, triangles to 2 %.

@@ -16,4 +16,13 @@ void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSo
     out.along.push_back(out.corners[static_cast<std::size_t>(e.to)] - out.corners[static_cast<std::size_t>(e.from)]);
 }
 
+/// Of a convex solid two faces that look the same way lie in one plane.
+bool has_first_like(const PlacedSolid& solid, int face) {
+  const Vec3& n = solid.normals[static_cast<std::size_t>(face)];
+  for (int f = 0; f < face; ++f)
+    if (solid.solid->is_surface(f) && (solid.normals[static_cast<std::size_t>(f)] - n).squaredNorm() < 1e-24)
+      return true;
+  return false;
+}
+
 }  // namespace trilith

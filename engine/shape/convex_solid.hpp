@@ -37,4 +37,13 @@ struct PlacedSolid {
 /// `solid` turned about the origin of its body, which stands at `at` [m]. The solid must outlive `out`.
 void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out);
 
+/// How deep a point lies below the plane of a face [m]; negative outside.
+inline double depth_below(const PlacedSolid& solid, int face, const Vec3& x) {
+  const auto f = static_cast<std::size_t>(face);
+  return solid.normals[f].dot(solid.corners[static_cast<std::size_t>(solid.solid->shape.faces[face][0])] - x);
+}
+
+/// True of a surface face that lies in the plane of one before it, which stands for both.
+bool has_first_like(const PlacedSolid& solid, int face);
+
 }  // namespace trilith

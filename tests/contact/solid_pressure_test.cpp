@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "contact/solid_energy.hpp"
 #include "near.hpp"
 #include "shape/random_convex_3d.hpp"
 

@@ -85,6 +85,16 @@ class SolidRun {
     for (std::size_t n = 0; n < state_.velocity.size(); ++n) sum += model_.mass[n] * state_.velocity[n];
     return sum;
   }
+  /// Shared by any two of the pieces that are near each other [m3].
+  [[nodiscard]] double shared_volume() const {
+    SolidOverlapBuffer room;
+    double sum = 0;
+    for (const NearPair& p : work_.pairs)
+      sum += solid_overlap(work_.solids.placed[static_cast<std::size_t>(p.piece_a)],
+                           work_.solids.placed[static_cast<std::size_t>(p.piece_b)], room)
+                 .volume;
+    return sum;
+  }
   /// About the origin [kg m2/s], with places half a step after the velocities, as leapfrog has them: the moment of
   /// m v about a place that moves along v is the same.
   [[nodiscard]] Vec3 angular_momentum() const {

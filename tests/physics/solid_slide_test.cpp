@@ -53,7 +53,7 @@ TEST_CASE("T23: a block kicked across a slope turns down it") {
     run.run(r.time);
     CHECK(near(run.place(1).y(), r.across, 5e-3));
     CHECK(near(run.place(1).x(), r.downhill, 5e-3));
-    if (r.mu == 0.7) CHECK(run.velocity(1).norm() < 1e-4);
+    if (r.mu == 0.7) CHECK(run.velocity(1).norm() < 1e-3);
   }
 }
 

@@ -1,0 +1,85 @@
+#include "contact/solid_energy.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace trilith {
+namespace {
+
+/// Integral of effective(depth) over a tetrahedron, from the depths at its corners, for laws that are not linear:
+/// Gauss's points along each of three shares, the corner that they close in on taken into the weight.
+template <class K>
+double energy_of_tetrahedron(double volume, const std::array<double, 4>& depth, const K& law) {
+  constexpr std::array<double, 4> point{0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                        0.93056815579702629};
+  constexpr std::array<double, 4> weight{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                         0.17392742256872693};
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double u = point[i], v = (1 - u) * point[j], w = (1 - u) * (1 - point[j]) * point[k];
+        const double at = (1 - u - v - w) * depth[0] + u * depth[1] + v * depth[2] + w * depth[3];
+        sum += weight[i] * weight[j] * weight[k] * (1 - u) * (1 - u) * (1 - point[j]) * law.effective(at);
+      }
+  return 6 * volume * sum;
+}
+
+/// Over one cell, in which depths below face `f` of `owner` are linear.
+template <class K>
+double energy_of_cell(const PlacedSolid& owner, const K& law, int f, const SolidOverlapBuffer& cell) {
+  if constexpr (K::linear) {
+    const auto [volume, centroid] = measured(cell);
+    return volume > 0 ? volume * std::max(0.0, depth_below(owner, f, centroid)) : 0;
+  } else {
+    const auto point = [&](int i) -> const Vec3& { return cell.points[static_cast<std::size_t>(i)]; };
+    const auto depth = [&](int i) { return std::max(0.0, depth_below(owner, f, point(i))); };
+    const int top = cell.edges[0].from;
+    double sum = 0;
+    int i = 0;
+    for (const auto& face : cell.faces) {
+      const int base = cell.edges[static_cast<std::size_t>(i)].from;
+      for (; i < face.end; ++i) {
+        const auto [from, to] = cell.edges[static_cast<std::size_t>(i)];
+        const Vec3 twice = cross(Vec3(point(from) - point(base)), Vec3(point(to) - point(base)));
+        sum += energy_of_tetrahedron(twice.dot(point(base) - point(top)) / 6,
+                                     {depth(top), depth(base), depth(from), depth(to)}, law);
+      }
+    }
+    return sum;
+  }
+}
+
+/// Integral of e(phi) over the solid in `shared`, phi of `owner`, cell by cell.
+template <class K>
+double energy_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffer& shared, SolidOverlapBuffer& cell) {
+  const FaceLoops& faces = owner.solid->shape.faces;
+  const auto point_of = [&](int f) -> const Vec3& { return owner.corners[static_cast<std::size_t>(faces[f][0])]; };
+  double sum = 0;
+  for (int f = 0; f < faces.count(); ++f) {
+    if (!owner.solid->is_surface(f) || has_first_like(owner, f)) continue;
+    cell = shared;
+    bool some = !cell.faces.empty();
+    const Vec3& n = owner.normals[static_cast<std::size_t>(f)];
+    for (int g = 0; g < faces.count() && some; ++g) {
+      if (g == f || !owner.solid->is_surface(g) || has_first_like(owner, g)) continue;
+      // depth below f at most that below g
+      const Vec3& m = owner.normals[static_cast<std::size_t>(g)];
+      some = cut({m - n, m.dot(point_of(g)) - n.dot(point_of(f)), 0}, cell) && !cell.edges.empty();
+    }
+    if (some) sum += energy_of_cell(owner, law, f, cell);
+  }
+  return sum;
+}
+
+}  // namespace
+
+double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
+                    SolidOverlapBuffer& scratch) {
+  if (!(solid_overlap(a, b, shared).volume > 0)) return 0;
+  return with_kernel(law, [&](const auto& kernel) {
+    return 0.5 * kernel.kn * (energy_in(a, kernel, shared, scratch) + energy_in(b, kernel, shared, scratch));
+  });
+}
+
+}  // namespace trilith

@@ -1,0 +1,79 @@
+// Piles of solids: they come to rest, and whatever is found anew, saved or turned, they do so alike.
+#include <unistd.h>
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "near.hpp"
+#include "physics/solid_bodies.hpp"
+#include "world/checkpoint.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+/// Stones by chance that fall into a tray.
+Model<3> poured(int count) {
+  std::mt19937_64 bits(7);
+  SpaceBuilder builder;
+  builder.gravity(Vec3(0, 0, -standard_gravity));
+  SolidBody tray;
+  tray.name = "tray", tray.density = 2000, tray.fixed = true;
+  tray.pieces = {box_solid(Vec3(-1.1, -1.1, -0.2), Vec3(1.1, 1.1, 0)), box_solid(Vec3(-1.1, -1.1, 0), Vec3(-1, 1.1, 1)),
+                 box_solid(Vec3(1, -1.1, 0), Vec3(1.1, 1.1, 1)), box_solid(Vec3(-1, -1.1, 0), Vec3(1, -1, 1)),
+                 box_solid(Vec3(-1, 1, 0), Vec3(1, 1.1, 1))};
+  builder.add(tray);
+  for (int i = 0; i < count; ++i) {
+    const Vec3 at(0.6 * (i % 3 - 1), 0.6 * (i / 3 % 3 - 1), 0.4 + 0.6 * (i / 9));
+    const Polyhedron shape = random_convex_solid(bits, {.smallest = 0.3, .largest = 0.5});
+    builder.add(stone("stone " + std::to_string(i), placed(shape, {}, at + 0.03 * random_in_ball(bits))));
+  }
+  builder.contact(0, 0, frictional(2e8, 2e8, 0.6, 3e-4), "rubble");
+  return builder.build();
+}
+
+constexpr double pour_step = 5e-5;
+
+}  // namespace
+
+TEST_CASE("stones poured into a tray come to rest in it, and the ledger closes") {
+  SolidRun run(poured(27), pour_step);
+  const double begun = run.energy().balance();
+  double put_in = 0;
+  for (std::size_t n = 1; n < run.model().mass.size(); ++n)
+    put_in += run.model().mass[n] * standard_gravity * run.model().start_position[n].z();
+  run.run(6);
+  for (int n = 1; n <= 27; ++n) {
+    CHECK(run.velocity(n).norm() < 1e-3);
+    CHECK(run.spin(n).norm() < 1e-2);
+    CHECK(run.place(n).z() > 0);
+    CHECK(run.place(n).head<2>().cwiseAbs().maxCoeff() < 1);
+  }
+  CHECK(near_zero(run.energy().balance() - begun, 1e-2 * put_in));
+}
+
+TEST_CASE("a pile of solids has the same bits where its Work is dropped") {
+  SolidRun plain(poured(18), pour_step), dropped(poured(18), pour_step);
+  for (int i = 0; i < 8000; ++i) {
+    if (i % 37 == 0) dropped.drop_work();
+    plain.step(), dropped.step();
+    if (i % 1000 == 0) REQUIRE(state_hash(plain.state()) == state_hash(dropped.state()));
+  }
+  CHECK(state_hash(plain.state()) == state_hash(dropped.state()));
+}
+
+TEST_CASE("a pile of solids saved and continued has the bits of one that was not") {
+  const Model<3> model = poured(12);
+  SolidRun whole(model, pour_step);
+  whole.run(0.3);
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("pile" + std::to_string(::getpid()) + ".state");
+  save_state(whole.state(), model, path);
+  SolidRun rest(model, load_state(model, path), pour_step);
+  std::filesystem::remove(path);
+  CHECK(state_hash(rest.state()) == state_hash(whole.state()));
+  whole.run(0.1), rest.run(0.1);
+  CHECK(state_hash(rest.state()) == state_hash(whole.state()));
+}

@@ -1,0 +1,122 @@
+// VALIDATION T27 to T29, and solids by chance that fly at each other: impacts keep energy and momenta.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "near.hpp"
+#include "physics/solid_bodies.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+/// Two solids that fly at each other without weight, friction or damping.
+SolidRun collision(std::mt19937_64& bits, double dt) {
+  SpaceBuilder builder;
+  const auto shape = [&] {
+    return random_count(bits, 0, 2) == 0 ? random_prism(bits, 0.5, 1.2) : random_convex_solid(bits, {.smallest = 1});
+  };
+  SolidBody a = stone("a", shape()), b = stone("b", placed(shape(), {}, Vec3(2.5, 0, 0) + 0.3 * random_in_ball(bits)));
+  a.velocity = Vec3(1, 0, 0) + 0.3 * random_in_ball(bits), b.velocity = Vec3(-1, 0, 0) + 0.3 * random_in_ball(bits);
+  a.spin = 2 * random_in_ball(bits), b.spin = 2 * random_in_ball(bits);
+  builder.add(a), builder.add(b);
+  builder.contact(0, 0, frictional(1e9, 0, 0), "glassy");
+  return {builder.build(), dt};
+}
+
+}  // namespace
+
+TEST_CASE("two solids by chance that strike each other keep energy and momenta, and do not pass") {
+  std::mt19937_64 bits(2026);
+  int struck = 0;
+  double deepest = 0;
+  while (struck < 150) {
+    SolidRun run = collision(bits, 2e-5);
+    const double energy = run.moving_energy();
+    const Vec3 momentum = run.momentum(), turning = run.angular_momentum();
+    bool touched = false;
+    run.run_until(2.5, [&] {
+      for (const GeneralContact<3>& g : run.work().general_touching)
+        touched = true, deepest = std::max(deepest, g.depth);
+      return touched && run.work().general_touching.empty();
+    });
+    if (!touched) continue;
+    ++struck;
+    REQUIRE(run.work().general_touching.empty());
+    CHECK(near(run.moving_energy(), energy, 1e-2));
+    CHECK((run.momentum() - momentum).norm() < 1e-9 * run.model().mass[0]);
+    CHECK((run.angular_momentum() - turning).norm() < 1e-9 * run.model().mass[0]);
+    // Of two that have passed through each other one would be where the other came from.
+    CHECK(run.shared_volume() == 0);
+  }
+  CHECK(deepest < 0.1);
+  MESSAGE("deepest overlap " << deepest << " m");
+}
+
+TEST_CASE("T27: two bars meet edge on edge") {
+  for (const UnitQuaternion& world : {UnitQuaternion{}, rotation_by({1.1, 0.4, -0.7})}) {
+    const Turn3 turn(world);
+    const double diagonal = 0.1 / std::sqrt(2.0);
+    SpaceBuilder builder;
+    const Polyhedron bar_x = box_at(Vec3(1, 0.1, 0.1), Vec3::Zero(), rotation_by({radians(45), 0, 0}));
+    const Polyhedron bar_y =
+        box_at(Vec3(0.1, 1, 0.1), Vec3(0.3, 0.2, 2 * diagonal + 0.01), rotation_by({0, radians(45), 0}));
+    builder.add(stone("a", placed(bar_x, world, Vec3::Zero()), 1000));
+    SolidBody b = stone("b", placed(bar_y, world, Vec3::Zero()), 1000);
+    b.velocity = turn.apply(Vec3(0, 0, -1));
+    builder.add(b);
+    builder.contact(0, 0, frictional(1e12, 0, 0), "edges");
+    SolidRun run(builder.build(), 2e-7);
+    double begun = -1;
+    REQUIRE(run.run_until(0.02, [&] {
+      const bool touching = !run.work().general_touching.empty();
+      if (touching && begun < 0) begun = run.time();
+      return begun >= 0 && !touching;
+    }));
+    CHECK(run.time() - begun < 2e-3);
+    const Vec3 va = turn.undo(run.velocity(0)), vb = turn.undo(run.velocity(1)), wa = turn.undo(run.spin(0)),
+               wb = turn.undo(run.spin(1));
+    CHECK(near(va.z(), -0.56425, 1e-2));
+    CHECK(near(vb.z(), -0.43575, 1e-2));
+    CHECK(near(wa.y(), 2.01117, 1e-2));
+    CHECK(near(wb.x(), -1.34078, 1e-2));
+    CHECK(near(run.moving_energy(), 5, 1e-2));
+  }
+}
+
+TEST_CASE("T28: a bar dropped on its edge leaves with the speed and spin of its impulse") {
+  SpaceBuilder builder;
+  builder.gravity(Vec3(0, 0, -standard_gravity));
+  builder.add(fixed_stone("floor", box_solid(Vec3(-3, -3, -0.5), Vec3(3, 3, 0))));
+  builder.add(stone("bar", box_at(Vec3(1, 0.3, 0.2), Vec3(0, 0, 1.5), rotation_by({0, radians(20), 0}))));
+  builder.contact(0, 0, frictional(1e12, 0, 0), "smooth");
+  SolidRun run(builder.build(), 1e-6);
+  REQUIRE(run.run_until(1, [&] { return !run.work().general_touching.empty(); }));
+  CHECK(near(run.time(), 0.50187, 1e-3));
+  CHECK(near(run.velocity(1).norm(), 4.92167, 1e-3));
+  const GeneralContact<3>& touch = run.work().general_touching[0];
+  CHECK(near(std::abs(touch.centre.x() - run.place(1).x()), 0.43564, 1e-3));
+  REQUIRE(run.run_until(0.1, [&] { return run.work().general_touching.empty(); }));
+  CHECK(near(run.velocity(1).z(), -1.83583, 1e-2));
+  CHECK(near(run.spin(1).norm(), 15.5115, 1e-2));
+}
+
+TEST_CASE("T29: a cube that spins as it falls touches first with the corner, the place and the speed it must") {
+  SpaceBuilder builder;
+  builder.gravity(Vec3(0, 0, -standard_gravity));
+  builder.add(fixed_stone("floor", box_solid(Vec3(-3, -3, -0.5), Vec3(3, 3, 0))));
+  SolidBody cube = stone("cube", box_at(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, 3)));
+  cube.spin = Vec3(3, 2, 1);
+  builder.add(cube);
+  builder.contact(0, 0, frictional(1e9, 0, 0), "smooth");
+  SolidRun run(builder.build(), 1e-5);
+  REQUIRE(run.run_until(1, [&] { return !run.work().general_touching.empty(); }));
+  CHECK(near(run.time(), 0.729214, 1e-3));
+  const Vec3 corner = Turn3(run.state().rotation[1]).apply(Vec3(-0.25, -0.25, 0.25));
+  const Vec3 at = run.place(1) + corner;
+  CHECK(near_zero(at.z(), 1e-3));
+  CHECK(near(at.x(), -0.10110, 1e-3));
+  CHECK(near(at.y(), -0.15203, 1e-3));
+  CHECK(near(run.velocity(1).z() + cross(run.spin(1), corner).z(), -7.40502, 1e-3));
+}
