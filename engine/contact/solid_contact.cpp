@@ -24,8 +24,8 @@ SlidingForce turned_along(const SolidMemory& before, const Vec3& normal, double 
   const portable::SineCosine spun = portable::sine_cosine(turn);
   const auto carried = [&](const Vec3& v) {
     const Vec3 in_plane = carried_over(v, before.normal, normal), aside = cross(normal, in_plane);
-    const double along = normal.dot(in_plane);
-    return Vec3(along * normal + spun.cosine * (in_plane - along * normal) + spun.sine * aside);
+    const Vec3 flat = in_plane - normal.dot(in_plane) * normal;
+    return Vec3(in_plane + (spun.cosine - 1) * flat + spun.sine * aside);
   };
   f.elastic = carried(f.elastic), f.total = carried(f.total);
   return f;

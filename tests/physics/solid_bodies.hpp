@@ -33,23 +33,19 @@ inline SolidBody fixed_stone(const std::string& name, const Polyhedron& shape) {
   return body;
 }
 
-/// A run of solids by steps of one length, in a world turned by `world` as a whole: places, velocities, gravity.
+/// A run of solids by steps of one length.
 class SolidRun {
  public:
-  SolidRun(const Model<3>& model, double dt) : model_(model), state_(initial_state(model)) {
-    options_.dt = dt;
-    evaluate(model_, state_, work_, dt);
-    commit(model_, state_, work_);
-  }
+  SolidRun(const Model<3>& model, double dt) : SolidRun(model, initial_state(model), dt) {}
   SolidRun(const Model<3>& model, const State<3>& state, double dt) : model_(model), state_(state) {
     options_.dt = dt;
-    evaluate(model_, state_, work_, dt);
-    commit(model_, state_, work_);
+    evaluate(model_, state_, work_, state_.last_dt);
   }
+  /// Forces are those of the state before and after.
   void step() {
-    advance(model_, state_, work_, options_);
-    evaluate(model_, state_, work_, options_.dt);
     commit(model_, state_, work_);
+    advance(model_, state_, work_, options_);
+    evaluate(model_, state_, work_, state_.last_dt);
   }
   void run(double seconds) {
     const auto count = static_cast<int>(std::lround(seconds / options_.dt));
@@ -63,7 +59,7 @@ class SolidRun {
     }
     return false;
   }
-  void drop_work() { work_ = {}, evaluate(model_, state_, work_, options_.dt); }
+  void drop_work() { work_ = {}, evaluate(model_, state_, work_, state_.last_dt); }
   Model<3>& model() { return model_; }
   State<3>& state() { return state_; }
   [[nodiscard]] const State<3>& state() const { return state_; }

@@ -66,8 +66,8 @@ TEST_CASE("T27: two bars meet edge on edge") {
     SolidBody b = stone("b", placed(bar_y, world, Vec3::Zero()), 1000);
     b.velocity = turn.apply(Vec3(0, 0, -1));
     builder.add(b);
-    builder.contact(0, 0, frictional(1e12, 0, 0), "edges");
-    SolidRun run(builder.build(), 2e-7);
+    builder.contact(0, 0, frictional(5e13, 0, 0), "edges");
+    SolidRun run(builder.build(), 5e-8);
     double begun = -1;
     REQUIRE(run.run_until(0.02, [&] {
       const bool touching = !run.work().general_touching.empty();

@@ -151,7 +151,7 @@ TEST_CASE("T12: friction is a circle") {
   }
 }
 
-TEST_CASE("T13: a tall block tips over its edge or its corner") {
+TEST_CASE("T13: a tall block tips over its edge or its corner" * doctest::test_suite("long")) {
   for (const auto& [azimuth, limit] :
        {std::pair(0.0, 18.435), std::pair(15.0, 19.04), std::pair(30.0, 21.05), std::pair(45.0, 25.24)}) {
     for (const double off : {-0.3, 0.05}) {
@@ -195,7 +195,7 @@ TEST_CASE("T14: a wedge in a groove feels friction over the sine of half its ang
   }
 }
 
-TEST_CASE("T16: a corbel in two ways stands at .95 of its reach and falls at 1.05") {
+TEST_CASE("T16: a corbel in two ways stands at .95 of its reach and falls at 1.05" * doctest::test_suite("long")) {
   for (const double share : {0.95, 1.05}) {
     SpaceBuilder builder;
     builder.gravity(Vec3(0, 0, -standard_gravity));
@@ -216,7 +216,7 @@ TEST_CASE("T16: a corbel in two ways stands at .95 of its reach and falls at 1.0
   }
 }
 
-TEST_CASE("T22: a prism of many sides begins to roll at half the angle of a side") {
+TEST_CASE("T22: a prism of many sides begins to roll at half the angle of a side" * doctest::test_suite("long")) {
   for (const auto& [corners, limit] : {std::pair(6, 30.0), std::pair(8, 22.5), std::pair(12, 15.0)})
     for (const double off : {-0.15, 0.15}) {
       SpaceBuilder builder;
