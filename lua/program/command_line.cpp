@@ -100,7 +100,8 @@ std::vector<std::string> words_with_verb(const CLI::App& app, std::vector<std::s
     words.insert(words.begin(), run_verb);
     return words;
   }
-  if (is_option) refuse_word("there is no option '{}'{}", first, name_hint(first, known));
+  // Two letters are like all others of two letters.
+  if (is_option) refuse_word("there is no option '{}'{}", first, first.size() > 2 ? name_hint(first, known) : "");
   if (std::filesystem::path(first).extension() == results_ending)
     refuse_word("results are no script; try trilith info {}{}", first, "");
   refuse_word("there is no verb '{}', and no script of that name{}", first, name_hint(first, known));
