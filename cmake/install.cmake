@@ -1,6 +1,5 @@
 # What `cmake --install` puts down, so that find_package(Trilith) finds the engine as Trilith::trilith elsewhere.
 # Users write #include <trilith/base/error.hpp>; between themselves the headers write "base/error.hpp".
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(TRILITH_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Trilith)
@@ -15,4 +14,8 @@ configure_package_config_file(cmake/TrilithConfig.cmake.in ${PROJECT_BINARY_DIR}
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/TrilithConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/TrilithConfig.cmake ${PROJECT_BINARY_DIR}/TrilithConfigVersion.cmake
   DESTINATION ${TRILITH_CONFIG_DIR})
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Pages as they lie in the tree, so that their links hold. Debian reads the licence from the file `copyright`.
+set(TRILITH_DOCS ${CMAKE_INSTALL_DATAROOTDIR}/doc/trilith)
+install(FILES LICENSE DESTINATION ${TRILITH_DOCS} RENAME copyright)
+install(FILES README.md CONTRIBUTING.md LICENSE DESTINATION ${TRILITH_DOCS})
+install(DIRECTORY docs DESTINATION ${TRILITH_DOCS} FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png")

@@ -1,6 +1,7 @@
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>
+#include <hdf5.h>
 #include <sys/utsname.h>
 
 #include <ctime>
@@ -33,6 +34,11 @@ std::string now() {
 }
 
 }  // namespace
+
+std::string hdf5_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  return H5get_libversion(&major, &minor, &release) < 0 ? "unknown" : fmt::format("{}.{}.{}", major, minor, release);
+}
 
 Provenance provenance_here() {
   Provenance result;

@@ -11,6 +11,9 @@ namespace trilith::results {
 /// cmake/git_commit.cmake at each build.
 const char* built_from();
 
+/// "1.10.8": the HDF5 library that runs.
+std::string hdf5_version();
+
 /// Compiler, platform, git commit and start time (now, UTC) filled in; the rest, script, program version and command
 /// line, is the caller's.
 Provenance provenance_here();

@@ -113,8 +113,12 @@ struct Host {
   [[nodiscard]] std::vector<std::string> doubts() const;
 };
 
-/// Where the project's own ground motions are: where installed, or in the source tree it was built from.
+/// Where the project's own ground motions are: beside the program or module that runs, where it was to be installed, or
+/// in the source tree it was built from.
 std::vector<std::filesystem::path> record_folders();
+/// The folder that holds bin/ and lib/ of the program or module that runs; "" where it lies in neither, as in the build
+/// tree. A package may be unpacked anywhere.
+std::filesystem::path installed_under();
 
 /// Thrown, as a script error, where the script has done what was asked for: a list of cases, or one of them.
 inline constexpr const char* script_is_done = "the script has done what it was asked for";

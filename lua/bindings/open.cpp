@@ -1,6 +1,7 @@
 #include "open.hpp"
 
 #include <cstring>
+#include <stdexcept>
 
 #include "bindings.hpp"
 
@@ -57,6 +58,12 @@ void load_library_file(lua_State* L, const char* name) {
       return;
     }
   luaL_error(L, "there is no library file '%s'", name);
+}
+
+const char* library_text(const std::string& name) {
+  for (const LibraryFile* file = library_files(); file->name != nullptr; ++file)
+    if (name == file->name) return file->text;
+  throw std::out_of_range("there is no library file " + name);
 }
 
 void push_core(lua_State* L) {

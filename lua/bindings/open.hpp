@@ -1,6 +1,8 @@
 // Makes the module table in a Lua state.
 #pragma once
 
+#include <string>
+
 #include "host.hpp"
 #include "lua_api.hpp"
 
@@ -17,6 +19,9 @@ void push_core(lua_State* L);
 
 /// Pushes a file of the library as a function; raises a Lua error where there is none.
 void load_library_file(lua_State* L, const char* name);
+
+/// The text of a file of the library; throws std::out_of_range where there is none.
+const char* library_text(const std::string& name);
 
 /// A file of the Lua library that is compiled in.
 struct LibraryFile {

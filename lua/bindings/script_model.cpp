@@ -19,10 +19,6 @@ std::filesystem::path Host::folder() const {
   return parent.empty() ? "." : parent;
 }
 
-std::vector<std::filesystem::path> record_folders() {
-  return {TRILITH_INSTALLED_RECORDS, TRILITH_SOURCE_RECORDS};
-}
-
 results::Provenance Host::provenance(const std::vector<std::string>& motions) const {
   results::Provenance p;
   p.script = script_text;
@@ -114,12 +110,25 @@ int ScriptModel::require_body(const std::string& body, const std::string& owner)
       fmt::format("{}: there is no body '{}'{}", owner, one_line(body), name_hint(body, builder.body_names())));
 }
 
+namespace {
+
+/// A script names its results as "out/run.h5" wherever it is run from. What was typed on the command line may be
+/// mistyped, and makes no folder. Where it cannot be made, the writer of the results says what is wrong.
+void make_folder_of(const std::filesystem::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+}
+
+}  // namespace
+
 void ScriptModel::begin_recording(Host& host) {
   if (recording_begun_) return;
   recording_begun_ = true;
   if (!host.results_file.empty()) {
     if (!results) results.emplace();
     results->file = std::exchange(host.results_file, "");
+  } else if (results) {
+    make_folder_of(results->file);
   }
   if (!results) return;
   if (!host.case_folder.empty())

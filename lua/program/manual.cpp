@@ -5,6 +5,7 @@
 
 #include "base/whole_file.hpp"
 #include "console_session.hpp"
+#include "man_page.hpp"
 #include "script_state.hpp"
 #include "verbs.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 struct ManualOptions {
   std::string name, meta;
-  bool check = false, markdown = false, pages = false;
+  bool check = false, markdown = false, pages = false, man = false;
 };
 
 std::string what_of(const ManualOptions& options) {
@@ -54,7 +55,13 @@ void add_manual(CLI::App& app, int& code) {
   verb->add_flag("--markdown", options->markdown, "the page NAME as Markdown; without NAME, the list of pages");
   verb->add_flag("--pages", options->pages, "the names of the pages, a line each");
   verb->add_flag("--check", options->check, "say what of the interface is not declared");
-  verb->callback([options, &code] { code = show_manual(*options); });
+  verb->add_flag("--man", options->man, "the verbs and options of this program, as a page for man");
+  verb->callback([&app, options, &code] {
+    if (options->man)
+      fmt::print("{}", man_page(app));
+    else
+      code = show_manual(*options);
+  });
 }
 
 }  // namespace trilith::program

@@ -15,4 +15,10 @@ inline std::string is_positive(const std::string& text) {
   return read && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is no number above 0";
 }
 
+/// The same for how many of something.
+inline std::string is_count(const std::string& text) {
+  const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return whole && is_positive(text).empty() ? "" : "'" + text + "' is no whole number above 0";
+}
+
 }  // namespace trilith::program

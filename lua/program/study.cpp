@@ -151,7 +151,7 @@ void add_study(CLI::App& app, int& code) {
   verb->add_option("-o,--output", o->out, "the table, with --over; SCRIPT_study.h5 where not given")->type_name("FILE");
   verb->add_option("-j,--jobs", o->choice.jobs, "cases at a time; as many as there are processors where not given")
       ->type_name("N")
-      ->check(CLI::Validator(is_positive, "", ""));
+      ->check(CLI::Validator(is_count, "", ""));
   verb->add_flag("--fresh", o->choice.fresh, "run also those cases again that are finished");
   verb->add_flag("--list", o->choice.list, "print the command of each case and end");
   verb->add_flag("--quiet,-q", o->quiet, "show nothing but what goes wrong");

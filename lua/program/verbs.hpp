@@ -26,5 +26,7 @@ void add_info(CLI::App& app, int& code);
 void add_view(CLI::App& app, int& code);
 void add_report(CLI::App& app, int& code);
 void add_repair(CLI::App& app, int& code);
+void add_doctor(CLI::App& app, int& code);
+void add_completion(CLI::App& app, int& code);
 
 }  // namespace trilith::program

@@ -1,0 +1,141 @@
+#include "command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/nearest.hpp"
+#include "base/terminal_text.hpp"
+#include "verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+constexpr const char* run_verb = "run";
+constexpr const char* console_verb = "console";
+constexpr const char* results_ending = ".h5";
+
+/// A script is told by its ending, or by being there; results are no script.
+bool is_script(const std::string& word) {
+  const std::string ending = std::filesystem::path(word).extension().string();
+  std::error_code error;
+  return ending == ".lua" || (ending != results_ending && std::filesystem::is_regular_file(word, error));
+}
+
+[[noreturn]] void refuse_word(fmt::format_string<const std::string&, const std::string&> text, const std::string& word,
+                              const std::string& hint) {
+  throw CLI::ParseError(fmt::format(text, word, hint), CLI::ExitCodes::ExtrasError);
+}
+
+/// "; did you mean '--events'?" for the first word that is no option of the verb it stands behind; else "".
+std::string hint_of_extras(const CLI::App& app) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  if (parsed.empty()) return "";
+  for (const std::string& word : parsed.front()->remaining()) {
+    if (!word.starts_with("--")) continue;
+    std::vector<std::string> known;
+    for (const CLI::Option* o : named_options(*parsed.front()))
+      for (const std::string& name : o->get_lnames()) known.push_back("--" + name);
+    const std::string near = nearest_name(word, known);
+    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+  }
+  return "";
+}
+
+/// What is wrong, in a line, and the help that tells more.
+std::string failure_text(const CLI::App* app, const CLI::Error& error) {
+  const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  const std::vector<CLI::App*> parsed = app->get_subcommands();
+  const std::string verb = parsed.empty() ? "" : parsed.front()->get_name() + " ";
+  return terminal_text(error.what()) + (is_extra ? hint_of_extras(*app) : "") +
+         fmt::format("\nRun trilith {}--help for more information.\n", verb);
+}
+
+}  // namespace
+
+void describe_command_line(CLI::App& app, int& code) {
+  app.name("trilith");
+  app.description("Structures of separate bodies, through an earthquake to the last stone");
+  app.set_version_flag("--version", "trilith " TRILITH_VERSION);
+  app.footer(
+      "trilith alone opens a console; trilith -i SCRIPT runs a script and stays; trilith SCRIPT runs it.\n"
+      "trilith doctor says where the program, its Lua module and its records lie, and whether they work.\n"
+      "Exit codes: 0 all went well, 1 wrong input or an error in a script, 2 wrong words on the command line,\n"
+      "3 a run that is not to be trusted (it says why), 130 interrupted.");
+  app.require_subcommand(1);
+  app.failure_message(failure_text);
+  add_console(app, code);
+  add_run(app, code);
+  add_study(app, code);
+  add_draw(app, code);
+  add_plot(app, code);
+  add_view(app, code);
+  add_report(app, code);
+  add_motion(app, code);
+  add_manual(app, code);
+  add_info(app, code);
+  add_repair(app, code);
+  add_doctor(app, code);
+  add_completion(app, code);
+}
+
+std::vector<const CLI::App*> listed_verbs(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); });
+}
+
+std::vector<std::string> words_with_verb(const CLI::App& app, std::vector<std::string> words) {
+  if (words.empty()) return {console_verb};
+  if (words[0] == "-i" || words[0] == "--interactive") words[0] = console_verb;
+  const std::string& first = words[0];
+  const bool is_option = first.starts_with("-");
+  std::vector<std::string> known;
+  if (is_option)
+    for (const CLI::Option* o : app.get_options())
+      for (const std::string& name : spellings(*o)) known.push_back(name);
+  else
+    for (const CLI::App* verb : listed_verbs(app)) known.push_back(verb->get_name());
+  if (std::ranges::find(known, first) != known.end()) return words;
+  if (!is_option && is_script(first)) {
+    words.insert(words.begin(), run_verb);
+    return words;
+  }
+  // Two letters are like all others of two letters.
+  if (is_option) refuse_word("there is no option '{}'{}", first, first.size() > 2 ? name_hint(first, known) : "");
+  if (std::filesystem::path(first).extension() == results_ending)
+    refuse_word("results are no script; try trilith info {}{}", first, "");
+  refuse_word("there is no verb '{}', and no script of that name{}", first, name_hint(first, known));
+}
+
+std::vector<const CLI::Option*> named_options(const CLI::App& verb) {
+  return verb.get_options([&](const CLI::Option* o) { return o->nonpositional() && o != verb.get_help_ptr(); });
+}
+
+std::vector<const CLI::Option*> placed_options(const CLI::App& verb) {
+  return verb.get_options([](const CLI::Option* o) { return o->get_positional(); });
+}
+
+std::vector<std::string> spellings(const CLI::Option& option) {
+  std::vector<std::string> out;
+  for (const std::string& name : option.get_snames()) out.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) out.push_back("--" + name);
+  return out;
+}
+
+std::string value_word(const CLI::Option& option) {
+  if (option.get_items_expected_max() == 0) return "";
+  // CLI11 puts what a check wants behind a colon: "TEXT:{si,us}", "INT:INT in [1 - 20]".
+  const std::string word = option.get_type_name();
+  return word.substr(0, word.find(':'));
+}
+
+std::vector<std::string> listed_values(const CLI::Option& option) {
+  const std::string word = option.get_type_name();
+  const std::size_t open = word.find('{'), close = word.rfind('}');
+  // "all|important|none", or what CLI11 makes of a list: "TEXT:{si,us}"
+  const bool braced = open != std::string::npos && close != std::string::npos;
+  if (!braced && word.find('|') == std::string::npos) return {};
+  return CLI::detail::split(braced ? word.substr(open + 1, close - open - 1) : word, braced ? ',' : '|');
+}
+
+}  // namespace trilith::program
