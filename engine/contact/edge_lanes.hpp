@@ -1,0 +1,58 @@
+// The edges of a convex piece where it stands, four by four, as the general contact reads them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/lanes.hpp"
+#include "base/space.hpp"
+
+namespace trilith {
+
+inline constexpr int max_piece_corners = 64;
+
+/// Four edges of a piece, a lane each: the corner each begins at [m] and its unit outward normal [1]. Lanes beyond the
+/// last edge repeat the first one, so that what holds for all edges holds for all lanes.
+struct EdgeLanes {
+  Lanes x, y, nx, ny;
+};
+
+/// How many fours hold so many edges.
+constexpr int edge_blocks(int edges) {
+  return (edges + lane_count - 1) / lane_count;
+}
+
+/// Where the edges of a piece are and which of them press. `four` is nullptr where nobody has placed them yet.
+struct PieceSides {
+  const EdgeLanes* four = nullptr;  ///< [edge_blocks(edges)]
+  std::uint64_t surface = 0;        ///< bit e: edge e is part of the body's surface
+};
+
+/// Bit e: edge e counts as surface. A piece cut out of the inside of a body has none of its own: then every edge
+/// pushes back.
+inline std::uint64_t surface_bits(std::span<const std::uint8_t> is_face) {
+  std::uint64_t bits = 0, all = 0;
+  for (std::size_t e = 0; e < is_face.size(); ++e) {
+    bits |= std::uint64_t{is_face[e] != 0 ? 1U : 0U} << e;
+    all |= std::uint64_t{1} << e;
+  }
+  return bits != 0 ? bits : all;
+}
+
+/// Writes the edges of a piece to `four`, of which it fills edge_blocks(corner.size()).
+/// The normal is the edge turned by -90 degrees over its length.
+inline void place_edges(std::span<const Vec2> corner, EdgeLanes* four) {
+  const int count = static_cast<int>(corner.size());
+  for (int from = 0; from < count; from += lane_count, ++four) {
+    Lanes x{}, y{}, to_x{}, to_y{};
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const int e = from + lane < count ? from + lane : 0, w = e + 1 < count ? e + 1 : 0;
+      x[lane] = corner[e].x(), y[lane] = corner[e].y();
+      to_x[lane] = corner[w].x(), to_y[lane] = corner[w].y();
+    }
+    const Lanes along_x = to_x - x, along_y = to_y - y, length = root(along_x * along_x + along_y * along_y);
+    *four = {x, y, along_y / length, -along_x / length};
+  }
+}
+
+}  // namespace trilith

@@ -1,0 +1,154 @@
+// How deep the corners of one convex piece lie below the edges of another, four edges at once.
+//
+// Comes in: the edges of the owner (corner c_f, outward normal n_f) and the corners x_v of the other piece. Goes out:
+// depth(f, v) = n_f . (c_f - x_v), above 0 inside; for each corner the faces it is outside of, as bits; and along an
+// edge (v, w), where the depths are linear, the part that is inside all faces and the face that is nearest there.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "contact/overlap_pair.hpp"
+
+namespace trilith {
+
+/// Bit i: lane i of the mask is true.
+TRILITH_INLINE std::uint64_t bits_of_mask(const LaneMask& m) {
+  const LaneMask bits = m & LaneMask{1, 2, 4, 8}, pairs = bits | __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
+  return static_cast<std::uint64_t>(pairs[0] | pairs[1]);
+}
+/// The other way: lanes of the lowest four bits.
+TRILITH_INLINE LaneMask mask_of_bits(std::uint64_t bits) {
+  const auto all = static_cast<std::int64_t>(bits);
+  return (LaneMask{all, all, all, all} & LaneMask{1, 2, 4, 8}) != LaneMask{};
+}
+TRILITH_INLINE Lanes all_lanes(double v) {
+  return Lanes{v, v, v, v};
+}
+TRILITH_INLINE double least_lane(const Lanes& v) {
+  const Lanes pairs = smaller(v, Lanes(__builtin_shufflevector(v, v, 2, 3, 0, 1)));
+  return smaller(pairs[0], pairs[1]);
+}
+TRILITH_INLINE double largest_lane(const Lanes& v) {
+  const Lanes pairs = larger(v, Lanes(__builtin_shufflevector(v, v, 2, 3, 0, 1)));
+  return larger(pairs[0], pairs[1]);
+}
+
+/// A part of an edge, in shares of it.
+struct EdgeSpan {
+  double from, to;
+};
+
+/// The surface face that is nearest from some share of an edge on, and the share up to which it stays so.
+struct NearestFace {
+  int face;
+  double slope, until;
+};
+
+/// A face that keeps two pieces apart, and by how much at least [m].
+struct ApartBy {
+  int face = -1;
+  double gap = 0;
+};
+
+/// `most`: corners either piece may have, a multiple of four.
+template <int most>
+struct OverlapDepths {
+  static_assert(most % lane_count == 0 && most <= max_piece_corners);
+  std::array<Lanes, static_cast<std::size_t>(most) * most / lane_count> value;  ///< [corner][four faces]
+  std::array<std::uint64_t, most> outside;  ///< [corner] bit f: not inside face f; lanes beyond the last are as face 0
+  int corners, fours;                       ///< of the other piece; of the owner's faces
+
+  [[nodiscard]] TRILITH_INLINE int blocks() const { return most == lane_count ? 1 : fours; }
+  [[nodiscard]] TRILITH_INLINE const Lanes& at(int corner, int block) const {
+    return value[static_cast<std::size_t>(corner * blocks() + block)];
+  }
+  [[nodiscard]] TRILITH_INLINE double at(int corner, int block, int lane) const {
+    return reinterpret_cast<const double*>(value.data())[(corner * blocks() + block) * lane_count + lane];
+  }
+
+  /// Returns the faces that have all corners outside: bits, some of them for lanes beyond the last face.
+  TRILITH_INLINE std::uint64_t fill(const PieceSides& owner, int faces, std::span<const Vec2> other) {
+    corners = static_cast<int>(other.size()), fours = edge_blocks(faces);
+    std::uint64_t apart = ~std::uint64_t{0};
+    for (int v = 0; v < corners; ++v) {
+      const Lanes x = all_lanes(other[v].x()), y = all_lanes(other[v].y());
+      std::uint64_t out = 0;
+      for (int k = 0; k < blocks(); ++k) {
+        const EdgeLanes& f = owner.four[k];
+        const Lanes depth = f.nx * (f.x - x) + f.ny * (f.y - y);
+        value[static_cast<std::size_t>(v * blocks() + k)] = depth;
+        out |= bits_of_mask(depth <= Lanes{}) << (k * lane_count);
+      }
+      outside[static_cast<std::size_t>(v)] = out;
+      apart &= out;
+    }
+    return apart;
+  }
+
+  /// Of the faces in `apart` the one that all corners are farthest from.
+  [[nodiscard]] TRILITH_INLINE ApartBy widest(std::uint64_t apart) const {
+    ApartBy widest;
+    for (int k = 0; k < blocks(); ++k) {
+      Lanes deepest = at(0, k);
+      for (int v = 1; v < corners; ++v) deepest = larger(deepest, at(v, k));
+      const LaneMask counts = mask_of_bits(apart >> (k * lane_count));
+      const Lanes gap = select(counts, larger(-deepest, all_lanes(std::numeric_limits<double>::min())), Lanes{});
+      const double most_here = largest_lane(gap);
+      if (most_here <= widest.gap) continue;
+      widest = {k * lane_count + std::countr_zero(bits_of_mask(gap == all_lanes(most_here))), most_here};
+    }
+    return widest;
+  }
+
+  /// The part of edge (v, w) that lies inside all faces, where no face has both ends outside.
+  [[nodiscard]] TRILITH_INLINE EdgeSpan inside(int v, int w) const {
+    const Lanes zero{}, one = all_lanes(1);
+    Lanes from = zero, to = one;
+    for (int k = 0; k < blocks(); ++k) {
+      const Lanes d0 = at(v, k), d1 = at(w, k);
+      const LaneMask enters = d0 < zero, leaves = d1 < zero;
+      const Lanes share = d0 / select(enters | leaves, d0 - d1, one);
+      from = larger(from, select(enters, share, zero));
+      to = smaller(to, select(leaves, share, one));
+    }
+    return {largest_lane(from), least_lane(to)};
+  }
+
+  /// Next face of the lower envelope of depths along (v, w) at share `at_share`. Going up, the slopes of an envelope of
+  /// lines only fall: only faces that fall faster than `steeper_than` count, so that rounding at a crossing cannot
+  /// choose the last face again. Of faces at one depth that which falls fastest, of these the first. Face -1: none.
+  [[nodiscard]] TRILITH_INLINE NearestFace nearest(std::uint64_t surface, int v, int w, double at_share, double to,
+                                                   double steeper_than) const {
+    const Lanes none = all_lanes(std::numeric_limits<double>::infinity());
+    const auto slope_of = [&](int k) { return at(w, k) - at(v, k); };
+    const auto depth_of = [&](int k) { return at(v, k) + slope_of(k) * at_share; };
+    const auto may_be = [&](int k) { return mask_of_bits(surface >> (k * lane_count)); };
+    Lanes depths = none;
+    for (int k = 0; k < blocks(); ++k)
+      depths = smaller(depths, select(may_be(k) & (slope_of(k) < steeper_than), depth_of(k), none));
+    const double depth = least_lane(depths);
+    const auto is_least = [&](int k) {
+      return may_be(k) & (slope_of(k) < steeper_than) & (depth_of(k) == all_lanes(depth));
+    };
+    Lanes slopes = none;
+    for (int k = 0; k < blocks(); ++k) slopes = smaller(slopes, select(is_least(k), slope_of(k), none));
+    const double slope = least_lane(slopes);
+    std::uint64_t found = 0;
+    for (int k = 0; k < blocks(); ++k)
+      found |= bits_of_mask(is_least(k) & (slope_of(k) == all_lanes(slope))) << (k * lane_count);
+    if (found == 0) return {-1, 0, to};
+    Lanes until = all_lanes(to);
+    for (int k = 0; k < blocks(); ++k) {
+      const LaneMask steeper = may_be(k) & (slope_of(k) < slope);
+      const Lanes run = (depth_of(k) - depth) / select(steeper, slope - slope_of(k), all_lanes(1));
+      until = smaller(until, select(steeper, larger(all_lanes(at_share), at_share + run), none));
+    }
+    return {std::countr_zero(found), slope, least_lane(until)};
+  }
+};
+
+}  // namespace trilith
