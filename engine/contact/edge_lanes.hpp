@@ -1,7 +1,8 @@
-// The edges of a convex piece where it stands, four by four, as the general contact reads them.
+// The edges of a convex piece where it stands, as the general contact reads them: four by four, and one by one.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "base/lanes.hpp"
@@ -13,8 +14,14 @@ inline constexpr int max_piece_corners = 64;
 
 /// Four edges of a piece, a lane each: the corner each begins at [m] and its unit outward normal [1]. Lanes beyond the
 /// last edge repeat the first one, so that what holds for all edges holds for all lanes.
-struct EdgeLanes {
+struct alignas(32) EdgeLanes {
   Lanes x, y, nx, ny;
+};
+
+/// One edge: the corner it begins at, the way to the next [m], its unit outward normal [1], the way's square [m2].
+struct alignas(64) EdgeRow {
+  double x, y, along_x, along_y;
+  double nx, ny, length2, unused;
 };
 
 /// How many fours hold so many edges.
@@ -22,9 +29,10 @@ constexpr int edge_blocks(int edges) {
   return (edges + lane_count - 1) / lane_count;
 }
 
-/// Where the edges of a piece are and which of them press. `four` is nullptr where nobody has placed them yet.
+/// Where the edges of a piece are and which of them press. The pointers are nullptr where nobody has placed them yet.
 struct PieceSides {
   const EdgeLanes* four = nullptr;  ///< [edge_blocks(edges)]
+  const EdgeRow* row = nullptr;     ///< [edge_blocks(edges) * lane_count]
   std::uint64_t surface = 0;        ///< bit e: edge e is part of the body's surface
 };
 
@@ -39,20 +47,30 @@ inline std::uint64_t surface_bits(std::span<const std::uint8_t> is_face) {
   return bits != 0 ? bits : all;
 }
 
-/// Writes the edges of a piece to `four`, of which it fills edge_blocks(corner.size()).
+/// Writes the edges of a piece to `four` and `row`, edge_blocks(corner.size()) fours of them.
 /// The normal is the edge turned by -90 degrees over its length.
-inline void place_edges(std::span<const Vec2> corner, EdgeLanes* four) {
+inline void place_edges(std::span<const Vec2> corner, EdgeLanes* four, EdgeRow* row) {
   const int count = static_cast<int>(corner.size());
-  for (int from = 0; from < count; from += lane_count, ++four) {
+  for (int from = 0; from < count; from += lane_count, ++four, row += lane_count) {
     Lanes x{}, y{}, to_x{}, to_y{};
     for (int lane = 0; lane < lane_count; ++lane) {
       const int e = from + lane < count ? from + lane : 0, w = e + 1 < count ? e + 1 : 0;
       x[lane] = corner[e].x(), y[lane] = corner[e].y();
       to_x[lane] = corner[w].x(), to_y[lane] = corner[w].y();
     }
-    const Lanes along_x = to_x - x, along_y = to_y - y, length = root(along_x * along_x + along_y * along_y);
-    *four = {x, y, along_y / length, -along_x / length};
+    const Lanes along_x = to_x - x, along_y = to_y - y, length2 = along_x * along_x + along_y * along_y;
+    const Lanes length = root(length2), nx = along_y / length, ny = -along_x / length;
+    *four = {x, y, nx, ny};
+    for (int i = 0; i < lane_count; ++i)
+      row[i] = {x[i], y[i], along_x[i], along_y[i], nx[i], ny[i], length2[i], 0};
   }
+}
+
+/// How far all these points lie outside of an edge at least [m]; 0 where one of them does not.
+inline double distance_outside(const EdgeRow& edge, std::span<const Vec2> points) {
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const Vec2& p : points) deepest = larger(deepest, edge.nx * (edge.x - p.x()) + edge.ny * (edge.y - p.y()));
+  return deepest <= 0 ? larger(-deepest, std::numeric_limits<double>::min()) : 0.0;
 }
 
 }  // namespace trilith

@@ -10,8 +10,9 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
-#include "contact/overlap_pair.hpp"
+#include "contact/overlap_press.hpp"
 
 namespace trilith {
 
@@ -25,9 +26,6 @@ TRILITH_INLINE LaneMask mask_of_bits(std::uint64_t bits) {
   const auto all = static_cast<std::int64_t>(bits);
   return (LaneMask{all, all, all, all} & LaneMask{1, 2, 4, 8}) != LaneMask{};
 }
-TRILITH_INLINE Lanes all_lanes(double v) {
-  return Lanes{v, v, v, v};
-}
 TRILITH_INLINE double least_lane(const Lanes& v) {
   const Lanes pairs = smaller(v, Lanes(__builtin_shufflevector(v, v, 2, 3, 0, 1)));
   return smaller(pairs[0], pairs[1]);
@@ -36,11 +34,6 @@ TRILITH_INLINE double largest_lane(const Lanes& v) {
   const Lanes pairs = larger(v, Lanes(__builtin_shufflevector(v, v, 2, 3, 0, 1)));
   return larger(pairs[0], pairs[1]);
 }
-
-/// A part of an edge, in shares of it.
-struct EdgeSpan {
-  double from, to;
-};
 
 /// The surface face that is nearest from some share of an edge on, and the share up to which it stays so.
 struct NearestFace {
@@ -54,9 +47,9 @@ struct ApartBy {
   double gap = 0;
 };
 
-/// `most`: corners either piece may have, a multiple of four.
+/// Of pieces with any number of corners: four faces at once. `most`: corners either piece may have, a multiple of four.
 template <int most>
-struct OverlapDepths {
+struct alignas(32) DepthsOfMany {
   static_assert(most % lane_count == 0 && most <= max_piece_corners);
   std::array<Lanes, static_cast<std::size_t>(most) * most / lane_count> value;  ///< [corner][four faces]
   std::array<std::uint64_t, most> outside;  ///< [corner] bit f: not inside face f; lanes beyond the last are as face 0
@@ -71,7 +64,8 @@ struct OverlapDepths {
   }
 
   /// Returns the faces that have all corners outside: bits, some of them for lanes beyond the last face.
-  TRILITH_INLINE std::uint64_t fill(const PieceSides& owner, int faces, std::span<const Vec2> other) {
+  TRILITH_INLINE std::uint64_t fill(const PieceSides& owner, int faces, const PieceSides& /*sides*/,
+                                    std::span<const Vec2> other) {
     corners = static_cast<int>(other.size()), fours = edge_blocks(faces);
     std::uint64_t apart = ~std::uint64_t{0};
     for (int v = 0; v < corners; ++v) {
@@ -93,8 +87,8 @@ struct OverlapDepths {
   [[nodiscard]] TRILITH_INLINE ApartBy widest(std::uint64_t apart) const {
     ApartBy widest;
     for (int k = 0; k < blocks(); ++k) {
-      Lanes deepest = at(0, k);
-      for (int v = 1; v < corners; ++v) deepest = larger(deepest, at(v, k));
+      Lanes deepest = all_lanes(-std::numeric_limits<double>::infinity());
+      for (int v = 0; v < corners; ++v) deepest = larger(deepest, at(v, k));
       const LaneMask counts = mask_of_bits(apart >> (k * lane_count));
       const Lanes gap = select(counts, larger(-deepest, all_lanes(std::numeric_limits<double>::min())), Lanes{});
       const double most_here = largest_lane(gap);
@@ -149,6 +143,142 @@ struct OverlapDepths {
     }
     return {std::countr_zero(found), slope, least_lane(until)};
   }
+
+  /// Calls push(stretch) for the stretches of edge e, from its first corner on.
+  template <class Push>
+  TRILITH_INLINE void stretches_of(int e, std::uint64_t surface, bool walker_is_b, Push&& push) const {
+    const int w = e + 1 < corners ? e + 1 : 0;
+    const EdgeSpan span = inside(e, w);
+    double at_share = span.from, slope = std::numeric_limits<double>::infinity();
+    // Each turn presses it against one face, up to where the next one is nearer.
+    while (at_share < span.to) {
+      const NearestFace next = nearest(surface, e, w, at_share, span.to, slope);
+      if (next.face < 0) break;  // the last face of the envelope has been passed, up to rounding
+      const int block = next.face / lane_count, lane = next.face % lane_count;
+      push(OverlapStretch{{at_share, next.until}, at(e, block, lane), at(w, block, lane), e, next.face, walker_is_b});
+      at_share = next.until, slope = next.slope;
+    }
+  }
+  /// Edges of the other piece that no face has both ends outside of.
+  [[nodiscard]] TRILITH_INLINE std::uint64_t edges_inside() const {
+    std::uint64_t edges = 0;
+    for (int e = 0; e < corners; ++e) {
+      const int w = e + 1 < corners ? e + 1 : 0;
+      const bool out = (outside[static_cast<std::size_t>(e)] & outside[static_cast<std::size_t>(w)]) != 0;
+      edges |= std::uint64_t{out ? 0U : 1U} << e;
+    }
+    return edges;
+  }
 };
+
+/// Of pieces with at most four corners: a lane for each corner of the other piece, or for the edge that begins there.
+struct alignas(32) DepthsOfFour {
+  Lanes depth[lane_count], slope[lane_count];  ///< [face] of corners; from each corner to the next
+  LaneMask out;                                ///< of edges: some face has both ends outside
+  int faces;
+
+  TRILITH_INLINE static Lanes next(const Lanes& v) { return __builtin_shufflevector(v, v, 1, 2, 3, 0); }
+
+  /// As DepthsOfMany::fill.
+  TRILITH_INLINE std::uint64_t fill(const PieceSides& owner, int face_count, const PieceSides& other,
+                                    std::span<const Vec2> /*corners*/) {
+    const Lanes zero{}, x = other.four->x, y = other.four->y;
+    faces = face_count;
+    out = LaneMask{};
+    for (int f = 0; f < lane_count; ++f) {  // beyond the last face the first again
+      const EdgeRow& row = owner.row[f];
+      depth[f] = row.nx * (row.x - x) + row.ny * (row.y - y);
+      const Lanes to = next(depth[f]);
+      slope[f] = to - depth[f];
+      out |= (depth[f] <= zero) & (to <= zero);
+    }
+    // A face that has all corners outside has all edges so.
+    if (bits_of_mask(out) != 15) return 0;
+    std::uint64_t apart = 0;
+    for (int f = 0; f < lane_count; ++f)
+      apart |= std::uint64_t{bits_of_mask(depth[f] <= zero) == 15 ? 1U : 0U} << f;
+    return apart;
+  }
+  [[nodiscard]] TRILITH_INLINE ApartBy widest(std::uint64_t apart) const {
+    ApartBy widest;
+    for (int f = 0; f < faces; ++f) {
+      const double gap = larger(-largest_lane(depth[f]), std::numeric_limits<double>::min());
+      if ((apart >> f & 1) != 0 && gap > widest.gap) widest = {f, gap};
+    }
+    return widest;
+  }
+  /// The stretches of all edges of the walker, edge by edge, written from `list` on; returns how many there are.
+  TRILITH_INLINE int stretches(std::uint64_t owner_surface, std::uint64_t walker_surface, bool walker_is_b,
+                               OverlapStretch* list) const;
+};
+
+/// As DepthsOfMany::inside and nearest, for all edges at once; what is found turn by turn is then listed by edges.
+TRILITH_INLINE int DepthsOfFour::stretches(std::uint64_t owner_surface, std::uint64_t walker_surface, bool walker_is_b,
+                                           OverlapStretch* list) const {
+  const Lanes zero{}, one = all_lanes(1), none = all_lanes(std::numeric_limits<double>::infinity());
+  Lanes from = zero, to = one;
+  for (int f = 0; f < lane_count; ++f) {
+    const Lanes d0 = depth[f], d1 = next(d0);
+    const LaneMask enters = d0 < zero, leaves = d1 < zero;
+    const Lanes share = d0 / select(enters | leaves, d0 - d1, one);
+    from = larger(from, select(enters, share, zero));
+    to = smaller(to, select(leaves, share, one));
+  }
+  const std::uint64_t edges = bits_of_mask(~out & (from < to)) & walker_surface;
+  LaneMask active = mask_of_bits(edges);
+  // Each turn takes every edge along one face, up to where the next one is nearer. Slopes fall, so there are no more
+  // turns than faces.
+  struct Turn {
+    alignas(32) std::int64_t face[lane_count];
+    alignas(32) double from[lane_count], until[lane_count];
+    std::uint64_t edges;
+  };
+  Turn turn[lane_count + 1];
+  turn[0].edges = edges;
+  Lanes steeper_than = none;
+  int turns = 0;
+  for (; turns < lane_count && turn[turns].edges != 0; ++turns) {
+    Lanes best = none, best_slope = none, here[lane_count];
+    LaneMask face = LaneMask{} - 1;
+    for (int f = 0; f < lane_count; ++f) {
+      here[f] = depth[f] + slope[f] * from;
+      if ((owner_surface >> f & 1) == 0) continue;
+      const LaneMask nearer = (slope[f] < steeper_than) &
+                              ((here[f] < best) | ((here[f] == best) & (slope[f] < best_slope)));
+      best = select(nearer, here[f], best), best_slope = select(nearer, slope[f], best_slope);
+      face = nearer ? LaneMask{} + f : face;
+    }
+    Lanes until = to;
+    for (int f = 0; f < lane_count; ++f) {
+      if ((owner_surface >> f & 1) == 0) continue;
+      const LaneMask steeper = slope[f] < best_slope;
+      const Lanes run = (here[f] - best) / select(steeper, best_slope - slope[f], one);
+      until = smaller(until, select(steeper, larger(from + run, from), none));
+    }
+    active &= face >= LaneMask{};
+    Turn& t = turn[turns];
+    t.edges = bits_of_mask(active);
+    __builtin_memcpy(t.face, &face, sizeof face);
+    __builtin_memcpy(t.from, &from, sizeof from);
+    __builtin_memcpy(t.until, &until, sizeof until);
+    from = until, steeper_than = best_slope;
+    active &= from < to;
+    turn[turns + 1].edges = bits_of_mask(active);
+  }
+  int count = 0;
+  const auto* depths = reinterpret_cast<const double*>(depth);
+  for (std::uint64_t left = edges; left != 0; left &= left - 1) {
+    const int e = std::countr_zero(left), w = (e + 1) % lane_count;
+    for (int k = 0; k < turns && (turn[k].edges >> e & 1) != 0; ++k) {
+      const int f = static_cast<int>(turn[k].face[e]);
+      list[count++] = {{turn[k].from[e], turn[k].until[e]}, depths[f * lane_count + e], depths[f * lane_count + w],
+                       e,  f, walker_is_b};
+    }
+  }
+  return count;
+}
+
+template <int most>
+using OverlapDepths = std::conditional_t<most == lane_count, DepthsOfFour, DepthsOfMany<most>>;
 
 }  // namespace trilith

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "contact/overlap_energy.hpp"
-#include "contact/overlap_walk.hpp"
+#include "contact/overlap_depths.hpp"
 
 namespace trilith {
 
@@ -77,6 +77,30 @@ double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMem
   return 0.5 * dt * taken;
 }
 
+/// Adds `force` at point `x` to the two corners of edge e of one piece, and what is opposite to those of edge f of the
+/// other: same resultants, and same moments through a couple. A lane each.
+TRILITH_INLINE void add_opposite(std::span<Vec2> on_p, const PlacedPiece& p, int e, std::span<Vec2> on_q,
+                                 const PlacedPiece& q, int f, const Vec2& x, const Vec2& force) {
+  const int e1 = e + 1 < static_cast<int>(p.corner.size()) ? e + 1 : 0;
+  const int f1 = f + 1 < static_cast<int>(q.corner.size()) ? f + 1 : 0;
+  const LanePair one{1, 1}, at_x{x.x(), x.x()}, at_y{x.y(), x.y()};
+  const LanePair from_x{p.corner[e].x(), q.corner[f].x()}, from_y{p.corner[e].y(), q.corner[f].y()};
+  const LanePair along_x = LanePair{p.corner[e1].x(), q.corner[f1].x()} - from_x;
+  const LanePair along_y = LanePair{p.corner[e1].y(), q.corner[f1].y()} - from_y;
+  const LanePair length2 = along_x * along_x + along_y * along_y;
+  const LanePair share = (along_x * (at_x - from_x) + along_y * (at_y - from_y)) / length2;
+  const LanePair off_x = at_x - (from_x + share * along_x), off_y = at_y - (from_y + share * along_y);
+  const LanePair force_x{force.x(), -force.x()}, force_y{force.y(), -force.y()};
+  const LanePair turn = (off_x * force_y - off_y * force_x) / length2;
+  const LanePair couple_x = -along_y * turn, couple_y = along_x * turn, rest = one - share;
+  const LanePair first_x = rest * force_x - couple_x, first_y = rest * force_y - couple_y;
+  const LanePair second_x = share * force_x + couple_x, second_y = share * force_y + couple_y;
+  on_p[e] += Vec2(first_x[0], first_y[0]);
+  on_p[e1] += Vec2(second_x[0], second_y[0]);
+  on_q[f] += Vec2(first_x[1], first_y[1]);
+  on_q[f1] += Vec2(second_x[1], second_y[1]);
+}
+
 /// Friction on the resultant, along t = left_of(n), at the centre of pressure.
 TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const Coulomb& law,
                   const OverlapSums& sums, std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
@@ -107,20 +131,54 @@ TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, con
   out.lost_friction += half.lost_friction;
 }
 
+/// One contact, and what its law remembers of it.
+template <class K>
+struct OverlapCase {
+  const PlacedPiece &a, &b;
+  const PieceSides &sides_a, &sides_b;
+  const ContactMemory& before;
+  const LawMemory<K>& own;
+  const K& law;
+  std::span<Vec2> on_a, on_b;
+};
+
+/// The part of `span` where a depth that is linear from d0 to d1 over all of the edge is above `crushed`.
+TRILITH_INLINE EdgeSpan above(double crushed, double d0, double d1, const EdgeSpan& span) {
+  const auto depth = [&](double share) { return d0 + (d1 - d0) * share - crushed; };
+  const double width = span.to - span.from;
+  const PositivePart<double> part(depth(span.from), depth(span.to));
+  return {span.from + width * part.from, span.from + width * part.to};
+}
+
+/// Keeps of each stretch what lies deeper than the mortar is crushed; returns how many are left.
+TRILITH_INLINE int pressed_part(double crushed, OverlapStretch* list, int count) {
+  if (!(crushed > 0)) return count;
+  int left = 0;
+  for (int i = 0; i < count; ++i) {
+    OverlapStretch s = list[i];
+    s.span = above(crushed, s.d0, s.d1, s.span);
+    if (s.span.from < s.span.to) list[left++] = s;
+  }
+  return left;
+}
+
 /// Two pieces that may overlap, and how deep the corners of each lie in the other. `most`: corners either may have.
 template <class K, int most>
 struct Overlapping {
   const PlacedPiece &a, &b;
   const PieceSides &sides_a, &sides_b;
-  OverlapDepths<most> b_in_a, a_in_b;
+  OverlapDepths<most> b_in_a, a_in_b;  // not filled here: they are large
+
+  TRILITH_INLINE explicit Overlapping(const OverlapCase<K>& of)
+      : a(of.a), b(of.b), sides_a(of.sides_a), sides_b(of.sides_b) {}
 
   /// False where the two are apart; then `by` says why.
   TRILITH_INLINE bool measure(ApartBy& by) {
-    if (const std::uint64_t apart = b_in_a.fill(sides_a, edges(a), b.corner); apart != 0) {
+    if (const std::uint64_t apart = b_in_a.fill(sides_a, edges(a), sides_b, b.corner); apart != 0) {
       by = b_in_a.widest(apart);
       return false;
     }
-    if (const std::uint64_t apart = a_in_b.fill(sides_b, edges(b), a.corner); apart != 0) {
+    if (const std::uint64_t apart = a_in_b.fill(sides_b, edges(b), sides_a, a.corner); apart != 0) {
       by = a_in_b.widest(apart);
       by.face += max_piece_corners;
       return false;
@@ -128,9 +186,29 @@ struct Overlapping {
     return true;
   }
   TRILITH_INLINE OverlapSums press(const K& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
+    const OverlapPress<K> press{a, b, sides_a, sides_b, law, crushed, on_a, on_b};
+    std::array<OverlapStretch, room> list;
     OverlapSums sums;
-    OverlapWalk<K, most, true>{a, sides_a, b, sides_b, b_in_a, law, crushed, on_a, on_b}.run(sums);
-    OverlapWalk<K, most, false>{b, sides_b, a, sides_a, a_in_b, law, crushed, on_b, on_a}.run(sums);
+    int count = 0;
+    if constexpr (most == lane_count) {
+      count = b_in_a.stretches(sides_a.surface, sides_b.surface, true, list.data());
+      count += a_in_b.stretches(sides_b.surface, sides_a.surface, false, list.data() + count);
+    } else {
+      for (const bool walker_is_b : {true, false}) {
+        const OverlapDepths<most>& depths = walker_is_b ? b_in_a : a_in_b;
+        const std::uint64_t owner = (walker_is_b ? sides_a : sides_b).surface;
+        std::uint64_t edges = depths.edges_inside() & (walker_is_b ? sides_b : sides_a).surface;
+        for (; edges != 0; edges &= edges - 1) {
+          depths.stretches_of(std::countr_zero(edges), owner, walker_is_b,
+                              [&](const OverlapStretch& stretch) { list[static_cast<std::size_t>(count++)] = stretch; });
+          // An edge may have a stretch for every face.
+          if (count <= room - most) continue;
+          press.press(list.data(), pressed_part(crushed, list.data(), count), sums);
+          count = 0;
+        }
+      }
+    }
+    press.press(list.data(), pressed_part(crushed, list.data(), count), sums);
     return sums;
   }
   /// Mean overlap above that at which the mortar crushes [m]. `springs`: without damping.
@@ -153,6 +231,7 @@ struct Overlapping {
   }
 
  private:
+  static constexpr int room = most == lane_count ? 2 * most * most : 4 * most;
   static int edges(const PlacedPiece& piece) { return static_cast<int>(piece.corner.size()); }
 };
 
@@ -177,23 +256,12 @@ void part(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& befor
   out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, out.force, Vec2::Zero());
 }
 
-/// One contact, and what its law remembers of it.
-template <class K>
-struct OverlapCase {
-  const PlacedPiece &a, &b;
-  const PieceSides &sides_a, &sides_b;
-  const ContactMemory& before;
-  const LawMemory<K>& own;
-  const K& law;
-  std::span<Vec2> on_a, on_b;
-};
-
 template <class K, int most>
 TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, OverlapResponse& out) {
   const PlacedPiece &a = of.a, &b = of.b;
   const ContactMemory& before = of.before;
   const K law = of.law;  // a copy of its own: nothing that is written here can change it
-  Overlapping<K, most> pair{a, b, of.sides_a, of.sides_b, {}, {}};
+  Overlapping<K, most> pair(of);
   out.memory = before.parted();
   after = K::parted(of.own);
   const double merged = merging_loss(before, law.ks);
@@ -250,11 +318,12 @@ void respond_as_here(const OverlapCase<K>& of, LawMemory<K>& after, OverlapRespo
 /// The sides of a piece, placed in `room` where nobody has placed them yet.
 struct SidesRoom {
   std::array<EdgeLanes, edge_blocks(max_piece_corners)> four;
+  std::array<EdgeRow, max_piece_corners> row;
 
   PieceSides of(const PlacedPiece& piece) {
     if (piece.sides.four != nullptr) return piece.sides;
-    place_edges(piece.corner, four.data());
-    return {four.data(), surface_bits(piece.is_face)};
+    place_edges(piece.corner, four.data(), row.data());
+    return {four.data(), row.data(), surface_bits(piece.is_face)};
   }
 };
 
