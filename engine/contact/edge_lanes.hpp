@@ -49,22 +49,7 @@ inline std::uint64_t surface_bits(std::span<const std::uint8_t> is_face) {
 
 /// Writes the edges of a piece to `four` and `row`, edge_blocks(corner.size()) fours of them.
 /// The normal is the edge turned by -90 degrees over its length.
-inline void place_edges(std::span<const Vec2> corner, EdgeLanes* four, EdgeRow* row) {
-  const int count = static_cast<int>(corner.size());
-  for (int from = 0; from < count; from += lane_count, ++four, row += lane_count) {
-    Lanes x{}, y{}, to_x{}, to_y{};
-    for (int lane = 0; lane < lane_count; ++lane) {
-      const int e = from + lane < count ? from + lane : 0, w = e + 1 < count ? e + 1 : 0;
-      x[lane] = corner[e].x(), y[lane] = corner[e].y();
-      to_x[lane] = corner[w].x(), to_y[lane] = corner[w].y();
-    }
-    const Lanes along_x = to_x - x, along_y = to_y - y, length2 = along_x * along_x + along_y * along_y;
-    const Lanes length = root(length2), nx = along_y / length, ny = -along_x / length;
-    *four = {x, y, nx, ny};
-    for (int i = 0; i < lane_count; ++i)
-      row[i] = {x[i], y[i], along_x[i], along_y[i], nx[i], ny[i], length2[i], 0};
-  }
-}
+void place_edges(std::span<const Vec2> corner, EdgeLanes* four, EdgeRow* row);
 
 /// How far all these points lie outside of an edge at least [m]; 0 where one of them does not.
 inline double distance_outside(const EdgeRow& edge, std::span<const Vec2> points) {

@@ -195,8 +195,7 @@ struct alignas(32) DepthsOfFour {
     // A face that has all corners outside has all edges so.
     if (bits_of_mask(out) != 15) return 0;
     std::uint64_t apart = 0;
-    for (int f = 0; f < lane_count; ++f)
-      apart |= std::uint64_t{bits_of_mask(depth[f] <= zero) == 15 ? 1U : 0U} << f;
+    for (int f = 0; f < lane_count; ++f) apart |= std::uint64_t{bits_of_mask(depth[f] <= zero) == 15 ? 1U : 0U} << f;
     return apart;
   }
   [[nodiscard]] TRILITH_INLINE ApartBy widest(std::uint64_t apart) const {
@@ -235,6 +234,9 @@ TRILITH_INLINE int DepthsOfFour::stretches(std::uint64_t owner_surface, std::uin
   };
   Turn turn[lane_count + 1];
   turn[0].edges = edges;
+  // No edge is nearest to a face that is not surface: as if it rose without end.
+  Lanes rise[lane_count];
+  for (int f = 0; f < lane_count; ++f) rise[f] = (owner_surface >> f & 1) != 0 ? slope[f] : none;
   Lanes steeper_than = none;
   int turns = 0;
   for (; turns < lane_count && turn[turns].edges != 0; ++turns) {
@@ -242,17 +244,15 @@ TRILITH_INLINE int DepthsOfFour::stretches(std::uint64_t owner_surface, std::uin
     LaneMask face = LaneMask{} - 1;
     for (int f = 0; f < lane_count; ++f) {
       here[f] = depth[f] + slope[f] * from;
-      if ((owner_surface >> f & 1) == 0) continue;
-      const LaneMask nearer = (slope[f] < steeper_than) &
-                              ((here[f] < best) | ((here[f] == best) & (slope[f] < best_slope)));
-      best = select(nearer, here[f], best), best_slope = select(nearer, slope[f], best_slope);
+      const LaneMask nearer =
+          (rise[f] < steeper_than) & ((here[f] < best) | ((here[f] == best) & (rise[f] < best_slope)));
+      best = select(nearer, here[f], best), best_slope = select(nearer, rise[f], best_slope);
       face = nearer ? LaneMask{} + f : face;
     }
     Lanes until = to;
     for (int f = 0; f < lane_count; ++f) {
-      if ((owner_surface >> f & 1) == 0) continue;
-      const LaneMask steeper = slope[f] < best_slope;
-      const Lanes run = (here[f] - best) / select(steeper, best_slope - slope[f], one);
+      const LaneMask steeper = rise[f] < best_slope;
+      const Lanes run = (here[f] - best) / select(steeper, best_slope - rise[f], one);
       until = smaller(until, select(steeper, larger(from + run, from), none));
     }
     active &= face >= LaneMask{};
@@ -271,8 +271,12 @@ TRILITH_INLINE int DepthsOfFour::stretches(std::uint64_t owner_surface, std::uin
     const int e = std::countr_zero(left), w = (e + 1) % lane_count;
     for (int k = 0; k < turns && (turn[k].edges >> e & 1) != 0; ++k) {
       const int f = static_cast<int>(turn[k].face[e]);
-      list[count++] = {{turn[k].from[e], turn[k].until[e]}, depths[f * lane_count + e], depths[f * lane_count + w],
-                       e,  f, walker_is_b};
+      list[count++] = {{turn[k].from[e], turn[k].until[e]},
+                       depths[f * lane_count + e],
+                       depths[f * lane_count + w],
+                       e,
+                       f,
+                       walker_is_b};
     }
   }
   return count;

@@ -5,8 +5,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "contact/overlap_energy.hpp"
 #include "contact/overlap_depths.hpp"
+#include "contact/overlap_energy.hpp"
 
 namespace trilith {
 
@@ -20,7 +20,7 @@ Vec2 PlacedPiece::velocity_of_edge(int e, const Vec2& x) const {
 
 namespace {
 
-ShearBefore<double> both_halves(const ContactMemory& m) {
+TRILITH_INLINE ShearBefore<double> both_halves(const ContactMemory& m) {
   return {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]};
 }
 
@@ -33,7 +33,7 @@ double released_energy(const ContactMemory& m, double ks) {
 
 /// Elastic shear energy let go where two halves of unlike stress become one contact; never negative.
 /// T_0^2 / 2 ks l_0 + T_1^2 / 2 ks l_1 is at least (T_0 + T_1)^2 / 2 ks (l_0 + l_1).
-double merging_loss(const ContactMemory& m, double ks) {
+TRILITH_INLINE double merging_loss(const ContactMemory& m, double ks) {
   // Halves of like stress, as every contact of general shape leaves them, lose nothing.
   if (m.shear_elastic[0] == m.shear_elastic[1] && m.active[0] == m.active[1]) return 0;
   double sum = 0;
@@ -42,15 +42,24 @@ double merging_loss(const ContactMemory& m, double ks) {
   return std::max(0.0, sum - 0.5 * both.elastic * both.elastic * inverse_or_zero(ks * both.active));
 }
 
-/// Velocity of b against a where they press each other.
-Vec2 rate_at_centre(const PlacedPiece& a, const PlacedPiece& b, const OverlapSums& sums, const Vec2& centre) {
-  return b.velocity_at(sums.edge_b, centre) - a.velocity_at(sums.edge_a, centre);
-}
+/// Velocities of b against a where they press each other: of now, and their mean over the step.
+struct CentreRates {
+  Vec2 now, mean;
+  TRILITH_INLINE CentreRates(const PlacedPiece& a, const PlacedPiece& b, const OverlapSums& sums, const Vec2& centre)
+      : now(at_centre(a, b, sums, centre)),
+        mean(a.over_step == nullptr && b.over_step == nullptr ? now : at_centre(a.mean(), b.mean(), sums, centre)) {}
+
+ private:
+  TRILITH_INLINE static Vec2 at_centre(const PlacedPiece& a, const PlacedPiece& b, const OverlapSums& sums,
+                                       const Vec2& centre) {
+    return b.velocity_at(sums.edge_b, centre) - a.velocity_at(sums.edge_a, centre);
+  }
+};
 
 /// Power of a remembered damping force in the motion of b against a, as rigid pieces [W]. That of two faces acted along
 /// the normal, which is taken to be that of the force on b now, at `rate`.
-double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& m, const Vec2& force,
-                     const Vec2& rate_now) {
+TRILITH_INLINE double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& m,
+                                    const Vec2& force, const Vec2& rate_now) {
   if ((m.state & contact_general) == 0) {
     const double size = force.norm();
     return size > 0 ? m.damping_force[0] * force.dot(rate_now) / size : 0;
@@ -67,10 +76,10 @@ double similarity(const ContactMemory& before, const ContactMemory& now) {
 }
 
 /// Energy the damping takes in a step: with the mean of its force before and now. Pieces that deform move otherwise
-/// than as rigid ones; for the force remembered that is made up for as it is for the one of now.
-double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const OverlapSums& sums,
-                    double dt, const OverlapResponse& out) {
-  const Vec2 rate = rate_at_centre(a.mean(), b.mean(), sums, out.centre);
+/// than as rigid ones; for the force remembered that is made up for as it is for the one of now. `rate`: mean over the
+/// step.
+TRILITH_INLINE double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
+                                   const OverlapSums& sums, const Vec2& rate, double dt, const OverlapResponse& out) {
   double taken = sums.damped - damping_power(a, b, before, out.force, rate);
   if (!a.corner_velocity.empty() || !b.corner_velocity.empty())
     taken += similarity(before, out.memory) * (sums.damped + damping_power(a, b, out.memory, out.force, rate));
@@ -102,8 +111,9 @@ TRILITH_INLINE void add_opposite(std::span<Vec2> on_p, const PlacedPiece& p, int
 }
 
 /// Friction on the resultant, along t = left_of(n), at the centre of pressure.
-TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const Coulomb& law,
-                  const OverlapSums& sums, std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
+TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
+                                 const Coulomb& law, const OverlapSums& sums, const CentreRates& rates,
+                                 std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
   const double normal = sums.force.norm();
   if (!(normal > 0)) {
     out.lost_friction += released_energy(before, law.ks);
@@ -114,8 +124,8 @@ TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, con
   // step.
   HalfState<double> state{};
   state.length = sums.length;
-  state.slip_rate = t.dot(rate_at_centre(a, b, sums, out.centre));
-  state.slip_mean = t.dot(rate_at_centre(a.mean(), b.mean(), sums, out.centre));
+  state.slip_rate = t.dot(rates.now);
+  state.slip_mean = t.dot(rates.mean);
   state.bonded = false;
   HalfResponse<double> half{};
   half.normal = normal;
@@ -199,8 +209,9 @@ struct Overlapping {
         const std::uint64_t owner = (walker_is_b ? sides_a : sides_b).surface;
         std::uint64_t edges = depths.edges_inside() & (walker_is_b ? sides_b : sides_a).surface;
         for (; edges != 0; edges &= edges - 1) {
-          depths.stretches_of(std::countr_zero(edges), owner, walker_is_b,
-                              [&](const OverlapStretch& stretch) { list[static_cast<std::size_t>(count++)] = stretch; });
+          depths.stretches_of(std::countr_zero(edges), owner, walker_is_b, [&](const OverlapStretch& stretch) {
+            list[static_cast<std::size_t>(count++)] = stretch;
+          });
           // An edge may have a stretch for every face.
           if (count <= room - most) continue;
           press.press(list.data(), pressed_part(crushed, list.data(), count), sums);
@@ -262,7 +273,7 @@ TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, Overl
   const ContactMemory& before = of.before;
   const K law = of.law;  // a copy of its own: nothing that is written here can change it
   Overlapping<K, most> pair(of);
-  out.memory = before.parted();
+  out.memory.state = before.state & contact_kept;  // as ContactMemory::parted
   after = K::parted(of.own);
   const double merged = merging_loss(before, law.ks);
   if (ApartBy by; !pair.measure(by)) {
@@ -283,10 +294,11 @@ TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, Overl
   out.memory.damping_force[1] = sums.damping.y();
   out.memory.damping_moment = sums.damping_moment;
   if (sums.pressure > 0) out.centre = sums.moment_arm / sums.pressure;
-  out.lost_damping = damping_loss(a, b, before, sums, law.dt, out);
+  const CentreRates rates(a, b, sums, out.centre);
+  out.lost_damping = damping_loss(a, b, before, sums, rates.mean, law.dt, out);
   if (sums.pressure > 0) {
     out.lost_friction = merged;
-    add_friction(a, b, before, law, sums, of.on_a, of.on_b, out);
+    add_friction(a, b, before, law, sums, rates, of.on_a, of.on_b, out);
   } else
     out.lost_friction = merged + released_energy(before, law.ks);
   keep_crushed(a, b, before, of.own, crushed, law, after, out);

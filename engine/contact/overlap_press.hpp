@@ -24,9 +24,9 @@ struct EdgeSpan {
 };
 
 /// Part of an edge of the walker over which its depth below one face of the owner counts.
-struct OverlapStretch {
+struct alignas(32) OverlapStretch {
   EdgeSpan span;
-  double d0, d1;  ///< depths below that face of the whole edge's ends [m]
+  double d0, d1;  ///< depths below that face of the whole edge's ends [m]; read with the span as one row
   int edge, face;
   bool walker_is_b;
 };
@@ -46,10 +46,14 @@ struct OverlapSums {
 struct alignas(32) FourByFour {
   Lanes v[4];
   TRILITH_INLINE FourByFour(const Lanes& r0, const Lanes& r1, const Lanes& r2, const Lanes& r3) {
-    const Lanes low01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6), high01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
-    const Lanes low23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6), high23 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
-    v[0] = __builtin_shufflevector(low01, low23, 0, 1, 4, 5), v[1] = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
-    v[2] = __builtin_shufflevector(low01, low23, 2, 3, 6, 7), v[3] = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+    const Lanes low01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6),
+                high01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
+    const Lanes low23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6),
+                high23 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
+    v[0] = __builtin_shufflevector(low01, low23, 0, 1, 4, 5),
+    v[1] = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+    v[2] = __builtin_shufflevector(low01, low23, 2, 3, 6, 7),
+    v[3] = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
   }
 };
 
@@ -122,8 +126,8 @@ struct OverlapPress {
       for (int i = 0; i < lane_count; ++i) {
         const Vec2 at(x[i], y[i]);
         const bool b_walks = s[i]->walker_is_b;
-        const Vec2 w = q.velocity_at(b_walks ? s[i]->edge : s[i]->face, at) -
-                       p.velocity_at(b_walks ? s[i]->face : s[i]->edge, at);
+        const Vec2 w =
+            q.velocity_at(b_walks ? s[i]->edge : s[i]->face, at) - p.velocity_at(b_walks ? s[i]->face : s[i]->edge, at);
         u[i] = w.x(), v[i] = w.y();
       }
     return walker.nx * u + walker.ny * v;
@@ -135,15 +139,16 @@ template <class K>
 TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int count, OverlapSums& sums) const {
   const OverlapStretch* s[lane_count];
   const EdgeRow *walkers[lane_count], *owners[lane_count];
-  Lanes from{}, to{}, d0{}, d1{}, sign{}, used{};
+  Lanes sign{};
   for (int i = 0; i < lane_count; ++i) {  // beyond the last it stands again, and counts nothing
     s[i] = &list[i < count ? i : 0];
     walkers[i] = (s[i]->walker_is_b ? sides_b : sides_a).row + s[i]->edge;
     owners[i] = (s[i]->walker_is_b ? sides_a : sides_b).row + s[i]->face;
-    from[i] = s[i]->span.from, to[i] = s[i]->span.to, d0[i] = s[i]->d0, d1[i] = s[i]->d1;
     sign[i] = s[i]->walker_is_b ? 1.0 : -1.0;
-    used[i] = i < count ? 1.0 : 0.0;
   }
+  const FourByFour parts(load_four(&s[0]->span.from), load_four(&s[1]->span.from), load_four(&s[2]->span.from),
+                         load_four(&s[3]->span.from));
+  const Lanes from = parts.v[0], to = parts.v[1], d0 = parts.v[2], d1 = parts.v[3];
   const EdgeColumns walker(walkers), owner(owners);
   const Lanes zero{}, nx = walker.nx, ny = walker.ny;  // out of the walker, into the owner
   const Lanes x0 = walker.x + from * walker.along_x, y0 = walker.y + from * walker.along_y;
@@ -166,7 +171,7 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
   }
   const Lanes damped = damping * m0 + first_moment * (m1 - m0);
   // No pressure where the two part fast; what the damping took of the spring then is booked above.
-  const LaneMask counts = used > zero, presses = counts & ~(total <= zero);
+  const LaneMask counts = LaneMask{0, 1, 2, 3} < count, presses = counts & ~(total <= zero);
   const Lanes share = stress.moment / select(presses, stress.sum, all_lanes(1));
   const Lanes x = x0 + share * way_x, y = y0 + share * way_y;
   const CornerForces on_walker(walker, x, y, -total * nx, -total * ny), on_owner(owner, x, y, total * nx, total * ny);

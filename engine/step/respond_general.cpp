@@ -133,13 +133,11 @@ struct GeneralPass {
   /// nothing has an empty row before and after already.
   [[nodiscard]] bool wakes(int row) const {
     const ContactMemory& memory = before.memory[row];
-    if (memory.empty())
-      assert(work.contacts.memory[row].empty());
-    else
-      // First as if it did not touch; written over where it does.
-      part_row(before, work.contacts, row);
+    if ((memory.state & contact_touching) != 0) return true;
+    assert(!memory.empty() || work.contacts.memory[row].empty());
+    if (!memory.empty()) part_row(before, work.contacts, row);
     // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
-    return (memory.state & contact_touching) != 0 || work.travel >= work.asleep_until[row];
+    return work.travel >= work.asleep_until[row];
   }
   /// The distance at which the edge that kept two pieces apart last still does; else 0 [m].
   [[nodiscard]] double still_apart(const PlacedPiece& a, const PlacedPiece& b, int row) const {
@@ -162,10 +160,11 @@ void GeneralPass::respond(int row) const {
   const NearPair& pair = work.pairs[row];
   // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
   if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) {
-    if (was) work.changed_rows.push_back(row);
+    if (was) part_row(before, work.contacts, row), work.changed_rows.push_back(row);
     return;
   }
-  const PlacedPiece &a = place_once(model, state, work, pair.piece_a), &b = place_once(model, state, work, pair.piece_b);
+  const PlacedPiece &a = place_once(model, state, work, pair.piece_a),
+                    &b = place_once(model, state, work, pair.piece_b);
   if (memory.empty())
     if (const double distance = still_apart(a, b, row); distance > 0) return sleep(row, distance);
   Corners on_a, on_b;
@@ -177,6 +176,7 @@ void GeneralPass::respond(int row) const {
   if (was && (memory.state & contact_general) == 0) book_change_of_shape(work, pair, remembered, law);
   if (was != r.touching || memory.bonds != 0 || (memory.state & contact_kept) != (r.memory.state & contact_kept))
     work.changed_rows.push_back(row);
+  if (was || r.touching) work.contacts.memory[row] = r.memory;
   work.given[EnergyTerm::contact_damping] += r.lost_damping;
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
   work.given[EnergyTerm::contact_fracture] += r.lost_fracture;
@@ -184,7 +184,6 @@ void GeneralPass::respond(int row) const {
     work.apart_by[row] = static_cast<std::int8_t>(r.apart_by);
     return sleep(row, r.separation);
   }
-  work.contacts.memory[row] = r.memory;
   add_to_skin(model, pair.piece_a, on_a, work);
   add_to_skin(model, pair.piece_b, on_b, work);
   work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
