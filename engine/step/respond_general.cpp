@@ -99,8 +99,9 @@ const PlacedPiece& place_once(const Model<2>& model, const State<2>& state, Work
 using Corners = std::array<Vec2, max_piece_corners>;
 
 void add_to_skin(const Model<2>& model, int piece, const Corners& force, Work<2>& work) {
-  const int first = model.piece_first[piece];
-  for (int c = 0; c < model.corners_of(piece); ++c) work.skin_force[model.corner_skin[first + c]] += force[c];
+  const int *skin = &model.corner_skin[model.piece_first[piece]], count = model.corners_of(piece);
+  Vec2* const on = work.skin_force.data();  // read once: the compiler cannot know that sums do not change it
+  for (int c = 0; c < count; ++c) on[skin[c]] += force[c];
 }
 
 /// What two faces held that their contact does not as one of general shape.
