@@ -209,74 +209,86 @@ struct alignas(32) DepthsOfFour {
   /// The stretches of all edges of the walker, edge by edge, written from `list` on; returns how many there are.
   TRILITH_INLINE int stretches(std::uint64_t owner_surface, std::uint64_t walker_surface, bool walker_is_b,
                                OverlapStretch* list) const;
+
+ private:
+  /// One turn of all edges: each goes along the face that is nearest at its `from`, up to where the next one is nearer.
+  struct alignas(32) Leg {
+    LaneMask face;
+    Lanes from, until;
+    std::uint64_t edges;  ///< which of them there are
+  };
+  struct alignas(32) Spans {
+    Lanes from, to;
+  };
+  [[nodiscard]] TRILITH_INLINE Spans inside() const;
+  TRILITH_INLINE int legs(std::uint64_t owner_surface, const Spans& spans, std::uint64_t edges, Leg* leg) const;
 };
 
-/// As DepthsOfMany::inside and nearest, for all edges at once; what is found turn by turn is then listed by edges.
-TRILITH_INLINE int DepthsOfFour::stretches(std::uint64_t owner_surface, std::uint64_t walker_surface, bool walker_is_b,
-                                           OverlapStretch* list) const {
-  const Lanes zero{}, one = all_lanes(1), none = all_lanes(std::numeric_limits<double>::infinity());
-  Lanes from = zero, to = one;
+/// As DepthsOfMany::inside, of all edges.
+TRILITH_INLINE DepthsOfFour::Spans DepthsOfFour::inside() const {
+  const Lanes zero{}, one = all_lanes(1);
+  Spans spans{zero, one};
   for (int f = 0; f < lane_count; ++f) {
     const Lanes d0 = depth[f], d1 = next(d0);
     const LaneMask enters = d0 < zero, leaves = d1 < zero;
     const Lanes share = d0 / select(enters | leaves, d0 - d1, one);
-    from = larger(from, select(enters, share, zero));
-    to = smaller(to, select(leaves, share, one));
+    spans.from = larger(spans.from, select(enters, share, zero));
+    spans.to = smaller(spans.to, select(leaves, share, one));
   }
-  const std::uint64_t edges = bits_of_mask(~out & (from < to)) & walker_surface;
-  LaneMask active = mask_of_bits(edges);
-  // Each turn takes every edge along one face, up to where the next one is nearer. Slopes fall, so there are no more
-  // turns than faces.
-  struct Turn {
-    alignas(32) std::int64_t face[lane_count];
-    alignas(32) double from[lane_count], until[lane_count];
-    std::uint64_t edges;
-  };
-  Turn turn[lane_count + 1];
-  turn[0].edges = edges;
-  // No edge is nearest to a face that is not surface: as if it rose without end.
+  return spans;
+}
+
+/// As DepthsOfMany::nearest turn by turn, of all `edges`; returns how many turns there are. Slopes fall, so these are
+/// no more than faces.
+TRILITH_INLINE int DepthsOfFour::legs(std::uint64_t owner_surface, const Spans& spans, std::uint64_t edges,
+                                      Leg* leg) const {
+  const Lanes one = all_lanes(1), none = all_lanes(std::numeric_limits<double>::infinity());
+  // No edge goes along a face that is not surface: as if it rose without end.
   Lanes rise[lane_count];
   for (int f = 0; f < lane_count; ++f) rise[f] = (owner_surface >> f & 1) != 0 ? slope[f] : none;
-  Lanes steeper_than = none;
+  LaneMask active = mask_of_bits(edges);
+  Lanes from = spans.from, steeper_than = none;
   int turns = 0;
-  for (; turns < lane_count && turn[turns].edges != 0; ++turns) {
-    Lanes best = none, best_slope = none, here[lane_count];
+  for (std::uint64_t left = edges; turns < lane_count && left != 0; ++turns) {
+    Lanes best = none, best_rise = none, here[lane_count];
     LaneMask face = LaneMask{} - 1;
     for (int f = 0; f < lane_count; ++f) {
       here[f] = depth[f] + slope[f] * from;
       const LaneMask nearer =
-          (rise[f] < steeper_than) & ((here[f] < best) | ((here[f] == best) & (rise[f] < best_slope)));
-      best = select(nearer, here[f], best), best_slope = select(nearer, rise[f], best_slope);
+          (rise[f] < steeper_than) & ((here[f] < best) | ((here[f] == best) & (rise[f] < best_rise)));
+      best = select(nearer, here[f], best), best_rise = select(nearer, rise[f], best_rise);
       face = nearer ? LaneMask{} + f : face;
     }
-    Lanes until = to;
+    Lanes until = spans.to;
     for (int f = 0; f < lane_count; ++f) {
-      const LaneMask steeper = rise[f] < best_slope;
-      const Lanes run = (here[f] - best) / select(steeper, best_slope - rise[f], one);
+      const LaneMask steeper = rise[f] < best_rise;
+      const Lanes run = (here[f] - best) / select(steeper, best_rise - rise[f], one);
       until = smaller(until, select(steeper, larger(from + run, from), none));
     }
     active &= face >= LaneMask{};
-    Turn& t = turn[turns];
-    t.edges = bits_of_mask(active);
-    __builtin_memcpy(t.face, &face, sizeof face);
-    __builtin_memcpy(t.from, &from, sizeof from);
-    __builtin_memcpy(t.until, &until, sizeof until);
-    from = until, steeper_than = best_slope;
-    active &= from < to;
-    turn[turns + 1].edges = bits_of_mask(active);
+    leg[turns] = {face, from, until, bits_of_mask(active)};
+    from = until, steeper_than = best_rise;
+    active &= from < spans.to;
+    left = bits_of_mask(active);
   }
+  return turns;
+}
+
+TRILITH_INLINE int DepthsOfFour::stretches(std::uint64_t owner_surface, std::uint64_t walker_surface, bool walker_is_b,
+                                           OverlapStretch* list) const {
+  if ((bits_of_mask(~out) & walker_surface) == 0) return 0;
+  const Spans spans = inside();
+  const std::uint64_t edges = bits_of_mask(~out & (spans.from < spans.to)) & walker_surface;
+  Leg leg[lane_count];
+  const int turns = legs(owner_surface, spans, edges, leg);
   int count = 0;
   const auto* depths = reinterpret_cast<const double*>(depth);
   for (std::uint64_t left = edges; left != 0; left &= left - 1) {
     const int e = std::countr_zero(left), w = (e + 1) % lane_count;
-    for (int k = 0; k < turns && (turn[k].edges >> e & 1) != 0; ++k) {
-      const int f = static_cast<int>(turn[k].face[e]);
-      list[count++] = {{turn[k].from[e], turn[k].until[e]},
-                       depths[f * lane_count + e],
-                       depths[f * lane_count + w],
-                       e,
-                       f,
-                       walker_is_b};
+    for (int k = 0; k < turns && (leg[k].edges >> e & 1) != 0; ++k) {
+      const int f = static_cast<int>(leg[k].face[e]);
+      list[count++] = {
+          {leg[k].from[e], leg[k].until[e]}, depths[f * lane_count + e], depths[f * lane_count + w], e, f, walker_is_b};
     }
   }
   return count;
