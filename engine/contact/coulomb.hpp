@@ -40,8 +40,9 @@ struct HalfPressure {
 
 /// Pressure over a stretch on which overlap and closing speed are linear: with its damping, and of the springs alone.
 /// Over the stiffness, in shares of the stretch.
+template <class T>
 struct StretchPressure {
-  LinearStress<double> total, spring;
+  LinearStress<T> total, spring;
 };
 
 /// What happens to a joint between two instants.
@@ -113,7 +114,8 @@ struct Coulomb {
   /// The overlap at which a linear spring of stiffness kn would press as much as the law does at `overlap` [m].
   [[nodiscard]] double effective(double overlap) const { return overlap; }
   /// Depths d and closing speeds c at both ends of a stretch [m], [m/s].
-  [[nodiscard]] StretchPressure stretch(double d0, double d1, double c0, double c1) const;
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE StretchPressure<T> stretch(T d0, T d1, T c0, T c1) const;
   /// Integral of the pressure over kn over a triangle of the given area with these depths at its corners.
   [[nodiscard]] static double over(double area, double d0, double d1, double d2) { return area * (d0 + d1 + d2) / 3; }
 
@@ -228,11 +230,13 @@ TRILITH_INLINE T Coulomb::slide(HalfState<T>& half, T active, const ShearBefore<
   return zero;
 }
 
-inline StretchPressure Coulomb::stretch(double d0, double d1, double c0, double c1) const {
-  const double p0 = d0 + beta * c0, p1 = d1 + beta * c1;
-  const PositivePart<double> part(p0, p1);
-  const double q0 = p0 + (p1 - p0) * part.from, q1 = p0 + (p1 - p0) * part.to;
-  return {{q0, q1, part.from, part.to}, {d0, d1, 0, 1}};
+template <class T>
+TRILITH_INLINE StretchPressure<T> Coulomb::stretch(T d0, T d1, T c0, T c1) const {
+  const T zero{}, one = zero + 1.0;
+  const T p0 = d0 + beta * c0, p1 = d1 + beta * c1;
+  const PositivePart<T> part(p0, p1);
+  const T q0 = p0 + (p1 - p0) * part.from, q1 = p0 + (p1 - p0) * part.to;
+  return {{q0, q1, part.from, part.to}, {d0, d1, zero, one}};
 }
 
 /// kn/2 of the integral of g^2, where closed, and of the share a bond holds all along.

@@ -4,116 +4,13 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
+#include "contact/overlap_depths.hpp"
 #include "contact/overlap_energy.hpp"
-#include "contact/placed_edges.hpp"
 
 namespace trilith {
-namespace {
 
-// Stages of one call: depths of all corners of each piece below all edges of the other (a face with all corners
-// outside ends it here); then a walk along every surface edge of either inside the other; then friction and memory.
-//
-//       v     from           crossing      to      w       phi along the edge (v, w) of the walker is the least of
-//       |------|===== f1 =======|=== f2 ===|-------|       its depths below the owner's faces: straight in pieces,
-//      outside     phi = depth       phi = depth           slopes falling, so integrals are exact piece by piece
-//                  below f1          below f2
-
-/// depth(f, v): how far corner v of the other piece lies inside face f [m].
-struct Depths {
-  int corners = 0;
-  std::array<double, max_piece_corners * max_piece_corners> value;
-
-  /// Largest gap of a face that has all corners outside; 0 where there is none.
-  double fill(const PlacedPiece& owner, const PlacedEdges& edges, const PlacedPiece& other) {
-    corners = static_cast<int>(other.corner.size());
-    double separation = 0;
-    for (int f = 0; f < edges.count; ++f) {
-      double deepest = -std::numeric_limits<double>::infinity();
-      for (int v = 0; v < corners; ++v) {
-        const double depth = edges.normal[f].dot(owner.corner[f] - other.corner[v]);
-        value[static_cast<std::size_t>(f * corners + v)] = depth;
-        deepest = std::max(deepest, depth);
-      }
-      if (deepest <= 0) separation = std::max(separation, std::max(-deepest, std::numeric_limits<double>::min()));
-    }
-    return separation;
-  }
-  [[nodiscard]] double at(int f, int v) const { return value[static_cast<std::size_t>(f * corners + v)]; }
-};
-
-struct Span {
-  double from, to;
-};
-
-/// The part of edge (v, w) of the other piece that lies inside all edges of the owner, in shares of the edge.
-Span inside(const Depths& depths, int edges, int v, int w) {
-  Span span{0, 1};
-  for (int f = 0; f < edges; ++f) {
-    const double d0 = depths.at(f, v), d1 = depths.at(f, w);
-    if (d0 <= 0 && d1 <= 0) return {0, 0};
-    if (d0 < 0) span.from = std::max(span.from, d0 / (d0 - d1));
-    if (d1 < 0) span.to = std::min(span.to, d0 / (d0 - d1));
-  }
-  return span;
-}
-
-/// The surface face that is nearest from some share of the edge on, and the share up to which it stays so.
-struct Nearest {
-  int face;
-  double slope, until;
-};
-
-/// Next face of the lower envelope of depths at share `at`. Going up, the slopes of an envelope of lines only fall:
-/// only faces that fall faster than `steeper_than` count, so that rounding at a crossing cannot choose the last face
-/// again.
-Nearest nearest_from(const Depths& depths, const PlacedEdges& edges, int v, int w, double at, double to,
-                     double steeper_than) {
-  const auto slope_of = [&](int f) { return depths.at(f, w) - depths.at(f, v); };
-  const auto depth_of = [&](int f) { return depths.at(f, v) + slope_of(f) * at; };
-  Nearest best{-1, 0, to};
-  double best_depth = 0;
-  for (int f = 0; f < edges.count; ++f) {
-    const double slope = slope_of(f);
-    if (!edges.surface[f] || slope >= steeper_than) continue;
-    const double depth = depth_of(f);
-    if (best.face >= 0 && (depth > best_depth || (depth == best_depth && slope >= best.slope))) continue;
-    best.face = f, best.slope = slope;
-    best_depth = depth;
-  }
-  for (int f = 0; f < edges.count && best.face >= 0; ++f) {
-    const double slope = slope_of(f);
-    if (!edges.surface[f] || slope >= best.slope) continue;
-    best.until = std::min(best.until, std::max(at, at + (depth_of(f) - best_depth) / (best.slope - slope)));
-  }
-  return best;
-}
-
-/// The part of `span` where a depth that is linear from d0 to d1 over all of the edge is above `crushed`.
-Span above(double crushed, double d0, double d1, const Span& span) {
-  const auto depth = [&](double share) { return d0 + (d1 - d0) * share - crushed; };
-  const double width = span.to - span.from;
-  const PositivePart<double> part(depth(span.from), depth(span.to));
-  return {span.from + width * part.from, span.from + width * part.to};
-}
-
-/// Adds `force` at point `x` to the two corners of edge e: same resultant, and same moment through a couple.
-void add_at(std::span<Vec2> on, const PlacedPiece& piece, int e, const Vec2& x, const Vec2& force) {
-  const int e1 = (e + 1) % static_cast<int>(piece.corner.size());
-  const Vec2 along = piece.corner[e1] - piece.corner[e];
-  const double length2 = along.squaredNorm();
-  const double share = along.dot(x - piece.corner[e]) / length2;
-  const Vec2 foot = piece.corner[e] + share * along;
-  const Vec2 couple = left_of(along) * (cross(Vec2(x - foot), force) / length2);
-  on[e] += (1 - share) * force - couple;
-  on[e1] += share * force + couple;
-}
-
-}  // namespace
-
-Vec2 PlacedPiece::velocity_at(int e, const Vec2& x) const {
-  if (corner_velocity.empty()) return velocity_at(x);
+Vec2 PlacedPiece::velocity_of_edge(int e, const Vec2& x) const {
   const int e1 = (e + 1) % static_cast<int>(corner.size());
   const Vec2 along = corner[e1] - corner[e], turning = corner_velocity[e1] - corner_velocity[e];
   const double length2 = along.squaredNorm(), share = along.dot(x - corner[e]) / length2;
@@ -123,100 +20,7 @@ Vec2 PlacedPiece::velocity_at(int e, const Vec2& x) const {
 
 namespace {
 
-/// Sums over the pressed faces of both sides.
-struct Sums {
-  Vec2 force = Vec2::Zero(), moment_arm = Vec2::Zero();
-  Vec2 damping = Vec2::Zero();  // damping part of the force on b ...
-  double damping_moment = 0;    // ... and its moment about a's origin ...
-  double damped = 0;            // ... and the power it takes [W]
-  double pressure = 0, length = 0, deepest = 0;
-  double most_a = 0, most_b = 0;  // largest share of the pressure on one edge, and which edge
-  int edge_a = 0, edge_b = 0;
-};
-
-/// One side's faces inside the other piece: the walker presses its edges against the owner's nearest faces.
-template <class K>
-struct Walk {
-  const PlacedPiece& owner;
-  const PlacedEdges& owner_edges;
-  const PlacedPiece& walker;
-  const PlacedEdges& walker_edges;
-  const Depths& depths;  // of the walker's corners in the owner
-  const K& law;
-  double crushed;  // [m]
-  bool walker_is_b;
-  std::span<Vec2> on_owner, on_walker;
-
-  /// Mean over the step of the speed at which they close at `x` [m/s].
-  [[nodiscard]] double closing(int edge, int face, const Vec2& n, const Vec2& x) const {
-    return n.dot(walker.mean().velocity_at(edge, x) - owner.mean().velocity_at(face, x));
-  }
-  void press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0, double phi1, Sums& sums) const;
-  void run(Sums& sums) const;
-};
-
-template <class K>
-void Walk<K>::press(int edge, int face, const Vec2& x0, const Vec2& x1, double phi0, double phi1, Sums& sums) const {
-  const Vec2& n = walker_edges.normal[edge];  // out of the walker, into the owner
-  // c > 0: they close. k is half of kn, and half the length counts, as the other piece's walk brings the other halves.
-  const double c0 = n.dot(walker.velocity_at(edge, x0) - owner.velocity_at(face, x0));
-  const double c1 = n.dot(walker.velocity_at(edge, x1) - owner.velocity_at(face, x1));
-  const double length = (x1 - x0).norm(), k = 0.5 * law.kn;
-  const auto [stress, spring] = law.stretch(phi0, phi1, c0, c1);
-  sums.length += 0.5 * length;
-  sums.deepest = std::max({sums.deepest, phi0, phi1});
-  const double total = k * length * stress.sum;
-  const double sign = walker_is_b ? 1.0 : -1.0;
-  // On b acts -n where b walks, as n then points from b into a, and +n where a does: hence `sign`.
-  const double damping = k * length * (stress.sum - spring.sum),
-               first_moment = k * length * (stress.moment - spring.moment);
-  sums.damping += -sign * damping * n;
-  const Vec2& about = walker_is_b ? owner.origin : walker.origin;
-  sums.damping_moment += -sign * (damping * cross(Vec2(x0 - about), n) + first_moment * cross(Vec2(x1 - x0), n));
-  const bool alike = walker.over_step == nullptr && owner.over_step == nullptr;
-  const double m0 = alike ? c0 : closing(edge, face, n, x0), m1 = alike ? c1 : closing(edge, face, n, x1);
-  sums.damped += damping * m0 + first_moment * (m1 - m0);
-  // No pressure where the two part fast; what the damping took of the spring then is booked above.
-  if (total <= 0) return;
-  const Vec2 x = x0 + (stress.moment / stress.sum) * (x1 - x0);
-  add_at(on_walker, walker, edge, x, -total * n);
-  add_at(on_owner, owner, face, x, total * n);
-  sums.force += -sign * total * n;
-  sums.pressure += total;
-  sums.moment_arm += total * x;
-  // The edges that carry most stand for their pieces where friction is added, which acts at one point.
-  double& most_walker = walker_is_b ? sums.most_b : sums.most_a;
-  double& most_owner = walker_is_b ? sums.most_a : sums.most_b;
-  if (total > most_walker) most_walker = total, (walker_is_b ? sums.edge_b : sums.edge_a) = edge;
-  if (total > most_owner) most_owner = total, (walker_is_b ? sums.edge_a : sums.edge_b) = face;
-}
-
-template <class K>
-void Walk<K>::run(Sums& sums) const {
-  for (int e = 0; e < walker_edges.count; ++e) {
-    if (!walker_edges.surface[e]) continue;
-    const int w = (e + 1) % walker_edges.count;
-    const Span span = inside(depths, owner_edges.count, e, w);
-    if (span.from >= span.to) continue;
-    const Vec2 start = walker.corner[e], along = walker.corner[w] - start;
-    double at = span.from, slope = std::numeric_limits<double>::infinity();
-    // Each turn presses the edge against one face, up to where the next one is nearer.
-    while (at < span.to) {
-      const Nearest nearest = nearest_from(depths, owner_edges, e, w, at, span.to, slope);
-      if (nearest.face < 0) break;  // the last face of the envelope has been passed, up to rounding
-      const double d0 = depths.at(nearest.face, e), d1 = depths.at(nearest.face, w);
-      const Span pressed = crushed > 0 ? above(crushed, d0, d1, {at, nearest.until}) : Span{at, nearest.until};
-      const auto phi = [&](double share) { return std::max(0.0, d0 + (d1 - d0) * share - crushed); };
-      if (crushed <= 0 || pressed.from < pressed.to)
-        press(e, nearest.face, start + pressed.from * along, start + pressed.to * along, phi(pressed.from),
-              phi(pressed.to), sums);
-      at = nearest.until;
-      slope = nearest.slope;
-    }
-  }
-}
-
-ShearBefore<double> both_halves(const ContactMemory& m) {
+TRILITH_INLINE ShearBefore<double> both_halves(const ContactMemory& m) {
   return {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]};
 }
 
@@ -229,22 +33,33 @@ double released_energy(const ContactMemory& m, double ks) {
 
 /// Elastic shear energy let go where two halves of unlike stress become one contact; never negative.
 /// T_0^2 / 2 ks l_0 + T_1^2 / 2 ks l_1 is at least (T_0 + T_1)^2 / 2 ks (l_0 + l_1).
-double merging_loss(const ContactMemory& m, double ks) {
+TRILITH_INLINE double merging_loss(const ContactMemory& m, double ks) {
+  // Halves of like stress, as every contact of general shape leaves them, lose nothing.
+  if (m.shear_elastic[0] == m.shear_elastic[1] && m.active[0] == m.active[1]) return 0;
   double sum = 0;
   for (const int h : {0, 1}) sum += 0.5 * m.shear_elastic[h] * m.shear_elastic[h] * inverse_or_zero(ks * m.active[h]);
   const ShearBefore<double> both = both_halves(m);
   return std::max(0.0, sum - 0.5 * both.elastic * both.elastic * inverse_or_zero(ks * both.active));
 }
 
-/// Velocity of b against a where they press each other.
-Vec2 rate_at_centre(const PlacedPiece& a, const PlacedPiece& b, const Sums& sums, const Vec2& centre) {
-  return b.velocity_at(sums.edge_b, centre) - a.velocity_at(sums.edge_a, centre);
-}
+/// Velocities of b against a where they press each other: of now, and their mean over the step.
+struct CentreRates {
+  Vec2 now, mean;
+  TRILITH_INLINE CentreRates(const PlacedPiece& a, const PlacedPiece& b, const OverlapSums& sums, const Vec2& centre)
+      : now(at_centre(a, b, sums, centre)),
+        mean(a.over_step == nullptr && b.over_step == nullptr ? now : at_centre(a.mean(), b.mean(), sums, centre)) {}
+
+ private:
+  TRILITH_INLINE static Vec2 at_centre(const PlacedPiece& a, const PlacedPiece& b, const OverlapSums& sums,
+                                       const Vec2& centre) {
+    return b.velocity_at(sums.edge_b, centre) - a.velocity_at(sums.edge_a, centre);
+  }
+};
 
 /// Power of a remembered damping force in the motion of b against a, as rigid pieces [W]. That of two faces acted along
 /// the normal, which is taken to be that of the force on b now, at `rate`.
-double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& m, const Vec2& force,
-                     const Vec2& rate_now) {
+TRILITH_INLINE double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& m,
+                                    const Vec2& force, const Vec2& rate_now) {
   if ((m.state & contact_general) == 0) {
     const double size = force.norm();
     return size > 0 ? m.damping_force[0] * force.dot(rate_now) / size : 0;
@@ -261,19 +76,44 @@ double similarity(const ContactMemory& before, const ContactMemory& now) {
 }
 
 /// Energy the damping takes in a step: with the mean of its force before and now. Pieces that deform move otherwise
-/// than as rigid ones; for the force remembered that is made up for as it is for the one of now.
-double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const Sums& sums,
-                    double dt, const OverlapResponse& out) {
-  const Vec2 rate = rate_at_centre(a.mean(), b.mean(), sums, out.centre);
+/// than as rigid ones; for the force remembered that is made up for as it is for the one of now. `rate`: mean over the
+/// step.
+TRILITH_INLINE double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
+                                   const OverlapSums& sums, const Vec2& rate, double dt, const OverlapResponse& out) {
   double taken = sums.damped - damping_power(a, b, before, out.force, rate);
   if (!a.corner_velocity.empty() || !b.corner_velocity.empty())
     taken += similarity(before, out.memory) * (sums.damped + damping_power(a, b, out.memory, out.force, rate));
   return 0.5 * dt * taken;
 }
 
+/// Adds `force` at point `x` to the two corners of edge e of one piece, and what is opposite to those of edge f of the
+/// other: same resultants, and same moments through a couple. A lane each.
+TRILITH_INLINE void add_opposite(std::span<Vec2> on_p, const PlacedPiece& p, int e, std::span<Vec2> on_q,
+                                 const PlacedPiece& q, int f, const Vec2& x, const Vec2& force) {
+  const int e1 = e + 1 < static_cast<int>(p.corner.size()) ? e + 1 : 0;
+  const int f1 = f + 1 < static_cast<int>(q.corner.size()) ? f + 1 : 0;
+  const LanePair one{1, 1}, at_x{x.x(), x.x()}, at_y{x.y(), x.y()};
+  const LanePair from_x{p.corner[e].x(), q.corner[f].x()}, from_y{p.corner[e].y(), q.corner[f].y()};
+  const LanePair along_x = LanePair{p.corner[e1].x(), q.corner[f1].x()} - from_x;
+  const LanePair along_y = LanePair{p.corner[e1].y(), q.corner[f1].y()} - from_y;
+  const LanePair length2 = along_x * along_x + along_y * along_y;
+  const LanePair share = (along_x * (at_x - from_x) + along_y * (at_y - from_y)) / length2;
+  const LanePair off_x = at_x - (from_x + share * along_x), off_y = at_y - (from_y + share * along_y);
+  const LanePair force_x{force.x(), -force.x()}, force_y{force.y(), -force.y()};
+  const LanePair turn = (off_x * force_y - off_y * force_x) / length2;
+  const LanePair couple_x = -along_y * turn, couple_y = along_x * turn, rest = one - share;
+  const LanePair first_x = rest * force_x - couple_x, first_y = rest * force_y - couple_y;
+  const LanePair second_x = share * force_x + couple_x, second_y = share * force_y + couple_y;
+  on_p[e] += Vec2(first_x[0], first_y[0]);
+  on_p[e1] += Vec2(second_x[0], second_y[0]);
+  on_q[f] += Vec2(first_x[1], first_y[1]);
+  on_q[f1] += Vec2(second_x[1], second_y[1]);
+}
+
 /// Friction on the resultant, along t = left_of(n), at the centre of pressure.
-void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const Coulomb& law,
-                  const Sums& sums, std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
+TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
+                                 const Coulomb& law, const OverlapSums& sums, const CentreRates& rates,
+                                 std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
   const double normal = sums.force.norm();
   if (!(normal > 0)) {
     out.lost_friction += released_energy(before, law.ks);
@@ -284,14 +124,13 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   // step.
   HalfState<double> state{};
   state.length = sums.length;
-  state.slip_rate = t.dot(rate_at_centre(a, b, sums, out.centre));
-  state.slip_mean = t.dot(rate_at_centre(a.mean(), b.mean(), sums, out.centre));
+  state.slip_rate = t.dot(rates.now);
+  state.slip_mean = t.dot(rates.mean);
   state.bonded = false;
   HalfResponse<double> half{};
   half.normal = normal;
   law.slide(state, sums.length, both_halves(before), half);
-  add_at(on_a, a, sums.edge_a, out.centre, half.shear_total * t);
-  add_at(on_b, b, sums.edge_b, out.centre, -half.shear_total * t);
+  add_opposite(on_a, a, sums.edge_a, on_b, b, sums.edge_b, out.centre, half.shear_total * t);
   for (const int h : {0, 1}) {
     out.memory.shear_elastic[h] = 0.5 * half.shear_elastic;
     out.memory.shear_total[h] = 0.5 * half.shear_total;
@@ -302,29 +141,97 @@ void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   out.lost_friction += half.lost_friction;
 }
 
-/// Two pieces that overlap, and how deep the corners of each lie in the other.
+/// One contact, and what its law remembers of it.
 template <class K>
+struct OverlapCase {
+  const PlacedPiece &a, &b;
+  const PieceSides &sides_a, &sides_b;
+  const ContactMemory& before;
+  const LawMemory<K>& own;
+  const K& law;
+  std::span<Vec2> on_a, on_b;
+};
+
+/// The part of `span` where a depth that is linear from d0 to d1 over all of the edge is above `crushed`.
+TRILITH_INLINE EdgeSpan above(double crushed, double d0, double d1, const EdgeSpan& span) {
+  const auto depth = [&](double share) { return d0 + (d1 - d0) * share - crushed; };
+  const double width = span.to - span.from;
+  const PositivePart<double> part(depth(span.from), depth(span.to));
+  return {span.from + width * part.from, span.from + width * part.to};
+}
+
+/// Keeps of each stretch what lies deeper than the mortar is crushed; returns how many are left.
+TRILITH_INLINE int pressed_part(double crushed, OverlapStretch* list, int count) {
+  if (!(crushed > 0)) return count;
+  int left = 0;
+  for (int i = 0; i < count; ++i) {
+    OverlapStretch s = list[i];
+    s.span = above(crushed, s.d0, s.d1, s.span);
+    if (s.span.from < s.span.to) list[left++] = s;
+  }
+  return left;
+}
+
+/// Two pieces that may overlap, and how deep the corners of each lie in the other. `most`: corners either may have.
+template <class K, int most>
 struct Overlapping {
   const PlacedPiece &a, &b;
-  const PlacedEdges &edges_a, &edges_b;
-  const Depths &b_in_a, &a_in_b;
+  const PieceSides &sides_a, &sides_b;
+  OverlapDepths<most> b_in_a, a_in_b;  // not filled here: they are large
 
-  [[nodiscard]] Sums press(const K& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
-    Sums sums;
-    Walk<K>{a, edges_a, b, edges_b, b_in_a, law, crushed, true, on_a, on_b}.run(sums);
-    Walk<K>{b, edges_b, a, edges_a, a_in_b, law, crushed, false, on_b, on_a}.run(sums);
+  TRILITH_INLINE explicit Overlapping(const OverlapCase<K>& of)
+      : a(of.a), b(of.b), sides_a(of.sides_a), sides_b(of.sides_b) {}
+
+  /// False where the two are apart; then `by` says why.
+  TRILITH_INLINE bool measure(ApartBy& by) {
+    if (const std::uint64_t apart = b_in_a.fill(sides_a, edges(a), sides_b, b.corner); apart != 0) {
+      by = b_in_a.widest(apart);
+      return false;
+    }
+    if (const std::uint64_t apart = a_in_b.fill(sides_b, edges(b), sides_a, a.corner); apart != 0) {
+      by = a_in_b.widest(apart);
+      by.face += max_piece_corners;
+      return false;
+    }
+    return true;
+  }
+  TRILITH_INLINE OverlapSums press(const K& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
+    const OverlapPress<K> press{a, b, sides_a, sides_b, law, crushed, on_a, on_b};
+    std::array<OverlapStretch, room> list;
+    OverlapSums sums;
+    int count = 0;
+    if constexpr (most == lane_count) {
+      count = b_in_a.stretches(sides_a.surface, sides_b.surface, true, list.data());
+      count += a_in_b.stretches(sides_b.surface, sides_a.surface, false, list.data() + count);
+    } else {
+      for (const bool walker_is_b : {true, false}) {
+        const OverlapDepths<most>& depths = walker_is_b ? b_in_a : a_in_b;
+        const std::uint64_t owner = (walker_is_b ? sides_a : sides_b).surface;
+        std::uint64_t edges = depths.edges_inside() & (walker_is_b ? sides_b : sides_a).surface;
+        for (; edges != 0; edges &= edges - 1) {
+          depths.stretches_of(std::countr_zero(edges), owner, walker_is_b, [&](const OverlapStretch& stretch) {
+            list[static_cast<std::size_t>(count++)] = stretch;
+          });
+          // An edge may have a stretch for every face.
+          if (count <= room - most) continue;
+          press.press(list.data(), pressed_part(crushed, list.data(), count), sums);
+          count = 0;
+        }
+      }
+    }
+    press.press(list.data(), pressed_part(crushed, list.data(), count), sums);
     return sums;
   }
   /// Mean overlap above that at which the mortar crushes [m]. `springs`: without damping.
   /// force / (kn length) is the overlap of parallel faces with this mean pressure; law.crushing is fc / kn.
-  [[nodiscard]] double excess(const K& springs, double crushed) const {
-    std::array<Vec2, max_piece_corners> on_a, on_b;  // asked for by the walk, and left
+  [[nodiscard]] TRILITH_INLINE double excess(const K& springs, double crushed) const {
+    std::array<Vec2, most> on_a, on_b;  // asked for by the walk, and left
     on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
-    const Sums sums = press(springs, crushed, on_a, on_b);
+    const OverlapSums sums = press(springs, crushed, on_a, on_b);
     return sums.length > 0 ? sums.force.norm() / (springs.kn * sums.length) - springs.crushing : -springs.crushing;
   }
   /// The depth by which the mortar is crushed now: such that the mean pressure of the springs is its strength at most.
-  [[nodiscard]] double crushed_now(const K& law, const LawMemory<K>& own) const {
+  [[nodiscard]] TRILITH_INLINE double crushed_now(const K& law, const LawMemory<K>& own) const {
     if constexpr (!K::crushes)
       return 0;
     else {
@@ -333,47 +240,50 @@ struct Overlapping {
       return springs.crush(own, [&](double depth) { return excess(springs, depth); });
     }
   }
-};
 
-/// A lower bound of the distance of two pieces that are apart, 0 where neither shows it; fills their depths [m].
-double separation(const PlacedPiece& a, const PlacedEdges& edges_a, const PlacedPiece& b, const PlacedEdges& edges_b,
-                  Depths& b_in_a, Depths& a_in_b) {
-  const double apart = b_in_a.fill(a, edges_a, b);
-  return apart > 0 ? apart : a_in_b.fill(b, edges_b, a);
-}
+ private:
+  static constexpr int room = most == lane_count ? 2 * most * most : 4 * most;
+  static int edges(const PlacedPiece& piece) { return static_cast<int>(piece.corner.size()); }
+};
 
 /// Keeps how far the mortar is crushed, and gives off what that takes.
 template <class K>
-void keep_crushed(const Overlapping<K>& pair, const ContactMemory& before, const LawMemory<K>& own, double depth,
-                  const K& law, LawMemory<K>& after, OverlapResponse& out) {
+void keep_crushed(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const LawMemory<K>& own,
+                  double depth, const K& law, LawMemory<K>& after, OverlapResponse& out) {
   if constexpr (K::crushes) {
     if (!(depth > 0)) return;
     const bool touched = (before.state & contact_touching) != 0, general = (before.state & contact_general) != 0;
-    out.lost_fracture = law.crushed_by(own, depth, crushing_force(pair.a, pair.b, law, depth), touched, general, after);
+    out.lost_fracture = law.crushed_by(own, depth, crushing_force(a, b, law, depth), touched, general, after);
     out.memory.state |= contact_kept;
   }
 }
 
+/// What stays, and what is given off, where the two part.
+/// Their elastic shear is let go, and the last damping force works for half a step more.
 template <class K>
-OverlapResponse respond(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
-                        const LawMemory<K>& own, const K& law, std::span<Vec2> on_a, std::span<Vec2> on_b,
-                        LawMemory<K>& after) {
-  OverlapResponse out;
-  const PlacedEdges edges_a(a), edges_b(b);
-  static thread_local Depths b_in_a, a_in_b;  // large; filled anew at every call
-  out.memory = before.parted();
-  after = K::parted(own);
-  // Where the two part, their elastic shear is let go, and the last damping force works for half a step more.
-  const double merged = merging_loss(before, law.ks);
+void part(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const K& law, double merged,
+          OverlapResponse& out) {
   out.lost_friction = merged + released_energy(before, law.ks);
   out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, out.force, Vec2::Zero());
-  out.separation = separation(a, edges_a, b, edges_b, b_in_a, a_in_b);
-  if (out.separation > 0) return out;
+}
 
-  const Overlapping<K> pair{a, b, edges_a, edges_b, b_in_a, a_in_b};
-  const double crushed = pair.crushed_now(law, own);
-  const Sums sums = pair.press(law, crushed, on_a, on_b);
-  if (!(sums.length > 0)) return out;
+template <class K, int most>
+TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, OverlapResponse& out) {
+  const PlacedPiece &a = of.a, &b = of.b;
+  const ContactMemory& before = of.before;
+  const K law = of.law;  // a copy of its own: nothing that is written here can change it
+  Overlapping<K, most> pair(of);
+  out.memory.state = before.state & contact_kept;  // as ContactMemory::parted
+  after = K::parted(of.own);
+  const double merged = merging_loss(before, law.ks);
+  if (ApartBy by; !pair.measure(by)) {
+    out.separation = by.gap;
+    out.apart_by = by.face;
+    return part(a, b, before, law, merged, out);
+  }
+  const double crushed = pair.crushed_now(law, of.own);
+  const OverlapSums sums = pair.press(law, crushed, of.on_a, of.on_b);
+  if (!(sums.length > 0)) return part(a, b, before, law, merged, out);
   out.touching = true;
   out.force = sums.force;
   out.length = sums.length;
@@ -384,24 +294,70 @@ OverlapResponse respond(const PlacedPiece& a, const PlacedPiece& b, const Contac
   out.memory.damping_force[1] = sums.damping.y();
   out.memory.damping_moment = sums.damping_moment;
   if (sums.pressure > 0) out.centre = sums.moment_arm / sums.pressure;
-  out.lost_damping = damping_loss(a, b, before, sums, law.dt, out);
+  const CentreRates rates(a, b, sums, out.centre);
+  out.lost_damping = damping_loss(a, b, before, sums, rates.mean, law.dt, out);
   if (sums.pressure > 0) {
     out.lost_friction = merged;
-    add_friction(a, b, before, law, sums, on_a, on_b, out);
-  }
-  keep_crushed(pair, before, own, crushed, law, after, out);
+    add_friction(a, b, before, law, sums, rates, of.on_a, of.on_b, out);
+  } else
+    out.lost_friction = merged + released_energy(before, law.ks);
+  keep_crushed(a, b, before, of.own, crushed, law, after, out);
   if constexpr (K::crushes) law.wear(after);
-  return out;
 }
+
+// One copy for wide registers and one for any machine: the same operations, so the same bits.
+
+template <class K, int most>
+void respond_narrow(const OverlapCase<K>& of, LawMemory<K>& after, OverlapResponse& out) {
+  respond<K, most>(of, after, out);
+}
+#ifdef __x86_64__
+template <class K, int most>
+[[gnu::target("avx2")]] void respond_wide(const OverlapCase<K>& of, LawMemory<K>& after, OverlapResponse& out) {
+  respond<K, most>(of, after, out);
+}
+#endif
+
+template <class K, int most>
+void respond_as_here(const OverlapCase<K>& of, LawMemory<K>& after, OverlapResponse& out) {
+#ifdef __x86_64__
+  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  if (wide) return respond_wide<K, most>(of, after, out);
+#endif
+  respond_narrow<K, most>(of, after, out);
+}
+
+/// The sides of a piece, placed in `room` where nobody has placed them yet.
+struct SidesRoom {
+  std::array<EdgeLanes, edge_blocks(max_piece_corners)> four;
+  std::array<EdgeRow, max_piece_corners> row;
+
+  PieceSides of(const PlacedPiece& piece) {
+    if (piece.sides.four != nullptr) return piece.sides;
+    place_edges(piece.corner, four.data(), row.data());
+    return {four.data(), row.data(), surface_bits(piece.is_face)};
+  }
+};
 
 }  // namespace
 
 OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before,
                                 const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after) {
   assert(a.corner.size() <= max_piece_corners && b.corner.size() <= max_piece_corners);
+  const std::size_t corners = std::max(a.corner.size(), b.corner.size());
+  SidesRoom room_a, room_b;
+  const PieceSides sides_a = room_a.of(a), sides_b = room_b.of(b);
   return with_kernel(law, [&]<class K>(const K& kernel) {
+    OverlapResponse out;
     LawMemory<K> after;
-    const OverlapResponse out = respond<K>(a, b, before.contact, law_memory<K>(before.law), kernel, on_a, on_b, after);
+    const LawMemory<K> own = law_memory<K>(before.law);
+    const OverlapCase<K> of{a, b, sides_a, sides_b, before.contact, own, kernel, on_a, on_b};
+    if (corners <= lane_count)
+      respond_as_here<K, lane_count>(of, after, out);
+    else if (corners <= 4 * lane_count)
+      respond_as_here<K, 4 * lane_count>(of, after, out);
+    else
+      respond_as_here<K, max_piece_corners>(of, after, out);
     keep_law_memory<K>(after, law_after);
     return out;
   });

@@ -17,11 +17,10 @@
 #include <span>
 
 #include "base/space.hpp"
+#include "contact/edge_lanes.hpp"
 #include "contact/list.hpp"
 
 namespace trilith {
-
-inline constexpr int max_piece_corners = 64;
 
 /// A convex piece where it stands. Corners counter-clockwise; edge i runs from corner i to i + 1.
 struct PlacedPiece {
@@ -34,13 +33,20 @@ struct PlacedPiece {
   std::span<const Vec2> corner_velocity = {};  ///< [m/s]
   /// The same piece with its mean velocities over the step; nullptr: they are those of now.
   const PlacedPiece* over_step = nullptr;
+  /// Its edges, where somebody has placed them: a piece has several contacts.
+  PieceSides sides = {};
 
   [[nodiscard]] const PlacedPiece& mean() const { return over_step == nullptr ? *this : *over_step; }
 
   /// As of a rigid piece.
   [[nodiscard]] Vec2 velocity_at(const Vec2& x) const { return velocity + cross(spin, Vec2(x - origin)); }
   /// Of what moves at `x` with edge e: the velocity that the corner forces of a force at x have their power by.
-  [[nodiscard]] Vec2 velocity_at(int e, const Vec2& x) const;
+  [[nodiscard]] Vec2 velocity_at(int e, const Vec2& x) const {
+    return corner_velocity.empty() ? velocity_at(x) : velocity_of_edge(e, x);
+  }
+
+ private:
+  [[nodiscard]] Vec2 velocity_of_edge(int e, const Vec2& x) const;
 };
 
 /// What the general contact gives; forces on the corners of both pieces are added to `on_a` and `on_b`.
@@ -48,6 +54,7 @@ struct OverlapResponse {
   ContactMemory memory;
   bool touching = false;
   double separation = 0;       ///< lower bound of the distance where not touching [m]
+  int apart_by = -1;           ///< where it is above 0 the edge that showed it: of a, or of b from max_piece_corners on
   Vec2 force = Vec2::Zero();   ///< normal resultant on b [N]
   Vec2 centre = Vec2::Zero();  ///< centre of pressure [m]
   double length = 0;           ///< length in contact [m]

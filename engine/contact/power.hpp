@@ -61,7 +61,8 @@ struct Power::Kernel : Coulomb {
 
   template <class T>
   TRILITH_INLINE void press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const;
-  [[nodiscard]] StretchPressure stretch(double d0, double d1, double c0, double c1) const;
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE StretchPressure<T> stretch(T d0, T d1, T c0, T c1) const;
   [[nodiscard]] double over(double area, double d0, double d1, double d2) const;
   [[nodiscard]] double stored(const HalfGaps& gaps, double length, double hold) const;
   [[nodiscard]] HalfPressure pressure(const HalfGaps& gaps, double length, double hold) const;
@@ -108,9 +109,11 @@ TRILITH_INLINE void Power::Kernel::press(const HalfState<T>* halves, T* active, 
   }
 }
 
-inline StretchPressure Power::Kernel::stretch(double d0, double d1, double c0, double c1) const {
-  StretchPressure out{{0, 0, 0, 0}, {0, 0, 0, 0}};
-  integrate(d0, d1, c0, c1, 0.0, 1.0, out.spring, out.total);
+template <class T>
+TRILITH_INLINE StretchPressure<T> Power::Kernel::stretch(T d0, T d1, T c0, T c1) const {
+  const T zero{}, one = zero + 1.0;
+  StretchPressure<T> out{{zero, zero, zero, zero}, {zero, zero, zero, zero}};
+  integrate(d0, d1, c0, c1, zero, one, out.spring, out.total);
   return out;
 }
 

@@ -25,14 +25,26 @@ inline FaceOverlap<double> face_overlap(const Work<2>& work, const NearPair& p) 
   return {face_ends(work, p.a0, p.a1), face_ends(work, p.b0, p.b1)};
 }
 
-/// Room for a piece's corners where they stand and, where its body deforms, their velocities.
-struct PieceCorners {
-  std::array<Vec2, max_piece_corners> place, velocity, mean;
-  PlacedPiece over_step;  ///< with the mean velocities of an implicit step
+/// Where a piece's corners go, and where its body deforms or an implicit step was taken, their velocities.
+struct PieceRoom {
+  Vec2 *place, *velocity, *mean;
+  PlacedPiece* over_step;  ///< with the mean velocities of an implicit step
 };
 
-/// A piece where it stands and how it moves; views into Model and `corners`.
+/// Such room for any piece.
+struct PieceCorners {
+  std::array<Vec2, max_piece_corners> place, velocity, mean;
+  PlacedPiece over_step;
+
+  PieceRoom room() { return {place.data(), velocity.data(), mean.data(), &over_step}; }
+};
+
+/// A piece where it stands and how it moves; views into Model and `room`.
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
-                         PieceCorners& corners);
+                         const PieceRoom& room);
+inline PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
+                                PieceCorners& corners) {
+  return placed_piece(model, state, work, piece, corners.room());
+}
 
 }  // namespace trilith

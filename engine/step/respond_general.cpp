@@ -1,6 +1,7 @@
 // Contacts of general shape: corners, deep overlap, pieces that tumble.
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
@@ -30,44 +31,77 @@ void fit_rigid(PlacedPiece& piece) {
 
 }  // namespace
 
-/// `corners` keeps what the piece's spans point to. Where an implicit step was taken it comes with its mean velocities
+/// `room` keeps what the piece's spans point to. Where an implicit step was taken it comes with its mean velocities
 /// over the step, by which slip and losses go.
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
-                         PieceCorners& corners) {
+                         const PieceRoom& room) {
   const auto first = static_cast<std::size_t>(model.piece_first[piece]),
              count = static_cast<std::size_t>(model.corners_of(piece));
   for (std::size_t c = 0; c < count; ++c) {
     const SkinMotion<2>& s = work.skin[model.corner_skin[first + c]];
-    corners.place[c] = {s.x, s.y};
+    room.place[c] = {s.x, s.y};
   }
   const Body& body = model.bodies[model.piece_body[piece]];
   const int node = body.first_node;
-  PlacedPiece placed{std::span(corners.place).first(count), std::span(model.edge_is_face).subspan(first, count),
+  PlacedPiece placed{std::span(room.place, count), std::span(model.edge_is_face).subspan(first, count),
                      state.position[node], state.velocity[node], state.spin[node]};
   if (!work.skin_mean.empty()) {
-    for (std::size_t c = 0; c < count; ++c) corners.mean[c] = work.skin_mean[model.corner_skin[first + c]];
-    corners.over_step = placed;
-    corners.over_step.corner_velocity = std::span(corners.mean).first(count);
-    fit_rigid(corners.over_step);
-    placed.over_step = &corners.over_step;
+    for (std::size_t c = 0; c < count; ++c) room.mean[c] = work.skin_mean[model.corner_skin[first + c]];
+    *room.over_step = placed;
+    room.over_step->corner_velocity = std::span(room.mean, count);
+    fit_rigid(*room.over_step);
+    placed.over_step = room.over_step;
   }
   if (body.is_rigid()) return placed;
   for (std::size_t c = 0; c < count; ++c) {
     const SkinMotion<2>& s = work.skin[model.corner_skin[first + c]];
-    corners.velocity[c] = {s.u, s.v};
+    room.velocity[c] = {s.u, s.v};
   }
-  placed.corner_velocity = std::span(corners.velocity).first(count);
+  placed.corner_velocity = std::span(room.velocity, count);
   fit_rigid(placed);
   return placed;
 }
 
 namespace {
 
+/// Room for all pieces, none of which is placed.
+void place_none(const Model<2>& model, bool means, PlacedPieces& placed) {
+  const auto pieces = static_cast<std::size_t>(model.pieces()), corners = model.corner_skin.size();
+  placed.is_placed.assign(pieces, 0);
+  placed.piece.resize(pieces);
+  placed.over_step.resize(means ? pieces : 0);
+  placed.place.resize(corners);
+  placed.velocity.resize(corners);
+  placed.mean.resize(means ? corners : 0);
+  const std::size_t fours = PlacedPieces::first_four(model.pieces(), static_cast<int>(corners));
+  placed.four.resize(fours);
+  placed.row.resize(fours * lane_count);
+}
+
+/// A piece with its edges, placed by the first of its contacts that asks.
+const PlacedPiece& place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece) {
+  PlacedPieces& all = work.placed;
+  const auto p = static_cast<std::size_t>(piece);
+  PlacedPiece& placed = all.piece[p];
+  if (all.is_placed[p] != 0) return placed;
+  all.is_placed[p] = 1;
+  const int first = model.piece_first[piece];
+  const bool means = !all.mean.empty();
+  placed = placed_piece(model, state, work, piece,
+                        {&all.place[first], &all.velocity[first], means ? &all.mean[first] : nullptr,
+                         means ? &all.over_step[p] : nullptr});
+  const std::size_t four = PlacedPieces::first_four(piece, first);
+  placed.sides = {&all.four[four], &all.row[four * lane_count], surface_bits(placed.is_face)};
+  place_edges(placed.corner, &all.four[four], &all.row[four * lane_count]);
+  return placed;
+}
+
 using Corners = std::array<Vec2, max_piece_corners>;
 
 void add_to_skin(const Model<2>& model, int piece, const Corners& force, Work<2>& work) {
-  const int first = model.piece_first[piece];
-  for (int c = 0; c < model.corners_of(piece); ++c) work.skin_force[model.corner_skin[first + c]] += force[c];
+  const int *skin = &model.corner_skin[model.piece_first[piece]], count = model.corners_of(piece);
+  Vec2* const on = work.skin_force.data();  // read once: the compiler cannot know that sums do not change it
+  for (int c = 0; c < count; ++c) on[skin[c]] += force[c];
 }
 
 /// What two faces held that their contact does not as one of general shape.
@@ -88,42 +122,69 @@ void part_row(const ContactHistory& before, ContactHistory& after, int row) {
   });
 }
 
-void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, int row, double dt) {
-  const ContactHistory& contacts = contacts_before(state, work);
-  const ContactMemory& before = contacts.memory[row];
-  ContactMemory& after = work.contacts.memory[row];
-  const bool was = (before.state & contact_touching) != 0;
-  // First as if it did not touch; written over below where it does.
-  part_row(contacts, work.contacts, row);
-  // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
-  if (!was && work.travel < work.asleep_until[row]) return;
+/// One evaluation's rows.
+struct GeneralPass {
+  const Model<2>& model;
+  const State<2>& state;
+  const ContactHistory& before;
+  Work<2>& work;
+  double dt;
+
+  /// False where there is nothing to be found out: the two were apart, and still are. What did not touch and remembers
+  /// nothing has an empty row before and after already.
+  [[nodiscard]] bool wakes(int row) const {
+    const ContactMemory& memory = before.memory[row];
+    if ((memory.state & contact_touching) != 0) return true;
+    assert(!memory.empty() || work.contacts.memory[row].empty());
+    if (!memory.empty()) part_row(before, work.contacts, row);
+    // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
+    return work.travel >= work.asleep_until[row];
+  }
+  /// The distance at which the edge that kept two pieces apart last still does; else 0 [m].
+  [[nodiscard]] double still_apart(const PlacedPiece& a, const PlacedPiece& b, int row) const {
+    const int by = work.apart_by[row], e = by % max_piece_corners;
+    const PlacedPiece &owner = by < max_piece_corners ? a : b, &other = by < max_piece_corners ? b : a;
+    if (by < 0 || e >= static_cast<int>(owner.corner.size())) return 0;
+    return distance_outside(owner.sides.row[e], other.corner);
+  }
+  void sleep(int row, double distance) const {
+    // Each of the two may come nearer by the path of the fastest point.
+    work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * distance;
+  }
+  void respond(int row) const;
+};
+
+void GeneralPass::respond(int row) const {
+  if (!wakes(row)) return;
+  const ContactMemory& memory = before.memory[row];
+  const bool was = (memory.state & contact_touching) != 0;
   const NearPair& pair = work.pairs[row];
   // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
   if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) {
-    if (was) work.changed_rows.push_back(row);
+    if (was) part_row(before, work.contacts, row), work.changed_rows.push_back(row);
     return;
   }
-  PieceCorners corners_a, corners_b;
+  const PlacedPiece &a = place_once(model, state, work, pair.piece_a),
+                    &b = place_once(model, state, work, pair.piece_b);
+  if (memory.empty())
+    if (const double distance = still_apart(a, b, row); distance > 0) return sleep(row, distance);
   Corners on_a, on_b;
-  const PlacedPiece a = placed_piece(model, state, work, pair.piece_a, corners_a);
-  const PlacedPiece b = placed_piece(model, state, work, pair.piece_b, corners_b);
   std::fill_n(on_a.begin(), a.corner.size(), Vec2::Zero());
   std::fill_n(on_b.begin(), b.corner.size(), Vec2::Zero());
   const LawInUse law = law_in_use(model, pair.law, dt);
-  const Remembered remembered{before, contacts.law_numbers(row)};
+  const Remembered remembered{memory, before.law_numbers(row)};
   const OverlapResponse r = respond_overlap(a, b, remembered, law, on_a, on_b, work.contacts.law_numbers(row));
-  if (was && (before.state & contact_general) == 0) book_change_of_shape(work, pair, remembered, law);
-  if (was != r.touching || before.bonds != 0 || (before.state & contact_kept) != (r.memory.state & contact_kept))
+  if (was && (memory.state & contact_general) == 0) book_change_of_shape(work, pair, remembered, law);
+  if (was != r.touching || memory.bonds != 0 || (memory.state & contact_kept) != (r.memory.state & contact_kept))
     work.changed_rows.push_back(row);
+  if (was || r.touching) work.contacts.memory[row] = r.memory;
   work.given[EnergyTerm::contact_damping] += r.lost_damping;
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
   work.given[EnergyTerm::contact_fracture] += r.lost_fracture;
   if (!r.touching) {
-    // Each of the two may come nearer by the path of the fastest point.
-    work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * r.separation;
-    return;
+    work.apart_by[row] = static_cast<std::int8_t>(r.apart_by);
+    return sleep(row, r.separation);
   }
-  after = r.memory;
   add_to_skin(model, pair.piece_a, on_a, work);
   add_to_skin(model, pair.piece_b, on_b, work);
   work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
@@ -134,9 +195,16 @@ void respond_row(const Model<2>& model, const State<2>& state, Work<2>& work, in
 /// Rows of general shape, and those that were to be faces and are not now, in the order of rows.
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
   work.general_touching.clear();
-  work.general_now.insert(work.general_now.end(), work.general.begin(), work.general.end());
   std::sort(work.general_now.begin(), work.general_now.end());
-  for (const int row : work.general_now) respond_row(model, state, work, row, dt);
+  work.general_rows.reserve(work.pairs.size());
+  work.general_rows.resize(work.general.size() + work.general_now.size());
+  std::merge(work.general.begin(), work.general.end(), work.general_now.begin(), work.general_now.end(),
+             work.general_rows.begin());
+  if (work.general_rows.empty()) return;
+  work.apart_by.resize(work.pairs.size(), -1);
+  place_none(model, !work.skin_mean.empty(), work.placed);
+  const GeneralPass pass{model, state, contacts_before(state, work), work, dt};
+  for (const int row : work.general_rows) pass.respond(row);
 }
 
 }  // namespace trilith

@@ -5,6 +5,7 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
+#include "contact/placed_pieces.hpp"
 #include "shape/overlap_3d.hpp"
 #include "shape/separation_3d.hpp"
 #include "world/event.hpp"
@@ -108,7 +109,11 @@ struct Work {
   Contacts<D> contacts;                    ///< [contact] trial
   std::vector<BearingMemory> bearing;      ///< [bearing] trial
   std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
-  std::vector<int> general_now;            ///< rows whose shape is general at this step
+  std::vector<int> general_now;            ///< rows that were to be faces and are of general shape now
+  std::vector<int> general_rows;           ///< those and `general`, in the order of rows
+  std::vector<std::int8_t> apart_by;       ///< [contact] the edge that kept the two apart last, see
+                                           ///< OverlapResponse; -1: none. A hint: any value gives the same bits
+  PlacedPieces placed;                     ///< the pieces of these rows
   std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch
   std::vector<int> changed_rows;                    ///< rows that began or ceased to touch, or lost a bond
   std::vector<Vec<D>> skin_force;                   ///< [skin] N

@@ -1,0 +1,205 @@
+// The pressures on stretches of edges inside another piece, four at once.
+//
+// Comes in: stretches, each a part of an edge of one piece (the walker) over which one face of the other (the owner) is
+// the nearest, so that the depth is linear; how both move; a law. Goes out: forces at the corners of both, and sums of
+// what they come to. A lane is a stretch: what is found of it alone is found of four at once, and the sums are then
+// taken stretch by stretch in the order of the list, so that the bits do not depend on the lanes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "contact/overlap_pair.hpp"
+
+namespace trilith {
+
+TRILITH_INLINE Lanes all_lanes(double v) {
+  return Lanes{v, v, v, v};
+}
+
+/// A part of an edge, in shares of it.
+struct EdgeSpan {
+  double from, to;
+};
+
+/// Part of an edge of the walker over which its depth below one face of the owner counts.
+struct alignas(32) OverlapStretch {
+  EdgeSpan span;
+  double d0, d1;  ///< depths below that face of the whole edge's ends [m]; read with the span as one row
+  int edge, face;
+  bool walker_is_b;
+};
+
+/// Sums over the pressed faces of both sides, and the forces at the corners [N].
+struct OverlapSums {
+  Vec2 force = Vec2::Zero(), moment_arm = Vec2::Zero();
+  Vec2 damping = Vec2::Zero();  ///< damping part of the force on b ...
+  double damping_moment = 0;    ///< ... and its moment about a's origin ...
+  double damped = 0;            ///< ... and the power it takes [W]
+  double pressure = 0, length = 0, deepest = 0;
+  double most_a = 0, most_b = 0;  ///< largest share of the pressure on one edge, and which edge
+  int edge_a = 0, edge_b = 0;
+};
+
+/// Four rows of four numbers as columns, or columns as rows.
+struct alignas(32) FourByFour {
+  Lanes v[4];
+  TRILITH_INLINE FourByFour(const Lanes& r0, const Lanes& r1, const Lanes& r2, const Lanes& r3) {
+    const Lanes low01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6),
+                high01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
+    const Lanes low23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6),
+                high23 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
+    v[0] = __builtin_shufflevector(low01, low23, 0, 1, 4, 5),
+    v[1] = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+    v[2] = __builtin_shufflevector(low01, low23, 2, 3, 6, 7),
+    v[3] = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+  }
+};
+
+TRILITH_INLINE Lanes load_four(const double* four) {
+  Lanes v;
+  __builtin_memcpy(&v, __builtin_assume_aligned(four, 32), sizeof v);
+  return v;
+}
+
+/// Four edges, a lane each.
+struct alignas(32) EdgeColumns {
+  Lanes x, y, along_x, along_y, nx, ny, length2;
+  TRILITH_INLINE explicit EdgeColumns(const EdgeRow* const* e) {
+    const FourByFour ways(load_four(&e[0]->x), load_four(&e[1]->x), load_four(&e[2]->x), load_four(&e[3]->x));
+    const FourByFour normals(load_four(&e[0]->nx), load_four(&e[1]->nx), load_four(&e[2]->nx), load_four(&e[3]->nx));
+    x = ways.v[0], y = ways.v[1], along_x = ways.v[2], along_y = ways.v[3];
+    nx = normals.v[0], ny = normals.v[1], length2 = normals.v[2];
+  }
+};
+
+/// A force at a point, as forces on the two corners of an edge: same resultant, and same moment through a couple.
+/// row(i): of lane i, first x and y, second x and y.
+struct alignas(32) CornerForces {
+  FourByFour row;
+  TRILITH_INLINE CornerForces(const EdgeColumns& e, const Lanes& x, const Lanes& y, const Lanes& fx, const Lanes& fy)
+      : row(of(e, x, y, fx, fy)) {}
+
+ private:
+  TRILITH_INLINE static FourByFour of(const EdgeColumns& e, const Lanes& x, const Lanes& y, const Lanes& fx,
+                                      const Lanes& fy) {
+    const Lanes share = (e.along_x * (x - e.x) + e.along_y * (y - e.y)) / e.length2, rest = 1.0 - share;
+    const Lanes off_x = x - (e.x + share * e.along_x), off_y = y - (e.y + share * e.along_y);
+    const Lanes turn = (off_x * fy - off_y * fx) / e.length2;
+    const Lanes couple_x = -e.along_y * turn, couple_y = e.along_x * turn;
+    return {rest * fx - couple_x, rest * fy - couple_y, share * fx + couple_x, share * fy + couple_y};
+  }
+};
+
+/// To the corners of edge e of a piece.
+TRILITH_INLINE void add_row(std::span<Vec2> on, const PlacedPiece& piece, int e, const Lanes& row) {
+  const int e1 = e + 1 < static_cast<int>(piece.corner.size()) ? e + 1 : 0;
+  double *first = on[e].data(), *second = on[e1].data();
+  store_pair(first, load_pair(first) + LanePair{row[0], row[1]});
+  store_pair(second, load_pair(second) + LanePair{row[2], row[3]});
+}
+
+/// Two pieces whose stretches press each other under a law, above a depth by which the mortar is crushed [m].
+template <class K>
+struct OverlapPress {
+  const PlacedPiece &a, &b;
+  const PieceSides &sides_a, &sides_b;
+  const K& law;
+  double crushed;
+  std::span<Vec2> on_a, on_b;
+
+  /// `count` stretches from `list` on, in fours.
+  TRILITH_INLINE void press(const OverlapStretch* list, int count, OverlapSums& sums) const {
+    for (int i = 0; i < count; i += lane_count) press_four(list + i, std::min(count - i, lane_count), sums);
+  }
+
+ private:
+  /// Speed along n at which b moves against a at points of the stretches, a lane each [m/s].
+  [[nodiscard]] TRILITH_INLINE Lanes speed(const PlacedPiece& p, const PlacedPiece& q, const OverlapStretch* const* s,
+                                           const EdgeColumns& walker, const Lanes& x, const Lanes& y) const {
+    Lanes u, v;
+    if (p.corner_velocity.empty() && q.corner_velocity.empty()) {
+      u = (q.velocity.x() - q.spin * (y - q.origin.y())) - (p.velocity.x() - p.spin * (y - p.origin.y()));
+      v = (q.velocity.y() + q.spin * (x - q.origin.x())) - (p.velocity.y() + p.spin * (x - p.origin.x()));
+    } else
+      for (int i = 0; i < lane_count; ++i) {
+        const Vec2 at(x[i], y[i]);
+        const bool b_walks = s[i]->walker_is_b;
+        const Vec2 w =
+            q.velocity_at(b_walks ? s[i]->edge : s[i]->face, at) - p.velocity_at(b_walks ? s[i]->face : s[i]->edge, at);
+        u[i] = w.x(), v[i] = w.y();
+      }
+    return walker.nx * u + walker.ny * v;
+  }
+  TRILITH_INLINE void press_four(const OverlapStretch* list, int count, OverlapSums& sums) const;
+};
+
+template <class K>
+TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int count, OverlapSums& sums) const {
+  const OverlapStretch* s[lane_count];
+  const EdgeRow *walkers[lane_count], *owners[lane_count];
+  Lanes sign{};
+  for (int i = 0; i < lane_count; ++i) {  // beyond the last it stands again, and counts nothing
+    s[i] = &list[i < count ? i : 0];
+    walkers[i] = (s[i]->walker_is_b ? sides_b : sides_a).row + s[i]->edge;
+    owners[i] = (s[i]->walker_is_b ? sides_a : sides_b).row + s[i]->face;
+    sign[i] = s[i]->walker_is_b ? 1.0 : -1.0;
+  }
+  const FourByFour parts(load_four(&s[0]->span.from), load_four(&s[1]->span.from), load_four(&s[2]->span.from),
+                         load_four(&s[3]->span.from));
+  const Lanes from = parts.v[0], to = parts.v[1], d0 = parts.v[2], d1 = parts.v[3];
+  const EdgeColumns walker(walkers), owner(owners);
+  const Lanes zero{}, nx = walker.nx, ny = walker.ny;  // out of the walker, into the owner
+  const Lanes x0 = walker.x + from * walker.along_x, y0 = walker.y + from * walker.along_y;
+  const Lanes x1 = walker.x + to * walker.along_x, y1 = walker.y + to * walker.along_y;
+  const Lanes way_x = x1 - x0, way_y = y1 - y0;
+  const Lanes phi0 = larger(d0 + (d1 - d0) * from - crushed, zero), phi1 = larger(d0 + (d1 - d0) * to - crushed, zero);
+  // c > 0: they close. k is half of kn, and half the length counts, as the other piece's walk brings the other halves.
+  const Lanes c0 = sign * speed(a, b, s, walker, x0, y0), c1 = sign * speed(a, b, s, walker, x1, y1);
+  const Lanes length = root(way_x * way_x + way_y * way_y), force = (0.5 * law.kn) * length;
+  const auto [stress, spring] = law.stretch(phi0, phi1, c0, c1);
+  const Lanes total = force * stress.sum;
+  // On b acts -n where b walks, as n then points from b into a, and +n where a does: hence `sign`.
+  const Lanes damping = force * (stress.sum - spring.sum), first_moment = force * (stress.moment - spring.moment);
+  const Lanes across = (x0 - a.origin.x()) * ny - (y0 - a.origin.y()) * nx, way_n = way_x * ny - way_y * nx;
+  const Lanes damping_moment = -sign * (damping * across + first_moment * way_n);
+  Lanes m0 = c0, m1 = c1;
+  if (a.over_step != nullptr || b.over_step != nullptr) {
+    m0 = sign * speed(a.mean(), b.mean(), s, walker, x0, y0);
+    m1 = sign * speed(a.mean(), b.mean(), s, walker, x1, y1);
+  }
+  const Lanes damped = damping * m0 + first_moment * (m1 - m0);
+  // No pressure where the two part fast; what the damping took of the spring then is booked above.
+  const LaneMask counts = LaneMask{0, 1, 2, 3} < count, presses = counts & ~(total <= zero);
+  const Lanes share = stress.moment / select(presses, stress.sum, all_lanes(1));
+  const Lanes x = x0 + share * way_x, y = y0 + share * way_y;
+  const CornerForces on_walker(walker, x, y, -total * nx, -total * ny), on_owner(owner, x, y, total * nx, total * ny);
+  const auto of = [&](const LaneMask& m, const Lanes& v) { return select(m, v, zero); };
+  const FourByFour dampings(of(counts, -sign * damping * nx), of(counts, -sign * damping * ny),
+                            of(counts, damping_moment), of(counts, damped));
+  const FourByFour forces(of(presses, -sign * total * nx), of(presses, -sign * total * ny), of(presses, total),
+                          of(counts, 0.5 * length));
+  const Lanes arm_x = total * x, arm_y = total * y, deepest = larger(phi0, phi1);
+  Lanes sum_damping{sums.damping.x(), sums.damping.y(), sums.damping_moment, sums.damped};
+  Lanes sum_force{sums.force.x(), sums.force.y(), sums.pressure, sums.length};
+  for (int i = 0; i < count; ++i) {
+    sum_damping += dampings.v[i];
+    sum_force += forces.v[i];
+    sums.deepest = larger(sums.deepest, deepest[i]);
+    if (presses[i] == 0) continue;
+    const OverlapStretch& stretch = *s[i];
+    const bool b_walks = stretch.walker_is_b;
+    add_row(b_walks ? on_b : on_a, b_walks ? b : a, stretch.edge, on_walker.row.v[i]);
+    add_row(b_walks ? on_a : on_b, b_walks ? a : b, stretch.face, on_owner.row.v[i]);
+    sums.moment_arm += Vec2(arm_x[i], arm_y[i]);
+    // The edges that carry most stand for their pieces where friction is added, which acts at one point.
+    const int edge_a = b_walks ? stretch.face : stretch.edge, edge_b = b_walks ? stretch.edge : stretch.face;
+    if (total[i] > sums.most_a) sums.most_a = total[i], sums.edge_a = edge_a;
+    if (total[i] > sums.most_b) sums.most_b = total[i], sums.edge_b = edge_b;
+  }
+  sums.damping = {sum_damping[0], sum_damping[1]}, sums.damping_moment = sum_damping[2], sums.damped = sum_damping[3];
+  sums.force = {sum_force[0], sum_force[1]}, sums.pressure = sum_force[2], sums.length = sum_force[3];
+}
+
+}  // namespace trilith

@@ -1,0 +1,27 @@
+// Pieces as the general contact of one evaluation has placed them: each once, however many contacts it has.
+#pragma once
+
+#include <vector>
+
+#include "contact/overlap_pair.hpp"
+
+namespace trilith {
+
+/// Of no meaning outside the evaluation that fills it; kept for its room. Spans and pointers in `piece` point here.
+struct PlacedPieces {
+  std::vector<std::uint8_t> is_placed;  ///< [piece] 1: the rest is of now
+  std::vector<PlacedPiece> piece;       ///< [piece]
+  std::vector<PlacedPiece> over_step;   ///< [piece] with mean velocities; empty in explicit stages
+  std::vector<Vec2> place;              ///< [corner] m
+  std::vector<Vec2> velocity;           ///< [corner] where a body deforms; else empty m/s
+  std::vector<Vec2> mean;               ///< [corner] empty in explicit stages m/s
+  std::vector<EdgeLanes> four;          ///< of a piece from first_four(...) on
+  std::vector<EdgeRow> row;             ///< [four * lane_count]
+
+  /// Where the fours of a piece begin: with as much room as it may need, and no list to look it up in.
+  static constexpr std::size_t first_four(int piece, int first_corner) {
+    return static_cast<std::size_t>(first_corner / lane_count + piece);
+  }
+};
+
+}  // namespace trilith

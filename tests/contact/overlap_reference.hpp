@@ -1,0 +1,125 @@
+// The pressures of two convex pieces found one edge and one face after the other: what the engine's form, which works
+// on four at once, must give to the bit. Linear springs with damping; friction is left out.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "contact/overlap_pair.hpp"
+
+namespace trilith::testing {
+
+struct ReferenceOverlap {
+  bool apart = false;
+  Vec2 force = Vec2::Zero(), moment_arm = Vec2::Zero(), damping = Vec2::Zero();
+  double damping_moment = 0, pressure = 0, length = 0, depth = 0;
+  std::vector<Vec2> on_a, on_b;
+};
+
+/// One side: edges of the walker inside the owner.
+class ReferenceWalk {
+ public:
+  ReferenceWalk(const PlacedPiece& owner, const PlacedPiece& walker, bool walker_is_b, const Coulomb& law)
+      : owner_(owner), walker_(walker), walker_is_b_(walker_is_b), law_(law) {}
+
+  /// depth(f, v): how far corner v of the walker lies inside face f of the owner.
+  [[nodiscard]] double depth(int f, int v) const { return normal(owner_, f).dot(owner_.corner[f] - walker_.corner[v]); }
+  /// True where some face of the owner has all corners of the walker outside.
+  [[nodiscard]] bool apart() const {
+    for (int f = 0; f < corners(owner_); ++f) {
+      bool all = true;
+      for (int v = 0; v < corners(walker_); ++v) all = all && depth(f, v) <= 0;
+      if (all) return true;
+    }
+    return false;
+  }
+  void run(ReferenceOverlap& sums) const {
+    for (int e = 0; e < corners(walker_); ++e)
+      if (is_surface(walker_, e)) along(e, sums);
+  }
+
+ private:
+  static int corners(const PlacedPiece& p) { return static_cast<int>(p.corner.size()); }
+  static bool is_surface(const PlacedPiece& p, int e) {
+    return p.is_face[e] != 0 || std::none_of(p.is_face.begin(), p.is_face.end(), [](auto f) { return f != 0; });
+  }
+  static Vec2 way(const PlacedPiece& p, int e) { return p.corner[(e + 1) % corners(p)] - p.corner[e]; }
+  static Vec2 normal(const PlacedPiece& p, int e) { return Vec2(way(p, e).y(), -way(p, e).x()) / way(p, e).norm(); }
+
+  void along(int e, ReferenceOverlap& sums) const {
+    const int w = (e + 1) % corners(walker_);
+    double from = 0, to = 1;
+    for (int f = 0; f < corners(owner_); ++f) {
+      const double d0 = depth(f, e), d1 = depth(f, w);
+      if (d0 <= 0 && d1 <= 0) return;
+      if (d0 < 0) from = std::max(from, d0 / (d0 - d1));
+      if (d1 < 0) to = std::min(to, d0 / (d0 - d1));
+    }
+    double last = std::numeric_limits<double>::infinity();
+    while (from < to) {
+      const auto slope = [&](int f) { return depth(f, w) - depth(f, e); };
+      const auto here = [&](int f) { return depth(f, e) + slope(f) * from; };
+      const auto counts = [&](int f, double below) { return is_surface(owner_, f) && slope(f) < below; };
+      int face = -1;
+      for (int f = 0; f < corners(owner_); ++f)
+        if (counts(f, last) && (face < 0 || here(f) < here(face) || (here(f) == here(face) && slope(f) < slope(face))))
+          face = f;
+      if (face < 0) return;
+      double until = to;
+      for (int f = 0; f < corners(owner_); ++f)
+        if (counts(f, slope(face)))
+          until = std::min(until, std::max(from, from + (here(f) - here(face)) / (slope(face) - slope(f))));
+      press(e, face, from, until, sums);
+      from = until, last = slope(face);
+    }
+  }
+  void press(int e, int f, double from, double to, ReferenceOverlap& sums) const {
+    const int w = (e + 1) % corners(walker_);
+    const Vec2 n = normal(walker_, e), start = walker_.corner[e];
+    const Vec2 x0 = start + from * way(walker_, e), x1 = start + to * way(walker_, e);
+    const auto phi = [&](double at) { return std::max(0.0, depth(f, e) + (depth(f, w) - depth(f, e)) * at); };
+    const auto closing = [&](const Vec2& x) { return n.dot(walker_.velocity_at(e, x) - owner_.velocity_at(f, x)); };
+    const auto [stress, spring] = law_.stretch(phi(from), phi(to), closing(x0), closing(x1));
+    const double stiff = 0.5 * law_.kn * (x1 - x0).norm(), total = stiff * stress.sum, sign = walker_is_b_ ? 1 : -1;
+    const double damping = stiff * (stress.sum - spring.sum), moment = stiff * (stress.moment - spring.moment);
+    const Vec2& about = walker_is_b_ ? owner_.origin : walker_.origin;
+    sums.length += 0.5 * (x1 - x0).norm();
+    sums.depth = std::max({sums.depth, phi(from), phi(to)});
+    sums.damping += -sign * damping * n;
+    sums.damping_moment += -sign * (damping * cross(Vec2(x0 - about), n) + moment * cross(Vec2(x1 - x0), n));
+    if (total <= 0) return;
+    const Vec2 x = x0 + (stress.moment / stress.sum) * (x1 - x0);
+    add(walker_, e, x, -total * n, walker_is_b_ ? sums.on_b : sums.on_a);
+    add(owner_, f, x, total * n, walker_is_b_ ? sums.on_a : sums.on_b);
+    sums.force += -sign * total * n;
+    sums.pressure += total;
+    sums.moment_arm += total * x;
+  }
+  static void add(const PlacedPiece& p, int e, const Vec2& x, const Vec2& force, std::vector<Vec2>& on) {
+    const Vec2 along = way(p, e);
+    const double share = along.dot(x - p.corner[e]) / along.squaredNorm();
+    const Vec2 foot = p.corner[e] + share * along;
+    const Vec2 couple = left_of(along) * (cross(Vec2(x - foot), force) / along.squaredNorm());
+    on[e] += (1 - share) * force - couple;
+    on[(e + 1) % corners(p)] += share * force + couple;
+  }
+
+  const PlacedPiece &owner_, &walker_;
+  bool walker_is_b_;
+  Coulomb law_;
+};
+
+inline ReferenceOverlap reference_overlap(const PlacedPiece& a, const PlacedPiece& b, const Coulomb& law) {
+  ReferenceOverlap sums;
+  sums.on_a.assign(a.corner.size(), Vec2::Zero());
+  sums.on_b.assign(b.corner.size(), Vec2::Zero());
+  const ReferenceWalk b_walks(a, b, true, law), a_walks(b, a, false, law);
+  sums.apart = b_walks.apart() || a_walks.apart();
+  if (sums.apart) return sums;
+  b_walks.run(sums);
+  a_walks.run(sums);
+  return sums;
+}
+
+}  // namespace trilith::testing

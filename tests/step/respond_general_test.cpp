@@ -1,0 +1,90 @@
+// What the general contact remembers between evaluations to be quick changes no bit.
+#include <doctest/doctest.h>
+
+#include "shape/random_convex.hpp"
+#include "step/central_difference.hpp"
+#include "step/commit.hpp"
+#include "step/evaluate.hpp"
+#include "step/start.hpp"
+#include "world/builder.hpp"
+
+using namespace trilith;
+
+namespace {
+
+/// Sixty boxes and other stones that fall into a trough.
+Model<2> falling_stones() {
+  ModelBuilder builder;
+  builder.add_material({"stone", 2000});
+  builder.add_law("joint", Frictional{5e7, 2.5e7, 0.5, 1e-3});
+  builder.set_contact("*", "*", "joint");
+  builder.gravity = Vec2(0, -standard_gravity);
+  const auto add = [&](std::string name, Polygon outline, bool fixed) {
+    BodySpec spec;
+    spec.name = std::move(name), spec.outline = std::move(outline), spec.material = "stone";
+    if (fixed) spec.support = {Support::fixed, Support::fixed, Support::fixed};
+    spec.floating = !fixed;
+    if (!fixed) spec.velocity = {0, -2};
+    builder.add_body(std::move(spec));
+  };
+  add("left", {{-3, 2}, {-3, -1}, {0, -1}}, true);
+  add("right", {{3, 2}, {0, -1}, {3, -1}}, true);
+  std::mt19937_64 bits(47);
+  RandomConvex wanted;
+  wanted.smallest = 0.2, wanted.largest = 0.3, wanted.slenderest = 1.5;
+  for (int i = 0; i < 60; ++i) {
+    const Polygon box{{-0.15, -0.1}, {0.15, -0.1}, {0.15, 0.1}, {-0.15, 0.1}};
+    add("stone" + std::to_string(i),
+        placed(i % 3 == 0 ? random_convex(bits, wanted) : box, random_direction(bits),
+               {-0.95 + 0.38 * (i % 6), 1.3 + 0.38 * (i / 6)}),
+        false);
+  }
+  return builder.build();
+}
+
+struct Trace {
+  std::vector<std::uint64_t> digest;
+  int hints = 0, touching = 0;
+};
+
+/// Before each step `change(work, step)` may do to Work what it likes.
+template <class Change>
+Trace follow(const Model<2>& model, Change&& change) {
+  State<2> state = start_state(model);
+  Work<2> work;
+  Trace trace;
+  const double dt = 2e-4;
+  for (int step = 0; step < 3000; ++step) {
+    change(work, step);
+    evaluate(model, state, work, dt);
+    commit(model, state, work);
+    advance(model, state, work, {dt, {}});
+    for (const int edge : work.apart_by) trace.hints += edge >= 0 ? 1 : 0;
+    trace.touching = std::max(trace.touching, static_cast<int>(work.general_touching.size()));
+    if (step % 50 == 0) trace.digest.push_back(state_hash(state));
+  }
+  return trace;
+}
+
+}  // namespace
+
+TEST_CASE("which edge is remembered to keep two pieces apart changes no bit") {
+  const Model<2> model = falling_stones();
+  const Trace kept = follow(model, [](Work<2>&, int) {});
+  REQUIRE(kept.hints > 1000);
+  REQUIRE(kept.touching > 40);
+  const Trace dropped = follow(model, [](Work<2>& work, int step) {
+    if (step % 3 == 0) work = Work<2>{};
+  });
+  CHECK(dropped.digest == kept.digest);
+  const Trace none =
+      follow(model, [](Work<2>& work, int) { std::fill(work.apart_by.begin(), work.apart_by.end(), -1); });
+  CHECK(none.digest == kept.digest);
+  // Of another pair, or of no edge that there is.
+  const Trace wrong = follow(model, [](Work<2>& work, int step) {
+    for (std::size_t row = 0; row < work.apart_by.size(); ++row)
+      work.apart_by[row] = static_cast<std::int8_t>((static_cast<int>(row) * 7 + step) % 128);
+    std::fill(work.asleep_until.begin(), work.asleep_until.end(), -1.0);
+  });
+  CHECK(wrong.digest == kept.digest);
+}
