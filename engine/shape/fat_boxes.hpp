@@ -35,6 +35,8 @@ class FatBoxes {
   void put(int i, const FatBox<D>& box);
   /// There is no box `i` any more.
   void take(int i);
+  /// False too of a box that is out of all measure.
+  [[nodiscard]] bool holds(int i) const { return entry_[i].level >= 0; }
   /// The box put last, where there is one.
   [[nodiscard]] const FatBox<D>& box(int i) const { return entry_[i].box; }
 

@@ -2,11 +2,11 @@
 --
 -- `trilith run tests/bench/pile.lua --profile` says what a step costs and what of it is searching.
 local trilith = require "trilith"
-local p = trilith.params { boxes = { 5000, "boxes" }, seconds = { 2.0, "of fall" }, across = { 50, "boxes in a row" } }
+local p = trilith.params { boxes = { 5000, "boxes" }, seconds = { 2.0, "of fall" }, across = { 100, "boxes in a row" } }
 
 local m = trilith.model { name = "pile", thickness = 1 }
 m:material { name = "stone", density = 2400 }
-m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 5e7, ks = 2.5e7, mu = 0.5, beta = 1e-3 } }
+m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.5, beta = 1e-3 } }
 
 local pitch, rows = 0.36, math.ceil(p.boxes / p.across)
 local width, height = p.across * pitch, rows * pitch + 2
