@@ -81,6 +81,11 @@ double turn_within(const Model<2>& model, const Work<2>& work, int piece, double
   return 2 * reach <= arm ? pi_third * reach / arm : any_turn;
 }
 
+/// No less than the tangent of an angle from 0 to 1: (1 - x / tan x) / x^2 rises from 1/3 to 0.358 there.
+double tangent_or_more(double angle) {
+  return angle / (1 - 0.36 * angle * angle);
+}
+
 /// Counts the pairs of faces, up to two, that may come to touch flatly while the corners of the pieces move by these
 /// reaches [m]; all that look at each other where the pieces may turn by any angle. Keeps the first.
 int count_facing(const Model<2>& model, const Work<2>& work, double reach_a, double reach_b, NearPair& pair) {
@@ -89,7 +94,7 @@ int count_facing(const Model<2>& model, const Work<2>& work, double reach_a, dou
                                                    turn_within(model, work, pair.piece_b, reach_b);
   const bool any = angle >= 1;
   int count = 0;
-  for_facing_edges(model, work, pair.piece_a, pair.piece_b, any ? unbounded : portable::tan(angle),
+  for_facing_edges(model, work, pair.piece_a, pair.piece_b, any ? unbounded : tangent_or_more(angle),
                    [&](const Edge& a, const Edge& b) {
                      const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
                      if (!any && !may_touch(overlap, margin)) return;

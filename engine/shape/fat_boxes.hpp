@@ -66,6 +66,11 @@ class FatBoxes {
     constexpr double most = 4e18;
     return static_cast<std::int64_t>(std::clamp(std::floor(x * per_cell), -most, most));
   }
+  static bool are_same(const Cell& a, const Cell& b) {
+    bool same = true;
+    for (int k = 0; k < D; ++k) same &= a[k] == b[k];
+    return same;
+  }
   [[nodiscard]] std::size_t chain(int level, const Cell& cell) const;
   int level_of(double side);
   template <class Visit>
@@ -93,7 +98,7 @@ void FatBoxes<D>::visit_cells(int level, const Cell& first, const Cell& last, co
     for (int i = head_[chain(level, cell)]; i >= 0; i = entry_[i].next) {
       const Entry& e = entry_[i];
       // A chain may hold boxes of other cells too.
-      if (e.level == level && e.cell == cell && e.box.meets(box)) visit(i);
+      if (e.level == level && are_same(e.cell, cell) && e.box.meets(box)) visit(i);
     }
     int k = 0;
     while (k < D && cell[k] == last[k]) cell[k] = first[k], ++k;
