@@ -5,8 +5,7 @@
 
 #include "base/portable.hpp"
 #include "contact/face_overlap.hpp"
-#include "detect/grid.hpp"
-#include "shape/polygon.hpp"
+#include "detect/lookup.hpp"
 
 namespace trilith {
 namespace {
@@ -54,7 +53,8 @@ void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, i
   }
 }
 
-/// Could the faces come to touch flatly before the next search? Until then no two points come nearer than the margin.
+/// Could the faces come to touch flatly before they are looked at again? Until then no two points come nearer than the
+/// margin.
 bool may_touch(const FaceOverlap<double>& o, double margin) {
   const double depth = -std::min(o.gap_lo, o.gap_hi), shared = o.shared + margin;
   return shared > 0 && depth > -margin && depth <= face_pair_max_depth * shared + margin;
@@ -73,74 +73,53 @@ double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece)
   return 0.5 * least;
 }
 
-/// Counts the pairs of faces that may come to touch flatly, up to two, and keeps the first. 0: a contact of general
-/// shape until the next search; 1: of these two faces; 2: chosen anew at each step.
+/// The most that an edge of a piece turns while its corners move by `reach` [rad]: asin(reach / arm), which is below
+/// pi/3 of its argument up to a half; `any_turn` beyond.
+double turn_within(const Model<2>& model, const Work<2>& work, int piece, double reach) {
+  constexpr double any_turn = 1, pi_third = 1.0471975511965979;
+  const double rigid = work.search.arm[piece], arm = rigid > 0 ? rigid : half_shortest_face(model, work, piece);
+  return 2 * reach <= arm ? pi_third * reach / arm : any_turn;
+}
+
+/// No less than the tangent of an angle from 0 to 1: (1 - x / tan x) / x^2 rises from 1/3 to 0.358 there.
+double tangent_or_more(double angle) {
+  return angle / (1 - 0.36 * angle * angle);
+}
+
+/// Counts the pairs of faces, up to two, that may come to touch flatly while the corners of the pieces move by these
+/// reaches [m]; all that look at each other where the pieces may turn by any angle. Keeps the first.
+int count_facing(const Model<2>& model, const Work<2>& work, double reach_a, double reach_b, NearPair& pair) {
+  const double margin = reach_a + reach_b, angle = face_pair_max_tilt +
+                                                   turn_within(model, work, pair.piece_a, reach_a) +
+                                                   turn_within(model, work, pair.piece_b, reach_b);
+  const bool any = angle >= 1;
+  int count = 0;
+  for_facing_edges(model, work, pair.piece_a, pair.piece_b, any ? unbounded : tangent_or_more(angle),
+                   [&](const Edge& a, const Edge& b) {
+                     const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
+                     if (!any && !may_touch(overlap, margin)) return;
+                     if (count == 0) set_faces(pair, a, b);
+                     count = any ? 2 : std::min(count + 1, 2);
+                   });
+  return count;
+}
+
+/// 0: a contact of general shape until one of the pieces is looked up again; 1: of these two faces; 2: chosen anew at
+/// each step. Faces that are `beside` each other count with those that may touch, see choose_face_pair.
 void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
-  const auto turn = [&](int piece) {
-    const int body = model.piece_body[piece];
-    const double arm = model.bodies[body].is_rigid() ? model.body_radius[body] : half_shortest_face(model, work, piece);
-    return work.margin / std::max(arm, work.margin);
-  };
-  // A body moves by half the margin at most before the next search, and so turns by margin / 2 arm at most.
-  const double angle =
-      portable::tan(std::min(1.0, face_pair_max_tilt + 0.5 * (turn(pair.piece_a) + turn(pair.piece_b))));
-  pair.facing = 0;
-  for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
-    const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
-    if (!may_touch(overlap, work.margin)) return;
-    if (pair.facing == 0) set_faces(pair, a, b);
-    pair.facing = std::min(pair.facing + 1, 2);
-  });
-}
-
-std::vector<Box> piece_boxes(const Model<2>& model, const Work<2>& work, double widen) {
-  std::vector<Box> boxes(static_cast<std::size_t>(model.pieces()));
-  for (int p = 0; p < model.pieces(); ++p) {
-    Box box{1e300, 1e300, -1e300, -1e300};
-    for (int c = model.piece_first[p]; c < model.piece_first[p + 1]; ++c) {
-      const SkinMotion<2>& s = work.skin[model.corner_skin[c]];
-      box.x0 = std::min(box.x0, s.x), box.x1 = std::max(box.x1, s.x);
-      box.y0 = std::min(box.y0, s.y), box.y1 = std::max(box.y1, s.y);
-    }
-    boxes[p] = {box.x0 - widen, box.y0 - widen, box.x1 + widen, box.y1 + widen};
-  }
-  return boxes;
-}
-
-/// Of a frame: its box says nothing of it.
-double thinnest_piece(const Model<2>& model, const Body& b) {
-  return *std::min_element(model.piece_thickness.begin() + b.first_piece,
-                           model.piece_thickness.begin() + b.first_piece + b.pieces);
-}
-
-/// A twentieth of the median thickness (smaller side of the box in its own axes) of the bodies that move.
-/// A wider margin finds more pairs that do not touch, a narrower one searches more often.
-double search_margin(const Model<2>& model) {
-  std::vector<double> thickness;
-  for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body) {
-    if (!model.body_moves(body)) continue;
-    const Body& b = model.bodies[body];
-    if (b.skin_is_sections()) {
-      thickness.push_back(thinnest_piece(model, b));
-      continue;
-    }
-    // Places of the skin of a rigid body are in its own axes, those of a deformable one are its nodes.
-    const auto first = static_cast<std::size_t>(b.is_rigid() ? b.first_skin : b.first_node);
-    const Box2 box = bounding_box(std::span(b.is_rigid() ? model.skin_place : model.start_position)
-                                      .subspan(first, static_cast<std::size_t>(b.skins)));
-    thickness.push_back((box.high - box.low).minCoeff());
-  }
-  if (thickness.empty()) return 1;
-  const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
-  std::nth_element(thickness.begin(), middle, thickness.end());
-  return 0.05 * *middle;
+  const PieceSearch<2>& search = work.search;
+  pair.facing = count_facing(model, work, reach_of(search, pair.piece_a) + search.beside,
+                             reach_of(search, pair.piece_b) + search.beside, pair);
 }
 
 /// Pairs of faces by law, for kernels that do several rows at once; all others one by one. Rows stay in their order.
 void sort_into_batches(const Model<2>& model, Work<2>& work) {
-  work.batches.assign(model.laws.size(), {});
+  work.batches.resize(model.laws.size());
   work.general.clear();
-  for (std::size_t l = 0; l < model.laws.size(); ++l) work.batches[l].law = static_cast<int>(l);
+  for (std::size_t l = 0; l < model.laws.size(); ++l) {
+    work.batches[l].law = static_cast<int>(l);
+    work.batches[l].row.clear(), work.batches[l].choice.clear();
+  }
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
     const NearPair& pair = work.pairs[row];
     if (pair.facing == 0 || pair.replaced)
@@ -156,11 +135,14 @@ int contact_law(const Model<2>& model, int body_a, int body_b) {
   return model.law_of[model.bodies[body_a].surface * model.surfaces + model.bodies[body_b].surface];
 }
 
-void apply_bearings(const Model<2>& model, std::span<const BearingMemory> bearings, NearPair& pair) {
-  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    const Bearing<2>& b = model.bearings[i];
-    if (!b.sits_between(pair.piece_a, pair.piece_b)) continue;
-    if (is_live(bearings[i].status))
+void apply_bearings(const Model<2>& model, const PieceSearch<2>& search, std::span<const BearingMemory> bearings,
+                    NearPair& pair) {
+  if (search.bearing.empty()) return;
+  const ContactKey key = contact_key(std::min(pair.piece_a, pair.piece_b), std::max(pair.piece_a, pair.piece_b));
+  for (auto at = std::lower_bound(search.bearing.begin(), search.bearing.end(), std::pair(key, 0));
+       at != search.bearing.end() && at->first == key; ++at) {
+    const Bearing<2>& b = model.bearings[at->second];
+    if (is_live(bearings[at->second].status))
       pair.replaced = pair.replaced || b.replaces_contact;
     else if (b.contact_after >= 0)
       pair.law = b.contact_after;
@@ -169,84 +151,155 @@ void apply_bearings(const Model<2>& model, std::span<const BearingMemory> bearin
 
 namespace {
 
-/// The middle of what all nodes have moved by since the pairs were found, between the least and the most of it.
-/// As of a building on its ground: what all of it goes by brings no two bodies nearer.
-Vec2 moved_together(const State<2>& state, const Work<2>& work) {
-  Vec2 least = Vec2::Constant(unbounded), most = Vec2::Constant(-unbounded);
-  for (std::size_t n = 0; n < state.position.size(); ++n) {
-    const Vec2 moved = state.position[n] - work.found_position[n];
-    least = least.cwiseMin(moved), most = most.cwiseMax(moved);
+void list_bearings(const Model<2>& model, PieceSearch<2>& search) {
+  search.bearing.clear();
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    const Bearing<2>& b = model.bearings[i];
+    if (b.piece_a < 0 || b.piece_b < 0 || (!b.replaces_contact && b.contact_after < 0)) continue;
+    search.bearing.emplace_back(contact_key(std::min(b.piece_a, b.piece_b), std::max(b.piece_a, b.piece_b)), i);
   }
-  return 0.5 * (least + most);
+  std::sort(search.bearing.begin(), search.bearing.end());
 }
 
-/// The farthest that a section of a frame has carried a point of the skin by turning, an upper bound.
-double sections_turned(const Model<2>& model, const State<2>& state, const Work<2>& work, const BodyRow& body) {
-  double most = 0;
-  for (int s = body.skin; s < body.skin + body.skins; ++s) {
-    const int t = model.skin_turn[s];
-    most = std::max(most, model.skin_place[s].norm() * std::abs(state.rotation[t] - work.found_rotation[t]));
-  }
-  return most;
+/// Two pieces of bodies that are there, of which one may move, with a law between them.
+bool may_ever_touch(const Model<2>& model, const State<2>& state, const PieceSearch<2>& search, int p, int q) {
+  const int a = model.piece_body[p], b = model.piece_body[q];
+  return a != b && (search.may_move[p] != 0 || search.may_move[q] != 0) && state.left[a] == 0 && state.left[b] == 0 &&
+         contact_law(model, a, b) >= 0;
 }
 
-/// The farthest that a point of a body has moved beside what all have moved by together, an upper bound.
-double body_moved(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t b,
-                  const Vec2& together) {
-  const BodyRow& body = work.body[b];
-  double most = 0;
-  for (int n = body.node; n < body.node + body.nodes; ++n)
-    most = std::max(most, (state.position[n] - work.found_position[n] - together).norm());
-  if (body.layout == SkinLayout::node_each) return most;
-  if (body.layout == SkinLayout::sections) return most + sections_turned(model, state, work, body);
-  return most + model.body_radius[b] * std::abs(state.rotation[body.node] - work.found_rotation[body.node]);
+bool is_due(const PieceSearch<2>& search, const NearPair& pair) {
+  return search.is_due[pair.piece_a] != 0 || search.is_due[pair.piece_b] != 0;
+}
+
+ContactKey key_of(const NearPair& pair) {
+  return contact_key(pair.piece_a, pair.piece_b);
+}
+
+/// Keys of the pairs of pieces that are due, by their boxes; and of those that remember something, wherever they are.
+void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  PieceSearch<2>& search = work.search;
+  search.found.clear();
+  for (const int p : search.due) {
+    if (!search.boxes.holds(p)) continue;
+    search.boxes.for_meeting(search.boxes.box(p), [&](int q) {
+      if (q == p || (search.is_due[q] != 0 && q < p)) return;  // two that are due are met from the lower one
+      if (may_ever_touch(model, state, search, p, q))
+        search.found.push_back(contact_key(std::min(p, q), std::max(p, q)));
+    });
+  }
+  if (work.valid) {
+    const ContactHistory& before = contacts_before(state, work);
+    for (std::size_t row = 0; row < work.pairs.size(); ++row)
+      if (is_due(search, work.pairs[row]) && !before.memory[row].empty())
+        search.found.push_back(key_of(work.pairs[row]));
+  } else {
+    const ContactHistory& before = state.contacts;
+    for (std::size_t row = 0; row < before.size(); ++row)
+      if (const ContactKey key = before.key[row];
+          !before.memory[row].empty() && may_ever_touch(model, state, search, first_piece(key), second_piece(key)))
+        search.found.push_back(key);
+  }
+  std::sort(search.found.begin(), search.found.end());
+  search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
+}
+
+/// True where the pairs found are those that were there.
+bool same_keys(const Work<2>& work) {
+  std::size_t next = 0;
+  for (const NearPair& pair : work.pairs) {
+    if (!is_due(work.search, pair)) continue;
+    if (next == work.search.found.size() || work.search.found[next] != key_of(pair)) return false;
+    ++next;
+  }
+  return next == work.search.found.size();
+}
+
+/// Looks at the faces of the rows anew of which a piece was looked up.
+void face_again(const Model<2>& model, Work<2>& work) {
+  for (std::size_t row = 0; row < work.pairs.size(); ++row) {
+    if (!is_due(work.search, work.pairs[row])) continue;
+    find_facing(model, work, work.pairs[row]);
+    work.clear_until[row] = 0;
+  }
+}
+
+/// Merges what was found into the list: rows of pieces that are not due stay, of the others those that were found.
+void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  const std::vector<ContactKey>& found = work.search.found;
+  work.spare_pairs.clear(), work.spare_asleep.clear(), work.spare_clear.clear();
+  const auto add = [&](const NearPair& pair, double asleep, double clear) {
+    work.spare_pairs.push_back(pair), work.spare_asleep.push_back(asleep), work.spare_clear.push_back(clear);
+  };
+  const auto add_new = [&](ContactKey key) {
+    const int p = first_piece(key), q = second_piece(key);
+    NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
+    apply_bearings(model, work.search, state.bearing, pair);
+    find_facing(model, work, pair);
+    add(pair, -1.0, 0.0);
+  };
+  std::size_t next = 0;
+  for (std::size_t row = 0; row < work.pairs.size(); ++row) {
+    const NearPair& pair = work.pairs[row];
+    const ContactKey key = key_of(pair);
+    while (next < found.size() && found[next] < key) add_new(found[next++]);
+    const bool due = is_due(work.search, pair);
+    if (!due) {
+      add(pair, work.asleep_until[row], work.clear_until[row]);
+    } else if (next < found.size() && found[next] == key) {
+      add(pair, work.asleep_until[row], 0.0);
+      find_facing(model, work, work.spare_pairs.back());
+      ++next;
+    }
+  }
+  while (next < found.size()) add_new(found[next++]);
+  work.pairs.swap(work.spare_pairs);
+  work.asleep_until.swap(work.spare_asleep);
+  work.clear_until.swap(work.spare_clear);
+}
+
+/// Lets paths begin at 0 again, so that they keep their digits; rounded to the safe side.
+void begin_paths(Work<2>& work) {
+  const auto less = [&](double& path) { path -= (1 + 1e-12) * work.travel; };
+  for (double& path : work.asleep_until) less(path);
+  for (double& path : work.clear_until) less(path);
+  less(work.look_again), less(work.clear_path);
+  work.travel = 0;
 }
 
 }  // namespace
 
-/// First the cheap bound, the path of the fastest point since the search; only where that has come to `look_again`
-/// is each body looked at, and the next look put off by what is left of half the margin.
 bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work) {
-  if (!work.valid) return true;
-  if (work.travel < work.look_again) return false;
-  const Vec2 together = moved_together(state, work);
-  double moved = 0;
-  for (std::size_t b = 0; b < work.body.size(); ++b)
-    moved = std::max(moved, body_moved(model, state, work, b, together));
-  // A node moves no faster than the fastest skin point, turning takes the farthest point from it at twice that at most,
-  // and each component of what all move by together is no faster either.
-  const double most = 0.5 * work.margin;
-  // 5 is above 1 + 2 + sqrt(2), the three paths of above; the share of 1e-6 is for rounding.
-  work.look_again = work.travel + (most * (1 - 1e-6) - moved) / 5;
-  return moved > most;
+  if (!work.valid) look_up_all(model, state, work);
+  return !work.valid || some_are_due(model, state, work);
 }
 
-void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
-  work.margin = search_margin(model);
-  work.travel = work.look_again = work.clear_path = 0;
-  work.found_position = state.position;
-  work.found_rotation = state.rotation;
-  work.pairs.clear();
-  // Each box is widened by half the margin, as each of two bodies may move by that.
-  for (const auto& [p, q] : meeting_boxes(piece_boxes(model, work, 0.5 * work.margin))) {
-    const int body_p = model.piece_body[p], body_q = model.piece_body[q];
-    if (body_p == body_q || state.left[body_p] != 0 || state.left[body_q] != 0) continue;
-    if (!model.body_moves(body_p) && !model.body_moves(body_q)) continue;
-    NearPair pair{p, q, contact_law(model, body_p, body_q), 0, 0, 0, 0, 0, 1.0, false};
-    if (pair.law < 0) continue;
-    apply_bearings(model, state.bearing, pair);
-    find_facing(model, work, pair);
-    work.pairs.push_back(pair);
+bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  PieceSearch<2>& search = work.search;
+  if (!work.valid) {
+    work.travel = work.look_again = 0;
+    work.pairs.clear(), work.asleep_until.clear(), work.clear_until.clear();
+    list_bearings(model, search);
   }
-  work.asleep_until.assign(work.pairs.size(), -1.0);
+  if (work.travel > 1) begin_paths(work);
+  place_boxes(model, state, work);
+  find_keys(model, state, work);
+  const bool same = work.valid && same_keys(work);
+  same ? face_again(model, work) : merge_found(model, state, work);
   sort_into_batches(model, work);
+  for (const int p : search.due) search.is_due[p] = 0;
+  search.due.clear();
+  work.clear_path = 0;
   work.valid = true;
+  return !same;
 }
 
 /// Bonded faces stay a pair however far they open or tilt, so the one at the smallest mean gap is taken, and touch and
-/// flatness are not asked.
+/// flatness are not asked. Else the one that touches flatly, if there is just one. Where none does a contact parts as
+/// one of faces if a flat pair is the only one within PieceSearch::beside, and as one of general shape if there are
+/// several: a row gives the same whether one pair of faces was near when it was looked at or several were.
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
-  int found = 0;
+  int found = 0, touching = 0;
   double nearest = unbounded;
   const double angle = portable::tan(face_pair_max_tilt);
   for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
@@ -254,12 +307,17 @@ bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, N
     if (!overlap.sane) return;
     const double gap = 0.5 * std::abs(overlap.gap_lo + overlap.gap_hi);
     const bool touches = std::min(overlap.gap_lo, overlap.gap_hi) < 0;
-    if (bonded ? gap >= nearest : !touches || !overlap.is_flat(std::max(a.corner, b.corner))) return;
+    if (!bonded && !overlap.is_flat(std::max(a.corner, b.corner))) return;
+    if (!bonded && touches && touching++ == 0) nearest = unbounded;  // rather than any that does not
+    if (gap >= nearest || (!bonded && !touches && touching > 0)) return;
     nearest = gap;
-    if (found++ == 0 || bonded) set_faces(pair, a, b);
+    ++found;
+    set_faces(pair, a, b);
   });
   // Two flat pairs that touch at once, as of a wedge in a notch, are one contact of general shape.
-  return bonded ? found > 0 : found == 1;
+  if (bonded || found == 0 || touching > 0) return found > 0 && touching < 2;
+  NearPair beside = pair;
+  return count_facing(model, work, work.search.beside, work.search.beside, beside) < 2;
 }
 
 }  // namespace trilith

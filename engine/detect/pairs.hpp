@@ -1,8 +1,8 @@
 // Pairs of pieces that may touch before the next search, and the faces of theirs that look at each other.
 //
-// Three levels: boxes on a grid, widened by a margin; facing of faces; the exact overlap, which is the contact
-// kernel's own. The list holds until some body has moved half the margin beside what all have moved by together, as
-// those of a structure do that goes with its ground.
+// Three levels: boxes that each piece keeps within until it is looked up again (detect/lookup.hpp); facing of faces;
+// the exact overlap, which is the contact kernel's own. The list is patched where pieces have left their boxes; which
+// rows it has beyond those that touch depends on when that was, and no result does.
 #pragma once
 
 #include <span>
@@ -14,11 +14,12 @@
 namespace trilith {
 
 /// True where the list in `work` may miss a contact at the present pose. Bodies are looked at only once the fastest
-/// point has travelled so far that one of them may have moved half the margin.
+/// point has travelled so far that one of them may have left its box.
 bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work);
 
-/// Finds the pairs at the present pose (work.skin must be placed). Writes the detect part of `work`.
-void find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work);
+/// Finds the pairs of the pieces that are due at the present pose, or of all where `work` is not valid (work.skin must
+/// be placed). Writes the detect part of `work`. A pair that remembers something stays. False: the rows are as before.
+bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work);
 
 /// The one pair of faces of two pieces that touch flatly, if there is just one; where a bond holds, the pair at the
 /// smallest gap. Fills the face fields of `pair`. A function of the present pose alone.
@@ -28,7 +29,8 @@ bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, N
 int contact_law(const Model<2>& model, int body_a, int body_b);
 
 /// What the bearings between two pieces make of their contact: held off while one of them lives; after its failure, the
-/// law it became. `bearings`: [bearing] their memories.
-void apply_bearings(const Model<2>& model, std::span<const BearingMemory> bearings, NearPair& pair);
+/// law it became. `bearings`: [bearing] their memories; `search` has them by the pieces they sit between.
+void apply_bearings(const Model<2>& model, const PieceSearch<2>& search, std::span<const BearingMemory> bearings,
+                    NearPair& pair);
 
 }  // namespace trilith

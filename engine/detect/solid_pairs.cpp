@@ -1,73 +1,160 @@
 #include "detect/solid_pairs.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <numeric>
 
 namespace trilith {
 namespace {
 
-using SolidBox = Eigen::AlignedBox3d;
+using SolidBox = FatBox<3>;
 
-SolidBox box_around(const PlacedSolid& solid, double widen) {
+SolidBox box_around(const PlacedSolid& solid) {
   SolidBox box;
-  for (const Vec3& x : solid.corners) box.extend(x);
-  return {box.min() - Vec3::Constant(widen), box.max() + Vec3::Constant(widen)};
+  box.low.fill(unbounded), box.high.fill(-unbounded);
+  for (const Vec3& x : solid.corners)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = x[static_cast<Eigen::Index>(k)];
+      box.low[k] = std::min(box.low[k], at), box.high[k] = std::max(box.high[k], at);
+    }
+  return box;
 }
 
-/// A twentieth of the median thickness (smallest side of the box in its own axes) of the pieces that move.
-double solid_margin(const Model<3>& model) {
-  std::vector<double> thickness;
-  for (std::size_t p = 0; p < model.piece_solid.size(); ++p) {
-    if (!model.body_moves(model.piece_body[p])) continue;
-    SolidBox box;
-    for (const Vec3& x : model.piece_solid[p].shape.corners) box.extend(x);
-    thickness.push_back(box.sizes().minCoeff());
+SolidBox widened(SolidBox box, double by) {
+  for (std::size_t k = 0; k < 3; ++k) box.low[k] -= by, box.high[k] += by;
+  return box;
+}
+
+/// How far a box may still grow within another, negative where it reaches out [m].
+double room_left(const SolidBox& inner, const SolidBox& outer) {
+  double least = unbounded;
+  for (std::size_t k = 0; k < 3; ++k)
+    least = std::min({least, inner.low[k] - outer.low[k], outer.high[k] - inner.high[k]});
+  return least;
+}
+
+/// A twentieth of the smallest side of a piece's box in its own axes, and whether its body moves.
+void find_solid_margins(const Model<3>& model, PieceSearch<3>& search) {
+  const auto pieces = static_cast<std::size_t>(model.pieces());
+  search.margin.assign(pieces, 0), search.may_move.assign(pieces, 0), search.is_due.assign(pieces, 0);
+  for (std::size_t p = 0; p < pieces; ++p) {
+    Vec3 low = Vec3::Constant(unbounded), high = -low;
+    for (const Vec3& x : model.piece_solid[p].shape.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    search.margin[p] = 0.05 * (high - low).minCoeff();
+    search.may_move[p] = model.body_moves(model.piece_body[p]) ? 1 : 0;
   }
-  if (thickness.empty()) return 1;
-  const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
-  std::nth_element(thickness.begin(), middle, thickness.end());
-  return 0.05 * *middle;
 }
 
-/// Along x from the lowest start on; each box is compared with those that begin before it ends.
-template <class Visit>
-void for_meeting_boxes(const std::vector<SolidBox>& boxes, Visit&& visit) {
-  std::vector<std::size_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return boxes[i].min().x() < boxes[j].min().x() || (boxes[i].min().x() == boxes[j].min().x() && i < j);
-  });
-  for (std::size_t k = 0; k < order.size(); ++k)
-    for (std::size_t l = k + 1; l < order.size() && boxes[order[l]].min().x() <= boxes[order[k]].max().x(); ++l)
-      if (boxes[order[k]].intersects(boxes[order[l]]))
-        visit(static_cast<int>(std::min(order[k], order[l])), static_cast<int>(std::max(order[k], order[l])));
+void look_up_all_solids(const Model<3>& model, Work<3>& work) {
+  PieceSearch<3>& search = work.search;
+  find_solid_margins(model, search);
+  search.boxes.reset(model.pieces());
+  search.due.clear();
+  for (int p = 0; p < model.pieces(); ++p) search.due.push_back(p), search.is_due[static_cast<std::size_t>(p)] = 1;
+  work.travel = work.look_again = work.clear_path = 0;
+  work.pairs.clear(), work.asleep_until.clear(), work.solids.separation.clear();
 }
+
+/// The law between two pieces, -1 where they are none of a pair.
+int law_between(const Model<3>& model, const State<3>& state, const PieceSearch<3>& search, int p, int q) {
+  const int a = model.piece_body[p], b = model.piece_body[q];
+  if (a == b || state.left[a] != 0 || state.left[b] != 0) return -1;
+  if (search.may_move[p] == 0 && search.may_move[q] == 0) return -1;
+  return model.law_of[model.bodies[a].surface * model.surfaces + model.bodies[b].surface];
+}
+
+/// Pairs of which a piece is due, sorted: those whose boxes meet, and those that remember something.
+void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
+  PieceSearch<3>& search = work.search;
+  for (const int p : search.due) search.boxes.put(p, widened(box_around(work.solids.placed[p]), search.margin[p]));
+  search.found.clear();
+  for (const int p : search.due)
+    search.boxes.for_meeting(search.boxes.box(p), [&](int q) {
+      if (q == p || (search.is_due[q] != 0 && q < p)) return;
+      if (law_between(model, state, search, p, q) >= 0)
+        search.found.push_back(contact_key(std::min(p, q), std::max(p, q)));
+    });
+  for (std::size_t row = 0; row < state.contacts.size(); ++row) {
+    const ContactKey key = state.contacts.key[row];
+    if (!state.contacts.memory[row].empty() &&
+        (search.is_due[first_piece(key)] != 0 || search.is_due[second_piece(key)] != 0))
+      search.found.push_back(key);
+  }
+  std::sort(search.found.begin(), search.found.end());
+  search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
+}
+
+/// Moves a row of before to the list to come, or makes a new one.
+struct SolidList {
+  Work<3>& work;
+
+  void keep(std::size_t row) {
+    work.spare_pairs.push_back(work.pairs[row]);
+    work.spare_asleep.push_back(work.asleep_until[row]);
+    work.solids.spare.push_back(work.solids.separation[row]);
+  }
+  void add(int p, int q, int law) {
+    work.spare_pairs.push_back({p, q, law, 0, 0, 0, 0, 0, 1.0, false});
+    work.spare_asleep.push_back(-1);
+    work.solids.spare.push_back({0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0});  // no axis parts them yet
+  }
+  void begin() { work.spare_pairs.clear(), work.spare_asleep.clear(), work.solids.spare.clear(); }
+  void end() {
+    work.pairs.swap(work.spare_pairs), work.asleep_until.swap(work.spare_asleep);
+    work.solids.separation.swap(work.solids.spare);
+  }
+};
 
 }  // namespace
 
-bool pairs_outdated(const Work<3>& work) {
-  return !work.valid || work.travel > 0.5 * work.margin * (1 - 1e-9);
+bool solids_are_due(const Model<3>& model, Work<3>& work) {
+  if (!work.valid) {
+    look_up_all_solids(model, work);
+    return true;
+  }
+  if (work.travel < work.look_again) return false;
+  PieceSearch<3>& search = work.search;
+  search.due.clear();
+  double least = unbounded;
+  for (int p = 0; p < model.pieces(); ++p) {
+    if (search.may_move[p] == 0) continue;
+    const double left = room_left(box_around(work.solids.placed[p]), search.boxes.box(p));
+    // Whoever has but a tenth of its margin left is looked up along with those that have none.
+    if (left < 0.1 * search.margin[p]) search.due.push_back(p), search.is_due[p] = 1;
+    least = std::min(least, left);
+  }
+  if (least >= 0) {
+    for (const int p : search.due) search.is_due[p] = 0;
+    work.look_again = work.travel + least * (1 - 1e-6);
+    return false;
+  }
+  return true;
 }
 
-void find_pairs(const Model<3>& model, const State<3>& state, Work<3>& work) {
-  work.margin = solid_margin(model);
-  work.travel = work.look_again = work.clear_path = 0;
-  std::vector<SolidBox> boxes;
-  for (const PlacedSolid& solid : work.solids.placed) boxes.push_back(box_around(solid, 0.5 * work.margin));
-  work.pairs.clear();
-  for_meeting_boxes(boxes, [&](int p, int q) {
-    const int body_p = model.piece_body[p], body_q = model.piece_body[q];
-    if (body_p == body_q || state.left[body_p] != 0 || state.left[body_q] != 0) return;
-    if (!model.body_moves(body_p) && !model.body_moves(body_q)) return;
-    const int law = model.law_of[model.bodies[body_p].surface * model.surfaces + model.bodies[body_q].surface];
-    if (law >= 0) work.pairs.push_back({p, q, law, 0, 0, 0, 0, 0, 1.0, false});
-  });
-  std::sort(work.pairs.begin(), work.pairs.end(), [](const NearPair& a, const NearPair& b) {
-    return a.piece_a != b.piece_a ? a.piece_a < b.piece_a : a.piece_b < b.piece_b;
-  });
-  work.asleep_until.assign(work.pairs.size(), -1.0);
+/// Both lists are in the order of keys: one pass over both. What the state remembers is in the rows of the pairs.
+void find_solid_pairs(const Model<3>& model, const State<3>& state, Work<3>& work) {
+  look_up(model, state, work);
+  const PieceSearch<3>& search = work.search;
+  SolidList list{work};
+  list.begin();
+  std::size_t row = 0;
+  const auto key_of = [&](std::size_t r) { return contact_key(work.pairs[r].piece_a, work.pairs[r].piece_b); };
+  const auto keep_before = [&](ContactKey end) {
+    for (; row < work.pairs.size() && key_of(row) < end; ++row) {
+      const NearPair& pair = work.pairs[row];
+      if (search.is_due[pair.piece_a] == 0 && search.is_due[pair.piece_b] == 0) list.keep(row);
+    }
+  };
+  for (const ContactKey key : search.found) {
+    keep_before(key);
+    if (row < work.pairs.size() && key_of(row) == key)
+      list.keep(row++);
+    else
+      list.add(first_piece(key), second_piece(key),
+               law_between(model, state, search, first_piece(key), second_piece(key)));
+  }
+  keep_before(~ContactKey{0});
+  list.end();
+  for (const int p : search.due) work.search.is_due[p] = 0;
+  work.look_again = work.travel;
   work.valid = true;
 }
 

@@ -15,7 +15,6 @@ void commit(const Model<D>& model, State<D>& state, Work<D>& work, StepTimes* ti
   // The memories of before go where the next trial is written: rows that are not worked on are empty in both.
   if (work.is_matched) std::swap(state.contacts, work.matched);
   std::swap(state.contacts, work.contacts);
-  work.matched = {};
   work.is_matched = false;
   state.bearing.swap(work.bearing);
   state.plastic.swap(work.plastic);

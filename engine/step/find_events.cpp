@@ -179,7 +179,7 @@ double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>
                      std::span<const BearingMemory> bearings, int p, int q) {
   NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
   if (pair.law < 0) return 0;
-  apply_bearings(model, bearings, pair);
+  apply_bearings(model, work.search, bearings, pair);
   if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) return 0;
   PieceCorners corners_p, corners_q;
   return overlap_energy(placed_piece(model, state, work, p, corners_p), placed_piece(model, state, work, q, corners_q),

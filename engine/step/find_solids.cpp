@@ -26,15 +26,13 @@ void match_solids(const SolidHistory& state, Work<3>& work) {
 
 /// Does nothing while the list of pairs still holds.
 void find(const Model<3>& model, const State<3>& state, Work<3>& work) {
-  if (!pairs_outdated(work)) return;
-  find_pairs(model, state, work);
+  if (!solids_are_due(model, work)) return;
+  find_solid_pairs(model, state, work);
   match_solids(state.contacts, work);
   work.contacts = {work.matched.key, std::vector<SolidMemory>(work.pairs.size())};
   work.changed_rows.clear();
   work.changed_rows.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());
-  // No axis parts them yet.
-  work.solids.separation.assign(work.pairs.size(), {0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0});
 }
 
 }  // namespace trilith

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/portable.hpp"
+#include "detect/lookup.hpp"
 #include "detect/moving_piece.hpp"
 #include "detect/pairs.hpp"
 #include "detect/swept_pairs.hpp"
@@ -14,10 +15,6 @@
 
 namespace trilith {
 namespace {
-
-/// A point of a body that turns is at no instant of a step faster than three times its fastest point at the end: the
-/// node goes no faster, and turning takes the farthest point from it at twice that at most. Two of them close in.
-constexpr double path_per_depth = 6;
 
 double deepest_allowed(const Model<2>& model, int p, int q) {
   return passed_share * std::min(model.piece_thickness[p], model.piece_thickness[q]);
@@ -122,36 +119,62 @@ double beneath_face(const Model<2>& model, const Work<2>& work, const NearPair& 
   return deepest / portable::hypot(x, y);
 }
 
+/// True where one of the owner's surface edges shows that the other is no deeper in it than `most` [m]; see overlap_of.
+bool is_beneath(const Model<2>& model, const Work<2>& work, int owner, int other, double most) {
+  const int first = model.piece_first[owner], count = model.corners_of(owner);
+  for (int e = 0; e < count; ++e) {
+    if (model.edge_is_face[first + e] == 0) continue;
+    const SkinMotion<2>&from = work.skin[model.corner_skin[first + e]],
+          &to = work.skin[model.corner_skin[first + (e + 1) % count]];
+    const double x = to.x - from.x, y = to.y - from.y, length = std::sqrt(x * x + y * y);
+    double deepest = 0;
+    for (int c = model.piece_first[other]; c < model.piece_first[other + 1]; ++c) {
+      const SkinMotion<2>& corner = work.skin[model.corner_skin[c]];
+      deepest = std::max(deepest, x * (corner.y - from.y) - y * (corner.x - from.x));
+    }
+    if (deepest <= most * length) return true;
+  }
+  return false;
+}
+
 /// How much deeper the pieces of a row may get [m]; not above 0: they are too deep, and that is told now. Of those that
 /// are not half as deep as that, at least half.
 double room_of(const Model<2>& model, State<2>& state, const Work<2>& work, int row, std::vector<Event>& told) {
   const NearPair& pair = work.pairs[row];
   const int p = pair.piece_a, q = pair.piece_b;
-  const double allowed = deepest_allowed(model, p, q);
-  if ((work.contacts.memory[row].state & contact_touching) == 0) return 0.5 * allowed;
-  if (pair.facing > 0 && beneath_face(model, work, pair) <= 0.5 * allowed) return 0.5 * allowed;
-  if (is_told(model, state, p, q)) return 0.5 * allowed;
+  const double allowed = deepest_allowed(model, p, q), half = 0.5 * allowed;
+  if ((work.contacts.memory[row].state & contact_touching) == 0) return half;
+  if (pair.facing > 0 && beneath_face(model, work, pair) <= half) return half;
+  if (is_beneath(model, work, p, q, half) || is_beneath(model, work, q, p, half)) return half;
+  if (is_told(model, state, p, q)) return half;
   const Two two(model, state, p, q);
   if (two.overlap.depth > allowed) tell(model, state, p, q, two, told);
   return allowed - two.overlap.depth;
 }
 
-/// Looks at all pairs, and finds how long that will do.
+/// Looks at a row, and finds how long that will do: for as long as neither piece is looked up again where what both may
+/// move by until then makes them no deeper than is told, else up to the path that may. Two corners come nearer to each
+/// other by twice the path of the fastest at most.
+void look_at(const Model<2>& model, State<2>& state, Work<2>& work, int row, std::vector<Event>& told) {
+  const NearPair& pair = work.pairs[row];
+  double left = room_of(model, state, work, row, told);
+  if (left <= 0) left = 0.5 * deepest_allowed(model, pair.piece_a, pair.piece_b);  // told, once for all
+  const double nearer = reach_of(work.search, pair.piece_a) + reach_of(work.search, pair.piece_b);
+  work.clear_until[row] = left > nearer ? unbounded : work.travel + 0.5 * (1 - 1e-9) * left;
+}
+
+/// Looks at all rows that are to be looked at by now.
 void look_now(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
-  double room = unbounded;
-  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row)
-    if (const double left = room_of(model, state, work, row, told); left > 0) room = std::min(room, left);
-  // Until the next search no two points come nearer to each other than by the margin.
-  work.clear_path = room > work.margin ? unbounded : room / path_per_depth;
+  work.clear_path = unbounded;
+  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
+    if (!(work.travel < work.clear_until[row])) look_at(model, state, work, row, told);
+    work.clear_path = std::min(work.clear_path, work.clear_until[row]);
+  }
 }
 
 /// Where a bearing held a contact off, it may begin deep.
-void look_at_new(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
-  for (const int row : work.changed_rows) {
-    const NearPair& pair = work.pairs[row];
-    if (room_of(model, state, work, row, told) < 0.5 * deepest_allowed(model, pair.piece_a, pair.piece_b))
-      work.clear_path = 0;
-  }
+void look_at_new(Work<2>& work) {
+  for (const int row : work.changed_rows) work.clear_until[row] = work.clear_path = 0;
 }
 
 /// What turns so fast that more looks are needed is no motion that a step could follow: the watch on speeds tells of
@@ -183,9 +206,8 @@ std::vector<Event> notice_passed(const Model<2>& model, State<2>& state, Work<2>
   if (!goes_slowly(model, work, state.last_dt, 1))
     for (const auto& [p, q] : swept_pairs(model, state, work, -state.last_dt, 1))
       if (!is_told(model, state, p, q)) look_back(model, state, p, q, told);
-  work.clear_path -= work.fastest * state.last_dt;
-  look_at_new(model, state, work, told);
-  if (work.clear_path <= 0) look_now(model, state, work, told);
+  look_at_new(work);
+  if (!(work.travel < work.clear_path)) look_now(model, state, work, told);
   return told;
 }
 

@@ -10,6 +10,7 @@
 #include "shape/separation_3d.hpp"
 #include "world/event.hpp"
 #include "world/model.hpp"
+#include "world/piece_search.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
@@ -70,6 +71,7 @@ template <>
 struct SolidWork<3> {
   std::vector<PlacedSolid> placed;      ///< [piece]. Writer: place
   std::vector<Separation3> separation;  ///< [contact] along the axis that parted them last. Writer: respond
+  std::vector<Separation3> spare;       ///< room
   std::vector<Vec3> force, moment;      ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
   SolidOverlapBuffer shared;            ///< room
 };
@@ -88,20 +90,21 @@ struct Work {
   double fastest_moving = 0;        ///< ... of a body that is free to move m/s
 
   // Writer: detect
-  std::vector<NearPair> pairs;              ///< [contact]
-  std::vector<FaceBatch> batches;           ///< by law
-  std::vector<int> general;                 ///< rows that have no single pair of facing faces
-  std::vector<double> asleep_until;         ///< [contact] not touching while `travel` is below this m
-  std::vector<Vec<D>> found_position;       ///< [node] pose at which the pairs were found m
-  std::vector<Rotation<D>> found_rotation;  ///< [node]
-  std::vector<RateBound> face_bound;        ///< [body] lying on its stiffest face
-  double margin = 0;                        ///< boxes are widened by this m
-  Contacts<D> matched;      ///< the state's contacts in the rows of the pairs, where these were found after
-                            ///< the last commit; else empty
-  bool is_matched = false;  ///< they were
-  double travel = 0;        ///< path of the skin point that went farthest since then, from one evaluated
-                            ///< pose to the next, an upper bound. Writer: place m
-  double look_again = 0;    ///< no body has moved half the margin while `travel` is below this m
+  std::vector<NearPair> pairs;        ///< [contact]
+  std::vector<FaceBatch> batches;     ///< by law
+  std::vector<int> general;           ///< rows that have no single pair of facing faces
+  std::vector<double> asleep_until;   ///< [contact] not touching while `travel` is below this m
+  std::vector<double> clear_until;    ///< [contact] see clear_path m
+  PieceSearch<D> search;              ///< where pieces were looked up
+  std::vector<NearPair> spare_pairs;  ///< room for the list to come
+  std::vector<double> spare_asleep, spare_clear;
+  std::vector<RateBound> face_bound;  ///< [body] lying on its stiffest face
+  Contacts<D> matched;                ///< the state's contacts in the rows of the pairs, where these were found after
+                                      ///< the last commit; else room for them
+  bool is_matched = false;            ///< they were
+  double travel = 0;      ///< path of the skin point that went farthest since the pairs were found anew, from one
+                          ///< evaluated pose to the next, an upper bound. Writer: place m
+  double look_again = 0;  ///< no piece has left its box while `travel` is below this m
 
   SolidWork<D> solids;  ///< in space
 
@@ -148,8 +151,9 @@ struct Work {
   double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
 
   std::vector<Event> events;  ///< of this step. Writer: find_events
-  double clear_path = 0;      ///< until the next search no two pieces get too deep into each other before the fastest
-                              ///< point has gone this far m. Writer: the watch of step/passed.hpp; detect makes it 0
+  double clear_path = 0;      ///< no two pieces get too deep into each other while `travel` is below this, those of a
+                              ///< row while it is below clear_until. Writer: the watch of step/passed.hpp; detect puts
+                              ///< both back where it looks up a piece m
 };
 
 /// What the contacts remember up to now, in the rows of the pairs.

@@ -1,0 +1,83 @@
+#include "shape/fat_boxes.hpp"
+
+namespace trilith {
+namespace {
+
+/// Coordinates beyond which a box is out of all measure [m]: sums and products of those within stay numbers.
+constexpr double farthest_box = 1e100;
+
+template <int D>
+bool has_measure(const FatBox<D>& box) {
+  for (int k = 0; k < D; ++k)
+    if (!(box.low[k] >= -farthest_box && box.high[k] <= farthest_box && box.low[k] <= box.high[k])) return false;
+  return true;
+}
+
+/// Sides below that are of one size.
+constexpr int least_exponent = -40;
+
+}  // namespace
+
+template <int D>
+void FatBoxes<D>::reset(int count) {
+  Entry none;
+  none.next = none.before = none.place = -1;
+  entry_.assign(static_cast<std::size_t>(count), none);
+  std::size_t chains = 16;
+  while (chains < 2 * entry_.size()) chains *= 2;
+  head_.assign(chains, -1);
+  level_.clear();
+}
+
+template <int D>
+int FatBoxes<D>::level_of(double side) {
+  int exponent = least_exponent;
+  if (side > 0) std::frexp(side, &exponent);
+  exponent = std::max(exponent, least_exponent);
+  int level = 0;
+  while (level < static_cast<int>(level_.size()) && level_[level].exponent != exponent) ++level;
+  if (level == static_cast<int>(level_.size())) {
+    level_.emplace_back();
+    level_.back().exponent = exponent;
+    level_.back().per_cell = std::ldexp(1.0, -(exponent + 1));  // cells of twice the longest side
+  }
+  level_[level].longest = std::max(level_[level].longest, side);
+  return level;
+}
+
+template <int D>
+void FatBoxes<D>::put(int i, const FatBox<D>& box) {
+  take(i);
+  Entry& e = entry_[i];
+  e.box = box;
+  if (!has_measure(box)) return;
+  double side = 0;
+  for (int k = 0; k < D; ++k) side = std::max(side, box.high[k] - box.low[k]);
+  e.level = level_of(side);
+  Level& level = level_[e.level];
+  for (int k = 0; k < D; ++k) e.cell[k] = index(box.low[k], level.per_cell);
+  e.place = static_cast<int>(level.members.size());
+  level.members.push_back(i);
+  int& head = head_[chain(e.level, e.cell)];
+  e.before = -1, e.next = head;
+  if (head >= 0) entry_[head].before = i;
+  head = i;
+}
+
+template <int D>
+void FatBoxes<D>::take(int i) {
+  Entry& e = entry_[i];
+  if (e.level < 0) return;
+  (e.before >= 0 ? entry_[e.before].next : head_[chain(e.level, e.cell)]) = e.next;
+  if (e.next >= 0) entry_[e.next].before = e.before;
+  std::vector<int>& members = level_[e.level].members;
+  members[e.place] = members.back();
+  entry_[members[e.place]].place = e.place;
+  members.pop_back();
+  e.level = -1;
+}
+
+template class FatBoxes<2>;
+template class FatBoxes<3>;
+
+}  // namespace trilith
