@@ -19,7 +19,7 @@ struct PressedPoint {
 
 /// A convex polygon with room for a triangle cut by many planes.
 struct PressedPolygon {
-  static constexpr std::size_t most = 64;
+  static constexpr std::size_t most = 128;
   std::array<PressedPoint, most> corner;
   std::size_t count = 0;
 
@@ -90,7 +90,7 @@ void for_triangles(const PressedPolygon& polygon, const Vec3& normal, Visit&& vi
   }
 }
 
-/// SolidSums over all pressed faces. Moments are about `origin`, a point near the contact.
+/// Sums over all pressed faces. Moments are about `origin`, a point near the contact.
 struct SolidSums {
   Vec3 origin;
   SolidPressure out;
@@ -198,7 +198,7 @@ struct NearFaces {
     int face;
     std::array<double, 3> depth;
   };
-  static constexpr std::size_t most = 32;
+  static constexpr std::size_t most = 256;
   std::array<Row, most> row;
   std::size_t count = 0;
 

@@ -47,6 +47,16 @@ void mark_inner_faces(std::vector<ConvexSolid>& pieces) {
   }
 }
 
+/// Laws whose joints hold together or lose depth, which need more memory than solids have.
+bool remembers_joint(const ContactLaw& law) {
+  return std::visit(
+      [](const auto& l) {
+        using Kernel = typename std::decay_t<decltype(l)>::Kernel;
+        return Kernel::bonds || Kernel::crushes;
+      },
+      law);
+}
+
 void check_solid_body(const Model<3>& model, const SolidBody& body) {
   if (model.find_body(body.name) >= 0) throw InputError(fmt::format("there is a body '{}' already", body.name));
   if (body.pieces.empty()) throw InputError(fmt::format("body '{}' has no piece; it needs at least one", body.name));
@@ -80,26 +90,35 @@ int SpaceBuilder::add(const SolidBody& body) {
   for (std::size_t p = 0; p < body.pieces.size(); ++p)
     check_convex(body.pieces[p], fmt::format("body '{}', piece {}", body.name, p + 1));
   const SolidMass mass = mass_of(body.pieces, body.density);
-  const int node = model_.nodes(), index = static_cast<int>(model_.bodies.size());
+  Body row;
+  row.name = body.name, row.first_node = model_.nodes(), row.surface = body.surface;
+  row.first_skin = static_cast<int>(model_.skin_place.size()), row.first_piece = model_.pieces();
+  row.pieces = static_cast<int>(body.pieces.size());
+  add_node(body, mass);
+  add_pieces(body, mass);
+  row.skins = static_cast<int>(model_.skin_place.size()) - row.first_skin;
+  model_.surfaces = std::max(model_.surfaces, body.surface + 1);
+  model_.bodies.push_back(row);
+  return static_cast<int>(model_.bodies.size()) - 1;
+}
+
+void SpaceBuilder::add_node(const SolidBody& body, const SolidMass& mass) {
   model_.mass.push_back(mass.mass), model_.inertia.push_back(mass.inertia.moments);
   model_.support.emplace_back().fill(body.fixed ? Support::fixed : Support::free);
   model_.drive_of.emplace_back().fill(-1);
   model_.start_position.push_back(mass.centroid), model_.start_rotation.push_back(mass.inertia.axes);
   model_.start_velocity.push_back(body.velocity), model_.start_spin.push_back(body.spin);
   model_.load.push_back(Vec3::Zero());
+}
 
-  // Pieces in the principal axes of the body, about its centroid.
+/// In the principal axes of the body, about its centroid.
+void SpaceBuilder::add_pieces(const SolidBody& body, const SolidMass& mass) {
   const UnitQuaternion back = inverse(mass.inertia.axes);
+  const int node = model_.nodes() - 1, index = static_cast<int>(model_.bodies.size());
   std::vector<ConvexSolid> pieces;
-  for (const Polyhedron& piece : body.pieces) {
-    Polyhedron own = placed(piece, {}, -mass.centroid);
-    pieces.push_back(convex_solid(placed(own, back, Vec3::Zero()), body.name, 1e-8));
-  }
+  for (const Polyhedron& piece : body.pieces)
+    pieces.push_back(convex_solid(placed(placed(piece, {}, -mass.centroid), back, Vec3::Zero()), body.name, 1e-8));
   mark_inner_faces(pieces);
-  Body row;
-  row.name = body.name, row.first_node = node, row.surface = body.surface;
-  row.first_skin = static_cast<int>(model_.skin_place.size()), row.first_piece = model_.pieces();
-  row.pieces = static_cast<int>(pieces.size());
   if (model_.piece_first.empty()) model_.piece_first.push_back(0);
   double radius = 0;
   for (const ConvexSolid& piece : pieces) {
@@ -112,14 +131,18 @@ int SpaceBuilder::add(const SolidBody& body) {
     model_.piece_first.push_back(static_cast<int>(model_.corner_skin.size()));
     model_.piece_solid.push_back(piece);
   }
-  row.skins = static_cast<int>(model_.skin_place.size()) - row.first_skin;
   model_.body_radius.push_back(radius);
-  model_.surfaces = std::max(model_.surfaces, body.surface + 1);
-  model_.bodies.push_back(row);
-  return index;
 }
 
 void SpaceBuilder::contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name) {
+  if (surface_a < 0 || surface_b < 0)
+    throw InputError(fmt::format("contact '{}' is between surfaces {} and {}; they are numbered from 0", name,
+                                 surface_a, surface_b));
+  if (remembers_joint(law))
+    throw InputError(
+        fmt::format("contact '{}' bonds or crushes, which solids in space do not do yet; take a frictional "
+                    "or power law",
+                    name));
   pairings_.push_back({surface_a, surface_b, static_cast<int>(model_.laws.size())});
   model_.laws.push_back(law), model_.law_names.push_back(name);
 }

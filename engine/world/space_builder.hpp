@@ -20,6 +20,14 @@ struct SolidBody {
   int surface = 0;               ///< whose law of contact it has, see SpaceBuilder::contact
 };
 
+/// Mass, centroid and inertia of solids of one density that share no volume.
+struct SolidMass {
+  double mass;               ///< [kg]
+  Vec3 centroid;             ///< [m]
+  PrincipalInertia inertia;  ///< about the centroid [kg m2]
+};
+SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density);
+
 /// Collects bodies and laws, then makes the model. Refuses with an InputError what is no body, with its name.
 class SpaceBuilder {
  public:
@@ -28,7 +36,8 @@ class SpaceBuilder {
   /// Returns its index. Throws InputError: a name taken, no piece, a piece that is not convex or is open (see
   /// check_convex), a density that is not above 0, numbers that are not finite.
   int add(const SolidBody& body);
-  /// The law between two surfaces, which are numbered from 0. Without one, bodies pass through each other.
+  /// The law between two surfaces, which are numbered from 0. Without one, bodies pass through each other. Throws
+  /// InputError: a law that bonds or crushes, which solids in space do not do yet; a surface below 0.
   void contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name);
   [[nodiscard]] Model<3> build() const;
 
@@ -36,16 +45,11 @@ class SpaceBuilder {
   struct Pairing {
     int a, b, law;
   };
+  void add_node(const SolidBody& body, const SolidMass& mass);
+  void add_pieces(const SolidBody& body, const SolidMass& mass);
+
   Model<3> model_;
   std::vector<Pairing> pairings_;
 };
-
-/// Mass, centroid and inertia of solids of one density that share no volume.
-struct SolidMass {
-  double mass;               ///< [kg]
-  Vec3 centroid;             ///< [m]
-  PrincipalInertia inertia;  ///< about the centroid [kg m2]
-};
-SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density);
 
 }  // namespace trilith
