@@ -182,7 +182,7 @@ void GeneralPass::respond(int row) const {
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
   work.given[EnergyTerm::contact_fracture] += r.lost_fracture;
   if (!r.touching) {
-    work.apart_by[row] = static_cast<std::int8_t>(r.apart_by);
+    work.apart_by[row] = static_cast<std::int16_t>(r.apart_by);
     return sleep(row, r.separation);
   }
   add_to_skin(model, pair.piece_a, on_a, work);

@@ -114,7 +114,7 @@ struct Work {
   std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
   std::vector<int> general_now;            ///< rows that were to be faces and are of general shape now
   std::vector<int> general_rows;           ///< those and `general`, in the order of rows
-  std::vector<std::int8_t> apart_by;       ///< [contact] the edge that kept the two apart last, see
+  std::vector<std::int16_t> apart_by;      ///< [contact] the edge that kept the two apart last, see
                                            ///< OverlapResponse; -1: none. A hint: any value gives the same bits
   PlacedPieces placed;                     ///< the pieces of these rows
   std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch

@@ -64,7 +64,7 @@ std::string verb_section(const std::string& program, const CLI::App& verb) {
 }  // namespace
 
 std::string man_page(const CLI::App& app) {
-  const std::string name = app.get_name();
+  const std::string& name = app.get_name();
   std::string text = fmt::format(".TH TRILITH 1 \"\" \"Trilith {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n",
                                  TRILITH_VERSION, roff(name), roff(app.get_description()));
   text += fmt::format(".SH SYNOPSIS\n.nf\n{0}\n{0} {1} [{2} ...]\n{0} {3} [{4}] ...\n.fi\n", bold(name),
