@@ -2,6 +2,7 @@
 
 #include "base/portable.hpp"
 #include "contact/solid_energy.hpp"
+#include "contact/solid_faces.hpp"
 
 namespace trilith {
 namespace {
@@ -67,11 +68,21 @@ SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemo
 
 }  // namespace
 
+SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, Separation3& apart,
+                               SolidOverlapBuffer& shared) {
+  if (FaceOverlap3 faces; is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
+    apart.distance = 0;
+    return with_kernel(use, [&](const Coulomb& law) { return face_pressure(a, b, law, faces); });
+  }
+  apart = separation_from(apart, a.placed, b.placed);
+  if (apart.distance > 0 || !(solid_overlap(a.placed, b.placed, shared).volume > 0)) return {};
+  return solid_pressure(a, b, use, shared);
+}
+
 SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const LawInUse& use,
-                             double volume, const SolidOverlapBuffer& shared) {
+                             const SolidPressure& pressed) {
   return with_kernel(use, [&](const Coulomb& law) {
     SolidResponse out = parted(a, b, before, law);
-    const SolidPressure pressed = volume > 0 ? solid_pressure(a, b, use, shared) : SolidPressure{};
     if (!(pressed.area > 0)) return out;
     out.touching = true;
     out.force = out.normal_force = pressed.force, out.moment = pressed.moment;
@@ -91,7 +102,10 @@ SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const S
 
 double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const SolidMemory& memory, const LawInUse& use,
                             SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch) {
-  const double pressure = solid_energy(a, b, use, shared, scratch);
+  FaceOverlap3 faces;
+  const bool flat = is_linear(use.law) && flat_faces(a, b, faces);
+  const double pressure = flat ? with_kernel(use, [&](const Coulomb& law) { return face_energy(law, faces); })
+                               : solid_energy(a, b, use, shared, scratch);
   return pressure + with_kernel(use, [&](const Coulomb& law) { return sliding_energy(law.ks, memory.shear); });
 }
 

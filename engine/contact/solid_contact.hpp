@@ -6,6 +6,7 @@
 #include "contact/memory.hpp"
 #include "contact/shear_3d.hpp"
 #include "contact/solid_pressure.hpp"
+#include "shape/separation_3d.hpp"
 
 namespace trilith {
 
@@ -41,9 +42,14 @@ struct SolidResponse {
   double lost_damping = 0, lost_friction = 0, lost_fracture = 0;  ///< [J]
 };
 
-/// Of two solids whose shared volume is `volume` [m3] and lies in `shared`. The motion over the step is that of now.
+/// The normal pressure of two solids where they stand: of faces where they lie flat on each other, else of the volume
+/// they share; nothing where they are apart. `apart`: the axis that parted them last, and what parts them now.
+SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& law, Separation3& apart,
+                               SolidOverlapBuffer& shared);
+
+/// Of two solids that press each other by `pressed`. The motion over the step is that of now.
 SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const LawInUse& law,
-                             double volume, const SolidOverlapBuffer& shared);
+                             const SolidPressure& pressed);
 
 /// Elastic energy of a contact, of its pressure and of its shear [J].
 double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const SolidMemory& memory, const LawInUse& law,

@@ -4,7 +4,7 @@ namespace trilith {
 
 ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double flat) {
   check_convex(shape, owner, flat);
-  return {shape, face_normals(shape), solid_edges(shape.faces), {}};
+  return {shape, face_normals(shape), solid_edges(shape.faces), {}, solid_size(shape.corners)};
 }
 
 void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out) {

@@ -1,4 +1,4 @@
-// Contacts of solids in space: those that are apart by their last axis, the others by the volume they share.
+// Contacts of solids in space: of faces, of any other shape, or apart by the axis that parted them last.
 #include <algorithm>
 
 #include "contact/solid_contact.hpp"
@@ -32,10 +32,9 @@ void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, in
   const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
                     b = moving_solid(model, state, work, pair.piece_b);
   Separation3& apart = work.solids.separation[r];
-  apart = separation_from(apart, a.placed, b.placed);
-  const double volume = apart.distance > 0 ? 0 : solid_overlap(a.placed, b.placed, work.solids.shared).volume;
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
-  const SolidResponse response = respond_solids(a, b, before, law, volume, work.solids.shared);
+  const SolidPressure pressed = pressure_between(a, b, law, apart, work.solids.shared);
+  const SolidResponse response = respond_solids(a, b, before, law, pressed);
   work.contacts.memory[r] = response.memory;
   if (was != response.touching) work.changed_rows.push_back(row);
   work.given[EnergyTerm::contact_damping] += response.lost_damping;

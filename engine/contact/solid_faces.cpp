@@ -1,0 +1,156 @@
+#include "contact/solid_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shape/facing_faces.hpp"
+
+namespace trilith {
+namespace {
+
+/// Below this cosine two outward normals look at each other within the tilt.
+constexpr double opposed_enough = -(1 - 0.5 * flat_faces_max_tilt * flat_faces_max_tilt);
+
+bool fits_faces(const PlacedSolid& solid, int face) {
+  return solid.solid->is_surface(face) && solid.solid->shape.faces[face].size() <= max_face_corners;
+}
+
+/// Whether two opposed faces are near enough to touch flatly at all: the distance of a corner of b's below a's plane is
+/// that of no other one but for the tilt over the size of both.
+bool may_touch_flatly(const PlacedSolid& a, int face_a, const PlacedSolid& b, int face_b) {
+  const Vec3& corner = b.corners[static_cast<std::size_t>(b.solid->shape.faces[face_b][0])];
+  const double reach = 2 * flat_faces_max_tilt * (a.solid->size + b.solid->size);
+  return std::abs(depth_below(a, face_a, corner)) <= reach;
+}
+
+/// The largest overlap over the shared polygon, and the polygon's width: its area over its longest extent.
+struct FlatMeasures {
+  double deepest = 0, width = 0;
+
+  explicit FlatMeasures(const FaceOverlap3& faces) {
+    const SharedPolygon& polygon = faces.shared;
+    Vec2 low = polygon.corner[0], high = low;
+    double twice = 0;
+    for (int i = 0; i < polygon.count; ++i) {
+      const Vec2 &p = polygon.corner[static_cast<std::size_t>(i)],
+                 &q = polygon.corner[static_cast<std::size_t>(i + 1 < polygon.count ? i + 1 : 0)];
+      deepest = std::max(deepest, faces.plane.overlap_at(p));
+      low = low.cwiseMin(p), high = high.cwiseMax(p);
+      twice += cross(p, q);
+    }
+    const double extent = (high - low).norm();
+    width = extent > 0 ? 0.5 * twice / extent : 0;
+  }
+  [[nodiscard]] bool touch() const { return deepest > 0; }
+  [[nodiscard]] bool are_flat() const { return deepest <= flat_faces_max_depth * width; }
+};
+
+/// Keeps the part of the shared polygon where c > 0.
+void keep_closed(FaceOverlap3& faces) {
+  const SharedPolygon all = faces.shared;
+  SharedPolygon& kept = faces.shared;
+  kept.count = 0;
+  const auto add = [&](const Vec2& p) {
+    kept.edge[static_cast<std::size_t>(kept.count)] = 0;
+    kept.corner[static_cast<std::size_t>(kept.count++)] = p;
+  };
+  for (int i = 0; i < all.count; ++i) {
+    const Vec2 &p = all.corner[static_cast<std::size_t>(i)],
+               &q = all.corner[static_cast<std::size_t>(i + 1 < all.count ? i + 1 : 0)];
+    const double cp = faces.plane.overlap_at(p), cq = faces.plane.overlap_at(q);
+    if (cp >= 0) add(p);
+    if (((cp > 0 && cq < 0) || (cp < 0 && cq > 0)) && kept.count < 2 * max_face_corners)
+      add(p + cp / (cp - cq) * (q - p));
+  }
+}
+
+/// How fast the overlap grows, over the mean plane: at its origin, and its slope.
+struct ClosingRate {
+  double at_origin;
+  Vec2 slope;
+
+  ClosingRate(const MovingSolid& a, const MovingSolid& b, const MeanPlane& plane) {
+    const Vec3 spin = b.spin - a.spin, rate = b.velocity_at(plane.origin) - a.velocity_at(plane.origin);
+    at_origin = -plane.normal.dot(rate);
+    slope = {-plane.normal.dot(cross(spin, plane.x)), -plane.normal.dot(cross(spin, plane.y))};
+  }
+  /// Integral of a pressure times this, from the pressure's integrals.
+  [[nodiscard]] double power(const FaceIntegrals& of) const {
+    return at_origin * of.first + slope.dot(of.first_moment);
+  }
+};
+
+/// The pressure with its damping, where there is overlap and it is above 0.
+FaceIntegrals damped_integrals(const FaceOverlap3& faces, const ClosingRate& rate, double beta, bool open) {
+  FaceOverlap3 damped = faces;
+  if (open) keep_closed(damped);
+  damped.plane.overlap += beta * rate.at_origin;
+  damped.plane.slope += beta * rate.slope;
+  return damped.shared.count > 2 ? integrals_in_contact(damped) : FaceIntegrals{};
+}
+
+/// Mean distance of the area in contact from its middle.
+double radius_of(const FaceIntegrals& of) {
+  const Vec2 middle = of.area_moment / of.area;
+  const double xx = of.xx / of.area - middle.x() * middle.x(), yy = of.yy / of.area - middle.y() * middle.y(),
+               xy = of.xy / of.area - middle.x() * middle.y();
+  return turning_radius(xx + yy, xx * yy - xy * xy);
+}
+
+}  // namespace
+
+bool is_linear(const ContactLaw& law) {
+  return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::linear; }, law);
+}
+
+/// All pairs of opposed faces are asked; more than one that touches flatly, as of a wedge in a notch, are no flat
+/// contact.
+bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
+  int found = 0;
+  FaceRoom room_a, room_b;
+  FaceOverlap3 tried;
+  for (int f = 0; f < a.solid->shape.faces.count(); ++f)
+    for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
+      if (a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]) > opposed_enough) continue;
+      if (!fits_faces(a, f) || !fits_faces(b, g) || !may_touch_flatly(a, f, b, g)) continue;
+      if (!face_overlap(face_of(a, f, room_a), face_of(b, g, room_b), tried)) continue;
+      const FlatMeasures measures(tried);
+      if (!measures.touch()) continue;
+      if (!measures.are_flat() || ++found > 1) return false;
+      out = tried;
+    }
+  return found == 1;
+}
+
+SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces) {
+  const FaceIntegrals springs = integrals_in_contact(faces);
+  SolidPressure out;
+  if (!(springs.area > 0)) return out;
+  const MeanPlane& plane = faces.plane;
+  const ClosingRate rate(a, b, plane);
+  bool open = false;
+  for (int i = 0; i < faces.shared.count; ++i) {
+    const double c = plane.overlap_at(faces.shared.corner[static_cast<std::size_t>(i)]);
+    open = open || c < 0;
+    out.depth = std::max(out.depth, c);
+  }
+  const FaceIntegrals total = law.beta > 0 ? damped_integrals(faces, rate, law.beta, open) : springs;
+  out.pressure = law.kn * total.first;
+  out.force = out.pressure * plane.normal;
+  const Vec2 at = total.first > 0 ? Vec2(total.first_moment / total.first) : Vec2(springs.area_moment / springs.area);
+  out.centre = plane.at(at);
+  const double damping = law.kn * (total.first - springs.first);
+  const Vec2 arm = law.kn * (total.first_moment - springs.first_moment) - damping * at;
+  out.damping = damping * plane.normal;
+  out.damping_moment = cross(Vec3(arm.x() * plane.x + arm.y() * plane.y), plane.normal);
+  out.damped = law.kn * (rate.power(total) - rate.power(springs));
+  out.area = springs.area;
+  out.radius = radius_of(springs);
+  return out;
+}
+
+double face_energy(const Coulomb& law, const FaceOverlap3& faces) {
+  return law.kn * integrals_in_contact(faces).energy;
+}
+
+}  // namespace trilith

@@ -1,0 +1,29 @@
+// Two solids that lie on each other by one pair of faces: pressure in proportion to the overlap over the true polygon.
+//
+// The form that contact/solid_pressure.hpp tends to where faces are parallel and the overlap is thin, for a tenth of
+// the work. Which form holds is a function of the pose alone. The stress is kn c over the part of the shared polygon
+// where the overlap c is above 0 (shape/face_overlap_3d.hpp); with damping kn (c + beta dc/dt), never below 0.
+#pragma once
+
+#include "contact/solid_pressure.hpp"
+#include "shape/face_overlap_3d.hpp"
+
+namespace trilith {
+
+/// Limits of what counts as lying flat on each other, as in the plane (contact/face_overlap.hpp).
+inline constexpr double flat_faces_max_tilt = 0.005;   ///< of the faces against each other [rad]
+inline constexpr double flat_faces_max_depth = 0.005;  ///< overlap over the width of the shared polygon [1]
+
+/// True where two solids touch flatly by one pair of surface faces and no other; fills `out`.
+bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out);
+
+/// Pressure of flat faces under a law that is linear.
+SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces);
+
+/// Elastic energy of that pressure [J].
+double face_energy(const Coulomb& law, const FaceOverlap3& faces);
+
+/// Whether the law's pressure goes with the overlap, which the form of faces asks for.
+bool is_linear(const ContactLaw& law);
+
+}  // namespace trilith
