@@ -2,38 +2,33 @@
 
 #include <cmath>
 
-#include "base/portable.hpp"
-
 namespace trilith {
 namespace {
 
-/// x^0.75: p - 1, the slope of x^p but for p.
-double slope_power(double x) {
-  const double root = std::sqrt(x);
-  return root * std::sqrt(root);
-}
+constexpr double rounder = 0.57;  // k
 
 /// The curve's y at x.
 double on_curve(double x) {
-  const double left = 1 - x * slope_power(x);
-  return left > 0 ? portable::pow(left, 1 / 1.75) : 0;
+  return x < 1 ? std::sqrt((1 - x * x) / (1 + rounder * x * x)) : 0;
 }
 
 }  // namespace
 
 double limit_measure(double x, double y) {
-  return x * slope_power(x) + y * slope_power(y);
+  return x * x + y * y + rounder * x * x * y * y;
 }
 
-/// At the nearest point (a, b) the way to (x, y) goes along the curve's normal: (x - a) b^(p-1) = (y - b) a^(p-1).
-/// Left of it the left side is the greater one, right of it the right side: regula falsi between 0 and 1, with the
-/// standing end's value halved (Illinois).
+/// At the nearest point (a, b) the way to (x, y) goes along the curve's normal, which is that of
+/// (a (1 + k b^2), b (1 + k a^2)). Left of it `gap` is above 0, right of it below: regula falsi between 0 and 1, with
+/// the standing end's value halved (Illinois).
 std::pair<double, double> nearest_on_limit(double x, double y) {
   if (!(y > 1e-9 * x)) return {1, 0};
   if (!(x > 1e-9 * y)) return {0, 1};
-  const auto gap = [&](double a, double b) { return (x - a) * slope_power(b) - (y - b) * slope_power(a); };
+  const auto gap = [&](double a, double b) {
+    return (x - a) * b * (1 + rounder * a * a) - (y - b) * a * (1 + rounder * b * b);
+  };
   double low = 0, high = 1, at_low = gap(0, 1), at_high = gap(1, 0);
-  double a = x / (x + y), b = on_curve(a);
+  double a = x / std::sqrt(x * x + y * y), b = on_curve(a);
   for (int i = 0; i < 60; ++i) {
     const double value = gap(a, b);
     if (value > 0) {

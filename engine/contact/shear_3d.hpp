@@ -55,7 +55,7 @@ inline double sliding_energy(double ks, const SlidingForce& f) {
 
 /// True where friction cannot hold a force.
 inline bool beyond_limit(const Vec3& total, const SlidingMotion& motion) {
-  if (total.squaredNorm() <= 0.25 * motion.limit * motion.limit) return false;  // within the straight line
+  if (total.squaredNorm() <= 0.88 * motion.limit * motion.limit) return false;  // within the curve whatever its way
   const double turning = std::abs(motion.normal.dot(total));
   const double along = (total - motion.normal.dot(total) * motion.normal).norm();
   return !(motion.limit > 0) || limit_measure(along / motion.limit, turning / motion.limit) > 1;

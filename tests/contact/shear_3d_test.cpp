@@ -63,17 +63,34 @@ TEST_CASE("the nearest point of the limit is nearest, and the way to it is along
       CHECK(near(limit_measure(a, b), 1, 1e-12));
       const double least = std::hypot(x - a, y - b);
       for (int i = 0; i <= 1000; ++i) {
-        const double c = i / 1000.0, d = std::pow(1 - std::pow(c, 1.75), 1 / 1.75);
+        const double c = i / 1000.0, d = std::sqrt((1 - c * c) / (1 + 0.57 * c * c));
         CHECK(std::hypot(x - c, y - d) >= least * (1 - 1e-12));
       }
     }
+}
+
+TEST_CASE("the limit is a convex curve: its normal turns one way only") {
+  double before = -1;
+  for (int i = 0; i <= 1000; ++i) {
+    const double angle = i / 1000.0 * std::acos(-1.0) / 2;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double squares = 1, product = 0.57 * c * c * s * s;
+    const double share = std::sqrt(0.5 * (squares + std::sqrt(squares + 4 * product))), x = c / share, y = s / share;
+    CHECK(near(limit_measure(x, y), 1, 1e-12));
+    CHECK(std::hypot(x, y) >= std::sqrt(0.88));
+    const double way = std::atan2(y * (1 + 0.57 * x * x), x * (1 + 0.57 * y * y));
+    CHECK(way > before);
+    before = way;
+  }
 }
 
 TEST_CASE("T11: what a square carries in sliding and turning at once") {
   // V / mu N, T / T_limit, about a point at d a from the middle
   for (const auto& [v, t] : {std::pair(0.1758, 0.9771), std::pair(0.3485, 0.9094), std::pair(0.5142, 0.8014),
                              std::pair(0.7902, 0.5178), std::pair(0.9534, 0.2352)}) {
-    const double strength = std::pow(limit_measure(v, t), 1 / 1.75);
-    CHECK(near(strength, 1, 1.5e-2));
+    // How much of them the curve carries: measure of (v, t) / share is 1.
+    const double squares = v * v + t * t, product = limit_measure(v, t) - squares;
+    const double share = std::sqrt(0.5 * (squares + std::sqrt(squares * squares + 4 * product)));
+    CHECK(near(share, 1, 7e-3));
   }
 }
