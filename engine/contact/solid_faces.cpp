@@ -108,16 +108,16 @@ bool is_linear(const ContactLaw& law) {
 bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
   int found = 0;
   FaceRoom room_a, room_b;
-  FaceOverlap3 tried;
+  FaceOverlap3 another;
   for (int f = 0; f < a.solid->shape.faces.count(); ++f)
     for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
       if (a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]) > opposed_enough) continue;
       if (!fits_faces(a, f) || !fits_faces(b, g) || !may_touch_flatly(a, f, b, g)) continue;
+      FaceOverlap3& tried = found == 0 ? out : another;
       if (!face_overlap(face_of(a, f, room_a), face_of(b, g, room_b), tried)) continue;
       const FlatMeasures measures(tried);
       if (!measures.touch()) continue;
       if (!measures.are_flat() || ++found > 1) return false;
-      out = tried;
     }
   return found == 1;
 }

@@ -1,0 +1,124 @@
+#include "contact/solid_faces.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "contact/solid_contact.hpp"
+#include "contact/solid_energy.hpp"
+#include "near.hpp"
+#include "shape/random_convex_3d.hpp"
+
+using namespace trilith;
+using testing::near;
+using testing::near_zero;
+
+namespace {
+
+PlacedSolid set_down(const ConvexSolid& solid, const UnitQuaternion& rotation, const Vec3& at) {
+  PlacedSolid out;
+  place(solid, Turn3(rotation), at, out);
+  return out;
+}
+
+ConvexSolid brick(double x, double y, double z) {
+  return convex_solid(box_solid(Vec3(-x, -y, -z) / 2, Vec3(x, y, z) / 2), "brick");
+}
+
+ContactLaw joint(double kn, double beta) {
+  Frictional law;
+  law.kn = kn, law.beta = beta;
+  return law;
+}
+
+/// A brick on a larger one, tilted and moving by chance, both in a world turned by chance.
+struct Laid {
+  ConvexSolid below = brick(1, 0.8, 0.3), above = brick(0.6, 0.5, 0.2);
+  PlacedSolid a, b;
+  Vec3 velocity, spin;
+
+  Laid(std::mt19937_64& bits, double overlap, double tilt) {
+    const UnitQuaternion world = random_rotation(bits);
+    const Turn3 turn(world);
+    const Vec3 lean = tilt * random_in_ball(bits), aside = 0.6 * random_in_ball(bits);
+    a = set_down(below, world, turn.apply(Vec3(0, 0, -0.15)));
+    b = set_down(above, world * rotation_by(lean), turn.apply(Vec3(aside.x(), 0.8 * aside.y(), 0.1 - overlap)));
+    velocity = 0.01 * random_in_ball(bits), spin = 0.05 * random_in_ball(bits);
+  }
+  [[nodiscard]] Vec3 origin_of_b() const { return b.corners[0]; }
+  [[nodiscard]] MovingSolid lower() const { return {a, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
+  [[nodiscard]] MovingSolid upper() const { return {b, origin_of_b(), velocity, spin}; }
+};
+
+}  // namespace
+
+TEST_CASE("flat faces press as the volume they share does") {
+  std::mt19937_64 bits(5);
+  const double overlap = 1e-5;
+  for (const double beta : {0.0, 1e-4}) {
+    const ContactLaw law = joint(1e9, beta);
+    int flat = 0;
+    for (int i = 0; i < 400; ++i) {
+      const Laid laid(bits, overlap, 5e-5);
+      FaceOverlap3 faces;
+      if (!flat_faces(laid.a, laid.b, faces)) continue;
+      ++flat;
+      SolidOverlapBuffer shared, cell;
+      solid_overlap(laid.a, laid.b, shared);
+      const LawInUse use{law};
+      const SolidPressure whole = solid_pressure(laid.lower(), laid.upper(), use, shared);
+      const SolidPressure face =
+          with_kernel(use, [&](const Coulomb& k) { return face_pressure(laid.lower(), laid.upper(), k, faces); });
+      // The bands along the rim are as wide as the overlap is deep.
+      const double within = 2e-3, size = std::max(whole.force.norm(), 1.0);
+      CHECK((face.force - whole.force).norm() <= within * size);
+      CHECK((face.damping - whole.damping).norm() <= within * size);
+      CHECK((face.centre - whole.centre).norm() <= within);
+      CHECK(near_zero(face.damped - whole.damped, within * size * 0.05));
+      CHECK(
+          (face.damping_moment + cross(Vec3(face.centre - whole.centre), face.damping) - whole.damping_moment).norm() <=
+          within * size);
+      CHECK(near(face.area, whole.area, 1e-2));
+      CHECK(near(face.radius, whole.radius, 1e-2));
+      const double energy = with_kernel(use, [&](const Coulomb& k) { return face_energy(k, faces); });
+      CHECK(near(energy, solid_energy(laid.a, laid.b, use, shared, cell), 1e-2));
+    }
+    CHECK(flat > 200);
+  }
+}
+
+TEST_CASE("force and moment of flat faces are the gradient of their energy, but for what slides") {
+  std::mt19937_64 bits(6);
+  const ContactLaw law = joint(1e9, 0);
+  for (int i = 0; i < 50; ++i) {
+    const Laid laid(bits, 1e-5, 2e-4);
+    FaceOverlap3 faces;
+    if (!flat_faces(laid.a, laid.b, faces)) continue;
+    const LawInUse use{law};
+    const auto pressed = [&](const PlacedSolid& b) {
+      FaceOverlap3 f;
+      REQUIRE(flat_faces(laid.a, b, f));
+      return with_kernel(use, [&](const Coulomb& k) { return face_energy(k, f); });
+    };
+    const SolidPressure p =
+        with_kernel(use, [&](const Coulomb& k) { return face_pressure(laid.lower(), laid.upper(), k, faces); });
+    const Vec3 n = faces.plane.normal;
+    const double h = 1e-8;
+    PlacedSolid up = laid.b, down = laid.b;
+    for (Vec3& x : up.corners) x += h * n;
+    for (Vec3& x : down.corners) x -= h * n;
+    CHECK(near(p.force.dot(n), -(pressed(up) - pressed(down)) / (2 * h), 1e-4));
+  }
+}
+
+TEST_CASE("bricks side by side, apart or deep in each other are no flat faces") {
+  const ConvexSolid one = brick(1, 1, 1);
+  FaceOverlap3 faces;
+  const PlacedSolid at_home = set_down(one, {}, Vec3::Zero());
+  CHECK(!flat_faces(at_home, set_down(one, {}, Vec3(0, 0, 1.0001)), faces));
+  CHECK(flat_faces(at_home, set_down(one, {}, Vec3(0, 0, 0.9999)), faces));
+  CHECK(!flat_faces(at_home, set_down(one, {}, Vec3(0, 0, 0.9)), faces));
+  CHECK(!flat_faces(at_home, set_down(one, rotation_by({0.02, 0, 0}), Vec3(0, 0, 0.9999)), faces));
+  CHECK(!flat_faces(at_home, set_down(one, {}, Vec3(0.9999, 0, 0.9999)), faces));  // corner of edges: a strip too thin
+  CHECK(!flat_faces(at_home, set_down(one, {}, Vec3(3, 0, 0.9999)), faces));
+}
