@@ -143,8 +143,8 @@ void Simulation::require_step(const StageOptions& options) const {
                     "another unseen: {}; "
                     "leave dt out, and the step is cut short where it has to be",
                     options.name, options.dt, swept_.needed(), state_.time, explain_sweep(model_, swept_)));
-  if (next_.longest == 0) return;
-  if (asked > next_.longest)
+  if (next_.longest == 0 && next_.dt > 0) return;  // as it was found before
+  if (asked > 0 && asked > next_.longest)
     throw InputError(fmt::format(
         "stage '{}': dt is {:g} s, the longest stable step is {:.4g} s at t = {:.4g} s; leave dt out, or: {}",
         options.name, options.dt, next_.longest, state_.time, explain_step(model_, state_, work_)));

@@ -138,7 +138,8 @@ int Keys::count(std::string_view key, int preset) {
     return preset;
   }
   const std::optional<int> value = count_at(L_, -1);
-  if (!value) wrong(key, "a whole number");
+  const double given = lua_type(L_, -1) == LUA_TNUMBER ? lua_tonumber(L_, -1) : 0.5;
+  if (!value) wrong(key, std::floor(given) == given ? "within -1e9 and 1e9" : "a whole number");
   lua_pop(L_, 1);
   return value.value_or(preset);
 }
