@@ -38,21 +38,23 @@ double damping_power(const MovingSolid& a, const MovingSolid& b, const SolidMemo
   return m.damping.dot(rate) + m.damping_moment.dot(Vec3(b.spin - a.spin));
 }
 
-/// Friction on the resultant, and about its normal, at the centre of pressure.
+/// Friction on the resultant, and about its normal, in the middle of the area, whatever the pressure does: were it to
+/// follow the centre of pressure, a body that leans would feel couples that no energy stands behind, and flutter.
 void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const Coulomb& law,
                   const SolidPressure& pressed, SolidResponse& out) {
   const double normal_force = pressed.force.norm();
   const Vec3 n = pressed.force / normal_force;
   const double radius = pressed.radius, turning = n.dot(Vec3(b.spin - a.spin));
-  Vec3 rate = b.velocity_at(pressed.centre) - a.velocity_at(pressed.centre);
+  Vec3 rate = b.velocity_at(pressed.middle) - a.velocity_at(pressed.middle);
   rate += (radius * turning - n.dot(rate)) * n;
   const SlidingMotion motion{law.dt * rate, rate, n, law.mu * normal_force};
   const double turned = 0.5 * law.dt * n.dot(Vec3(a.spin + b.spin));
   const SlidingResponse s =
       slide(motion, pressed.area, turned_along(before, n, turned), SlidingLaw{law.ks, law.beta, law.dt});
   const double along = n.dot(s.force.total);
-  out.force -= s.force.total - along * n;
-  out.moment -= radius * along * n;
+  const Vec3 shear = s.force.total - along * n;
+  out.force -= shear;
+  out.moment -= radius * along * n + cross(Vec3(pressed.middle - pressed.centre), shear);
   out.memory.shear = s.force, out.memory.normal = n;
   out.memory.slip += s.slip;
   out.lost_damping += s.lost_damping, out.lost_friction += s.lost_friction;

@@ -138,7 +138,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
   out.pressure = law.kn * total.first;
   out.force = out.pressure * plane.normal;
   const Vec2 at = total.first > 0 ? Vec2(total.first_moment / total.first) : Vec2(springs.area_moment / springs.area);
-  out.centre = plane.at(at);
+  out.centre = plane.at(at), out.middle = plane.at(Vec2(springs.area_moment / springs.area));
   const double damping = law.kn * (total.first - springs.first);
   const Vec2 arm = law.kn * (total.first_moment - springs.first_moment) - damping * at;
   out.damping = damping * plane.normal;

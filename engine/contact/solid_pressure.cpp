@@ -262,7 +262,7 @@ SolidPressure finished(SolidSums& sums) {
   if (!(out.area > 0)) return {};
   const Vec3 middle = sums.area_arm / out.area;
   const Vec3 arm = out.pressure > 0 ? Vec3(sums.arm_sum / out.pressure) : middle;
-  out.centre = sums.origin + arm;
+  out.centre = sums.origin + arm, out.middle = sums.origin + middle;
   out.moment -= cross(arm, out.force), out.damping_moment -= cross(arm, out.damping);
   const Eigen::Matrix3d about = sums.second / out.area - middle * middle.transpose();
   // A plane area has one principal value of 0, so the sum of the products by twos is that of the other two.

@@ -36,6 +36,7 @@ struct SolidPressure {
   Vec3 centre = Vec3::Zero();          ///< of pressure, or of the area where there is none [m]
   double pressure = 0;                 ///< integral of the pressure, whatever way it acts [N]
   double area = 0;                     ///< in contact: half of the pressed faces of both [m2]
+  Vec3 middle = Vec3::Zero();          ///< of the area in contact [m]
   double radius = 0;                   ///< mean distance of the area from its centroid, see turning_radius [m]
   double depth = 0;                    ///< greatest depth of a pressed face in the other solid [m]
 };
