@@ -226,7 +226,7 @@ TEST_CASE("T22: a prism of many sides begins to roll at half the angle of a side
       builder.contact(0, 0, frictional(1e13, 1e13, 1, 1e-5), "joint");
       Model<3> model = builder.build();
       model.gravity.grow_end = 0.5;
-      SolidRun run(model, 2e-6);
+      SolidRun run(model, 5e-6);
       const bool rolls = run.run_until(2.5, [&] { return run.turned(1).norm() > 0.1; });
       CHECK(rolls == (off > 0));
     }
