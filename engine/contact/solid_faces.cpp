@@ -89,12 +89,13 @@ FaceIntegrals damped_integrals(const FaceOverlap3& faces, const ClosingRate& rat
   return damped.shared.count > 2 ? integrals_in_contact(damped) : FaceIntegrals{};
 }
 
-/// Mean distance of the area in contact from its middle.
-double radius_of(const FaceIntegrals& of) {
+/// How the area in contact lies about its middle.
+void set_spread(const FaceIntegrals& of, SolidPressure& out) {
   const Vec2 middle = of.area_moment / of.area;
   const double xx = of.xx / of.area - middle.x() * middle.x(), yy = of.yy / of.area - middle.y() * middle.y(),
                xy = of.xy / of.area - middle.x() * middle.y();
-  return turning_radius(xx + yy, xx * yy - xy * xy);
+  const double trace = xx + yy, product = xx * yy - xy * xy;
+  out.radius = turning_radius(trace, product), out.spread = larger_principal(trace, product);
 }
 
 }  // namespace
@@ -145,7 +146,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
   out.damping_moment = cross(Vec3(arm.x() * plane.x + arm.y() * plane.y), plane.normal);
   out.damped = law.kn * (rate.power(total) - rate.power(springs));
   out.area = springs.area;
-  out.radius = radius_of(springs);
+  set_spread(springs, out);
   return out;
 }
 

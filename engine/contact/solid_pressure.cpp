@@ -268,7 +268,7 @@ SolidPressure finished(SolidSums& sums) {
   // A plane area has one principal value of 0, so the sum of the products by twos is that of the other two.
   const double product = about(0, 0) * about(1, 1) + about(1, 1) * about(2, 2) + about(2, 2) * about(0, 0) -
                          about(0, 1) * about(0, 1) - about(1, 2) * about(1, 2) - about(2, 0) * about(2, 0);
-  out.radius = turning_radius(about.trace(), product);
+  out.radius = turning_radius(about.trace(), product), out.spread = larger_principal(about.trace(), product);
   return out;
 }
 
@@ -302,6 +302,10 @@ double turning_radius(double trace, double product) {
   if (!(trace > 0)) return 0;
   const double roundness = std::clamp(4 * product / (trace * trace), 0.0, 1.0);
   return std::sqrt(trace) * (0.8660 + 0.0725 * std::sqrt(roundness));
+}
+
+double larger_principal(double trace, double product) {
+  return 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4 * product)));
 }
 
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,

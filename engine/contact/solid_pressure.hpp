@@ -38,6 +38,7 @@ struct SolidPressure {
   double area = 0;                     ///< in contact: half of the pressed faces of both [m2]
   Vec3 middle = Vec3::Zero();          ///< of the area in contact [m]
   double radius = 0;                   ///< mean distance of the area from its centroid, see turning_radius [m]
+  double spread = 0;                   ///< largest second moment of the area over it, about a line of it [m2]
   double depth = 0;                    ///< greatest depth of a pressed face in the other solid [m]
 };
 
@@ -49,5 +50,8 @@ SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const L
 /// tensor and the product of its two principal values). A line of length l has l/4 and a gyration of l/sqrt(12), a
 /// square .9375 of its gyration, a disc .9428; between them this is right to 1 %, triangles to 2 %.
 double turning_radius(double trace, double product);
+
+/// The larger of two principal values of this trace and product.
+double larger_principal(double trace, double product);
 
 }  // namespace trilith

@@ -3,12 +3,9 @@
 #include <algorithm>
 
 namespace trilith {
-namespace {
 
-using SolidBox = FatBox<3>;
-
-SolidBox box_around(const PlacedSolid& solid) {
-  SolidBox box;
+FatBox<3> box_around(const PlacedSolid& solid) {
+  FatBox<3> box;
   box.low.fill(unbounded), box.high.fill(-unbounded);
   for (const Vec3& x : solid.corners)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -18,13 +15,15 @@ SolidBox box_around(const PlacedSolid& solid) {
   return box;
 }
 
-SolidBox widened(SolidBox box, double by) {
+FatBox<3> widened(FatBox<3> box, double by) {
   for (std::size_t k = 0; k < 3; ++k) box.low[k] -= by, box.high[k] += by;
   return box;
 }
 
+namespace {
+
 /// How far a box may still grow within another, negative where it reaches out [m].
-double room_left(const SolidBox& inner, const SolidBox& outer) {
+double room_left(const FatBox<3>& inner, const FatBox<3>& outer) {
   double least = unbounded;
   for (std::size_t k = 0; k < 3; ++k)
     least = std::min({least, inner.low[k] - outer.low[k], outer.high[k] - inner.high[k]});

@@ -10,6 +10,10 @@
 
 namespace trilith {
 
+/// The box of a solid where it stands, and one that is wider by some length on every side [m].
+FatBox<3> box_around(const PlacedSolid& solid);
+FatBox<3> widened(FatBox<3> box, double by);
+
 /// True where some piece has left its box (work.solids must be placed); then `due` of work.search has them all. Else
 /// the next look is put off until the fastest point has gone as far as is left.
 bool solids_are_due(const Model<3>& model, Work<3>& work);

@@ -106,25 +106,40 @@ std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state
   return stress;
 }
 
-WorstBodies worst_bodies(const Model<2>& model, const Work<2>& work) {
+namespace {
+
+double speed_of(const SkinMotion<2>& point) {
+  return portable::hypot(point.u, point.v);
+}
+double speed_of(const SkinMotion<3>& point) {
+  return Vec3(point.u, point.v, point.w).norm();
+}
+
+}  // namespace
+
+template <int D>
+WorstBodies worst_bodies(const Model<D>& model, const Work<D>& work) {
   WorstBodies worst;
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
     if (!model.body_moves(b)) continue;
     const Body& body = model.bodies[b];
     for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
       if (!model.moves(n)) continue;
-      Vec2 left = work.force[n];
-      for (const int k : {0, 1})
+      Vec<D> left = work.force[n];
+      for (int k = 0; k < D; ++k)
         if (model.support[n][k] != Support::free) left[k] = 0;
       if (worst.unbalanced < 0 || left.norm() > worst.force) worst.unbalanced = b, worst.force = left.norm();
     }
     for (int s = body.first_skin; s < body.first_skin + body.skins; ++s) {
-      const double speed = portable::hypot(work.skin[s].u, work.skin[s].v);
+      const double speed = speed_of(work.skin[s]);
       if (worst.fastest < 0 || speed > worst.speed) worst.fastest = b, worst.speed = speed;
     }
   }
   return worst;
 }
+
+template WorstBodies worst_bodies(const Model<2>&, const Work<2>&);
+template WorstBodies worst_bodies(const Model<3>&, const Work<3>&);
 
 /// Where the force from one body of the chain to the next passes: several contacts between two are one, at the mean of
 /// their points, weighed by their normal forces.

@@ -34,7 +34,8 @@ struct WorstBodies {
   double force = 0;  ///< unbalanced [N]
   double speed = 0;  ///< of a point of the fastest [m/s]
 };
-WorstBodies worst_bodies(const Model<2>& model, const Work<2>& work);
+template <int D>
+WorstBodies worst_bodies(const Model<D>& model, const Work<D>& work);
 
 /// A point of the line of thrust: where the force between two neighbours of a chain acts.
 struct ThrustPoint {

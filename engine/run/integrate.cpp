@@ -40,19 +40,22 @@ bool passes_multiple(double time, double last_dt, double interval) {
 }  // namespace
 
 /// What a stage begins with. One that leaves it open goes on as the state is, and from the very start implicitly.
-bool Simulation::wants_implicit() const {
+template <int D>
+bool Simulation<D>::wants_implicit() const {
   const StageOptions& o = stage_->options;
   if (!o.may_change) return o.implicit.has_value();
   return state_.implicit() || (state_.last_dt == 0 && model_.pushes.empty());
 }
 
 /// Whether the next step is implicit.
-bool Simulation::goes_implicitly() const {
+template <int D>
+bool Simulation<D>::goes_implicitly() const {
   return stage_->options.implicit && (!stage_->options.may_change || state_.implicit());
 }
 
 /// As it was found before, but where a running stage asks for another one or some steps have gone by.
-NextStep Simulation::choose_step() const {
+template <int D>
+NextStep Simulation<D>::choose_step() const {
   if (!stage_) return {state_.dt, state_.safety, 0};
   const StageOptions& options = stage_->options;
   if (goes_implicitly()) {
@@ -69,7 +72,8 @@ NextStep Simulation::choose_step() const {
 }
 
 /// In a stage that leaves it open. The state alone decides, so that a run that is continued decides alike.
-void Simulation::choose_integrator() {
+template <int D>
+void Simulation<D>::choose_integrator() {
   const StageOptions& options = stage_->options;
   const double longest = longest_implicit(options);
   refresh();
@@ -85,7 +89,8 @@ void Simulation::choose_integrator() {
 }
 
 /// What the last step led to is committed under the scheme that took it; then the state is made ready for the other.
-void Simulation::change_integrator(bool implicit) {
+template <int D>
+void Simulation<D>::change_integrator(bool implicit) {
   if (implicit && !model_.pushes.empty())
     throw InputError(
         fmt::format("stage '{}': push '{}' controls a displacement, which only explicit steps do; release "
@@ -94,22 +99,25 @@ void Simulation::change_integrator(bool implicit) {
   refresh();
   commit(model_, state_, work_, times_);
   leaving_.insert(leaving_.end(), work_.events.begin(), work_.events.end());
-  if (implicit)
-    begin_implicit(model_, state_, work_);
-  else
-    begin_explicit(model_, state_, work_);
+  if constexpr (D == 2) {
+    if (implicit)
+      begin_implicit(model_, state_, work_);
+    else
+      begin_explicit(model_, state_, work_);
+  }
   state_.dt = state_.safety = 0;
   evaluated_ = false;
 }
 
 /// Where an implicit step could not be found from a committed instant: the state is as it was, with nothing on the way
 /// since the commit, and is made ready for explicit steps.
-void Simulation::leave_implicit() {
-  std::vector<Vec2> position = std::exchange(state_.position_before, state_.position);
-  std::vector<double> rotation = std::exchange(state_.rotation_before, state_.rotation);
+template <int D>
+void Simulation<D>::leave_implicit() {
+  std::vector<Vec<D>> position = std::exchange(state_.position_before, state_.position);
+  std::vector<Rotation<D>> rotation = std::exchange(state_.rotation_before, state_.rotation);
   evaluate(model_, state_, work_, state_.last_dt, times_);
   state_.position_before.swap(position), state_.rotation_before.swap(rotation);  // the ledger wants the step behind
-  begin_explicit(model_, state_, work_);
+  if constexpr (D == 2) begin_explicit(model_, state_, work_);
   state_.dt = state_.safety = 0;
   evaluated_ = false;
   refresh();
@@ -117,12 +125,17 @@ void Simulation::leave_implicit() {
 }
 
 /// From a committed instant to the next one. False where that could not be found.
-bool Simulation::take_step(double dt, const Energy& energy) {
+template <int D>
+bool Simulation<D>::take_step(double dt, const Energy& energy) {
+  if constexpr (D == 2)
+    if (state_.implicit()) return step_implicitly(dt, energy);
+  advance(model_, state_, work_, {dt, rest_}, times_);
+  return true;
+}
+
+template <int D>
+bool Simulation<D>::step_implicitly(double dt, const Energy& energy) requires(D == 2) {
   const StageOptions& options = stage_->options;
-  if (!state_.implicit()) {
-    advance(model_, state_, work_, {dt, rest_}, times_);
-    return true;
-  }
   ImplicitOptions how;
   how.scheme = *options.implicit, how.dt = dt, how.tolerance = options.tolerance, how.accuracy = options.accuracy;
   how.shortest = shortest_for_energy * longest_implicit(options);
@@ -140,5 +153,21 @@ bool Simulation::take_step(double dt, const Energy& energy) {
   advance(model_, state_, work_, {swept_.dt, rest_}, times_);
   return true;
 }
+
+template bool Simulation<2>::wants_implicit() const;
+template bool Simulation<2>::goes_implicitly() const;
+template NextStep Simulation<2>::choose_step() const;
+template void Simulation<2>::choose_integrator();
+template void Simulation<2>::change_integrator(bool);
+template bool Simulation<2>::take_step(double, const Energy&);
+template bool Simulation<3>::wants_implicit() const;
+template bool Simulation<3>::goes_implicitly() const;
+template NextStep Simulation<3>::choose_step() const;
+template void Simulation<3>::choose_integrator();
+template void Simulation<3>::change_integrator(bool);
+template bool Simulation<3>::take_step(double, const Energy&);
+template void Simulation<2>::leave_implicit();
+template void Simulation<3>::leave_implicit();
+template bool Simulation<2>::step_implicitly(double, const Energy&);
 
 }  // namespace trilith

@@ -6,6 +6,7 @@
 namespace trilith {
 
 /// Tells `first`, then `second`, of everything either listens to. What one throws ends the run.
-RunListener both(RunListener first, RunListener second);
+template <int D>
+RunListener<D> both(RunListener<D> first, RunListener<D> second);
 
 }  // namespace trilith

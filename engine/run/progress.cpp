@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/quantity_text.hpp"
+#include "body/rigid_turn.hpp"
 #include "world/event_text.hpp"
 
 namespace trilith {
@@ -54,11 +55,24 @@ std::optional<double> Pace::left(double end) const {
   return std::max(0.0, (end - samples_.back().time) / rate);
 }
 
-double kinetic_energy(const Model<2>& model, const State<2>& state) {
+namespace {
+
+/// Twice the energy of a node's turning [J].
+double turning_energy(const Model<2>& model, const State<2>& state, int n) {
+  return model.inertia[n] * state.spin[n] * state.spin[n];
+}
+double turning_energy(const Model<3>& model, const State<3>& state, int n) {
+  return state.spin[n].dot(momentum_of(model.inertia[n], state.rotation[n], state.spin[n]));
+}
+
+}  // namespace
+
+template <int D>
+double kinetic_energy(const Model<D>& model, const State<D>& state) {
   double sum = 0;
   for (int n = 0; n < model.nodes(); ++n)
     if (model.moves(n))
-      sum += 0.5 * (model.mass[n] * state.velocity[n].squaredNorm() + model.inertia[n] * state.spin[n] * state.spin[n]);
+      sum += 0.5 * (model.mass[n] * state.velocity[n].squaredNorm() + turning_energy(model, state, n));
   return sum;
 }
 
@@ -68,7 +82,8 @@ std::string duration_text(double seconds) {
   return h > 0 ? fmt::format("{}:{:02}:{:02}", h, m, s) : fmt::format("{}:{:02}", m, s);
 }
 
-std::string status_text(const Instant& now, const Pace& pace) {
+template <int D>
+std::string status_text(const Instant<D>& now, const Pace& pace) {
   std::string out = fmt::format("{}  t {:.3f} s  step {}  dt {}", now.stage.name, now.state.time,
                                 grouped(now.state.step), quantity_text(now.dt, "s"));
   if (pace.speed() > 0) out += fmt::format("  {:.3g} x real time", pace.speed());
@@ -118,7 +133,8 @@ std::vector<std::string> EventLines::rest() {
   return lines;
 }
 
-std::vector<std::string> EventLines::tell(const Event& event, const Model<2>& model) {
+template <int D>
+std::vector<std::string> EventLines::tell(const Event& event, const Model<D>& model) {
   std::vector<std::string> lines;
   if (show_ == EventShow::none) return lines;
   const std::string text = event_text(event, model);
@@ -134,5 +150,12 @@ std::vector<std::string> EventLines::tell(const Event& event, const Model<2>& mo
   lines.push_back(std::move(line));
   return lines;
 }
+
+template double kinetic_energy(const Model<2>&, const State<2>&);
+template std::string status_text(const Instant<2>&, const Pace&);
+template std::vector<std::string> EventLines::tell(const Event&, const Model<2>&);
+template double kinetic_energy(const Model<3>&, const State<3>&);
+template std::string status_text(const Instant<3>&, const Pace&);
+template std::vector<std::string> EventLines::tell(const Event&, const Model<3>&);
 
 }  // namespace trilith

@@ -34,10 +34,12 @@ class Pace {
 };
 
 /// Kinetic energy of all nodes [J].
-double kinetic_energy(const Model<2>& model, const State<2>& state);
+template <int D>
+double kinetic_energy(const Model<D>& model, const State<D>& state);
 
 /// "shaking  t 12.431 s  step 124310  dt 0.1 ms  12.3 x real time  kinetic 1.23 MJ  unbalanced 3.2e-05  0:45 left".
-std::string status_text(const Instant& now, const Pace& pace);
+template <int D>
+std::string status_text(const Instant<D>& now, const Pace& pace);
 
 /// "0:45", "2:03:10": a duration in wall clock [s].
 std::string duration_text(double seconds);
@@ -57,7 +59,8 @@ class EventLines {
 
   /// The lines that `event` gives, mostly one or none: "   12.430 s  seat lost        S3 lost its seat on P3 (right)
   /// (because at 11.020 s: bearing S3.left failed at 51 mm)".
-  std::vector<std::string> tell(const Event& event, const Model<2>& model);
+  template <int D>
+  std::vector<std::string> tell(const Event& event, const Model<D>& model);
   /// What is still to be said at the end of a stage.
   std::vector<std::string> rest();
 

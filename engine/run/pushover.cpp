@@ -17,10 +17,10 @@ std::size_t PushCurve::peak() const {
 }
 
 PushoverRecorder::PushoverRecorder(std::string name, double interval, const PushLimits& limits,
-                                   std::function<double(const Instant&)> drift)
+                                   std::function<double(const Instant<2>&)> drift)
     : name_(std::move(name)), interval_(interval), limits_(limits), drift_(std::move(drift)) {}
 
-bool PushoverRecorder::step(const Instant& now) {
+bool PushoverRecorder::step(const Instant<2>& now) {
   const auto& pushes = now.model.pushes;
   const auto at = std::find_if(pushes.begin(), pushes.end(), [&](const Push<2>& p) { return p.name == name_; });
   const auto index = static_cast<std::size_t>(at - pushes.begin());

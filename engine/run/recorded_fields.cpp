@@ -42,7 +42,7 @@ void RecordedFields::describe(const Model<2>& model, results::Header& header) co
   };
 }
 
-const std::vector<std::vector<double>>& RecordedFields::take(const Instant& now,
+const std::vector<std::vector<double>>& RecordedFields::take(const Instant<2>& now,
                                                              std::span<const TouchingContact> touching) {
   if (joints_.empty()) return values_;
   for (std::vector<double>& v : values_) v.clear();

@@ -18,7 +18,7 @@ class RecordedFields {
   /// Adds joints and fields to the header.
   void describe(const Model<2>& model, results::Header& header) const;
   /// The fields' numbers at this instant, in the order of the header; valid until the next call.
-  const std::vector<std::vector<double>>& take(const Instant& now, std::span<const TouchingContact> touching);
+  const std::vector<std::vector<double>>& take(const Instant<2>& now, std::span<const TouchingContact> touching);
 
  private:
   std::vector<Joint> joints_;

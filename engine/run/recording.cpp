@@ -82,17 +82,17 @@ Recording::Recording(std::filesystem::path path, const Model<2>& model, const St
       drives_known_(model.drives.size()),
       time_(state.time) {}
 
-RunListener Recording::listener() {
-  RunListener out;
-  out.on_frame = [this](const Instant& now) { frame(now); };
-  if (!histories_.empty()) out.on_history = [this](const Instant& now) { history(now); };
-  out.on_energy = [this](const Instant& now, const Energy& e) { energy(now, e); };
-  out.on_event = [this](const Event& e, const Instant& now) { event(e, now); };
-  out.on_step = [this](const Instant&) { step(); };
+RunListener<2> Recording::listener() {
+  RunListener<2> out;
+  out.on_frame = [this](const Instant<2>& now) { frame(now); };
+  if (!histories_.empty()) out.on_history = [this](const Instant<2>& now) { history(now); };
+  out.on_energy = [this](const Instant<2>& now, const Energy& e) { energy(now, e); };
+  out.on_event = [this](const Event& e, const Instant<2>& now) { event(e, now); };
+  out.on_step = [this](const Instant<2>&) { step(); };
   return out;
 }
 
-void Recording::frame(const Instant& now) {
+void Recording::frame(const Instant<2>& now) {
   assert(stage_ >= 0);
   take_contacts(now);
   take_bearings(now);
@@ -121,7 +121,7 @@ void Recording::frame(const Instant& now) {
   flush_when_due();
 }
 
-void Recording::take_contacts(const Instant& now) {
+void Recording::take_contacts(const Instant<2>& now) {
   contact_resultants(now.model, now.work, touching_);
   contacts_.clear();
   for (const TouchingContact& c : touching_) {
@@ -134,7 +134,7 @@ void Recording::take_contacts(const Instant& now) {
   }
 }
 
-void Recording::take_bearings(const Instant& now) {
+void Recording::take_bearings(const Instant<2>& now) {
   bearing_state_.clear();
   bearing_force_.clear();
   bearing_displacement_.clear();
@@ -148,7 +148,7 @@ void Recording::take_bearings(const Instant& now) {
   }
 }
 
-void Recording::take_stress(const Instant& now) {
+void Recording::take_stress(const Instant<2>& now) {
   stress_.clear();
   plastic_.clear();
   for (int e = 0; e < static_cast<int>(now.model.elements.size()); ++e) {
@@ -159,7 +159,7 @@ void Recording::take_stress(const Instant& now) {
   }
 }
 
-void Recording::history(const Instant& now) {
+void Recording::history(const Instant<2>& now) {
   values_.clear();
   for (const RecordedHistory& h : histories_) values_.push_back(h.sample(now));
   history(now.state.time, values_);
@@ -171,7 +171,7 @@ void Recording::history(double time, std::span<const double> values) {
   flush_when_due();
 }
 
-void Recording::energy(const Instant& now, const Energy& energy) {
+void Recording::energy(const Instant<2>& now, const Energy& energy) {
   const double balance = energy.balance();
   if (!has_balance_) first_balance_ = balance;
   has_balance_ = true;
@@ -188,7 +188,7 @@ void Recording::continue_ledger(const Recording& before) {
   check_ = before.check_;
 }
 
-void Recording::event(const Event& event, const Instant& now) {
+void Recording::event(const Event& event, const Instant<2>& now) {
   time_ = event.time;
   if (event.type == EventType::stage_begun) begin_stage(event, now);
   const EventTypeInfo& info = event_type_info[static_cast<std::size_t>(event.type)];
@@ -217,7 +217,7 @@ void Recording::event(const Event& event, const Instant& now) {
   flush_when_due();
 }
 
-void Recording::begin_stage(const Event& event, const Instant& now) {
+void Recording::begin_stage(const Event& event, const Instant<2>& now) {
   if (stage_open_) end_stage(event.time, "broken off");
   stage_ = writer_.begin_stage(now.stage.name, now.stage.rest_share > 0 ? "consolidation" : "dynamic", event.time);
   stage_open_ = true;

@@ -29,18 +29,18 @@ class Recording {
   ~Recording() = default;
 
   /// Records all a run tells; valid as long as this lives. Stages are known by their events.
-  RunListener listener();
+  RunListener<2> listener();
 
   // What the listener does, for callers with a listener of their own. All throw ResultsError.
-  void frame(const Instant& now);
+  void frame(const Instant<2>& now);
   /// One sample of every history, from their `sample`.
-  void history(const Instant& now);
+  void history(const Instant<2>& now);
   /// The same from values known elsewhere, in the order of the histories; time [s].
   void history(double time, std::span<const double> values);
   /// The residual is the balance less that of the first sample.
-  void energy(const Instant& now, const Energy& energy);
+  void energy(const Instant<2>& now, const Energy& energy);
   /// Events "stage.begun" and "stage.ended" open and close rows of the table of stages.
-  void event(const Event& event, const Instant& now);
+  void event(const Event& event, const Instant<2>& now);
   /// After each step: brings rows to the disk that have waited long enough, though no further ones come. Costs a look
   /// at a coarse clock where rows wait, and nothing else.
   void step();
@@ -62,12 +62,12 @@ class Recording {
   [[nodiscard]] const std::filesystem::path& part() const { return writer_.part(); }
 
  private:
-  void begin_stage(const Event& event, const Instant& now);
+  void begin_stage(const Event& event, const Instant<2>& now);
   void end_stage(double time, std::string_view why);
   void note_drives(const Model<2>& model);
-  void take_contacts(const Instant& now);
-  void take_bearings(const Instant& now);
-  void take_stress(const Instant& now);
+  void take_contacts(const Instant<2>& now);
+  void take_bearings(const Instant<2>& now);
+  void take_stress(const Instant<2>& now);
   void flush_when_due();
   void flush();
 

@@ -14,7 +14,7 @@ namespace trilith {
 /// A quantity followed over time. `sample` must give a finite number and write nothing.
 struct RecordedHistory {
   std::string name, unit, description;
-  std::function<double(const Instant&)> sample;
+  std::function<double(const Instant<2>&)> sample;
 };
 
 /// What the caller knows and the model does not.

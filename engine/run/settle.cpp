@@ -1,6 +1,9 @@
 // Rest found by statics, as a stage of a run.
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/flagged.hpp"
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
@@ -10,8 +13,19 @@
 namespace trilith {
 
 /// All of it lies between two looks at the same instant: what led to rest is told at the second one.
-StageReport Simulation::settle(const StageOptions& options, const EquilibriumOptions& how,
-                               const RunListener& listener) {
+template <int D>
+StageReport Simulation<D>::settle(const StageOptions& options, const EquilibriumOptions& how,
+                                  const RunListener<D>& listener) {
+  if constexpr (D == 3)
+    throw InputError(fmt::format(
+        "stage '{}': models in space are not settled by statics yet; let it consolidate in time", options.name));
+  else
+    return settle_plane(options, how, listener);
+}
+
+template <int D>
+StageReport Simulation<D>::settle_plane(const StageOptions& options, const EquilibriumOptions& how,
+                                        const RunListener<D>& listener) requires(D == 2) {
   begin_stage(options);
   StageReport& report = stage_->report;
   const Flagged running(running_);
@@ -22,7 +36,7 @@ StageReport Simulation::settle(const StageOptions& options, const EquilibriumOpt
     watch_->reset();
     drop_work();
     refresh();
-    const Instant now = instant();
+    const Instant<D> now = instant();
     for (const Event& e : found.events) tell(e, listener, now);
     if (listener.on_step) listener.on_step(now);
     report.steps = found.steps, report.ended = state_.time;
@@ -39,5 +53,9 @@ StageReport Simulation::settle(const StageOptions& options, const EquilibriumOpt
   stage_.reset();
   return out;
 }
+
+template StageReport Simulation<2>::settle(const StageOptions&, const EquilibriumOptions&, const RunListener<2>&);
+template StageReport Simulation<3>::settle(const StageOptions&, const EquilibriumOptions&, const RunListener<3>&);
+template StageReport Simulation<2>::settle_plane(const StageOptions&, const EquilibriumOptions&, const RunListener<2>&);
 
 }  // namespace trilith

@@ -32,7 +32,7 @@ constexpr double shortest_step = 1e-12, shortest_share = 1e-9;
 /// A stage of so long [s] is meant to end by something else: rest, a number of steps, the person at the console.
 constexpr double open_ended = 1e8;
 
-void check(const StageOptions& o) {
+void check(const StageOptions& o, bool in_space) {
   const std::string owner = fmt::format("stage '{}'", o.name);
   require_positive(o.duration, owner + ": duration", "s");
   require_not_negative(o.dt, owner + ": dt", "s");
@@ -43,6 +43,11 @@ void check(const StageOptions& o) {
                     owner, o.safety, longest_safety));
   if (!(o.rest_share >= 0 && o.rest_share < 1))
     throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
+  if (o.implicit && in_space)
+    throw InputError(
+        fmt::format("{}: integrator is implicit, which models in space have not yet; leave it out, or take "
+                    "integrator = \"explicit\"",
+                    owner));
   if (o.implicit && o.rest_share > 0)
     throw InputError(
         fmt::format("{}: damping is {:g}, which only explicit steps have; leave it out, or take "
@@ -59,14 +64,16 @@ void check(const StageOptions& o) {
 
 }  // namespace
 
-Simulation::Simulation(Model<2> model)
+template <int D>
+Simulation<D>::Simulation(Model<D> model)
     : model_(std::move(model)),
       state_(start_state(model_)),
       causes_(static_cast<int>(model_.bodies.size())),
       watch_(std::make_unique<Watch>()),
       tangent_(std::make_unique<Tangent>()) {}
 
-Simulation::Simulation(Model<2> model, State<2> state)
+template <int D>
+Simulation<D>::Simulation(Model<D> model, State<D> state)
     : model_(std::move(model)),
       state_(std::move(state)),
       causes_(static_cast<int>(model_.bodies.size())),
@@ -76,41 +83,48 @@ Simulation::Simulation(Model<2> model, State<2> state)
   all_left_ = hold_left(model_, state_);
 }
 
-Simulation::~Simulation() = default;
+template <int D>
+Simulation<D>::~Simulation() = default;
 
-Model<2>& Simulation::edit_model() {
+template <int D>
+Model<D>& Simulation<D>::edit_model() {
   assert(!running_ || at_border_);
   edited();
   return model_;
 }
 
 /// The model has another content from now on.
-void Simulation::edited() {
+template <int D>
+void Simulation<D>::edited() {
   work_.valid = evaluated_ = false;
   tangent_->forget();
   watch_->doubt();
   kept_model_.reset();
 }
 
-void Simulation::edit(const std::function<void(Model<2>&)>& change) {
+template <int D>
+void Simulation<D>::edit(const std::function<void(Model<D>&)>& change) {
   const int before = model_.free_dofs();
   change(edit_model());
   if (model_.free_dofs() > before) drop_step();
 }
 
-void Simulation::lift_bonds() {
+template <int D>
+void Simulation<D>::lift_bonds() {
   assert(!running_);
   trilith::lift_bonds(model_, state_);
   drop_work();
 }
-void Simulation::set_bonds(double reach) {
+template <int D>
+void Simulation<D>::set_bonds(double reach) {
   assert(!running_);
   trilith::set_bonds(model_, state_, reach);
   drop_work();
 }
 
 /// evaluate, then the length of the step to come, then the forces of displacement control, which depend on it.
-void Simulation::refresh() {
+template <int D>
+void Simulation<D>::refresh() {
   if (evaluated_) return;
   if (!work_.valid) all_left_ = hold_left(model_, state_);
   evaluate(model_, state_, work_, state_.last_dt, times_);
@@ -118,23 +132,27 @@ void Simulation::refresh() {
   next_ = choose_step();
   swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   clock.mark(StepPart::estimate);
-  if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
+  if constexpr (D == 2)
+    if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
   evaluated_ = true;
 }
 
-void Simulation::drop_work() {
-  work_ = Work<2>{};
+template <int D>
+void Simulation<D>::drop_work() {
+  work_ = {};
   evaluated_ = false;
 }
 
 /// The step to come ends with the stage at the latest.
-double Simulation::whole_step() const {
+template <int D>
+double Simulation<D>::whole_step() const {
   if (!stage_ || state_.time >= stage_->end - 1e-9 * stage_->options.duration) return next_.dt;
   return std::min(next_.dt, stage_->end - state_.time);
 }
 
 /// Throws InputError where the step to come is longer than a stable one, or so short that no stage would end.
-void Simulation::require_step(const StageOptions& options) const {
+template <int D>
+void Simulation<D>::require_step(const StageOptions& options) const {
   if (goes_implicitly()) return;
   const double asked = options.implicit ? 0 : options.dt;
   if (asked > 0 && swept_.piece_a >= 0)
@@ -159,24 +177,28 @@ void Simulation::require_step(const StageOptions& options) const {
         explain_step(model_, state_, work_)));
 }
 
-Energy Simulation::energy() const {
+template <int D>
+Energy Simulation<D>::energy() const {
   return energy_now(model_, state_, work_, {swept_.dt, rest_});
 }
 
-Instant Simulation::instant() const {
+template <int D>
+Instant<D> Simulation<D>::instant() const {
   const double ratio = work_.carried > 0 ? work_.unbalanced / work_.carried : 0;
   return {model_, state_, work_, stage_->options, stage_->report.begun, swept_.dt, work_.fastest_moving, ratio};
 }
 
 /// Every event of a run goes through here.
-void Simulation::tell(Event event, const RunListener& listener, const Instant& now) {
+template <int D>
+void Simulation<D>::tell(Event event, const RunListener<D>& listener, const Instant<D>& now) {
   causes_.name(event);
   if (has_trait(event.type, spoils_run)) verdict_.add(event.type, event.time, event.value, event_text(event, model_));
   if (listener.on_event) listener.on_event(event, now);
 }
 
 /// That the stage has ended; before it, why it is not to be trusted, where it is not.
-void Simulation::tell_end(const RunListener& listener, const Instant& now) {
+template <int D>
+void Simulation<D>::tell_end(const RunListener<D>& listener, const Instant<D>& now) {
   const StageReport& report = stage_->report;
   if (report.end == StageEnd::diverged) tell(diverged_event(now, report), listener, now);
   if (report.end == StageEnd::not_at_rest && now.stage.must_rest) tell(unsettled_event(now), listener, now);
@@ -184,8 +206,9 @@ void Simulation::tell_end(const RunListener& listener, const Instant& now) {
        now);
 }
 
-void Simulation::begin_stage(const StageOptions& options) {
-  check(options);
+template <int D>
+void Simulation<D>::begin_stage(const StageOptions& options) {
+  check(options, D == 3);
   assert(!running_);
   if (verdict_.has(Fault::diverged))
     throw InputError(
@@ -197,18 +220,21 @@ void Simulation::begin_stage(const StageOptions& options) {
   watch_->reset();
 }
 
-StageReport Simulation::run(const StageOptions& options, const RunListener& listener) {
+template <int D>
+StageReport Simulation<D>::run(const StageOptions& options, const RunListener<D>& listener) {
   begin_stage(options);
   if (const bool implicit = wants_implicit(); implicit != state_.implicit()) change_integrator(implicit);
   return go_on(listener);
 }
 
-StageReport Simulation::resume(const RunListener& listener) {
+template <int D>
+StageReport Simulation<D>::resume(const RunListener<D>& listener) {
   assert(stage_ && !running_);
   return go_on(listener);
 }
 
-StageReport Simulation::go_on(const RunListener& listener) {
+template <int D>
+StageReport Simulation<D>::go_on(const RunListener<D>& listener) {
   const Flagged running(running_);
   stop_ = false;
   try {
@@ -222,7 +248,8 @@ StageReport Simulation::go_on(const RunListener& listener) {
   return report;
 }
 
-void Simulation::run_on(const RunListener& listener, const RunLimit& limit) {
+template <int D>
+void Simulation<D>::run_on(const RunListener<D>& listener, const RunLimit& limit) {
   assert(running_ && at_border_ && stage_);
   at_border_ = false;
   struct Border {
@@ -238,12 +265,14 @@ void Simulation::run_on(const RunListener& listener, const RunLimit& limit) {
   }
 }
 
-Snapshot Simulation::snapshot() {
-  if (!kept_model_) kept_model_ = std::make_shared<const Model<2>>(model_);
+template <int D>
+Snapshot<D> Simulation<D>::snapshot() {
+  if (!kept_model_) kept_model_ = std::make_shared<const Model<D>>(model_);
   return {state_, kept_model_, causes_, stage_, rest_, verdict_};
 }
 
-void Simulation::restore(const Snapshot& snapshot) {
+template <int D>
+void Simulation<D>::restore(const Snapshot<D>& snapshot) {
   assert(!running_ || (at_border_ && snapshot.stage));
   state_ = snapshot.state;
   if (kept_model_ != snapshot.model) model_ = *snapshot.model;
@@ -259,7 +288,8 @@ void Simulation::restore(const Snapshot& snapshot) {
 }
 
 /// Lets bodies go that have come outside the bounds.
-void Simulation::see_off() {
+template <int D>
+void Simulation<D>::see_off() {
   const std::vector<int> bodies = watch_->leaving(model_, state_, work_);
   if (bodies.empty()) return;
   leaving_ = take_out(model_, state_, work_, {swept_.dt, rest_}, bodies);
@@ -269,7 +299,8 @@ void Simulation::see_off() {
 }
 
 /// Sets the report where the stage ends at this instant.
-bool Simulation::ends(const RunListener& listener, const Instant& now) {
+template <int D>
+bool Simulation<D>::ends(const RunListener<D>& listener, const Instant<D>& now) {
   StageProgress& stage = *stage_;
   const StageOptions& options = stage.options;
   const bool last = state_.time >= stage.end - 1e-9 * options.duration;
@@ -289,7 +320,8 @@ bool Simulation::ends(const RunListener& listener, const Instant& now) {
   return true;
 }
 
-void Simulation::tell_samples(const RunListener& listener, const Instant& now, bool ends) {
+template <int D>
+void Simulation<D>::tell_samples(const RunListener<D>& listener, const Instant<D>& now, bool ends) {
   StageProgress& stage = *stage_;
   const StageOptions& options = stage.options;
   if ((stage.frames.due(state_.time, now.dt) || (ends && options.frame_interval > 0)) && listener.on_frame)
@@ -302,9 +334,10 @@ void Simulation::tell_samples(const RunListener& listener, const Instant& now, b
 
 /// After a step, with the new state evaluated: tells what happened in it. What handlers read is of one instant, that of
 /// the state; what they change holds from the next step on, which is then looked at anew.
-void Simulation::tell_step(const RunListener& listener) {
+template <int D>
+void Simulation<D>::tell_step(const RunListener<D>& listener) {
   StepClock clock(times_);
-  const Instant now = instant();
+  const Instant<D> now = instant();
   for (const Event& e : work_.events) tell(e, listener, now);
   if (listener.on_step) listener.on_step(now);
   if (listener.change_model && listener.change_model(model_)) edited();
@@ -312,9 +345,10 @@ void Simulation::tell_step(const RunListener& listener) {
 }
 
 /// Ends the stage where no step could be found: the state is that of the last whole one.
-void Simulation::get_stuck(const RunListener& listener) {
+template <int D>
+void Simulation<D>::get_stuck(const RunListener<D>& listener) {
   refresh();
-  const Instant now = instant();
+  const Instant<D> now = instant();
   set_end(stage_->report, now, std::nullopt, StageEnd::not_converged);
   stage_->report.reason = std::exchange(stuck_, {});
   stage_->over = true;
@@ -322,7 +356,8 @@ void Simulation::get_stuck(const RunListener& listener) {
 }
 
 /// From one step border to the next, or to the end of the stage.
-void Simulation::pass(const RunListener& listener) {
+template <int D>
+void Simulation<D>::pass(const RunListener<D>& listener) {
   StageProgress& stage = *stage_;
   StageReport& report = stage.report;
   if (stage.options.may_change && !stage.first) choose_integrator();
@@ -331,7 +366,7 @@ void Simulation::pass(const RunListener& listener) {
   std::vector<Event> passed = notice_passed(model_, state_, work_);  // before what has left is taken out
   see_off();
   StepClock clock(times_);
-  const Instant now = instant();
+  const Instant<D> now = instant();
   report.speed = now.speed;
   report.ratio = now.ratio;
   if (stage.first) tell(stage_event(EventType::stage_begun, now, stage.options.name), listener, now);
@@ -363,5 +398,8 @@ void Simulation::pass(const RunListener& listener) {
   const Flagged border(at_border_);
   listener.at_border();
 }
+
+template class Simulation<2>;
+template class Simulation<3>;
 
 }  // namespace trilith

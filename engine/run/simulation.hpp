@@ -22,9 +22,10 @@
 namespace trilith {
 
 /// A simulation at a step border: what comes after restoring it has the bits of what came after taking it.
+template <int D>
 struct Snapshot {
-  State<2> state;
-  std::shared_ptr<const Model<2>> model;  ///< as it was then; shared by all snapshots between two changes of it
+  State<D> state;
+  std::shared_ptr<const Model<D>> model;  ///< as it was then; shared by all snapshots between two changes of it
   Causes causes;
   std::optional<StageProgress> stage;  ///< the stage that ran then
   RestDamping rest;                    ///< of that stage, or of the last one
@@ -48,47 +49,48 @@ class Watch;
 class Tangent;
 struct EquilibriumOptions;
 
+template <int D>
 class Simulation {
  public:
   /// Starts from start_state(model).
-  explicit Simulation(Model<2> model);
+  explicit Simulation(Model<D> model);
   /// Continues from a state of that model; what has left the bounds by it stays out.
-  Simulation(Model<2> model, State<2> state);
-  Simulation(const Simulation&) = delete;
-  Simulation& operator=(const Simulation&) = delete;
+  Simulation(Model<D> model, State<D> state);
+  Simulation(const Simulation<2>&) = delete;
+  Simulation<2>& operator=(const Simulation<2>&) = delete;
   ~Simulation();
 
   /// Runs one stage to its end. Throws InputError for options out of range and for a fixed step that is not stable.
   /// What listeners throw ends the run and is passed on; the state is then that of the last whole step. Throws
   /// InputError too after a stage that diverged: its state means nothing.
-  StageReport run(const StageOptions& options, const RunListener& listener = {});
-  /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Where
-  /// none is found the state is as it was, and the report says what fails. Of `options` name, must_rest and intervals
-  /// count.
-  StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener& listener = {});
+  StageReport run(const StageOptions& options, const RunListener<D>& listener = {});
+  /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Throws
+  /// InputError in space. Where none is found the state is as it was, and the report says what fails. Of `options`
+  /// name, must_rest and intervals count.
+  StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener = {});
   /// Runs a stage that restore() has brought back to its end.
-  StageReport resume(const RunListener& listener = {});
+  StageReport resume(const RunListener<D>& listener = {});
   /// Within at_border of a running stage: takes further steps of that stage, up to `limit` or its end.
-  void run_on(const RunListener& listener, const RunLimit& limit);
+  void run_on(const RunListener<D>& listener, const RunLimit& limit);
 
-  [[nodiscard]] const State<2>& state() const { return state_; }
-  [[nodiscard]] const Work<2>& work() const { return work_; }
-  [[nodiscard]] const Model<2>& model() const { return model_; }
+  [[nodiscard]] const State<D>& state() const { return state_; }
+  [[nodiscard]] const Work<D>& work() const { return work_; }
+  [[nodiscard]] const Model<D>& model() const { return model_; }
   /// Of all stages so far.
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   /// For changes between stages (supports, drives, damping, gravity), or at the border of a step.
-  Model<2>& edit_model();
+  Model<D>& edit_model();
   /// The same by a function; where it frees a degree of freedom, drop_step.
-  void edit(const std::function<void(Model<2>&)>& change);
+  void edit(const std::function<void(Model<D>&)>& change);
   /// The length of the step is looked for anew before the next one: what was freed may need a shorter one.
   void drop_step() { state_.dt = 0; }
   /// The stage that runs, or was restored and waits for resume(); nullptr where there is none.
   [[nodiscard]] const StageProgress* stage() const { return stage_ ? &*stage_ : nullptr; }
 
-  [[nodiscard]] Snapshot snapshot();
+  [[nodiscard]] Snapshot<D> snapshot();
   /// Goes back to a snapshot of this simulation. Within at_border: to one of the running stage, which then goes on from
   /// there. Between stages: its stage waits for resume().
-  void restore(const Snapshot& snapshot);
+  void restore(const Snapshot<D>& snapshot);
 
   /// Bonds of all joints are taken away, or made where faces meet now: see step/start.hpp. Not while a stage runs.
   void lift_bonds();
@@ -109,11 +111,13 @@ class Simulation {
 
  private:
   void begin_stage(const StageOptions& options);
-  StageReport go_on(const RunListener& listener);
-  void pass(const RunListener& listener);
+  StageReport settle_plane(const StageOptions& options, const EquilibriumOptions& how,
+                           const RunListener<D>& listener) requires(D == 2);
+  StageReport go_on(const RunListener<D>& listener);
+  void pass(const RunListener<D>& listener);
   void see_off();
-  bool ends(const RunListener& listener, const Instant& now);
-  void tell_samples(const RunListener& listener, const Instant& now, bool ends);
+  bool ends(const RunListener<D>& listener, const Instant<D>& now);
+  void tell_samples(const RunListener<D>& listener, const Instant<D>& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;
   [[nodiscard]] bool wants_implicit() const;
   [[nodiscard]] bool goes_implicitly() const;
@@ -121,22 +125,23 @@ class Simulation {
   void change_integrator(bool implicit);
   void leave_implicit();
   bool take_step(double dt, const Energy& energy);
-  void get_stuck(const RunListener& listener);
+  bool step_implicitly(double dt, const Energy& energy) requires(D == 2);
+  void get_stuck(const RunListener<D>& listener);
   [[nodiscard]] double whole_step() const;
-  [[nodiscard]] Instant instant() const;
+  [[nodiscard]] Instant<D> instant() const;
   void require_step(const StageOptions& options) const;
-  void tell_step(const RunListener& listener);
+  void tell_step(const RunListener<D>& listener);
   void edited();
-  void tell(Event event, const RunListener& listener, const Instant& now);
-  void tell_end(const RunListener& listener, const Instant& now);
+  void tell(Event event, const RunListener<D>& listener, const Instant<D>& now);
+  void tell_end(const RunListener<D>& listener, const Instant<D>& now);
 
-  Model<2> model_;
-  State<2> state_;
-  Work<2> work_;
+  Model<D> model_;
+  State<D> state_;
+  Work<D> work_;
   Causes causes_;
   Verdict verdict_;
   std::optional<StageProgress> stage_;
-  std::shared_ptr<const Model<2>> kept_model_;  // a copy of model_, where none was changed since
+  std::shared_ptr<const Model<D>> kept_model_;  // a copy of model_, where none was changed since
   StepTimes* times_ = nullptr;
   NextStep next_;           // found by refresh()
   SweptStep swept_;         // ... and what of it is taken

@@ -59,10 +59,11 @@ struct StageReport {
 };
 
 /// What a running stage looks like at one instant.
+template <int D>
 struct Instant {
-  const Model<2>& model;
-  const State<2>& state;
-  const Work<2>& work;
+  const Model<D>& model;
+  const State<D>& state;
+  const Work<D>& work;
   const StageOptions& stage;
   double begun;  ///< time at which the stage began [s]
   double dt;     ///< step about to be taken [s]
@@ -73,13 +74,14 @@ struct Instant {
 /// Who listens to a run. All are called at an evaluated instant, in this order; none may write State, Model or Work,
 /// but for change_model, which is the step border: what it changes holds from then on. Events tell of the step behind,
 /// the instant they come with is the one after it.
+template <int D>
 struct RunListener {
-  std::function<void(const Instant&)> on_frame, on_history;
-  std::function<void(const Instant&, const Energy&)> on_energy;
-  std::function<void(const Instant&)> on_step;  ///< after each step; leave empty where it is not needed
-  std::function<void(const Event&, const Instant&)> on_event;
+  std::function<void(const Instant<D>&)> on_frame, on_history;
+  std::function<void(const Instant<D>&, const Energy&)> on_energy;
+  std::function<void(const Instant<D>&)> on_step;  ///< after each step; leave empty where it is not needed
+  std::function<void(const Event&, const Instant<D>&)> on_event;
   /// After on_step. Supports, drives, damping and gravity may be changed; true where something was.
-  std::function<bool(Model<2>&)> change_model;
+  std::function<bool(Model<D>&)> change_model;
   /// Last, at the step border, where Simulation::edit_model, run_on, snapshot and restore may be called.
   std::function<void()> at_border;
 };

@@ -11,17 +11,20 @@ namespace trilith {
 namespace {
 
 /// "pier is worst, with 3.1e-03 of the largest force unbalanced (1e-05 is asked for)"
-std::string unbalanced_text(const Instant& now, const WorstBodies& worst) {
+template <int D>
+std::string unbalanced_text(const Instant<D>& now, const WorstBodies& worst) {
   return fmt::format("{} is worst, with {:.2g} of the largest force unbalanced ({:g} is asked for)",
                      now.model.bodies[worst.unbalanced].name, now.ratio, now.stage.still_ratio);
 }
 
-std::string moving_text(const Instant& now, const WorstBodies& worst) {
+template <int D>
+std::string moving_text(const Instant<D>& now, const WorstBodies& worst) {
   return fmt::format("{} is fastest, at {:.2g} m/s ({:g} m/s is asked for)", now.model.bodies[worst.fastest].name,
                      worst.speed, now.stage.still_speed);
 }
 
-std::string unsettled_text(const Instant& now, const WorstBodies& worst) {
+template <int D>
+std::string unsettled_text(const Instant<D>& now, const WorstBodies& worst) {
   const bool pulled = now.ratio > now.stage.still_ratio && worst.unbalanced >= 0;
   const bool moves = worst.speed > now.stage.still_speed && worst.fastest >= 0;
   if (pulled && moves) return unbalanced_text(now, worst) + "; " + moving_text(now, worst);
@@ -32,7 +35,8 @@ std::string unsettled_text(const Instant& now, const WorstBodies& worst) {
 
 }  // namespace
 
-Event stage_event(EventType type, const Instant& now, const std::string& text) {
+template <int D>
+Event stage_event(EventType type, const Instant<D>& now, const std::string& text) {
   Event e;
   e.type = type;
   e.time = now.state.time;
@@ -41,13 +45,15 @@ Event stage_event(EventType type, const Instant& now, const std::string& text) {
   return e;
 }
 
-Event integrator_event(const Instant& now, const std::string& text) {
+template <int D>
+Event integrator_event(const Instant<D>& now, const std::string& text) {
   Event e = stage_event(EventType::integrator_changed, now, text);
   e.value = now.dt;
   return e;
 }
 
-void set_end(StageReport& report, const Instant& now, const std::optional<Divergence>& diverged, StageEnd end) {
+template <int D>
+void set_end(StageReport& report, const Instant<D>& now, const std::optional<Divergence>& diverged, StageEnd end) {
   report.end = diverged ? StageEnd::diverged : end;
   report.ended = now.state.time;
   if (diverged) {
@@ -63,13 +69,15 @@ void set_end(StageReport& report, const Instant& now, const std::optional<Diverg
   }
 }
 
-Event diverged_event(const Instant& now, const StageReport& report) {
+template <int D>
+Event diverged_event(const Instant<D>& now, const StageReport& report) {
   Event e = stage_event(EventType::stage_diverged, now, report.found);
   e.value = report.sound_until;
   return e;
 }
 
-std::string unsettled_reason(const Instant& now) {
+template <int D>
+std::string unsettled_reason(const Instant<D>& now) {
   const std::string what = unsettled_text(now, worst_bodies(now.model, now.work));
   return what + "; give more duration, or look at how it moves: it may be unable to stand";
 }
@@ -95,12 +103,26 @@ std::string no_rest_reason(const Model<2>& model, const Equilibrium& found) {
       found.left, where);
 }
 
-Event unsettled_event(const Instant& now) {
+template <int D>
+Event unsettled_event(const Instant<D>& now) {
   const WorstBodies worst = worst_bodies(now.model, now.work);
   Event e = stage_event(EventType::stage_unsettled, now, unsettled_text(now, worst));
   e.body_a = now.ratio > now.stage.still_ratio ? worst.unbalanced : worst.fastest;
   e.value = now.ratio;
   return e;
 }
+
+template Event stage_event(EventType, const Instant<2>&, const std::string&);
+template Event integrator_event(const Instant<2>&, const std::string&);
+template void set_end(StageReport&, const Instant<2>&, const std::optional<Divergence>&, StageEnd);
+template Event diverged_event(const Instant<2>&, const StageReport&);
+template std::string unsettled_reason(const Instant<2>&);
+template Event unsettled_event(const Instant<2>&);
+template Event stage_event(EventType, const Instant<3>&, const std::string&);
+template Event integrator_event(const Instant<3>&, const std::string&);
+template void set_end(StageReport&, const Instant<3>&, const std::optional<Divergence>&, StageEnd);
+template Event diverged_event(const Instant<3>&, const StageReport&);
+template std::string unsettled_reason(const Instant<3>&);
+template Event unsettled_event(const Instant<3>&);
 
 }  // namespace trilith

@@ -13,24 +13,30 @@ struct Equilibrium;
 struct ImplicitStep;
 
 /// An event of the stage as a whole.
-Event stage_event(EventType type, const Instant& now, const std::string& text);
+template <int D>
+Event stage_event(EventType type, const Instant<D>& now, const std::string& text);
 
 /// That the stage goes on by the other integrator, and why.
-Event integrator_event(const Instant& now, const std::string& text);
+template <int D>
+Event integrator_event(const Instant<D>& now, const std::string& text);
 
 /// How the stage ends: as diverged, or as `end`; and the reason in words where that is not as asked.
-void set_end(StageReport& report, const Instant& now, const std::optional<Divergence>& diverged, StageEnd end);
+template <int D>
+void set_end(StageReport& report, const Instant<D>& now, const std::optional<Divergence>& diverged, StageEnd end);
 
 /// For a stage that diverges: what happened, as StageReport::found says it.
-Event diverged_event(const Instant& now, const StageReport& report);
+template <int D>
+Event diverged_event(const Instant<D>& now, const StageReport& report);
 
 /// Where rest was not reached: which body is worst, by how much, and what to try.
-std::string unsettled_reason(const Instant& now);
+template <int D>
+std::string unsettled_reason(const Instant<D>& now);
 /// Where an implicit step did not converge: where the most is left over, and what to try.
 std::string stuck_reason(const Model<2>& model, const State<2>& state, const ImplicitStep& step);
 /// Where statics found no rest: what goes off, or where the most is left over, and what to try.
 std::string no_rest_reason(const Model<2>& model, const Equilibrium& found);
 /// Why rest was not reached, as an event without advice.
-Event unsettled_event(const Instant& now);
+template <int D>
+Event unsettled_event(const Instant<D>& now);
 
 }  // namespace trilith

@@ -89,12 +89,13 @@ double peak_velocity(const GroundMotion& motion) {
 
 /// What start, present and all motions give in speed, the turning of driven bodies included.
 /// All added: no body could have more from them together.
-double given_speed(const Instant& now) {
+template <int D>
+double given_speed(const Instant<D>& now) {
   double speed = now.work.fastest;
   const double reach =
       now.model.body_radius.empty() ? 0 : *std::max_element(now.model.body_radius.begin(), now.model.body_radius.end());
-  for (const Drive& d : now.model.drives) speed += (d.dof == 2 ? reach : 1) * peak_velocity(*d.motion);
-  for (const Push<2>& p : now.model.pushes) speed += peak_velocity(*p.motion);
+  for (const Drive& d : now.model.drives) speed += (d.dof >= D ? reach : 1) * peak_velocity(*d.motion);
+  for (const Push<D>& p : now.model.pushes) speed += peak_velocity(*p.motion);
   return speed;
 }
 
@@ -117,7 +118,8 @@ double put_in(const Energy& e) {
 }
 
 /// Sound in the stiffest solid, by its body's density, and at least in rock [m/s].
-double sound_speed(const Model<2>& model) {
+template <int D>
+double sound_speed(const Model<D>& model) {
   double most = rock_sound;
   for (std::size_t e = 0; e < model.elements.size(); ++e) {
     const Element& element = model.elements[e];
@@ -146,7 +148,7 @@ void Watch::reset() {
   *this = {};
 }
 
-std::optional<Divergence> Watch::look_at_elements(const Instant& now) {
+std::optional<Divergence> Watch::look_at_elements(const Instant<2>& now) {
   if (now.model.elements.empty()) return std::nullopt;
   // Until the fastest point has gone as far as any element has room, none is looked at.
   element_room_ -= now.work.fastest * now.state.last_dt;
@@ -174,7 +176,8 @@ std::optional<Divergence> Watch::look_at_elements(const Instant& now) {
                     now.state.time - now.state.last_dt, event};
 }
 
-void Watch::count_from(const Instant& now, const Energy& energy) {
+template <int D>
+void Watch::count_from(const Instant<D>& now, const Energy& energy) {
   counts_ = true;
   from_ = energy;
   free_dofs_ = now.model.free_dofs();
@@ -185,7 +188,8 @@ void Watch::count_from(const Instant& now, const Energy& energy) {
 /// Two bounds that no sound run passes, however wild:
 ///   energy made, held + given off - start - put in: at most what ever was there or put in;
 ///   speed: at most that of start and motions, of a fall through the bounds, and of sound, all added.
-std::optional<Divergence> Watch::look_at_magnitudes(const Instant& now) {
+template <int D>
+std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
   const Energy e = energy_now(now.model, now.state, now.work, {now.dt, {now.stage.rest_share}});
   // What was freed or left took its motion along: from here on.
   if (!counts_ || now.model.free_dofs() != free_dofs_) count_from(now, e);
@@ -224,20 +228,23 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant& now) {
   return std::nullopt;
 }
 
-std::optional<Divergence> Watch::look(const Instant& now, bool last) {
+template <int D>
+std::optional<Divergence> Watch::look(const Instant<D>& now, bool last) {
   if (!std::isfinite(now.speed) || !std::isfinite(now.work.unbalanced))
     return Divergence{"speeds or forces are no longer finite numbers",
                       "take a smaller safety or less load",
                       counts_ ? sound_until_ : now.begun,
                       {}};
-  if (auto found = look_at_elements(now)) return found;
+  if constexpr (D == 2)
+    if (auto found = look_at_elements(now)) return found;
   if (!now.stage.watched) return std::nullopt;
   // Energies cost a pass over all contacts, so they are looked at now and then.
   if (counts_ && !last && now.speed <= 2 * looked_speed_ && now.state.step < next_look_) return std::nullopt;
   return look_at_magnitudes(now);
 }
 
-std::vector<int> Watch::leaving(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+template <int D>
+std::vector<int> Watch::leaving(const Model<D>& model, const State<D>& state, const Work<D>& work) {
   std::vector<int> out;
   bounds_room_ -= work.fastest * state.last_dt;
   if (bounds_room_ > 0) return out;
@@ -257,5 +264,10 @@ std::vector<int> Watch::leaving(const Model<2>& model, const State<2>& state, co
   bounds_room_ = (1 - 1e-9) * room;
   return out;
 }
+
+template std::optional<Divergence> Watch::look(const Instant<2>&, bool);
+template std::vector<int> Watch::leaving(const Model<2>&, const State<2>&, const Work<2>&);
+template std::optional<Divergence> Watch::look(const Instant<3>&, bool);
+template std::vector<int> Watch::leaving(const Model<3>&, const State<3>&, const Work<3>&);
 
 }  // namespace trilith

@@ -34,14 +34,18 @@ class Watch {
   void doubt() { element_room_ = bounds_room_ = 0; }
   /// To be called at every evaluated instant. What it finds depends on the instant alone for elements, and for the rest
   /// on when it looked before.
-  std::optional<Divergence> look(const Instant& now, bool last);
+  template <int D>
+  std::optional<Divergence> look(const Instant<D>& now, bool last);
   /// Bodies that have just come outside the bounds with all of their nodes, in order. Call it at every instant too.
-  std::vector<int> leaving(const Model<2>& model, const State<2>& state, const Work<2>& work);
+  template <int D>
+  std::vector<int> leaving(const Model<D>& model, const State<D>& state, const Work<D>& work);
 
  private:
-  std::optional<Divergence> look_at_elements(const Instant& now);
-  std::optional<Divergence> look_at_magnitudes(const Instant& now);
-  void count_from(const Instant& now, const Energy& energy);
+  std::optional<Divergence> look_at_elements(const Instant<2>& now);
+  template <int D>
+  std::optional<Divergence> look_at_magnitudes(const Instant<D>& now);
+  template <int D>
+  void count_from(const Instant<D>& now, const Energy& energy);
 
   double element_room_ = 0;  // path of the fastest point until an element may be at its limit [m]
   double bounds_room_ = 0;   // ... until a node may be outside the bounds [m]

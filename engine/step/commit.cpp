@@ -11,7 +11,7 @@ namespace trilith {
 template <int D>
 void commit(const Model<D>& model, State<D>& state, Work<D>& work, StepTimes* times) {
   StepClock clock(times);
-  if constexpr (D == 2) find_events(model, state, work);
+  find_events(model, state, work);
   // The memories of before go where the next trial is written: rows that are not worked on are empty in both.
   if (work.is_matched) std::swap(state.contacts, work.matched);
   std::swap(state.contacts, work.contacts);

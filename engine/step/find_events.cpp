@@ -8,6 +8,7 @@
 #include "contact/overlap_energy.hpp"
 #include "detect/pairs.hpp"
 #include "step/beam_events.hpp"
+#include "step/body_events.hpp"
 #include "step/contact_resultants.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
@@ -15,16 +16,6 @@
 
 namespace trilith {
 namespace {
-
-Event event_now(const State<2>& state, EventType type, int body_a, int body_b) {
-  Event e;
-  e.type = type;
-  e.time = state.time;
-  e.step = state.step;
-  e.body_a = body_a;
-  e.body_b = body_b;
-  return e;
-}
 
 /// Where two pieces touch and how fast they close there. For faces: the middle of the four face ends' shared length.
 struct Meeting {
@@ -78,7 +69,7 @@ void bond_event(const Model<2>& model, const State<2>& state, Work<2>& work, int
   const bool pulled = is_pulled(model, state, work, row);
   Event e = event_now(state, type, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
   e.value = carried.force.norm();
-  e.x = carried.point.x(), e.y = carried.point.y();
+  e.set_place(carried.point);
   e.mode = pulled ? JointMode::tension : JointMode::shear;
   work.events.push_back(e);
 }
@@ -96,7 +87,7 @@ void crushing_event(const Model<2>& model, const State<2>& state, Work<2>& work,
   Event e = event_now(state, EventType::joint_crushed, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
   const ContactResultant carried = resultant_now(model, work, row);
   e.value = carried.force.norm();
-  e.x = carried.point.x(), e.y = carried.point.y();
+  e.set_place(carried.point);
   e.mode = JointMode::compression;
   work.events.push_back(e);
 }
@@ -111,17 +102,6 @@ void joint_events(const Model<2>& model, const State<2>& state, Work<2>& work, i
   if (change.broken) bond_event(model, state, work, row, EventType::bond_broken);
   if (change.cracked) bond_event(model, state, work, row, EventType::bond_cracked);
   if (change.crushed) crushing_event(model, state, work, row);
-}
-
-/// A contact that opened a moment ago and closes again was never lost: true if it was one. Joints of rubble and of
-/// rocking units chatter; telling each time would bury what matters.
-/// State::parted has contacts in the order in which they opened.
-bool take_back(State<2>& state, ContactKey contact) {
-  const auto found =
-      std::find_if(state.parted.begin(), state.parted.end(), [&](const Parted& p) { return p.contact == contact; });
-  if (found == state.parted.end()) return false;
-  state.parted.erase(found);
-  return true;
 }
 
 void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int row) {
@@ -141,20 +121,9 @@ void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int r
   const bool strikes = m.closing > model.impact_speed;
   if (again && !strikes) return;
   Event e = event_now(state, strikes ? EventType::impact : EventType::contact_made, a, b);
-  e.x = m.at.x(), e.y = m.at.y();
+  e.set_place(m.at);
   e.value = m.closing;
   work.events.push_back(e);
-}
-
-/// Tells which of the contacts that opened have now stayed open long enough to count as lost.
-void parted_events(const Model<2>& model, State<2>& state, Work<2>& work) {
-  const auto lasting = [&](const Parted& p) { return state.time - p.time >= model.apart_time; };
-  // They opened in the order of the list, so those that have lasted stand first.
-  auto end = state.parted.begin();
-  for (; end != state.parted.end() && lasting(*end); ++end)
-    work.events.push_back(event_now(state, EventType::contact_lost, model.piece_body[first_piece(end->contact)],
-                                    model.piece_body[second_piece(end->contact)]));
-  state.parted.erase(state.parted.begin(), end);
 }
 
 void push_bearing_event(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i, EventType type) {
@@ -164,7 +133,7 @@ void push_bearing_event(const Model<2>& model, const State<2>& state, Work<2>& w
   const std::uint32_t k = work.bearing[i].failed_direction;
   e.value = k == turning ? 0 : work.bearing_displacement[i][k];
   const Vec2 at = pose_at(model, state, b.end_a).place;
-  e.x = at.x(), e.y = at.y();
+  e.set_place(at);
   work.events.push_back(e);
 }
 
@@ -239,42 +208,9 @@ void seat_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size
   Event e = event_now(state, EventType::seat_lost, seat.body, seat.support);
   const Vec2 end = pose_at(model, state, seat.end).place;
   e.value = body_pose(model, state, seat.body).velocity.norm();
-  e.x = end.x(), e.y = end.y();
+  e.set_place(end);
   e.text = seat.name;
   work.events.push_back(e);
-}
-
-/// True where a component of the first node's velocity alone shows that a body moves, as that of most does.
-bool plainly_moves(const Model<2>& model, const State<2>& state, int node) {
-  const Vec2& v = state.velocity[node];
-  return std::max(std::abs(v.x()), std::abs(v.y())) > model.still_speed && model.moves(node);
-}
-
-/// Slower than still_speed for still_time. The fastest point counts: of a rigid body |v| + |spin| times its radius.
-void rest_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t b) {
-  if (!model.body_moves(static_cast<int>(b))) return;
-  const int n = model.bodies[b].first_node;
-  double speed = state.velocity[n].norm();
-  if (model.bodies[b].is_rigid()) speed += std::abs(state.spin[n]) * model.body_radius[b];
-  for (int i = 1; i < model.bodies[b].nodes; ++i) speed = std::max(speed, state.velocity[n + i].norm());
-  if (speed > model.still_speed) {
-    state.moved_at[b] = state.time;
-    state.resting[b] = 0;
-  } else if (state.resting[b] == 0 && state.time - state.moved_at[b] >= model.still_time) {
-    state.resting[b] = 1;
-    work.events.push_back(event_now(state, EventType::body_at_rest, static_cast<int>(b), -1));
-  }
-}
-
-void body_events(const Model<2>& model, State<2>& state, Work<2>& work) {
-  for (std::size_t b = 0; b < work.body.size(); ++b) {
-    if (!plainly_moves(model, state, work.body[b].node)) {
-      rest_event(model, state, work, b);
-      continue;
-    }
-    state.moved_at[b] = state.time;
-    state.resting[b] = 0;
-  }
 }
 
 }  // namespace

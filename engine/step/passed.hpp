@@ -19,5 +19,7 @@ inline constexpr double passed_share = 0.5;
 /// that may be: once the fastest point has gone far enough since the last look, and at what the last step may have
 /// taken through another.
 std::vector<Event> notice_passed(const Model<2>& model, State<2>& state, Work<2>& work);
+/// In space: of the contacts that touch now.
+std::vector<Event> notice_passed(const Model<3>& model, State<3>& state, Work<3>& work);
 
 }  // namespace trilith

@@ -46,6 +46,7 @@ void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, in
   }
   add_to_bodies(model, state, pair, response, work);
   work.general_touching.push_back({row, response.area, response.depth, response.centre, response.normal_force});
+  work.solids.areas.push_back({pressed.middle, response.normal_force.normalized(), pressed.radius, pressed.spread});
 }
 
 }  // namespace
@@ -53,6 +54,7 @@ void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, in
 /// All rows, in their order.
 void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work, double dt) {
   work.general_touching.clear();
+  work.solids.areas.clear();
   work.solids.force.assign(model.mass.size(), Vec3::Zero());
   work.solids.moment.assign(model.mass.size(), Vec3::Zero());
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) respond_row(model, state, work, row, dt);

@@ -13,8 +13,6 @@
 namespace trilith {
 namespace {
 
-constexpr double longest_step = 0.1;
-
 /// Symmetric 3 x 3 of one body about its node: (x, y, rotation).
 struct Local {
   Eigen::Matrix3d k = Eigen::Matrix3d::Zero(), c = Eigen::Matrix3d::Zero();
@@ -293,13 +291,12 @@ Local on_stiffest_face(const Model<2>& model, int body) {
   return stiffest;
 }
 
-/// The root of lambda_K dt^2 + 2 lambda_C dt = 4.
+}  // namespace
+
 double step_for(double stiffness, double damping) {
   if (!(stiffness > 0)) return damping > 0 ? std::min(longest_step, 2 / damping) : longest_step;
   return std::min(longest_step, (std::sqrt(4 * stiffness + damping * damping) - damping) / stiffness);
 }
-
-}  // namespace
 
 void bound_faces(const Model<2>& model, Work<2>& work) {
   work.face_bound.resize(model.bodies.size());
@@ -351,7 +348,8 @@ double settled_step(double stable, double safety) {
   return std::ldexp(*(std::upper_bound(rungs.begin(), rungs.end(), share) - 1), exponent);
 }
 
-std::string explain_step(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+template <int D>
+std::string explain_step(const Model<D>& model, const State<D>& state, const Work<D>& work) {
   const StableStep s = stable_step(model, state, work);
   if (s.body < 0) return fmt::format("nothing stiff governs; the step is held to {:g} s", longest_step);
   std::string text = fmt::format("body '{}' governs: stable step {:.4g} s, {:.4g} s without damping; its contacts:",
@@ -372,10 +370,14 @@ std::string explain_step(const Model<2>& model, const State<2>& state, const Wor
     text += fmt::format(" '{}' ({})", model.bodies[a == s.body ? b : a].name, model.law_names[p.law]);
     ++named;
   }
-  for (const Bearing<2>& b : model.bearings)
-    if (b.body_a == s.body || b.body_b == s.body) text += fmt::format(" bearing '{}'", b.name), ++named;
+  if constexpr (D == 2)
+    for (const Bearing<2>& b : model.bearings)
+      if (b.body_a == s.body || b.body_b == s.body) text += fmt::format(" bearing '{}'", b.name), ++named;
   if (named == 0) text += " none now; as if lying on its stiffest face";
   return text;
 }
+
+template std::string explain_step(const Model<2>&, const State<2>&, const Work<2>&);
+template std::string explain_step(const Model<3>&, const State<3>&, const Work<3>&);
 
 }  // namespace trilith

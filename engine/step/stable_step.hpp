@@ -7,6 +7,9 @@
 // Belytschko, Liu and Moran, "Nonlinear finite elements", 2000, sec. 6.2.3). A body in no contact counts as lying on
 // its stiffest face, so that a contact that forms before the next estimate finds a safe step.
 //
+// In space the bodies are rigid: 6 x 6, about the principal axes, and the bound of a matrix M is the fourth root of the
+// Frobenius norm of M^4, at most a quarter above the largest eigenvalue.
+//
 // For a deformable body: the largest eigenvalue of an element over its own lumped masses bounds that of all (Irons),
 // and the row sums of the contacts on its nodes are added to it.
 #pragma once
@@ -19,8 +22,10 @@
 
 namespace trilith {
 
+inline constexpr double longest_step = 0.1;  ///< where nothing is stiff [s]
+
 struct StableStep {
-  double dt = 0;         ///< [s]; a tenth of a second where nothing is stiff
+  double dt = 0;         ///< [s]; longest_step where nothing is stiff
   int body = -1;         ///< the body that governs
   double stiffness = 0;  ///< its lambda_K [1/s2]
   double damping = 0;    ///< its lambda_C [1/s]
@@ -28,14 +33,20 @@ struct StableStep {
 
 /// Fills work.face_bound: every body on its stiffest face.
 void bound_faces(const Model<2>& model, Work<2>& work);
+void bound_faces(const Model<3>& model, Work<3>& work);
 
 /// From the last evaluation (faces and general contacts that touch, live bearings).
 StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<2>& work);
+StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<3>& work);
+
+/// The root of lambda_K dt^2 + 2 lambda_C dt = 4, at most longest_step [s].
+double step_for(double stiffness, double damping);
 
 /// `step` times a safety, rounded down to a ladder of eight rungs per doubling, so that it rarely changes.
 double settled_step(double stable, double safety);
 
 /// In words: which body and contacts govern, and what the step would be without damping.
-std::string explain_step(const Model<2>& model, const State<2>& state, const Work<2>& work);
+template <int D>
+std::string explain_step(const Model<D>& model, const State<D>& state, const Work<D>& work);
 
 }  // namespace trilith

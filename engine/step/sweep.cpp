@@ -36,10 +36,14 @@ SweptStep swept_step(const Model<2>& model, const State<2>& state, const Work<2>
   return step;
 }
 
-std::string explain_sweep(const Model<2>& model, const SweptStep& step) {
+template <int D>
+std::string explain_sweep(const Model<D>& model, const SweptStep& step) {
   const auto name = [&](int piece) -> const std::string& { return model.bodies[model.piece_body[piece]].name; };
   return fmt::format("'{}' and '{}' meet at {:.3g} m/s, and the thinner one is {:.3g} m thick", name(step.piece_a),
                      name(step.piece_b), step.speed, step.thickness);
 }
+
+template std::string explain_sweep(const Model<2>&, const SweptStep&);
+template std::string explain_sweep(const Model<3>&, const SweptStep&);
 
 }  // namespace trilith

@@ -31,7 +31,13 @@ struct SweptStep {
 SweptStep swept_step(const Model<2>& model, const State<2>& state, const Work<2>& work, double dt,
                      double share = depth_per_step);
 
+/// In space: two pieces that are near each other get deeper by `share` of the thinner one's thickness at most, by the
+/// speeds of now; what flies alone goes no farther than the search looks ahead.
+SweptStep swept_step(const Model<3>& model, const State<3>& state, const Work<3>& work, double dt,
+                     double share = depth_per_step);
+
 /// In words: what meets, how fast, and how thin it is.
-std::string explain_sweep(const Model<2>& model, const SweptStep& step);
+template <int D>
+std::string explain_sweep(const Model<D>& model, const SweptStep& step);
 
 }  // namespace trilith

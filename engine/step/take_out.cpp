@@ -9,7 +9,8 @@
 namespace trilith {
 namespace {
 
-Event event_of(const State<2>& state, EventType type, int body) {
+template <int D>
+Event event_of(const State<D>& state, EventType type, int body) {
   Event e;
   e.type = type;
   e.time = state.time;
@@ -22,7 +23,14 @@ Event left_event(const Model<2>& model, const State<2>& state, int body) {
   const Pose pose = body_pose(model, state, body);
   Event e = event_of(state, EventType::body_left, body);
   e.value = pose.velocity.norm();
-  e.x = pose.place.x(), e.y = pose.place.y();
+  e.set_place(pose.place);
+  return e;
+}
+Event left_event(const Model<3>& model, const State<3>& state, int body) {
+  const int node = model.bodies[body].first_node;
+  Event e = event_of(state, EventType::body_left, body);
+  e.value = state.velocity[node].norm();
+  e.set_place(state.position[node]);
   return e;
 }
 
@@ -45,12 +53,14 @@ void end_bearings(const Model<2>& model, State<2>& state, const Work<2>& work, s
 }
 
 /// Its acceleration and the step behind it too, or implicit steps would begin with a motion it has not.
-void stop(const Model<2>& model, State<2>& state, int body) {
+template <int D>
+void stop(const Model<D>& model, State<D>& state, int body) {
   const Body& b = model.bodies[body];
-  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) state.velocity[n] = Vec2::Zero(), state.spin[n] = 0;
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n)
+    state.velocity[n] = Vec<D>::Zero(), state.spin[n] = nothing<Spin<D>>();
   if (!state.implicit()) return;
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
-    state.acceleration[n] = Vec2::Zero(), state.spin_rate[n] = 0;
+    state.acceleration[n] = Vec<D>::Zero(), state.spin_rate[n] = nothing<Spin<D>>();
     state.position_before[n] = state.position[n], state.rotation_before[n] = state.rotation[n];
   }
 }
@@ -59,7 +69,8 @@ void stop(const Model<2>& model, State<2>& state, int body) {
 
 /// Held where it is, the body is like ground. The energy that goes with it, of motion, contacts, bearings and its
 /// weight, is what the balance differs by before and after; it is booked, so that the balance goes on.
-std::vector<Event> take_out(Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options,
+template <int D>
+std::vector<Event> take_out(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                             std::span<const int> bodies) {
   const double before = energy_now(model, state, work, options).balance();
   std::vector<Event> events;
@@ -67,7 +78,7 @@ std::vector<Event> take_out(Model<2>& model, State<2>& state, Work<2>& work, con
     events.push_back(left_event(model, state, b));
     state.left[b] = 1;
   }
-  end_bearings(model, state, work, events);
+  if constexpr (D == 2) end_bearings(model, state, work, events);
   for (const int b : bodies) stop(model, state, b);
   std::erase_if(state.parted, [&](const Parted& p) {
     return state.left[model.piece_body[first_piece(p.contact)]] != 0 ||
@@ -77,14 +88,16 @@ std::vector<Event> take_out(Model<2>& model, State<2>& state, Work<2>& work, con
   hold_left(model, state);
   work.valid = false;
   evaluate(model, state, work, state.last_dt);
-  if (!state.implicit()) control_displacement(model, state, work, options);
+  if constexpr (D == 2)
+    if (!state.implicit()) control_displacement(model, state, work, options);
   const double taken = before - energy_now(model, state, work, options).balance();
   state.given[EnergyTerm::left_bounds] += taken;
   work.given[EnergyTerm::left_bounds] += taken;
   return events;
 }
 
-bool hold_left(Model<2>& model, const State<2>& state) {
+template <int D>
+bool hold_left(Model<D>& model, const State<D>& state) {
   bool any = false;
   for (std::size_t b = 0; b < state.left.size(); ++b) {
     if (state.left[b] == 0) continue;
@@ -97,5 +110,10 @@ bool hold_left(Model<2>& model, const State<2>& state) {
   }
   return any && model.free_dofs() == 0;
 }
+
+template std::vector<Event> take_out(Model<2>&, State<2>&, Work<2>&, const StepOptions&, std::span<const int>);
+template bool hold_left(Model<2>&, const State<2>&);
+template std::vector<Event> take_out(Model<3>&, State<3>&, Work<3>&, const StepOptions&, std::span<const int>);
+template bool hold_left(Model<3>&, const State<3>&);
 
 }  // namespace trilith

@@ -14,11 +14,13 @@ namespace trilith {
 /// Takes `bodies` out of the step at an evaluated instant, which is evaluated anew. They touch nothing from then on,
 /// their bearings fail, and what they held (motion, elastic energy of what they touched) goes to the ledger's
 /// EnergyTerm::left_bounds. Gives what is to be told: body.left, and bearing.failed of those that were live.
-std::vector<Event> take_out(Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options,
+template <int D>
+std::vector<Event> take_out(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                             std::span<const int> bodies);
 
 /// Holds all that has left by the state, whatever the model says of its supports. True where something has left and
 /// nothing is free to move any more.
-bool hold_left(Model<2>& model, const State<2>& state);
+template <int D>
+bool hold_left(Model<D>& model, const State<D>& state);
 
 }  // namespace trilith

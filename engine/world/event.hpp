@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/space.hpp"
+
 namespace trilith {
 
 enum class EventType : int {
@@ -97,10 +99,13 @@ struct Event {
   double time = 0;          ///< [s]
   std::int64_t step = 0;
   int body_a = -1, body_b = -1, bearing = -1;
-  double value = 0;     ///< see EventTypeInfo
-  double x = 0, y = 0;  ///< where [m]
-  JointMode mode{};     ///< of a joint
+  double value = 0;            ///< see EventTypeInfo
+  double x = 0, y = 0, z = 0;  ///< where [m]; z is up in space, and 0 in the plane
+  JointMode mode{};            ///< of a joint
   std::string text;  ///< the rest in words: which element or member of its body, why a stage diverged or did not settle
+
+  void set_place(const Vec2& at) { x = at.x(), y = at.y(); }
+  void set_place(const Vec3& at) { x = at.x(), y = at.y(), z = at.z(); }
 };
 
 }  // namespace trilith

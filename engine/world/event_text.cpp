@@ -18,28 +18,36 @@ std::string moment_text(double moment) {
   return moment < 1e6 ? fmt::format("{:.3g} kN m", 1e-3 * moment) : fmt::format("{:.3g} MN m", 1e-6 * moment);
 }
 
-std::string body_name(const Model<2>& model, int body) {
+template <int D>
+std::string body_name(const Model<D>& model, int body) {
   return body >= 0 ? model.bodies[body].name : "?";
 }
 
 /// Ground, fixed or moved: it is hit, it does not hit.
-bool stands(const Model<2>& model, int body) {
+template <int D>
+bool stands(const Model<D>& model, int body) {
   return body >= 0 && !model.body_moves(body);
 }
 
-std::string failed_text(const Event& e, const Model<2>& model, std::string_view what) {
+template <int D>
+std::string failed_text(const Event& e, const Model<D>& model, std::string_view what) {
   const std::string name = e.bearing >= 0 ? model.bearings[e.bearing].name : "?";
   const std::string by = e.value != 0 ? " at " + size_text(e.value) : "";
   return fmt::format("bearing {} {}{}", name, what, by);
 }
 
-std::string changed_text(const Event& e, const Model<2>& model) {
-  const Bearing<2>& b = model.bearings[e.bearing];
-  if (b.becomes_bearing >= 0)
-    return fmt::format("bearing {} became {}", b.name, model.bearings[b.becomes_bearing].name);
-  const std::string how = b.contact_after >= 0 ? " by " + model.law_names[b.contact_after] : "";
-  return fmt::format("bearing {} gave way: {} and {} touch{}", b.name, body_name(model, b.body_a),
-                     body_name(model, b.body_b), how);
+template <int D>
+std::string changed_text(const Event& e, const Model<D>& model) {
+  const Bearing<D>& b = model.bearings[e.bearing];
+  if constexpr (D == 3)
+    return fmt::format("bearing {} gave way", b.name);
+  else {
+    if (b.becomes_bearing >= 0)
+      return fmt::format("bearing {} became {}", b.name, model.bearings[b.becomes_bearing].name);
+    const std::string how = b.contact_after >= 0 ? " by " + model.law_names[b.contact_after] : "";
+    return fmt::format("bearing {} gave way: {} and {} touch{}", b.name, body_name(model, b.body_a),
+                       body_name(model, b.body_b), how);
+  }
 }
 
 /// The squeezing of an element that has no area left is 1.
@@ -57,7 +65,8 @@ std::string ended_text(const std::string& text) {
 
 }  // namespace
 
-std::string event_text(const Event& e, const Model<2>& model) {
+template <int D>
+std::string event_text(const Event& e, const Model<D>& model) {
   const bool turned =
       e.type != EventType::seat_lost && e.body_b >= 0 && stands(model, e.body_a) && !stands(model, e.body_b);
   const std::string a = body_name(model, turned ? e.body_b : e.body_a);
@@ -114,5 +123,8 @@ std::optional<EventType> event_type_called(std::string_view name) {
     if (event_type_info[static_cast<std::size_t>(i)].name == name) return static_cast<EventType>(i);
   return std::nullopt;
 }
+
+template std::string event_text(const Event&, const Model<2>&);
+template std::string event_text(const Event&, const Model<3>&);
 
 }  // namespace trilith

@@ -12,7 +12,8 @@ namespace trilith {
 
 /// "bearing S3.left failed at 50.8 mm", "S3 lost its seat on P3 (S3.right)", "S3 hit P3 at 4.2 m/s", "shaking ended
 /// (rest)".
-std::string event_text(const Event& event, const Model<2>& model);
+template <int D>
+std::string event_text(const Event& event, const Model<D>& model);
 
 /// The type that scripts and results call `name`; nothing where there is none.
 std::optional<EventType> event_type_called(std::string_view name);

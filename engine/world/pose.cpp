@@ -162,7 +162,8 @@ std::pair<Tie<2>, double> tie_to_sections(const Model<2>& model, int body, const
 
 }  // namespace
 
-double body_mass(const Model<2>& model, int body) {
+template <int D>
+double body_mass(const Model<D>& model, int body) {
   const Body& b = model.bodies[body];
   double sum = 0;
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n) sum += model.mass[n];
@@ -290,5 +291,8 @@ void push_at(const Model<2>& model, const State<2>& state, const Tie<2>& tie, co
         tie.weight[i] * force +
         couple * cloud.weight[i] * left_of(turn.apply(Vec2(model.start_position[tie.node[i]] - start)));
 }
+
+template double body_mass(const Model<2>&, int);
+template double body_mass(const Model<3>&, int);
 
 }  // namespace trilith

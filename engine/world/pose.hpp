@@ -20,7 +20,8 @@ Pose body_pose(const Model<2>& model, const State<2>& state, int body);
 /// At the start.
 Vec2 body_start(const Model<2>& model, int body);
 /// Mass [kg], and moment of inertia at the start about the centre of mass [kg m2].
-double body_mass(const Model<2>& model, int body);
+template <int D>
+double body_mass(const Model<D>& model, int body);
 double body_inertia(const Model<2>& model, int body);
 
 /// The body that a node belongs to.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "world/bounds.hpp"
 
 namespace trilith {
 namespace {
@@ -16,6 +17,17 @@ constexpr double same_plane = 1e-7;
 double plane_distance(const ConvexSolid& solid, int face, const Vec3& x) {
   const Vec3& on = solid.shape.corners[static_cast<std::size_t>(solid.shape.faces[face][0])];
   return solid.normals[static_cast<std::size_t>(face)].dot(x - on);
+}
+
+/// Between a face and the corner farthest behind it, where that is least [m].
+double solid_width(const ConvexSolid& solid) {
+  double least = unbounded;
+  for (int f = 0; f < solid.shape.faces.count(); ++f) {
+    double behind = 0;
+    for (const Vec3& x : solid.shape.corners) behind = std::max(behind, -plane_distance(solid, f, x));
+    least = std::min(least, behind);
+  }
+  return least;
 }
 
 /// Whether a face of one piece lies on the surface of another, within it.
@@ -55,6 +67,13 @@ bool remembers_joint(const ContactLaw& law) {
         return Kernel::bonds || Kernel::crushes;
       },
       law);
+}
+
+/// True where a law holds between a surface and any.
+bool touches_something(const Model<3>& model, int surface) {
+  for (int other = 0; other < model.surfaces; ++other)
+    if (model.law_of[surface * model.surfaces + other] >= 0) return true;
+  return false;
 }
 
 void check_solid_body(const Model<3>& model, const SolidBody& body) {
@@ -129,6 +148,7 @@ void SpaceBuilder::add_pieces(const SolidBody& body, const SolidMass& mass) {
     }
     model_.piece_body.push_back(index);
     model_.piece_first.push_back(static_cast<int>(model_.corner_skin.size()));
+    model_.piece_thickness.push_back(solid_width(piece));
     model_.piece_solid.push_back(piece);
   }
   model_.body_radius.push_back(radius);
@@ -153,6 +173,10 @@ Model<3> SpaceBuilder::build() const {
   model.law_of.assign(static_cast<std::size_t>(model.surfaces) * static_cast<std::size_t>(model.surfaces), -1);
   const auto row = [&](int a, int b) { return static_cast<std::size_t>(a * model.surfaces + b); };
   for (const Pairing& p : pairings_) model.law_of[row(p.a, p.b)] = model.law_of[row(p.b, p.a)] = p.law;
+  for (int p = 0; p < model.pieces(); ++p)
+    if (touches_something(model, model.bodies[model.piece_body[p]].surface))
+      model.least_thickness = std::min(model.least_thickness, model.piece_thickness[p]);
+  model.bounds = default_bounds(model);
   return model;
 }
 

@@ -64,6 +64,12 @@ struct GeneralContact {
   Vec<D> force;   ///< on the second body [N]
 };
 
+/// How the area of a contact in space lies, for the step estimate.
+struct ContactArea {
+  Vec3 middle, normal;    ///< [m], of length 1
+  double radius, spread;  ///< see SolidPressure [m], [m2]
+};
+
 /// Solids in space where they stand, and what their contacts give.
 template <int D>
 struct SolidWork {};
@@ -72,6 +78,7 @@ struct SolidWork<3> {
   std::vector<PlacedSolid> placed;      ///< [piece]. Writer: place
   std::vector<Separation3> separation;  ///< [contact] along the axis that parted them last. Writer: respond
   std::vector<Separation3> spare;       ///< room
+  std::vector<ContactArea> areas;       ///< one for each of general_touching. Writer: respond
   std::vector<Vec3> force, moment;      ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
   SolidOverlapBuffer shared;            ///< room
 };

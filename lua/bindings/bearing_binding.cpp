@@ -119,7 +119,7 @@ struct LiveBearing {
 };
 
 LiveBearing live(const BearingHandle& b) {
-  const Simulation& s = b.model().evaluated();
+  const Simulation<2>& s = b.model().evaluated();
   const auto row = static_cast<std::size_t>(b.index);
   return {s.model(), s.state(), s.work(), s.model().bearings[row], s.work().bearing[row], row};
 }
@@ -219,7 +219,7 @@ const std::array seat_properties{
                  [](lua_State* L, const SeatHandle& s) { lua_pushstring(L, name_of_seat(s).c_str()); }},
     SeatProperty{"length", "m", "how far the end still reaches over the edge",
                  [](const SeatHandle& s) {
-                   const Simulation& sim = s.model().simulation();
+                   const Simulation<2>& sim = s.model().simulation();
                    return seat_length(sim.model(), sim.state(), sim.model().seats[static_cast<std::size_t>(s.index)]);
                  }},
     SeatProperty{"lost", "", "true once the end has left its seat", nullptr,

@@ -18,7 +18,7 @@ const BodySpec& spec(const BodyHandle& b) {
   return b.model().builder.bodies()[b.index];
 }
 Pose pose(const BodyHandle& b) {
-  const Simulation* s = b.model().if_built();
+  const Simulation<2>* s = b.model().if_built();
   if (s != nullptr) return body_pose(s->model(), s->state(), b.index);
   return {polygon_moments(spec(b).outline).centroid, 0, spec(b).velocity, spec(b).spin};
 }
@@ -38,7 +38,7 @@ double spin(const BodyHandle& b) {
   return pose(b).spin;
 }
 Vec2 moved(const BodyHandle& b) {
-  const Simulation* s = b.model().if_built();
+  const Simulation<2>* s = b.model().if_built();
   return s != nullptr ? Vec2(pose(b).place - body_start(s->model(), b.index)) : Vec2::Zero();
 }
 
@@ -47,7 +47,7 @@ void push_text(lua_State* L, const std::string& text) {
 }
 
 void push_outline(lua_State* L, const BodyHandle& b) {
-  const Simulation* s = b.model().if_built();
+  const Simulation<2>* s = b.model().if_built();
   const bool deforms = s != nullptr && !s->model().bodies[b.index].is_rigid();
   const Vec2 start = start_place(b), now = place(b);
   const Turn turn(rotation(b));
@@ -78,7 +78,7 @@ void push_groups(lua_State* L, const BodyHandle& b) {
 /// A mean over the area of a deformable body; 0 for a rigid one and before the first stage.
 template <class Value>
 double mean_stress(const BodyHandle& b, Value&& value) {
-  const Simulation* s = b.model().if_built();
+  const Simulation<2>* s = b.model().if_built();
   if (s == nullptr) return 0;
   double sum = 0, area = 0;
   for (std::size_t e = 0; e < s->model().elements.size(); ++e) {
@@ -151,7 +151,7 @@ const std::array body_properties{
                  [](lua_State* L, const BodyHandle& b) { push_ends<push_seat>(L, b, b.model().seats); }},
     BodyProperty{"resting", "", "true while it has been still for the model's still_time", nullptr,
                  [](lua_State* L, const BodyHandle& b) {
-                   const Simulation* s = b.model().if_built();
+                   const Simulation<2>* s = b.model().if_built();
                    lua_pushboolean(L, s != nullptr && s->state().resting[b.index] != 0 ? 1 : 0);
                  }},
 };
@@ -161,7 +161,7 @@ int body_point(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
   const auto at = point_at(L, 2);
   if (!at) throw InputError(fmt::format("point: takes {{x, y}}, two finite numbers; this is {}", what_is(L, 2)));
-  const Simulation* s = b.model().if_built();
+  const Simulation<2>* s = b.model().if_built();
   Vec2 now = *at;
   if (s != nullptr) {
     const Tie<2> tied = tie_point(s->model(), b.index, *at, fmt::format("point of body '{}'", spec(b).name));
@@ -297,7 +297,7 @@ int set_damage(lua_State* L) {
   for (const auto& [key, value] : {std::pair{"apart", limits.apart}, {"out_of_place", limits.out_of_place}})
     if (!(value >= 0)) keys.problem(fmt::format("'{}' is {:g} m, must not be below 0", key, value));
   keys.finish();
-  const Simulation& sim = set.model().evaluated();
+  const Simulation<2>& sim = set.model().evaluated();
   const Findings& findings = set.model().findings();
   const std::vector<StoreyDamage> rows = damage_by_storey(sim.model(), sim.state(), sim.work(), set.bodies,
                                                           findings.storeys, findings.base, findings.joints, limits);

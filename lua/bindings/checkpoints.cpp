@@ -42,7 +42,7 @@ std::size_t Checkpoints::bytes() const {
   return sum;
 }
 
-bool Checkpoints::due(const Simulation& now) const {
+bool Checkpoints::due(const Simulation<2>& now) const {
   return on && (list_.empty() || now.state().time >= next_ ||
                 now.stage()->report.begun != list_.back().snapshot.stage->report.begun);
 }

@@ -25,7 +25,7 @@ struct CheckpointOptions {
 
 /// A snapshot, and how far the script's own rows had come.
 struct Checkpoint {
-  Snapshot snapshot;
+  Snapshot<2> snapshot;
   std::size_t events = 0, samples = 0;
   std::vector<Timer> timers;
   double wake_at = unbounded;
@@ -40,7 +40,7 @@ class Checkpoints {
   bool on = false;
 
   /// True where one is to be taken: the first of a stage, and then one each `every`.
-  [[nodiscard]] bool due(const Simulation& now) const;
+  [[nodiscard]] bool due(const Simulation<2>& now) const;
   void add(Checkpoint checkpoint);
   /// The nearest one to `time`, nullptr where there is none.
   [[nodiscard]] const Checkpoint* nearest(double time) const;

@@ -194,7 +194,7 @@ int timed(lua_State* L) {
   return 1;
 }
 
-std::string contacts_text(const Simulation& s, int body) {
+std::string contacts_text(const Simulation<2>& s, int body) {
   std::vector<TouchingContact> touching;
   contact_resultants(s.model(), s.work(), touching);
   std::string text;
@@ -209,7 +209,7 @@ std::string contacts_text(const Simulation& s, int body) {
 }
 
 void push_worst(lua_State* L, const ModelBox& box) {
-  const Simulation& s = box.get().evaluated();
+  const Simulation<2>& s = box.get().evaluated();
   const WorstBodies worst = worst_bodies(s.model(), s.work());
   lua_createtable(L, 0, 4);
   luaL_setmetatable(L, "trilith.findings");

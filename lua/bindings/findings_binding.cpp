@@ -12,7 +12,7 @@ namespace {
 
 /// The model, evaluated where it is now, and its findings.
 struct Present {
-  const Simulation& sim;
+  const Simulation<2>& sim;
   const Findings& findings;
   explicit Present(ScriptModel& m) : sim(m.evaluated()), findings(m.findings()) {}
 };
@@ -131,7 +131,7 @@ int joints(lua_State* L) {
 int thrust(lua_State* L) {
   ScriptModel& m = handle<ModelBox>(L, 1).get();
   const std::vector<int> chain = bodies_at(L, 2, m, "thrust_line");
-  const Simulation& sim = m.evaluated();
+  const Simulation<2>& sim = m.evaluated();
   std::vector<TouchingContact> touching;
   contact_resultants(sim.model(), sim.work(), touching);
   lua_newtable(L);
@@ -154,7 +154,7 @@ int thrust(lua_State* L) {
 /// m:stresses(): mean stress of each free body.
 int stresses(lua_State* L) {
   ScriptModel& m = handle<ModelBox>(L, 1).get();
-  const Simulation& sim = m.evaluated();
+  const Simulation<2>& sim = m.evaluated();
   std::vector<TouchingContact> touching;
   contact_resultants(sim.model(), sim.work(), touching);
   const std::vector<MeanStress> all = mean_stress(sim.model(), sim.state(), sim.work(), touching);

@@ -221,7 +221,7 @@ int member_of(const Model<2>& model, int body, const std::optional<std::string>&
 
 /// A member of a body that is asked about: argument 2 names it where there are several.
 struct AskedMember {
-  const Simulation& run;
+  const Simulation<2>& run;
   int member;
 };
 AskedMember asked_member(lua_State* L, const char* call) {
@@ -231,7 +231,7 @@ AskedMember asked_member(lua_State* L, const char* call) {
     name = text_at(L, 2);
   else if (!lua_isnoneornil(L, 2))
     throw InputError(fmt::format("{}: takes the name of a member; this is {}", call, what_is(L, 2)));
-  const Simulation* const built = b.model().if_built();
+  const Simulation<2>* const built = b.model().if_built();
   if (built == nullptr) throw InputError(fmt::format("{}: nothing has run yet; ask during a stage or after it", call));
   return {*built, member_of(built->model(), b.index, name, call)};
 }

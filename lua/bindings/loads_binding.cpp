@@ -283,7 +283,7 @@ int release(lua_State* L) {
     require_load(m, push, "release");
     m.evaluated();
     m.change([push, fade, box = &m](Model<2>& model) {
-      const Simulation& s = *box->if_built();
+      const Simulation<2>& s = *box->if_built();
       release_push(model, s.state(), s.work(), push, fade);
     });
   } else {

@@ -17,7 +17,7 @@ void push_text(lua_State* L, const std::string& text) {
   lua_pushlstring(L, text.data(), text.size());
 }
 
-const Simulation* simulation_of(const ModelBox& m) {
+const Simulation<2>* simulation_of(const ModelBox& m) {
   return m.get().if_built();
 }
 
@@ -134,7 +134,7 @@ const std::array model_properties{
 
 int explain_dt(lua_State* L) {
   ScriptModel& m = handle<ModelBox>(L, 1).get();
-  const Simulation& s = m.evaluated();
+  const Simulation<2>& s = m.evaluated();
   push_text(L, explain_step(s.model(), s.state(), s.work()));
   return 1;
 }

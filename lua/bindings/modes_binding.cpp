@@ -62,7 +62,7 @@ int read_count(lua_State* L, const char* owner) {
 int find_modes(lua_State* L) {
   ScriptModel& m = handle<ModelBox>(L, 1).get();
   const int count = read_count(L, "modes");
-  const Simulation& sim = m.evaluated();
+  const Simulation<2>& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
   const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
   const std::array<double, 2> all = free_mass(sim.model());
@@ -101,7 +101,7 @@ std::string damping_text(const std::vector<Mode>& found, const std::vector<ModeD
 int find_damping(lua_State* L) {
   ScriptModel& m = handle<ModelBox>(L, 1).get();
   const int count = read_count(L, "damping");
-  const Simulation& sim = m.evaluated();
+  const Simulation<2>& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
   const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
   lua_createtable(L, static_cast<int>(found.size()), 1);

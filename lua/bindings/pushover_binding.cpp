@@ -80,20 +80,20 @@ PushOrder read_order(Keys& keys, const ScriptModel& m) {
 }
 
 /// Drift of a storey or of the top one; without storeys, how far the pushed points are.
-std::function<double(const Instant&)> drift_reading(ScriptModel& m, const PushOrder& o) {
+std::function<double(const Instant<2>&)> drift_reading(ScriptModel& m, const PushOrder& o) {
   const Findings& f = m.findings();
   if (f.storeys.empty()) {
     if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
-    return [name = o.stage.name](const Instant& now) {
+    return [name = o.stage.name](const Instant<2>& now) {
       for (const Push<2>& p : now.model.pushes)
         if (p.name == name) return push_place(now.state, p) - p.origin;
       return 0.0;
     };
   }
-  if (o.storey == 0) return [&f](const Instant& now) { return top_drift(now.model, now.state, f.storeys, f.base); };
+  if (o.storey == 0) return [&f](const Instant<2>& now) { return top_drift(now.model, now.state, f.storeys, f.base); };
   for (std::size_t i = 0; i < f.storeys.size(); ++i)
     if (f.storeys[i].number == o.storey)
-      return [&f, i](const Instant& now) { return storey_drift(now.model, now.state, f.storeys, f.base, i); };
+      return [&f, i](const Instant<2>& now) { return storey_drift(now.model, now.state, f.storeys, f.base, i); };
   throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
 }
 
@@ -148,7 +148,7 @@ void add_curve(lua_State* L, const PushoverRecorder& recorder) {
 /// The model's watch, for as long as this lives.
 struct Watch {
   ScriptModel& model;
-  Watch(ScriptModel& m, std::function<void(const Instant&)> f) : model(m) { model.watch = std::move(f); }
+  Watch(ScriptModel& m, std::function<void(const Instant<2>&)> f) : model(m) { model.watch = std::move(f); }
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
   ~Watch() { model.watch = nullptr; }
@@ -171,7 +171,7 @@ int pushover(lua_State* L) {
   m.change([&](Model<2>& changed) {
     add_push(changed, m.if_built()->state(), o.stage.name, std::move(rows), o.direction, motion);
   });
-  const Watch watch(m, [&](const Instant& now) {
+  const Watch watch(m, [&](const Instant<2>& now) {
     if (recorder.step(now)) m.stop();
   });
   const StageReport report = run_stage(L, m, o.stage);
@@ -189,7 +189,7 @@ double sum_of_pushes(const ModelBox& box) {
 }
 
 double push_displacement(const ModelBox& box) {
-  const Simulation* s = box.get().if_built();
+  const Simulation<2>* s = box.get().if_built();
   if (s == nullptr || s->model().pushes.empty()) return 0;
   const Push<2>& p = s->model().pushes.back();
   return push_place(s->state(), p) - p.origin;

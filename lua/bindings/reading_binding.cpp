@@ -45,7 +45,7 @@ void set_vector(lua_State* L, const char* key, const Vec2& v) {
   lua_setfield(L, -2, key);
 }
 
-void push_contact(lua_State* L, const Simulation& s, const TouchingContact& c) {
+void push_contact(lua_State* L, const Simulation<2>& s, const TouchingContact& c) {
   const auto row = static_cast<std::size_t>(c.row);
   constexpr std::array holds{"bonded", "sticking", "sliding"};
   lua_createtable(L, 0, 9);
@@ -89,7 +89,7 @@ int contacts(lua_State* L) {
   const bool given = !lua_isnil(L, -1);
   lua_pop(L, 1);
   keys.finish();
-  const Simulation& s = m.evaluated();
+  const Simulation<2>& s = m.evaluated();
   const auto has = [](const std::vector<int>& list, int b) { return std::binary_search(list.begin(), list.end(), b); };
   lua_newtable(L);
   lua_Integer count = 0;

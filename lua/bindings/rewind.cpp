@@ -104,7 +104,7 @@ void ScriptModel::replay(Recording& recording) {
   for (const Event& e : events) {
     if (e.type == EventType::stage_begun) ++stage, begun = e.time;
     if (stage == 0) continue;
-    const Instant then{
+    const Instant<2> then{
         simulation_->model(), simulation_->state(), simulation_->work(), stages_run_[stage - 1], begun, 0, 0, 0};
     recording.event(e, then);
   }
@@ -115,7 +115,7 @@ void ScriptModel::replay(Recording& recording) {
   }
 }
 
-StageReport ScriptModel::resume(const RunListener& listener, Host& host) {
+StageReport ScriptModel::resume(const RunListener<2>& listener, Host& host) {
   if (running_) throw InputError("continue: a stage runs already");
   if (!simulation_ || simulation_->stage() == nullptr)
     throw InputError("continue: no stage waits to go on; begin one with run, consolidate or shake");

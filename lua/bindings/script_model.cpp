@@ -59,15 +59,15 @@ void ScriptModel::require_open(const std::string& what) const {
         fmt::format("{}: cannot be added any more, as the model was built at its first stage; add it before", what));
 }
 
-Simulation& ScriptModel::simulation() {
+Simulation<2>& ScriptModel::simulation() {
   if (!simulation_) {
-    simulation_ = std::make_unique<Simulation>(builder.build());
+    simulation_ = std::make_unique<Simulation<2>>(builder.build());
   }
   return *simulation_;
 }
 
-const Simulation& ScriptModel::evaluated() {
-  Simulation& s = simulation();
+const Simulation<2>& ScriptModel::evaluated() {
+  Simulation<2>& s = simulation();
   s.refresh();
   return s;
 }
@@ -153,26 +153,26 @@ void ScriptModel::open_recording(Host& host) {
   fmt::print(stderr, "note: {}\n", kept);
 }
 
-RunListener ScriptModel::listen_with(const RunListener& script, RunObserver* observer) {
-  RunListener all;
+RunListener<2> ScriptModel::listen_with(const RunListener<2>& script, RunObserver* observer) {
+  RunListener<2> all;
   if (recording_) {  // going back in time replaces it
-    all.on_frame = [this](const Instant& now) { recording_->frame(now); };
-    all.on_energy = [this](const Instant& now, const Energy& e) { recording_->energy(now, e); };
+    all.on_frame = [this](const Instant<2>& now) { recording_->frame(now); };
+    all.on_energy = [this](const Instant<2>& now, const Energy& e) { recording_->energy(now, e); };
   }
   if (!histories.empty()) {
-    all.on_history = [this, &script](const Instant& now) {
+    all.on_history = [this, &script](const Instant<2>& now) {
       script.on_history(now);  // the Lua functions' values come first
       take_histories(now.state.time, recording_.get());
     };
   }
-  all.on_event = [this, observer, &script](const Event& e, const Instant& now) {
+  all.on_event = [this, observer, &script](const Event& e, const Instant<2>& now) {
     events.push_back(e);
     if (e.type == EventType::stage_begun) stages_run_.push_back(now.stage);
     if (recording_) recording_->event(e, now);
     if (observer != nullptr) observer->event(e, now);
     script.on_event(e, now);
   };
-  all.on_step = [this, observer, &script](const Instant& now) {
+  all.on_step = [this, observer, &script](const Instant<2>& now) {
     if (recording_) recording_->step();
     if (observer != nullptr) observer->step(now);
     script.on_step(now);
@@ -218,11 +218,11 @@ bool ScriptModel::apply_changes(Model<2>& model) {
   return true;
 }
 
-StageReport ScriptModel::run(const StageOptions& asked, const RunListener& listener, Host& host,
+StageReport ScriptModel::run(const StageOptions& asked, const RunListener<2>& listener, Host& host,
                              const EquilibriumOptions* statics) {
   if (running_)
     throw InputError(fmt::format("{}: a stage runs already; begin the next one when it has ended", title()));
-  Simulation& s = simulation();
+  Simulation<2>& s = simulation();
   const auto& notes = builder.notes();
   for (; host.observer != nullptr && notes_shown_ < notes.size(); ++notes_shown_)
     host.observer->note(notes[notes_shown_]);
@@ -244,7 +244,7 @@ StageReport ScriptModel::run(const StageOptions& asked, const RunListener& liste
     host.profile.laws = s.model().law_names;
   }
   const auto go = [&] {
-    const RunListener all = listen_with(listener, host.observer);
+    const RunListener<2> all = listen_with(listener, host.observer);
     return statics != nullptr ? s.settle(options, *statics, all) : s.run(options, all);
   };
   return guarded_run(go, host);
@@ -280,7 +280,7 @@ StageReport ScriptModel::guarded_run(const std::function<StageReport()>& go, Hos
   return report;
 }
 
-void ScriptModel::run_on(const RunLimit& limit, const RunListener& listener, Host& host) {
+void ScriptModel::run_on(const RunLimit& limit, const RunListener<2>& listener, Host& host) {
   paused_ = false;
   struct Scope {
     ScriptModel& model;

@@ -70,9 +70,9 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::optional<Branch> undone;     ///< what the last rewind() took back
   double wake_at = unbounded;       ///< a story wants to be woken then [s]
   bool has_step_handler = false;
-  std::function<void(const Instant&)> watch;  ///< of the engine's own, after each step; empty: none
-  std::uint32_t wanted_events = 0;            ///< bit of each EventType that some handler wants
-  std::string pause_reason;                   ///< why the run is to pause at the next step border; "": it is not
+  std::function<void(const Instant<2>&)> watch;  ///< of the engine's own, after each step; empty: none
+  std::uint32_t wanted_events = 0;               ///< bit of each EventType that some handler wants
+  std::string pause_reason;                      ///< why the run is to pause at the next step border; "": it is not
 
   [[nodiscard]] std::string title() const { return name.empty() ? "model" : "model '" + name + "'"; }
   [[nodiscard]] bool built() const { return simulation_ != nullptr; }
@@ -84,12 +84,12 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   /// Throws InputError where the model was built or is running: bodies, laws and bearings come before.
   void require_open(const std::string& what) const;
   /// Builds where that was not done. Throws InputError as ModelBuilder::build does.
-  Simulation& simulation();
+  Simulation<2>& simulation();
   /// The simulation with its forces up to date, for reading.
-  const Simulation& evaluated();
+  const Simulation<2>& evaluated();
   /// Its joints, storeys and base; builds the model.
   const Findings& findings();
-  [[nodiscard]] const Simulation* if_built() const { return simulation_.get(); }
+  [[nodiscard]] const Simulation<2>* if_built() const { return simulation_.get(); }
   /// Does `change` now, or at the next step border where a stage runs.
   void change(std::function<void(Model<2>&)> what);
   void stop() {
@@ -105,12 +105,12 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   [[nodiscard]] double time() const { return simulation_ ? simulation_->state().time : 0; }
 
   /// Runs a stage with `listener` wrapped by recording and observing.
-  StageReport run(const StageOptions& options, const RunListener& listener, Host& host,
+  StageReport run(const StageOptions& options, const RunListener<2>& listener, Host& host,
                   const EquilibriumOptions* statics = nullptr);
   /// While the model is paused: further steps of its stage, up to `limit` or its end.
-  void run_on(const RunLimit& limit, const RunListener& listener, Host& host);
+  void run_on(const RunLimit& limit, const RunListener<2>& listener, Host& host);
   /// Runs the stage that rewind() has brought back to its end. InputError where there is none.
-  StageReport resume(const RunListener& listener, Host& host);
+  StageReport resume(const RunListener<2>& listener, Host& host);
   /// Goes back to the checkpoint nearest to `time`, between stages or paused (then within that stage). What was
   /// recorded since stays in the part file, unfinished; what follows goes to a file of its own. Gives the time it is
   /// now [s]. InputError where there is no such checkpoint.
@@ -133,12 +133,12 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   void replay(Recording& recording);
   StageReport guarded_run(const std::function<StageReport()>& go, Host& host);
   [[nodiscard]] Checkpoint checkpoint();
-  RunListener listen_with(const RunListener& script, RunObserver* observer);
+  RunListener<2> listen_with(const RunListener<2>& script, RunObserver* observer);
   void take_histories(double time, Recording* recording);
   bool apply_changes(Model<2>& model);
   Model<2> lone_body(int body) const;
 
-  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<Simulation<2>> simulation_;
   std::unique_ptr<Recording> recording_;
   std::shared_ptr<Verdict> verdict_ = std::make_shared<Verdict>();
   std::optional<Findings> findings_;

@@ -75,14 +75,14 @@ class Handlers {
   }
 
   /// All of it as a listener; it refers to this object.
-  RunListener listener(bool nested) {
-    RunListener l;
-    l.on_event = [this](const Event& e, const Instant&) { event(e); };
-    l.on_step = [this](const Instant& now) {
+  RunListener<2> listener(bool nested) {
+    RunListener<2> l;
+    l.on_event = [this](const Event& e, const Instant<2>&) { event(e); };
+    l.on_step = [this](const Instant<2>& now) {
       if (model_.watch) model_.watch(now);
       step(now.state.time, now.state.last_dt);
     };
-    l.on_history = [this](const Instant&) { sample_functions(); };
+    l.on_history = [this](const Instant<2>&) { sample_functions(); };
     if (host_.console != nullptr) l.at_border = [this, nested] { border(nested); };
     return l;
   }
@@ -174,10 +174,10 @@ void refuse_unread_arguments(const Host& h) {
 StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, std::int64_t steps) {
   Host& h = host(L);
   refuse_unread_arguments(h);
-  return listen(L, model, h, [&](RunListener listener) {
+  return listen(L, model, h, [&](RunListener<2> listener) {
     std::int64_t taken = 0;
     if (steps > 0)
-      listener.on_step = [&model, &taken, steps, inner = std::move(listener.on_step)](const Instant& now) {
+      listener.on_step = [&model, &taken, steps, inner = std::move(listener.on_step)](const Instant<2>& now) {
         inner(now);
         if (++taken >= steps) model.stop();
       };
@@ -188,12 +188,12 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how) {
   Host& h = host(L);
   refuse_unread_arguments(h);
-  return listen(L, model, h, [&](const RunListener& listener) { return model.run(options, listener, h, &how); });
+  return listen(L, model, h, [&](const RunListener<2>& listener) { return model.run(options, listener, h, &how); });
 }
 
 StageReport resume_stage(lua_State* L, ScriptModel& model) {
   Host& h = host(L);
-  return listen(L, model, h, [&](const RunListener& listener) { return model.resume(listener, h); });
+  return listen(L, model, h, [&](const RunListener<2>& listener) { return model.resume(listener, h); });
 }
 
 void run_on(lua_State* L, ScriptModel& model, RunLimit limit) {

@@ -18,7 +18,7 @@ void Live::note(const std::string& text) {
   if (!quiet_) screen_.line("note: " + text);
 }
 
-void Live::event(const Event& event, const Instant& now) {
+void Live::event(const Event& event, const Instant<2>& now) {
   if (event.type == EventType::stage_begun) {
     pace_.reset();
     stage_began_ = shown_ = looked_ = wall();
@@ -32,7 +32,7 @@ void Live::event(const Event& event, const Instant& now) {
   for (const std::string& line : lines_.tell(event, now.model)) screen_.line(line, strong);
 }
 
-void Live::step(const Instant& now) {
+void Live::step(const Instant<2>& now) {
   if (quiet_ || ++steps_ < stride_) return;
   steps_ = 0;
   const double at = wall();
@@ -43,7 +43,7 @@ void Live::step(const Instant& now) {
   if (at - shown_ >= (screen_.is_terminal() ? redraw_interval : line_interval)) show(now, at);
 }
 
-void Live::show(const Instant& now, double at) {
+void Live::show(const Instant<2>& now, double at) {
   shown_ = at;
   pace_.add(now.state.time, at);
   const std::string text = status_text(now, pace_);

@@ -16,9 +16,9 @@ class Live : public script::RunObserver {
   Live(std::FILE* out, const EventLines& lines, bool quiet = false);
 
   void note(const std::string& text) override;
-  void event(const Event& event, const Instant& now) override;
+  void event(const Event& event, const Instant<2>& now) override;
   /// Called after every step; looks at the clock only every so many of them.
-  void step(const Instant& now) override;
+  void step(const Instant<2>& now) override;
   void stage_ended(const StageReport& report) override;
   void clear() override { screen_.clear(); }
   void line(const std::string& text, bool strong) override;
@@ -28,7 +28,7 @@ class Live : public script::RunObserver {
  private:
   using Clock = std::chrono::steady_clock;
   [[nodiscard]] double wall() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
-  void show(const Instant& now, double at);
+  void show(const Instant<2>& now, double at);
 
   Screen screen_;
   EventLines lines_;

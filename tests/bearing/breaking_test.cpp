@@ -33,10 +33,10 @@ Broken fly_off(const DirectionLaw& law) {
   link.point_a = link.point_b = {0, 0.5};
   link.law = {law, {}, {}};
   scene.builder.add_bearing(link);
-  Simulation sim(scene.builder.build());
+  Simulation<2> sim(scene.builder.build());
   Broken seen;
-  RunListener listener;
-  listener.on_event = [&](const Event& e, const Instant&) {
+  RunListener<2> listener;
+  listener.on_event = [&](const Event& e, const Instant<2>&) {
     if (e.type == EventType::bearing_yielded) ++seen.told, seen.told_at = e.value;
     if (e.type == EventType::bearing_failed) ++seen.ended;
   };

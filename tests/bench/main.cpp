@@ -89,7 +89,7 @@ int touching(const Work<2>& work) {
 void bench_wall(int courses, double dt, double seconds) {
   const std::string wall = fmt::format("wall of {} courses", courses);
   tell(wall + ", settling");
-  Simulation settle(bench_model(courses));
+  Simulation<2> settle(bench_model(courses));
   StageOptions rest;
   rest.name = "settle";
   rest.duration = 1;
@@ -156,7 +156,7 @@ void bench_kinds(double seconds) {
   for (const Kind& k :
        {Kind{"rigid", BodyKind::rigid, 1}, Kind{"quad", BodyKind::quad, 1}, Kind{"2 x 2 mesh", BodyKind::mesh, 2}}) {
     tell(fmt::format("wall of 444 units as {}, settling and shaken", k.name));
-    Simulation sim(bench_model(24, k.kind, k.divisions));
+    Simulation<2> sim(bench_model(24, k.kind, k.divisions));
     StageOptions options;
     options.name = "settle", options.duration = 0.1, options.rest_share = 0.8, options.safety = 0.8;
     sim.run(options);

@@ -15,9 +15,9 @@ int main() {
   builder.add_body(ground);
   builder.add_body(
       {.name = "block", .outline = {{-0.5, 1}, {0.5, 1}, {0.5, 2}, {-0.5, 2}}, .density = 2400, .floating = true});
-  trilith::Simulation simulation(builder.build());
+  trilith::Simulation<2> simulation(builder.build());
   double landed = 0;
-  const auto told = [&](const trilith::Event& event, const trilith::Instant&) {
+  const auto told = [&](const trilith::Event& event, const trilith::Instant<2>&) {
     landed = landed > 0 ? landed : event.time * (event.type == trilith::EventType::impact);
   };
   simulation.run({.name = "drop", .duration = 1, .safety = 0.1}, {.on_event = told});

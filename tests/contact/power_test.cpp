@@ -93,11 +93,11 @@ TEST_CASE("a block that strikes a power contact goes as deep as its energy takes
     scene.set_gravity(Vec2::Zero());
     scene.fixed("base", box(-2, -1, 2, 0));
     scene.block("block", box(-0.5, 1e-4, 0.5, 1 + 1e-4), mass, {0, -speed});
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     const int node = node_of(sim.model(), "block");
     const double begun = 0.5 * mass * speed * speed;  // that of motion at the start
     double lowest = 1, most = 0;
-    run_for(sim, 0.1, 2e-5, each_step([&](const Instant& now) {
+    run_for(sim, 0.1, 2e-5, each_step([&](const Instant<2>& now) {
               lowest = std::min(lowest, now.state.position[node].y());
               most = std::max(most, std::abs(sim.energy().balance() - begun));
             }));

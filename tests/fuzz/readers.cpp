@@ -108,7 +108,7 @@ struct Saved {
     return {std::istreambuf_iterator<char>(in), {}};
   }
   Saved() : model(made()) {
-    trilith::Simulation sim(model);
+    trilith::Simulation<2> sim(model);
     trilith::StageOptions options;
     options.duration = 0.02;
     sim.run(options);

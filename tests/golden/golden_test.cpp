@@ -29,7 +29,7 @@ Model<2> crushed_mortar() {
 }
 
 std::string hash_at_end(const Collapse& c) {
-  Simulation sim(c.model());
+  Simulation<2> sim(c.model());
   StageOptions options;
   options.duration = c.duration;
   sim.run(options);

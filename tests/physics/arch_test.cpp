@@ -25,11 +25,11 @@ Arch arch_of(int voussoirs, double thickness, double half_angle = 90 * degree) {
 }
 
 /// With joints that carry friction `mu`, of `stiffness` [Pa/m] and damped by a `share` of what is critical.
-std::unique_ptr<Simulation> built(const Arch& arch, double mu = 10, double stiffness = 4e12, double share = 0.2) {
+std::unique_ptr<Simulation<2>> built(const Arch& arch, double mu = 10, double stiffness = 4e12, double share = 0.2) {
   const double length = 2 * arch.half_angle * arch.radius / arch.voussoirs;
   Scene scene(stiff_joint(mu, length, stiffness, share));
   add_parts(scene, build_arch(arch), "abutments");
-  return std::make_unique<Simulation>(scene.builder.build());
+  return std::make_unique<Simulation<2>>(scene.builder.build());
 }
 
 /// Joints that can slide may flutter from where the arch lies at first; see let_go.
@@ -41,7 +41,7 @@ Fate fate_of(const Arch& arch, double mu = 10, double stiffness = 4e12, double s
 }
 
 /// Horizontal force between two neighbours over the weight of all that is free.
-double thrust(const Simulation& sim, const std::string& left, const std::string& right) {
+double thrust(const Simulation<2>& sim, const std::string& left, const std::string& right) {
   const Model<2>& model = sim.model();
   std::vector<TouchingContact> contacts;
   contact_resultants(model, sim.work(), contacts);
@@ -92,7 +92,7 @@ TEST_CASE("A5: the thrust of a standing arch lies between its least and its grea
   };
   for (const Case& c : {Case{.12, .1907, .2073}, Case{.15, .1756, .2271}, Case{.20, .1540, .2546}}) {
     CAPTURE(c.thickness);
-    const std::unique_ptr<Simulation> sim = built(arch_of(30, c.thickness));
+    const std::unique_ptr<Simulation<2>> sim = built(arch_of(30, c.thickness));
     REQUIRE(let_go(*sim) == Fate::rests);
     const double found = thrust(*sim, "v15", "v16");
     MESSAGE(
@@ -108,7 +108,7 @@ TEST_CASE("A6: a tilted semicircular arch comes down at its limit" * doctest::te
   };
   for (const Case& c : {Case{.12, .0468}, Case{.15, .1445}, Case{.20, .2843}}) {
     CAPTURE(c.thickness);
-    const std::unique_ptr<Simulation> sim = built(arch_of(40, c.thickness));
+    const std::unique_ptr<Simulation<2>> sim = built(arch_of(40, c.thickness));
     REQUIRE(let_go(*sim) == Fate::rests);
     const double near_limit = 0.9 * std::atan(c.factor);
     REQUIRE(tilt_on(*sim, 0, near_limit, 4 * degree) == near_limit);

@@ -38,13 +38,13 @@ TEST_CASE("B7: a wave runs along a bar at sqrt(E/rho) with the stress rho c v, a
     model.drive_of[n][0] = static_cast<int>(model.drives.size());
     model.drives.push_back({n, 0, 0, 0, moving});
   }
-  Simulation sim(model);
+  Simulation<2> sim(model);
   EnergyCheck check;
   StageOptions options;
   options.duration = 8e-3, options.energy_interval = 1e-4;
   const int free_end = node_at(model, {length, 0});
   double arrival = -1, back = -1, stress = 0;
-  RunListener listener = each_step([&](const Instant& now) {
+  RunListener<2> listener = each_step([&](const Instant<2>& now) {
     if (arrival < 0 && now.state.velocity[free_end].x() > speed) arrival = now.state.time;
     // Behind the front all is pressed; the reflected front takes the stress away from the free end on.
     if (now.state.time > 0.4 * length / c && stress == 0)
@@ -55,7 +55,7 @@ TEST_CASE("B7: a wave runs along a bar at sqrt(E/rho) with the stress rho c v, a
   });
   double first = 0;
   bool begun = false;
-  listener.on_energy = [&](const Instant&, const Energy& e) {
+  listener.on_energy = [&](const Instant<2>&, const Energy& e) {
     if (!begun) first = e.balance(), begun = true;
     check.add(e, e.balance() - first);
   };
@@ -79,11 +79,11 @@ TEST_CASE("B8: two equal bars touch for 2 L/c under rho c v/2, and swap their sp
   left.velocity = {speed, 0};
   scene.add(left);
   scene.add(grid_body("right", bar(0), "concrete", 100, 1));
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   double made = -1, lost = -1, stress = 0, square = 0;
   StageOptions options;
   options.duration = 7e-3;
-  sim.run(options, each_step([&](const Instant& now) {
+  sim.run(options, each_step([&](const Instant<2>& now) {
             for (const Event& e : now.work.events) {
               if (made < 0 && (e.type == EventType::contact_made || e.type == EventType::impact)) made = e.time;
               if (e.type == EventType::contact_lost) lost = e.time;
@@ -119,13 +119,13 @@ TEST_CASE("B2: a spinning bar keeps its stretch, its energy and its angular mome
     return sum;
   };
   const double momentum = angular(state);
-  Simulation sim(model, state);
+  Simulation<2> sim(model, state);
   double least = 1e9, most = 0, low = 1e9, high = 0, worst = 0;
   StageOptions options;
   options.duration = 10 * 2 * M_PI / spin;
   options.energy_interval = 0.01;
   options.safety = 0.9;
-  RunListener listener = each_step([&](const Instant& now) {
+  RunListener<2> listener = each_step([&](const Instant<2>& now) {
     if (now.state.step % 50 != 0) return;
     double middle = 0;
     for (int e = 0; e < 20; ++e) {
@@ -136,7 +136,7 @@ TEST_CASE("B2: a spinning bar keeps its stretch, its energy and its angular mome
     least = std::min(least, middle), most = std::max(most, middle);
     worst = std::max(worst, std::abs(angular(now.state) / momentum - 1));
   });
-  listener.on_energy = [&](const Instant&, const Energy& e) {
+  listener.on_energy = [&](const Instant<2>&, const Energy& e) {
     const double all = e[EnergyTerm::kinetic] + e[EnergyTerm::strain];
     low = std::min(low, all), high = std::max(high, all);
   };

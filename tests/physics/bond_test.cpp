@@ -17,7 +17,7 @@ struct Reading {
 /// A joint of 1 m2 between a fixed base and a block that is led along one axis of the scene and does not turn.
 struct JointTest {
   Scene scene;
-  Simulation sim;
+  Simulation<2> sim;
   int node;
   std::vector<Event> events;  ///< of bonds, while led
 
@@ -25,7 +25,7 @@ struct JointTest {
   JointTest(const ContactLaw& law, int axis, double pressure, double turn)
       : scene(law, turn), sim(make(scene, axis, pressure)), node(node_of(sim.model(), "block")) {}
 
-  static Simulation make(Scene& scene, int axis, double pressure) {
+  static Simulation<2> make(Scene& scene, int axis, double pressure) {
     scene.set_gravity(Vec2::Zero());
     scene.fixed("base", rectangle({-1, -0.5}, {2, 0}));
     BodySpec spec;
@@ -46,11 +46,11 @@ struct JointTest {
     const double origin = sim.state().position[node][axis];
     set_drive(sim.edit_model(), body, axis, motion, start, origin);
     std::vector<Reading> readings;
-    RunListener listener = each_step([&](const Instant& now) {
+    RunListener<2> listener = each_step([&](const Instant<2>& now) {
       readings.push_back(
           {motion->displacement(now.state.time - now.state.last_dt - start), -(now.work.force[node][axis])});
     });
-    listener.on_event = [&](const Event& e, const Instant&) {
+    listener.on_event = [&](const Event& e, const Instant<2>&) {
       if (e.type == EventType::bond_cracked || e.type == EventType::bond_broken) events.push_back(e);
     };
     run_for(sim, end - 1e-6 * period, period / 20000, listener);

@@ -80,7 +80,7 @@ Outcome collide(const Pair& pair, double kn, double safety, double time) {
     spec.spin = second ? pair.spin_b : pair.spin_a;
     scene.add(spec);
   }
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   const Model<2>& model = sim.model();
   const Motion before = motion_of_all(model, sim.state());
   const double size = 2 * std::min(model.body_radius[0], model.body_radius[1]);
@@ -88,7 +88,7 @@ Outcome collide(const Pair& pair, double kn, double safety, double time) {
   StageOptions options;
   options.duration = time;
   options.safety = safety;
-  const RunListener watch = each_step([&](const Instant& now) {
+  const RunListener<2> watch = each_step([&](const Instant<2>& now) {
     const bool felt = now.work.carried > 0;
     out.hit = out.hit || felt;
     if (now.state.step % 16 != 0 && !felt) return;

@@ -10,7 +10,7 @@ using namespace trilith::testing;
 namespace {
 
 /// Depth of a body's corner below the scene's x axis [m].
-double depth_of(const Scene& scene, const Simulation& sim, const std::string& body, int corner) {
+double depth_of(const Scene& scene, const Simulation<2>& sim, const std::string& body, int corner) {
   return -scene.to_scene(corner_of(sim, body, corner)).y();
 }
 
@@ -34,12 +34,12 @@ Bounce bounce(double m1, double m2, double kn, double speed, double zeta, double
   else
     scene.fixed("below", base_under(0, 1));
   scene.block("above", rectangle({0, 0}, {1, 1}), m1, {0, -speed});
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   const double dt = 5e-4 / w;
   const int above = node_of(sim.model(), "above"), below = node_of(sim.model(), "below");
   const double distance = (sim.state().position[above] - sim.state().position[below]).norm();
   double loaded = 0, deepest = 0;
-  run_for(sim, 4 / w, dt, each_step([&](const Instant& now) {
+  run_for(sim, 4 / w, dt, each_step([&](const Instant<2>& now) {
             if (now.work.force[above].norm() > 0) loaded += now.state.last_dt;
             deepest = std::max(deepest, distance - (now.state.position[above] - now.state.position[below]).norm());
           }));
@@ -58,7 +58,7 @@ TEST_CASE("C1: a block rests at the overlap m g / (kn A), under a uniform stress
     scene.builder.thickness = c.thickness;
     scene.fixed("base", base_under(-5, 5));
     scene.block("block", rectangle({0, 0}, {c.width, 1}), c.mass);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     CHECK(settle(sim).end == StageEnd::rest);
     const double expected = c.mass * standard_gravity / (c.kn * c.width * c.thickness);
     const double left = depth_of(scene, sim, "block", 0), right = depth_of(scene, sim, "block", 1);
@@ -111,7 +111,7 @@ Joint eccentric(double n, double b, double e, double kn, double turn) {
   spec.name = "block", spec.weight = n;
   spec.outline = {{0, 0}, {b, 0}, {b + 2 * e, 0.4 * b}, {2 * e, 0.4 * b}};
   scene.add(spec);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   CHECK(settle(sim).end == StageEnd::rest);
   return {kn * depth_of(scene, sim, "block", 0), kn * depth_of(scene, sim, "block", 1),
           -sim.state().rotation[node_of(sim.model(), "block")]};
@@ -158,7 +158,7 @@ TEST_CASE("C5: faces that overlap in part carry W/(1 - s) where they overlap") {
     spec.name = "upper", spec.weight = weight;
     spec.outline = {{s, 0}, {1 + s, 0}, {1, 0.5}, {0, 0.5}};
     scene.add(spec);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     CHECK(settle(sim).end == StageEnd::rest);
     const double rotation = sim.state().rotation[node_of(sim.model(), "upper")], expected = weight / (1 - s);
     const double at_left = kn * depth_of(scene, sim, "upper", 0);
@@ -182,7 +182,7 @@ TEST_CASE("C6: three blocks on one pass a uniform pressure on, with no rotation"
       spec.outline = rectangle({i / 3.0, 0.3}, {(i + 1) / 3.0, 0.6});
       scene.add(spec);
     }
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     CHECK(settle(sim).end == StageEnd::rest);
     const auto y = [&](const std::string& body, int corner) {
       return scene.to_scene(corner_of(sim, body, corner)).y();

@@ -27,14 +27,14 @@ struct Watched {
   int crushed = 0;
   bool begun = false;
 
-  StageReport run(Simulation& sim, double duration, double dt = 0) {
-    RunListener listener;
-    listener.on_energy = [&](const Instant&, const Energy& e) {
+  StageReport run(Simulation<2>& sim, double duration, double dt = 0) {
+    RunListener<2> listener;
+    listener.on_energy = [&](const Instant<2>&, const Energy& e) {
       if (!begun) first = e, begun = true;
       check.add(e, e.balance() - first.balance());
       last = e;
     };
-    listener.on_event = [&](const Event& e, const Instant&) {
+    listener.on_event = [&](const Event& e, const Instant<2>&) {
       if (e.type != EventType::joint_crushed) return;
       ++crushed;
       CHECK(e.mode == JointMode::compression);
@@ -54,7 +54,7 @@ TEST_CASE("a block that falls on mortar too weak to stop it sinks in by its ener
     Scene scene(mortar(strength, 0.05), turn);
     scene.fixed("base", rectangle({-1, -1}, {2, 0}));
     scene.block("block", rectangle({0, 1e-3}, {1, 0.5}), mass, {0, -speed});
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     Watched watched;
     watched.run(sim, 0.2, 1e-5);
     const double resist = strength - mass * standard_gravity, elastic = strength / kn;
@@ -78,13 +78,13 @@ TEST_CASE("a toe that crushes lets a tilted block topple earlier, by a third of 
     Scene scene(mortar(strength, 5e-3, 2e-5));
     scene.fixed("base", rectangle({-1, -1}, {2, 0}));
     scene.block("block", rectangle({0, 0}, {width, height}), mass);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     settle(sim);
     Gravity<2>& gravity = sim.edit_model().gravity;
     gravity.tilt_rate = 0.5 * degree, gravity.tilt_start = sim.state().time - 0.7 * upright / gravity.tilt_rate;
-    RunListener listener;
+    RunListener<2> listener;
     double tilt = 0;
-    listener.on_history = [&](const Instant& now) {
+    listener.on_history = [&](const Instant<2>& now) {
       tilt = gravity.tilt_rate * (now.state.time - gravity.tilt_start);
       if (now.speed > 0.05) sim.stop();
     };
@@ -110,7 +110,7 @@ TEST_CASE("a block that tumbles over mortar it crushes makes no energy, whatever
     BodySpec spec;
     spec.name = "block", spec.outline = corners, spec.mass = 800, spec.velocity = {1.5, -1}, spec.floating = true;
     scene.add(spec);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     Watched watched;
     watched.run(sim, 1.5, 2e-5);  // the impacts are resolved
     MESSAGE("tilted by ", angle, ": residual ", 100 * watched.check.share(), " %, crushing took ",
@@ -126,7 +126,7 @@ TEST_CASE("mortar stays crushed while the block that crushed it bounces") {
   Scene scene(mortar(2e5, 0.01));
   scene.fixed("base", rectangle({-1, -1}, {2, 0}));
   scene.block("block", rectangle({0, 1e-3}, {1, 0.5}), 1000, {0, -1});
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   run_for(sim, 0.02);
   const auto crushed = [&] {
     return std::any_of(sim.state().contacts.memory.begin(), sim.state().contacts.memory.end(),

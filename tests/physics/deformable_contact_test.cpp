@@ -49,7 +49,7 @@ TEST_CASE("C6: uniform pressure goes through faces that do not match whatever ki
         spec.load = {0, -1e6 / 3};
         scene.add(spec);
       }
-      Simulation sim = scene.start();
+      Simulation<2> sim = scene.start();
       settle(sim, 20, 1e-9);
       sim.refresh();
       std::vector<TouchingContact> touching;
@@ -144,7 +144,7 @@ TEST_CASE("a deformable column on a bearing hangs at its weight over the spring"
   b.name = "rod", b.body_a = "top", b.body_b = "load", b.point_a = {0, 1}, b.point_b = {0, 0.6};
   b.law = {Linear{1e6, 1e2}, Linear{1e6, 1e2}, Linear{}};
   scene.builder.add_bearing(b);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   settle(sim, 50, 1e-8);
   const double weight = body_mass(sim.model(), 1) * standard_gravity;
   sim.refresh();
@@ -161,7 +161,7 @@ struct Shaken {
     scene.add(made("b", rectangle({-0.45, 0.4}, {0.45, 0.8}), {2, 2}));
     scene.add(made("c", rectangle({-0.5, 0.8}, {0.5, 1.2}), {0, 0}));
   }
-  Simulation start() {
+  Simulation<2> start() {
     Model<2> model = scene.builder.build();
     scene.drive_along_x(model, "base",
                         *motion_of(2, 1e-3, [](double t) { return t < 0.4 ? 6 * std::sin(2 * M_PI * 5 * t) : 0; }));
@@ -173,7 +173,7 @@ TEST_CASE("deformable bodies shaken in a turned world do the same") {
   std::vector<Vec2> moved;
   for (const double turn : {0.0, 17 * degree, 203 * degree}) {
     Shaken shaken(turn);
-    Simulation sim = shaken.start();
+    Simulation<2> sim = shaken.start();
     run_for(sim, 0.5, 2e-5);
     const Pose pose = body_pose(sim.model(), sim.state(), 2);
     moved.push_back(shaken.scene.to_scene(pose.place - body_start(sim.model(), 2)));
@@ -183,12 +183,12 @@ TEST_CASE("deformable bodies shaken in a turned world do the same") {
 
 TEST_CASE(
     "deformable bodies: two runs, a run that was saved and continued and one that lost its Work give the same bits") {
-  Simulation straight = Shaken(0).start(), again = Shaken(0).start(), dropped = Shaken(0).start();
+  Simulation<2> straight = Shaken(0).start(), again = Shaken(0).start(), dropped = Shaken(0).start();
   run_for(straight, 0.1), run_for(again, 0.1);
   CHECK(state_hash(straight.state()) == state_hash(again.state()));
   StageOptions options;
   options.duration = 0.1;
-  RunListener drops;
+  RunListener<2> drops;
   drops.at_border = [&] {
     if (dropped.state().step % 50 == 0) dropped.drop_work();
   };
@@ -196,19 +196,19 @@ TEST_CASE(
   CHECK(state_hash(straight.state()) == state_hash(dropped.state()));
   const auto path = std::filesystem::temp_directory_path() / ("trilith_deformable_" + std::to_string(::getpid()));
   save_state(straight.state(), straight.model(), path);
-  Simulation loaded(straight.model(), load_state(straight.model(), path));
+  Simulation<2> loaded(straight.model(), load_state(straight.model(), path));
   run_for(straight, 0.1), run_for(loaded, 0.1);
   CHECK(state_hash(straight.state()) == state_hash(loaded.state()));
   std::filesystem::remove(path);
 }
 
 TEST_CASE("the ledger of shaken deformable bodies closes to 0.1 %") {
-  Simulation sim = Shaken(0).start();
+  Simulation<2> sim = Shaken(0).start();
   EnergyCheck check;
   double first = 0, damping = 0;
   bool begun = false;
-  RunListener listener;
-  listener.on_energy = [&](const Instant&, const Energy& e) {
+  RunListener<2> listener;
+  listener.on_energy = [&](const Instant<2>&, const Energy& e) {
     if (!begun) first = e.balance(), begun = true;
     check.add(e, e.balance() - first);
     damping = e[EnergyTerm::element_damping];
@@ -231,12 +231,12 @@ TEST_CASE("a plastic block under a falling weight keeps its ledger and stays def
   weight.name = "weight", weight.outline = rectangle({-0.4, 0.5}, {0.4, 0.7}), weight.mass = 300;
   weight.floating = true;
   scene.add(weight);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   EnergyCheck check;
   double first = 0, plastic = 0;
   bool begun = false;
-  RunListener listener;
-  listener.on_energy = [&](const Instant&, const Energy& e) {
+  RunListener<2> listener;
+  listener.on_energy = [&](const Instant<2>&, const Energy& e) {
     if (!begun) first = e.balance(), begun = true;
     check.add(e, e.balance() - first);
     CHECK(e[EnergyTerm::plastic] >= plastic);
@@ -289,7 +289,7 @@ TEST_CASE("bodies that strike each other corner on face, with friction and dampi
     BodySpec high = made("high", corners, kind);
     high.velocity = {2, -5};
     scene.add(high);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     StageOptions options;
     options.duration = 0.1, options.safety = 0.1;
     sim.run(options);

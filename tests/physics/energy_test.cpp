@@ -34,11 +34,11 @@ struct Books {
   [[nodiscard]] double share() const { return residual / input; }
 };
 
-Books keep_books(Simulation& sim, StageOptions options) {
+Books keep_books(Simulation<2>& sim, StageOptions options) {
   Books books;
   Energy before;
-  RunListener listener;
-  listener.on_energy = [&](const Instant&, const Energy& e) {
+  RunListener<2> listener;
+  listener.on_energy = [&](const Instant<2>&, const Energy& e) {
     if (books.samples++ == 0) books.first = before = e;
     books.residual = std::max(books.residual, std::abs(e.balance() - books.first.balance()));
     const double start =
@@ -84,7 +84,7 @@ TEST_CASE("the ledger of a falling and bouncing block closes") {
     BodySpec block;
     block.name = "block", block.outline = box(0, 0.4, 1, 1), block.mass = 1000, block.floating = true;
     scene.add(block);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     const Books b = keep_books(sim, stage(2, 0.02));
     check_closed(fmt::format("bouncing block, zeta {}", zeta), b);
     CHECK((b.last[Term::contact_damping] > 0.1 * b.input) == (zeta > 0));
@@ -101,7 +101,7 @@ TEST_CASE("the ledger of a block that falls on a corner and tumbles closes") {
     for (Vec2& p : block.outline) p = turn.apply(p) + Vec2(0, 1.2);
     block.velocity = {1.5, 0}, block.spin = 2;
     scene.add(block);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     check_closed(fmt::format("tumbling block, {} rad", angle), keep_books(sim, stage(2, 0.02)));
   }
 }
@@ -110,7 +110,7 @@ TEST_CASE("the ledger of a sliding block closes, and friction takes what it had"
   Scene scene(Frictional{1e8, 5e7, 0.3, 2e-4});
   scene.fixed("base", box(-2, -0.5, 8, 0));
   scene.block("block", box(0, 0, 1, 0.5), 1000, {3, 0});
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   const Books b = keep_books(sim, stage(2, 0.05));
   check_closed("sliding block", b);
   CHECK(near(b.last[Term::contact_friction], 0.5 * 1000 * 9, 0.01));
@@ -125,14 +125,14 @@ TEST_CASE("the ledger of a rocking block closes") {
   block.name = "block", block.outline = box(-0.4, 0, 0, 1.2), block.mass = 960;
   for (Vec2& p : block.outline) p = turn.apply(p);
   scene.add(block);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   const Books b = keep_books(sim, stage(3, 0.1));
   check_closed("rocking block", b);
 }
 
 TEST_CASE("the ledgers of eight structures that lose their hold close" * doctest::test_suite("long")) {
   for (const testing::Collapse& c : testing::collapses()) {
-    Simulation sim(c.model());
+    Simulation<2> sim(c.model());
     const Books b = keep_books(sim, stage(c.duration, c.name == "leaning stack" ? 0.01 : 0.05));
     check_closed(c.name, b);
     if (c.name.starts_with("bonded")) CHECK(b.last[Term::contact_fracture] > 0);
@@ -155,7 +155,7 @@ TEST_CASE("the ledger of a driven oscillator closes, and what its support puts i
   scene.builder.add_bearing(link);
   Model<2> model = scene.builder.build();
   scene.drive_along_x(model, "base", testing::sine(3, 1.5, 8));
-  Simulation sim(model);
+  Simulation<2> sim(model);
   const Books b = keep_books(sim, stage(10, 0.05));
   check_closed("driven oscillator", b);
   CHECK(b.last[Term::support] > 0);
@@ -174,7 +174,7 @@ TEST_CASE("every bearing law keeps its part of the ledger") {
     scene.builder.add_bearing(link);
     Model<2> model = scene.builder.build();
     scene.drive_along_x(model, "base", testing::sine(4, 1.5, 4));
-    Simulation sim(model);
+    Simulation<2> sim(model);
     check_closed(fmt::format("bearing {}", name), keep_books(sim, stage(4, 0.02)));
   }
 }
@@ -188,7 +188,7 @@ TEST_CASE("every contact law keeps its part of the ledger") {
     thrown.name = "thrown", thrown.outline = box(3, 0.1, 4, 0.5), thrown.mass = 800, thrown.floating = true;
     thrown.velocity = {1, -1}, thrown.spin = 0.5;
     scene.add(thrown);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     check_closed(name, keep_books(sim, stage(1.5, 0.02)));
   }
 }
@@ -209,7 +209,7 @@ TEST_CASE("a bearing that becomes another one or contact leaves nothing out of t
     if (!becomes_contact) first.becomes_bearing = "second";
     scene.builder.add_bearing(first);
     if (!becomes_contact) scene.builder.add_bearing(second);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     const Books b = keep_books(sim, stage(1.5, 0.02));
     check_closed(becomes_contact ? "bearing to contact" : "bearing to bearing", b);
     CHECK(sim.state().bearing[0].status == BearingStatus::changed);
@@ -224,7 +224,7 @@ TEST_CASE("dampings, loads and a tilting table are booked with the sign declared
   block.floating = true;
   scene.add(block);
   scene.builder.mass_damping = 0.8;
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   const Books loaded = keep_books(sim, stage(2, 0.02));
   check_closed("pushed block with mass damping", loaded);
   CHECK(loaded.last[Term::load] > 0);
@@ -232,7 +232,7 @@ TEST_CASE("dampings, loads and a tilting table are booked with the sign declared
   CHECK(loaded.last[Term::contact_friction] > 0);
   CHECK(loaded.last[Term::gravity] < 0);
 
-  Simulation rest(testing::leaning_stack());
+  Simulation<2> rest(testing::leaning_stack());
   StageOptions options = stage(1, 0.02);
   options.rest_share = 0.8;
   const Books settled = keep_books(rest, options);
@@ -242,7 +242,7 @@ TEST_CASE("dampings, loads and a tilting table are booked with the sign declared
   Model<2> tilting = scene.builder.build();
   tilting.load[1] = Vec2::Zero();
   tilting.gravity.tilt_rate = 0.3;
-  Simulation tilt(tilting);
+  Simulation<2> tilt(tilting);
   check_closed("tilting table", keep_books(tilt, stage(2, 0.02)));
 }
 
@@ -260,7 +260,7 @@ TEST_CASE("the residual of a smooth motion falls with the square of the step") {
       link.law = {Linear{2e5, 0}, Linear{4e5, 0}, Linear{3e5, 0}};
       scene.builder.add_bearing(link);
     }
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     StageOptions options = stage(2, 0.5);
     options.dt = dt;
     return keep_books(sim, options).residual;

@@ -28,7 +28,7 @@ TEST_CASE("F13: a loaded beam lifts off its bed where a beam on a bed without te
     scene.builder.add_body(spec);
     Model<2> model = scene.builder.build();
     add_load(model, "beam", {0, 0.15}, {0, -100e3}, 0, {{0, 0.2}, {0, 1}, true});
-    Simulation sim(model);
+    Simulation<2> sim(model);
     const StageReport report = settle(sim, 20, 1e-7);
     CHECK(report.end == StageEnd::rest);
     const Body& beam = model.bodies[1];
@@ -60,12 +60,12 @@ TEST_CASE(
   hits.velocity = {1, 0};
   scene.builder.add_body(hits);
   scene.builder.add_body(rests);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   double first = -1, last = -1;
   const auto mean = [&](const char* name) {
     return body_pose(sim.model(), sim.state(), sim.model().find_body(name)).velocity.x();
   };
-  run_for(sim, 5e-3, 0, each_step([&](const Instant& now) {
+  run_for(sim, 5e-3, 0, each_step([&](const Instant<2>& now) {
             bool touch = false;
             for (const ContactMemory& m : now.work.contacts.memory) touch = touch || (m.state & contact_touching) != 0;
             if (!touch) return;
@@ -86,7 +86,7 @@ double sag_on_piers(int divisions) {
   BodySpec spec = beam_body("beam", {-0.25, 0.25}, {8.25, 0.25}, rectangle_section(0.3, 0.5), "concrete", divisions);
   spec.supports = {{{4, 0.25}, {4, 0.25}, {Support::fixed, Support::free}}};
   scene.builder.add_body(spec);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   const StageReport report = settle(sim, 20, 1e-7);
   CHECK(report.end == StageEnd::rest);
   const Tie<2> middle = tie_point(sim.model(), 2, {4, 0.25}, "test"),
@@ -111,13 +111,13 @@ TEST_CASE("a falling girder and what it lands on exchange momentum, and the ledg
   BodySpec girder = beam_body("girder", {-3, 3.8}, {5, 4.4}, rectangle_section(0.3, 0.5), "concrete", 16);
   girder.spin = -0.3;
   scene.builder.add_body(girder);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   StageOptions options;
   options.duration = 3, options.safety = 0.3, options.energy_interval = 0.01;
   std::optional<double> first;
   EnergyCheck books;
-  RunListener listener;
-  listener.on_energy = [&](const Instant&, const Energy& e) {
+  RunListener<2> listener;
+  listener.on_energy = [&](const Instant<2>&, const Energy& e) {
     if (!first) first = e.balance();
     books.add(e, e.balance() - *first);
   };
@@ -144,9 +144,9 @@ TEST_CASE("a column follows the ground that its foot is driven with, and swings 
   const auto ground =
       motion_of(1, 1e-4, [&](double t) { return t < last ? push * std::sin(2 * M_PI * t / last) : 0.0; });
   set_drive(model, 0, 0, ground, 0, 0);
-  Simulation sim(model);
+  Simulation<2> sim(model);
   double most = 0;
-  run_for(sim, 1, 0, each_step([&](const Instant& now) {
+  run_for(sim, 1, 0, each_step([&](const Instant<2>& now) {
             const double drift = now.state.position[1].x() - now.state.position[0].x();
             most = std::max(most, std::abs(drift));
           }));
@@ -169,10 +169,10 @@ TEST_CASE("a frame that goes on from a saved state has the bits of one that neve
     return s;
   };
   Scene one = scene();
-  Simulation whole = one.start();
+  Simulation<2> whole = one.start();
   run_for(whole, 0.25);
-  Simulation again(whole.model(), whole.state());
-  for (Simulation* sim : {&whole, &again}) run_for(*sim, 0.3);
+  Simulation<2> again(whole.model(), whole.state());
+  for (Simulation<2>* sim : {&whole, &again}) run_for(*sim, 0.3);
   CHECK(state_hash(again.state()) == state_hash(whole.state()));
   CHECK(whole.state().time > 0.5);
 }

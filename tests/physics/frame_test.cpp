@@ -162,10 +162,10 @@ double counted_frequency(double root, int divisions, int cycles) {
     state.velocity[n] = {0, 1e-3 * shape};
     state.spin[n] = 1e-3 * slope / 3;
   }
-  Simulation sim(model, state);
+  Simulation<2> sim(model, state);
   std::vector<double> up;
   double last = 0, last_time = 0;
-  run_for(sim, (cycles + 1) / (18.567 * std::pow(root / 1.87510, 2)), 0, each_step([&](const Instant& now) {
+  run_for(sim, (cycles + 1) / (18.567 * std::pow(root / 1.87510, 2)), 0, each_step([&](const Instant<2>& now) {
             const double y = now.state.position[1].y();
             if (last < 0 && y >= 0) up.push_back(last_time + (now.state.time - last_time) * -last / (y - last));
             last = y, last_time = now.state.time;
@@ -343,7 +343,7 @@ TEST_CASE("a frame in free flight keeps momentum, angular momentum and energy, b
   const Model<2> model = of_frames(elastic_material("m", 2400, frame_young, 0.2), {odd_frame()});
   State<2> state = bent_state(model, 0.4);
   for (Vec2& v : state.velocity) v *= 2;
-  Simulation sim(model, state);
+  Simulation<2> sim(model, state);
   const auto totals = [&](const State<2>& s) {
     std::array<double, 3> sum{};
     for (int n = 0; n < model.nodes(); ++n) {
@@ -359,8 +359,8 @@ TEST_CASE("a frame in free flight keeps momentum, angular momentum and energy, b
   double worst = 0;
   StageOptions options;
   options.duration = 1, options.energy_interval = 0.01, options.safety = 0.1;
-  RunListener listener;
-  listener.on_energy = [&](const Instant&, const Energy& e) {
+  RunListener<2> listener;
+  listener.on_energy = [&](const Instant<2>&, const Energy& e) {
     worst = std::max(worst, std::abs(e[EnergyTerm::kinetic] + e[EnergyTerm::strain] - energy));
   };
   sim.run(options, listener);
@@ -408,11 +408,11 @@ TEST_CASE("F11: a force that moves over a simple beam deflects it more than one 
     for (int i = 1; i < divisions; ++i)
       add_load(model, "beam", {i * length / divisions, 0}, {0, -force}, 0,
                {{(i - 1) * step, i * step, (i + 1) * step}, {0, 1, 0}});
-    Simulation sim(model);
+    Simulation<2> sim(model);
     double most = 0;
     const int middle = 2 + divisions / 2 - 1;  // two joints come first
     run_for(sim, length / row.speed, 0,
-            each_step([&](const Instant& now) { most = std::max(most, -now.state.position[middle].y()); }));
+            each_step([&](const Instant<2>& now) { most = std::max(most, -now.state.position[middle].y()); }));
     CHECK(near(most, row.factor * force * length * length * length / (48 * bending), 0.005));
   }
 }
@@ -425,9 +425,9 @@ TEST_CASE("F15: a beam that falls flat and is caught at its ends swings through 
   State<2> state = initial_state(model);
   for (int n = 0; n < model.nodes(); ++n)
     if (model.support[n][1] == Support::free) state.velocity[n] = {0, -1};
-  Simulation sim(model, state);
+  Simulation<2> sim(model, state);
   double most = 0, at = 0;
-  run_for(sim, 0.03, 0, each_step([&](const Instant& now) {
+  run_for(sim, 0.03, 0, each_step([&](const Instant<2>& now) {
             const double down = -now.state.position[2 + 19].y();
             if (down > most) most = down, at = now.state.time;
           }));

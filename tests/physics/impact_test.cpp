@@ -50,7 +50,7 @@ struct Meeting {
     scene.set_gravity({0, 0});
     scene.block("one", box(0, 0, 1, 1), m1, {v1, 0});
     scene.block("two", box(1 + gap, 0, 2 + gap, 1), m2, {v2, 0});
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     testing::run_for(sim, gap / (v1 - v2) + 10 / w, share / w);
     return {scene.to_scene(sim.state().velocity[0]).x(), scene.to_scene(sim.state().velocity[1]).x()};
   }
@@ -134,9 +134,9 @@ double falling_time_by_engine(double length, double depth, double drop, double t
   const double k = 1000 * standard_gravity / (1e-5 * length);  // gives way by a hundred-thousandth of the length
   hinge.law = {Linear{k, 0.02 * std::sqrt(k * 1000)}, Linear{k, 0.02 * std::sqrt(k * 1000)}, {}};
   scene.builder.add_bearing(hinge);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   double last = 0, last_t = 0, found = -1;
-  testing::run_for(sim, 1.5 * falling_time(length, drop), 0, testing::each_step([&](const Instant& now) {
+  testing::run_for(sim, 1.5 * falling_time(length, drop), 0, testing::each_step([&](const Instant<2>& now) {
                      const Vec2 end =
                          now.state.position[1] + Turn(turn + now.state.rotation[1]).apply(Vec2(length / 2, 0));
                      const double down = -scene.to_scene(end).y();

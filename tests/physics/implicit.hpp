@@ -46,10 +46,10 @@ struct MassOnLaw {
 
 /// Displacement of the mass at every instant of a stage, the first one too [m].
 inline std::vector<double> history_of(const MassOnLaw& what, const StageOptions& stage) {
-  Simulation sim(what.model());
+  Simulation<2> sim(what.model());
   const int node = node_of(sim.model(), "mass");
   std::vector<double> out{0};
-  sim.run(stage, each_step([&](const Instant& now) { out.push_back(now.state.position[node].x()); }));
+  sim.run(stage, each_step([&](const Instant<2>& now) { out.push_back(now.state.position[node].x()); }));
   return out;
 }
 

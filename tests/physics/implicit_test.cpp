@@ -92,10 +92,10 @@ TEST_CASE("I4: a suddenly loaded mass has the digits of Newmark and HHT, of seco
 }
 
 TEST_CASE("I6: an elastic-plastic mass after a blow: peak, rest, energy") {
-  Simulation sim(MassOnLaw{ElasticPlastic{1e6, 1e4, 0, 0}, 1000, 0.8}.model());
+  Simulation<2> sim(MassOnLaw{ElasticPlastic{1e6, 1e4, 0, 0}, 1000, 0.8}.model());
   const int node = node_of(sim.model(), "mass");
   double most = 0, at = 0, least = 1, low_at = 0;
-  sim.run(implicit_stage(AlphaScheme::hht(0), 0.25, 1e-3), each_step([&](const Instant& now) {
+  sim.run(implicit_stage(AlphaScheme::hht(0), 0.25, 1e-3), each_step([&](const Instant<2>& now) {
             const double x = now.state.position[node].x();
             if (x > most && now.state.time < 0.15) most = x, at = now.state.time;
             if (x < least && now.state.time > at) least = x, low_at = now.state.time;
@@ -111,7 +111,7 @@ TEST_CASE("I6: an elastic-plastic mass after a blow: peak, rest, energy") {
 
 /// A block on a base whose stiffness is `k` [N/m], let fall from `height` [m]. It cannot turn: a flat blow of a free
 /// one is not stable, and rounding sets it spinning within some ten bounces.
-Simulation falling_block(double k, double mass, double height) {
+Simulation<2> falling_block(double k, double mass, double height) {
   Scene scene(Frictional{k, k / 2, 0, 0});
   scene.fixed("base", box(-2, -1, 2, 0));
   BodySpec body;
@@ -122,11 +122,11 @@ Simulation falling_block(double k, double mass, double height) {
 }
 
 TEST_CASE("I9: twenty bounces on a spring that only pushes keep their height and their period") {
-  Simulation sim = falling_block(4e6, 1000, 0.5);
+  Simulation<2> sim = falling_block(4e6, 1000, 0.5);
   const int node = node_of(sim.model(), "block");
   double deepest = 0, highest = 0, last = 1;
   std::vector<double> touched;
-  sim.run(adaptive_stage(AlphaScheme::hht(0), 20 * .689897, 0.01), each_step([&](const Instant& now) {
+  sim.run(adaptive_stage(AlphaScheme::hht(0), 20 * .689897, 0.01), each_step([&](const Instant<2>& now) {
             const double y = now.state.position[node].y() - 0.5;
             deepest = std::min(deepest, y);
             if (y < 0 && last >= 0) touched.push_back(now.state.time - now.state.last_dt * y / (y - last));
@@ -154,11 +154,11 @@ struct ShakenBlock {
     scene.drive_along_x(model, "base", *motion_of(4, 0.002, [](double t) {
                           return 5 * std::sin(2 * M_PI * 1.5 * t) * std::min(1.0, t);
                         }));
-    Simulation sim(model);
+    Simulation<2> sim(model);
     const int block = node_of(model, "block"), base = node_of(model, "base");
     std::vector<double> out;
     double next = every, last = 0;
-    sim.run(stage, each_step([&](const Instant& now) {
+    sim.run(stage, each_step([&](const Instant<2>& now) {
               const double at = now.state.position[block].x() - now.state.position[base].x();
               if (now.state.time >= next - 1e-9)
                 out.push_back(at - (at - last) * (now.state.time - next) / now.state.last_dt), next += every;
@@ -190,18 +190,18 @@ TEST_CASE("a block that slides on a shaken base goes as far in implicit steps as
 
 TEST_CASE("the state in the midst of an implicit stage goes on with the same bits") {
   const StageOptions whole = adaptive_stage(AlphaScheme::hht(-0.05), 0.6, 0.005);
-  Simulation once = falling_block(4e8, 1000, 0.05);
+  Simulation<2> once = falling_block(4e8, 1000, 0.05);
   once.run(whole);
   StageOptions first = whole;
   std::optional<State<2>> kept;
-  Simulation broken = falling_block(4e8, 1000, 0.05);
-  RunListener listener;
-  listener.on_step = [&](const Instant& now) {
+  Simulation<2> broken = falling_block(4e8, 1000, 0.05);
+  RunListener<2> listener;
+  listener.on_step = [&](const Instant<2>& now) {
     if (now.state.step == 40) kept = now.state;
   };
   broken.run(whole, listener);
   REQUIRE(kept.has_value());
-  Simulation on(broken.model(), *kept);
+  Simulation<2> on(broken.model(), *kept);
   StageOptions rest = whole;
   rest.end_time = once.state().time;
   on.run(rest);
@@ -213,7 +213,7 @@ TEST_CASE("a step that cannot converge changes no state and says where it fails"
   // A law so steep about 0 that the digits of a place are too few for its force.
   Table steep;
   steep.displacement = {-1, -1e-12, 1e-12, 1}, steep.force = {-1e6, -1e6, 1e6, 1e6};
-  Simulation sim(MassOnLaw{steep, 1e-3, 0.1}.model());
+  Simulation<2> sim(MassOnLaw{steep, 1e-3, 0.1}.model());
   const int node = node_of(sim.model(), "mass");
   const StageReport report = sim.run(adaptive_stage(AlphaScheme::hht(-0.05), 0.1, 0.005));
   CHECK(report.end == StageEnd::not_converged);
@@ -234,7 +234,7 @@ TEST_CASE("a body that leaves the bounds in an implicit stage stands still from 
   scene.block("leaves", box(0, 0, 0.5, 0.5), 100, {5, 0});
   Model<2> model = scene.builder.build();
   model.bounds = {Vec2(-2, -2), Vec2(2, 2)};
-  Simulation sim(model);
+  Simulation<2> sim(model);
   CHECK(sim.run(adaptive_stage(AlphaScheme::hht(-0.05), 1, 0.01)).end == StageEnd::time);
   const Vec2 out = sim.state().position[node_of(model, "leaves")], in = sim.state().position[node_of(model, "stays")];
   CHECK(out.x() > 2);
@@ -244,7 +244,7 @@ TEST_CASE("a body that leaves the bounds in an implicit stage stands still from 
 }
 
 TEST_CASE("explicit, implicit, explicit again: the ledger goes on and so does the motion") {
-  Simulation sim(MassOnLaw{Linear{unit_stiffness, 0.3}, 1, 1}.model());
+  Simulation<2> sim(MassOnLaw{Linear{unit_stiffness, 0.3}, 1, 1}.model());
   const int node = node_of(sim.model(), "mass");
   run_for(sim, 0.37, 1e-4);
   const StageReport middle = sim.run(implicit_stage(AlphaScheme::hht(0), 0.5, 1e-3));

@@ -117,7 +117,7 @@ TEST_CASE("evaluating anew, and elsewhere in between, changes no bit of a run: w
 
 TEST_CASE("a simulation with its Work dropped between stages goes on with the same bits") {
   for (const Collapse& c : collapses()) {
-    Simulation kept(c.model()), dropped(c.model());
+    Simulation<2> kept(c.model()), dropped(c.model());
     for (int part = 0; part < 5; ++part) {
       testing::run_for(kept, c.duration / 8);
       dropped.drop_work();
@@ -152,10 +152,10 @@ TEST_CASE("a simulation begun from a loaded state goes on with the bits of the o
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("trilith_begun_" + std::to_string(::getpid()));
   for (const Collapse& c : collapses()) {
-    Simulation first(c.model());
+    Simulation<2> first(c.model());
     testing::run_for(first, 0.4 * c.duration);
     save_state(first.state(), first.model(), path);
-    Simulation second(c.model(), load_state(c.model(), path));
+    Simulation<2> second(c.model(), load_state(c.model(), path));
     testing::run_for(first, 0.3 * c.duration);
     testing::run_for(second, 0.3 * c.duration);
     INFO(c.name);

@@ -34,7 +34,7 @@ Scene block_on_base(double kn, double mu = 0.6, double beta = 1e-5) {
   return scene;
 }
 
-Energy ledger(const Simulation& sim) {
+Energy ledger(const Simulation<2>& sim) {
   return energy_now(sim.model(), sim.state(), sim.work(), {sim.state().dt, {}});
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("a point load beside the middle of a block on springs sinks and tilts 
   const double kn = 1e10, weight = 1000 * g;
   for (const double e : {0.1, -0.06}) {
     Scene scene = block_on_base(kn);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     settle(sim);
     const int n = node_of(sim.model(), "block");
     const double before = sim.state().position[n].y();
@@ -65,7 +65,7 @@ TEST_CASE("a point load beside the middle of a block on springs sinks and tilts 
 
 TEST_CASE("the ledger has the work of a load as force times displacement of its point, and closes") {
   Scene scene = block_on_base(1e8);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   settle(sim);
   StageOptions options;
   options.duration = 0.01, options.safety = 0.1;
@@ -82,8 +82,8 @@ TEST_CASE("the ledger has the work of a load as force times displacement of its 
   model.point_loads.push_back(force_on_body(model, "block", at, force));
   EnergyCheck check;
   options.duration = 1, options.energy_interval = 1e-3;
-  RunListener listener;
-  listener.on_energy = [&](const Instant&, const Energy& e) { check.add(e, e.balance() - before.balance()); };
+  RunListener<2> listener;
+  listener.on_energy = [&](const Instant<2>&, const Energy& e) { check.add(e, e.balance() - before.balance()); };
   sim.run(options, listener);
   sim.refresh();
   const double work = ledger(sim)[EnergyTerm::load] - before[EnergyTerm::load];
@@ -103,7 +103,7 @@ TEST_CASE("a free mass under a load over time gains the kinetic energy that the 
   builder.add_body(spec);
   Model<2> model = builder.build();
   model.point_loads.push_back(force_on_body(model, "block", {}, {4, 0}, LoadCurve{{0, 1, 2}, {0, 1, 0}}));
-  Simulation sim(std::move(model));
+  Simulation<2> sim(std::move(model));
   run_for(sim, 3, 1e-3);
   sim.refresh();
   const double speed = 4 * 1.0 / 8;  // impulse 4 N s
@@ -126,7 +126,7 @@ TEST_CASE("pressure on deformable bodies gives even stress") {
       for (const FacePart& f : faces_towards(model, 0, {-1, 0})) faces.push_back(f);
     }
     model.face_loads = make_pressure(model, 0, faces, order);
-    Simulation sim(std::move(model));
+    Simulation<2> sim(std::move(model));
     run_for(sim, 0.02);
     settle(sim, 1, 1e-13);
     double worst = 0;
@@ -152,7 +152,7 @@ TEST_CASE("a driven body on a ramp lands at its end and stays, turning too") {
   const int n = node_of(model, "base"), base = model.find_body("base");
   set_drive(model, base, 0, std::make_shared<GroundMotion>(ramp_motion(0.02, 0.7)), 0, model.start_position[n].x());
   set_drive(model, base, 2, std::make_shared<GroundMotion>(ramp_motion(-0.01, 0.5)), 0, 0);
-  Simulation sim(std::move(model));
+  Simulation<2> sim(std::move(model));
   run_for(sim, 0.75);
   CHECK(std::abs(sim.state().position[n].x() - (sim.model().start_position[n].x() + 0.02)) < 1e-15);
   CHECK(std::abs(sim.state().rotation[n] + 0.01) < 1e-16);
@@ -170,7 +170,7 @@ struct Pushed {
 
 /// Pushes the block of a settled scene along x by `way` [m].
 Pushed push_block(Scene& scene, double way, double speed, const std::optional<Vec2>& at = {}) {
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   settle(sim);
   sim.refresh();
   Pushed result;
@@ -180,10 +180,10 @@ Pushed push_block(Scene& scene, double way, double speed, const std::optional<Ve
   const auto motion = std::make_shared<GroundMotion>(even_motion(std::abs(way), speed));
   const int block = model.find_body("block");
   add_push(model, sim.state(), "push", push_rows(model, {block}, at, PushPattern::mass, direction), direction, motion);
-  PushoverRecorder recorder("push", motion->duration() / 200, {}, [](const Instant&) { return 0.0; });
+  PushoverRecorder recorder("push", motion->duration() / 200, {}, [](const Instant<2>&) { return 0.0; });
   StageOptions options;
   options.duration = motion->duration(), options.rest_share = 0.8;
-  sim.run(options, each_step([&](const Instant& now) { recorder.step(now); }));
+  sim.run(options, each_step([&](const Instant<2>& now) { recorder.step(now); }));
   recorder.finish();
   sim.refresh();
   result.curve = recorder.curve();
@@ -265,7 +265,7 @@ TEST_CASE("a push on a set prescribes the weighed mean of its bodies, each free 
   scene.fixed("base", rectangle({-3, -1}, {9, 0}));
   scene.block("heavy", rectangle({0, 0}, {1, 0.5}), 2000);
   scene.block("light", rectangle({3, 0}, {4, 0.5}), 1000);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   settle(sim);
   Model<2>& model = sim.edit_model();
   const auto motion = std::make_shared<GroundMotion>(even_motion(0.01, 5e-3));
@@ -275,7 +275,7 @@ TEST_CASE("a push on a set prescribes the weighed mean of its bodies, each free 
   StageOptions options;
   options.duration = motion->duration(), options.rest_share = 0.8;
   double force = 0, time = 0;
-  sim.run(options, each_step([&](const Instant& now) {
+  sim.run(options, each_step([&](const Instant<2>& now) {
             if (now.state.time < 0.5 * motion->duration() || now.state.time > 0.9 * motion->duration()) return;
             force += now.dt * now.work.push_force[0], time += now.dt;
           }));
@@ -291,14 +291,14 @@ double overshoot(double fade, double* energy_off = nullptr) {
   Scene scene = block_on_base(kn, 0.6, 1e-6);
   Model<2> model = scene.builder.build();
   for (const int k : {0, 1, 2}) set_support(model, 1, k, Support::fixed);
-  Simulation sim(std::move(model));
+  Simulation<2> sim(std::move(model));
   run_for(sim, 0.01);
   sim.refresh();
   const double before = ledger(sim).balance();
   sim.edit([&](Model<2>& m) { release_supports(m, sim.state(), 1, {true, true, true}, fade); });
   CHECK(sim.model().moves(1));
   double lowest = 0, rubbed = 0;
-  run_for(sim, fade + 1, 0, each_step([&](const Instant& now) {
+  run_for(sim, fade + 1, 0, each_step([&](const Instant<2>& now) {
             lowest = std::min(lowest, now.state.position[1].y() - 0.25);
             if (now.state.time > 0.01 + fade) rubbed = std::max(rubbed, std::abs(now.state.velocity[1].y()));
           }));
@@ -319,7 +319,7 @@ TEST_CASE("a fixed block that is freed quietly settles without swinging, and sud
 
 TEST_CASE("a body that stands by itself does not move when its supports are released") {
   Scene scene = block_on_base(1e9);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   settle(sim, 100, 1e-12);
   for (const int k : {0, 1, 2}) set_support(sim.edit_model(), 1, k, Support::fixed);
   run_for(sim, 0.01);
@@ -332,7 +332,7 @@ TEST_CASE("a body that stands by itself does not move when its supports are rele
 
 TEST_CASE("a released push leaves its force as a load that fades, and the block springs back slowly") {
   Scene scene = block_on_base(1e7);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   settle(sim);
   Model<2>& model = sim.edit_model();
   const double way = 1e-4, speed = 1e-4;  // elastic: 0.6 W needs 5.9e-4 m
@@ -347,7 +347,7 @@ TEST_CASE("a released push leaves its force as a load that fades, and the block 
   CHECK_FALSE(release_push(sim.edit_model(), sim.state(), sim.work(), "push", 1));
   double fastest = 0;
   options.duration = 1.5;
-  sim.run(options, each_step([&](const Instant& now) { fastest = std::max(fastest, now.speed); }));
+  sim.run(options, each_step([&](const Instant<2>& now) { fastest = std::max(fastest, now.speed); }));
   CHECK(std::abs(sim.state().position[1].x()) < 0.01 * way);
   CHECK(fastest < 4 * way / 1);  // the quintic's fastest is 1.9 times its mean; a sudden release swings at 0.01 m/s
 }
@@ -364,11 +364,11 @@ TEST_CASE("a checkpoint goes on to the same bits while a load curve, a ramp and 
   set_drive(model, 0, 0, std::make_shared<GroundMotion>(ramp_motion(1e-3, 0.25)), 0, model.start_position[0].x());
   add_push(model, initial_state(model), "push", push_rows(model, {1}, {}, PushPattern::mass, Vec2::UnitX()),
            Vec2::UnitX(), std::make_shared<GroundMotion>(even_motion(2e-3, 1e-2)));
-  Simulation whole(model);
+  Simulation<2> whole(model);
   run_for(whole, 0.1);
   save_state(whole.state(), whole.model(), path);
   run_for(whole, 0.2);
-  Simulation parts(model, load_state(model, path));
+  Simulation<2> parts(model, load_state(model, path));
   run_for(parts, 0.2);
   CHECK(state_hash(parts.state()) == state_hash(whole.state()));
   std::filesystem::remove(path);

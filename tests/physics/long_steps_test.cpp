@@ -16,10 +16,10 @@ struct Sampled {
 
   Sampled() = default;
   template <class F>
-  Sampled(Simulation& sim, const StageOptions& stage, double every, F&& read) {
+  Sampled(Simulation<2>& sim, const StageOptions& stage, double every, F&& read) {
     double next = every, last = read(sim.state());
     const StageReport report =
-        sim.run(stage, each_step([&](const Instant& now) {
+        sim.run(stage, each_step([&](const Instant<2>& now) {
                   const double at = read(now.state);
                   for (; now.state.time >= next - 1e-9; next += every)
                     value.push_back(at - (at - last) * (now.state.time - next) / now.state.last_dt);
@@ -52,7 +52,7 @@ double apart_at_most(const std::string& what, const Sampled& fine, const Sampled
 }
 
 /// A block of 0.4 by 1.2 m that is let go tilted by half of the angle it could stand at.
-Simulation rocking_block() {
+Simulation<2> rocking_block() {
   Scene scene(Frictional{1e11, 5e10, 2, 2e-5});
   scene.fixed("base", box(-4, -1, 4, 0));
   Polygon outline = box(-0.4, 0, 0, 1.2);
@@ -62,7 +62,7 @@ Simulation rocking_block() {
 }
 
 TEST_CASE("a block rocks by implicit steps as by explicit ones a twentieth as long") {
-  Simulation a = rocking_block(), b = rocking_block();
+  Simulation<2> a = rocking_block(), b = rocking_block();
   const int n = node_of(a.model(), "block");
   const auto tilt = [&](const State<2>& s) { return s.rotation[n]; };
   const Sampled fine(a, explicit_stage(2), 0.01, tilt);
@@ -77,7 +77,7 @@ struct ShakenSlider {
   double kn = 1e11, mu = 0.3, beta = 2e-5, frequency = 1.5;
   bool pointed = false;  ///< stands on a corner, and cannot turn
 
-  [[nodiscard]] Simulation start() const {
+  [[nodiscard]] Simulation<2> start() const {
     Scene scene(Frictional{kn, kn / 2, mu, beta});
     scene.fixed("base", box(-3, -0.5, 3, 0));
     BodySpec spec;
@@ -94,7 +94,7 @@ struct ShakenSlider {
 };
 
 double slides_apart(const std::string& what, const ShakenSlider& slider, const StageOptions& stage, Sampled& fine) {
-  Simulation a = slider.start(), b = slider.start();
+  Simulation<2> a = slider.start(), b = slider.start();
   const int block = node_of(a.model(), "block"), base = node_of(a.model(), "base");
   const auto slid = [&](const State<2>& s) { return s.position[block].x() - s.position[base].x(); };
   if (fine.value.empty()) fine = Sampled(a, explicit_stage(4), 0.02, slid);
@@ -124,7 +124,7 @@ TEST_CASE("how far a block slides does not hang on the longest implicit step") {
 }
 
 /// A mass on a bearing that yields at .3 of its weight, without hardening, on a base that is shaken along x.
-Simulation shaken_bearing(double stiffness) {
+Simulation<2> shaken_bearing(double stiffness) {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.set_gravity({0, 0});
   scene.fixed("base", box(-1, -1, 1, 0));
@@ -147,12 +147,12 @@ Simulation shaken_bearing(double stiffness) {
 
 TEST_CASE("a bearing yields to and fro by implicit steps as by explicit ones") {
   for (const double stiffness : {5e8, 5e10}) {
-    Simulation fine_run = shaken_bearing(stiffness);
+    Simulation<2> fine_run = shaken_bearing(stiffness);
     const int mass = node_of(fine_run.model(), "mass"), base = node_of(fine_run.model(), "base");
     const auto moved = [&](const State<2>& s) { return s.position[mass].x() - s.position[base].x(); };
     const Sampled fine(fine_run, explicit_stage(4), 0.02, moved);
     for (const double dt : {5e-3, 10e-3}) {
-      Simulation sim = shaken_bearing(stiffness);
+      Simulation<2> sim = shaken_bearing(stiffness);
       const Sampled coarse(sim, adaptive_stage(AlphaScheme::hht(-0.05), 4, dt), 0.02, moved);
       CHECK(apart_at_most(fmt::format("yielding, {:g} N/m", stiffness), fine, coarse) < 0.02);
     }

@@ -47,7 +47,7 @@ struct LettingGo {
 
 /// Lays a structure down on its joints under the damping of consolidation (dropped at once, the weight would tip what
 /// stands by a few percent): until it rests, for 1.5 s at most.
-inline StageEnd lay_down(Simulation& sim, double ratio, const RunListener& listener) {
+inline StageEnd lay_down(Simulation<2>& sim, double ratio, const RunListener<2>& listener) {
   StageOptions options;
   options.name = "lay down";
   options.duration = 1.5, options.rest_share = 0.8, options.until_rest = true;
@@ -64,9 +64,9 @@ enum class Fate { rests, comes_down, neither };
 /// are at the limit of their friction, equilibrium can be unstable: the least motion grows (flutter) until, some tenths
 /// of a millimetre on, other joints stick. For such, what does neither is laid down as it then stands and let go again,
 /// up to so many `times`; elsewhere that would hide joints that are damped too little.
-inline Fate let_go(Simulation& sim, const LettingGo& how = {}) {
-  RunListener listener;
-  listener.on_history = [&](const Instant& now) {
+inline Fate let_go(Simulation<2>& sim, const LettingGo& how = {}) {
+  RunListener<2> listener;
+  listener.on_history = [&](const Instant<2>& now) {
     if (farthest(now.model, now.state) > 0.01) sim.stop();
   };
   StageOptions free;
@@ -84,13 +84,13 @@ inline Fate let_go(Simulation& sim, const LettingGo& how = {}) {
 
 /// Turns gravity from tilt `from` on at `rate` [rad/s], up to tilt `to`: the tilt at which some unit runs away, at
 /// more than 20 mm/s [rad], or `to`.
-inline double tilt_on(Simulation& sim, double from, double to, double rate) {
+inline double tilt_on(Simulation<2>& sim, double from, double to, double rate) {
   const double start = sim.state().time;
   Gravity<2>& gravity = sim.edit_model().gravity;
   gravity.field = Turn(from).apply(Vec2(0, -standard_gravity));
   gravity.tilt_rate = rate, gravity.tilt_start = start;
-  RunListener listener;
-  listener.on_history = [&](const Instant& now) {
+  RunListener<2> listener;
+  listener.on_history = [&](const Instant<2>& now) {
     if (now.speed > 0.02) sim.stop();
   };
   StageOptions options;

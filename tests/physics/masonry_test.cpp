@@ -22,7 +22,7 @@ Fate arch_fate(int voussoirs, double share, double turn = 0) {
   arch.sub_edges = 4;
   Scene scene(stiff_joint(10, M_PI * arch.radius / voussoirs), turn);
   add_parts(scene, build_arch(arch), "abutments");
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   return let_go(sim);
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("A1: a harmonic stack of 1 to 5 blocks stands at 0.98 of the largest o
       stack.count = count, stack.factor = factor, stack.table_height = 0.5;
       Scene scene(stiff_joint(0.7, stack.height));
       add_parts(scene, build_harmonic_stack(stack), "table");
-      Simulation sim = scene.start();
+      Simulation<2> sim = scene.start();
       CHECK(let_go(sim) == (factor < 1 ? Fate::rests : Fate::comes_down));
     }
 }

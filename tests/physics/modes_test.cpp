@@ -29,7 +29,7 @@ Settled settled_stack(double width, double height, int count, double gravity) {
     block.outline = box(-width / 2, i * height, width / 2, (i + 1) * height);
     builder.add_body(block);
   }
-  Simulation sim(builder.build());
+  Simulation<2> sim(builder.build());
   settle(sim, 20, 1e-12);
   return {sim.model(), sim.state()};
 }

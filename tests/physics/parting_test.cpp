@@ -26,8 +26,8 @@ struct Count {
 
 Count contacts_of(Scene& scene, double duration) {
   Count count;
-  Simulation sim = scene.start();
-  run_for(sim, duration, 0, each_step([&](const Instant& now) {
+  Simulation<2> sim = scene.start();
+  run_for(sim, duration, 0, each_step([&](const Instant<2>& now) {
             for (const Event& e : now.work.events) {
               if (e.type == EventType::contact_made || e.type == EventType::impact) ++count.made;
               if (e.type == EventType::contact_lost) ++count.lost;
@@ -55,10 +55,10 @@ TEST_CASE(
   const double resting = 1000 * standard_gravity / 1e8;
   for (const bool grows : {true, false}) {
     Scene scene = falling_block(0);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     if (grows) sim.edit_model().gravity.grow_end = 0.5;
     double deepest = 0;
-    run_for(sim, 0.6, 0, each_step([&](const Instant& now) {
+    run_for(sim, 0.6, 0, each_step([&](const Instant<2>& now) {
               deepest = std::max(deepest, 0.5 - now.state.position[node_of(now.model, "block")].y());
             }));
     CHECK(near(deepest, grows ? resting : 2 * resting, 0.03));

@@ -33,11 +33,11 @@ double swing(double length, double angle, double turn) {
   hinge.name = "hinge", hinge.body_a = "wall", hinge.body_b = "rod";
   hinge.law[along] = hinge.law[axial] = Linear{1e7, 0};
   scene.builder.add_bearing(hinge);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   const int n = node_of(sim.model(), "rod");
   double before = 0, first = 0, last = 0;
   int turns = 0;
-  run_for(sim, 10.6 * rod_period(length, angle), 0, each_step([&](const Instant& now) {
+  run_for(sim, 10.6 * rod_period(length, angle), 0, each_step([&](const Instant<2>& now) {
             const double spin = now.state.spin[n];
             if (before > 0 && spin <= 0) {
               last = now.state.time;

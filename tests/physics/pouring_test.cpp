@@ -18,7 +18,7 @@ constexpr int stones = 200;
 constexpr double box_width = 6, wall_height = 12;
 
 /// Random polygons in rows above the floor of a box of three fixed walls, no two of them touching.
-Simulation pour(int count) {
+Simulation<2> pour(int count) {
   Scene scene(Frictional{5e7, 2.5e7, 0.5, 1e-3});
   scene.fixed("floor", rectangle({-1, -1}, {box_width + 1, 0}));
   scene.fixed("left", rectangle({-1, 0}, {0, wall_height}));
@@ -44,7 +44,7 @@ Simulation pour(int count) {
 }  // namespace
 
 TEST_CASE("200 random polygons poured into a box come to rest in it") {
-  Simulation sim = pour(stones);
+  Simulation<2> sim = pour(stones);
   // Pour; then calm what still rocks: stiffness damping takes a decade off a slow rocking in some six seconds only.
   StageOptions fall, calm;
   fall.name = "fall";
@@ -58,8 +58,8 @@ TEST_CASE("200 random polygons poured into a box come to rest in it") {
   Energy first, last;
   double worst = 0;
   bool any = false;
-  RunListener listener;
-  listener.on_energy = [&](const Instant&, const Energy& e) {
+  RunListener<2> listener;
+  listener.on_energy = [&](const Instant<2>&, const Energy& e) {
     if (!any) first = e, any = true;
     last = e;
     worst = std::max(worst, std::abs(e.balance() - first.balance()));

@@ -18,12 +18,12 @@ TEST_CASE("F12: a bar that hits one of twice its length stops dead, and half of 
   brief.velocity = {speed, 0};
   scene.add(brief);
   scene.add(grid_body("long", rectangle({0, 0}, {10, deep}), "concrete", 200, 1));
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   const Model<2>& model = sim.model();
   double made = -1, lost = -1;
   StageOptions options;
   options.duration = 3.4e-3;
-  sim.run(options, each_step([&](const Instant& now) {
+  sim.run(options, each_step([&](const Instant<2>& now) {
             for (const Event& e : now.work.events) {
               if (made < 0 && (e.type == EventType::contact_made || e.type == EventType::impact)) made = e.time;
               if (e.type == EventType::contact_lost) lost = e.time;

@@ -41,7 +41,7 @@ struct RockingRun {
     BodySpec spec;
     spec.name = "block", spec.outline = outline, spec.mass = mass, spec.inertia = mass * shape.inertia;
     scene.add(spec);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     const int n = node_of(sim.model(), "block");
     // From the tilt of the start to flat.
     const double swings =
@@ -49,7 +49,7 @@ struct RockingRun {
     double before = start, spin = 0;
     StageOptions told = stage;
     told.energy_interval = 1e-3;
-    RunListener listener = each_step([&](const Instant& now) {
+    RunListener<2> listener = each_step([&](const Instant<2>& now) {
       const double tilt = start - now.state.rotation[n];
       if (before * tilt <= 0 && before != 0) {
         if (++landings == 1) lands = now.state.time - now.state.last_dt * tilt / (tilt - before), rate = spin;
@@ -60,7 +60,7 @@ struct RockingRun {
     });
     double first = 0;
     bool begun = false;
-    listener.on_energy = [&](const Instant&, const Energy& e) {
+    listener.on_energy = [&](const Instant<2>&, const Energy& e) {
       const double all = e[EnergyTerm::kinetic] + e[EnergyTerm::gravity] + e[EnergyTerm::contact_elastic];
       if (!begun) first = all, begun = true;
       highest = std::max(highest, (all - first) / swings);

@@ -33,14 +33,14 @@ constexpr double density = 1000;
 /// A block on a flat base, tilted about its right lower corner by `tilt` [rad] at the start.
 struct Rocking {
   Scene scene;
-  Simulation sim;
+  Simulation<2> sim;
   int block;
 
   /// `foot`: width of the two feet it stands on, as a share of its own; 0: it stands on all of its base.
   Rocking(const Housner& shape, double tilt, const Frictional& law, double turn = 0, double foot = 0)
       : scene(law, turn), sim(make(scene, shape, tilt, foot)), block(node_of(sim.model(), "block")) {}
 
-  static Simulation make(Scene& scene, const Housner& shape, double tilt, double foot) {
+  static Simulation<2> make(Scene& scene, const Housner& shape, double tilt, double foot) {
     scene.fixed("base", rectangle({-4, -1}, {4, 0}));
     const double width = 2 * shape.b, height = 2 * shape.h, mass = density * width * height;
     Polygon outline = rectangle({-width, 0}, {0, height});
@@ -68,7 +68,7 @@ Frictional stiff(double zeta = 0.1) {
 double first_impact(const Housner& shape, double q, double turn) {
   Rocking r(shape, q * shape.angle(), stiff(), turn);
   double before = q * shape.angle(), at = 0;
-  run_for(r.sim, 1.2 * shape.quarter_period(q), 0, each_step([&](const Instant& now) {
+  run_for(r.sim, 1.2 * shape.quarter_period(q), 0, each_step([&](const Instant<2>& now) {
             const double tilt = q * shape.angle() - now.state.rotation[r.block];
             if (at == 0 && tilt <= 0) at = now.state.time - now.state.last_dt * tilt / (tilt - before);
             before = tilt;
@@ -112,10 +112,10 @@ TEST_CASE("K2: a block lifts where the base acceleration passes g b/h" * doctest
     // Fast to near the limit, then slowly through it.
     const auto a = [&](double t) { return limit * (t < 1 ? 0.97 * t : 0.97 + 0.02 * (t - 1)); };
     scene.drive_along_x(model, "base", *motion_of(4, 1e-3, a));
-    Simulation sim(std::move(model));
+    Simulation<2> sim(std::move(model));
     const int block = node_of(sim.model(), "block");
     double lifts = 0;
-    run_for(sim, 3.5, 0, each_step([&](const Instant& now) {
+    run_for(sim, 3.5, 0, each_step([&](const Instant<2>& now) {
               if (lifts == 0 && std::abs(now.state.rotation[block]) > 1e-4) lifts = a(now.state.time), sim.stop();
             }));
     MESSAGE("K2 lifts at ", lifts / g, " g (", limit / g, ")");
@@ -131,18 +131,18 @@ struct Tilted {
 };
 
 Tilted tilt_slowly(Scene& scene, double from, double to, const std::string& watched) {
-  Simulation settling = scene.start();
+  Simulation<2> settling = scene.start();
   CHECK(settle(settling, 3, 1e-6).end == StageEnd::rest);
   Model<2> model = settling.model();
   const double rate = 0.1 * degree;
   model.gravity.tilt_rate = rate;
   model.gravity.tilt_start = settling.state().time;
-  Simulation sim(std::move(model), settling.state());
+  Simulation<2> sim(std::move(model), settling.state());
   const int n = node_of(sim.model(), watched);
   const double turned = sim.state().rotation[n];
   const Vec2 place = sim.state().position[n];
   Tilted out{0, 0};
-  run_for(sim, (to - from) * degree / rate, 0, each_step([&](const Instant& now) {
+  run_for(sim, (to - from) * degree / rate, 0, each_step([&](const Instant<2>& now) {
             const double angle = from + now.model.gravity.angle(now.state.time) / degree;
             const double turn = now.state.rotation[n] - turned;
             if (out.topples == 0 && std::abs(turn) > 1e-3) out.topples = angle;
@@ -227,7 +227,7 @@ Impact first_bounce(const Housner& shape, double q, double beta, double foot) {
   Rocking r(shape, q * al, Frictional{kn, 0.5 * kn, 2.0, beta}, 0, foot);
   double peak = 0;
   run_for(r.sim, 2.5 * shape.quarter_period(q), 0,
-          each_step([&](const Instant& now) { peak = std::max(peak, now.state.rotation[r.block] - q * al); }));
+          each_step([&](const Instant<2>& now) { peak = std::max(peak, now.state.rotation[r.block] - q * al); }));
   const double kept = (std::cos(al - peak) - std::cos(al)) / (std::cos(al - q * al) - std::cos(al));
   return {std::sqrt(kept), peak / al};
 }
@@ -239,9 +239,9 @@ bool overturns(const Housner& shape, double peak, int halves, double beta, doubl
   const auto a = [&](double t) { return t < 0.5 * halves ? peak * standard_gravity * std::sin(2 * M_PI * t) : 0.0; };
   Model<2> model = r.sim.model();
   r.scene.drive_along_x(model, "base", *motion_of(5, 1e-3, a));
-  Simulation sim(std::move(model));
+  Simulation<2> sim(std::move(model));
   double most = 0;
-  run_for(sim, 5, 0, each_step([&](const Instant& now) {
+  run_for(sim, 5, 0, each_step([&](const Instant<2>& now) {
             most = std::max(most, std::abs(now.state.rotation[r.block]));
             if (most > 1) sim.stop();
           }));

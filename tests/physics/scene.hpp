@@ -62,7 +62,7 @@ class Scene {
     spec.name = name, spec.outline = outline, spec.mass = mass, spec.velocity = velocity;
     add(std::move(spec));
   }
-  [[nodiscard]] Simulation start() { return Simulation(builder.build()); }
+  [[nodiscard]] Simulation<2> start() { return Simulation(builder.build()); }
   [[nodiscard]] Vec2 to_world(const Vec2& v) const { return turn_.apply(v); }
   [[nodiscard]] Vec2 to_scene(const Vec2& v) const { return turn_.undo(v); }
 
@@ -87,7 +87,7 @@ inline int node_of(const Model<2>& model, const std::string& body) {
 }
 
 /// Where skin point `corner` of a body stands [m], in world axes.
-inline Vec2 corner_of(const Simulation& sim, const std::string& body, int corner) {
+inline Vec2 corner_of(const Simulation<2>& sim, const std::string& body, int corner) {
   const Model<2>& model = sim.model();
   const Body& b = model.bodies[model.find_body(body)];
   const State<2>& s = sim.state();
@@ -95,7 +95,7 @@ inline Vec2 corner_of(const Simulation& sim, const std::string& body, int corner
 }
 
 /// Runs on for `duration` [s]; `dt` 0: by itself.
-inline StageReport run_for(Simulation& sim, double duration, double dt = 0, const RunListener& listener = {}) {
+inline StageReport run_for(Simulation<2>& sim, double duration, double dt = 0, const RunListener<2>& listener = {}) {
   StageOptions options;
   options.duration = duration;
   options.dt = dt;
@@ -104,14 +104,14 @@ inline StageReport run_for(Simulation& sim, double duration, double dt = 0, cons
 
 /// Calls f(instant) after each step.
 template <class F>
-RunListener each_step(F&& f) {
-  RunListener listener;
+RunListener<2> each_step(F&& f) {
+  RunListener<2> listener;
   listener.on_step = std::forward<F>(f);
   return listener;
 }
 
 /// Lets a scene come to rest under the damping of consolidation.
-inline StageReport settle(Simulation& sim, double longest = 100, double still_speed = 1e-10) {
+inline StageReport settle(Simulation<2>& sim, double longest = 100, double still_speed = 1e-10) {
   StageOptions options;
   options.name = "settle";
   options.duration = longest;

@@ -12,7 +12,7 @@ TEST_CASE("a free body flies a parabola and keeps its spin, in a world turned an
     spec.name = "stone", spec.outline = {{0, 0}, {1, 0}, {0, 1}}, spec.velocity = {3, 4}, spec.spin = 2;
     spec.floating = true;
     scene.add(spec);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     const Vec2 from = scene.to_scene(sim.state().position[0]);
     run_for(sim, 1.0, 1e-4);
     const Vec2 moved = scene.to_scene(sim.state().position[0]) - from;
@@ -29,7 +29,7 @@ TEST_CASE("a driven body follows its motion along the scene's axis, in a world t
     scene.fixed("base", rectangle({-1, -1}, {1, 0}));
     Model<2> model = scene.builder.build();
     scene.drive_along_x(model, "base", *motion);
-    Simulation sim(std::move(model));
+    Simulation<2> sim(std::move(model));
     const Vec2 from = scene.to_scene(sim.state().position[0]);
     run_for(sim, 0.5, 1e-3);
     const Vec2 moved = scene.to_scene(sim.state().position[0]) - from;

@@ -20,7 +20,7 @@ const ContactLaw softening = Cohesive{kn, 0.5 * kn, 0.7, 1e-4, cohesion, ft, 50,
 /// force acts 2 push / 10 kN off the middle of the joint. It has come to rest on a joint whose mortar is fresh.
 struct PressedBlock {
   Scene scene;
-  Simulation sim;
+  Simulation<2> sim;
   int node;
 
   PressedBlock(const ContactLaw& law, double push, double turn)
@@ -28,7 +28,7 @@ struct PressedBlock {
     sim.lift_bonds();
     REQUIRE(settle(sim, 20, 1e-11).end == StageEnd::rest);
   }
-  static Simulation make(Scene& scene, double push) {
+  static Simulation<2> make(Scene& scene, double push) {
     scene.set_gravity(Vec2::Zero());
     scene.fixed("base", rectangle({-1, -0.5}, {2, 0}));
     BodySpec spec;
@@ -95,7 +95,7 @@ TEST_CASE("a bond made across a gap is free of stress there, carries its tension
       BodySpec spec;
       spec.name = "block", spec.outline = rectangle({0, gap}, {1, 0.5 + gap}), spec.mass = 100;
       scene.add(spec);
-      Simulation sim = scene.start();
+      Simulation<2> sim = scene.start();
       CHECK(sim.state().contacts.memory.at(0).bonds == 3);
       const int node = node_of(sim.model(), "block");
       const double rest = sim.state().position[node].y();

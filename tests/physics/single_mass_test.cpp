@@ -48,9 +48,9 @@ struct Oscillator {
     scene.builder.add_bearing(link);
     Model<2> model = scene.builder.build();
     scene.drive_along_x(model, "base", motion);
-    Simulation sim(model);
+    Simulation<2> sim(model);
     std::pair<double, double> most{0, 0};
-    testing::run_for(sim, motion.end_time(), dt, testing::each_step([&](const Instant& now) {
+    testing::run_for(sim, motion.end_time(), dt, testing::each_step([&](const Instant<2>& now) {
                        const double d = now.work.bearing_displacement[0].x();
                        if (std::abs(d) > most.first) most = {std::abs(d), now.state.time};
                      }));
@@ -157,13 +157,13 @@ TEST_CASE("D3: a friction pendulum has its loop area, effective stiffness and eq
     const double cycle = 1, w = 2 * M_PI / cycle, d = row.amplitude;
     const auto motion = testing::motion_of(
         3 * cycle, 1e-3, [&](double t) { return -d * w * w * std::sin(w * t); }, d * w);
-    Simulation sim(model);
+    Simulation<2> sim(model);
     testing::settle(sim);
     const double start = sim.state().time, weight_loss = sim.state().given[EnergyTerm::bearing_inner];
     CHECK(weight_loss == 0);
     set_drive(sim.edit_model(), 0, 0, motion, start, model.start_position[0].x());
     double most_force = 0, most = 0, area = 0, last_force = 0, last = 0;
-    const auto follow = testing::each_step([&](const Instant& now) {
+    const auto follow = testing::each_step([&](const Instant<2>& now) {
       const double u = now.work.bearing_displacement[0].x(), f = -now.work.bearing_force[0].x();
       area += 0.5 * (f + last_force) * (u - last);
       last_force = f, last = u;
@@ -194,17 +194,17 @@ TEST_CASE("D3: a mass on a pendulum without friction swings with 2 pi sqrt(R/g),
       p.slack_stiffness = weight / radius;
       Model<2> model = p.model({Support::free, Support::free, Support::fixed});
       const double period = 2 * M_PI * std::sqrt(radius / standard_gravity);
-      Simulation sim(model);
+      Simulation<2> sim(model);
       testing::settle(sim);
       // Pushed off by a jump of the base, then the base stands still.
       const double speed = 0.1;
       State<2> state = sim.state();
       state.velocity[1].x() = speed;
-      Simulation swing(model, state);
+      Simulation<2> swing(model, state);
       double last_x = 0, last_t = 0, first = -1, crossing = -1;
       int crossings = 0;
       const double begin = state.time;
-      testing::run_for(swing, 5.2 * period, 0, testing::each_step([&](const Instant& now) {
+      testing::run_for(swing, 5.2 * period, 0, testing::each_step([&](const Instant<2>& now) {
                          const double x = now.work.bearing_displacement[0].x(), t = now.state.time - begin;
                          if (last_x < 0 && x >= 0) {
                            crossing = last_t + (t - last_t) * -last_x / (x - last_x);
@@ -247,14 +247,14 @@ struct TiedBlock {
 TEST_CASE("D4: a bearing pulled to its limit carries k times the limit, then nothing or the friction of its contact") {
   for (const bool becomes_friction : {false, true}) {
     TiedBlock tied;
-    Simulation sim(tied.model(becomes_friction));
+    Simulation<2> sim(tied.model(becomes_friction));
     testing::settle(sim);
     const double speed = 0.05, begin = sim.state().time;
     const auto motion = std::make_shared<GroundMotion>(std::vector<double>{0, 0}, 20.0, MotionStart{-speed, 0});
     set_drive(sim.edit_model(), 0, 0, motion, begin, sim.state().position[0].x());
     double most = 0, at = 0, after = 0;
     const int block = testing::node_of(sim.model(), "block");
-    testing::run_for(sim, 1.2 * tied.limit / speed, 0, testing::each_step([&](const Instant& now) {
+    testing::run_for(sim, 1.2 * tied.limit / speed, 0, testing::each_step([&](const Instant<2>& now) {
                        // Force along x on the block from all that holds it: bearing and contact.
                        const double f = now.work.force[block].x(), u = now.work.bearing_displacement[0].x();
                        if (std::abs(f) > most) most = std::abs(f), at = u;
@@ -275,7 +275,7 @@ TEST_CASE("D4: a bearing pulled to its limit carries k times the limit, then not
 struct SpanOnTwo {
   double period = 0.9, damping_ratio = 0.05, mass = 2e5;
 
-  [[nodiscard]] Simulation start() const {
+  [[nodiscard]] Simulation<2> start() const {
     Scene scene(Frictional{1e6, 1e6, 0.5, 0});
     scene.set_gravity({0, 0});
     scene.fixed("left", box(-1, -1, 1, 0));
@@ -303,7 +303,7 @@ TEST_CASE("D5: a span on two equal springs moves as one mass under the mean of t
   const GroundMotion right = read_motion(folder);
   const GroundMotion left = right.time_scaled(0.8).delayed(1.02 * 0.2);
   const SpanOnTwo span;
-  Simulation sim = span.start();
+  Simulation<2> sim = span.start();
   set_drive(sim.edit_model(), 0, 0, std::make_shared<GroundMotion>(left), 0, sim.model().start_position[0].x());
   set_drive(sim.edit_model(), 1, 0, std::make_shared<GroundMotion>(right), 0, sim.model().start_position[1].x());
   // The single mass, by an independent integration (velocity Verlet in the mean motion, at a tenth of the step).
@@ -313,7 +313,7 @@ TEST_CASE("D5: a span on two equal springs moves as one mass under the mean of t
   double x = 0, v = 0, t = 0, error = 0, most = 0;
   const double fine = dt / 10;
   const double x0 = sim.model().start_position[2].x();
-  testing::run_for(sim, 30, dt, testing::each_step([&](const Instant& now) {
+  testing::run_for(sim, 30, dt, testing::each_step([&](const Instant<2>& now) {
                      while (t < now.state.time - 0.5 * fine) {
                        const auto a = [&](double at, double xx, double vv) {
                          return -w * w * (xx - mean(at)) - 2 * span.damping_ratio * w * (vv - mean_speed(at));
@@ -334,7 +334,7 @@ TEST_CASE("D5: a span on two equal springs moves as one mass under the mean of t
 TEST_CASE("D5: at rest the span stands at the mean of the displacements of its supports") {
   const SpanOnTwo span;
   for (const auto& [u1, u2] : {std::pair{0.3, 0.1}, std::pair{-0.2, 0.5}, std::pair{0.0, 0.25}}) {
-    Simulation sim = span.start();
+    Simulation<2> sim = span.start();
     const double x0 = sim.model().start_position[2].x();
     for (const int side : {0, 1}) {
       const double end = side == 0 ? u1 : u2;  // a smooth move in 2 s

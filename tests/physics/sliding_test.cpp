@@ -30,11 +30,11 @@ TEST_CASE("C9: a Coulomb-damped oscillator loses 2F/k at each turn and stops wit
     scene.builder.add_bearing(spring);
     Model<2> model = scene.builder.build();
     model.bearings[0].rest.x() -= c.from;  // released at `from`
-    Simulation sim(std::move(model));
+    Simulation<2> sim(std::move(model));
     const int n = node_of(sim.model(), "block");
     std::vector<double> turns, times;
     double x = 0, v = 0;
-    run_for(sim, 8 * M_PI * std::sqrt(c.mass / c.k), 1e-4, each_step([&](const Instant& now) {
+    run_for(sim, 8 * M_PI * std::sqrt(c.mass / c.k), 1e-4, each_step([&](const Instant<2>& now) {
               const double next = scene.to_scene(now.state.velocity[n]).x();
               x = c.from + scene.to_scene(now.state.position[n]).x();
               if (v * next < 0 && std::abs(x) > c.friction / c.k) turns.push_back(x), times.push_back(now.state.time);
@@ -62,12 +62,12 @@ namespace {
 /// the incline as one sees it. Starts in its overlap.
 struct Incline {
   Scene scene;
-  Simulation sim;
+  Simulation<2> sim;
   int node;
   Incline(double incline, double mu, double turn)
       : scene(law(mu), turn), sim(make(scene, incline)), node(node_of(sim.model(), "block")) {}
   static Frictional law(double mu) { return {1e10, 5e9, mu, 3e-5}; }
-  static Simulation make(Scene& scene, double incline) {
+  static Simulation<2> make(Scene& scene, double incline) {
     const double g = standard_gravity, mass = 400;
     scene.builder.overlap_allowed = 1e-3;
     scene.set_gravity({g * std::sin(incline), -g * std::cos(incline)});
@@ -150,12 +150,12 @@ Slip slip_under_pulse(double share, double length, double mu, double turn) {
   scene.block("block", rectangle({-0.5, -sunk}, {0.5, 0.1 - sunk}), mass);
   Model<2> model = scene.builder.build();
   scene.drive_along_x(model, "base", *pulse(share * g, length, 2 * end));
-  Simulation sim(std::move(model));
+  Simulation<2> sim(std::move(model));
   const int base = node_of(sim.model(), "base"), block = node_of(sim.model(), "block");
   const auto apart = [&](const State<2>& s) { return scene.to_scene(s.position[base] - s.position[block]).x(); };
   const double from = apart(sim.state());
   double ends = 0;
-  run_for(sim, end, 0, each_step([&](const Instant& now) {
+  run_for(sim, end, 0, each_step([&](const Instant<2>& now) {
             const double rate = scene.to_scene(now.state.velocity[base] - now.state.velocity[block]).x();
             if (rate > 1e-3) ends = now.state.time;
           }));
@@ -197,12 +197,12 @@ TEST_CASE("S3: a block on a driven slope slips downhill as the one-way sliding b
     scene.set_gravity({g * std::sin(slope), -g * std::cos(slope)});
     scene.fixed("slope", rectangle({-3, -1}, {5, 0}));
     scene.block("block", rectangle({-0.5, 0}, {0.5, 0.1}), mass);
-    Simulation settling = scene.start();
+    Simulation<2> settling = scene.start();
     settle(settling);
     Model<2> model = settling.model();
     // Downhill is +x: the block slips where the ground is pushed uphill by more than it can follow.
     scene.drive_along_x(model, "slope", record.scaled(-c.sign), settling.state().time);
-    Simulation sim(std::move(model), settling.state());
+    Simulation<2> sim(std::move(model), settling.state());
     const int base = node_of(sim.model(), "slope"), block = node_of(sim.model(), "block");
     const auto apart = [&] { return scene.to_scene(sim.state().position[block] - sim.state().position[base]).x(); };
     const double from = apart();
@@ -229,12 +229,12 @@ Deck deck_on_seat(double length) {
   SeatSpec seat;
   seat.name = "seat", seat.body = "deck", seat.support = "right", seat.end = {10, 0}, seat.edge = {10 - length, 0};
   scene.builder.add_seat(seat);
-  Simulation settling = scene.start();
+  Simulation<2> settling = scene.start();
   settle(settling);
   Model<2> model = settling.model();
   const auto push = pulse(0.5 * standard_gravity, 0.25, 4);
   for (const char* support : {"left", "right"}) scene.drive_along_x(model, support, *push, settling.state().time);
-  Simulation sim(std::move(model), settling.state());
+  Simulation<2> sim(std::move(model), settling.state());
   const int deck = node_of(sim.model(), "deck");
   const double from = sim.state().position[deck].y();
   run_for(sim, 2.0);

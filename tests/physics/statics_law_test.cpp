@@ -121,7 +121,7 @@ TEST_CASE("over statics the ledger books what loads and weight put in, and its b
   REQUIRE(path.end == PathEnd::arrived);
   Model<2> loaded = model;
   scale_loads(loaded, "", path.points.back().factor);
-  Simulation sim(loaded, state);
+  Simulation<2> sim(loaded, state);
   sim.refresh();
   const Energy energy = sim.energy();
   const double friction = 0.6 * 100 * standard_gravity * 1e-3;

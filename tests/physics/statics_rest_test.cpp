@@ -123,7 +123,7 @@ Scene wall_with_opening(int courses, double gap) {
 /// Consolidation by explicit steps under weight that grows over `grow` [s].
 State<2> consolidated(Model<2> model, double grow) {
   model.gravity.grow_end = grow;
-  Simulation sim(std::move(model));
+  Simulation<2> sim(std::move(model));
   StageOptions options;
   options.duration = 10, options.rest_share = 0.8, options.until_rest = true, options.still_from = grow;
   options.still_speed = 1e-7, options.still_ratio = 1e-6, options.still_hold = 0.02;
@@ -165,7 +165,7 @@ TEST_CASE("a stack set down by statics stands as consolidation leaves it, and st
     CHECK((state.position[n] - other.position[n]).norm() <
           1e-3 * std::abs(state.position[n].y() - model.start_position[n].y()));
   const Vec2 top = state.position.back();
-  Simulation on(model, state);
+  Simulation<2> on(model, state);
   run_for(on, 0.05);
   CHECK((on.state().position.back() - top).norm() < 1e-12);
   CHECK(std::abs(on.energy().balance()) < 1e-6);
@@ -181,7 +181,7 @@ TEST_CASE(
   State<2> from_start = initial_state(model);
   REQUIRE(find_equilibrium(model, from_start).converged);
   for (const bool implicitly : {false, true}) {
-    Simulation moving(model);
+    Simulation<2> moving(model);
     StageOptions options;
     options.duration = 2e-3, options.dt = implicitly ? 1e-5 : 1e-7;
     if (implicitly) options.implicit = AlphaScheme::hht(-0.05);
@@ -194,7 +194,7 @@ TEST_CASE(
     CHECK(state.implicit() == implicitly);
     CHECK(state.time == moving.state().time);
     CHECK(apart(joint_forces(model, state), joint_forces(model, from_start)) < 1e-6);
-    Simulation on(model, state);
+    Simulation<2> on(model, state);
     on.refresh();
     // The kinetic energy of leapfrog is m (a dt)^2 / 8 less than that of the instant.
     const double off = std::abs(on.energy().balance() - before.balance());
@@ -293,7 +293,7 @@ TEST_CASE("A5: the thrust of an arch set down by statics is that of its consolid
     const Model<2> model = tilted_arch(c.thickness, 0).builder.build();
     State<2> state = initial_state(model);
     REQUIRE(rest_of(fmt::format("arch, t/R {}", c.thickness), model, state).converged);
-    Simulation laid(model);
+    Simulation<2> laid(model);
     const double begun = clock_now();
     REQUIRE(lay_down(laid, 1e-5, {}) == StageEnd::rest);
     const double found = thrust_share(model, state), expected = thrust_share(model, laid.state());

@@ -32,7 +32,7 @@ struct MovedSlider {
     spec.name = "slider", spec.outline = box(-0.5, -sunk, 0.5, 0.5 - sunk), spec.mass = 1;
     spec.load = {0, -loop_normal}, spec.support = {Support::free, Support::free, Support::fixed};
     scene.add(spec);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     sim.refresh();
     slider_ = node_of(sim.model(), "slider"), from_ = sim.state().position[slider_].x();
     ways.push_back(go(sim, 1, steps));
@@ -41,7 +41,7 @@ struct MovedSlider {
 
  private:
   /// By `way` times X, in a second for each X.
-  GivenOff go(Simulation& sim, int way, int steps) {
+  GivenOff go(Simulation<2>& sim, int way, int steps) {
     const double length = std::abs(way), speed = way / length * loop_reach;
     set_drive(sim.edit_model(), sim.model().find_body("slider"), 0,
               std::make_shared<GroundMotion>(std::vector<double>(4, 0.0), 1.0, MotionStart{speed, 0}), sim.state().time,
@@ -50,11 +50,11 @@ struct MovedSlider {
     stage.tolerance = 1e-8;
     const double before = sim.energy()[EnergyTerm::contact_friction];
     GivenOff out;
-    CHECK(sim.run(stage, each_step([&](const Instant& now) { out.by_force += follow(now); })).end == StageEnd::time);
+    CHECK(sim.run(stage, each_step([&](const Instant<2>& now) { out.by_force += follow(now); })).end == StageEnd::time);
     out.booked = sim.energy()[EnergyTerm::contact_friction] - before;
     return out;
   }
-  double follow(const Instant& now) {
+  double follow(const Instant<2>& now) {
     std::vector<TouchingContact> contacts;
     contact_resultants(now.model, now.work, contacts);
     const double force = std::abs(contacts.at(0).resultant.force.x());
@@ -114,7 +114,7 @@ struct PulledBlock {
 
 TEST_CASE("I8: a block pulled through a spring slips when that holds mu N and goes on as a cycloid") {
   PulledBlock pulled;
-  Simulation sim(pulled.model());
+  Simulation<2> sim(pulled.model());
   const int n = node_of(sim.model(), "block");
   const double slips = 0.2942, period = 2 * M_PI / 10, from = sim.state().position[n].x();
   struct Sample {
@@ -123,9 +123,9 @@ TEST_CASE("I8: a block pulled through a spring slips when that holds mu N and go
   std::vector<Sample> all{{0, 0, 0, 0}};
   StageOptions stage = implicit_stage(AlphaScheme::hht(-0.05), 2, 2e-3);
   stage.tolerance = 1e-8, stage.energy_interval = 2e-3;
-  RunListener listener;
+  RunListener<2> listener;
   double begins = 0, low_at = 0, peak = 0, low = 1, most = 0, off = 0;
-  listener.on_energy = [&](const Instant& now, const Energy& e) {
+  listener.on_energy = [&](const Instant<2>& now, const Energy& e) {
     const double x = now.state.position[n].x() - from, t = now.state.time, v = now.state.velocity[n].x();
     all.push_back({t, x, v, e[EnergyTerm::contact_friction]});
     // The friction is what the spring pulls less what the block's mass takes.

@@ -41,14 +41,14 @@ struct Turning {
   std::int64_t steps = 0;
 
   explicit Turning(const StageOptions& stage, const StiffPendulum& made = StiffPendulum()) {
-    Simulation sim(made.model, made.state);
+    Simulation<2> sim(made.model, made.state);
     const Beam& bar = sim.model().beams[0];
     double angle = 0, before = 0, sum = 0, time = 0;
     int turns = 0;
     double last_turn = 0;
     StageOptions told = stage;
     told.energy_interval = 2e-3;
-    RunListener listener = each_step([&](const Instant& now) {
+    RunListener<2> listener = each_step([&](const Instant<2>& now) {
       const Vec2 place = now.state.position[1];
       angle = std::atan2(place.y(), place.x());
       if (before < 0 && angle >= 0) {
@@ -62,7 +62,7 @@ struct Turning {
         tension = sum / time;
       }
     });
-    listener.on_energy = [&](const Instant&, const Energy& e) {
+    listener.on_energy = [&](const Instant<2>&, const Energy& e) {
       const double all = e[EnergyTerm::kinetic] + e[EnergyTerm::strain];
       least = std::min(least, all), most = std::max(most, all);
     };

@@ -25,7 +25,7 @@ constexpr Frictional panel_joint(double mu) {
 double factor_at_collapse(const RunningBond& bond, double mu, double least) {
   Scene scene(panel_joint(mu));
   add_parts(scene, build_running_bond(bond), "base");
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   settle(sim, 2, 1e-6);
   const double near_limit = 0.9 * std::atan(least);
   if (const double early = tilt_on(sim, 0, near_limit, 4 * degree); early < near_limit) return std::tan(early);

@@ -18,7 +18,7 @@ StageOptions slow_stage(double duration) {
 
 /// How far the portal's corner and mid-span have gone, a second after loads of `share` have come on [m].
 double gone_under(const YieldingPortal& portal, double share) {
-  Simulation sim(portal.model(share));
+  Simulation<2> sim(portal.model(share));
   sim.run(slow_stage(3));
   const auto at = [&](int joint) { return Vec2(sim.state().position[joint] - sim.model().start_position[joint]); };
   return std::max(std::abs(at(1).x()), std::abs(at(2).y()));
@@ -64,20 +64,20 @@ struct Shaken {
   std::vector<Event> events;
 };
 Shaken shake(const HingeLaw& law, double damping, const std::optional<AlphaScheme>& scheme) {
-  Simulation sim(shaken_column(law, damping));
+  Simulation<2> sim(shaken_column(law, damping));
   StageOptions stage;
   stage.duration = 2, stage.energy_interval = 0.01;
   if (scheme) stage = adaptive_stage(*scheme, 2, 0.01), stage.energy_interval = 0.01;
   Shaken out;
-  RunListener listener;
-  listener.on_step = [&](const Instant& now) {
+  RunListener<2> listener;
+  listener.on_step = [&](const Instant<2>& now) {
     const Vec2 gone = now.state.position[1] - now.state.position[0] - Vec2(0, 3);
     out.drift = std::max(out.drift, std::abs(gone.x()));
     out.moment = std::max(out.moment, std::abs(member_forces(now.model, now.state, 0).front().moment));
   };
-  listener.on_event = [&](const Event& e, const Instant&) { out.events.push_back(e); };
+  listener.on_event = [&](const Event& e, const Instant<2>&) { out.events.push_back(e); };
   double most = 0;
-  listener.on_energy = [&](const Instant&, const Energy& energy) {
+  listener.on_energy = [&](const Instant<2>&, const Energy& energy) {
     most = std::max(most, std::abs(energy[EnergyTerm::support]));
     out.worst_residual = std::max(out.worst_residual, std::abs(energy.balance()));
     out.plastic = energy[EnergyTerm::plastic];
@@ -139,7 +139,7 @@ TEST_CASE("hinges and fibres that never yield are the elastic member") {
     spec.frame->joints[0].support = held;
     Model<2> model = of_frames(elastic_material("concrete", 2400, 30e9, 0.2), {spec});
     add_load(model, "beam", {3, 1}, {2e5, -4e5});
-    Simulation sim(std::move(model));
+    Simulation<2> sim(std::move(model));
     StageOptions stage;
     stage.duration = 0.05, stage.dt = 5e-6;
     sim.run(stage);
@@ -190,10 +190,10 @@ TEST_CASE("a state in the midst of yielding goes on with the same bits, explicit
     StageOptions stage;
     stage.duration = 1.5;
     if (is_implicit) stage = adaptive_stage(AlphaScheme::hht(-0.05), 1.5, 0.01);
-    Simulation once(shaken_column(law, 0));
+    Simulation<2> once(shaken_column(law, 0));
     std::vector<std::uint64_t> kept;
-    RunListener listener;
-    listener.on_step = [&](const Instant& now) {
+    RunListener<2> listener;
+    listener.on_step = [&](const Instant<2>& now) {
       if (kept.empty() && now.state.time > 0.9) kept = state_words(now.state);
     };
     once.run(stage, listener);

@@ -141,7 +141,7 @@ TEST_CASE("unfinished results are told as such, drawn, and repaired to a clean f
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   {
-    Simulation simulation(testing::falling_span());
+    Simulation<2> simulation(testing::falling_span());
     Recording recording(here / "early.h5", simulation.model(), simulation.state());
     StageOptions o;
     o.duration = 0.1;

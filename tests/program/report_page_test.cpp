@@ -71,7 +71,7 @@ TEST_CASE("a run that was stopped is reported, and trilith report says so") {
   if (is_missing(testing::program_path())) return;
   const testing::Folder here;
   {
-    Simulation simulation(testing::falling_span());
+    Simulation<2> simulation(testing::falling_span());
     Recording recording(here / "early.h5", simulation.model(), simulation.state());
     StageOptions o;
     o.duration = 0.1;

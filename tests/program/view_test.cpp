@@ -94,7 +94,7 @@ TEST_CASE("a run that is still being written, or was stopped, is viewed as far a
   if (program_is_missing()) return;
   const testing::Folder here;
   {
-    Simulation simulation(testing::falling_span());
+    Simulation<2> simulation(testing::falling_span());
     Recording recording(here / "early.h5", simulation.model(), simulation.state());
     StageOptions o;
     o.duration = 0.1;

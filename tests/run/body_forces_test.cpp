@@ -61,7 +61,7 @@ MeanStress stress_of(const Hanging& h) {
       hang(scene, "bottom " + side, "lower", "upper", block, below);
     }
   }
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   CHECK(settle(sim, 50, 1e-8).end == StageEnd::rest);
   sim.refresh();
   std::vector<TouchingContact> touching;

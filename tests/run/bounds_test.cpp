@@ -34,7 +34,7 @@ StageOptions stage(double duration) {
   return options;
 }
 
-double balance(const Simulation& sim) {
+double balance(const Simulation<2>& sim) {
   State<2> state = sim.state();
   Work<2> work = sim.work();
   return energy_now(sim.model(), state, work, {state.last_dt, {}}).balance();
@@ -42,9 +42,9 @@ double balance(const Simulation& sim) {
 
 struct Left {
   std::vector<Event> events;
-  RunListener listener() {
-    RunListener out;
-    out.on_event = [this](const Event& e, const Instant&) { events.push_back(e); };
+  RunListener<2> listener() {
+    RunListener<2> out;
+    out.on_event = [this](const Event& e, const Instant<2>&) { events.push_back(e); };
     return out;
   }
   [[nodiscard]] std::vector<Event> of(EventType type) const {
@@ -59,7 +59,7 @@ struct Left {
 
 TEST_CASE("a body that leaves the bounds is told with its speed, stands still and its energy is in the ledger") {
   Scene scene = two_blocks();
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   sim.refresh();
   const double begun = balance(sim);
   Left left;
@@ -86,7 +86,7 @@ TEST_CASE("a body that leaves the bounds is told with its speed, stands still an
 TEST_CASE("what stays within the bounds has the same bits whether another body left or fell on") {
   Scene tight = two_blocks(), wide = two_blocks();
   wide.builder.bounds = {};
-  Simulation one = tight.start(), other = wide.start();
+  Simulation<2> one = tight.start(), other = wide.start();
   one.run(stage(1.5));
   other.run(stage(1.5));
   CHECK(one.verdict().left() == 1);
@@ -105,7 +105,7 @@ TEST_CASE("a body that has left touches nothing and where all have left the stag
     falls.name = y > 0 ? "second" : "first", falls.outline = box(0, y - 0.25, 1, y + 0.25), falls.floating = true;
     scene.add(falls);
   }
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   Left left;
   const StageReport report = sim.run(stage(10), left.listener());
   CHECK(report.end == StageEnd::all_left);
@@ -120,7 +120,7 @@ TEST_CASE("a body that has left touches nothing and where all have left the stag
 TEST_CASE("a restart keeps out what has left, in a model that was built anew, and goes on with the same bits") {
   const testing::Folder folder;
   Scene scene = two_blocks();
-  Simulation straight = scene.start();
+  Simulation<2> straight = scene.start();
   straight.run(stage(1));
   REQUIRE(straight.verdict().left() == 1);
   save_state(straight.state(), straight.model(), folder / "left");
@@ -145,7 +145,7 @@ TEST_CASE("the bearings of a body that leaves fail because of it and the ledger 
   spring.point_a = {0, 0.25}, spring.point_b = {5.5, 0};
   spring.law[axial] = Linear{100, 0};
   scene.builder.add_bearing(spring);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   sim.refresh();
   const double begun = balance(sim);
   Left left;

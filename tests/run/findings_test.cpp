@@ -43,7 +43,7 @@ Scene tower(const ContactLaw& law, double turn = 0) {
 
 /// Places of the skin points of `state`.
 Work<2> placed(const Model<2>& model, const State<2>& state) {
-  Simulation sim(model, state);
+  Simulation<2> sim(model, state);
   sim.refresh();
   return sim.work();
 }
@@ -111,7 +111,7 @@ TEST_CASE("a lifted, shifted and turned body opens its joint and slips along it 
 
 TEST_CASE("a joint's damage is the part of its bond that is lost") {
   Scene scene = tower(mortar);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   const std::vector<Joint> joints = find_joints(sim.model());
   State<2> state = sim.state();
   CHECK(joint_damage(joints[0], state) == 0);
@@ -148,7 +148,7 @@ TEST_CASE("storeys are found by their groups, with heights and drifts") {
 TEST_CASE("base shear is what contacts do to the base, and what accelerates all that stands on it") {
   for (const double turn : {0.0, 0.4}) {
     Scene scene = tower(mortar, turn);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     Model<2>& model = sim.edit_model();
     scene.drive_along_x(model, "base", *testing::motion_of(0.5, 1e-3, [](double t) { return 3 * std::sin(40 * t); }));
     const std::vector<int> base = find_base(model);
@@ -157,7 +157,7 @@ TEST_CASE("base shear is what contacts do to the base, and what accelerates all 
     Vec2 last_shear = force_on(model, sim.work(), base);  // velocities lie half a step before their instant
     double largest = 0, worst_contacts = 0, worst_inertia = 0, last_dt = 0;
     std::vector<TouchingContact> touching;
-    RunListener listener = testing::each_step([&](const Instant& now) {
+    RunListener<2> listener = testing::each_step([&](const Instant<2>& now) {
       Vec2 inertia = Vec2::Zero();
       for (int n = 1; n < now.model.nodes(); ++n)
         inertia += now.model.mass[n] * ((now.state.velocity[n] - before[n]) / (0.5 * (last_dt + now.state.last_dt)) -
@@ -167,7 +167,7 @@ TEST_CASE("base shear is what contacts do to the base, and what accelerates all 
       worst_inertia = std::max(worst_inertia, (last_shear + inertia).norm());
       last_shear = force_on(now.model, now.work, base);
     });
-    listener.on_history = [&](const Instant& now) {
+    listener.on_history = [&](const Instant<2>& now) {
       const Vec2 shear = force_on(now.model, now.work, base);
       contact_resultants(now.model, now.work, touching);
       Vec2 contacts = Vec2::Zero();
@@ -192,7 +192,7 @@ TEST_CASE("base shear is what contacts do to the base, and what accelerates all 
 TEST_CASE("mean stress in a stack at rest is the weight above and half its own, over its section") {
   for (const double turn : {0.0, 0.8}) {
     Scene scene = tower(dry, turn);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     testing::settle(sim);
     sim.refresh();
     std::vector<TouchingContact> touching;
@@ -217,7 +217,7 @@ TEST_CASE("the line of thrust under a tilted block leaves its middle by half its
   add(scene, "base", box(-2, -1, 4, 0), {}, true);
   add(scene, "low", box(0, 0, 2, 1), {}, false);
   add(scene, "high", box(0, 1, 2, 2), {}, false);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   testing::settle(sim);
   sim.refresh();
   std::vector<TouchingContact> touching;
@@ -236,7 +236,7 @@ TEST_CASE("the line of thrust under a tilted block leaves its middle by half its
 TEST_CASE("joints, their motion and mean stress are recorded and read back") {
   const testing::Folder folder;
   Scene scene = tower(mortar);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   RecordingOptions options;
   options.sync = false;
   options.with_joints = true;

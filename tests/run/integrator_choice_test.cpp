@@ -6,7 +6,7 @@ namespace trilith::testing {
 namespace {
 
 /// A block let go 0.2 m above its base, damped at its faces.
-Simulation falling_block() {
+Simulation<2> falling_block() {
   Scene scene(Frictional{1e11, 5e10, 0.6, 2e-5});
   scene.fixed("base", box(-2, -1, 2, 0));
   BodySpec block;
@@ -27,18 +27,18 @@ struct Seen {
   StageReport report;
 };
 
-Seen watch(Simulation& sim, const StageOptions& stage) {
+Seen watch(Simulation<2>& sim, const StageOptions& stage) {
   Seen out;
-  RunListener listener;
-  listener.on_event = [&](const Event& e, const Instant&) {
+  RunListener<2> listener;
+  listener.on_event = [&](const Event& e, const Instant<2>&) {
     if (e.type == EventType::integrator_changed) out.changes.push_back(e);
   };
-  listener.on_step = [&](const Instant& now) { out.implicit += now.state.implicit() ? 1 : 0; };
+  listener.on_step = [&](const Instant<2>& now) { out.implicit += now.state.implicit() ? 1 : 0; };
   out.report = sim.run(stage, listener);
   return out;
 }
 
-double residual_of(Simulation& sim) {
+double residual_of(Simulation<2>& sim) {
   sim.refresh();
   const Energy energy = sim.energy();
   return energy.balance();
@@ -47,7 +47,7 @@ double residual_of(Simulation& sim) {
 }  // namespace
 
 TEST_CASE("a block falls and lies by implicit steps and strikes by explicit ones where the stage leaves it open") {
-  Simulation open = falling_block(), plain = falling_block();
+  Simulation<2> open = falling_block(), plain = falling_block();
   const int n = node_of(open.model(), "block");
   const Seen seen = watch(open, open_stage(2));
   StageOptions explicitly;
@@ -67,15 +67,15 @@ TEST_CASE("a block falls and lies by implicit steps and strikes by explicit ones
 }
 
 TEST_CASE("a stage that leaves the integrator open is continued with the same bits") {
-  Simulation whole = falling_block();
+  Simulation<2> whole = falling_block();
   whole.run(open_stage(0.25), {});
-  Simulation rest(whole.model(), whole.state());
-  for (Simulation* sim : {&whole, &rest}) sim->run(open_stage(0.6), {});
+  Simulation<2> rest(whole.model(), whole.state());
+  for (Simulation<2>* sim : {&whole, &rest}) sim->run(open_stage(0.6), {});
   CHECK(state_hash(whole.state()) == state_hash(rest.state()));
 }
 
 TEST_CASE("where implicit steps may not be longer than explicit ones those are taken throughout") {
-  Simulation open = falling_block();
+  Simulation<2> open = falling_block();
   StageOptions stage = open_stage(0.5);
   stage.dt = 1e-4;
   const Seen seen = watch(open, stage);

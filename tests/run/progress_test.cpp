@@ -54,14 +54,14 @@ TEST_CASE("durations of wall clock read as on a clock") {
 }
 
 TEST_CASE("the status tells stage, time, step, energy and unbalanced ratio in one line") {
-  Simulation simulation(testing::falling_span());
+  Simulation<2> simulation(testing::falling_span());
   std::string status;
   StageOptions o;
   o.name = "consolidation";
   o.duration = 0.02;
-  RunListener listener;
+  RunListener<2> listener;
   Pace pace;
-  listener.on_step = [&](const Instant& now) {
+  listener.on_step = [&](const Instant<2>& now) {
     pace.add(now.state.time, 10 * now.state.time + 0.1 * static_cast<double>(now.state.step));
     status = status_text(now, pace);
   };
@@ -125,13 +125,13 @@ TEST_CASE("every type of event has words of its own") {
 }
 
 TEST_CASE("two listeners both hear a run, the first one first") {
-  Simulation simulation(testing::falling_span());
+  Simulation<2> simulation(testing::falling_span());
   std::string heard;
-  RunListener first, second;
-  first.on_event = [&](const Event&, const Instant&) { heard += "1"; };
-  second.on_event = [&](const Event&, const Instant&) { heard += "2"; };
+  RunListener<2> first, second;
+  first.on_event = [&](const Event&, const Instant<2>&) { heard += "1"; };
+  second.on_event = [&](const Event&, const Instant<2>&) { heard += "2"; };
   int steps = 0;
-  second.on_step = [&](const Instant&) { ++steps; };
+  second.on_step = [&](const Instant<2>&) { ++steps; };
   StageOptions o;
   o.duration = 0.001;
   simulation.run(o, both(first, second));

@@ -20,7 +20,7 @@ struct Reading {
   std::vector<double> values;
 };
 
-Reading read(const Simulation& sim) {
+Reading read(const Simulation<2>& sim) {
   Reading out{sim.state().time, {}};
   const Energy energy = sim.energy();
   out.values.assign(energy.value.begin(), energy.value.end());
@@ -50,14 +50,14 @@ struct Readings {
 };
 
 Readings readings_of(Scene scene, const StageOptions& asked, bool change = false) {
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   Readings out;
   StageOptions options = asked;
   options.history_interval = 1e-9;
-  RunListener listener;
-  listener.on_history = [&](const Instant&) { out.histories.push_back(read(sim)); };
-  listener.on_step = [&](const Instant&) { out.handlers.push_back(read(sim)); };
-  listener.on_event = [&](const Event&, const Instant&) { out.events.push_back(read(sim)); };
+  RunListener<2> listener;
+  listener.on_history = [&](const Instant<2>&) { out.histories.push_back(read(sim)); };
+  listener.on_step = [&](const Instant<2>&) { out.handlers.push_back(read(sim)); };
+  listener.on_event = [&](const Event&, const Instant<2>&) { out.events.push_back(read(sim)); };
   if (change) listener.change_model = [](Model<2>&) { return true; };
   sim.run(options, listener);
   return out;
@@ -101,12 +101,12 @@ TEST_CASE("the ledger of a falling block closes at every step as handlers read i
   BodySpec spec;
   spec.name = "block", spec.outline = box(-0.25, 20, 0.25, 20.3), spec.mass = 300, spec.floating = true;
   scene.add(spec);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   sim.refresh();
   const double g = standard_gravity, dt = 1e-4, mass = 300, fallen = mass * g * g / 2;
   const double start = sim.energy().balance() - mass * g * g * dt * dt / 8;
   double worst = 0;
-  testing::run_for(sim, 1, dt, testing::each_step([&](const Instant&) {
+  testing::run_for(sim, 1, dt, testing::each_step([&](const Instant<2>&) {
                      worst = std::max(worst, std::abs(sim.energy().balance() - start));
                    }));
   CHECK(worst < 1e-10 * fallen);
@@ -122,10 +122,10 @@ TEST_CASE("reading between stages gives the last row of the stage and changes no
   options.rest_share = 0.3;
   std::uint64_t hash[2];
   for (const int reads : {0, 1}) {
-    Simulation sim = tumbling().start();
+    Simulation<2> sim = tumbling().start();
     Energy last;
-    RunListener listener;
-    listener.on_energy = [&](const Instant&, const Energy& e) { last = e; };
+    RunListener<2> listener;
+    listener.on_energy = [&](const Instant<2>&, const Energy& e) { last = e; };
     sim.run(options, listener);
     if (reads != 0) {
       sim.drop_work();
@@ -143,13 +143,13 @@ std::string refusal(double kn, double dt, double duration, double safety = 0.5, 
   Scene scene(Frictional{kn, kn / 2, 0.5, beta});
   scene.fixed("base", box(-3, -1, 3, 0));
   scene.block("block", box(-0.25, 0, 0.25, 0.3), 300);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   StageOptions options;
   options.dt = dt;
   options.duration = duration;
   options.safety = safety;
   try {
-    sim.run(options, testing::each_step([&](const Instant&) { sim.stop(); }));
+    sim.run(options, testing::each_step([&](const Instant<2>&) { sim.stop(); }));
   } catch (const InputError& e) {
     return e.what();
   }

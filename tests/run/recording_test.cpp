@@ -25,14 +25,14 @@ RecordingOptions options() {
   RecordingOptions o;
   o.provenance.start_time = "2025-11-21T09:30:00Z";
   o.sync = false;
-  o.histories = {
-      {"block.y", "m", "height of the block's centre", [](const Instant& now) { return now.state.position[1].y(); }}};
+  o.histories = {{"block.y", "m", "height of the block's centre",
+                  [](const Instant<2>& now) { return now.state.position[1].y(); }}};
   return o;
 }
 
 /// Runs the fall and records it to `path`; gives the hash of the last state.
 std::uint64_t record_fall(const std::filesystem::path& path, double height, double duration = 1.5) {
-  Simulation simulation(dropped_block(height));
+  Simulation<2> simulation(dropped_block(height));
   Recording recording(path, simulation.model(), simulation.state(), options());
   simulation.run(fall_stage(duration), recording.listener());
   recording.finish();
@@ -105,7 +105,7 @@ TEST_CASE("the recorded contact forces on a block at rest sum to its weight") {
 TEST_CASE("recording does not change a run") {
   const testing::Folder folder;
   const std::uint64_t recorded = record_fall(folder / "fall.h5", 0.3);
-  Simulation alone(dropped_block(0.3));
+  Simulation<2> alone(dropped_block(0.3));
   alone.run(fall_stage());
   CHECK(state_hash(alone.state()) == recorded);
 }
@@ -124,12 +124,12 @@ TEST_CASE("a killed run can be read up to its last flush") {
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-    Simulation simulation(dropped_block(0.3));
+    Simulation<2> simulation(dropped_block(0.3));
     RecordingOptions o = options();
     o.flush_frames = 10;
     Recording recording(folder / "killed.h5", simulation.model(), simulation.state(), std::move(o));
-    RunListener listener = recording.listener();
-    listener.on_step = [](const Instant& now) {
+    RunListener<2> listener = recording.listener();
+    listener.on_step = [](const Instant<2>& now) {
       if (now.state.time > 0.5) ::raise(SIGKILL);
     };
     simulation.run(fall_stage(), listener);
@@ -149,17 +149,17 @@ TEST_CASE("a killed run can be read up to its last flush") {
 
 TEST_CASE("the first frame is safe before the first step") {
   const testing::Folder folder;
-  Simulation simulation(dropped_block(0.3));
+  Simulation<2> simulation(dropped_block(0.3));
   Recording recording(folder / "fall.h5", simulation.model(), simulation.state(), options());
-  RunListener listener = recording.listener();
+  RunListener<2> listener = recording.listener();
   std::size_t frames = 0, events = 0;
-  listener.on_step = [&](const Instant&) {
+  listener.on_step = [&](const Instant<2>&) {
     const results::ResultsReader reader(folder / "fall.h5");
     frames = reader.frame_count();
     events = reader.events().size();
     simulation.stop();
   };
-  listener.on_energy = [&, inner = listener.on_energy](const Instant& now, const Energy& e) {
+  listener.on_energy = [&, inner = listener.on_energy](const Instant<2>& now, const Energy& e) {
     if (frames == 0) CHECK(results::ResultsReader(folder / "fall.h5").frame_count() == 1);
     inner(now, e);
   };
@@ -171,18 +171,18 @@ TEST_CASE("the first frame is safe before the first step") {
 TEST_CASE("rows that wait reach the disk in time though no further ones come") {
   for (const bool soon : {true, false}) {
     const testing::Folder folder;
-    Simulation simulation(dropped_block(0.3));
+    Simulation<2> simulation(dropped_block(0.3));
     RecordingOptions o = options();
     o.flush_seconds = soon ? 0.02 : 1e9;
     Recording recording(folder / "fall.h5", simulation.model(), simulation.state(), std::move(o));
-    RunListener listener = recording.listener();
+    RunListener<2> listener = recording.listener();
     const auto hit = [&] { return results::ResultsReader(folder / "fall.h5").events().size() > 1; };
     bool has_hit = false, seen = false;
-    listener.on_event = [&, inner = listener.on_event](const Event& e, const Instant& now) {
+    listener.on_event = [&, inner = listener.on_event](const Event& e, const Instant<2>& now) {
       inner(e, now);
       has_hit = has_hit || e.type == EventType::impact;
     };
-    listener.on_step = [&](const Instant&) {
+    listener.on_step = [&](const Instant<2>&) {
       if (!has_hit) return;
       for (int i = 0; !seen && (soon || i < 50); ++i) {  // steps of a run that records nothing more
         recording.step();
@@ -200,10 +200,10 @@ TEST_CASE("rows that wait reach the disk in time though no further ones come") {
 TEST_CASE("an abandoned recording says why and stays unfinished") {
   const testing::Folder folder;
   {
-    Simulation simulation(dropped_block(0.3));
+    Simulation<2> simulation(dropped_block(0.3));
     Recording recording(folder / "early.h5", simulation.model(), simulation.state(), options());
-    RunListener listener = recording.listener();
-    listener.on_step = [](const Instant& now) {
+    RunListener<2> listener = recording.listener();
+    listener.on_step = [](const Instant<2>& now) {
       if (now.state.time > 0.2) throw InputError("script.lua:3: no such body");
     };
     CHECK_THROWS_AS(simulation.run(fall_stage(), listener), InputError);
@@ -219,16 +219,16 @@ TEST_CASE("an abandoned recording says why and stays unfinished") {
 
 TEST_CASE("a history that gives no number is refused, with its name") {
   const testing::Folder folder;
-  Simulation simulation(dropped_block(0.3));
+  Simulation<2> simulation(dropped_block(0.3));
   RecordingOptions o = options();
-  o.histories[0].sample = [](const Instant&) { return std::nan(""); };
+  o.histories[0].sample = [](const Instant<2>&) { return std::nan(""); };
   Recording recording(folder / "nan.h5", simulation.model(), simulation.state(), std::move(o));
   CHECK_THROWS_AS(simulation.run(fall_stage(), recording.listener()), results::ResultsError);
 }
 
 TEST_CASE("a motion that starts with a later stage is noted") {
   const testing::Folder folder;
-  Simulation simulation(dropped_block(0.001));
+  Simulation<2> simulation(dropped_block(0.001));
   Recording recording(folder / "shaken.h5", simulation.model(), simulation.state(), options());
   StageOptions o = fall_stage(0.1);
   o.name = "consolidation";

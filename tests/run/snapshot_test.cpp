@@ -13,7 +13,7 @@ using namespace trilith::testing;
 namespace {
 
 std::uint64_t plain_hash() {
-  Simulation s(dropped_block(0.1));
+  Simulation<2> s(dropped_block(0.1));
   s.run(fall_stage());
   return state_hash(s.state());
 }
@@ -21,9 +21,9 @@ std::uint64_t plain_hash() {
 }  // namespace
 
 TEST_CASE("a run taken back to a snapshot between stages and resumed has the bits of one that went through") {
-  Simulation s(dropped_block(0.1));
-  std::optional<Snapshot> kept;
-  RunListener listener;
+  Simulation<2> s(dropped_block(0.1));
+  std::optional<Snapshot<2>> kept;
+  RunListener<2> listener;
   listener.at_border = [&] {
     if (!kept && s.state().time > 0.4) kept = s.snapshot();
   };
@@ -39,10 +39,10 @@ TEST_CASE("a run taken back to a snapshot between stages and resumed has the bit
 }
 
 TEST_CASE("a running stage taken back at a border has the bits of one that went through") {
-  Simulation s(dropped_block(0.1));
-  std::optional<Snapshot> kept;
+  Simulation<2> s(dropped_block(0.1));
+  std::optional<Snapshot<2>> kept;
   bool back = false;
-  RunListener listener;
+  RunListener<2> listener;
   listener.at_border = [&] {
     if (!kept && s.state().time > 0.2) kept = s.snapshot();
     if (back || s.state().time < 0.7) return;
@@ -56,11 +56,11 @@ TEST_CASE("a running stage taken back at a border has the bits of one that went 
 
 TEST_CASE("steps taken within a border belong to the stage: same bits, samples and end") {
   const auto samples_of = [](bool nested) {
-    Simulation s(dropped_block(0.1));
+    Simulation<2> s(dropped_block(0.1));
     std::vector<double> times;
-    RunListener listener;
-    listener.on_history = [&](const Instant& now) { times.push_back(now.state.time); };
-    RunListener inner = listener;
+    RunListener<2> listener;
+    listener.on_history = [&](const Instant<2>& now) { times.push_back(now.state.time); };
+    RunListener<2> inner = listener;
     bool done = false;
     if (nested)
       listener.at_border = [&] {
@@ -82,11 +82,11 @@ TEST_CASE("steps taken within a border belong to the stage: same bits, samples a
 }
 
 TEST_CASE("a nested run that comes to the end of the stage ends it once") {
-  Simulation s(dropped_block(0.1));
+  Simulation<2> s(dropped_block(0.1));
   int ended = 0;
-  RunListener listener;
-  listener.on_event = [&](const Event& e, const Instant&) { ended += e.type == EventType::stage_ended ? 1 : 0; };
-  RunListener inner = listener;
+  RunListener<2> listener;
+  listener.on_event = [&](const Event& e, const Instant<2>&) { ended += e.type == EventType::stage_ended ? 1 : 0; };
+  RunListener<2> inner = listener;
   listener.at_border = [&] { s.run_on(inner, {}); };
   const StageReport report = s.run(fall_stage(), listener);
   CHECK(ended == 1);
@@ -95,9 +95,9 @@ TEST_CASE("a nested run that comes to the end of the stage ends it once") {
 }
 
 TEST_CASE("a model changed at a border goes back with the snapshot") {
-  Simulation s(dropped_block(0.1));
-  std::optional<Snapshot> before;
-  RunListener listener;
+  Simulation<2> s(dropped_block(0.1));
+  std::optional<Snapshot<2>> before;
+  RunListener<2> listener;
   listener.at_border = [&] {
     if (before || s.state().time < 0.1) return;
     before = s.snapshot();
@@ -114,7 +114,7 @@ TEST_CASE("a model changed at a border goes back with the snapshot") {
 }
 
 TEST_CASE("a stage ends at the time it is told, to the bit, wherever it begins") {
-  Simulation s(dropped_block(0.1));
+  Simulation<2> s(dropped_block(0.1));
   StageOptions o = fall_stage(0.333333);
   s.run(o);
   o.end_time = 0.7;
@@ -124,7 +124,7 @@ TEST_CASE("a stage ends at the time it is told, to the bit, wherever it begins")
 }
 
 TEST_CASE("measuring a run changes no bit, and the parts of the step are no more than the whole") {
-  Simulation s(dropped_block(0.1));
+  Simulation<2> s(dropped_block(0.1));
   StepTimes times;
   s.measure(&times);
   const StageReport report = s.run(fall_stage());

@@ -40,7 +40,7 @@ std::vector<StoreyDamage> after(const Moves& moves, const DamageLimits& limits =
   const Model<2> model = wall();
   State<2> state = start_state(model);
   for (const auto& [body, by] : moves) state.position[model.bodies[static_cast<std::size_t>(body)].first_node] += by;
-  Simulation sim(model, state);
+  Simulation<2> sim(model, state);
   sim.refresh();
   return damage_by_storey(model, state, sim.work(), bodies, find_storeys(model), find_base(model), find_joints(model),
                           limits);

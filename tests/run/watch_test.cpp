@@ -13,7 +13,7 @@ namespace {
 constexpr double young = 1e7;
 
 /// A square of 1 m that stands on its two lower nodes; `push` would squeeze it by that share at rest.
-Simulation pressed_square(double push, double limit) {
+Simulation<2> pressed_square(double push, double limit) {
   Material soft = elastic("soft", 2400, young, 0);
   soft.solid->strain_limit = limit;
   BodySpec spec = grid_body("q", box(0, 0, 1, 1), "soft", 1, 1);
@@ -32,9 +32,9 @@ struct Told {
   }
 };
 
-Told run_told(Simulation& sim, StageOptions options, RunListener listener = {}) {
+Told run_told(Simulation<2>& sim, StageOptions options, RunListener<2> listener = {}) {
   Told told;
-  listener.on_event = [&](const Event& e, const Instant&) { told.events.push_back(e); };
+  listener.on_event = [&](const Event& e, const Instant<2>&) { told.events.push_back(e); };
   told.report = sim.run(options, listener);
   return told;
 }
@@ -88,7 +88,7 @@ TEST_CASE("an element's stretch is that of its deformation gradient and no turn 
 
 TEST_CASE("an element squeezed or stretched beyond what its solid is made for ends the stage as diverged") {
   for (const double side : {1.0, -1.0}) {
-    Simulation held = pressed_square(0.35 * side, 0.5), crushed = pressed_square(0.55 * side, 0.5);
+    Simulation<2> held = pressed_square(0.35 * side, 0.5), crushed = pressed_square(0.55 * side, 0.5);
     CHECK(run_told(held, calm_stage(1)).report.end == StageEnd::time);
     CHECK(held.verdict().sound());
     StageOptions fine = calm_stage(1);
@@ -106,12 +106,12 @@ TEST_CASE("an element squeezed or stretched beyond what its solid is made for en
     CHECK(crushed.verdict().text().find("element 1 of q") != std::string::npos);
     CHECK_THROWS_AS(crushed.run(calm_stage(1)), InputError);
   }
-  Simulation rubber = pressed_square(0.55, 0.9);
+  Simulation<2> rubber = pressed_square(0.55, 0.9);
   CHECK(run_told(rubber, calm_stage(1)).report.end == StageEnd::time);
 }
 
 TEST_CASE("an element that turns inside out is found however much strain its solid is made for") {
-  Simulation crushed = pressed_square(5, 100);
+  Simulation<2> crushed = pressed_square(5, 100);
   const Told told = run_told(crushed, calm_stage(1));
   REQUIRE(told.report.end == StageEnd::diverged);
   CHECK(told.find(EventType::element_overstrained)->value <= -1);
@@ -120,8 +120,8 @@ TEST_CASE("an element that turns inside out is found however much strain its sol
 
 TEST_CASE("energy that nothing put in ends the stage as diverged and names the fastest body") {
   const auto run_with = [](double factor, bool watched) {
-    Simulation sim(lone_block(3));
-    RunListener listener;
+    Simulation<2> sim(lone_block(3));
+    RunListener<2> listener;
     listener.change_model = [&, done = false](Model<2>& model) mutable {
       if (done || sim.state().step < 50) return false;
       model.mass[0] *= factor;  // with the speed it has, this makes energy
@@ -140,13 +140,13 @@ TEST_CASE("energy that nothing put in ends the stage as diverged and names the f
 }
 
 TEST_CASE("a speed that start or motion give is right and one beyond sound that a load makes is not") {
-  Simulation shot(lone_block(2e4));
+  Simulation<2> shot(lone_block(2e4));
   StageOptions options = plain_stage(2e-3, 1e-5);
   CHECK(run_told(shot, options).report.end == StageEnd::time);
   const auto pushed = [&](double force) {
     Model<2> model = lone_block(0);
     model.load[0] = {force, 0};
-    Simulation sim(std::move(model));
+    Simulation<2> sim(std::move(model));
     return run_told(sim, plain_stage(0.01, 1e-5)).report;
   };
   CHECK(pushed(0.9 * 2000 * 5000 / 0.01).end == StageEnd::time);
@@ -160,8 +160,8 @@ TEST_CASE("a body that is let go by a moving support takes its motion along and 
   const auto motion = std::make_shared<GroundMotion>(std::vector<double>{0, 0}, 10.0, MotionStart{4, 0});
   for (const int k : {1, 2}) set_support(model, 0, k, Support::fixed);
   set_drive(model, 0, 0, motion, 0, model.start_position[0].x());
-  Simulation sim(std::move(model));
-  RunListener listener;
+  Simulation<2> sim(std::move(model));
+  RunListener<2> listener;
   listener.change_model = [&](Model<2>& m) {
     if (sim.state().step != 20) return false;
     set_support(m, 0, 0, Support::free);
@@ -177,7 +177,7 @@ TEST_CASE("a stage that must come to rest and does not names its worst body and 
     scene.fixed("ground", box(-3, -1, 3, 0));
     scene.block("lower", box(-0.5, 0, 0.5, 0.5), 1000);
     scene.block("upper", box(-0.5, 0.5, 0.5, 1), 1000);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     StageOptions options = calm_stage(duration);
     options.until_rest = true;
     options.still_ratio = 1e-5;
@@ -206,7 +206,7 @@ TEST_CASE("what turns beyond all measure within a step ends the stage, and does 
   BodySpec low;
   low.name = "low", low.outline = box(-0.5, 0, 0.5, 0.5), low.spin = 1e22;
   scene.add(low);
-  Simulation sim(scene.builder.build());
+  Simulation<2> sim(scene.builder.build());
   StageOptions stage;
   stage.duration = 0.004;
   CHECK(sim.run(stage).end == StageEnd::diverged);

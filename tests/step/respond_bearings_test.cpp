@@ -66,7 +66,7 @@ std::vector<BearingSpec> many_links() {
 
 TEST_CASE("a link keeps momentum and angular momentum, of any length and with points outside the bodies") {
   for (const BearingSpec& link : many_links()) {
-    Simulation sim(linked_pair(link));
+    Simulation<2> sim(linked_pair(link));
     const Momentum before = momentum(sim.model(), sim.state());
     const double size = 120 * 0.5 * 3;
     testing::run_for(sim, 1e-3, 1e-3);  // a step of half an acceleration first
@@ -84,7 +84,7 @@ TEST_CASE("a link's force is the same in a world turned by any angle") {
   for (const double turn : {17.0, 90.0, 203.0}) {
     const double angle = turn * testing::degree;
     for (const BearingSpec& link : many_links()) {
-      Simulation straight(linked_pair(link)), turned(linked_pair(link, angle));
+      Simulation<2> straight(linked_pair(link)), turned(linked_pair(link, angle));
       testing::run_for(straight, 1, 1e-3);
       testing::run_for(turned, 1, 1e-3);
       for (int n = 0; n < 2; ++n) {
@@ -133,11 +133,11 @@ struct Pulled {
     return l;
   }
   /// Moves the block on for `duration` [s]; returns the events.
-  std::vector<Event> pull(Simulation& sim, double duration, double dt = 0) {
+  std::vector<Event> pull(Simulation<2>& sim, double duration, double dt = 0) {
     const double speed = 0.1;
     std::vector<Event> events;
-    RunListener listener;
-    listener.on_event = [&](const Event& e, const Instant&) { events.push_back(e); };
+    RunListener<2> listener;
+    listener.on_event = [&](const Event& e, const Instant<2>&) { events.push_back(e); };
     Model<2>& model = sim.edit_model();
     const int block = model.find_body("block");
     set_drive(model, block, 0,
@@ -154,7 +154,7 @@ TEST_CASE("a bearing beyond its limit ends, and what was stored in it is given o
   BearingSpec l = p.link();
   l.law[axial] = Linear{1e7, 0};
   p.scene.builder.add_bearing(l);
-  Simulation sim = p.scene.start();
+  Simulation<2> sim = p.scene.start();
   testing::settle(sim);
   p.pull(sim, 0.19);
   CHECK(sim.state().bearing[0].status == BearingStatus::intact);
@@ -177,7 +177,7 @@ TEST_CASE("a bearing becomes another one: a slider begins where it stands and th
   second.law[along] = Friction{0.3, 1e7, 0};
   p.scene.builder.add_bearing(first);
   p.scene.builder.add_bearing(second);
-  Simulation sim = p.scene.start();
+  Simulation<2> sim = p.scene.start();
   testing::settle(sim);
   CHECK(sim.state().bearing[1].status == BearingStatus::waiting);
   const std::vector<Event> events = p.pull(sim, 0.3, 1e-4);
@@ -204,7 +204,7 @@ TEST_CASE("a bearing becomes contact: the two bodies touch from then on, under t
     l.replaces_contact = true;
     l.contact_after = "worn";
     p.scene.builder.add_bearing(l);
-    Simulation sim = p.scene.start();
+    Simulation<2> sim = p.scene.start();
     testing::settle(sim);
     for (const ContactMemory& m : sim.state().contacts.memory) CHECK(m.empty());
     p.pull(sim, 0.3);

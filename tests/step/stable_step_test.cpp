@@ -38,7 +38,7 @@ struct Limits {
 };
 
 Limits limits(Scene& scene) {
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   StageOptions options;
   options.duration = 5;
   options.rest_share = 0.8;

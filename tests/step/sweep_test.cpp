@@ -29,9 +29,9 @@ namespace {
 /// The events body.passed of a run.
 struct Told {
   std::vector<Event> passed;
-  [[nodiscard]] RunListener listener() {
-    RunListener l;
-    l.on_event = [this](const Event& e, const Instant&) {
+  [[nodiscard]] RunListener<2> listener() {
+    RunListener<2> l;
+    l.on_event = [this](const Event& e, const Instant<2>&) {
       if (e.type == EventType::body_passed) passed.push_back(e);
     };
     return l;
@@ -59,7 +59,7 @@ struct Shot {
   };
   /// Followed for as long as it takes to go 20 cm.
   [[nodiscard]] End fly() const {
-    Simulation sim = scene().start();
+    Simulation<2> sim = scene().start();
     Told told;
     const StageReport report = run_for(sim, 0.2 / speed, dt, told.listener());
     const int n = node_of(sim.model(), "shot");
@@ -117,10 +117,10 @@ TEST_CASE("with the stiffness that is said to hold it a shot is held") {
 
 TEST_CASE("the step shrinks for the hit and goes back after it") {
   const double speed = Shot::speed_for(1e10, 0.01 / 3);
-  Simulation sim = Shot{1e10, 0.01, speed}.scene().start();
+  Simulation<2> sim = Shot{1e10, 0.01, speed}.scene().start();
   double longest = 0, shortest = 1, last = 0;
   double deepest_step = 0, before = unbounded;
-  run_for(sim, 0.2 / speed, 0, each_step([&](const Instant& now) {
+  run_for(sim, 0.2 / speed, 0, each_step([&](const Instant<2>& now) {
             last = now.state.last_dt;
             longest = std::max(longest, last), shortest = std::min(shortest, last);
             const double y = now.state.position[1].y();
@@ -150,7 +150,7 @@ TEST_CASE("no shot of any shape passes a plate untold whatever its angle and spe
     spec.spin = random_between(bits, -1, 1) * 5 * speed;
     spec.floating = true;
     scene.add(spec);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     Told told;
     run_for(sim, 0.3 / speed, 0, told.listener());
     const bool through = sim.state().position[1].y() < -0.5 * plate;
@@ -184,7 +184,7 @@ TEST_CASE("plates and shots that deform are held and told like rigid ones") {
       low.supports.push_back({{-0.06, -plate}, {0.06, -plate}, {Support::fixed, Support::fixed}});
     builder.add_body(low);
     builder.add_body(high);
-    Simulation sim(builder.build());
+    Simulation<2> sim(builder.build());
     Told told;
     run_for(sim, 0.2 / speed, 0, told.listener());
     const Body& shot = sim.model().bodies[1];
@@ -209,7 +209,7 @@ TEST_CASE("a body crushed under one of a thousand million times its mass is told
   scene.fixed("base", box(-1, -0.2, 1, 0));
   scene.block("small", box(-0.05, 0, 0.05, 0.1), 10);
   scene.block("large", box(-0.5, 0.101, 0.5, 1.1), 1e10);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   Told told;
   run_for(sim, 0.5, 0, told.listener());
   CHECK(told.passed.size() > 0);
@@ -224,7 +224,7 @@ TEST_CASE("a thin bar that turns is held by a peg or told to have gone through i
     bar.name = "bar", bar.outline = box(-0.5, -0.002, 0.5, 0.002), bar.spin = spin, bar.floating = true;
     bar.support = {Support::fixed, Support::fixed, Support::free};
     scene.add(bar);
-    Simulation sim = scene.start();
+    Simulation<2> sim = scene.start();
     Told told;
     run_for(sim, 3 / spin, 0, told.listener());
     return std::pair(sim.state().rotation[1] > 1.7, !told.passed.empty());
@@ -249,7 +249,7 @@ TEST_CASE("what a huge force takes through a plate within one step is told") {
   spec.name = "shot", spec.outline = box(-0.025, 0.01, 0.025, 0.06), spec.mass = 1, spec.load = {0, -1e9};
   spec.floating = true;
   scene.add(spec);
-  Simulation sim = scene.start();
+  Simulation<2> sim = scene.start();
   Told told;
   run_for(sim, 2e-3, 0, told.listener());
   CHECK(sim.state().position[1].y() < -0.1);
@@ -280,24 +280,24 @@ TEST_CASE("a run saved amid shrunk steps or with its Work dropped at each goes o
       std::filesystem::temp_directory_path() / ("trilith_swept_" + std::to_string(::getpid()));
   const Shot shot{1e10, 0.001, 300};
   const double end = 0.2 / shot.speed;
-  Simulation whole = shot.scene().start(), parts = shot.scene().start();
+  Simulation<2> whole = shot.scene().start(), parts = shot.scene().start();
   Told of_whole, of_parts;
   StageOptions options;
   options.duration = options.end_time = end;
   std::int64_t saved_at = 0;
-  RunListener listener = of_whole.listener();
-  listener.on_step = [&](const Instant& now) {
+  RunListener<2> listener = of_whole.listener();
+  listener.on_step = [&](const Instant<2>& now) {
     if (now.state.last_dt > 0.5 * now.state.dt || saved_at > 0) return;
     saved_at = now.state.step;
     save_state(now.state, now.model, path);
   };
   whole.run(options, listener);
   REQUIRE(saved_at > 0);
-  Simulation loaded(shot.scene().builder.build(), load_state(shot.scene().builder.build(), path));
+  Simulation<2> loaded(shot.scene().builder.build(), load_state(shot.scene().builder.build(), path));
   Told of_loaded;
   loaded.run(options, of_loaded.listener());
   CHECK(state_hash(loaded.state()) == state_hash(whole.state()));
-  RunListener dropping = of_parts.listener();
+  RunListener<2> dropping = of_parts.listener();
   dropping.at_border = [&] { parts.drop_work(); };
   parts.run(options, dropping);
   CHECK(state_hash(parts.state()) == state_hash(whole.state()));

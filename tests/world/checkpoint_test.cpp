@@ -56,7 +56,7 @@ Model<2> small_model(double mu = 0.3) {
 }
 
 State<2> moved_state(const Model<2>& model, double duration = 0.05) {
-  Simulation sim(model);
+  Simulation<2> sim(model);
   testing::run_for(sim, duration);
   return sim.state();
 }

@@ -1,0 +1,93 @@
+#include "step/body_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trilith {
+namespace {
+
+double size_of(double spin) {
+  return std::abs(spin);
+}
+double size_of(const Vec3& spin) {
+  return spin.norm();
+}
+
+/// True where a component of the first node's velocity alone shows that a body moves, as that of most does.
+template <int D>
+bool plainly_moves(const Model<D>& model, const State<D>& state, int node) {
+  return state.velocity[node].cwiseAbs().maxCoeff() > model.still_speed && model.moves(node);
+}
+
+/// Slower than still_speed for still_time. The fastest point counts: of a rigid body |v| + |spin| times its radius.
+template <int D>
+void rest_event(const Model<D>& model, State<D>& state, Work<D>& work, std::size_t b) {
+  if (!model.body_moves(static_cast<int>(b))) return;
+  const int n = model.bodies[b].first_node;
+  double speed = state.velocity[n].norm();
+  if (model.bodies[b].is_rigid()) speed += size_of(state.spin[n]) * model.body_radius[b];
+  for (int i = 1; i < model.bodies[b].nodes; ++i) speed = std::max(speed, state.velocity[n + i].norm());
+  if (speed > model.still_speed) {
+    state.moved_at[b] = state.time;
+    state.resting[b] = 0;
+  } else if (state.resting[b] == 0 && state.time - state.moved_at[b] >= model.still_time) {
+    state.resting[b] = 1;
+    work.events.push_back(event_now(state, EventType::body_at_rest, static_cast<int>(b), -1));
+  }
+}
+
+}  // namespace
+
+template <int D>
+Event event_now(const State<D>& state, EventType type, int body_a, int body_b) {
+  Event e;
+  e.type = type;
+  e.time = state.time;
+  e.step = state.step;
+  e.body_a = body_a;
+  e.body_b = body_b;
+  return e;
+}
+
+template <int D>
+bool take_back(State<D>& state, ContactKey contact) {
+  const auto found =
+      std::find_if(state.parted.begin(), state.parted.end(), [&](const Parted& p) { return p.contact == contact; });
+  if (found == state.parted.end()) return false;
+  state.parted.erase(found);
+  return true;
+}
+
+template <int D>
+void parted_events(const Model<D>& model, State<D>& state, Work<D>& work) {
+  const auto lasting = [&](const Parted& p) { return state.time - p.time >= model.apart_time; };
+  // They opened in the order of the list, so those that have lasted stand first.
+  auto end = state.parted.begin();
+  for (; end != state.parted.end() && lasting(*end); ++end)
+    work.events.push_back(event_now(state, EventType::contact_lost, model.piece_body[first_piece(end->contact)],
+                                    model.piece_body[second_piece(end->contact)]));
+  state.parted.erase(state.parted.begin(), end);
+}
+
+template <int D>
+void body_events(const Model<D>& model, State<D>& state, Work<D>& work) {
+  for (std::size_t b = 0; b < work.body.size(); ++b) {
+    if (!plainly_moves(model, state, work.body[b].node)) {
+      rest_event(model, state, work, b);
+      continue;
+    }
+    state.moved_at[b] = state.time;
+    state.resting[b] = 0;
+  }
+}
+
+template Event event_now(const State<2>&, EventType, int, int);
+template Event event_now(const State<3>&, EventType, int, int);
+template bool take_back(State<2>&, ContactKey);
+template bool take_back(State<3>&, ContactKey);
+template void parted_events(const Model<2>&, State<2>&, Work<2>&);
+template void parted_events(const Model<3>&, State<3>&, Work<3>&);
+template void body_events(const Model<2>&, State<2>&, Work<2>&);
+template void body_events(const Model<3>&, State<3>&, Work<3>&);
+
+}  // namespace trilith

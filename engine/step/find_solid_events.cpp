@@ -1,0 +1,55 @@
+// What happened in a step of solids in space: contacts made and lost, impacts, rest.
+#include <algorithm>
+
+#include "step/body_events.hpp"
+#include "step/find_events.hpp"
+
+namespace trilith {
+namespace {
+
+/// The speed at which two bodies close along the force of their contact, at its centre [m/s].
+double closing_speed(const Model<3>& model, const State<3>& state, const Work<3>& work, const GeneralContact<3>& c) {
+  const NearPair& pair = work.pairs[c.row];
+  const auto velocity = [&](int piece) {
+    const int n = model.bodies[model.piece_body[piece]].first_node;
+    return Vec3(state.velocity[n] + cross(state.spin[n], Vec3(c.centre - state.position[n])));
+  };
+  return -c.force.normalized().dot(velocity(pair.piece_b) - velocity(pair.piece_a));
+}
+
+void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) {
+  // A contact that closes again is told only where it strikes. The list rises with the row.
+  const bool again = take_back(state, work.contacts.key[row]);
+  const auto contact = std::lower_bound(work.general_touching.begin(), work.general_touching.end(), row,
+                                        [](const GeneralContact<3>& c, int r) { return c.row < r; });
+  const double closing = closing_speed(model, state, work, *contact);
+  const bool strikes = closing > model.impact_speed;
+  if (again && !strikes) return;
+  const NearPair& pair = work.pairs[row];
+  Event e = event_now(state, strikes ? EventType::impact : EventType::contact_made, model.piece_body[pair.piece_a],
+                      model.piece_body[pair.piece_b]);
+  e.set_place(contact->centre);
+  e.value = closing;
+  work.events.push_back(e);
+}
+
+void contact_events(const Model<3>& model, State<3>& state, Work<3>& work, int row) {
+  const bool was = (contacts_before(state, work).memory[row].state & contact_touching) != 0,
+             is = (work.contacts.memory[row].state & contact_touching) != 0;
+  if (was == is) return;
+  if (is)
+    made_event(model, state, work, row);
+  else
+    state.parted.push_back({work.contacts.key[row], state.time});
+}
+
+}  // namespace
+
+void find_events(const Model<3>& model, State<3>& state, Work<3>& work) {
+  work.events.clear();
+  for (const int row : work.changed_rows) contact_events(model, state, work, row);
+  if (!state.parted.empty()) parted_events(model, state, work);
+  body_events(model, state, work);
+}
+
+}  // namespace trilith

@@ -1,0 +1,179 @@
+// The longest stable step of rigid solids in space, from the areas in contact.
+//
+// Comes in: for each contact its area A, middle, normal n, spread and radius (see SolidPressure) and the tangent of its
+// law. Each body then has springs along n and two lines across, b = (e, arm x e), and turns against kn A spread about
+// lines of the area and ks A radius^2 about n. Goes out: the bound of lambda over all bodies.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/solid_pressure.hpp"
+#include "shape/polyhedron.hpp"
+#include "step/stable_step.hpp"
+
+namespace trilith {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Stiffness and damping of one body over its mass and principal moments: columns of sqrt(k) b and sqrt(c) b.
+struct LocalSolid {
+  Matrix6 k = Matrix6::Zero(), c = Matrix6::Zero();
+
+  void add(const Vector6& b, double stiffness, double beta) {
+    const Matrix6 m = stiffness * b * b.transpose();
+    k += m, c += beta * m;
+  }
+};
+
+/// A body as springs see it: how a motion of 1 along each of its own axes moves what hangs on it.
+struct ScaledNode {
+  Turn3 turn;
+  double mass;   ///< root of it
+  Vec3 inertia;  ///< roots of the principal moments
+
+  /// A translation e at `arm` from the node, both in the axes of the world.
+  [[nodiscard]] Vector6 along(const Vec3& e, const Vec3& arm) const {
+    Vector6 b;
+    b.head<3>() = turn.undo(e) / mass;
+    b.tail<3>() = turn.undo(cross(arm, e)).cwiseQuotient(inertia);
+    return b;
+  }
+  /// A turn about e.
+  [[nodiscard]] Vector6 about(const Vec3& e) const {
+    Vector6 b = Vector6::Zero();
+    b.tail<3>() = turn.undo(e).cwiseQuotient(inertia);
+    return b;
+  }
+};
+
+ScaledNode scaled_node(const Model<3>& model, int node, const UnitQuaternion& rotation) {
+  return {turn_of(rotation), std::sqrt(model.mass[node]), model.inertia[node].cwiseSqrt()};
+}
+
+/// Any line across n.
+Vec3 line_across(const Vec3& n) {
+  int least = 0;
+  n.cwiseAbs().minCoeff(&least);
+  return cross(n, Vec3(Vec3::Unit(least))).normalized();
+}
+
+/// An area under pressure, at `arm` from the node; where its force points nowhere, as stiff along every line.
+struct AreaSprings {
+  Vec3 arm, normal;
+  double area, radius, spread;
+  ContactTangent law;
+};
+
+void add_area(const AreaSprings& s, const ScaledNode& node, double weight, LocalSolid& local) {
+  const bool known = s.normal.squaredNorm() > 0;
+  const Vec3 n = known ? s.normal : Vec3(Vec3::UnitZ()), across = line_across(n), other = cross(n, across);
+  const double normal = weight * s.area * (known ? s.law.normal : std::max(s.law.normal, s.law.shear)),
+               shear = weight * s.area * (known ? s.law.shear : std::max(s.law.normal, s.law.shear));
+  local.add(node.along(n, s.arm), normal, s.law.beta);
+  for (const Vec3& e : {across, other}) {
+    local.add(node.along(e, s.arm), shear, s.law.beta);
+    local.add(node.about(e), normal * s.spread, s.law.beta);
+  }
+  local.add(node.about(n), shear * s.radius * s.radius, s.law.beta);
+}
+
+/// At least the largest eigenvalue of a matrix that has none below 0: the fourth root of the norm of its fourth power.
+double largest_bound(const Matrix6& m) {
+  const Matrix6 square = m * m, fourth = square * square;
+  return std::sqrt(std::sqrt(fourth.norm()));
+}
+
+ContactTangent solid_tangent(const Model<3>& model, int law, double depth) {
+  return with_kernel({model.laws[law], model.thickness, 0}, [&](const auto& kernel) { return kernel.tangent(depth); });
+}
+
+/// Area, middle and second moments of a face of a piece, in the axes of its body.
+AreaSprings face_springs(const ConvexSolid& solid, int face, const ContactTangent& law) {
+  const std::vector<Vec3>& corner = solid.shape.corners;
+  const std::span<const int> loop = solid.shape.faces[face];
+  const Vec3 origin = corner[static_cast<std::size_t>(loop[0])], n = solid.normals[static_cast<std::size_t>(face)];
+  double area = 0;
+  Vec3 first = Vec3::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    const Vec3 p = corner[static_cast<std::size_t>(loop[i])] - origin,
+               q = corner[static_cast<std::size_t>(loop[i + 1])] - origin, sum = p + q;
+    const double part = 0.5 * n.dot(cross(p, q));
+    area += part, first += part / 3 * sum;
+    second += part / 12 * (p * p.transpose() + q * q.transpose() + sum * sum.transpose());
+  }
+  const Vec3 middle = first / area;
+  const Eigen::Matrix3d about = second / area - middle * middle.transpose();
+  const double trace = about.trace(), product = 0.5 * (trace * trace - (about * about).trace());
+  return {origin + middle, n, area, turning_radius(trace, product), larger_principal(trace, product), law};
+}
+
+/// The stiffest law that a body's surface has with any other.
+ContactTangent stiffest_law(const Model<3>& model, const Body& body) {
+  ContactTangent most{0, 0, 0};
+  for (int other = 0; other < model.surfaces; ++other) {
+    const int law = model.law_of[body.surface * model.surfaces + other];
+    if (law < 0) continue;
+    const ContactTangent t = solid_tangent(model, law, 0);
+    most = {std::max(most.normal, t.normal), std::max(most.shear, t.shear), std::max(most.beta, t.beta)};
+  }
+  return most;
+}
+
+/// On its stiffest face, against a body that moves as well.
+RateBound on_stiffest_face(const Model<3>& model, const Body& body) {
+  const ContactTangent law = stiffest_law(model, body);
+  ScaledNode node = scaled_node(model, body.first_node, UnitQuaternion{});
+  RateBound most;
+  if (!(law.normal > 0)) return most;
+  for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
+    const ConvexSolid& solid = model.piece_solid[p];
+    for (int f = 0; f < solid.shape.faces.count(); ++f) {
+      if (!solid.is_surface(f)) continue;
+      LocalSolid local;
+      add_area(face_springs(solid, f, law), node, 2, local);
+      most.stiffness = std::max(most.stiffness, largest_bound(local.k));
+      most.damping = std::max(most.damping, largest_bound(local.c));
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+void bound_faces(const Model<3>& model, Work<3>& work) {
+  work.face_bound.assign(model.bodies.size(), {});
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (model.body_moves(static_cast<int>(b))) work.face_bound[b] = on_stiffest_face(model, model.bodies[b]);
+}
+
+/// What holds a body about some axes alone makes no eigenvalue larger, so it is not asked for.
+StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<3>& work) {
+  std::vector<LocalSolid> locals(model.bodies.size());
+  for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
+    const GeneralContact<3>& contact = work.general_touching[i];
+    const ContactArea& area = work.solids.areas[i];
+    const NearPair& pair = work.pairs[contact.row];
+    const int body[2] = {model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]};
+    const ContactTangent law = solid_tangent(model, pair.law, contact.depth);
+    for (const int side : {0, 1}) {
+      if (!model.body_moves(body[side])) continue;
+      const int n = model.bodies[body[side]].first_node;
+      add_area({area.middle - state.position[n], area.normal, contact.size, area.radius, area.spread, law},
+               scaled_node(model, n, state.rotation[n]), model.body_moves(body[1 - side]) ? 2 : 1, locals[body[side]]);
+    }
+  }
+  StableStep found;
+  found.dt = longest_step;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (!model.body_moves(static_cast<int>(b))) continue;
+    const double k = std::max(work.face_bound[b].stiffness, largest_bound(locals[b].k)),
+                 c = std::max(work.face_bound[b].damping, largest_bound(locals[b].c)) + model.mass_damping;
+    const double dt = step_for(k, c);
+    if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
+  }
+  return found;
+}
+
+}  // namespace trilith
