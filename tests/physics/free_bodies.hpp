@@ -25,7 +25,7 @@ inline Model<3> free_body(double mass, const Vec3& inertia, const UnitQuaternion
   model.skin_node = model.skin_turn = {0, 0, 0};
   Body body;
   body.name = "body", body.skins = 3;
-  model.bodies = {body};
+  model.bodies = {body}, model.body_radius = {1};
   return model;
 }
 
