@@ -68,18 +68,19 @@ std::optional<Box> box_of_free(const std::vector<SolidPiece>& pieces, const Scen
   return Box{all.low.cwiseMax(bulk.low - around), all.high.cwiseMin(bulk.high + around)};
 }
 
-/// Ground that reaches beyond the box by more than a border ends there.
+/// Ground that reaches beyond the box by more than a border ends there; that depth is the least of what matters.
 void trim_ground(std::vector<SolidPiece>& pieces, const Scene& scene) {
   const std::optional<Box> box = box_of_free(pieces, scene);
   if (!box) return;
-  const double size = (box->high - box->low).norm(), border = 0.16 * size;
+  const double size = (box->high - box->low).norm(), beside = 0.16 * size, below = 0.05 * size;
   std::vector<SolidPiece> kept;
   for (SolidPiece& piece : pieces) {
     std::optional<SolidPiece> left = std::move(piece);
     if (scene.bodies[static_cast<std::size_t>(left->body)].role != BodyRole::free)
       for (int k = 0; k < 6 && left; ++k) {
         const Vec3 normal = (k % 2 == 0 ? 1 : -1) * Vec3(Vec3::Unit(k / 2));
-        const double end = k % 2 == 0 ? box->high[k / 2] + border : -box->low[k / 2] + border;
+        const double border = k / 2 == 2 ? below : beside;
+        const double end = border + (k % 2 == 0 ? box->high[k / 2] : -box->low[k / 2]);
         left = divided(*left, {normal, end}, rounding * size, FaceKind::skin).first;
       }
     if (left) kept.push_back(std::move(*left));

@@ -31,7 +31,7 @@ void draw_edges(Canvas& canvas, const std::vector<PagePoint>& points, const std:
 }  // namespace
 
 Colour lit(const Colour& fill, double light) {
-  constexpr double darkest = 0.58, palest = 1.06;
+  constexpr double darkest = 0.56, palest = 1;
   const double times = darkest + (palest - darkest) * std::clamp(light, 0.0, 1.0);
   const auto part = [&](double v) { return std::min(1.0, v * times); };
   return {part(fill.red), part(fill.green), part(fill.blue), fill.opacity};

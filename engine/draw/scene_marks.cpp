@@ -194,7 +194,7 @@ std::vector<PageBox> draw_scene_content(Canvas& canvas, const Scene& scene, cons
   std::vector<PageBox> marks;
   canvas.clipped(page.box, [&] {
     if (scene.faces.empty()) draw_bodies(canvas, scene, view, page, true);
-    draw_faces(canvas, scene, view, page, outline_width(scene, page));
+    draw_faces(canvas, scene, view, page, 0.75 * outline_width(scene, page));
     for (const auto& ghost : scene.ghosts) {
       const std::vector<PagePoint> outline = page_outline(page, ghost);
       if (!outline.empty()) canvas.polygon(outline, std::nullopt, ghost_stroke());

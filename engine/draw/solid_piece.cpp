@@ -29,7 +29,11 @@ PieceFace side_of(const PieceFace& face, const std::vector<double>& height, doub
       out.corners.push_back(p);
       out.is_edge.push_back(edge);
     };
-    if (a >= 0) add(face.corners[i], b < 0 && a == 0 ? cut_is_edge : face.is_edge[i]);
+    // A corner in the plane belongs to the side that a neighbour of it is on: of a face that is not convex others would
+    // be the tips of spikes without width.
+    const double before = sign * height[(i + count - 1) % count];
+    if (a > 0 || (a == 0 && (b > 0 || before > 0)))
+      add(face.corners[i], b < 0 && a == 0 ? cut_is_edge : face.is_edge[i]);
     if (a == 0) cut.push_back(face.corners[i]);
     if ((a < 0 && b > 0) || (a > 0 && b < 0)) {
       const Vec3 p = face.corners[i] + (face.corners[next] - face.corners[i]) * (a / (a - b));

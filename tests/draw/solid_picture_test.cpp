@@ -33,7 +33,7 @@ SceneChoice seen_from(const char* view) {
 
 TEST_CASE("a wall of 200 bricks falls, in panels, as svg and pdf") {
   const testing::Folder folder;
-  record_boxes(folder / "wall.h5", falling_wall(), 21, 0.05);
+  record_boxes(folder / "wall.h5", falling_wall(), 21, 0.05, false);
   const results::ResultsReader reader(folder / "wall.h5");
   const SceneChoice choice = seen_from("-60,20");
   const std::vector<Scene> scenes{results_scene(reader, 0, choice), results_scene(reader, 0.6, choice),
@@ -50,7 +50,7 @@ TEST_CASE("a wall of 200 bricks falls, in panels, as svg and pdf") {
 
 TEST_CASE("a dome opens: whole, from above, and cut through its middle") {
   const testing::Folder folder;
-  record_boxes(folder / "dome.h5", opening_dome(), 11, 0.1);
+  record_boxes(folder / "dome.h5", opening_dome(), 11, 0.1, false);
   const results::ResultsReader reader(folder / "dome.h5");
   SceneChoice cut = seen_from("front");
   cut.cut = CutPlane{Vec3::UnitY(), 0};

@@ -45,8 +45,8 @@ inline std::vector<FlyingBox> opening_dome() {
     for (int i = 0; i < count; ++i) {
       const double angle = 2 * pi * (i + 0.5 * (ring % 2)) / count;
       const UnitQuaternion turn = rotation_by({0, 0, angle}) * rotation_by({0, -height, 0});
-      const double width = pi * (around - 0.15 * std::cos(height) - 0.16 * std::sin(height)) / count * 0.98;
-      FlyingBox box{{0.14, width, 0.16}, turn_of(turn).apply({radius, 0, 0})};
+      const double width = pi * (around - 0.15 * std::cos(height) - 0.16 * std::sin(height)) / count * 0.94;
+      FlyingBox box{{0.14, width, 0.13}, turn_of(turn).apply({radius, 0, 0})};
       box.rotation = turn;
       box.group = ring % 2 == 0 ? "even rings" : "odd rings";
       const int k = 40 * ring + i;

@@ -64,21 +64,22 @@ inline results::ContactForce sample_contact(int last) {
   return contact;
 }
 
-/// Writes `frames` frames of the boxes, `interval` [s] apart, with velocities, one contact and one bearing between the
-/// first two bodies.
+/// Writes `frames` frames of the boxes, `interval` [s] apart, with velocities, one contact and, where asked for, one
+/// bearing between the first two bodies.
 inline void record_boxes(const std::filesystem::path& path, const std::vector<FlyingBox>& boxes, int frames,
-                         double interval) {
+                         double interval, bool with_bearing = true) {
   results::Header header;
   header.dim = 3;
   header.with_velocity = true;
   for (const FlyingBox& box : boxes) add_box(header, box);
-  header.bearings = {{"cable", 0, 1, {0, 0, 0.1}, {0, 0, -0.05}, "linear"}};
+  if (with_bearing) header.bearings = {{"cable", 0, 1, {0, 0, 0.1}, {0, 0, -0.05}, "linear"}};
   header.energy_terms = {{"kinetic", "J", "kinetic energy"}};
   results::ResultsWriter writer(path, header, {false});
   writer.begin_stage("fall", "dynamic", 0);
   const std::vector<results::ContactForce> contacts{sample_contact(static_cast<int>(boxes.size()) - 1)};
-  const std::vector<results::BearingState> state{results::BearingState::yielded};
-  const std::vector<double> force{1, 2, 3}, displacement{0.1, 0.2, 0.3};
+  std::vector<results::BearingState> state;
+  std::vector<double> force, displacement;
+  if (with_bearing) state = {results::BearingState::yielded}, force = {1, 2, 3}, displacement = {0.1, 0.2, 0.3};
   for (int i = 0; i < frames; ++i) {
     const double time = i * interval;
     std::vector<double> position, rotation, velocity, spin;
