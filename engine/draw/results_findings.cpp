@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "base/portable.hpp"
+#include "base/rotation_3d.hpp"
+#include "results/placement.hpp"
 
 namespace trilith::draw {
 
@@ -60,6 +63,16 @@ double pick(std::string_view name, double xx, double yy, double xy) {
   return name == "xx" ? xx : name == "yy" ? yy : xy;
 }
 
+/// In space each node's turn since the start, about its axis, by the factor.
+void magnify_turns(const Header& header, Frame& frame, double factor) {
+  for (int n = 0; n < static_cast<int>(header.node_count()); ++n) {
+    const UnitQuaternion start = results::quaternion_of(header.node_rotation, n);
+    const Vec3 turn = angle_of(results::quaternion_of(frame.rotation, n) * inverse(start));
+    const UnitQuaternion more = rotation_by(factor * turn) * start;
+    std::copy_n(std::array{more.w, more.x, more.y, more.z}.begin(), 4, frame.rotation.begin() + 4 * n);
+  }
+}
+
 std::string stress_label(std::string_view name) {
   if (name == "major") return "larger principal stress";
   if (name == "minor") return "smaller principal stress";
@@ -76,9 +89,10 @@ const std::vector<std::string>& stress_names() {
 void magnify(const Header& header, Frame& frame, double factor) {
   for (std::size_t i = 0; i < frame.position.size(); ++i)
     frame.position[i] = header.node_position[i] + factor * (frame.position[i] - header.node_position[i]);
+  frame.contacts.clear();
+  if (header.dim == 3) return magnify_turns(header, frame, factor);
   for (std::size_t i = 0; i < frame.rotation.size(); ++i)
     frame.rotation[i] = header.node_rotation[i] + factor * (frame.rotation[i] - header.node_rotation[i]);
-  frame.contacts.clear();
 }
 
 void colour_by_stress(const Header& header, const Frame& frame, std::string_view name, Scene& scene) {

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "draw/results_findings.hpp"
+#include "draw/results_solids.hpp"
+#include "results/placement.hpp"
 #include "results/verdict.hpp"
 #include "world/event_text.hpp"
 
@@ -48,21 +50,6 @@ std::vector<Vec2> outline_of(const Header& header, const BodyRow& body, const Fr
   return out;
 }
 
-/// Where a point of a body is that was `from_first` away from its first node at the start. On a body of several nodes
-/// it goes with the one whose outline point was nearest.
-Vec2 place_of_end(const Header& header, const BodyRow& body, const Vec2& from_first, const Frame& frame) {
-  const auto start_of = [&](int n) { return Vec2(header.node_position[2 * n], header.node_position[2 * n + 1]); };
-  const Vec2 start = start_of(body.first_node) + from_first;
-  int node = body.first_node;
-  double least = body.node_count == 1 ? -1 : std::numeric_limits<double>::infinity();
-  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-    const int n = header.vertex_node[v];
-    const double distance = (start_of(n) + Vec2(header.vertices[2 * v], header.vertices[2 * v + 1]) - start).norm();
-    if (distance < least) least = distance, node = n;
-  }
-  return placed(frame, node, body.node_count == 1 ? from_first : Vec2(start - start_of(node)));
-}
-
 BearingMark mark_of(results::BearingState state) {
   switch (state) {
     case results::BearingState::yielded:
@@ -78,12 +65,50 @@ BearingMark mark_of(results::BearingState state) {
   return BearingMark::intact;
 }
 
+/// A place of the world in the picture.
+using Flatten = std::function<Vec2(const Vec3&)>;
+
+Flatten flatten_for(const Header& header, const ViewAxes& view) {
+  if (header.dim == 2) return [](const Vec3& p) { return Vec2(p.x(), p.y()); };
+  return [view](const Vec3& p) { return view.flat(p); };
+}
+
+/// Outlines of solids are found with their faces.
 void add_bodies(const Header& header, const Frame& frame, Scene& scene) {
   const auto is_ground = [](const BodyRow& body) { return role_of(body.support) != BodyRole::free; };
   const bool few = std::count_if(header.bodies.begin(), header.bodies.end(), is_ground) <= few_grounds;
-  for (const BodyRow& body : header.bodies)
-    scene.bodies.push_back(
-        {body.name, outline_of(header, body, frame), role_of(body.support), group_of(body, few && is_ground(body))});
+  for (const BodyRow& body : header.bodies) {
+    std::vector<Vec2> outline;
+    if (header.dim == 2) outline = outline_of(header, body, frame);
+    // A name in the picture of a solid would not tell what is hidden from what is seen.
+    scene.bodies.push_back({header.dim == 2 ? body.name : "", std::move(outline), role_of(body.support),
+                            group_of(body, few && is_ground(body))});
+  }
+}
+
+/// Displacement or speed of the first node of each free body as its value.
+void colour_bodies(const ResultsReader& reader, const Frame& frame, const std::string& by, Scene& scene) {
+  const Header& header = reader.header();
+  if (std::find(colour_names().begin(), colour_names().end(), by) == colour_names().end())
+    throw InputError(fmt::format("bodies cannot be coloured by '{}'{}", by, name_hint(by, colour_names())));
+  if (by == "group") return;
+  const bool speed = by == "speed";
+  if (speed && !header.with_velocity)
+    throw InputError(
+        fmt::format("'{}' has no velocities; record them with m:results{{velocities = true}}", reader.path().string()));
+  const std::vector<double>& to = speed ? frame.velocity : frame.position;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies[i].role != BodyRole::free) continue;
+    double square = 0;
+    for (int k = 0; k < header.dim; ++k) {
+      const auto at = static_cast<std::size_t>(header.dim * header.bodies[i].first_node + k);
+      const double part = to[at] - (speed ? 0 : header.node_position[at]);
+      square += part * part;
+    }
+    scene.bodies[i].value = std::sqrt(square);
+  }
+  scene.value_label = by;
+  scene.value_unit = speed ? "m/s" : "m";
 }
 
 bool touch(const Frame& frame, int a, int b) {
@@ -92,16 +117,16 @@ bool touch(const Frame& frame, int a, int b) {
   });
 }
 
-void add_bearings(const Header& header, const Frame& frame, Scene& scene) {
+void add_bearings(const Header& header, const Frame& frame, const Flatten& flat, Scene& scene) {
+  const results::Placement place(header, frame);
   for (std::size_t i = 0; i < header.bearings.size(); ++i) {
     if (frame.bearing_state[i] == results::BearingState::waiting) continue;
     const results::BearingRow& b = header.bearings[i];
-    const auto at = [&](int body, const double* point) {
-      return place_of_end(header, header.bodies[body], {point[0], point[1]}, frame);
-    };
-    SceneBearing out{at(b.body_a, b.point_a), at(b.body_b, b.point_b), mark_of(frame.bearing_state[i])};
+    const Vec3 a_end = place.end_of(header.bodies[b.body_a], b.point_a),
+               b_end = place.end_of(header.bodies[b.body_b], b.point_b);
+    SceneBearing out{flat(a_end), flat(b_end), mark_of(frame.bearing_state[i])};
     // What it changed to, sliding on a seat, ends where its bodies part.
-    const double far = (out.a - out.b).norm();
+    const double far = (a_end - b_end).norm();
     const bool apart = far > 1 || (far > 0.1 && !touch(frame, b.body_a, b.body_b));
     if (out.state == BearingMark::changed && apart) out.state = BearingMark::failed;
     scene.bearings.push_back(out);
@@ -109,13 +134,14 @@ void add_bearings(const Header& header, const Frame& frame, Scene& scene) {
 }
 
 /// Of the two bodies' forces the one on the body that is held up by it.
-void add_forces(const Header& header, const Frame& frame, Scene& scene) {
+void add_forces(const Header& header, const Frame& frame, const Flatten& flat, Scene& scene) {
   for (const results::ContactForce& c : frame.contacts) {
     const bool a_is_ground = role_of(header.bodies[c.body_a].support) != BodyRole::free;
     const bool b_is_ground = role_of(header.bodies[c.body_b].support) != BodyRole::free;
-    const bool on_a = a_is_ground == b_is_ground ? c.force[1] >= 0 : b_is_ground;
+    const bool on_a = a_is_ground == b_is_ground ? c.force[header.dim - 1] >= 0 : b_is_ground;
     const double sign = on_a ? 1 : -1;
-    scene.forces.push_back({{c.point[0], c.point[1]}, {sign * c.force[0], sign * c.force[1]}});
+    const Vec3 point(c.point[0], c.point[1], c.point[2]), force(c.force[0], c.force[1], c.force[2]);
+    scene.forces.push_back({flat(point), flat(sign * force)});
   }
 }
 
@@ -166,13 +192,17 @@ void add_stage(const ResultsReader& reader, const Frame& frame, Scene& scene) {
   if (stage.begin > 0) scene.stage = fmt::format("{:.2f} s into the stage", frame.time - stage.begin);
 }
 
-/// Leaves out bodies that had left the bounds, so that the picture is of what is still there; but not all.
-void drop_left(const std::vector<results::EventRow>& events, double time, Scene& scene) {
-  std::vector<bool> left(scene.bodies.size());
-  for (const results::EventRow& e : events)
+/// Bodies that had left the bounds are not drawn, so that the picture is of what is still there; but not all.
+std::vector<bool> left_bodies(const ResultsReader& reader, double time) {
+  std::vector<bool> left(reader.header().bodies.size());
+  for (const results::EventRow& e : reader.events())
     if (e.type == "body.left" && e.time <= time && e.body_a >= 0 && e.body_a < static_cast<int>(left.size()))
       left[static_cast<std::size_t>(e.body_a)] = true;
-  if (std::find(left.begin(), left.end(), false) == left.end()) return;
+  if (std::find(left.begin(), left.end(), false) == left.end()) left.assign(left.size(), false);
+  return left;
+}
+
+void drop_left(const std::vector<bool>& left, Scene& scene) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < left.size(); ++i)
     if (!left[i]) std::swap(scene.bodies[kept++], scene.bodies[i]);
@@ -212,32 +242,67 @@ results::StageRow find_stage(const ResultsReader& reader, std::string_view name)
   throw InputError(fmt::format("'{}' has no stage '{}'{}", reader.path().string(), name, name_hint(name, known)));
 }
 
-Scene results_scene(const ResultsReader& reader, double time, const SceneChoice& choice) {
-  const Header& header = reader.header();
-  if (header.dim != 2)
-    throw InputError(
-        fmt::format("'{}' is of a model in {} dimensions; only two can be drawn", reader.path().string(), header.dim));
-  require_time(reader, time);
+const std::vector<std::string>& colour_names() {
+  static const std::vector<std::string> names{"group", "displacement", "speed"};
+  return names;
+}
+
+namespace {
+
+/// What is asked for, where it can be had.
+void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
   if (choice.magnify != 1 && (choice.forces || !choice.thrust.empty()))
     throw InputError("forces and the line of thrust have no place among magnified displacements; leave one out");
+  if (!choice.stress.empty() && !choice.colour.empty() && choice.colour != "group")
+    throw InputError(fmt::format("bodies cannot be coloured by their stress and by {} at once", choice.colour));
+  const bool plane = reader.header().dim == 2;
+  if (plane && choice.cut)
+    throw InputError(fmt::format("'{}' is of a model in the plane, which cannot be cut", reader.path().string()));
+  if (!plane && (choice.cracks || !choice.stress.empty() || !choice.thrust.empty()))
+    throw InputError(
+        fmt::format("'{}' is of a model in space; cracks, stress and the line of thrust are drawn of models "
+                    "in the plane only",
+                    reader.path().string()));
+}
+
+/// What is drawn of models in the plane alone, over their bodies.
+void add_findings(const Header& header, const Frame& frame, const SceneChoice& choice, Scene& scene) {
+  if (!choice.stress.empty()) colour_by_stress(header, frame, choice.stress, scene);
+  if (choice.cracks) add_cracks(header, frame, scene);
+  if (!choice.thrust.empty()) add_thrust_line(header, frame, choice.thrust, scene);
+}
+
+}  // namespace
+
+Scene results_scene(const ResultsReader& reader, double time, const SceneChoice& choice) {
+  const Header& header = reader.header();
+  require_time(reader, time);
+  check_choice(reader, choice);
   const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
   Frame frame = frame_for(reader, time, whole);
   if (choice.magnify != 1) magnify(header, frame, choice.magnify);
+  const ViewAxes view(choice.from);
+  const Flatten flat = flatten_for(header, view);
   Scene scene;
   scene.time = frame.time;
   add_stage(reader, frame, scene);
   scene.event = event_before(reader, frame.time);
   scene.verdict = results::results_verdict(reader.events()).text();
   add_bodies(header, frame, scene);
-  if (!header.bearings.empty()) add_bearings(header, frame, scene);
-  if (choice.forces) add_forces(header, frame, scene);
-  if (!choice.stress.empty()) colour_by_stress(header, frame, choice.stress, scene);
-  if (choice.cracks) add_cracks(header, frame, scene);
-  if (!choice.thrust.empty()) add_thrust_line(header, frame, choice.thrust, scene);
+  if (!choice.colour.empty()) colour_bodies(reader, frame, choice.colour, scene);
+  if (!header.bearings.empty()) add_bearings(header, frame, flat, scene);
+  if (choice.forces) add_forces(header, frame, flat, scene);
+  if (header.dim == 2) add_findings(header, frame, choice, scene);
   if (choice.magnify != 1)
     scene.stage += fmt::format("{}displacements x {:g}", scene.stage.empty() ? "" : ", ", choice.magnify);
+  const std::vector<bool> left = left_bodies(reader, frame.time);
+  if (header.dim == 3) {
+    add_solids(header, frame, choice, left, scene);
+    if (choice.ghost) add_solid_ghosts(header, reader.frame(0), frame, view, scene);
+    return scene;
+  }
   if (choice.ghost) add_ghosts(header, reader.frame(0), scene);
-  drop_left(reader.events(), frame.time, scene);
+  drop_left(left, scene);
   return scene;
 }
 

@@ -8,6 +8,8 @@
 #include "draw/chart.hpp"
 #include "draw/energy_chart.hpp"
 #include "draw/scene_picture.hpp"
+#include "draw/solid_piece.hpp"
+#include "draw/view_direction.hpp"
 #include "results/reader.hpp"
 
 namespace trilith::draw {
@@ -19,11 +21,17 @@ struct SceneChoice {
   std::string stress = {};  ///< bodies coloured by their mean stress: see stress_names(); "": not
   std::string thrust = {};  ///< line of thrust through the bodies of this group, or ""
   double magnify = 1;       ///< displacements since the start times this, without contact forces
+  std::string colour = {};  ///< bodies coloured by one of colour_names(); "" as "group"
+  ViewDirection from = {};  ///< of a model in space: from where it is seen
+  std::optional<CutPlane> cut = std::nullopt;  ///< of a model in space: what is on the eye's side of it is left out
 };
 
-/// The structure at `time` [s], titled by its stage, with how long that had run, and the latest event of note. Throws
-/// InputError for a time outside the frames (half a frame's spacing is allowed), ResultsError for a file without
-/// frames.
+/// What bodies can be coloured by: group, displacement (of the node since the start), speed.
+const std::vector<std::string>& colour_names();
+
+/// The structure, in the plane or in space, at `time` [s], titled by its stage, with how long that had run, and the
+/// latest event of note. Throws InputError for a time outside the frames (half a frame's spacing is allowed),
+/// ResultsError for a file without frames.
 Scene results_scene(const results::ResultsReader& reader, double time, const SceneChoice& choice = {});
 
 /// Row of the first stage called `name`; throws InputError with the nearest name where there is none.

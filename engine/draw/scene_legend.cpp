@@ -39,7 +39,7 @@ LegendItem scale_bar(double scale, const PictureStyle& style) {
 
 LegendItem swatch(const SceneView& view, const BodyGroup& group) {
   const Colour fill = group_fill(view, group);
-  const bool ground = group.first != BodyRole::free;
+  const bool ground = group.first != BodyRole::free && !view.has_faces;
   const double degrees = hatch_direction(view, group);
   return {13,
           [=](Canvas& c, const PagePoint& at) {

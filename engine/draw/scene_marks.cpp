@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/scene_faces.hpp"
+
 namespace trilith::draw {
 namespace {
 
@@ -191,12 +193,13 @@ std::vector<PageBox> draw_scene_content(Canvas& canvas, const Scene& scene, cons
                                         const PageView& page) {
   std::vector<PageBox> marks;
   canvas.clipped(page.box, [&] {
-    draw_bodies(canvas, scene, view, page, true);
+    if (scene.faces.empty()) draw_bodies(canvas, scene, view, page, true);
+    draw_faces(canvas, scene, view, page, 0.75 * outline_width(scene, page));
     for (const auto& ghost : scene.ghosts) {
       const std::vector<PagePoint> outline = page_outline(page, ghost);
       if (!outline.empty()) canvas.polygon(outline, std::nullopt, ghost_stroke());
     }
-    draw_bodies(canvas, scene, view, page, false);
+    if (scene.faces.empty()) draw_bodies(canvas, scene, view, page, false);
     for (const SceneCrack& c : scene.cracks) draw_crack(canvas, page.place(c.a), page.place(c.b), c.mark);
     for (const std::vector<Vec2>& line : scene.lines)
       for (std::size_t i = 0; i + 1 < line.size(); ++i)
@@ -204,6 +207,7 @@ std::vector<PageBox> draw_scene_content(Canvas& canvas, const Scene& scene, cons
     draw_forces(canvas, scene, view, page, marks);
     draw_bearings(canvas, scene, page, marks);
   });
+  draw_axes(canvas, scene, page);
   return marks;
 }
 

@@ -32,6 +32,21 @@ struct SceneBody {
   std::optional<double> value = std::nullopt;
 };
 
+/// A part of a solid's face as it is seen [m, in the plane of the picture]; it covers those before it.
+struct SceneFace {
+  std::vector<Vec2> outline;
+  std::vector<bool> is_edge;  ///< whether the side from point i to the next is drawn
+  double light = 1;           ///< 0 in the shade to 1 in full light
+  int body = 0;               ///< row of Scene::bodies
+  bool is_section = false;    ///< where the solid is cut
+};
+
+/// An axis of the world as it is seen: where 1 m along it leads.
+struct SceneAxis {
+  std::string name;
+  Vec2 along = Vec2::Zero();
+};
+
 /// A contact force [N] that acts at `point` [m].
 struct SceneForce {
   Vec2 point = Vec2::Zero();
@@ -64,6 +79,8 @@ struct Scene {
   std::string event = {};
   std::string verdict = {};  ///< why the run is not to be trusted
   std::vector<SceneBody> bodies = {};
+  std::vector<SceneFace> faces = {};  ///< of solids, the farthest first; outlines of bodies are then not drawn
+  std::vector<SceneAxis> axes = {};   ///< shown in the corner
   std::vector<SceneForce> forces = {};
   std::vector<SceneBearing> bearings = {};
   std::vector<SceneCrack> cracks = {};

@@ -51,6 +51,12 @@ void check_scene(const Scene& scene, const std::string& where) {
     check_outline(body.outline, fmt::format("{}, {}", where, name));
     if (body.value) require_finite(*body.value, fmt::format("{}, {}: value", where, name));
   }
+  for (const SceneFace& face : scene.faces) {
+    check_outline(face.outline, where + ", face of a solid");
+    if (face.body < 0 || face.body >= static_cast<int>(scene.bodies.size()) ||
+        face.is_edge.size() != face.outline.size())
+      throw InputError(where + ": a face of a solid belongs to no body, or has not one mark for each of its sides");
+  }
   for (const auto& ghost : scene.ghosts) check_outline(ghost, where + ", outline of an earlier configuration");
   for (const SceneForce& f : scene.forces) {
     check_point(f.point, where + ", contact");
@@ -225,6 +231,7 @@ SceneView scene_view(const std::vector<Scene>& scenes, const PictureStyle& style
     check_scene(scenes[i],
                 scenes[i].title.empty() ? fmt::format("scene {}", i + 1) : fmt::format("scene '{}'", scenes[i].title));
   SceneView view;
+  view.has_faces = std::any_of(scenes.begin(), scenes.end(), [](const Scene& s) { return !s.faces.empty(); });
   set_world(view, scenes, style);
   set_groups_and_values(view, scenes);
   return view;

@@ -19,6 +19,7 @@ struct SceneView {
   double longest_arrow = 0;       ///< m in the world, for `largest_force`
   bool bars = false;              ///< forces as bars, not arrows
   bool has_values = false;        ///< some body has a value
+  bool has_faces = false;         ///< of solids: ground is shaded, not hatched
   double low = 0, high = 0;       ///< range of the values' colours; low == -high where values have both signs
 };
 

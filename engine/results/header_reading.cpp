@@ -48,6 +48,10 @@ void read_model(hid_t file, Header& header) {
   header.node_inertia = read_all<double>(file, "/model/node_inertia", spin_width(dim));
   header.vertices = read_all<double>(file, "/model/vertices", dim);
   header.vertex_node = read_all<std::int32_t>(file, "/model/vertex_node");
+  if (H5Lexists(file, "/model/face_first", H5P_DEFAULT) > 0) {
+    header.face_first = read_all<std::int32_t>(file, "/model/face_first");
+    header.face_vertex = read_all<std::int32_t>(file, "/model/face_vertex");
+  }
   if (H5Lexists(file, "/model/element_body", H5P_DEFAULT) <= 0) return;
   header.element_node = read_all<std::int32_t>(file, "/model/element_node", 4);
   header.element_body = read_all<std::int32_t>(file, "/model/element_body");

@@ -70,6 +70,8 @@ std::string model(const Header& header) {
   text += line("bodies", fmt::format("{}: {}; {}", header.bodies.size(),
                                      tally(header.bodies, [](const BodyRow& body) { return body.kind; }),
                                      tally(header.bodies, [](const BodyRow& body) { return body.support; })));
+  if (header.face_count() > 0)
+    text += line("faces", fmt::format("{}, of {} corners", header.face_count(), header.vertex_node.size()));
   text += line("mass", fmt::format("{:.6g} kg", mass));
   if (!header.bearings.empty()) text += line("bearings", fmt::format("{}", header.bearings.size()));
   if (!header.laws.empty()) text += line("laws", tally(header.laws, [](const LawRow& law) { return law.role; }));

@@ -57,6 +57,13 @@ void write_provenance(hid_t file, const Provenance& from) {
   write_texts(file, {"/provenance/motions", "", "ground motions used"}, from.motions);
 }
 
+void write_faces(hid_t file, const Header& header) {
+  write_numbers(file, {"/model/face_first", "1", "where the loop of each face begins in face_vertex, and the end"},
+                Kind::int32, {header.face_first.size()}, header.face_first.data());
+  write_numbers(file, {"/model/face_vertex", "1", "rows of vertices, face after face, anticlockwise from outside"},
+                Kind::int32, {header.face_vertex.size()}, header.face_vertex.data());
+}
+
 void write_model(hid_t file, const Header& header) {
   const auto dim = static_cast<hsize_t>(header.dim);
   const hsize_t nodes = header.node_count(), points = header.vertex_node.size();
@@ -84,6 +91,7 @@ void write_model(hid_t file, const Header& header) {
                 {points, dim}, header.vertices.data());
   write_numbers(file, {"/model/vertex_node", "1", "node of each outline point"}, Kind::int32, {points},
                 header.vertex_node.data());
+  if (header.face_count() > 0) write_faces(file, header);
   if (header.element_count() == 0) return;
   write_numbers(file, {"/model/element_node", "1", "nodes of each finite element, -1 after a triangle's third"},
                 Kind::int32, {header.element_count(), 4}, header.element_node.data());
@@ -139,6 +147,34 @@ std::vector<hsize_t> per_bearing(const Header& header) {
   return {header.bearings.size(), static_cast<hsize_t>(header.dim)};
 }
 
+/// Loops that lie one behind the other, each of 3 corners or more of the body that has the face.
+void check_faces(const Header& header) {
+  const std::vector<std::int32_t>& first = header.face_first;
+  const auto loops = static_cast<std::int32_t>(header.face_vertex.size());
+  if (header.dim != 3 && !(first.empty() && loops == 0))
+    throw ResultsError("results header: bodies in the plane have no faces");
+  if (!first.empty() && (first.front() != 0 || first.back() != loops))
+    throw ResultsError(fmt::format("results header: face_first runs from {} to {}, must be 0 to {}", first.front(),
+                                   first.back(), loops));
+  if (first.empty()) check_size(header.face_vertex.size(), 0, "face_vertex");
+  // All of them first, so that no loop below can begin or end outside of the list.
+  for (std::size_t f = 0; f < header.face_count(); ++f)
+    if (first[f + 1] - std::int64_t{first[f]} < 3)
+      throw ResultsError(
+          fmt::format("results header: face {} has {} corners, needs 3", f, first[f + 1] - std::int64_t{first[f]}));
+  for (const BodyRow& body : header.bodies) {
+    check_slice(body.first_face, body.face_count, header.face_count(), body, "faces");
+    if (body.face_count == 0) continue;
+    const auto begin = header.face_vertex.begin();
+    const auto outside = std::find_if(
+        begin + first[body.first_face], begin + first[body.first_face + body.face_count],
+        [&](std::int32_t v) { return v < body.first_vertex || v >= body.first_vertex + body.vertex_count; });
+    if (outside != begin + first[body.first_face + body.face_count])
+      throw ResultsError(fmt::format("results header: a face of body '{}' has corner {}, which is not the body's",
+                                     body.name, *outside));
+  }
+}
+
 }  // namespace
 
 void check_header(const Header& header) {
@@ -164,6 +200,7 @@ void check_header(const Header& header) {
   for (const std::int32_t node : header.vertex_node)
     if (node < 0 || static_cast<std::size_t>(node) >= nodes)
       throw ResultsError(fmt::format("results header: an outline point belongs to node {} of {}", node, nodes));
+  check_faces(header);
   const auto bodies = static_cast<std::int32_t>(header.bodies.size());
   for (const BearingRow& bearing : header.bearings)
     if (std::min(bearing.body_a, bearing.body_b) < 0 || std::max(bearing.body_a, bearing.body_b) >= bodies)

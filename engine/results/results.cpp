@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "shape/polyhedron.hpp"
+
 namespace trilith::results {
 
 void Header::add_rigid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation,
@@ -23,6 +25,19 @@ void Header::add_rigid_body(BodyRow body, std::span<const double> position, std:
   node_inertia.insert(node_inertia.end(), inertia.begin(), inertia.end());
   vertices.insert(vertices.end(), outline.begin(), outline.end());
   vertex_node.insert(vertex_node.end(), static_cast<std::size_t>(points), node);
+}
+
+void Header::add_solid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation,
+                            double mass, std::span<const double> inertia, std::span<const double> corners,
+                            const FaceLoops& faces) {
+  assert(dim == 3);
+  if (face_first.empty()) face_first.push_back(0);
+  body.first_face = static_cast<std::int32_t>(face_count());
+  body.face_count = faces.count();
+  const auto base = static_cast<std::int32_t>(vertex_node.size()), loops = face_first.back();
+  for (const int corner : faces.corner) face_vertex.push_back(base + corner);
+  for (int face = 1; face <= faces.count(); ++face) face_first.push_back(loops + faces.start[face]);
+  add_rigid_body(std::move(body), position, rotation, mass, inertia, corners);
 }
 
 }  // namespace trilith::results

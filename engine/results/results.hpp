@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+namespace trilith {
+struct FaceLoops;
+}  // namespace trilith
+
 namespace trilith::results {
 
 /// A results file cannot be written or read: unwritable place, full disk, not a results file, cut, too new.
@@ -55,13 +59,14 @@ struct Provenance {
   std::vector<std::string> motions;  ///< one line per ground motion used
 };
 
-/// One body. Its nodes and outline points are slices of the arrays in Header.
+/// One body. Its nodes, outline points and faces are slices of the arrays in Header.
 struct BodyRow {
   std::string name, kind, material;
   std::string groups;   ///< names separated by blanks
   std::string support;  ///< "free", "fixed", "moved", ... as the model says
   std::int32_t first_node = 0, node_count = 1;
   std::int32_t first_vertex = 0, vertex_count = 0;
+  std::int32_t first_face = 0, face_count = 0;  ///< in space only; outer faces
 };
 
 /// A material, or a contact law between two materials or groups; `text` lists its parameters with units.
@@ -110,6 +115,8 @@ struct Header {
   std::vector<double> node_inertia;        ///< [N][spin_width] kg m^2, about the node
   std::vector<double> vertices;            ///< [V][dim] m, outline points in body axes, from their node
   std::vector<std::int32_t> vertex_node;   ///< [V] the node each outline point belongs to
+  std::vector<std::int32_t> face_vertex;   ///< loops of rows of `vertices`, counter-clockwise seen from outside (3D)
+  std::vector<std::int32_t> face_first;    ///< [F + 1] where each loop begins in face_vertex, and the end; or empty
   std::vector<std::int32_t> element_node;  ///< [E][4] nodes of each finite element, -1 after a triangle's third (2D)
   std::vector<std::int32_t> element_body;  ///< [E]
   std::vector<LawRow> laws;
@@ -122,11 +129,17 @@ struct Header {
 
   std::size_t node_count() const { return node_mass.size(); }
   std::size_t element_count() const { return element_body.size(); }
+  std::size_t face_count() const { return face_first.empty() ? 0 : face_first.size() - 1; }
 
   /// Adds a one-node body: fills its slices and appends its node and outline.
   /// `position`: dim numbers, m; `rotation`: rotation_width; `inertia`: spin_width; `outline`: [v][dim] in body axes.
   void add_rigid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation, double mass,
                       std::span<const double> inertia, std::span<const double> outline);
+
+  /// The same for a solid in space (dim 3), with its faces. `corners`: [v][3] in body axes, m; `faces`: loops of
+  /// indices into `corners`, counter-clockwise as seen from outside.
+  void add_solid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation, double mass,
+                      std::span<const double> inertia, std::span<const double> corners, const FaceLoops& faces);
 };
 
 enum class ContactState : std::int8_t { bonded = 0, sticking = 1, sliding = 2 };
@@ -139,6 +152,8 @@ struct ContactForce {
   double force[3] = {0, 0, 0};  ///< N, world axes
   std::int32_t body_a = -1, body_b = -1;
   ContactState state = ContactState::sticking;
+  double area = 0;               ///< m2, over which it acts (3D only)
+  double normal[3] = {0, 0, 0};  ///< unit vector from body a to body b, world axes (3D only); zero where unknown
 };
 
 /// One frame, as the writer takes it: views into the caller's arrays, read during the call only.

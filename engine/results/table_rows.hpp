@@ -54,6 +54,9 @@ void describe(A& a, typename A::template Of<BodyRow>& row) {
   a.number("node_count", row.node_count, "1", "number of its nodes");
   a.number("first_vertex", row.first_vertex, "1", "first of its outline points");
   a.number("vertex_count", row.vertex_count, "1", "number of its outline points");
+  if (a.dim != 3) return;
+  a.number("first_face", row.first_face, "1", "first of its faces");
+  a.number("face_count", row.face_count, "1", "number of its faces");
 }
 
 template <class A>
@@ -137,6 +140,9 @@ void describe(A& a, typename A::template Of<ContactRow>& row) {
   a.number("body_a", row.contact.body_a, "1", "row of /model/bodies");
   a.number("body_b", row.contact.body_b, "1", "row of /model/bodies");
   a.code("state", row.contact.state, "0 bonded, 1 sticking, 2 sliding");
+  if (a.dim != 3) return;
+  a.number("area", row.contact.area, "m^2", "area over which it acts");
+  a.vector("n", row.contact.normal, "1", "unit normal from body a to body b, world axes; 0 where unknown");
 }
 
 /// The type of a table of `Row`, wide enough for every row of `rows`.

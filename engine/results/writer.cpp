@@ -196,6 +196,8 @@ void ResultsWriter::Body::check_numbers(const FrameRow& frame) const {
   for (const ContactForce& contact : frame.contacts) {
     require(contact.point, "a contact's point");
     require(contact.force, "a contact's force");
+    require({&contact.area, 1}, "a contact's area");
+    require(contact.normal, "a contact's normal");
   }
 }
 

@@ -72,6 +72,7 @@ void describe_command_line(CLI::App& app, int& code) {
   add_plot(app, code);
   add_view(app, code);
   add_report(app, code);
+  add_export(app, code);
   add_motion(app, code);
   add_manual(app, code);
   add_info(app, code);

@@ -20,6 +20,7 @@ struct DrawOptions {
   bool forces = false, ghost = false, cracks = false;
   std::string stress, thrust;
   double magnify = 1;
+  std::string colour = "group", cut;
   int columns = 0;
 };
 
@@ -51,10 +52,10 @@ double time_of(const results::ResultsReader& reader, const Window& window, const
   throw InputError(fmt::format("--at: '{}' is no time and no event of this run{}", text, name_hint(text, known)));
 }
 
-draw::PictureStyle style_of(const DrawOptions& options) {
+draw::PictureStyle style_of(const DrawOptions& options, int dim) {
   draw::PictureStyle style;
   style.units = options.units == "us" ? draw::LengthUnits::us : draw::LengthUnits::si;
-  if (options.view.empty()) return style;
+  if (options.view.empty() || dim == 3) return style;
   const std::vector<std::string> ends = comma_list(options.view);
   if (ends.size() != 4)
     throw InputError(fmt::format("--view: '{}' must be four numbers x0,y0,x1,y1 in metres", options.view));
@@ -63,19 +64,35 @@ draw::PictureStyle style_of(const DrawOptions& options) {
   return style;
 }
 
+/// "x=2": all points whose x is 2 m.
+draw::CutPlane cut_plane(const std::string& text) {
+  if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || text[1] != '=')
+    throw InputError(fmt::format("--cut: '{}' must be an axis and a place on it in metres, such as x=2.5", text));
+  return {Vec3::Unit(text[0] - 'x'), number_of(text.substr(2), "--cut")};
+}
+
+draw::SceneChoice choice_of(const DrawOptions& options, int dim) {
+  draw::SceneChoice choice{options.forces, options.ghost,   options.cracks, options.stress,
+                           options.thrust, options.magnify, options.colour, {},
+                           std::nullopt};
+  if (dim == 3 && !options.view.empty()) choice.from = draw::view_direction(options.view);
+  if (!options.cut.empty()) choice.cut = cut_plane(options.cut);
+  return choice;
+}
+
 int draw(const DrawOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".png")
                                         : std::filesystem::path(options.out);
   draw::picture_format(out);
-  const draw::PictureStyle style = style_of(options);
   const results::ResultsReader reader(options.result);
+  const int dim = reader.header().dim;
+  const draw::PictureStyle style = style_of(options, dim);
+  const draw::SceneChoice choice = choice_of(options, dim);
   const Window window = window_of(reader, options.stage);
   std::vector<draw::Scene> scenes;
   for (const std::string& at : comma_list(options.at))
-    scenes.push_back(draw::results_scene(
-        reader, time_of(reader, window, at),
-        {options.forces, options.ghost, options.cracks, options.stress, options.thrust, options.magnify}));
+    scenes.push_back(draw::results_scene(reader, time_of(reader, window, at), choice));
   const std::string stem = std::filesystem::path(options.result).stem().string();
   if (scenes.size() == 1) scenes[0].title = scenes[0].title.empty() ? stem : stem + ", " + scenes[0].title;
   const int columns = options.columns > 0 ? options.columns : scenes.size() <= 3 ? 1 : 2;
@@ -113,8 +130,15 @@ void add_draw(CLI::App& app, int& code) {
   verb->add_option("--magnify", o->magnify, "displacements since the start times this")
       ->type_name("FACTOR")
       ->check(CLI::Validator(is_positive, "", ""));
-  verb->add_option("--view", o->view, "the part to show, in metres; write --view=-3,0,5,4 where it begins with a minus")
-      ->type_name("X0,Y0,X1,Y1");
+  verb->add_option("--colour", o->colour, "what bodies are coloured by")
+      ->check(CLI::IsMember(draw::colour_names()))
+      ->capture_default_str();
+  verb->add_option("--view", o->view,
+                   "the part to show, X0,Y0,X1,Y1 in metres; of a model in space from where: front, back, left, right, "
+                   "top, iso, or AZIMUTH,ELEVATION in degrees; write --view=-3,0,5,4 where it begins with a minus")
+      ->type_name("VIEW");
+  verb->add_option("--cut", o->cut, "of a model in space: the section at a place on an axis, such as x=2.5, in metres")
+      ->type_name("AXIS=PLACE");
   verb->add_option("--units", o->units, "of the scales in the legend: si or us")
       ->check(CLI::IsMember({"si", "us"}))
       ->capture_default_str();

@@ -25,6 +25,7 @@ void add_motion(CLI::App& app, int& code);
 void add_info(CLI::App& app, int& code);
 void add_view(CLI::App& app, int& code);
 void add_report(CLI::App& app, int& code);
+void add_export(CLI::App& app, int& code);
 void add_repair(CLI::App& app, int& code);
 void add_doctor(CLI::App& app, int& code);
 void add_completion(CLI::App& app, int& code);

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "results/sample_run.hpp"
+#include "results/tumbling_boxes.hpp"
 #include "source_dir.hpp"
 
 using namespace trilith;
@@ -76,6 +77,18 @@ def complete(name, d):
 f.visititems(complete)
 )";
   CHECK(run_python(folder, documented("python"), checks) == 0);
+}
+
+TEST_CASE("the lines of docs/results.md find the faces of a solid that has turned") {
+  if (!has_python()) return;
+  const Folder folder;
+  record_boxes(folder / "run.h5", tumbling_boxes(), 20, 0.05);
+  CHECK(run_python(folder, documented("python space"), R"(
+assert f.attrs["dim"] == 3 and len(faces) == 6 and all(len(loop) == 4 for loop in faces)
+assert abs(volume - 0.4 * 0.2 * 0.1) < 1e-12, volume
+assert abs(p.mean(axis=0) - f["frames/position"][10, 1]).max() < 1e-12
+assert set(f["frames/contacts"].dtype.names) >= {"x", "y", "z", "area", "nx", "ny", "nz"}
+)") == 0);
 }
 
 TEST_CASE("the lines of docs/results.md read a file that is still being written, and one left unfinished") {

@@ -1,0 +1,187 @@
+#include "draw/results_solids.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "draw/paint_order.hpp"
+#include "results/placement.hpp"
+
+namespace trilith::draw {
+
+using results::BodyRow;
+using results::Frame;
+using results::Header;
+using results::Placement;
+
+namespace {
+
+/// What rounding leaves of lengths, as a share of them.
+constexpr double rounding = 1e-9;
+
+/// Newell's normal (Sutherland, Sproull and Schumacker, 1974): right for any plane polygon.
+Vec3 normal_of(const std::vector<Vec3>& loop) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += cross(Vec3(loop[i] - loop[0]), Vec3(loop[i + 1] - loop[0]));
+  return sum.normalized();
+}
+
+SolidPiece piece_of(const Header& header, const Placement& at, int index) {
+  const BodyRow& body = header.bodies[static_cast<std::size_t>(index)];
+  SolidPiece out{index, {}};
+  for (int f = body.first_face; f < body.first_face + body.face_count; ++f) {
+    PieceFace face;
+    for (std::int32_t i = header.face_first[f]; i < header.face_first[f + 1]; ++i)
+      face.corners.push_back(at.vertex(header.face_vertex[i]));
+    face.is_edge.assign(face.corners.size(), true);
+    face.normal = normal_of(face.corners);
+    if (face.normal.allFinite()) out.faces.push_back(std::move(face));
+  }
+  return out;
+}
+
+struct Box {
+  Vec3 low, high;
+};
+
+/// The box of nearly all free bodies, and as far again around it, but no larger than the box of all: beyond it ground
+/// is of no interest.
+std::optional<Box> box_of_free(const std::vector<SolidPiece>& pieces, const Scene& scene) {
+  std::vector<double> along[3];
+  for (const SolidPiece& piece : pieces)
+    if (scene.bodies[static_cast<std::size_t>(piece.body)].role == BodyRole::free)
+      for (const PieceFace& face : piece.faces)
+        for (const Vec3& p : face.corners)
+          for (int k = 0; k < 3; ++k) along[k].push_back(p[k]);
+  if (along[0].empty()) return std::nullopt;
+  Box all, bulk;
+  for (int k = 0; k < 3; ++k) {
+    std::sort(along[k].begin(), along[k].end());
+    const auto last = static_cast<double>(along[k].size() - 1);
+    all.low[k] = along[k].front(), all.high[k] = along[k].back();
+    bulk.low[k] = along[k][static_cast<std::size_t>(0.04 * last)];
+    bulk.high[k] = along[k][static_cast<std::size_t>(0.96 * last)];
+  }
+  const Vec3 around = Vec3::Constant(0.5 * (bulk.high - bulk.low).maxCoeff());
+  return Box{all.low.cwiseMax(bulk.low - around), all.high.cwiseMin(bulk.high + around)};
+}
+
+/// Ground that reaches beyond the box by more than a border ends there; that depth is the least of what matters.
+void trim_ground(std::vector<SolidPiece>& pieces, const Scene& scene) {
+  const std::optional<Box> box = box_of_free(pieces, scene);
+  if (!box) return;
+  const double size = (box->high - box->low).norm(), beside = 0.16 * size, below = 0.05 * size;
+  std::vector<SolidPiece> kept;
+  for (SolidPiece& piece : pieces) {
+    std::optional<SolidPiece> left = std::move(piece);
+    if (scene.bodies[static_cast<std::size_t>(left->body)].role != BodyRole::free)
+      for (int k = 0; k < 6 && left; ++k) {
+        const Vec3 normal = (k % 2 == 0 ? 1 : -1) * Vec3(Vec3::Unit(k / 2));
+        const double border = k / 2 == 2 ? below : beside;
+        const double end = border + (k % 2 == 0 ? box->high[k / 2] : -box->low[k / 2]);
+        left = divided(*left, {normal, end}, rounding * size, FaceKind::skin).first;
+      }
+    if (left) kept.push_back(std::move(*left));
+  }
+  pieces = std::move(kept);
+}
+
+/// Leaves out what is on the eye's side of the plane.
+void cut_away(std::vector<SolidPiece>& pieces, CutPlane plane, const ViewAxes& view) {
+  if (plane.normal.dot(view.toward) < -rounding) plane = {-plane.normal, -plane.offset};
+  std::vector<SolidPiece> kept;
+  for (const SolidPiece& piece : pieces)
+    if (auto below = divided(piece, plane, rounding * piece_size(piece), FaceKind::section).first)
+      kept.push_back(std::move(*below));
+  pieces = std::move(kept);
+}
+
+/// Light comes from the upper left, over the eye's shoulder; half of it from all sides.
+double light_on(const Vec3& normal, const ViewAxes& view) {
+  const Vec3 from = (-0.5 * view.right + 0.8 * view.up + 0.6 * view.toward).normalized();
+  return 0.5 + 0.5 * normal.dot(from);
+}
+
+void add_faces(const SolidPiece& piece, const ViewAxes& view, Scene& scene) {
+  for (const PieceFace& face : piece.faces) {
+    if (face.kind == FaceKind::border || face.normal.dot(view.toward) <= rounding) continue;
+    SceneFace seen;
+    for (const Vec3& p : face.corners) seen.outline.push_back(view.flat(p));
+    seen.is_edge = face.is_edge;
+    seen.light = light_on(face.normal, view);
+    seen.body = piece.body;
+    seen.is_section = face.kind == FaceKind::section;
+    scene.faces.push_back(std::move(seen));
+  }
+}
+
+std::vector<Vec2> outline_as_seen(const BodyRow& body, const Placement& at, const ViewAxes& view) {
+  std::vector<Vec2> points;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+    points.push_back(view.flat(at.vertex(v)));
+  return hull_of(std::move(points));
+}
+
+/// Bodies that nothing is left of go, and the rows that faces name follow; outlines are those of what is left.
+void set_outlines(const std::vector<SolidPiece>& pieces, const ViewAxes& view, Scene& scene) {
+  std::vector<std::vector<Vec2>> points(scene.bodies.size());
+  for (const SolidPiece& piece : pieces)
+    for (const PieceFace& face : piece.faces)
+      for (const Vec3& p : face.corners) points[static_cast<std::size_t>(piece.body)].push_back(view.flat(p));
+  std::vector<int> row(scene.bodies.size(), -1);
+  std::vector<SceneBody> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    scene.bodies[i].outline = hull_of(std::move(points[i]));
+    if (scene.bodies[i].outline.size() < 3) continue;
+    row[i] = static_cast<int>(kept.size());
+    kept.push_back(std::move(scene.bodies[i]));
+  }
+  scene.bodies = std::move(kept);
+  for (SceneFace& face : scene.faces) face.body = row[static_cast<std::size_t>(face.body)];
+  std::erase_if(scene.faces, [](const SceneFace& face) { return face.body < 0; });
+}
+
+}  // namespace
+
+void add_solids(const Header& header, const Frame& frame, const SceneChoice& choice, const std::vector<bool>& left_out,
+                Scene& scene) {
+  const Placement at(header, frame);
+  const ViewAxes view(choice.from);
+  std::vector<SolidPiece> pieces;
+  for (std::size_t i = 0; i < header.bodies.size(); ++i) {
+    SolidPiece solid = piece_of(header, at, static_cast<int>(i));
+    if (solid.faces.empty() || left_out[i]) continue;
+    const double slack = 1e-6 * piece_size(solid);
+    for (SolidPiece& piece : convex_pieces(std::move(solid), slack)) pieces.push_back(std::move(piece));
+  }
+  if (pieces.empty())
+    throw InputError("the results tell of no faces of their solids, so that there is nothing to draw");
+  if (choice.cut) cut_away(pieces, *choice.cut, view);
+  trim_ground(pieces, scene);
+  if (pieces.empty()) throw InputError("the cut leaves nothing to draw");
+  pieces = paint_order(std::move(pieces), view);
+  for (const SolidPiece& piece : pieces) add_faces(piece, view, scene);
+  set_outlines(pieces, view, scene);
+  static constexpr const char* names[] = {"x", "y", "z"};
+  for (int k = 0; k < 3; ++k) scene.axes.push_back({names[k], view.flat(Vec3::Unit(k))});
+}
+
+void add_solid_ghosts(const Header& header, const Frame& start, const Frame& frame, const ViewAxes& view,
+                      Scene& scene) {
+  constexpr double least_share = 0.05;  // of a body's size, before it is worth a second outline
+  const Placement before(header, start), now(header, frame);
+  for (const BodyRow& body : header.bodies) {
+    if (body.support.find("free") == std::string::npos && !body.support.empty()) continue;
+    double moved = 0, size = 0;
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+      moved = std::max(moved, (now.vertex(v) - before.vertex(v)).norm());
+      size = std::max(size, (before.vertex(v) - before.vertex(body.first_vertex)).norm());
+    }
+    if (moved > least_share * size) scene.ghosts.push_back(outline_as_seen(body, before, view));
+  }
+  scene.ghost_label = fmt::format("at t = {:.3g} s", start.time);
+}
+
+}  // namespace trilith::draw

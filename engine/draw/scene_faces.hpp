@@ -1,0 +1,17 @@
+// Solids and the axes of the world as they are drawn in a panel.
+#pragma once
+
+#include "draw/scene_view.hpp"
+
+namespace trilith::draw {
+
+/// The faces of the scene, shaded, with their edges, in their order. `edge_width` in pt.
+void draw_faces(Canvas& canvas, const Scene& scene, const SceneView& view, const PageView& page, double edge_width);
+
+/// Arrows along the axes in the lower left corner of the panel; one that points at the eye is a dot.
+void draw_axes(Canvas& canvas, const Scene& scene, const PageView& page);
+
+/// `fill` in more or less light, 0 to 1.
+Colour lit(const Colour& fill, double light);
+
+}  // namespace trilith::draw

@@ -1,0 +1,34 @@
+// From where a model in space is seen, and the plane of the picture.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/space.hpp"
+
+namespace trilith::draw {
+
+/// The eye's place as seen from the model, very far away: pictures are orthographic, so that lengths along one
+/// direction are to one scale everywhere. Azimuth from the x axis, anticlockwise as seen from above; elevation above
+/// the x-y plane. Both in degrees.
+struct ViewDirection {
+  double azimuth = -45, elevation = 35.26438968275465;
+};
+
+/// front (x to the right), back, left, right, top (x to the right, y upwards) and iso, where the three axes are equally
+/// short.
+const std::vector<std::string>& view_names();
+
+/// A name of view_names(), or "AZIMUTH,ELEVATION" in degrees, the elevation from -90 to 90. Throws InputError.
+ViewDirection view_direction(std::string_view text);
+
+/// Unit vectors of the picture in the world: to the right, upwards, and towards the eye.
+struct ViewAxes {
+  Vec3 right, up, toward;
+  explicit ViewAxes(const ViewDirection& from);
+  [[nodiscard]] Vec2 flat(const Vec3& p) const { return {right.dot(p), up.dot(p)}; }
+};
+
+}  // namespace trilith::draw
