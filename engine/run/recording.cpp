@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "step/element_stress.hpp"
+#include "step/solid_resultants.hpp"
 #include "world/event_text.hpp"
 #include "world/pose.hpp"
 
@@ -49,10 +50,11 @@ Vec2 displacement_of(const Model<2>& model, const State<2>& state, const Bearing
   return Turn(a.rotation + b.angle).undo(Vec2(at_b.place - a.place)) - b.rest;
 }
 
-/// Vectors of two numbers lie in a row, as the file wants them.
-std::span<const double> numbers(const std::vector<Vec2>& vectors) {
-  static_assert(sizeof(Vec2) == 2 * sizeof(double));
-  return {vectors.empty() ? nullptr : vectors.front().data(), 2 * vectors.size()};
+/// Numbers, vectors and quaternions lie in a row, as the file wants them.
+template <class T>
+std::span<const double> numbers(const std::vector<T>& values) {
+  static_assert(sizeof(T) % sizeof(double) == 0);
+  return {reinterpret_cast<const double*>(values.data()), sizeof(T) / sizeof(double) * values.size()};
 }
 
 /// [s], to some milliseconds; read without a call of the system, so that it may be asked after every step.
@@ -62,66 +64,26 @@ double wall_clock() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-results::Header whole_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options,
+template <int D>
+results::Header whole_header(const Model<D>& model, const State<D>& state, const RecordingOptions<D>& options,
                              const std::optional<RecordedFields>& fields) {
   results::Header header = recording_header(model, state, options);
-  if (fields) fields->describe(model, header);
+  if constexpr (D == 2)
+    if (fields) fields->describe(model, header);
   return header;
+}
+
+std::optional<RecordedFields> fields_of(const Model<2>& model, const RecordingOptions<2>& options) {
+  return options.with_joints ? std::optional<RecordedFields>(model) : std::nullopt;
+}
+std::optional<RecordedFields> fields_of(const Model<3>& /*model*/, const RecordingOptions<3>& /*options*/) {
+  return std::nullopt;
 }
 
 }  // namespace
 
-Recording::Recording(std::filesystem::path path, const Model<2>& model, const State<2>& state, RecordingOptions options)
-    : fields_(options.with_joints ? std::optional<RecordedFields>(model) : std::nullopt),
-      writer_(std::move(path), whole_header(model, state, options, fields_), {options.sync}),
-      histories_(std::move(options.histories)),
-      with_velocity_(options.with_velocity),
-      flush_frames_(options.flush_frames),
-      flush_interval_(options.flush_seconds),
-      flushed_(wall_clock()),
-      drives_known_(model.drives.size()),
-      time_(state.time) {}
-
-RunListener<2> Recording::listener() {
-  RunListener<2> out;
-  out.on_frame = [this](const Instant<2>& now) { frame(now); };
-  if (!histories_.empty()) out.on_history = [this](const Instant<2>& now) { history(now); };
-  out.on_energy = [this](const Instant<2>& now, const Energy& e) { energy(now, e); };
-  out.on_event = [this](const Event& e, const Instant<2>& now) { event(e, now); };
-  out.on_step = [this](const Instant<2>&) { step(); };
-  return out;
-}
-
-void Recording::frame(const Instant<2>& now) {
-  assert(stage_ >= 0);
-  take_contacts(now);
-  take_bearings(now);
-  take_stress(now);
-  results::FrameRow row;
-  row.time = time_ = now.state.time;
-  row.step = now.state.step;
-  row.stage = stage_;
-  row.position = numbers(now.state.position);
-  row.rotation = now.state.rotation;
-  if (with_velocity_) {
-    row.velocity = numbers(now.state.velocity);
-    row.spin = now.state.spin;
-  }
-  row.stress = stress_;
-  row.plastic = plastic_;
-  row.contacts = contacts_;
-  row.bearing_state = bearing_state_;
-  row.bearing_force = bearing_force_;
-  row.bearing_displacement = bearing_displacement_;
-  if (fields_) row.fields = fields_->take(now, touching_);
-  writer_.append_frame(row);
-  ++frames_since_;
-  // With the first one on the disk, a run that is killed early can be drawn and told.
-  if (!std::exchange(has_frame_, true)) return flush();
-  flush_when_due();
-}
-
-void Recording::take_contacts(const Instant<2>& now) {
+template <>
+void Recording<2>::take_contacts(const Instant<2>& now) {
   contact_resultants(now.model, now.work, touching_);
   contacts_.clear();
   for (const TouchingContact& c : touching_) {
@@ -134,7 +96,8 @@ void Recording::take_contacts(const Instant<2>& now) {
   }
 }
 
-void Recording::take_bearings(const Instant<2>& now) {
+template <int D>
+void Recording<D>::take_bearings(const Instant<D>& now) requires(D == 2) {
   bearing_state_.clear();
   bearing_force_.clear();
   bearing_displacement_.clear();
@@ -148,7 +111,8 @@ void Recording::take_bearings(const Instant<2>& now) {
   }
 }
 
-void Recording::take_stress(const Instant<2>& now) {
+template <int D>
+void Recording<D>::take_stress(const Instant<D>& now) requires(D == 2) {
   stress_.clear();
   plastic_.clear();
   for (int e = 0; e < static_cast<int>(now.model.elements.size()); ++e) {
@@ -159,19 +123,91 @@ void Recording::take_stress(const Instant<2>& now) {
   }
 }
 
-void Recording::history(const Instant<2>& now) {
+/// A bond that holds makes a contact bonded; else it slides where friction is used up.
+template <>
+void Recording<3>::take_contacts(const Instant<3>& now) {
+  contacts_.clear();
+  for (std::size_t i = 0; i < now.work.general_touching.size(); ++i) {
+    const SolidResultant r = solid_resultant(now.model, now.work, i);
+    results::ContactForce out;
+    for (const int k : {0, 1, 2}) out.point[k] = r.point[k], out.force[k] = -r.force[k], out.normal[k] = r.normal[k];
+    out.body_a = r.body_a, out.body_b = r.body_b;
+    out.state = state_of(r.hold);
+    out.area = r.area;
+    contacts_.push_back(out);
+  }
+}
+
+template <int D>
+Recording<D>::Recording(std::filesystem::path path, const Model<D>& model, const State<D>& state,
+                        RecordingOptions<D> options)
+    : fields_(fields_of(model, options)),
+      writer_(std::move(path), whole_header(model, state, options, fields_), {options.sync}),
+      histories_(std::move(options.histories)),
+      with_velocity_(options.with_velocity),
+      flush_frames_(options.flush_frames),
+      flush_interval_(options.flush_seconds),
+      flushed_(wall_clock()),
+      drives_known_(model.drives.size()),
+      time_(state.time) {}
+
+template <int D>
+RunListener<D> Recording<D>::listener() {
+  RunListener<D> out;
+  out.on_frame = [this](const Instant<D>& now) { frame(now); };
+  if (!histories_.empty()) out.on_history = [this](const Instant<D>& now) { history(now); };
+  out.on_energy = [this](const Instant<D>& now, const Energy& e) { energy(now, e); };
+  out.on_event = [this](const Event& e, const Instant<D>& now) { event(e, now); };
+  out.on_step = [this](const Instant<D>&) { step(); };
+  return out;
+}
+
+template <int D>
+void Recording<D>::frame(const Instant<D>& now) {
+  assert(stage_ >= 0);
+  take_contacts(now);
+  if constexpr (D == 2) take_bearings(now), take_stress(now);
+  results::FrameRow row;
+  row.time = time_ = now.state.time;
+  row.step = now.state.step;
+  row.stage = stage_;
+  row.position = numbers(now.state.position);
+  row.rotation = numbers(now.state.rotation);
+  if (with_velocity_) {
+    row.velocity = numbers(now.state.velocity);
+    row.spin = numbers(now.state.spin);
+  }
+  row.stress = stress_;
+  row.plastic = plastic_;
+  row.contacts = contacts_;
+  row.bearing_state = bearing_state_;
+  row.bearing_force = bearing_force_;
+  row.bearing_displacement = bearing_displacement_;
+  if constexpr (D == 2)
+    if (fields_) row.fields = fields_->take(now, touching_);
+  writer_.append_frame(row);
+  ++frames_since_;
+  // With the first one on the disk, a run that is killed early can be drawn and told.
+  if (!std::exchange(has_frame_, true)) return flush();
+  flush_when_due();
+}
+
+template <int D>
+void Recording<D>::history(const Instant<D>& now) {
   values_.clear();
-  for (const RecordedHistory& h : histories_) values_.push_back(h.sample(now));
+  for (const RecordedHistory<D>& h : histories_) values_.push_back(h.sample(now));
   history(now.state.time, values_);
 }
 
-void Recording::history(double time, std::span<const double> values) {
+template <int D>
+void Recording<D>::history(double time, std::span<const double> values) {
   time_ = time;
   writer_.append_history(time, values);
   flush_when_due();
 }
 
-void Recording::energy(const Instant<2>& now, const Energy& energy) {
+template <int D>
+void Recording<D>::energy(const Instant<D>& now, const Energy& energy) {
   const double balance = energy.balance();
   if (!has_balance_) first_balance_ = balance;
   has_balance_ = true;
@@ -182,13 +218,15 @@ void Recording::energy(const Instant<2>& now, const Energy& energy) {
   flush_when_due();
 }
 
-void Recording::continue_ledger(const Recording& before) {
+template <int D>
+void Recording<D>::continue_ledger(const Recording<D>& before) {
   has_balance_ = before.has_balance_;
   first_balance_ = before.first_balance_;
   check_ = before.check_;
 }
 
-void Recording::event(const Event& event, const Instant<2>& now) {
+template <int D>
+void Recording<D>::event(const Event& event, const Instant<D>& now) {
   time_ = event.time;
   if (event.type == EventType::stage_begun) begin_stage(event, now);
   const EventTypeInfo& info = event_type_info[static_cast<std::size_t>(event.type)];
@@ -202,7 +240,7 @@ void Recording::event(const Event& event, const Instant<2>& now) {
   row.body_b = event.body_b;
   row.bearing = event.bearing;
   row.has_place = has_trait(event.type, has_place);
-  if (row.has_place) row.place[0] = event.x, row.place[1] = event.y;
+  if (row.has_place) row.place[0] = event.x, row.place[1] = event.y, row.place[2] = event.z;
   if (!info.value_name.empty()) row.first = {std::string(info.value_name), std::string(info.value_unit), event.value};
   if (has_trait(event.type, of_joint)) row.second = {"mode", "1", static_cast<double>(event.mode)};
   row.cause = event.cause;
@@ -217,51 +255,60 @@ void Recording::event(const Event& event, const Instant<2>& now) {
   flush_when_due();
 }
 
-void Recording::begin_stage(const Event& event, const Instant<2>& now) {
+template <int D>
+void Recording<D>::begin_stage(const Event& event, const Instant<D>& now) {
   if (stage_open_) end_stage(event.time, "broken off");
   stage_ = writer_.begin_stage(now.stage.name, now.stage.rest_share > 0 ? "consolidation" : "dynamic", event.time);
   stage_open_ = true;
   note_drives(now.model);
 }
 
-void Recording::end_stage(double time, std::string_view why) {
+template <int D>
+void Recording<D>::end_stage(double time, std::string_view why) {
   if (!stage_open_) return;
   stage_open_ = false;
   writer_.end_stage(time, why);
 }
 
-void Recording::note_drives(const Model<2>& model) {
+template <int D>
+void Recording<D>::note_drives(const Model<D>& model) {
   for (; drives_known_ < model.drives.size(); ++drives_known_)
     if (leads(model, model.drives[drives_known_]))
       note("ground motion: " + drive_text(model, model.drives[drives_known_]));
 }
 
-void Recording::note(std::string_view text) {
+template <int D>
+void Recording<D>::note(std::string_view text) {
   writer_.append_note(time_, text);
 }
 
-void Recording::step() {
+template <int D>
+void Recording<D>::step() {
   if (rows_wait_) flush_when_due();
 }
 
-void Recording::flush_when_due() {
+template <int D>
+void Recording<D>::flush_when_due() {
   rows_wait_ = true;
   if (frames_since_ >= flush_frames_ || wall_clock() - flushed_ >= flush_interval_) flush();
 }
 
-void Recording::flush() {
+template <int D>
+void Recording<D>::flush() {
   writer_.flush();
   frames_since_ = 0;
   rows_wait_ = false;
   flushed_ = wall_clock();
 }
 
-void Recording::finish() {
+template <int D>
+void Recording<D>::finish() {
   end_stage(time_, "broken off");
   writer_.finish();
 }
 
-void Recording::abandon(std::string_view why) noexcept {
+template <int D>
+void Recording<D>::abandon(std::string_view why) noexcept {
   try {
     note(fmt::format("the run ended early: {}", why));
     end_stage(time_, "broken off");
@@ -270,5 +317,8 @@ void Recording::abandon(std::string_view why) noexcept {
     stage_open_ = false;
   }
 }
+
+template class Recording<2>;
+template class Recording<3>;
 
 }  // namespace trilith

@@ -16,11 +16,12 @@
 
 namespace trilith {
 
+template <int D>
 class Recording {
  public:
   /// Opens `<path>.part` and writes what does not change during a run. Throws ResultsError (unwritable, full disk, ...)
   /// and InputError for names of histories that cannot be used (see results::ResultsWriter).
-  Recording(std::filesystem::path path, const Model<2>& model, const State<2>& state, RecordingOptions options = {});
+  Recording(std::filesystem::path path, const Model<D>& model, const State<D>& state, RecordingOptions<D> options = {});
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
   Recording(Recording&&) = delete;
@@ -29,18 +30,18 @@ class Recording {
   ~Recording() = default;
 
   /// Records all a run tells; valid as long as this lives. Stages are known by their events.
-  RunListener<2> listener();
+  RunListener<D> listener();
 
   // What the listener does, for callers with a listener of their own. All throw ResultsError.
-  void frame(const Instant<2>& now);
+  void frame(const Instant<D>& now);
   /// One sample of every history, from their `sample`.
-  void history(const Instant<2>& now);
+  void history(const Instant<D>& now);
   /// The same from values known elsewhere, in the order of the histories; time [s].
   void history(double time, std::span<const double> values);
   /// The residual is the balance less that of the first sample.
-  void energy(const Instant<2>& now, const Energy& energy);
+  void energy(const Instant<D>& now, const Energy& energy);
   /// Events "stage.begun" and "stage.ended" open and close rows of the table of stages.
-  void event(const Event& event, const Instant<2>& now);
+  void event(const Event& event, const Instant<D>& now);
   /// After each step: brings rows to the disk that have waited long enough, though no further ones come. Costs a look
   /// at a coarse clock where rows wait, and nothing else.
   void step();
@@ -62,18 +63,18 @@ class Recording {
   [[nodiscard]] const std::filesystem::path& part() const { return writer_.part(); }
 
  private:
-  void begin_stage(const Event& event, const Instant<2>& now);
+  void begin_stage(const Event& event, const Instant<D>& now);
   void end_stage(double time, std::string_view why);
-  void note_drives(const Model<2>& model);
-  void take_contacts(const Instant<2>& now);
-  void take_bearings(const Instant<2>& now);
-  void take_stress(const Instant<2>& now);
+  void note_drives(const Model<D>& model);
+  void take_contacts(const Instant<D>& now);
+  void take_bearings(const Instant<D>& now) requires(D == 2);
+  void take_stress(const Instant<D>& now) requires(D == 2);
   void flush_when_due();
   void flush();
 
-  std::optional<RecordedFields> fields_;
+  std::optional<RecordedFields> fields_;  // none in space
   results::ResultsWriter writer_;
-  std::vector<RecordedHistory> histories_;
+  std::vector<RecordedHistory<D>> histories_;
   bool with_velocity_;
   int flush_frames_;
   double flush_interval_, flushed_;  // wall clock [s]

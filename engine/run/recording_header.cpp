@@ -106,6 +106,32 @@ void add_bodies(const Model<2>& model, const State<2>& state, results::Header& h
   }
 }
 
+/// A solid's pieces with their outer faces, in the principal axes of the body.
+void add_bodies(const Model<3>& model, const State<3>& state, results::Header& header) {
+  for (const Body& body : model.bodies) {
+    const int n = body.first_node;
+    results::BodyRow row;
+    row.name = body.name, row.kind = name_of(body.kind), row.material = body.material;
+    row.groups = joined(body.groups), row.support = support_text(model.support[n]);
+    std::vector<double> corners;
+    FaceLoops faces;
+    for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
+      const ConvexSolid& piece = model.piece_solid[p];
+      const int first = static_cast<int>(corners.size() / 3);
+      for (const Vec3& x : piece.shape.corners) corners.insert(corners.end(), {x.x(), x.y(), x.z()});
+      for (int f = 0; f < piece.shape.faces.count(); ++f) {
+        if (!piece.is_surface(f)) continue;
+        std::vector<int> loop;
+        for (const int corner : piece.shape.faces[f]) loop.push_back(first + corner);
+        faces.add(loop);
+      }
+    }
+    const UnitQuaternion& q = state.rotation[n];
+    header.add_solid_body(std::move(row), std::span(state.position[n].data(), 3), std::array{q.w, q.x, q.y, q.z},
+                          model.mass[n], std::span(model.inertia[n].data(), 3), corners, faces);
+  }
+}
+
 /// What the bodies of a surface have in common: material and groups.
 std::string surface_label(const Body& body) {
   if (body.groups.empty()) return body.material.empty() ? body.name : body.material;
@@ -113,7 +139,8 @@ std::string surface_label(const Body& body) {
   return body.material.empty() ? fmt::format("({})", groups) : fmt::format("{} ({})", body.material, groups);
 }
 
-void add_laws(const Model<2>& model, const std::vector<Material>& materials, results::Header& header) {
+template <int D>
+void add_laws(const Model<D>& model, const std::vector<Material>& materials, results::Header& header) {
   for (const Material& m : materials)
     header.laws.push_back({m.name, "material", "", "",
                            fmt::format("density={:g} kg/m3{}", m.density, m.solid ? ", " + describe(*m.solid) : "")});
@@ -159,7 +186,8 @@ void add_bearings(const Model<2>& model, results::Header& header) {
   }
 }
 
-void complete(const Model<2>& model, results::Provenance& p) {
+template <int D>
+void complete(const Model<D>& model, results::Provenance& p) {
   const results::Provenance here = results::provenance_here();
   for (const auto part : {&results::Provenance::compiler, &results::Provenance::platform,
                           &results::Provenance::git_commit, &results::Provenance::start_time})
@@ -171,45 +199,71 @@ void complete(const Model<2>& model, results::Provenance& p) {
 
 }  // namespace
 
-results::Header recording_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options) {
+template <int D>
+results::Header recording_header(const Model<D>& model, const State<D>& state, const RecordingOptions<D>& options) {
   results::Header header;
-  header.dim = 2;
+  header.dim = D;
   header.provenance = options.provenance;
   complete(model, header.provenance);
   add_bodies(model, state, header);
   add_laws(model, options.materials, header);
-  add_bearings(model, header);
-  for (const RecordedHistory& h : options.histories) header.histories.push_back({h.name, h.unit, h.description});
+  if constexpr (D == 2) add_bearings(model, header);
+  for (const RecordedHistory<D>& h : options.histories) header.histories.push_back({h.name, h.unit, h.description});
   for (const EnergyTermInfo& term : energy_term_info)
     header.energy_terms.push_back({std::string(term.name), "J", std::string(term.sentence)});
   header.with_velocity = options.with_velocity;
   return header;
 }
 
-std::string support_text(const std::array<Support, 3>& support) {
+namespace {
+
+/// The axes of the degrees of freedom of a node, translations first.
+template <int D>
+constexpr auto dof_names = [] {
+  if constexpr (D == 2)
+    return std::array{"x", "y", "rotation"};
+  else
+    return std::array{"x", "y", "z", "turn about x", "turn about y", "turn about z"};
+}();
+
+template <int D, std::size_t count>
+std::string held_text(const std::array<Support, count>& support) {
   const auto word = [](Support s) { return s == Support::free ? "free" : s == Support::fixed ? "fixed" : "moved"; };
-  const auto all = [&](Support s) { return std::count(support.begin(), support.end(), s) == 3; };
+  const auto all = [&](Support s) { return std::count(support.begin(), support.end(), s) == count; };
   for (const Support s : {Support::free, Support::fixed})
     if (all(s)) return word(s);
   if (std::count(support.begin(), support.end(), Support::free) == 0) return "moved";
-  return fmt::format("x {}, y {}, rotation {}", word(support[0]), word(support[1]), word(support[2]));
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k)
+    text += fmt::format("{}{} {}", k == 0 ? "" : ", ", dof_names<D>[k], word(support[k]));
+  return text;
+}
+
+}  // namespace
+
+std::string support_text(const std::array<Support, 3>& support) {
+  return held_text<2>(support);
+}
+std::string support_text(const std::array<Support, 6>& support) {
+  return held_text<3>(support);
 }
 
 /// True for the first of the nodes of a body that follow a motion along one degree of freedom.
-bool leads(const Model<2>& model, const Drive& drive) {
+template <int D>
+bool leads(const Model<D>& model, const Drive& drive) {
   const auto body_of = [&](const Drive& d) { return body_of_node(model, d.node); };
   return std::none_of(model.drives.data(), &drive, [&](const Drive& earlier) {
     return earlier.dof == drive.dof && earlier.start == drive.start && body_of(earlier) == body_of(drive);
   });
 }
 
-std::string drive_text(const Model<2>& model, const Drive& drive) {
-  constexpr std::array names{"x", "y", "rotation"};
+template <int D>
+std::string drive_text(const Model<D>& model, const Drive& drive) {
   const auto body = std::find_if(model.bodies.begin(), model.bodies.end(), [&](const Body& b) {
     return b.first_node <= drive.node && drive.node < b.first_node + b.nodes;
   });
   return fmt::format("{} on '{}' ({}), from t = {:g} s", drive.motion->description(),
-                     body == model.bodies.end() ? "?" : body->name, names[static_cast<std::size_t>(drive.dof)],
+                     body == model.bodies.end() ? "?" : body->name, dof_names<D>[static_cast<std::size_t>(drive.dof)],
                      drive.start);
 }
 
@@ -228,5 +282,12 @@ std::string bearing_text(const Model<2>& model, const Bearing<2>& bearing) {
     out += fmt::format("; becomes bearing {}", model.bearings[bearing.becomes_bearing].name);
   return out;
 }
+
+template results::Header recording_header(const Model<2>&, const State<2>&, const RecordingOptions<2>&);
+template results::Header recording_header(const Model<3>&, const State<3>&, const RecordingOptions<3>&);
+template bool leads(const Model<2>&, const Drive&);
+template bool leads(const Model<3>&, const Drive&);
+template std::string drive_text(const Model<2>&, const Drive&);
+template std::string drive_text(const Model<3>&, const Drive&);
 
 }  // namespace trilith

@@ -12,18 +12,20 @@
 namespace trilith {
 
 /// A quantity followed over time. `sample` must give a finite number and write nothing.
+template <int D>
 struct RecordedHistory {
   std::string name, unit, description;
-  std::function<double(const Instant<2>&)> sample;
+  std::function<double(const Instant<D>&)> sample;
 };
 
 /// What the caller knows and the model does not.
+template <int D>
 struct RecordingOptions {
   /// What is left empty of compiler, platform, commit and start time is filled in; motions come from the model's
   /// drives where none are given.
   results::Provenance provenance;
   std::vector<Material> materials;  ///< for the table of laws
-  std::vector<RecordedHistory> histories;
+  std::vector<RecordedHistory<D>> histories;
   bool with_velocity = false;
   bool with_joints = false;  ///< joints, what became of them, and the mean stress of bodies, in every frame
   int flush_frames = 50;     ///< bring rows to the disk with the first frame, after so many more ...
@@ -32,16 +34,20 @@ struct RecordingOptions {
 };
 
 /// Header of a results file of `model` that starts at `state`. Energy terms are those of world/energy.hpp.
-results::Header recording_header(const Model<2>& model, const State<2>& state, const RecordingOptions& options);
+template <int D>
+results::Header recording_header(const Model<D>& model, const State<D>& state, const RecordingOptions<D>& options);
 
 /// "fixed", "moved", "free", or each degree of freedom for itself: "x moved, y free, rotation free".
 std::string support_text(const std::array<Support, 3>& support);
+std::string support_text(const std::array<Support, 6>& support);
 
 /// True for the drive of a body's first node, which stands for those of all its nodes.
-bool leads(const Model<2>& model, const Drive& drive);
+template <int D>
+bool leads(const Model<D>& model, const Drive& drive);
 
 /// The ground motion that moves one degree of freedom: "El Centro ... on 'left ground' (x), from t = 3.2 s".
-std::string drive_text(const Model<2>& model, const Drive& drive);
+template <int D>
+std::string drive_text(const Model<D>& model, const Drive& drive);
 
 /// A bearing's laws by direction, its limits and what it becomes.
 std::string bearing_text(const Model<2>& model, const Bearing<2>& bearing);

@@ -46,19 +46,8 @@ std::vector<std::string> ModelBuilder::body_names() const {
   return names;
 }
 
-std::vector<std::string> ModelBuilder::law_names() const {
-  std::vector<std::string> names;
-  for (const auto& l : laws_) names.push_back(l.first);
-  return names;
-}
-
 void ModelBuilder::add_material(const Material& material) {
-  require_name(material.name, "material");
-  require_new(materials_, material.name, "material", [](const Material& m) { return m.name; });
-  const std::string owner = fmt::format("material '{}'", material.name);
-  require_positive(material.density, owner + ": density", "kg/m3");
-  add_doubt(notes_, owner, "density", "kg/m3", material.density);
-  if (material.solid) std::visit([&](const auto& l) { add_doubts(notes_, owner, l); }, material.solid->law);
+  check_material(material, materials_, notes_);
   materials_.push_back(material);
 }
 
@@ -74,13 +63,7 @@ void ModelBuilder::add_body(BodySpec spec) {
   for (const double v : {spec.velocity.x(), spec.velocity.y(), spec.spin, spec.load.x(), spec.load.y()})
     require_finite(v, owner + ": velocity, spin or load");
   if (spec.inertia) require_positive(*spec.inertia, owner + ": inertia", "kg m2");
-  if (!spec.material.empty()) {
-    std::vector<std::string> known;
-    for (const Material& m : materials_) known.push_back(m.name);
-    if (std::find(known.begin(), known.end(), spec.material) == known.end())
-      throw InputError(
-          fmt::format("{}: there is no material '{}'{}", owner, spec.material, name_hint(spec.material, known)));
-  }
+  if (!spec.material.empty()) require_material(materials_, spec.material, owner);
   if (spec.frame)
     check_frame(spec, owner);
   else if (spec.kind != BodyKind::rigid)
@@ -89,30 +72,6 @@ void ModelBuilder::add_body(BodySpec spec) {
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   if (spec.density) add_doubt(notes_, owner, "density", "kg/m3", *spec.density);
   bodies_.push_back(std::move(spec));
-}
-
-void ModelBuilder::add_law(const std::string& name, const ContactLaw& law) {
-  require_name(name, "contact law");
-  require_new(laws_, name, "contact law", [](const auto& l) { return l.first; });
-  std::visit(
-      [&](const auto& l) {
-        check_parameters(l);
-        if constexpr (requires { l.check(); }) l.check();
-        add_doubts(notes_, fmt::format("contact law '{}'", name), l);
-        if constexpr (requires { l.note(); })
-          if (const std::string note = l.note(); !note.empty())
-            notes_.push_back(fmt::format("contact law '{}': {}", name, note));
-      },
-      law);
-  laws_.emplace_back(name, law);
-}
-
-void ModelBuilder::set_contact(const std::string& a, const std::string& b, const std::string& law) {
-  std::vector<std::string> known = law_names();
-  known.emplace_back("none");
-  if (std::find(known.begin(), known.end(), law) == known.end())
-    throw InputError(fmt::format("contact of '{}' and '{}': there is no law '{}'{}", a, b, law, name_hint(law, known)));
-  contacts_.push_back({a, b, law});
 }
 
 int ModelBuilder::require_body(const std::string& name, const std::string& owner) const {
@@ -184,11 +143,11 @@ Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<st
   if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
   for (const BodySpec& spec : bodies_) attempt([&] { append_body(spec, model); });
   const bool whole = faults.empty();
-  check_contacts(faults);
+  rules_.check(bodies_, materials_, faults);
   if (!whole) return model;
   model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
   model.drive_of.assign(model.mass.size(), {-1, -1, -1});
-  fill_contact_table(model);
+  rules_.fill(model);
   find_thickness(model);
   for (const BearingSpec& spec : bearings_) attempt([&] { append_bearing(spec, model); });
   for (const SeatSpec& spec : seats_) attempt([&] { append_seat(spec, model); });

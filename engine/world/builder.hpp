@@ -10,17 +10,13 @@
 #include "load/motion.hpp"
 #include "shape/mesh.hpp"
 #include "shape/polygon.hpp"
+#include "world/contact_rules.hpp"
 #include "world/frame.hpp"
+#include "world/material.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
-
-struct Material {
-  std::string name;
-  double density = 0;                         ///< [kg/m3], above 0
-  std::optional<Solid> solid = std::nullopt;  ///< what deformable bodies need
-};
 
 /// Holds the nodes of a deformable body that stand in a box at the start.
 struct NodeSupport {
@@ -92,10 +88,11 @@ class ModelBuilder {
   // Each throws InputError, and leaves the builder as it was.
   void add_material(const Material& material);
   void add_body(BodySpec spec);
-  void add_law(const std::string& name, const ContactLaw& law);
-  /// Which law holds between two materials, groups or bodies ("*": any), which may be added later. The last statement
-  /// that fits a pair of bodies wins. `law` "none": they never touch.
-  void set_contact(const std::string& a, const std::string& b, const std::string& law);
+  /// See ContactRules.
+  void add_law(const std::string& name, const ContactLaw& law) { rules_.add_law(name, law, notes_); }
+  void set_contact(const std::string& a, const std::string& b, const std::string& law) {
+    rules_.set_contact(a, b, law);
+  }
   void add_bearing(const BearingSpec& spec);
   void add_seat(const SeatSpec& spec);
 
@@ -114,14 +111,10 @@ class ModelBuilder {
   [[nodiscard]] const std::vector<BodySpec>& bodies() const { return bodies_; }
   [[nodiscard]] const std::vector<BearingSpec>& bearings() const { return bearings_; }
   [[nodiscard]] std::vector<std::string> body_names() const;
-  [[nodiscard]] std::vector<std::string> law_names() const;
+  [[nodiscard]] std::vector<std::string> law_names() const { return rules_.law_names(); }
 
  private:
-  struct Contact {
-    std::string a, b, law;
-  };
   Model<2> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
-  void check_contacts(std::vector<std::string>& faults) const;
   void check_links(const BearingSpec& spec, const std::string& owner) const;
   void require_near(const std::string& body, const Vec2& point, const std::string& what) const;
   void check_deformable(BodySpec& spec, const std::string& owner);
@@ -132,13 +125,11 @@ class ModelBuilder {
   void append_pieces(const Polygon& outline, int body, Model<2>& model) const;
   void append_bearing(const BearingSpec& spec, Model<2>& model) const;
   void append_seat(const SeatSpec& spec, Model<2>& model) const;
-  void fill_contact_table(Model<2>& model) const;
   int require_body(const std::string& name, const std::string& owner) const;
 
   std::vector<Material> materials_;
   std::vector<BodySpec> bodies_;
-  std::vector<std::pair<std::string, ContactLaw>> laws_;
-  std::vector<Contact> contacts_;
+  ContactRules rules_;
   std::vector<BearingSpec> bearings_;
   std::vector<SeatSpec> seats_;
   std::vector<std::string> notes_;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "shape/fat_boxes.hpp"
 #include "shape/overlap.hpp"
 #include "shape/polygon.hpp"
+#include "shape/separation_3d.hpp"
 
 namespace trilith {
 namespace {
@@ -19,7 +21,8 @@ std::vector<Vec2> piece_outline(const Model<2>& model, int piece) {
   return outline;
 }
 
-bool may_touch(const Model<2>& model, int p, int q) {
+template <int D>
+bool may_touch(const Model<D>& model, int p, int q) {
   const Body &a = model.bodies[model.piece_body[p]], &b = model.bodies[model.piece_body[q]];
   return model.law_of[a.surface * model.surfaces + b.surface] >= 0;
 }
@@ -48,6 +51,34 @@ void for_near_pieces(const Model<2>& model, double reach, Visit&& visit) {
     }
 }
 
+/// The same of solids: those whose boxes meet are asked for their separating axis.
+template <class Visit>
+void for_near_pieces(const Model<3>& model, double reach, Visit&& visit) {
+  std::vector<PlacedSolid> placed(static_cast<std::size_t>(model.pieces()));
+  FatBoxes<3> boxes;
+  boxes.reset(model.pieces());
+  for (int p = 0; p < model.pieces(); ++p) {
+    const int node = model.bodies[model.piece_body[p]].first_node;
+    place(model.piece_solid[p], turn_of(model.start_rotation[node]), model.start_position[node], placed[p]);
+    FatBox<3> box;
+    box.low.fill(unbounded), box.high.fill(-unbounded);
+    for (const Vec3& x : placed[p].corners)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double at = x[static_cast<Eigen::Index>(k)];
+        box.low[k] = std::min(box.low[k], at - 0.5 * reach), box.high[k] = std::max(box.high[k], at + 0.5 * reach);
+      }
+    boxes.put(p, box);
+  }
+  for (int p = 0; p < model.pieces(); ++p) {
+    std::vector<int> near;
+    boxes.for_meeting(boxes.box(p), [&](int q) {
+      if (q > p && model.piece_body[p] != model.piece_body[q]) near.push_back(q);
+    });
+    std::sort(near.begin(), near.end());
+    for (const int q : near) visit(p, q, separation(placed[p], placed[q]).distance);
+  }
+}
+
 int root_of(std::vector<int>& parent, int i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
@@ -55,7 +86,8 @@ int root_of(std::vector<int>& parent, int i) {
 
 }  // namespace
 
-void check_overlaps(const Model<2>& model, double allowed, std::vector<std::string>& faults,
+template <int D>
+void check_overlaps(const Model<D>& model, double allowed, std::vector<std::string>& faults,
                     std::vector<std::string>& notes) {
   struct DeepPair {
     double share, depth;
@@ -92,7 +124,8 @@ void check_overlaps(const Model<2>& model, double allowed, std::vector<std::stri
 
 /// Bodies that touch or are linked are one set, with one more that stands for what is fixed or driven (index `bodies`);
 /// what is not in its set would fall. Pieces with a small gap between them count as touching.
-void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults) {
+template <int D>
+void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults) {
   if (model.gravity.field.isZero()) return;
   const auto bodies = static_cast<int>(model.bodies.size());
   std::vector<int> parent(static_cast<std::size_t>(bodies + 1));
@@ -103,11 +136,12 @@ void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& float
   for (int b = 0; b < bodies; ++b) {
     for (int n = model.bodies[b].first_node; n < model.bodies[b].first_node + model.bodies[b].nodes; ++n) {
       const auto& support = model.support[n];
-      if (std::any_of(support.begin(), support.begin() + 2, [](Support s) { return s != Support::free; }))
+      if (std::any_of(support.begin(), support.begin() + D, [](Support s) { return s != Support::free; }))
         join(b, bodies);
     }
   }
-  for (const Bearing<2>& link : model.bearings) join(link.body_a, link.body_b);
+  if constexpr (D == 2)
+    for (const Bearing<2>& link : model.bearings) join(link.body_a, link.body_b);
   for_near_pieces(model, 1e-3 * size, [&](int p, int q, double separation) {
     const int a = model.piece_body[p], b = model.piece_body[q];
     const double near = 0.02 * std::min(model.body_radius[a], model.body_radius[b]);
@@ -120,5 +154,10 @@ void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& float
                       "set it on something, give a contact law for its material, or say floating = true",
                       model.bodies[b].name));
 }
+
+template void check_overlaps(const Model<3>&, double, std::vector<std::string>&, std::vector<std::string>&);
+template void check_held_up(const Model<3>&, const std::vector<std::uint8_t>&, std::vector<std::string>&);
+template void check_overlaps(const Model<2>&, double, std::vector<std::string>&, std::vector<std::string>&);
+template void check_held_up(const Model<2>&, const std::vector<std::uint8_t>&, std::vector<std::string>&);
 
 }  // namespace trilith

@@ -11,11 +11,13 @@ namespace trilith {
 
 /// A fault for each two bodies that may touch and overlap deeper at the start than `allowed` times the smaller one's
 /// size: their names and the depth, the deepest for its size first. Where there is none, the deepest is noted.
-void check_overlaps(const Model<2>& model, double allowed, std::vector<std::string>& faults,
+template <int D>
+void check_overlaps(const Model<D>& model, double allowed, std::vector<std::string>& faults,
                     std::vector<std::string>& notes);
 
 /// A fault for each free body on which gravity acts and that neither touches, nor is linked to, anything that leads to
 /// a fixed or driven body. `floating`: [body] 1 where that is meant.
-void check_held_up(const Model<2>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults);
+template <int D>
+void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults);
 
 }  // namespace trilith

@@ -199,7 +199,8 @@ Pose body_pose(const Model<2>& model, const State<2>& state, int body) {
 }
 
 /// Nodes of bodies lie one body after the other.
-int body_of_node(const Model<2>& model, int node) {
+template <int D>
+int body_of_node(const Model<D>& model, int node) {
   const auto after = std::upper_bound(model.bodies.begin(), model.bodies.end(), node,
                                       [](int n, const Body& b) { return n < b.first_node; });
   return static_cast<int>(after - model.bodies.begin()) - 1;
@@ -294,5 +295,7 @@ void push_at(const Model<2>& model, const State<2>& state, const Tie<2>& tie, co
 
 template double body_mass(const Model<2>&, int);
 template double body_mass(const Model<3>&, int);
+template int body_of_node(const Model<2>&, int);
+template int body_of_node(const Model<3>&, int);
 
 }  // namespace trilith

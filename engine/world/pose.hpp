@@ -25,7 +25,8 @@ double body_mass(const Model<D>& model, int body);
 double body_inertia(const Model<2>& model, int body);
 
 /// The body that a node belongs to.
-int body_of_node(const Model<2>& model, int node);
+template <int D>
+int body_of_node(const Model<D>& model, int node);
 /// Where a skin point stands at the start, and now [m].
 Vec2 skin_start(const Model<2>& model, int skin);
 Vec2 skin_place(const Model<2>& model, const State<2>& state, int skin);

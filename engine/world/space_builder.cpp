@@ -167,16 +167,21 @@ void SpaceBuilder::contact(int surface_a, int surface_b, const ContactLaw& law, 
   model_.laws.push_back(law), model_.law_names.push_back(name);
 }
 
+void complete_space(Model<3>& model) {
+  model.least_thickness = unbounded;
+  for (int p = 0; p < model.pieces(); ++p)
+    if (touches_something(model, model.bodies[model.piece_body[p]].surface))
+      model.least_thickness = std::min(model.least_thickness, model.piece_thickness[p]);
+  model.bounds = default_bounds(model);
+}
+
 Model<3> SpaceBuilder::build() const {
   Model<3> model = model_;
   for (const Pairing& p : pairings_) model.surfaces = std::max({model.surfaces, p.a + 1, p.b + 1});
   model.law_of.assign(static_cast<std::size_t>(model.surfaces) * static_cast<std::size_t>(model.surfaces), -1);
   const auto row = [&](int a, int b) { return static_cast<std::size_t>(a * model.surfaces + b); };
   for (const Pairing& p : pairings_) model.law_of[row(p.a, p.b)] = model.law_of[row(p.b, p.a)] = p.law;
-  for (int p = 0; p < model.pieces(); ++p)
-    if (touches_something(model, model.bodies[model.piece_body[p]].surface))
-      model.least_thickness = std::min(model.least_thickness, model.piece_thickness[p]);
-  model.bounds = default_bounds(model);
+  complete_space(model);
   return model;
 }
 

@@ -28,6 +28,9 @@ struct SolidMass {
 };
 SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density);
 
+/// Writes thicknesses and the usual bounds of a model in space whose bodies and table of laws are there.
+void complete_space(Model<3>& model);
+
 /// Collects bodies and laws, then makes the model. Refuses with an InputError what is no body, with its name.
 class SpaceBuilder {
  public:

@@ -20,7 +20,7 @@ void read_points(Keys& keys, BearingSpec& spec) {
   spec.point_b = at ? *at : to.value_or(Vec2::Zero());
 }
 
-void read_successor(Keys& keys, ScriptModel& m, BearingSpec& spec) {
+void read_successor(Keys& keys, PlaneModel& m, BearingSpec& spec) {
   lua_State* L = keys.lua();
   const int type = keys.push("becomes");
   if (type == LUA_TSTRING) {
@@ -43,7 +43,7 @@ void read_successor(Keys& keys, ScriptModel& m, BearingSpec& spec) {
 }
 
 /// The two bodies under `between`: handles or names.
-void read_between(Keys& keys, const ScriptModel& m, BearingSpec& spec) {
+void read_between(Keys& keys, const PlaneModel& m, BearingSpec& spec) {
   lua_State* L = keys.lua();
   const int type = keys.push("between");
   if (type == LUA_TTABLE && lua_rawlen(L, -1) == 2) {
@@ -70,7 +70,7 @@ void read_between(Keys& keys, const ScriptModel& m, BearingSpec& spec) {
 }
 
 int add_bearing(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  PlaneModel& m = this_plane(L);
   m.require_open("bearing");
   Keys keys(L, 2, "bearing");
   BearingSpec spec;
@@ -91,7 +91,7 @@ int add_bearing(lua_State* L) {
 }
 
 int add_seat(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  PlaneModel& m = this_plane(L);
   m.require_open("seat");
   Keys keys(L, 2, "seat");
   SeatSpec spec;
@@ -119,9 +119,9 @@ struct LiveBearing {
 };
 
 LiveBearing live(const BearingHandle& b) {
-  const Simulation<2>& s = b.model().evaluated();
+  const Simulation<2>& s = b.plane().evaluated();
   const auto row = static_cast<std::size_t>(b.index);
-  return {s.model(), s.state(), s.work(), s.model().bearings[row], s.work().bearing[row], row};
+  return {s.plane(), s.state(), s.work(), s.model().bearings[row], s.work().bearing[row], row};
 }
 
 double force_of(const BearingHandle& b, std::size_t k) {
@@ -187,7 +187,7 @@ const std::array bearing_properties{
     BearingProperty{"status", "", "waiting, intact, yielded, failed or changed", nullptr,
                     [](lua_State* L, const BearingHandle& b) {
                       lua_pushstring(
-                          L, name_of(b.model().simulation().state().bearing[static_cast<std::size_t>(b.index)].status));
+                          L, name_of(b.plane().simulation().state().bearing[static_cast<std::size_t>(b.index)].status));
                     }},
     BearingProperty{"bodies", "", "the two bodies it links", nullptr, push_bodies},
     BearingProperty{"force", "", "forces of its laws { along, axial, turning } [N, N, N m]", nullptr,
@@ -219,12 +219,12 @@ const std::array seat_properties{
                  [](lua_State* L, const SeatHandle& s) { lua_pushstring(L, name_of_seat(s).c_str()); }},
     SeatProperty{"length", "m", "how far the end still reaches over the edge",
                  [](const SeatHandle& s) {
-                   const Simulation<2>& sim = s.model().simulation();
+                   const Simulation<2>& sim = s.plane().simulation();
                    return seat_length(sim.model(), sim.state(), sim.model().seats[static_cast<std::size_t>(s.index)]);
                  }},
     SeatProperty{"lost", "", "true once the end has left its seat", nullptr,
                  [](lua_State* L, const SeatHandle& s) {
-                   lua_pushboolean(L, s.model().simulation().state().seat_lost[static_cast<std::size_t>(s.index)]);
+                   lua_pushboolean(L, s.plane().simulation().state().seat_lost[static_cast<std::size_t>(s.index)]);
                  }},
 };
 

@@ -10,36 +10,79 @@
 #include "step/element_stress.hpp"
 #include "table_fields.hpp"
 #include "world/pose.hpp"
+#include "world/space_builder.hpp"
 
 namespace trilith::script {
 namespace {
 
-const BodySpec& spec(const BodyHandle& b) {
-  return b.model().builder.bodies()[b.index];
+const std::string& name_of_body(const BodyHandle& b) {
+  return b.model().body_name(b.index);
 }
-Pose pose(const BodyHandle& b) {
-  const Simulation<2>* s = b.model().if_built();
-  if (s != nullptr) return body_pose(s->model(), s->state(), b.index);
-  return {polygon_moments(spec(b).outline).centroid, 0, spec(b).velocity, spec(b).spin};
+const BodySpec& spec(const BodyHandle& b) {
+  return b.plane().spec(b.index);
+}
+
+/// Where a body is and how it moves, in the plane with z = 0 and turning about z.
+struct BodyMotion {
+  Vec3 place = Vec3::Zero(), moved = Vec3::Zero();  ///< of its centroid, and since the start [m]
+  Vec3 turned = Vec3::Zero();                       ///< rotation vector since the start [rad]
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
+};
+
+Vec3 in_space(const Vec2& v) {
+  return {v.x(), v.y(), 0};
+}
+
+BodyMotion motion_in_plane(const PlaneModel& m, int body) {
+  const BodySpec& spec = m.spec(body);
+  const Simulation<2>* s = m.if_built();
+  const Pose pose = s != nullptr ? body_pose(s->model(), s->state(), body)
+                                 : Pose{polygon_moments(spec.outline).centroid, 0, spec.velocity, spec.spin};
+  const Vec2 moved = s != nullptr ? Vec2(pose.place - body_start(s->model(), body)) : Vec2(Vec2::Zero());
+  return {in_space(pose.place), in_space(moved), {0, 0, pose.rotation}, in_space(pose.velocity), {0, 0, pose.spin}};
+}
+
+BodyMotion motion_in_space(const SpaceModel& m, int body) {
+  const Simulation<3>* s = m.if_built();
+  if (s == nullptr) {
+    const SolidSpec& spec = m.spec(body);
+    return {mass_of(spec.pieces, 1).centroid, Vec3::Zero(), Vec3::Zero(), spec.velocity, spec.spin};
+  }
+  const auto n = static_cast<std::size_t>(s->model().bodies[static_cast<std::size_t>(body)].first_node);
+  const State<3>& state = s->state();
+  return {state.position[n], state.position[n] - s->model().start_position[n],
+          angle_of(state.rotation[n] * inverse(s->model().start_rotation[n])), state.velocity[n], state.spin[n]};
+}
+
+BodyMotion motion(const BodyHandle& b) {
+  if (const PlaneModel* plane = as_plane(b.model())) return motion_in_plane(*plane, b.index);
+  return motion_in_space(static_cast<const SpaceModel&>(b.model()), b.index);
 }
 Vec2 start_place(const BodyHandle& b) {
   return polygon_moments(spec(b).outline).centroid;
 }
 Vec2 place(const BodyHandle& b) {
-  return pose(b).place;
-}
-Vec2 velocity(const BodyHandle& b) {
-  return pose(b).velocity;
+  return motion(b).place.head<2>();
 }
 double rotation(const BodyHandle& b) {
-  return pose(b).rotation;
+  b.plane();
+  return motion(b).turned.z();
 }
 double spin(const BodyHandle& b) {
-  return pose(b).spin;
+  b.plane();
+  return motion(b).spin.z();
 }
-Vec2 moved(const BodyHandle& b) {
-  const Simulation<2>* s = b.model().if_built();
-  return s != nullptr ? Vec2(pose(b).place - body_start(s->model(), b.index)) : Vec2::Zero();
+
+/// A number of models in space: `axis` 0 to 2.
+template <Vec3 BodyMotion::*vector, int axis>
+double in_space_only(const BodyHandle& b) {
+  if (b.model().dim() != 3)
+    throw InputError(fmt::format("this is of bodies in space, and {} is in the plane", b.model().title()));
+  return (motion(b).*vector)[axis];
+}
+template <Vec3 BodyMotion::*vector, int axis>
+double along_axis(const BodyHandle& b) {
+  return (motion(b).*vector)[axis];
 }
 
 void push_text(lua_State* L, const std::string& text) {
@@ -47,7 +90,7 @@ void push_text(lua_State* L, const std::string& text) {
 }
 
 void push_outline(lua_State* L, const BodyHandle& b) {
-  const Simulation<2>* s = b.model().if_built();
+  const Simulation<2>* s = b.plane().if_built();
   const bool deforms = s != nullptr && !s->model().bodies[b.index].is_rigid();
   const Vec2 start = start_place(b), now = place(b);
   const Turn turn(rotation(b));
@@ -69,7 +112,7 @@ void push_outline(lua_State* L, const BodyHandle& b) {
 void push_groups(lua_State* L, const BodyHandle& b) {
   lua_newtable(L);
   lua_Integer i = 0;
-  for (const std::string& g : spec(b).groups) {
+  for (const std::string& g : b.model().groups_of(b.index)) {
     push_text(L, g);
     lua_rawseti(L, -2, ++i);
   }
@@ -78,7 +121,7 @@ void push_groups(lua_State* L, const BodyHandle& b) {
 /// A mean over the area of a deformable body; 0 for a rigid one and before the first stage.
 template <class Value>
 double mean_stress(const BodyHandle& b, Value&& value) {
-  const Simulation<2>* s = b.model().if_built();
+  const Simulation<2>* s = b.plane().if_built();
   if (s == nullptr) return 0;
   double sum = 0, area = 0;
   for (std::size_t e = 0; e < s->model().elements.size(); ++e) {
@@ -95,7 +138,7 @@ template <void (*push)(lua_State*, int, int)>
 void push_ends(lua_State* L, const BodyHandle& b, const std::vector<std::string>& names) {
   const std::string& span = spec(b).name;
   const auto is_span = [&](const LaidSpan& laid) { return laid.deck.name == span; };
-  const auto& book = b.model().bridge;
+  const auto& book = b.plane().bridge;
   if (!book || std::none_of(book->layout.spans().begin(), book->layout.spans().end(), is_span)) {
     lua_pushnil(L);
     return;
@@ -113,27 +156,40 @@ void push_ends(lua_State* L, const BodyHandle& b, const std::vector<std::string>
 using BodyProperty = Property<BodyHandle>;
 const std::array body_properties{
     BodyProperty{"name", "", "its name", nullptr,
-                 [](lua_State* L, const BodyHandle& b) { push_text(L, spec(b).name); }},
+                 [](lua_State* L, const BodyHandle& b) { push_text(L, name_of_body(b)); }},
     BodyProperty{"material", "", "name of its material", nullptr,
-                 [](lua_State* L, const BodyHandle& b) { push_text(L, spec(b).material); }},
+                 [](lua_State* L, const BodyHandle& b) { push_text(L, b.model().material_of(b.index)); }},
     BodyProperty{"groups", "", "names of its groups", nullptr, push_groups},
     BodyProperty{"outline", "", "its corners {x, y} where they are now [m]", nullptr, push_outline},
-    BodyProperty{"x", "m", "place of the centroid", [](const BodyHandle& b) { return place(b).x(); }},
-    BodyProperty{"y", "m", "height of the centroid", [](const BodyHandle& b) { return place(b).y(); }},
-    BodyProperty{"rotation", "rad", "counter-clockwise turn since the start", rotation},
-    BodyProperty{"vx", "m/s", "velocity of the centroid along x", [](const BodyHandle& b) { return velocity(b).x(); }},
-    BodyProperty{"vy", "m/s", "velocity of the centroid along y", [](const BodyHandle& b) { return velocity(b).y(); }},
-    BodyProperty{"spin", "rad/s", "rate of rotation", spin},
-    BodyProperty{"ux", "m", "displacement along x since the start", [](const BodyHandle& b) { return moved(b).x(); }},
-    BodyProperty{"uy", "m", "displacement along y since the start", [](const BodyHandle& b) { return moved(b).y(); }},
-    BodyProperty{"speed", "m/s", "speed of the centroid", [](const BodyHandle& b) { return velocity(b).norm(); }},
+    BodyProperty{"x", "m", "place of the centroid", along_axis<&BodyMotion::place, 0>},
+    BodyProperty{"y", "m", "height of the centroid; in space its place along y", along_axis<&BodyMotion::place, 1>},
+    BodyProperty{"z", "m", "height of the centroid in space", in_space_only<&BodyMotion::place, 2>},
+    BodyProperty{"rotation", "rad", "counter-clockwise turn since the start, in the plane", rotation},
+    BodyProperty{"turn_x", "rad", "turn since the start in space: rotation vector along x",
+                 in_space_only<&BodyMotion::turned, 0>},
+    BodyProperty{"turn_y", "rad", "... along y", in_space_only<&BodyMotion::turned, 1>},
+    BodyProperty{"turn_z", "rad", "... along z", in_space_only<&BodyMotion::turned, 2>},
+    BodyProperty{"vx", "m/s", "velocity of the centroid along x", along_axis<&BodyMotion::velocity, 0>},
+    BodyProperty{"vy", "m/s", "velocity of the centroid along y", along_axis<&BodyMotion::velocity, 1>},
+    BodyProperty{"vz", "m/s", "velocity of the centroid along z, in space", in_space_only<&BodyMotion::velocity, 2>},
+    BodyProperty{"spin", "rad/s", "rate of rotation, in the plane", spin},
+    BodyProperty{"spin_x", "rad/s", "rate of rotation about x, in space", in_space_only<&BodyMotion::spin, 0>},
+    BodyProperty{"spin_y", "rad/s", "rate of rotation about y, in space", in_space_only<&BodyMotion::spin, 1>},
+    BodyProperty{"spin_z", "rad/s", "rate of rotation about z, in space", in_space_only<&BodyMotion::spin, 2>},
+    BodyProperty{"ux", "m", "displacement along x since the start", along_axis<&BodyMotion::moved, 0>},
+    BodyProperty{"uy", "m", "displacement along y since the start", along_axis<&BodyMotion::moved, 1>},
+    BodyProperty{"uz", "m", "displacement along z since the start, in space", in_space_only<&BodyMotion::moved, 2>},
+    BodyProperty{"speed", "m/s", "speed of the centroid", [](const BodyHandle& b) { return motion(b).velocity.norm(); }},
     BodyProperty{"mass", "kg", "mass", [](const BodyHandle& b) { return b.model().mass_of(b.index); }},
     BodyProperty{"inertia", "kg m2", "moment of inertia about the centroid",
-                 [](const BodyHandle& b) { return b.model().inertia_of(b.index); }},
+                 [](const BodyHandle& b) { return b.plane().inertia_of(b.index); }},
     BodyProperty{"area", "m2", "area of the outline",
                  [](const BodyHandle& b) { return polygon_moments(spec(b).outline).area; }},
     BodyProperty{"kind", "", "\"rigid\", \"quad\" or \"mesh\"", nullptr,
-                 [](lua_State* L, const BodyHandle& b) { push_text(L, std::string(name_of(spec(b).kind))); }},
+                 [](lua_State* L, const BodyHandle& b) {
+                   const PlaneModel* plane = as_plane(b.model());
+                   push_text(L, std::string(name_of(plane != nullptr ? plane->spec(b.index).kind : BodyKind::rigid)));
+                 }},
     BodyProperty{
         "sxx", "Pa", "mean stress along x of a deformable body",
         [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xx; }); }},
@@ -151,8 +207,7 @@ const std::array body_properties{
                  [](lua_State* L, const BodyHandle& b) { push_ends<push_seat>(L, b, b.model().seats); }},
     BodyProperty{"resting", "", "true while it has been still for the model's still_time", nullptr,
                  [](lua_State* L, const BodyHandle& b) {
-                   const Simulation<2>* s = b.model().if_built();
-                   lua_pushboolean(L, s != nullptr && s->state().resting[b.index] != 0 ? 1 : 0);
+                   lua_pushboolean(L, b.model().is_resting(b.index) ? 1 : 0);
                  }},
 };
 
@@ -161,7 +216,7 @@ int body_point(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
   const auto at = point_at(L, 2);
   if (!at) throw InputError(fmt::format("point: takes {{x, y}}, two finite numbers; this is {}", what_is(L, 2)));
-  const Simulation<2>* s = b.model().if_built();
+  const Simulation<2>* s = b.plane().if_built();
   Vec2 now = *at;
   if (s != nullptr) {
     const Tie<2> tied = tie_point(s->model(), b.index, *at, fmt::format("point of body '{}'", spec(b).name));
@@ -196,7 +251,7 @@ double largest(const BodySet& set, Value&& value) {
 void push_names(lua_State* L, const BodySet& set) {
   lua_newtable(L);
   for (std::size_t i = 0; i < set.bodies.size(); ++i) {
-    push_text(L, spec(member(set, i)).name);
+    push_text(L, name_of_body(member(set, i)));
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
 }
@@ -213,7 +268,7 @@ const std::array set_properties{
                   return sum;
                 }},
     SetProperty{"speed", "m/s", "of the fastest centroid",
-                [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return velocity(b).norm(); }); }},
+                [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return motion(b).velocity.norm(); }); }},
     SetProperty{"drift", "m", "largest displacement since the start",
                 [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return moved(b).norm(); }); }},
 };
@@ -297,8 +352,8 @@ int set_damage(lua_State* L) {
   for (const auto& [key, value] : {std::pair{"apart", limits.apart}, {"out_of_place", limits.out_of_place}})
     if (!(value >= 0)) keys.problem(fmt::format("'{}' is {:g} m, must not be below 0", key, value));
   keys.finish();
-  const Simulation<2>& sim = set.model().evaluated();
-  const Findings& findings = set.model().findings();
+  const Simulation<2>& sim = set.plane().evaluated();
+  const Findings& findings = set.plane().findings();
   const std::vector<StoreyDamage> rows = damage_by_storey(sim.model(), sim.state(), sim.work(), set.bodies,
                                                           findings.storeys, findings.base, findings.joints, limits);
   if (rows.empty())
@@ -342,7 +397,7 @@ std::span<const Method> Kind<BodyHandle>::methods() {
   return body_methods;
 }
 std::string Kind<BodyHandle>::title(const BodyHandle& b) {
-  return b.open() ? fmt::format("body '{}'", spec(b).name) : "body of a closed model";
+  return b.open() ? fmt::format("body '{}'", name_of_body(b)) : "body of a closed model";
 }
 std::span<const std::pair<const char*, lua_CFunction>> Kind<BodyHandle>::metamethods() {
   return body_operators;

@@ -206,7 +206,7 @@ void check_named(const BodyOptions& options, const std::vector<Part>& parts, con
   for (const auto& [name, spec] : options.by_group) check(name, "by_group");
 }
 
-void add_part(ScriptModel& model, const Part& part, const BodyOptions& options) {
+void add_part(PlaneModel& model, const Part& part, const BodyOptions& options) {
   BodySpec spec = spec_of(part, options);
   spec.name = part.name;
   spec.outline = part.outline;

@@ -32,6 +32,6 @@ void check_named(const BodyOptions& options, const std::vector<Part>& parts, con
 
 /// Adds a part as a body; its groups are the part's and those of the options. Of several entries of by_group that fit,
 /// the one of the part's name counts, else the one of its first group.
-void add_part(ScriptModel& model, const Part& part, const BodyOptions& options);
+void add_part(PlaneModel& model, const Part& part, const BodyOptions& options);
 
 }  // namespace trilith::script

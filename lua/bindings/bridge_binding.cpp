@@ -11,7 +11,7 @@ namespace trilith::script {
 namespace {
 
 /// Name of the contact law under `key`, given as a value or by name; "" where there is none or a problem is noted.
-std::string contact_law_under(Keys& keys, std::string_view key, ScriptModel& m) {
+std::string contact_law_under(Keys& keys, std::string_view key, PlaneModel& m) {
   lua_State* L = keys.lua();
   std::string name;
   const int type = keys.push(key);
@@ -32,7 +32,7 @@ std::string contact_law_under(Keys& keys, std::string_view key, ScriptModel& m) 
 
 /// m:bearing_type{ name =, height =, along =, axial =, turning =, limit =, becomes =, contact = }
 int add_bearing_type(lua_State* L) {
-  ScriptModel& m = this_model(L);
+  PlaneModel& m = this_plane(L);
   m.require_open("bearing_type");
   Keys keys(L, 2, "bearing type");
   BearingType type;
@@ -61,7 +61,7 @@ int add_bearing_type(lua_State* L) {
 }
 
 /// Name of the support under `key`; what no pier and no abutment is carries spans on its top.
-std::string support_under(Keys& keys, std::string_view key, ScriptModel& m) {
+std::string support_under(Keys& keys, std::string_view key, PlaneModel& m) {
   lua_State* L = keys.lua();
   std::string name;
   const int type = keys.push(key);
@@ -100,7 +100,7 @@ std::string type_under(Keys& keys, std::string_view key) {
   return name;
 }
 
-SpanPlan read_plan(Keys& keys, ScriptModel& m) {
+SpanPlan read_plan(Keys& keys, PlaneModel& m) {
   SpanPlan plan;
   plan.name = keys.text("name", plan.name);
   keys.name_owner(plan.name);
@@ -118,7 +118,7 @@ SpanPlan read_plan(Keys& keys, ScriptModel& m) {
 }
 
 /// An end's seat, and its bearing where its type has one.
-void add_end(ScriptModel& m, const std::string& span, const SpanEnd& end, const std::string& name) {
+void add_end(PlaneModel& m, const std::string& span, const SpanEnd& end, const std::string& name) {
   const BearingRecipe& recipe = book_of(m).recipes.at(end.type);
   m.builder.add_seat(
       {.name = name, .body = span, .support = end.support, .end = end.end, .edge = end.edge, .inward = end.inward});
@@ -133,7 +133,7 @@ void add_end(ScriptModel& m, const std::string& span, const SpanEnd& end, const 
   m.bearings.push_back(name);
 }
 
-int add_span_between(lua_State* L, ScriptModel& m, Keys& keys) {
+int add_span_between(lua_State* L, PlaneModel& m, Keys& keys) {
   const SpanPlan plan = read_plan(keys, m);
   BodyOptions options = read_body_options(keys, false, m.body_form);
   const auto weight = keys.maybe_number("weight_per_length", "N/m");
@@ -151,7 +151,7 @@ int add_span_between(lua_State* L, ScriptModel& m, Keys& keys) {
   return 1;
 }
 
-int add_span_alone(lua_State* L, ScriptModel& m, Keys& keys) {
+int add_span_alone(lua_State* L, PlaneModel& m, Keys& keys) {
   keys.know({"from", "to", "left", "right", "gap", "weight_per_length"});
   if (!keys.has("x0") && !keys.has("x1")) keys.missing("from", "the supports from and to, or the places x0 and x1");
   for (const char* key : {"left", "right", "gap", "weight_per_length"})
@@ -169,7 +169,7 @@ int add_span_alone(lua_State* L, ScriptModel& m, Keys& keys) {
 
 /// m:span{ name =, from =, to =, left =, right =, depth =, ... }, or { name =, x0 =, x1 =, ... } for a deck alone.
 int add_span(lua_State* L) {
-  ScriptModel& m = this_model(L);
+  PlaneModel& m = this_plane(L);
   m.require_open("span");
   Keys keys(L, 2, "span");
   return keys.has("from") || keys.has("to") ? add_span_between(L, m, keys) : add_span_alone(L, m, keys);

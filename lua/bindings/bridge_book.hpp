@@ -22,7 +22,7 @@ struct BridgeBook {
 };
 
 /// The model's book; made where there is none.
-inline BridgeBook& book_of(ScriptModel& m) {
+inline BridgeBook& book_of(PlaneModel& m) {
   if (!m.bridge) m.bridge = std::make_shared<BridgeBook>();
   return *m.bridge;
 }

@@ -32,7 +32,7 @@ std::string text_of(const ContactLaw& law) {
   return std::visit([](const auto& l) { return describe(l); }, law);
 }
 
-std::string change_law(Keys& keys, ScriptModel& m, const std::string& name) {
+std::string change_law(Keys& keys, PlaneModel& m, const std::string& name) {
   const auto& names = m.simulation().model().law_names;
   const auto it = std::find(names.begin(), names.end(), name);
   if (it == names.end()) throw InputError(fmt::format("change: there is no law '{}'{}", name, name_hint(name, names)));
@@ -45,7 +45,7 @@ std::string change_law(Keys& keys, ScriptModel& m, const std::string& name) {
   return fmt::format("law '{}' is now {}", name, text_of(law));
 }
 
-std::string change_bearing(Keys& keys, ScriptModel& m, const std::string& name) {
+std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
   constexpr std::array directions{"along", "axial", "turning"};
   const auto& bearings = m.simulation().model().bearings;
   const auto it = std::find_if(bearings.begin(), bearings.end(), [&](const auto& b) { return b.name == name; });
@@ -72,7 +72,7 @@ std::string change_bearing(Keys& keys, ScriptModel& m, const std::string& name) 
 
 /// m:change{ law = "name", mu = 0.4 } or m:change{ bearing = "name", limit = { along = 0.3 } }
 int change(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  PlaneModel& m = this_plane(L);
   if (m.running() && !m.paused())
     throw InputError("change: a stage runs; change laws and limits between stages or in a pause");
   Keys keys(L, 2, "change");

@@ -11,20 +11,29 @@ std::size_t bytes_in(const Vectors&... vectors) {
   return (std::size_t{0} + ... + (vectors.size() * sizeof(typename Vectors::value_type)));
 }
 
-}  // namespace
-
-std::size_t bytes_of(const State<2>& s) {
-  const std::size_t tangent = s.tangent ? bytes_in(s.tangent->column, s.tangent->row, s.tangent->value) : 0;
-  return sizeof(State<2>) + tangent +
-         bytes_in(s.position, s.rotation, s.velocity, s.spin, s.contacts.key, s.contacts.memory, s.contacts.law_row,
-                  s.contacts.law_memory, s.parted, s.bearing, s.plastic, s.beam_memory, s.seat_lost, s.moved_at,
-                  s.resting);
+/// Memory of what the contacts remember [bytes].
+std::size_t bytes_of_contacts(const ContactHistory& c) {
+  return bytes_in(c.key, c.memory, c.law_row, c.law_memory);
+}
+std::size_t bytes_of_contacts(const SolidHistory& c) {
+  return bytes_in(c.key, c.memory);
 }
 
-std::size_t bytes_of(const Model<2>& m) {
+}  // namespace
+
+template <int D>
+std::size_t bytes_of(const State<D>& s) {
+  const std::size_t tangent = s.tangent ? bytes_in(s.tangent->column, s.tangent->row, s.tangent->value) : 0;
+  return sizeof(State<D>) + tangent + bytes_of_contacts(s.contacts) +
+         bytes_in(s.position, s.rotation, s.velocity, s.spin, s.parted, s.bearing, s.plastic, s.beam_memory,
+                  s.seat_lost, s.moved_at, s.resting);
+}
+
+template <int D>
+std::size_t bytes_of(const Model<D>& m) {
   std::size_t names = 0;
   for (const Body& b : m.bodies) names += 64 * (1 + b.groups.size());
-  return sizeof(Model<2>) + names +
+  return sizeof(Model<D>) + names +
          bytes_in(m.mass, m.inertia, m.support, m.start_position, m.start_rotation, m.start_velocity, m.start_spin,
                   m.load, m.bodies, m.body_radius, m.skin_place, m.skin_node, m.skin_turn, m.piece_body, m.piece_first,
                   m.corner_skin, m.edge_is_face, m.edge_corner, m.elements, m.element_batches, m.element_number,
@@ -33,23 +42,21 @@ std::size_t bytes_of(const Model<2>& m) {
 
 std::size_t Checkpoints::bytes() const {
   std::size_t sum = 0;
-  const Model<2>* before = nullptr;
-  for (const Checkpoint& c : list_) {
-    sum += c.bytes;
-    if (c.snapshot.model.get() != before) sum += bytes_of(*c.snapshot.model);
-    before = c.snapshot.model.get();
-  }
+  const void* before = nullptr;
+  for (const Checkpoint& c : list_)
+    std::visit(
+        [&](const auto& s) {
+          sum += c.bytes + (s.model.get() != before ? bytes_of(*s.model) : 0);
+          before = s.model.get();
+        },
+        c.snapshot);
   return sum;
 }
 
-bool Checkpoints::due(const Simulation<2>& now) const {
-  return on && (list_.empty() || now.state().time >= next_ ||
-                now.stage()->report.begun != list_.back().snapshot.stage->report.begun);
-}
-
 void Checkpoints::add(Checkpoint checkpoint) {
-  checkpoint.bytes =
-      sizeof(Checkpoint) + bytes_of(checkpoint.snapshot.state) + checkpoint.timers.size() * sizeof(Timer);
+  checkpoint.bytes = sizeof(Checkpoint) +
+                     std::visit([](const auto& s) { return bytes_of(s.state); }, checkpoint.snapshot) +
+                     checkpoint.timers.size() * sizeof(Timer);
   next_ = checkpoint.time() + options.every;
   list_.push_back(std::move(checkpoint));
   drop_oldest();

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "run/simulation.hpp"
@@ -25,12 +26,22 @@ struct CheckpointOptions {
 
 /// A snapshot, and how far the script's own rows had come.
 struct Checkpoint {
-  Snapshot<2> snapshot;
+  std::variant<Snapshot<2>, Snapshot<3>> snapshot;
   std::size_t events = 0, samples = 0;
   std::vector<Timer> timers;
   double wake_at = unbounded;
   std::size_t bytes = 0;
-  [[nodiscard]] double time() const { return snapshot.state.time; }
+  template <int D>
+  [[nodiscard]] const Snapshot<D>& snapshot_in() const {
+    return std::get<Snapshot<D>>(snapshot);
+  }
+  [[nodiscard]] double time() const {
+    return std::visit([](const auto& s) { return s.state.time; }, snapshot);
+  }
+  /// When its stage began [s].
+  [[nodiscard]] double stage_begun() const {
+    return std::visit([](const auto& s) { return s.stage->report.begun; }, snapshot);
+  }
 };
 
 /// The latest checkpoints; the oldest goes where there are too many.
@@ -40,7 +51,11 @@ class Checkpoints {
   bool on = false;
 
   /// True where one is to be taken: the first of a stage, and then one each `every`.
-  [[nodiscard]] bool due(const Simulation<2>& now) const;
+  template <int D>
+  [[nodiscard]] bool due(const Simulation<D>& now) const {
+    return on &&
+           (list_.empty() || now.state().time >= next_ || now.stage()->report.begun != list_.back().stage_begun());
+  }
   void add(Checkpoint checkpoint);
   /// The nearest one to `time`, nullptr where there is none.
   [[nodiscard]] const Checkpoint* nearest(double time) const;
@@ -68,7 +83,9 @@ struct Branch {
 };
 
 /// Memory of a state and of a model [bytes].
-std::size_t bytes_of(const State<2>& state);
-std::size_t bytes_of(const Model<2>& model);
+template <int D>
+std::size_t bytes_of(const State<D>& state);
+template <int D>
+std::size_t bytes_of(const Model<D>& model);
 
 }  // namespace trilith::script

@@ -14,14 +14,14 @@ struct Pair {
   const State<2>*before, *now;
 };
 
-Pair latest_pair(const Branch& branch, const ScriptModel& m) {
+Pair latest_pair(const Branch& branch, const PlaneModel& m) {
   std::vector<const State<2>*> now{&m.if_built()->state()};
   const auto& kept = m.checkpoints.list();
-  for (auto c = kept.rbegin(); c != kept.rend() && c->time() > branch.from; ++c) now.push_back(&c->snapshot.state);
+  for (auto c = kept.rbegin(); c != kept.rend() && c->time() > branch.from; ++c) now.push_back(&c->snapshot_in<2>().state);
   for (const State<2>* n : now) {
     const State<2>* nearest = nullptr;
     for (const Checkpoint& c : branch.checkpoints) {
-      const State<2>& s = c.snapshot.state;
+      const State<2>& s = c.snapshot_in<2>().state;
       if (nearest == nullptr || std::abs(s.time - n->time) < std::abs(nearest->time - n->time)) nearest = &s;
     }
     if (nearest != nullptr && std::abs(nearest->time - n->time) <= 1.5 * std::max(n->last_dt, nearest->last_dt))
@@ -94,7 +94,7 @@ void push_histories(lua_State* L, const Branch& branch, const ScriptModel& m) {
 /// core.compare(model): { from, before, now, same, moved, events_before, events_now, histories }; nothing where no run
 /// was taken back, without the times where the branches have no time in common.
 int compare(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  PlaneModel& m = this_plane(L);
   if (!m.undone) return 0;
   const Branch& branch = *m.undone;
   lua_createtable(L, 0, 8);

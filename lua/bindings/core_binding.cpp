@@ -142,7 +142,7 @@ int name_of(lua_State* L) {
   else if (kind == Kind<SeatHandle>::name)
     name = m.seats[static_cast<std::size_t>(row_at<SeatHandle>(L, 3, m, owner))];
   else
-    name = m.builder.bodies()[static_cast<std::size_t>(row_at<BodyHandle>(L, 3, m, owner))].name;
+    name = m.body_name(row_at<BodyHandle>(L, 3, m, owner));
   lua_pushlstring(L, name.data(), name.size());
   return 1;
 }

@@ -38,8 +38,9 @@ void push_event(lua_State* L, int model_index, const Event& e) {
   set_text(L, "value_name", info_of(e.type).value_name);
   set_number(L, "x", e.x);
   set_number(L, "y", e.y);
+  if (m.dim() == 3) set_number(L, "z", e.z);
   if (has_trait(e.type, of_joint)) set_text(L, "mode", name_of(e.mode));
-  set_text(L, "text", event_text(e, m.if_built()->model()));
+  set_text(L, "text", m.text_of(e));
   set_bodies(L, model_index, e);
   if (e.bearing >= 0) {
     push_bearing(L, model_index, e.bearing);

@@ -14,7 +14,7 @@ namespace {
 struct Present {
   const Simulation<2>& sim;
   const Findings& findings;
-  explicit Present(ScriptModel& m) : sim(m.evaluated()), findings(m.findings()) {}
+  explicit Present(PlaneModel& m) : sim(m.evaluated()), findings(m.findings()) {}
 };
 
 const Storey* find_storey(const Findings& findings, int number) {
@@ -24,7 +24,7 @@ const Storey* find_storey(const Findings& findings, int number) {
 }
 
 double drift_of(const StoreyHandle& h) {
-  const Present now(h.model());
+  const Present now(h.plane());
   const Storey* storey = find_storey(now.findings, h.index + 1);
   if (storey == nullptr) return 0;
   return storey_drift(now.sim.model(), now.sim.state(), now.findings.storeys, now.findings.base,
@@ -32,13 +32,13 @@ double drift_of(const StoreyHandle& h) {
 }
 
 double height_of(const StoreyHandle& h) {
-  const Storey* storey = find_storey(h.model().findings(), h.index + 1);
+  const Storey* storey = find_storey(h.plane().findings(), h.index + 1);
   return storey != nullptr ? storey->height : 0;
 }
 
 /// Mean over the bonded joints that `wanted` picks; 0 where there are none.
 template <class Wanted>
-double mean_damage(ScriptModel& m, Wanted&& wanted) {
+double mean_damage(PlaneModel& m, Wanted&& wanted) {
   const Present now(m);
   double lost = 0, all = 0;
   for (const Joint& joint : now.findings.joints) {
@@ -50,25 +50,25 @@ double mean_damage(ScriptModel& m, Wanted&& wanted) {
 }
 
 double damage_of(const StoreyHandle& h) {
-  return mean_damage(h.model(),
+  return mean_damage(h.plane(),
                      [&](const Model<2>& model, const Joint& joint) { return storey_of(model, joint) == h.index + 1; });
 }
 
 template <class Value>
 double largest_joint(const ModelBox& box, Value&& value) {
-  const Present now(box.get());
+  const Present now(box.plane());
   double most = 0;
   for (const Joint& joint : now.findings.joints) most = std::max(most, value(joint_motion(joint, now.sim.work())));
   return most;
 }
 
 double base_shear(const ModelBox& box) {
-  const Present now(box.get());
+  const Present now(box.plane());
   return force_on(now.sim.model(), now.sim.work(), now.findings.base).x();
 }
 
 double drift_of_top(const ModelBox& box) {
-  const Present now(box.get());
+  const Present now(box.plane());
   return top_drift(now.sim.model(), now.sim.state(), now.findings.storeys, now.findings.base);
 }
 
@@ -80,7 +80,7 @@ const std::array model_findings{
     FindingProperty{"top_drift", "m", "horizontal displacement of the topmost storey against the base", drift_of_top},
     FindingProperty{
         "damage", "1", "part of all bonds that is lost",
-        [](const ModelBox& box) { return mean_damage(box.get(), [](const auto&, const auto&) { return true; }); }},
+        [](const ModelBox& box) { return mean_damage(box.plane(), [](const auto&, const auto&) { return true; }); }},
     FindingProperty{
         "largest_opening", "m", "of all joints since the start",
         [](const ModelBox& box) { return largest_joint(box, [](const JointMotion& j) { return j.opening; }); }},
@@ -117,7 +117,7 @@ void push_joint(lua_State* L, const Present& now, const Joint& joint) {
 
 /// m:joints(): all that were there at the start; `damage` only of those with a bond.
 int joints(lua_State* L) {
-  const Present now(handle<ModelBox>(L, 1).get());
+  const Present now(this_plane(L));
   lua_newtable(L);
   lua_Integer count = 0;
   for (const Joint& joint : now.findings.joints) {
@@ -129,7 +129,7 @@ int joints(lua_State* L) {
 
 /// m:thrust_line(bodies): in their order, which for a set is that in which they were made.
 int thrust(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  PlaneModel& m = this_plane(L);
   const std::vector<int> chain = bodies_at(L, 2, m, "thrust_line");
   const Simulation<2>& sim = m.evaluated();
   std::vector<TouchingContact> touching;
@@ -153,7 +153,7 @@ int thrust(lua_State* L) {
 
 /// m:stresses(): mean stress of each free body.
 int stresses(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  PlaneModel& m = this_plane(L);
   const Simulation<2>& sim = m.evaluated();
   std::vector<TouchingContact> touching;
   contact_resultants(sim.model(), sim.work(), touching);
@@ -179,7 +179,7 @@ const std::array finding_method_list{
 
 }  // namespace
 
-int storey_count(const ScriptModel& model) {
+int storey_count(const PlaneModel& model) {
   int most = 0;
   for (const BodySpec& body : model.builder.bodies()) most = std::max(most, storey_in(body.groups));
   return most;

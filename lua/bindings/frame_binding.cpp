@@ -80,7 +80,7 @@ void read_member(Keys& keys, FrameMember& member) {
 }
 
 /// Adds the frame as a body and pushes it.
-void add_frame(lua_State* L, ScriptModel& m, const std::string& name, BodyOptions& options, FrameSpec frame) {
+void add_frame(lua_State* L, PlaneModel& m, const std::string& name, BodyOptions& options, FrameSpec frame) {
   options.spec.name = name;
   options.spec.frame = std::move(frame);
   m.builder.add_body(std::move(options.spec));
@@ -89,7 +89,7 @@ void add_frame(lua_State* L, ScriptModel& m, const std::string& name, BodyOption
 
 /// m:beam{ name =, from =, to =, section =, ... }
 int add_beam(lua_State* L) {
-  ScriptModel& m = this_model(L);
+  PlaneModel& m = this_plane(L);
   m.require_open("beam");
   Keys keys(L, 2, "beam");
   const std::string name = keys.text("name");
@@ -183,7 +183,7 @@ void read_members(Keys& keys, FrameSpec& frame) {
 
 /// m:frame{ name =, joints =, members =, ... }
 int frame(lua_State* L) {
-  ScriptModel& m = this_model(L);
+  PlaneModel& m = this_plane(L);
   m.require_open("frame");
   Keys keys(L, 2, "frame");
   const std::string name = keys.text("name");
@@ -231,7 +231,7 @@ AskedMember asked_member(lua_State* L, const char* call) {
     name = text_at(L, 2);
   else if (!lua_isnoneornil(L, 2))
     throw InputError(fmt::format("{}: takes the name of a member; this is {}", call, what_is(L, 2)));
-  const Simulation<2>* const built = b.model().if_built();
+  const Simulation<2>* const built = b.plane().if_built();
   if (built == nullptr) throw InputError(fmt::format("{}: nothing has run yet; ask during a stage or after it", call));
   return {*built, member_of(built->model(), b.index, name, call)};
 }

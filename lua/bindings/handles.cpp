@@ -34,17 +34,15 @@ void push_row(lua_State* L, int model_index, int row, const char* table) {
 }
 
 void add_named(std::vector<int>& list, const ScriptModel& model, const std::string& name, const std::string& owner) {
-  const auto& bodies = model.builder.bodies();
   const std::size_t before = list.size();
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const auto& groups = bodies[i].groups;
-    if (bodies[i].name == name || std::find(groups.begin(), groups.end(), name) != groups.end())
-      list.push_back(static_cast<int>(i));
+  for (int b = 0; b < model.body_count(); ++b) {
+    const auto& groups = model.groups_of(b);
+    if (model.body_name(b) == name || std::find(groups.begin(), groups.end(), name) != groups.end()) list.push_back(b);
   }
   if (list.size() > before) return;
-  std::vector<std::string> known = model.builder.body_names();
-  for (const BodySpec& b : bodies)
-    for (const std::string& g : b.groups)
+  std::vector<std::string> known = model.body_names();
+  for (int b = 0; b < model.body_count(); ++b)
+    for (const std::string& g : model.groups_of(b))
       if (std::find(known.begin(), known.end(), g) == known.end()) known.push_back(g);
   throw InputError(fmt::format("{}: there is no body or group '{}'{}", owner, one_line(name), name_hint(name, known)));
 }
@@ -56,7 +54,7 @@ std::string names_begin(const std::string& owner) {
 template <class H>
 std::vector<std::string> names_of(const ScriptModel& model) {
   if constexpr (std::is_same_v<H, BodyHandle>)
-    return model.builder.body_names();
+    return model.body_names();
   else if constexpr (std::is_same_v<H, BearingHandle>)
     return model.bearings;
   else
@@ -97,6 +95,30 @@ ScriptModel& ModelBox::get() const {
 
 ScriptModel& this_model(lua_State* L) {
   return handle<ModelBox>(L, 1).get();
+}
+
+namespace {
+
+/// What the running function was called by, "bearing" of m:bearing{...}.
+std::string called_name(lua_State* L) {
+  lua_Debug call{};
+  if (lua_getstack(L, 0, &call) == 0 || lua_getinfo(L, "n", &call) == 0 || call.name == nullptr) return "this";
+  return call.name;
+}
+
+}  // namespace
+
+PlaneModel& require_plane(ScriptModel& m, const std::string& what) {
+  if (PlaneModel* plane = as_plane(m)) return *plane;
+  throw InputError(fmt::format("{}: is of models in the plane, and {} has dim = 3", what, m.title()));
+}
+PlaneModel& this_plane(lua_State* L) {
+  return require_plane(this_model(L), called_name(L));
+}
+SpaceModel& this_space(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  if (SpaceModel* space = as_space(m)) return *space;
+  throw InputError(fmt::format("{}: is of models in space; {} is in the plane, give it dim = 3", called_name(L), m.title()));
 }
 
 void ModelBox::close() {
@@ -187,7 +209,7 @@ std::string body_name(Keys& keys, std::string_view key, const ScriptModel& model
     keys.wrong(key, "a body or its name");
   } else {
     try {
-      name = model.builder.bodies()[static_cast<std::size_t>(row_at<BodyHandle>(L, -1, model, ""))].name;
+      name = model.body_name(row_at<BodyHandle>(L, -1, model, ""));
     } catch (const InputError& e) {
       keys.problem(e.what());
     }

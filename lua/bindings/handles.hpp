@@ -11,7 +11,8 @@
 
 #include "keys.hpp"
 #include "kind.hpp"
-#include "script_model.hpp"
+#include "plane_model.hpp"
+#include "space_model.hpp"
 
 namespace trilith::script {
 
@@ -21,6 +22,8 @@ struct ModelBox {
   [[nodiscard]] bool open() const { return model != nullptr && !model->closed; }
   /// The model, or InputError where it has been closed.
   [[nodiscard]] ScriptModel& get() const;
+  /// ... and where it is in space.
+  [[nodiscard]] PlaneModel& plane() const;
   /// From now on the model is closed for all its handles. It is freed once no call of the interface is at work.
   void close();
 };
@@ -47,6 +50,8 @@ struct Row {
   int index = 0;
   [[nodiscard]] bool open() const { return owner.open(); }
   [[nodiscard]] ScriptModel& model() const { return owner.get(); }
+  /// For what only models in the plane have; InputError where it is in space.
+  [[nodiscard]] PlaneModel& plane() const;
 };
 struct BodyHandle : Row {};
 struct BearingHandle : Row {};
@@ -60,6 +65,7 @@ struct BodySet {
   std::vector<int> bodies = {};
   [[nodiscard]] bool open() const { return owner.open(); }
   [[nodiscard]] ScriptModel& model() const { return owner.get(); }
+  [[nodiscard]] PlaneModel& plane() const;
 };
 
 /// A ground motion; `steady` ones need not come to rest.
@@ -129,6 +135,22 @@ TRILITH_KIND(SectionValue, "section");
 
 /// The model whose method is called: argument 1. InputError where it is none, or closed.
 ScriptModel& this_model(lua_State* L);
+/// The same where it is in the plane, or in space; InputError, which names the method, where it is not.
+PlaneModel& this_plane(lua_State* L);
+SpaceModel& this_space(lua_State* L);
+
+/// A model as what it is, in the plane or in space; nullptr where it is the other.
+inline PlaneModel* as_plane(ScriptModel& m) {
+  return m.dim() == 2 ? static_cast<PlaneModel*>(&m) : nullptr;
+}
+inline const PlaneModel* as_plane(const ScriptModel& m) {
+  return m.dim() == 2 ? static_cast<const PlaneModel*>(&m) : nullptr;
+}
+inline SpaceModel* as_space(ScriptModel& m) {
+  return m.dim() == 3 ? static_cast<SpaceModel*>(&m) : nullptr;
+}
+/// The model of what only the plane has; InputError, which names it, where the model is in space.
+PlaneModel& require_plane(ScriptModel& m, const std::string& what);
 
 /// `h`, where it belongs to `model`. InputError, begun with `owner` unless that is "", where its model is another one
 /// or has been closed.
@@ -144,6 +166,15 @@ const H& require_own(const H& h, const ScriptModel& model, const std::string& ow
 /// where there is no such name.
 template <class H>
 int row_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
+inline PlaneModel& ModelBox::plane() const {
+  return require_plane(get(), "this");
+}
+inline PlaneModel& BodySet::plane() const {
+  return require_plane(model(), "this");
+}
+inline PlaneModel& Row::plane() const {
+  return require_plane(model(), "this");
+}
 /// A handle for C++: of a body, bearing, seat or storey of `model`.
 template <class H>
 H row_of(ScriptModel& model, int index) {

@@ -30,7 +30,9 @@ class RunObserver {
   virtual ~RunObserver() = default;
   virtual void note(const std::string& text) = 0;
   virtual void event(const Event& event, const Instant<2>& now) = 0;
+  virtual void event(const Event& event, const Instant<3>& now) = 0;
   virtual void step(const Instant<2>& now) = 0;  ///< after every step: be quick
+  virtual void step(const Instant<3>& now) = 0;
   virtual void stage_ended(const StageReport& report) = 0;
   /// Others are about to write where this one shows the run.
   virtual void clear() = 0;

@@ -39,18 +39,31 @@ std::string what_is(lua_State* L, int index) {
   }
 }
 
-std::optional<Vec2> point_at(lua_State* L, int index) {
-  if (lua_type(L, index) != LUA_TTABLE || lua_rawlen(L, index) != 2) return {};
+namespace {
+
+/// As many finite numbers as V has, in a list at `index`.
+template <class V>
+std::optional<V> numbers_at(lua_State* L, int index) {
+  V p = V::Zero();
+  if (lua_type(L, index) != LUA_TTABLE || lua_rawlen(L, index) != static_cast<lua_Unsigned>(p.size())) return {};
   const int table = lua_absindex(L, index);
-  Vec2 p;
   bool good = true;
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < p.size(); ++i) {
     good = lua_rawgeti(L, table, i + 1) == LUA_TNUMBER && good;
     if (good) p[i] = lua_tonumber(L, -1);
     lua_pop(L, 1);
   }
   if (!good || !p.allFinite()) return {};
   return p;
+}
+
+}  // namespace
+
+std::optional<Vec2> point_at(lua_State* L, int index) {
+  return numbers_at<Vec2>(L, index);
+}
+std::optional<Vec3> vector_at(lua_State* L, int index) {
+  return numbers_at<Vec3>(L, index);
 }
 
 std::optional<int> count_at(lua_State* L, int index) {
@@ -209,6 +222,39 @@ std::vector<Vec2> Keys::points(std::string_view key) {
       list.push_back(p.value_or(Vec2::Zero()));
       lua_pop(L_, 1);
     }
+  }
+  lua_pop(L_, 1);
+  return list;
+}
+
+Vec3 Keys::vector(std::string_view key) {
+  if (!has(key)) missing(key, "{x, y, z}");
+  return vector(key, Vec3::Zero());
+}
+
+Vec3 Keys::vector(std::string_view key, const Vec3& preset) {
+  std::optional<Vec3> v;
+  if (push(key) != LUA_TNIL) {
+    v = vector_at(L_, -1);
+    if (!v) wrong(key, "{x, y, z}, three finite numbers");
+  }
+  lua_pop(L_, 1);
+  return v.value_or(preset);
+}
+
+std::vector<Vec3> Keys::vectors(std::string_view key) {
+  std::vector<Vec3> list;
+  const int type = push(key);
+  if (type == LUA_TNIL) missing(key, "a list { {x, y, z}, ... }");
+  if (type != LUA_TNIL && type != LUA_TTABLE) wrong(key, "a list { {x, y, z}, ... }");
+  const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L_, -1)) : 0;
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L_, -1, i);
+    const auto v = vector_at(L_, -1);
+    if (!v)
+      problem(fmt::format("point {} of '{}' is {}, must be {{x, y, z}}, three finite numbers", i, key, what_is(L_, -1)));
+    list.push_back(v.value_or(Vec3::Zero()));
+    lua_pop(L_, 1);
   }
   lua_pop(L_, 1);
   return list;

@@ -41,6 +41,10 @@ class Keys {
   std::optional<Vec2> maybe_point(std::string_view key);
   /// {{x, y}, ...}; must be there
   std::vector<Vec2> points(std::string_view key);
+  Vec3 vector(std::string_view key);  ///< {x, y, z}; must be there
+  Vec3 vector(std::string_view key, const Vec3& preset);
+  /// {{x, y, z}, ...}; must be there
+  std::vector<Vec3> vectors(std::string_view key);
   std::vector<std::string> names(std::string_view key);  ///< "a" or {"a", "b"}; empty where it is not there
   /// Index of the text under `key` among `choices`; `preset` where it is not there.
   std::size_t choice(std::string_view key, const std::vector<std::string>& choices, std::size_t preset);
@@ -100,7 +104,8 @@ std::string what_is(lua_State* L, int index);
 /// The whole number at `index`; nothing where it is none, or not within -1e9 and 1e9.
 std::optional<int> count_at(lua_State* L, int index);
 
-/// Reads {x, y} at `index`; nothing where it is not two finite numbers.
+/// Reads {x, y} at `index`, or {x, y, z}; nothing where it is not two, or three, finite numbers.
 std::optional<Vec2> point_at(lua_State* L, int index);
+std::optional<Vec3> vector_at(lua_State* L, int index);
 
 }  // namespace trilith::script

@@ -96,11 +96,11 @@ std::string require_law(ScriptModel& model, const ContactLawValue& law, const st
   if (use.empty()) {
     const std::string kind =
         std::visit([](const auto& l) { return std::string(std::decay_t<decltype(l)>::name); }, law.law);
-    const auto known = model.builder.law_names();
+    const auto known = model.law_names();
     for (int i = 1; use.empty() || std::find(known.begin(), known.end(), use) != known.end(); ++i)
       use = fmt::format("{} {}", kind, i);
   }
-  model.builder.add_law(use, law.law);
+  model.add_law(use, law.law);
   model.laws.emplace_back(use, law.law);
   return use;
 }

@@ -19,7 +19,7 @@ void push_texts(lua_State* L, const std::vector<std::string>& texts) {
 /// core.faults(model): what keeps it from being built; empty once it is.
 int faults(lua_State* L) {
   const ScriptModel& m = handle<ModelBox>(L, 1).get();
-  push_texts(L, m.built() ? std::vector<std::string>{} : m.builder.faults());
+  push_texts(L, m.built() ? std::vector<std::string>{} : m.faults());
   return 1;
 }
 
@@ -32,6 +32,15 @@ void add_doubts_of(std::vector<std::string>& list, const std::string& owner, con
       law);
 }
 
+/// Of bodies, bearings and the tilt of models in the plane.
+void add_plane_doubts(std::vector<std::string>& list, const PlaneModel& m) {
+  for (const BodySpec& body : m.builder.bodies())
+    if (body.density) add_doubt(list, fmt::format("body '{}'", body.name), "density", "kg/m3", *body.density);
+  for (const BearingSpec& bearing : m.builder.bearings())
+    for (const DirectionLaw& law : bearing.law) add_doubts_of(list, fmt::format("bearing '{}'", bearing.name), law);
+  if (m.if_built() != nullptr) add_doubt(list, "tilt", "rate", "rad/s", m.if_built()->model().gravity.tilt_rate);
+}
+
 /// core.doubts(model): numbers that are allowed but not usual, as they are now.
 int doubts(lua_State* L) {
   const ScriptModel& m = handle<ModelBox>(L, 1).get();
@@ -41,12 +50,8 @@ int doubts(lua_State* L) {
     add_doubt(list, owner, "density", "kg/m3", material.density);
     if (material.solid) add_doubts_of(list, owner, material.solid->law);
   }
-  for (const BodySpec& body : m.builder.bodies())
-    if (body.density) add_doubt(list, fmt::format("body '{}'", body.name), "density", "kg/m3", *body.density);
+  if (const PlaneModel* plane = as_plane(m)) add_plane_doubts(list, *plane);
   for (const auto& [name, law] : m.laws) add_doubts_of(list, fmt::format("contact law '{}'", name), law);
-  for (const BearingSpec& bearing : m.builder.bearings())
-    for (const DirectionLaw& law : bearing.law) add_doubts_of(list, fmt::format("bearing '{}'", bearing.name), law);
-  if (m.if_built() != nullptr) add_doubt(list, "tilt", "rate", "rad/s", m.if_built()->model().gravity.tilt_rate);
   push_texts(L, list);
   return 1;
 }
@@ -54,7 +59,11 @@ int doubts(lua_State* L) {
 /// core.damping(model, share): by law { share, frequency, a, b } of its least damped contact, `all` its contacts, and
 /// `less` those below the share of critical that is given.
 int damping(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  if (as_plane(this_model(L)) == nullptr) {  // joints of solids are not looked at yet
+    lua_newtable(L);
+    return 1;
+  }
+  PlaneModel& m = this_plane(L);
   const double share = lua_tonumber(L, 2);
   const Model<2>& model = m.simulation().model();
   const std::vector<ContactDamping> all = contact_damping(model, m.findings().joints);

@@ -9,7 +9,7 @@
 namespace trilith::script {
 namespace {
 
-std::vector<int> read_bodies(Keys& keys, const ScriptModel& m) {
+std::vector<int> read_bodies(Keys& keys, const PlaneModel& m) {
   std::vector<int> bodies;
   if (keys.push("body") == LUA_TNIL) {
     keys.missing("body", "a body, a set or a name");
@@ -82,7 +82,7 @@ LoadCurve read_load_curve(Keys& keys, double now) {
   return curve;
 }
 
-std::string free_name(ScriptModel& m, const char* kind) {
+std::string free_name(PlaneModel& m, const char* kind) {
   const std::vector<std::string> names = load_names(m.simulation().model());
   for (std::size_t i = 1;; ++i) {
     std::string name = fmt::format("{} {}", kind, i);
@@ -115,7 +115,7 @@ std::vector<std::optional<Vec2>> read_places(Keys& keys, const Model<2>& model, 
 
 /// m:point_load{ body =, force =, moment =, at =, follow =, course =, name = }: its name.
 int point_load(lua_State* L) {
-  ScriptModel& m = this_model(L);
+  PlaneModel& m = this_plane(L);
   Keys keys(L, 2, "point_load");
   PointLoadSpec spec;
   spec.name = keys.text("name", "");
@@ -181,7 +181,7 @@ std::vector<FacePart> chosen_faces(const Model<2>& model, int body, const FaceCh
 
 /// m:pressure{ body =, face = | from =, to =, value =, follow =, direction =, course =, name = }: its name.
 int pressure(lua_State* L) {
-  ScriptModel& m = this_model(L);
+  PlaneModel& m = this_plane(L);
   Keys keys(L, 2, "pressure");
   PressureSpec spec;
   spec.name = keys.text("name", "");
@@ -204,7 +204,7 @@ int pressure(lua_State* L) {
   return push_name(L, spec.name);
 }
 
-void require_load(ScriptModel& m, const std::string& name, const char* owner) {
+void require_load(PlaneModel& m, const std::string& name, const char* owner) {
   const std::vector<std::string> names = load_names(m.simulation().model());
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw InputError(fmt::format("{}: there is no load '{}'{}", owner, name, name_hint(name, names)));
@@ -217,14 +217,14 @@ double read_span(Keys& keys, const char* key, double preset) {
 }
 
 /// From the step border on.
-void change_share(ScriptModel& m, const std::string& name, double share, double duration) {
+void change_share(PlaneModel& m, const std::string& name, double share, double duration) {
   m.change(
       [name, share, duration, box = &m](Model<2>& model) { change_loads(model, name, box->time(), share, duration); });
 }
 
 /// m:set_load{ name =, factor =, duration = }: its share from now on, reached smoothly.
 int set_load(lua_State* L) {
-  ScriptModel& m = this_model(L);
+  PlaneModel& m = this_plane(L);
   Keys keys(L, 2, "set_load");
   const std::string name = keys.text("name");
   const double share = keys.number("factor", "1"), duration = read_span(keys, "duration", 0);
@@ -243,7 +243,7 @@ std::string directions_text(const std::array<bool, 3>& on) {
 }
 
 /// `place`: of the script, for a message at the step border, where it is the run's line that is known.
-void release_bodies(ScriptModel& m, const std::vector<int>& bodies, const std::array<bool, 3>& on, double fade,
+void release_bodies(PlaneModel& m, const std::vector<int>& bodies, const std::array<bool, 3>& on, double fade,
                     const std::string& place) {
   const bool waits = m.running() && !m.paused();
   m.change([bodies, on, fade, box = &m, place = waits ? place : ""](Model<2>& model) {
@@ -263,7 +263,7 @@ void release_bodies(ScriptModel& m, const std::vector<int>& bodies, const std::a
 
 /// m:release{ body =, x =, y =, rotation =, fade = } or { load =, fade = } or { push =, fade = }
 int release(lua_State* L) {
-  ScriptModel& m = this_model(L);
+  PlaneModel& m = this_plane(L);
   Keys keys(L, 2, "release");
   const bool of_load = keys.has("load"), of_push = keys.has("push"), of_body = keys.has("body");
   const std::string load = keys.text("load", ""), push = keys.text("push", "");

@@ -17,18 +17,8 @@ void push_text(lua_State* L, const std::string& text) {
   lua_pushlstring(L, text.data(), text.size());
 }
 
-const Simulation<2>* simulation_of(const ModelBox& m) {
-  return m.get().if_built();
-}
-
-double ratio_of(const ModelBox& m) {
-  if (simulation_of(m) == nullptr) return 0;
-  const Work<2>& w = m.get().evaluated().work();
-  return w.carried > 0 ? w.unbalanced / w.carried : 0;
-}
-
 Energy energy_of(ScriptModel& m) {
-  return m.evaluated().energy();
+  return m.energy();
 }
 
 /// __index of that table, for what is not there.
@@ -60,7 +50,7 @@ void push_energy(lua_State* L, const ModelBox& box) {
 void push_notes(lua_State* L, const ModelBox& box) {
   lua_newtable(L);
   lua_Integer i = 0;
-  for (const std::string& note : box.get().builder.notes()) {
+  for (const std::string& note : box.get().notes()) {
     push_text(L, note);
     lua_rawseti(L, -2, ++i);
   }
@@ -76,7 +66,7 @@ void push_events(lua_State* L, const ModelBox& box) {
 }
 
 void push_hash(lua_State* L, const ModelBox& box) {
-  push_text(L, fmt::format("{:016x}", motion_hash(box.get().simulation().state())));
+  push_text(L, fmt::format("{:016x}", box.get().hash()));
 }
 
 /// A list of the model that the library made, by name: bearings, seats.
@@ -109,16 +99,16 @@ const std::array model_properties{
     ModelProperty{"time", "s", "time of the simulation", [](const ModelBox& m) { return m.get().time(); }},
     ModelProperty{
         "dt", "s", "length of the last step, 0 before the first",
-        [](const ModelBox& m) { return simulation_of(m) != nullptr ? simulation_of(m)->state().last_dt : 0; }},
+        [](const ModelBox& m) { return m.get().step_numbers().last_dt; }},
     ModelProperty{"steps", "1", "steps taken",
-                  [](const ModelBox& m) {
-                    return simulation_of(m) != nullptr ? static_cast<double>(simulation_of(m)->state().step) : 0;
-                  }},
-    ModelProperty{"thickness", "m", "out of the plane", [](const ModelBox& m) { return m.get().builder.thickness; }},
-    ModelProperty{
-        "speed", "m/s", "fastest point of all moving bodies",
-        [](const ModelBox& m) { return simulation_of(m) != nullptr ? m.get().evaluated().work().fastest_moving : 0; }},
-    ModelProperty{"ratio", "1", "unbalanced force over the largest carried one", ratio_of},
+                  [](const ModelBox& m) { return static_cast<double>(m.get().step_numbers().steps); }},
+    ModelProperty{"dim", "1", "2 in the plane, 3 in space",
+                  [](const ModelBox& m) { return static_cast<double>(m.get().dim()); }},
+    ModelProperty{"thickness", "m", "out of the plane", [](const ModelBox& m) { return m.plane().builder.thickness; }},
+    ModelProperty{"speed", "m/s", "fastest point of all moving bodies",
+                  [](const ModelBox& m) { return m.get().step_numbers().speed; }},
+    ModelProperty{"ratio", "1", "unbalanced force over the largest carried one",
+                  [](const ModelBox& m) { return m.get().step_numbers().ratio; }},
     ModelProperty{"residual", "J", "of the energy ledger",
                   [](const ModelBox& m) { return energy_of(m.get()).balance(); }},
     ModelProperty{"energy", "", "all terms of the energy ledger [J], and their residual", nullptr, push_energy},
@@ -134,8 +124,7 @@ const std::array model_properties{
 
 int explain_dt(lua_State* L) {
   ScriptModel& m = handle<ModelBox>(L, 1).get();
-  const Simulation<2>& s = m.evaluated();
-  push_text(L, explain_step(s.model(), s.state(), s.work()));
+  push_text(L, m.step_text());
   return 1;
 }
 
@@ -163,16 +152,23 @@ std::vector<Method> all_methods() {
   return methods;
 }
 
-Vec2 read_gravity(Keys& keys) {
+/// A number downwards, or as many as there are dimensions.
+template <int D>
+Vec<D> read_gravity(Keys& keys) {
   lua_State* L = keys.lua();
-  Vec2 gravity{0, -standard_gravity};
+  Vec<D> gravity = -standard_gravity * Vec<D>::Unit(D - 1);
   const int type = keys.push("gravity");
   if (type == LUA_TNUMBER) {
-    gravity = {0, -lua_tonumber(L, -1)};
+    gravity = -lua_tonumber(L, -1) * Vec<D>::Unit(D - 1);
     if (!gravity.allFinite()) keys.wrong("gravity", "finite");
   } else if (type != LUA_TNIL) {
-    const auto given = point_at(L, -1);
-    if (!given) keys.wrong("gravity", "a number (downwards) or {x, y}, in m/s2");
+    std::optional<Vec<D>> given;
+    if constexpr (D == 2)
+      given = point_at(L, -1);
+    else
+      given = vector_at(L, -1);
+    if (!given)
+      keys.wrong("gravity", D == 2 ? "a number (downwards) or {x, y}, in m/s2" : "a number (downwards) or {x, y, z}, in m/s2");
     gravity = given.value_or(gravity);
   }
   lua_pop(L, 1);
@@ -181,6 +177,45 @@ Vec2 read_gravity(Keys& keys) {
 
 void require_above(Keys& keys, std::string_view key, double value, std::string_view unit) {
   if (!(value > 0)) keys.problem(fmt::format("'{}' is {:g} {}, must be above 0", key, value, unit));
+}
+
+/// What models of plane and space are told alike.
+template <class Builder>
+void read_common(Keys& keys, Builder& b) {
+  b.mass_damping = keys.number("mass_damping", "1/s", b.mass_damping);
+  b.impact_speed = keys.number("impact_speed", "m/s", b.impact_speed);
+  b.apart_time = keys.number("apart_time", "s", b.apart_time);
+  b.still_speed = keys.number("still_speed", "m/s", b.still_speed);
+  b.still_time = keys.number("still_time", "s", b.still_time);
+  b.overlap_allowed = keys.number("overlap_allowed", "1", b.overlap_allowed);
+  require_above(keys, "impact_speed", b.impact_speed, "m/s");
+  require_above(keys, "still_speed", b.still_speed, "m/s");
+  if (!(b.mass_damping >= 0))
+    keys.problem(fmt::format("'mass_damping' is {:g} 1/s, must not be below 0", b.mass_damping));
+  if (!(b.apart_time >= 0)) keys.problem(fmt::format("'apart_time' is {:g} s, must not be below 0", b.apart_time));
+  if (!(b.still_time >= 0)) keys.problem(fmt::format("'still_time' is {:g} s, must not be below 0", b.still_time));
+  if (!(b.overlap_allowed >= 0))
+    keys.problem(fmt::format("'overlap_allowed' is {:g}, must not be below 0", b.overlap_allowed));
+}
+
+std::shared_ptr<ScriptModel> make_plane_model(Keys& keys, const std::string& name) {
+  auto model = std::make_shared<PlaneModel>(name);
+  ModelBuilder& b = model->builder;
+  b.thickness = keys.number("thickness", "m", b.thickness);
+  b.gravity = read_gravity<2>(keys);
+  model->body_form = read_body_form(keys, {});
+  require_above(keys, "thickness", b.thickness, "m");
+  read_common(keys, b);
+  return model;
+}
+
+std::shared_ptr<ScriptModel> make_space_model(Keys& keys, const std::string& name) {
+  auto model = std::make_shared<SpaceModel>(name);
+  model->builder.gravity = read_gravity<3>(keys);
+  for (const std::string_view key : {"thickness", "body", "mesh"})
+    if (keys.has(key)) keys.problem(fmt::format("'{}' is of models in the plane, and dim is 3", key));
+  read_common(keys, model->builder);
+  return model;
 }
 
 }  // namespace
@@ -192,27 +227,11 @@ int make_model(lua_State* L) {
     lua_replace(L, 1);
   }
   Keys keys(L, 1, "model");
-  auto model = std::make_shared<ScriptModel>(keys.text("name", ""));
-  keys.name_owner(model->name);
-  ModelBuilder& b = model->builder;
-  b.thickness = keys.number("thickness", "m", b.thickness);
-  b.gravity = read_gravity(keys);
-  b.mass_damping = keys.number("mass_damping", "1/s", b.mass_damping);
-  b.impact_speed = keys.number("impact_speed", "m/s", b.impact_speed);
-  b.apart_time = keys.number("apart_time", "s", b.apart_time);
-  b.still_speed = keys.number("still_speed", "m/s", b.still_speed);
-  b.still_time = keys.number("still_time", "s", b.still_time);
-  model->body_form = read_body_form(keys, {});
-  b.overlap_allowed = keys.number("overlap_allowed", "1", b.overlap_allowed);
-  require_above(keys, "thickness", b.thickness, "m");
-  require_above(keys, "impact_speed", b.impact_speed, "m/s");
-  require_above(keys, "still_speed", b.still_speed, "m/s");
-  if (!(b.mass_damping >= 0))
-    keys.problem(fmt::format("'mass_damping' is {:g} 1/s, must not be below 0", b.mass_damping));
-  if (!(b.apart_time >= 0)) keys.problem(fmt::format("'apart_time' is {:g} s, must not be below 0", b.apart_time));
-  if (!(b.still_time >= 0)) keys.problem(fmt::format("'still_time' is {:g} s, must not be below 0", b.still_time));
-  if (!(b.overlap_allowed >= 0))
-    keys.problem(fmt::format("'overlap_allowed' is {:g}, must not be below 0", b.overlap_allowed));
+  const std::string name = keys.text("name", "");
+  keys.name_owner(name);
+  const int dim = keys.count("dim", 2);
+  if (dim != 2 && dim != 3) keys.problem(fmt::format("'dim' is {}, must be 2 (in the plane) or 3 (in space)", dim));
+  std::shared_ptr<ScriptModel> model = dim == 3 ? make_space_model(keys, name) : make_plane_model(keys, name);
   keys.finish();
   push_handle(L, ModelBox{std::move(model)}, 1);
   lua_newtable(L);

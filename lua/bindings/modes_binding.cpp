@@ -60,7 +60,7 @@ int read_count(lua_State* L, const char* owner) {
 
 /// m:modes{ count = }: a list, lowest first.
 int find_modes(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  PlaneModel& m = this_plane(L);
   const int count = read_count(L, "modes");
   const Simulation<2>& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
@@ -99,7 +99,7 @@ std::string damping_text(const std::vector<Mode>& found, const std::vector<ModeD
 
 /// m:damping{ count = }: ratios to critical damping by frequency, and what gives them.
 int find_damping(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  PlaneModel& m = this_plane(L);
   const int count = read_count(L, "damping");
   const Simulation<2>& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);

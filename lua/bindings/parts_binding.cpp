@@ -6,6 +6,7 @@
 #include "bridge_book.hpp"
 #include "build/gmsh.hpp"
 #include "part_makers.hpp"
+#include "solid_makers.hpp"
 
 namespace trilith::script {
 namespace {
@@ -46,7 +47,7 @@ int add_material(lua_State* L) {
   material.solid = read_solid(keys);
   keys.finish();
   material.density = density ? *density : *weight / standard_gravity;
-  m.builder.add_material(material);
+  m.add_material(material);
   m.materials.push_back(material);
   lua_pushstring(L, material.name.c_str());
   return 1;
@@ -75,9 +76,9 @@ void check_side(Keys& keys, const ScriptModel& m, const std::string& side) {
     if (std::find(known.begin(), known.end(), n) == known.end()) known.push_back(n);
   };
   for (const Material& material : m.materials) add(material.name);
-  for (const BodySpec& b : m.builder.bodies()) {
-    for (const std::string& g : b.groups) add(g);
-    if (b.name == side) return;
+  for (int b = 0; b < m.body_count(); ++b) {
+    for (const std::string& g : m.groups_of(b)) add(g);
+    if (m.body_name(b) == side) return;
   }
   // Groups and bodies may be added later, so only a name close to a known one is refused here.
   if (std::find(known.begin(), known.end(), side) != known.end() || nearest_name(side, known).empty()) return;
@@ -98,7 +99,7 @@ int add_contact(lua_State* L) {
   for (const std::string& side : between) check_side(keys, m, side);
   const std::string law = law_name(keys, m, name);
   keys.finish();
-  m.builder.set_contact(between[0], between[1], law);
+  m.set_contact(between[0], between[1], law);
   return 0;
 }
 
@@ -187,11 +188,12 @@ std::optional<Mesh> read_mesh(Keys& keys) {
 
 /// m:body{ name =, outline = | shape = | mesh =, ... } makes one; m:body "name" finds one.
 int body(lua_State* L) {
-  ScriptModel& m = this_model(L);
   if (lua_type(L, 2) == LUA_TSTRING) {
-    push_body(L, 1, m.require_body(text_at(L, 2), "body"));
+    push_body(L, 1, this_model(L).require_body(text_at(L, 2), "body"));
     return 1;
   }
+  if (this_model(L).dim() == 3) return make_solid_body(L);
+  PlaneModel& m = this_plane(L);
   m.require_open("body");
   Keys keys(L, 2, "body");
   const std::string name = keys.text("name");
@@ -220,7 +222,8 @@ void push_added(lua_State* L, const ScriptModel& m, int first, bool single) {
 
 /// m:add(parts, { material =, ... })
 int add_parts(lua_State* L) {
-  ScriptModel& m = this_model(L);
+  if (this_model(L).dim() == 3) return add_solid_parts(L);
+  PlaneModel& m = this_plane(L);
   m.require_open("add");
   if (lua_type(L, 2) != LUA_TTABLE)
     throw InputError(fmt::format("add: takes a list of parts, as from trilith.build; this is {}", what_is(L, 2)));
@@ -278,7 +281,8 @@ int make_part(lua_State* L) {
 template <std::size_t row>
 int add_made(lua_State* L) {
   const PartMaker& maker = part_makers()[row];
-  ScriptModel& m = this_model(L);
+  if (this_model(L).dim() == 3) return add_solids_made(L, maker.name);
+  PlaneModel& m = this_plane(L);
   m.require_open(std::string(maker.name));
   Keys keys(L, 2, std::string(maker.name));
   const MakeParts make = maker.read(keys);
@@ -315,6 +319,9 @@ std::vector<Method> all_methods() {
   for (std::size_t i = 0; i < part_maker_count; ++i)
     if (part_makers()[i].name != span_maker)
       methods.push_back({part_makers()[i].name, maker_functions[i].add, part_makers()[i].doc});
+  for (const SolidMaker& maker : solid_makers())
+    if (std::none_of(methods.begin(), methods.end(), [&](const Method& m) { return m.name == maker.name; }))
+      methods.push_back({maker.name, maker.add, maker.doc});
   return methods;
 }
 

@@ -33,7 +33,7 @@ void read_limits(Keys& keys, PushOrder& o) {
     keys.problem(fmt::format("'drop' is {:g}, must be at least 0 and below 1", o.limits.drop));
 }
 
-void read_pushed(Keys& keys, const ScriptModel& m, PushOrder& o) {
+void read_pushed(Keys& keys, const PlaneModel& m, PushOrder& o) {
   lua_State* L = keys.lua();
   if (keys.push("body") == LUA_TNIL) {
     keys.missing("body", "a body, a set or a name");
@@ -55,7 +55,7 @@ void read_pushed(Keys& keys, const ScriptModel& m, PushOrder& o) {
   lua_pop(L, 1);
 }
 
-PushOrder read_order(Keys& keys, const ScriptModel& m) {
+PushOrder read_order(Keys& keys, const PlaneModel& m) {
   const std::array ways{Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)};
   constexpr std::array patterns{PushPattern::mass, PushPattern::uniform, PushPattern::triangle};
   PushOrder o;
@@ -80,7 +80,7 @@ PushOrder read_order(Keys& keys, const ScriptModel& m) {
 }
 
 /// Drift of a storey or of the top one; without storeys, how far the pushed points are.
-std::function<double(const Instant<2>&)> drift_reading(ScriptModel& m, const PushOrder& o) {
+std::function<double(const Instant<2>&)> drift_reading(PlaneModel& m, const PushOrder& o) {
   const Findings& f = m.findings();
   if (f.storeys.empty()) {
     if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
@@ -98,7 +98,7 @@ std::function<double(const Instant<2>&)> drift_reading(ScriptModel& m, const Pus
 }
 
 /// A push that was ended on its way comes to rest within a hundredth of the time it was meant to last.
-void stop_push(ScriptModel& m, const PushOrder& o) {
+void stop_push(PlaneModel& m, const PushOrder& o) {
   m.change([&](Model<2>& model) {
     const double now = m.time();
     for (Push<2>& p : model.pushes) {
@@ -147,8 +147,8 @@ void add_curve(lua_State* L, const PushoverRecorder& recorder) {
 
 /// The model's watch, for as long as this lives.
 struct Watch {
-  ScriptModel& model;
-  Watch(ScriptModel& m, std::function<void(const Instant<2>&)> f) : model(m) { model.watch = std::move(f); }
+  PlaneModel& model;
+  Watch(PlaneModel& m, std::function<void(const Instant<2>&)> f) : model(m) { model.watch = std::move(f); }
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
   ~Watch() { model.watch = nullptr; }
@@ -156,7 +156,7 @@ struct Watch {
 
 /// m:pushover{ body =, at =, direction =, pattern =, rate =, displacement =, drift =, storey =, drop =, ... }
 int pushover(lua_State* L) {
-  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  PlaneModel& m = this_plane(L);
   Keys keys(L, 2, "pushover");
   PushOrder o = read_order(keys, m);
   keys.finish();
@@ -184,12 +184,12 @@ int pushover(lua_State* L) {
 
 double sum_of_pushes(const ModelBox& box) {
   double sum = 0;
-  for (const double force : box.get().evaluated().work().push_force) sum += force;
+  for (const double force : box.plane().evaluated().work().push_force) sum += force;
   return sum;
 }
 
 double push_displacement(const ModelBox& box) {
-  const Simulation<2>* s = box.get().if_built();
+  const Simulation<2>* s = box.plane().if_built();
   if (s == nullptr || s->model().pushes.empty()) return 0;
   const Push<2>& p = s->model().pushes.back();
   return push_place(s->state(), p) - p.origin;

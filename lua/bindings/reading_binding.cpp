@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "bindings.hpp"
-#include "step/contact_resultants.hpp"
+#include "step/solid_resultants.hpp"
+#include "table_fields.hpp"
 
 namespace trilith::script {
 namespace {
@@ -25,46 +26,85 @@ int bodies(lua_State* L) {
   keys.finish();
   std::vector<int> found;
   for (int i = 0; i < m.body_count(); ++i) {
-    const BodySpec& b = m.builder.bodies()[static_cast<std::size_t>(i)];
-    const bool in_group = group.empty() || std::any_of(b.groups.begin(), b.groups.end(),
+    const auto& groups = m.groups_of(i);
+    const bool in_group = group.empty() || std::any_of(groups.begin(), groups.end(),
                                                        [&](const auto& g) { return any_matches(group, g); });
-    if (in_group && (material.empty() || any_matches(material, b.material)) &&
-        (name.empty() || any_matches(name, b.name)))
+    if (in_group && (material.empty() || any_matches(material, m.material_of(i))) &&
+        (name.empty() || any_matches(name, m.body_name(i))))
       found.push_back(i);
   }
   push_set(L, 1, std::move(found));
   return 1;
 }
 
-void set_vector(lua_State* L, const char* key, const Vec2& v) {
-  lua_createtable(L, 2, 0);
-  for (int k = 0; k < 2; ++k) {
+template <class V>
+void set_vector(lua_State* L, const char* key, const V& v) {
+  lua_createtable(L, static_cast<int>(v.size()), 0);
+  for (int k = 0; k < v.size(); ++k) {
     lua_pushnumber(L, v[k]);
     lua_rawseti(L, -2, k + 1);
   }
   lua_setfield(L, -2, key);
 }
 
-void push_contact(lua_State* L, const Simulation<2>& s, const TouchingContact& c) {
-  const auto row = static_cast<std::size_t>(c.row);
+/// What contacts of plane and space have in common.
+template <int D>
+void begin_contact(lua_State* L, const Simulation<D>& s, int row, int a, int b, ContactHold hold) {
   constexpr std::array holds{"bonded", "sticking", "sliding"};
-  lua_createtable(L, 0, 9);
-  push_body(L, 1, c.body_a);
+  const auto r = static_cast<std::size_t>(row);
+  lua_createtable(L, 0, 11);
+  push_body(L, 1, a);
   lua_setfield(L, -2, "a");
-  push_body(L, 1, c.body_b);
+  push_body(L, 1, b);
   lua_setfield(L, -2, "b");
-  lua_pushstring(L, s.model().law_names[static_cast<std::size_t>(s.work().pairs[row].law)].c_str());
+  lua_pushstring(L, s.model().law_names[static_cast<std::size_t>(s.work().pairs[r].law)].c_str());
   lua_setfield(L, -2, "law");
-  lua_pushstring(L, holds[static_cast<std::size_t>(c.hold)]);
+  lua_pushstring(L, holds[static_cast<std::size_t>(hold)]);
   lua_setfield(L, -2, "hold");
-  lua_pushnumber(L, s.work().contacts.memory[row].slip);
+  lua_pushnumber(L, s.work().contacts.memory[r].slip);
   lua_setfield(L, -2, "slip");
-  lua_pushnumber(L, c.resultant.normal);
-  lua_setfield(L, -2, "normal");
-  lua_pushnumber(L, c.resultant.shear);
-  lua_setfield(L, -2, "shear");
+}
+
+void push_contact(lua_State* L, const Simulation<2>& s, const TouchingContact& c) {
+  begin_contact(L, s, c.row, c.body_a, c.body_b, c.hold);
+  set_number(L, "normal", c.resultant.normal);
+  set_number(L, "shear", c.resultant.shear);
   set_vector(L, "point", c.resultant.point);
   set_vector(L, "force", c.resultant.force);
+}
+void push_contact(lua_State* L, const Simulation<3>& s, const SolidResultant& c) {
+  begin_contact(L, s, c.row, c.body_a, c.body_b, c.hold);
+  const double normal = c.normal.dot(c.force);
+  set_number(L, "normal", normal);
+  set_number(L, "shear", (c.force - normal * c.normal).norm());
+  set_number(L, "area", c.area);
+  set_vector(L, "point", c.point);
+  set_vector(L, "direction", c.normal);
+  set_vector(L, "force", c.force);
+}
+
+std::vector<TouchingContact> touching_now(const Simulation<2>& s) {
+  std::vector<TouchingContact> touching;
+  contact_resultants(s.model(), s.work(), touching);
+  return touching;
+}
+std::vector<SolidResultant> touching_now(const Simulation<3>& s) {
+  std::vector<SolidResultant> touching;
+  for (std::size_t i = 0; i < s.work().general_touching.size(); ++i)
+    touching.push_back(solid_resultant(s.model(), s.work(), i));
+  return touching;
+}
+
+/// Pushes a list of those that `wanted` says.
+template <int D, class Wanted>
+void push_contacts(lua_State* L, const Simulation<D>& s, Wanted&& wanted) {
+  lua_newtable(L);
+  lua_Integer count = 0;
+  for (const auto& c : touching_now(s)) {
+    if (!wanted(c.body_a, c.body_b)) continue;
+    push_contact(L, s, c);
+    lua_rawseti(L, -2, ++count);
+  }
 }
 
 /// m:contacts{ between = {a, b} }: those that carry force, with the force on b.
@@ -89,18 +129,14 @@ int contacts(lua_State* L) {
   const bool given = !lua_isnil(L, -1);
   lua_pop(L, 1);
   keys.finish();
-  const Simulation<2>& s = m.evaluated();
   const auto has = [](const std::vector<int>& list, int b) { return std::binary_search(list.begin(), list.end(), b); };
-  lua_newtable(L);
-  lua_Integer count = 0;
-  std::vector<TouchingContact> touching;
-  contact_resultants(s.model(), s.work(), touching);
-  for (const TouchingContact& c : touching) {
-    const int a = c.body_a, b = c.body_b;
-    if (given && !(has(side[0], a) && has(side[1], b)) && !(has(side[0], b) && has(side[1], a))) continue;
-    push_contact(L, s, c);
-    lua_rawseti(L, -2, ++count);
-  }
+  const auto wanted = [&](int a, int b) {
+    return !given || (has(side[0], a) && has(side[1], b)) || (has(side[0], b) && has(side[1], a));
+  };
+  if (SpaceModel* space = as_space(m))
+    push_contacts(L, space->evaluated(), wanted);
+  else
+    push_contacts(L, require_plane(m, "contacts").evaluated(), wanted);
   return 1;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "script_model.hpp"
+#include "simulated_model.hpp"
 
 namespace trilith::script {
 namespace {
@@ -33,24 +33,25 @@ const Checkpoint& require_checkpoint(const ScriptModel& model, double time) {
 }
 
 /// Within a pause only the stage that runs can be gone back in.
-void require_same_stage(const ScriptModel& model, const Checkpoint& checkpoint) {
-  const double begun = model.if_built()->stage()->report.begun;
-  if (checkpoint.snapshot.stage->report.begun != begun)
+void require_same_stage(double begun, const Checkpoint& checkpoint) {
+  if (checkpoint.stage_begun() != begun)
     throw InputError(fmt::format(
         "rewind: the stage that pauses here began at {:.4f} s; to go back before that, end it first with stop", begun));
 }
 
 }  // namespace
 
-Checkpoint ScriptModel::checkpoint() {
+template <int D>
+Checkpoint SimulatedModel<D>::checkpoint() {
   return {simulation_->snapshot(), events.size(), history_times.size(), timers, wake_at, 0};
 }
 
-double ScriptModel::rewind(double time, Host& host) {
+template <int D>
+double SimulatedModel<D>::rewind(double time, Host& host) {
   if (!simulation_) throw InputError("rewind: the model has not run yet");
   if (running_ && !paused_) throw InputError("rewind: a stage runs; pause it first");
   const Checkpoint& found = require_checkpoint(*this, time);
-  if (paused_) require_same_stage(*this, found);
+  if (paused_) require_same_stage(simulation_->stage()->report.begun, found);
   if (paused_ && watch)
     throw InputError("rewind: a pushover samples its curve as it goes and cannot go back; end it first with stop");
   const double left = simulation_->state().time, to = found.time();
@@ -60,7 +61,7 @@ double ScriptModel::rewind(double time, Host& host) {
   branch.times = history_times;
   for (const History& h : histories) branch.samples.push_back(h.values);
   Checkpoint end = checkpoint();
-  simulation_->restore(found.snapshot);
+  simulation_->restore(found.snapshot_in<D>());
   *verdict_ = simulation_->verdict();
   events.resize(found.events);
   history_times.resize(found.samples);
@@ -76,7 +77,7 @@ double ScriptModel::rewind(double time, Host& host) {
   broken_.clear();
   pause_reason.clear();
   if (recording_) {
-    const std::unique_ptr<Recording> before = std::move(recording_);
+    const std::unique_ptr<Recording<D>> before = std::move(recording_);
     continue_recording(host, left, *before);
     before->abandon(
         fmt::format("went back from {:.6g} s to {:.6g} s; goes on in {}", left, to, recording_->path().string()));
@@ -84,7 +85,8 @@ double ScriptModel::rewind(double time, Host& host) {
   return to;
 }
 
-void ScriptModel::continue_recording(Host& host, double left, const Recording& before) {
+template <int D>
+void SimulatedModel<D>::continue_recording(Host& host, double left, const Recording<D>& before) {
   const std::string first = results->file;
   results->file = branch_file(first, ++branches_);
   open_recording(host);
@@ -98,13 +100,14 @@ void ScriptModel::continue_recording(Host& host, double left, const Recording& b
 }
 
 /// Events, stages and samples up to now, so that causes and histories are whole.
-void ScriptModel::replay(Recording& recording) {
+template <int D>
+void SimulatedModel<D>::replay(Recording<D>& recording) {
   std::size_t stage = 0;
   double begun = 0;
   for (const Event& e : events) {
     if (e.type == EventType::stage_begun) ++stage, begun = e.time;
     if (stage == 0) continue;
-    const Instant<2> then{
+    const Instant<D> then{
         simulation_->model(), simulation_->state(), simulation_->work(), stages_run_[stage - 1], begun, 0, 0, 0};
     recording.event(e, then);
   }
@@ -115,15 +118,30 @@ void ScriptModel::replay(Recording& recording) {
   }
 }
 
-StageReport ScriptModel::resume(const RunListener<2>& listener, Host& host) {
+template <int D>
+StageReport SimulatedModel<D>::resume(const ScriptListener& listener, Host& host) {
   if (running_) throw InputError("continue: a stage runs already");
   if (!simulation_ || simulation_->stage() == nullptr)
     throw InputError("continue: no stage waits to go on; begin one with run, consolidate or shake");
   return guarded_run([&] { return simulation_->resume(listen_with(listener, host.observer)); }, host);
 }
 
-void ScriptModel::note(const std::string& text) {
+template <int D>
+void SimulatedModel<D>::note(const std::string& text) {
   if (recording_) recording_->note(text);
 }
+
+template Checkpoint SimulatedModel<2>::checkpoint();
+template double SimulatedModel<2>::rewind(double, Host&);
+template void SimulatedModel<2>::continue_recording(Host&, double, const Recording<2>&);
+template void SimulatedModel<2>::replay(Recording<2>&);
+template StageReport SimulatedModel<2>::resume(const ScriptListener&, Host&);
+template void SimulatedModel<2>::note(const std::string&);
+template Checkpoint SimulatedModel<3>::checkpoint();
+template double SimulatedModel<3>::rewind(double, Host&);
+template void SimulatedModel<3>::continue_recording(Host&, double, const Recording<3>&);
+template void SimulatedModel<3>::replay(Recording<3>&);
+template StageReport SimulatedModel<3>::resume(const ScriptListener&, Host&);
+template void SimulatedModel<3>::note(const std::string&);
 
 }  // namespace trilith::script

@@ -1,7 +1,10 @@
-// A model as scripts hold it: first a builder, from the first stage on a simulation. No Lua here.
+// A model as scripts hold it, whatever its dimension: first a builder, from the first stage on a simulation. No Lua
+// here.
+//
+// ScriptModel is what plane and space share; SimulatedModel<D> (simulated_model.hpp) runs and records; PlaneModel and
+// SpaceModel know what their bodies are.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,15 +13,10 @@
 
 #include "checkpoints.hpp"
 #include "host.hpp"
-#include "run/joints.hpp"
-#include "run/recording.hpp"
 #include "run/simulation.hpp"
-#include "run/storeys.hpp"
 #include "world/builder.hpp"
 
 namespace trilith::script {
-
-struct BridgeBook;  // bridge_book.hpp
 
 /// A quantity followed over time, kept in memory and recorded.
 struct History {
@@ -27,37 +25,40 @@ struct History {
   std::vector<double> values;
 };
 
-/// What bodies are made as where nothing else is said.
-struct BodyForm {
-  BodyKind kind = BodyKind::rigid;
-  std::array<int, 2> divisions{1, 1};
-};
-
 struct ResultsOptions {
   std::string file;
   double frames = 0.05, histories = 0.01, energy = 0.05;  ///< [s]
   bool with_velocity = false, with_joints = true;
 };
 
-/// What engineering results are asked of.
-struct Findings {
-  std::vector<Joint> joints;
-  std::vector<Storey> storeys;
-  std::vector<int> base;
+/// Who of the script listens to a stage, whatever its dimension; all are there.
+struct ScriptListener {
+  std::function<void(const Event&)> on_event;
+  std::function<void(double time, double last_dt)> on_step;  ///< [s]
+  std::function<void()> on_history;                          ///< before samples are taken
+  std::function<void()> at_border;                           ///< empty: nobody pauses
+};
+
+/// What can be read of a simulation at a glance.
+struct StepNumbers {
+  double last_dt = 0;  ///< [s]
+  std::int64_t steps = 0;
+  double speed = 0;  ///< fastest point of all moving bodies [m/s]
+  double ratio = 0;  ///< unbalanced force over the largest carried one [1]
 };
 
 class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
  public:
   explicit ScriptModel(std::string model_name) : name(std::move(model_name)) {}
+  ScriptModel(const ScriptModel&) = delete;
+  ScriptModel& operator=(const ScriptModel&) = delete;
+  virtual ~ScriptModel() = default;
 
   std::string name;
-  bool closed = false;  ///< for all handles, whoever still holds it
-  ModelBuilder builder;
-  BodyForm body_form;
+  bool closed = false;                                   ///< for all handles, whoever still holds it
   std::vector<std::pair<std::string, ContactLaw>> laws;  ///< as given to the builder
   std::vector<Material> materials;                       ///< as given to the builder
   std::vector<std::string> bearings, seats;              ///< names, in order
-  std::shared_ptr<BridgeBook> bridge;                    ///< supports and spans; empty before the first
   std::vector<History> histories;
   std::vector<double> history_times;  ///< [s]
   double history_interval = 0.01;     ///< [s], without results
@@ -70,85 +71,88 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::optional<Branch> undone;     ///< what the last rewind() took back
   double wake_at = unbounded;       ///< a story wants to be woken then [s]
   bool has_step_handler = false;
-  std::function<void(const Instant<2>&)> watch;  ///< of the engine's own, after each step; empty: none
-  std::uint32_t wanted_events = 0;               ///< bit of each EventType that some handler wants
-  std::string pause_reason;                      ///< why the run is to pause at the next step border; "": it is not
+  std::uint32_t wanted_events = 0;  ///< bit of each EventType that some handler wants
+  std::string pause_reason;         ///< why the run is to pause at the next step border; "": it is not
 
+  [[nodiscard]] virtual int dim() const = 0;
   [[nodiscard]] std::string title() const { return name.empty() ? "model" : "model '" + name + "'"; }
-  [[nodiscard]] bool built() const { return simulation_ != nullptr; }
+  [[nodiscard]] virtual bool built() const = 0;
   [[nodiscard]] bool running() const { return running_; }
   /// At a step border of a running stage, where a console is open.
   [[nodiscard]] bool paused() const { return paused_; }
-  [[nodiscard]] bool recording() const { return recording_ != nullptr; }
+  [[nodiscard]] virtual bool recording() const = 0;
 
   /// Throws InputError where the model was built or is running: bodies, laws and bearings come before.
   void require_open(const std::string& what) const;
-  /// Builds where that was not done. Throws InputError as ModelBuilder::build does.
-  Simulation<2>& simulation();
-  /// The simulation with its forces up to date, for reading.
-  const Simulation<2>& evaluated();
-  /// Its joints, storeys and base; builds the model.
-  const Findings& findings();
-  [[nodiscard]] const Simulation<2>* if_built() const { return simulation_.get(); }
-  /// Does `change` now, or at the next step border where a stage runs.
-  void change(std::function<void(Model<2>&)> what);
-  void stop() {
-    if (simulation_) simulation_->stop();
-  }
 
-  /// Mass and inertia of a body, before and after building.
-  [[nodiscard]] double mass_of(int body);
-  [[nodiscard]] double inertia_of(int body);
-  [[nodiscard]] int body_count() const { return static_cast<int>(builder.bodies().size()); }
+  // What the builder knows. Those that add throw InputError as it does.
+  virtual void add_material(const Material& material) = 0;
+  virtual void add_law(const std::string& law_name, const ContactLaw& law) = 0;
+  virtual void set_contact(const std::string& a, const std::string& b, const std::string& law) = 0;
+  [[nodiscard]] virtual std::vector<std::string> law_names() const = 0;
+  [[nodiscard]] virtual int body_count() const = 0;
+  [[nodiscard]] virtual const std::string& body_name(int body) const = 0;
+  [[nodiscard]] virtual const std::string& material_of(int body) const = 0;
+  [[nodiscard]] virtual const std::vector<std::string>& groups_of(int body) const = 0;
+  [[nodiscard]] std::vector<std::string> body_names() const;
   /// Index of the body called `body`, or InputError with the nearest name; `owner` begins it.
   [[nodiscard]] int require_body(const std::string& body, const std::string& owner) const;
-  [[nodiscard]] double time() const { return simulation_ ? simulation_->state().time : 0; }
+  /// What was repaired or is worth knowing; complete once the model is built.
+  [[nodiscard]] virtual const std::vector<std::string>& notes() const = 0;
+  virtual void add_note(const std::string& line) = 0;
+  /// What keeps it from being built, a line for each.
+  [[nodiscard]] virtual std::vector<std::string> faults() const = 0;
 
-  /// Runs a stage with `listener` wrapped by recording and observing.
-  StageReport run(const StageOptions& options, const RunListener<2>& listener, Host& host,
-                  const EquilibriumOptions* statics = nullptr);
+  /// Builds where that was not done. Throws InputError as the builder does.
+  virtual void build() = 0;
+  [[nodiscard]] virtual double time() const = 0;  ///< [s]
+  /// Of the present instant; all 0 before the model is built.
+  [[nodiscard]] virtual StepNumbers step_numbers() = 0;
+  /// The ledger now; builds the model.
+  [[nodiscard]] virtual Energy energy() = 0;
+  [[nodiscard]] virtual std::uint64_t hash() = 0;
+  [[nodiscard]] virtual std::string step_text() = 0;  ///< what governs the step
+  [[nodiscard]] virtual std::string text_of(const Event& event) const = 0;
+  /// Mass of a body [kg], before and after building.
+  [[nodiscard]] virtual double mass_of(int body) = 0;
+  /// True while it has been still for the model's still_time.
+  [[nodiscard]] virtual bool is_resting(int body) const = 0;
+  /// Weight grows from nothing until `end` [s].
+  virtual void grow_weight(double end) = 0;
+  virtual void lift_bonds() = 0;
+  virtual void set_bonds() = 0;
+  virtual void drop_step() = 0;
+  virtual void stop() = 0;
+
+  /// Runs a stage with `listener` wrapped by recording and observing; by `statics` one that takes no time.
+  virtual StageReport run(const StageOptions& options, const ScriptListener& listener, Host& host,
+                          const EquilibriumOptions* statics = nullptr) = 0;
   /// While the model is paused: further steps of its stage, up to `limit` or its end.
-  void run_on(const RunLimit& limit, const RunListener<2>& listener, Host& host);
+  virtual void run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) = 0;
   /// Runs the stage that rewind() has brought back to its end. InputError where there is none.
-  StageReport resume(const RunListener<2>& listener, Host& host);
+  virtual StageReport resume(const ScriptListener& listener, Host& host) = 0;
   /// Goes back to the checkpoint nearest to `time`, between stages or paused (then within that stage). What was
   /// recorded since stays in the part file, unfinished; what follows goes to a file of its own. Gives the time it is
   /// now [s]. InputError where there is no such checkpoint.
-  double rewind(double time, Host& host);
+  virtual double rewind(double time, Host& host) = 0;
   /// A line for the notes of the results file, where there is one.
-  void note(const std::string& text);
+  virtual void note(const std::string& text) = 0;
   /// Calls `ask` with the model paused: it can be read as it is now, and changed at once.
   void pause(const std::function<void()>& ask);
   /// The run did not come to its end: results are left as unfinished, unless a later stage goes through.
   void break_off(const std::string& why) { broken_ = why; }
   /// Ends the recording, if any; see Host::finish. What became of it, in words; "" where there is none.
-  std::string finish(const std::string& error);
+  virtual std::string finish(const std::string& error) = 0;
   /// Whether its run may be trusted so far.
   [[nodiscard]] const Verdict& verdict() const { return *verdict_; }
 
- private:
-  void begin_recording(Host& host);
-  void open_recording(Host& host);
-  void continue_recording(Host& host, double left, const Recording& before);
-  void replay(Recording& recording);
-  StageReport guarded_run(const std::function<StageReport()>& go, Host& host);
-  [[nodiscard]] Checkpoint checkpoint();
-  RunListener<2> listen_with(const RunListener<2>& script, RunObserver* observer);
-  void take_histories(double time, Recording* recording);
-  bool apply_changes(Model<2>& model);
-  Model<2> lone_body(int body) const;
-
-  std::unique_ptr<Simulation<2>> simulation_;
-  std::unique_ptr<Recording> recording_;
+ protected:
   std::shared_ptr<Verdict> verdict_ = std::make_shared<Verdict>();
-  std::optional<Findings> findings_;
   bool running_ = false, paused_ = false, recording_begun_ = false;
-  std::optional<State<2>> recorded_from_;  // where all branches of the results begin
-  int branches_ = 1;                       // files of results so far
-  std::vector<StageOptions> stages_run_;   // one for each event "stage.begun"
+  int branches_ = 1;                      // files of results so far
+  std::vector<StageOptions> stages_run_;  // one for each event "stage.begun"
   std::size_t notes_shown_ = 0;
-  std::string broken_;                                   // why the last stage broke off, if it did
-  std::vector<std::function<void(Model<2>&)>> changes_;  // wait for the step border
+  std::string broken_;  // why the last stage broke off, if it did
 };
 
 }  // namespace trilith::script

@@ -127,11 +127,12 @@ int consolidate(lua_State* L) {
   o.must_rest = !or_go_on;
   keys.finish();
   if (fresh && m.running()) throw InputError("consolidate: a stage runs already; mortar cannot be fresh within it");
-  if (!by_statics && m.simulation().state().step == 0) {
+  m.build();
+  if (!by_statics && m.time() == 0) {
     o.still_from = std::max(o.still_from, grow);
-    m.change([grow](Model<2>& model) { model.gravity.grow_end = grow; });
+    m.grow_weight(grow);
   }
-  if (fresh) m.simulation().lift_bonds();
+  if (fresh) m.lift_bonds();
   const StageReport report = by_statics ? settle_stage(L, m, o, how) : run_stage(L, m, o);
   if (report.end == StageEnd::not_at_rest && !or_go_on)
     throw InputError(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
@@ -142,7 +143,7 @@ int consolidate(lua_State* L) {
     m.note(said);
     if (host(L).observer != nullptr) host(L).observer->note(said);
   }
-  if (fresh && report.end != StageEnd::diverged) m.simulation().set_bonds();
+  if (fresh && report.end != StageEnd::diverged) m.set_bonds();
   push_report(L, report);
   return 1;
 }
@@ -150,8 +151,14 @@ int consolidate(lua_State* L) {
 /// What is to follow which motion.
 struct DriveOrder {
   std::vector<int> bodies;
-  std::array<std::shared_ptr<const GroundMotion>, 3> motion;
+  std::array<std::shared_ptr<const GroundMotion>, 3> motion;  ///< along what drive_names says
 };
+
+/// What can follow a motion: in the plane x, y and the turn, in space x, y and z.
+std::array<const char*, 3> drive_names(int dim) {
+  if (dim == 2) return {"x", "y", "rotation"};
+  return {"x", "y", "z"};
+}
 
 DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
   lua_State* L = keys.lua();
@@ -166,7 +173,8 @@ DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
     }
   }
   lua_pop(L, 1);
-  const std::array names{"x", "y", "rotation"};
+  const auto names = drive_names(m.dim());
+  const PlaneModel* plane = as_plane(m);
   bool any = false;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto* motion = keys.maybe_handle<MotionValue>(names[k]);
@@ -174,35 +182,51 @@ DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
     any = true;
     order.motion[k] = motion->motion;
     for (const int body : order.bodies)
-      if (k == 2 && m.builder.bodies()[static_cast<std::size_t>(body)].kind != BodyKind::rigid)
-        keys.problem(fmt::format("body '{}' deforms and has no rotation to drive",
-                                 m.builder.bodies()[static_cast<std::size_t>(body)].name));
+      if (k == 2 && plane != nullptr && plane->spec(body).kind != BodyKind::rigid)
+        keys.problem(fmt::format("body '{}' deforms and has no rotation to drive", m.body_name(body)));
     const std::string why = motion->steady ? "" : why_not_usable(*motion->motion);
     if (!why.empty()) keys.problem(fmt::format("'{}': {}", names[k], why));
   }
-  if (!any) keys.problem("no motion is given; give x, y or rotation = trilith.motion ...");
+  if (!any) keys.problem(fmt::format("no motion is given; give x, y or {} = trilith.motion ...", names[2]));
   return order;
 }
 
-void apply_drive(ScriptModel& m, const DriveOrder& order) {
-  const std::array names{"x", "y", "rotation"};
-  for (const int body : order.bodies)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (order.motion[k])
-        m.motions.push_back(fmt::format("{} {}: {}", m.builder.bodies()[static_cast<std::size_t>(body)].name, names[k],
-                                        order.motion[k]->description()));
-  const ScriptModel* const self_model = &m;
-  m.change([order, self_model](Model<2>& model) {
-    const State<2>& state = self_model->if_built()->state();
+/// Where a body is now along the directions of drive_names.
+std::array<double, 3> place_of(const State<2>& state, int node) {
+  return {state.position[node].x(), state.position[node].y(), state.rotation[node]};
+}
+std::array<double, 3> place_of(const State<3>& state, int node) {
+  return {state.position[node].x(), state.position[node].y(), state.position[node].z()};
+}
+
+template <int D>
+void apply_drive(SimulatedModel<D>& m, const DriveOrder& order) {
+  const SimulatedModel<D>* const self_model = &m;
+  m.change([order, self_model](Model<D>& model) {
+    const State<D>& state = self_model->if_built()->state();
     for (const int body : order.bodies) {
-      const int node = model.bodies[static_cast<std::size_t>(body)].first_node;
-      for (int k = 0; k < 3; ++k) {
-        const double now = k == 2 ? state.rotation[node] : state.position[node][k];
-        if (order.motion[static_cast<std::size_t>(k)])
-          set_drive(model, body, k, order.motion[static_cast<std::size_t>(k)], state.time, now, &state);
+      const auto now = place_of(state, model.bodies[static_cast<std::size_t>(body)].first_node);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!order.motion[k]) continue;
+        if constexpr (D == 2)
+          set_drive(model, body, static_cast<int>(k), order.motion[k], state.time, now[k], &state);
+        else
+          set_drive(model, body, static_cast<int>(k), order.motion[k], state.time, now[k]);
       }
     }
   });
+}
+
+void apply_drive(ScriptModel& m, const DriveOrder& order) {
+  const auto names = drive_names(m.dim());
+  for (const int body : order.bodies)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (order.motion[k])
+        m.motions.push_back(fmt::format("{} {}: {}", m.body_name(body), names[k], order.motion[k]->description()));
+  if (SpaceModel* space = as_space(m))
+    apply_drive<3>(*space, order);
+  else
+    apply_drive<2>(require_plane(m, "drive"), order);
 }
 
 double last_end(const std::vector<DriveOrder>& orders) {
@@ -254,7 +278,7 @@ int shake(lua_State* L) {
   read_integrator(keys, o);
   keys.finish();
   if (m.running()) throw InputError("shake: a stage runs already; use m:drive to move a body while it runs");
-  m.simulation();
+  m.build();
   for (const DriveOrder& order : orders) apply_drive(m, order);
   return finish_stage(L, m, o);
 }
@@ -264,36 +288,50 @@ int drive(lua_State* L) {
   Keys keys(L, 2, "drive");
   const std::vector<DriveOrder> orders = read_drives(keys, m);
   keys.finish();
-  m.simulation();
+  m.build();
   for (const DriveOrder& order : orders) apply_drive(m, order);
   return 0;
 }
 
-/// "x y r" (all where nothing is given) to degrees of freedom.
-std::array<bool, 3> directions_at(lua_State* L, int index, const char* owner) {
-  if (lua_isnoneornil(L, index)) return {true, true, true};
-  std::array<bool, 3> on{};
+/// Which degrees of freedom a text such as "xy" names; all where nothing is given. In the plane x, y and r, in space x, y,
+/// z and r, which is every turn.
+std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, int dim) {
+  std::array<bool, 6> on{};
+  if (lua_isnoneornil(L, index)) {
+    on.fill(true);
+    return on;
+  }
+  const std::string_view letters = dim == 2 ? "xyr" : "xyzr";
   const std::string text = lua_type(L, index) == LUA_TSTRING ? text_at(L, index) : "?";
   for (const char c : text) {
-    const std::size_t k = std::string_view("xyr").find(c);
+    const std::size_t k = letters.find(c);
     if (k != std::string_view::npos)
-      on[k] = true;
+      std::fill(on.begin() + static_cast<std::ptrdiff_t>(k), c == 'r' ? on.end() : on.begin() + k + 1, true);
     else if (c != ' ' && c != ',')
-      throw InputError(
-          fmt::format("{}: directions are {}, must be a text of x, y and r, as in \"xy\"", owner, what_is(L, index)));
+      throw InputError(fmt::format("{}: directions are {}, must be a text of {}, as in \"xy\"", owner, what_is(L, index),
+                                   dim == 2 ? "x, y and r" : "x, y, z and r"));
   }
   return on;
+}
+
+template <int D>
+void change_supports(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& on,
+                     Support support) {
+  m.change([bodies, on, support](Model<D>& model) {
+    for (const int body : bodies)
+      for (int k = 0; k < Space<D>::dofs; ++k)
+        if (on[static_cast<std::size_t>(k)]) set_support(model, body, k, support);
+  });
 }
 
 int set_supports(lua_State* L, const char* owner, Support support) {
   ScriptModel& m = this_model(L);
   const std::vector<int> bodies = some_bodies_at(L, 2, m, owner);
-  const std::array<bool, 3> on = directions_at(L, 3, owner);
-  m.change([bodies, on, support](Model<2>& model) {
-    for (const int body : bodies)
-      for (int k = 0; k < 3; ++k)
-        if (on[static_cast<std::size_t>(k)]) set_support(model, body, k, support);
-  });
+  const std::array<bool, 6> on = directions_at(L, 3, owner, m.dim());
+  if (SpaceModel* space = as_space(m))
+    change_supports(*space, bodies, on, support);
+  else
+    change_supports(require_plane(m, owner), bodies, on, support);
   return 0;
 }
 int fix(lua_State* L) {
@@ -310,50 +348,79 @@ void tell_doubt(lua_State* L, ScriptModel& m, const std::string& owner, std::str
   add_doubt(doubts, owner, name, unit, value);
   for (const std::string& text : doubts) {
     if (m.running() && host(L).observer != nullptr) host(L).observer->note(text);
-    if (!m.running()) m.builder.note(text);
+    if (!m.running()) m.add_note(text);
   }
 }
 
-/// m:tilt{ rate =, by = }: from now on gravity turns; `by` is where it stops.
+/// From now on gravity turns at `rate`, for as long as it takes to turn by `by`.
+template <int D>
+void begin_tilt(SimulatedModel<D>& m, const Spin<D>& rate, double duration) {
+  const SimulatedModel<D>* const self_model = &m;
+  m.change([rate, duration, self_model](Model<D>& model) {
+    const double now = self_model->if_built()->state().time;
+    Gravity<D>& g = model.gravity;
+    g.field = g.grown(now);
+    g.tilt_rate = rate;
+    g.tilt_start = now;
+    g.tilt_end = now + duration;
+  });
+}
+
+/// m:tilt{ rate =, by =, towards = }: from now on gravity turns; `by` is where it stops. In space it goes towards the
+/// azimuth `towards`, counted from x to y.
 int tilt(lua_State* L) {
   ScriptModel& m = this_model(L);
   Keys keys(L, 2, "tilt");
   const double rate = keys.number("rate", "rad/s"), by = keys.number("by", "rad", unbounded);
+  const double towards = m.dim() == 3 ? keys.number("towards", "rad", 0) : 0;
   if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate has the sign", by));
   keys.finish();
   tell_doubt(L, m, "tilt", "rate", "rad/s", rate);
   tell_doubt(L, m, "tilt", "by", "rad", by);
-  const ScriptModel* const self_model = &m;
-  m.change([rate, by, self_model](Model<2>& model) {
-    const double now = self_model->if_built()->state().time;
-    Gravity<2>& g = model.gravity;
-    g.field = g.grown(now);
-    g.tilt_rate = rate;
-    g.tilt_start = now;
-    g.tilt_end = rate == 0 ? unbounded : now + by / std::abs(rate);
-  });
+  const double duration = rate == 0 ? unbounded : by / std::abs(rate);
+  if (SpaceModel* space = as_space(m)) {
+    // About the axis across: what pointed down turns towards (cos, sin, 0).
+    const Vec3 axis(std::sin(towards), -std::cos(towards), 0);
+    begin_tilt<3>(*space, rate * axis, duration);
+  } else {
+    begin_tilt<2>(require_plane(m, "tilt"), rate, duration);
+  }
   return 0;
 }
 
-/// m:bounds{ left =, right =, bottom =, top = }: what leaves them is followed no more.
+template <int D>
+Bounds<D> read_bounds(Keys& keys) {
+  Bounds<D> chosen;
+  bool any = false;
+  for (int k = 0; k < D; ++k) {
+    const auto [low, high] = bound_names<D>[static_cast<std::size_t>(k)];
+    any = keys.has(low) || any;
+    any = keys.has(high) || any;
+    chosen.low[k] = keys.number(low, "m", -unbounded);
+    chosen.high[k] = keys.number(high, "m", unbounded);
+  }
+  if (!any) keys.problem(D == 2 ? "no side is given; give left, right, bottom or top"
+                                : "no side is given; give left, right, front, back, bottom or top");
+  keys.finish();
+  return chosen;
+}
+
+template <class M, int D>
+void choose_bounds(M& m, const Bounds<D>& chosen) {
+  if (m.built())
+    m.change([chosen](Model<D>& model) { set_bounds(model, chosen); });
+  else
+    m.builder.bounds = chosen;
+}
+
+/// m:bounds{ left =, right =, bottom =, top = }, in space front and back too: what leaves them is followed no more.
 int bounds(lua_State* L) {
   ScriptModel& m = this_model(L);
   Keys keys(L, 2, "bounds");
-  Bounds<2> chosen;
-  const std::array low{"left", "bottom"}, high{"right", "top"};
-  bool any = false;
-  for (const std::size_t k : {0UL, 1UL}) {
-    any = keys.has(low[k]) || any;
-    any = keys.has(high[k]) || any;
-    chosen.low[static_cast<int>(k)] = keys.number(low[k], "m", -unbounded);
-    chosen.high[static_cast<int>(k)] = keys.number(high[k], "m", unbounded);
-  }
-  if (!any) keys.problem("no side is given; give left, right, bottom or top");
-  keys.finish();
-  if (m.built())
-    m.change([chosen](Model<2>& model) { set_bounds(model, chosen); });
+  if (SpaceModel* space = as_space(m))
+    choose_bounds(*space, read_bounds<3>(keys));
   else
-    m.builder.bounds = chosen;
+    choose_bounds(require_plane(m, "bounds"), read_bounds<2>(keys));
   return 0;
 }
 

@@ -75,14 +75,11 @@ class Handlers {
   }
 
   /// All of it as a listener; it refers to this object.
-  RunListener<2> listener(bool nested) {
-    RunListener<2> l;
-    l.on_event = [this](const Event& e, const Instant<2>&) { event(e); };
-    l.on_step = [this](const Instant<2>& now) {
-      if (model_.watch) model_.watch(now);
-      step(now.state.time, now.state.last_dt);
-    };
-    l.on_history = [this](const Instant<2>&) { sample_functions(); };
+  ScriptListener listener(bool nested) {
+    ScriptListener l;
+    l.on_event = [this](const Event& e) { event(e); };
+    l.on_step = [this](double time, double dt) { step(time, dt); };
+    l.on_history = [this] { sample_functions(); };
     if (host_.console != nullptr) l.at_border = [this, nested] { border(nested); };
     return l;
   }
@@ -174,11 +171,11 @@ void refuse_unread_arguments(const Host& h) {
 StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, std::int64_t steps) {
   Host& h = host(L);
   refuse_unread_arguments(h);
-  return listen(L, model, h, [&](RunListener<2> listener) {
+  return listen(L, model, h, [&](ScriptListener listener) {
     std::int64_t taken = 0;
     if (steps > 0)
-      listener.on_step = [&model, &taken, steps, inner = std::move(listener.on_step)](const Instant<2>& now) {
-        inner(now);
+      listener.on_step = [&model, &taken, steps, inner = std::move(listener.on_step)](double time, double dt) {
+        inner(time, dt);
         if (++taken >= steps) model.stop();
       };
     return model.run(options, listener, h);
@@ -188,12 +185,12 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how) {
   Host& h = host(L);
   refuse_unread_arguments(h);
-  return listen(L, model, h, [&](const RunListener<2>& listener) { return model.run(options, listener, h, &how); });
+  return listen(L, model, h, [&](const ScriptListener& listener) { return model.run(options, listener, h, &how); });
 }
 
 StageReport resume_stage(lua_State* L, ScriptModel& model) {
   Host& h = host(L);
-  return listen(L, model, h, [&](const RunListener<2>& listener) { return model.resume(listener, h); });
+  return listen(L, model, h, [&](const ScriptListener& listener) { return model.resume(listener, h); });
 }
 
 void run_on(lua_State* L, ScriptModel& model, RunLimit limit) {

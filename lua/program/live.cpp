@@ -18,7 +18,8 @@ void Live::note(const std::string& text) {
   if (!quiet_) screen_.line("note: " + text);
 }
 
-void Live::event(const Event& event, const Instant<2>& now) {
+template <int D>
+void Live::tell_event(const Event& event, const Instant<D>& now) {
   if (event.type == EventType::stage_begun) {
     pace_.reset();
     stage_began_ = shown_ = looked_ = wall();
@@ -32,7 +33,8 @@ void Live::event(const Event& event, const Instant<2>& now) {
   for (const std::string& line : lines_.tell(event, now.model)) screen_.line(line, strong);
 }
 
-void Live::step(const Instant<2>& now) {
+template <int D>
+void Live::tell_step(const Instant<D>& now) {
   if (quiet_ || ++steps_ < stride_) return;
   steps_ = 0;
   const double at = wall();
@@ -43,7 +45,8 @@ void Live::step(const Instant<2>& now) {
   if (at - shown_ >= (screen_.is_terminal() ? redraw_interval : line_interval)) show(now, at);
 }
 
-void Live::show(const Instant<2>& now, double at) {
+template <int D>
+void Live::show(const Instant<D>& now, double at) {
   shown_ = at;
   pace_.add(now.state.time, at);
   const std::string text = status_text(now, pace_);
@@ -51,6 +54,19 @@ void Live::show(const Instant<2>& now, double at) {
     screen_.status(text);
   else
     screen_.line(text);
+}
+
+void Live::event(const Event& event, const Instant<2>& now) {
+  tell_event(event, now);
+}
+void Live::event(const Event& event, const Instant<3>& now) {
+  tell_event(event, now);
+}
+void Live::step(const Instant<2>& now) {
+  tell_step(now);
+}
+void Live::step(const Instant<3>& now) {
+  tell_step(now);
 }
 
 void Live::stage_ended(const StageReport& report) {

@@ -17,8 +17,10 @@ class Live : public script::RunObserver {
 
   void note(const std::string& text) override;
   void event(const Event& event, const Instant<2>& now) override;
+  void event(const Event& event, const Instant<3>& now) override;
   /// Called after every step; looks at the clock only every so many of them.
   void step(const Instant<2>& now) override;
+  void step(const Instant<3>& now) override;
   void stage_ended(const StageReport& report) override;
   void clear() override { screen_.clear(); }
   void line(const std::string& text, bool strong) override;
@@ -28,7 +30,12 @@ class Live : public script::RunObserver {
  private:
   using Clock = std::chrono::steady_clock;
   [[nodiscard]] double wall() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
-  void show(const Instant<2>& now, double at);
+  template <int D>
+  void tell_event(const Event& event, const Instant<D>& now);
+  template <int D>
+  void tell_step(const Instant<D>& now);
+  template <int D>
+  void show(const Instant<D>& now, double at);
 
   Screen screen_;
   EventLines lines_;

@@ -142,7 +142,7 @@ TEST_CASE("unfinished results are told as such, drawn, and repaired to a clean f
   const std::filesystem::path& here = folder().path;
   {
     Simulation<2> simulation(testing::falling_span());
-    Recording recording(here / "early.h5", simulation.model(), simulation.state());
+    Recording<2> recording(here / "early.h5", simulation.model(), simulation.state());
     StageOptions o;
     o.duration = 0.1;
     o.frame_interval = 0.02;

@@ -95,7 +95,7 @@ TEST_CASE("a run that is still being written, or was stopped, is viewed as far a
   const testing::Folder here;
   {
     Simulation<2> simulation(testing::falling_span());
-    Recording recording(here / "early.h5", simulation.model(), simulation.state());
+    Recording<2> recording(here / "early.h5", simulation.model(), simulation.state());
     StageOptions o;
     o.duration = 0.1;
     o.frame_interval = 0.02;

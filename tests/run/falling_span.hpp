@@ -88,7 +88,7 @@ inline std::shared_ptr<const GroundMotion> walk_away() {
 /// The whole collapse, recorded to `path` and heard by `listener` too.
 inline void record_falling_span(const std::filesystem::path& path, double seconds = 2.5) {
   Simulation<2> simulation(falling_span());
-  RecordingOptions options;
+  RecordingOptions<2> options;
   options.provenance.script_path = "falling_span.lua";
   options.provenance.start_time = "2025-11-21T09:30:00Z";
   options.materials = {{"concrete", 2400}};
@@ -98,7 +98,7 @@ inline void record_falling_span(const std::filesystem::path& path, double second
       {"span.y", "m", "height of the span", [](const Instant<2>& now) { return now.state.position[4].y(); }},
       {"left.force", "N", "force of the left bearing along",
        [](const Instant<2>& now) { return now.work.bearing_force[0].x(); }}};
-  Recording recording(path, simulation.model(), simulation.state(), std::move(options));
+  Recording<2> recording(path, simulation.model(), simulation.state(), std::move(options));
   StageOptions o;
   o.name = "consolidation";
   o.duration = 0.5;

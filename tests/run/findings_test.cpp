@@ -237,10 +237,10 @@ TEST_CASE("joints, their motion and mean stress are recorded and read back") {
   const testing::Folder folder;
   Scene scene = tower(mortar);
   Simulation<2> sim = scene.start();
-  RecordingOptions options;
+  RecordingOptions<2> options;
   options.sync = false;
   options.with_joints = true;
-  Recording recording(folder / "tower.h5", sim.model(), sim.state(), options);
+  Recording<2> recording(folder / "tower.h5", sim.model(), sim.state(), options);
   StageOptions stage;
   stage.duration = 0.1;
   stage.frame_interval = 0.02;

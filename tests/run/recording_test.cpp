@@ -21,8 +21,8 @@ using testing::near;
 
 namespace {
 
-RecordingOptions options() {
-  RecordingOptions o;
+RecordingOptions<2> options() {
+  RecordingOptions<2> o;
   o.provenance.start_time = "2025-11-21T09:30:00Z";
   o.sync = false;
   o.histories = {{"block.y", "m", "height of the block's centre",
@@ -33,7 +33,7 @@ RecordingOptions options() {
 /// Runs the fall and records it to `path`; gives the hash of the last state.
 std::uint64_t record_fall(const std::filesystem::path& path, double height, double duration = 1.5) {
   Simulation<2> simulation(dropped_block(height));
-  Recording recording(path, simulation.model(), simulation.state(), options());
+  Recording<2> recording(path, simulation.model(), simulation.state(), options());
   simulation.run(fall_stage(duration), recording.listener());
   recording.finish();
   CHECK(recording.energy_check().input() > 0);
@@ -125,9 +125,9 @@ TEST_CASE("a killed run can be read up to its last flush") {
   REQUIRE(child >= 0);
   if (child == 0) {
     Simulation<2> simulation(dropped_block(0.3));
-    RecordingOptions o = options();
+    RecordingOptions<2> o = options();
     o.flush_frames = 10;
-    Recording recording(folder / "killed.h5", simulation.model(), simulation.state(), std::move(o));
+    Recording<2> recording(folder / "killed.h5", simulation.model(), simulation.state(), std::move(o));
     RunListener<2> listener = recording.listener();
     listener.on_step = [](const Instant<2>& now) {
       if (now.state.time > 0.5) ::raise(SIGKILL);
@@ -150,7 +150,7 @@ TEST_CASE("a killed run can be read up to its last flush") {
 TEST_CASE("the first frame is safe before the first step") {
   const testing::Folder folder;
   Simulation<2> simulation(dropped_block(0.3));
-  Recording recording(folder / "fall.h5", simulation.model(), simulation.state(), options());
+  Recording<2> recording(folder / "fall.h5", simulation.model(), simulation.state(), options());
   RunListener<2> listener = recording.listener();
   std::size_t frames = 0, events = 0;
   listener.on_step = [&](const Instant<2>&) {
@@ -172,9 +172,9 @@ TEST_CASE("rows that wait reach the disk in time though no further ones come") {
   for (const bool soon : {true, false}) {
     const testing::Folder folder;
     Simulation<2> simulation(dropped_block(0.3));
-    RecordingOptions o = options();
+    RecordingOptions<2> o = options();
     o.flush_seconds = soon ? 0.02 : 1e9;
-    Recording recording(folder / "fall.h5", simulation.model(), simulation.state(), std::move(o));
+    Recording<2> recording(folder / "fall.h5", simulation.model(), simulation.state(), std::move(o));
     RunListener<2> listener = recording.listener();
     const auto hit = [&] { return results::ResultsReader(folder / "fall.h5").events().size() > 1; };
     bool has_hit = false, seen = false;
@@ -201,7 +201,7 @@ TEST_CASE("an abandoned recording says why and stays unfinished") {
   const testing::Folder folder;
   {
     Simulation<2> simulation(dropped_block(0.3));
-    Recording recording(folder / "early.h5", simulation.model(), simulation.state(), options());
+    Recording<2> recording(folder / "early.h5", simulation.model(), simulation.state(), options());
     RunListener<2> listener = recording.listener();
     listener.on_step = [](const Instant<2>& now) {
       if (now.state.time > 0.2) throw InputError("script.lua:3: no such body");
@@ -220,16 +220,16 @@ TEST_CASE("an abandoned recording says why and stays unfinished") {
 TEST_CASE("a history that gives no number is refused, with its name") {
   const testing::Folder folder;
   Simulation<2> simulation(dropped_block(0.3));
-  RecordingOptions o = options();
+  RecordingOptions<2> o = options();
   o.histories[0].sample = [](const Instant<2>&) { return std::nan(""); };
-  Recording recording(folder / "nan.h5", simulation.model(), simulation.state(), std::move(o));
+  Recording<2> recording(folder / "nan.h5", simulation.model(), simulation.state(), std::move(o));
   CHECK_THROWS_AS(simulation.run(fall_stage(), recording.listener()), results::ResultsError);
 }
 
 TEST_CASE("a motion that starts with a later stage is noted") {
   const testing::Folder folder;
   Simulation<2> simulation(dropped_block(0.001));
-  Recording recording(folder / "shaken.h5", simulation.model(), simulation.state(), options());
+  Recording<2> recording(folder / "shaken.h5", simulation.model(), simulation.state(), options());
   StageOptions o = fall_stage(0.1);
   o.name = "consolidation";
   o.rest_share = 0.8;

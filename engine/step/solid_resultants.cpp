@@ -1,0 +1,31 @@
+#include "step/solid_resultants.hpp"
+
+#include <cmath>
+
+#include "contact/friction_limit.hpp"
+#include "contact/shear_3d.hpp"
+
+namespace trilith {
+
+/// Sliding force stands at its limit, up to rounding.
+SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::size_t place) {
+  const GeneralContact<3>& contact = work.general_touching[place];
+  const NearPair& pair = work.pairs[contact.row];
+  const SlidingForce& shear = work.contacts.memory[contact.row].shear;
+  const double normal = contact.force.norm(), mu = std::visit([](const auto& l) { return l.mu; }, model.laws[pair.law]),
+               limit = (1 - 1e-9) * mu * normal;
+  const Vec3 n = normal > 0 ? Vec3(contact.force / normal) : Vec3(Vec3::Zero());
+  const double turning = n.dot(shear.total);
+  const Vec3 along = shear.total - turning * n;
+  const bool slides = !(limit > 0) || limit_measure(along.norm() / limit, std::abs(turning) / limit) >= 1;
+  return {contact.row,
+          model.piece_body[pair.piece_a],
+          model.piece_body[pair.piece_b],
+          contact.centre,
+          n,
+          contact.force - along,
+          contact.size,
+          slides ? ContactHold::sliding : ContactHold::sticking};
+}
+
+}  // namespace trilith

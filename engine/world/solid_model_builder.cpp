@@ -1,0 +1,107 @@
+#include "world/solid_model_builder.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "world/bounds.hpp"
+#include "world/check.hpp"
+#include "world/names.hpp"
+#include "world/space_builder.hpp"
+#include "world/usual.hpp"
+
+namespace trilith {
+
+void SolidModelBuilder::add_material(const Material& material) {
+  check_material(material, materials_, notes_);
+  materials_.push_back(material);
+}
+
+double SolidModelBuilder::density_of(const SolidSpec& spec) const {
+  const std::string owner = fmt::format("body '{}'", spec.name);
+  if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");
+  if (spec.density) return require_positive(*spec.density, owner + ": density", "kg/m3");
+  if (spec.mass) return require_positive(*spec.mass, owner + ": mass", "kg") / mass_of(spec.pieces, 1).mass;
+  for (const Material& m : materials_)
+    if (m.name == spec.material) return m.density;
+  throw InputError(fmt::format("{}: give a density or mass, or a material that has a density", owner));
+}
+
+void SolidModelBuilder::add_body(SolidSpec spec) {
+  require_name(spec.name, "body");
+  require_new(bodies_, spec.name, "body", [](const SolidSpec& b) { return b.name; });
+  const std::string owner = fmt::format("body '{}'", spec.name);
+  if (spec.pieces.empty()) throw InputError(owner + " has no piece; it needs at least one");
+  for (std::size_t p = 0; p < spec.pieces.size(); ++p)
+    check_convex(spec.pieces[p], spec.pieces.size() == 1 ? owner : fmt::format("{}, piece {}", owner, p + 1));
+  for (const Vec3* v : {&spec.velocity, &spec.spin, &spec.load})
+    if (!v->allFinite()) throw InputError(owner + ": velocity, spin or load is not finite");
+  if (!spec.material.empty()) require_material(materials_, spec.material, owner);
+  (void)density_of(spec);
+  if (spec.density) add_doubt(notes_, owner, "density", "kg/m3", *spec.density);
+  bodies_.push_back(std::move(spec));
+}
+
+/// Faults come in the order in which a model is made, so that the first one is the cause of others.
+Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
+  const auto attempt = [&](auto&& part) {
+    try {
+      part();
+    } catch (const InputError& e) {
+      faults.emplace_back(e.what());
+    }
+  };
+  SpaceBuilder space;
+  space.gravity(gravity);
+  if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
+  for (const SolidSpec& spec : bodies_)
+    attempt([&] { space.add({spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0}); });
+  rules_.check(bodies_, materials_, faults);
+  if (!faults.empty()) return {};
+  Model<3> model = space.build();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    model.bodies[b].material = bodies_[b].material, model.bodies[b].groups = bodies_[b].groups;
+    model.support[b] = bodies_[b].support, model.load[b] = bodies_[b].load;
+  }
+  rules_.fill(model);
+  complete_space(model);
+  attempt([&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
+  model.impact_speed = impact_speed, model.apart_time = apart_time;
+  model.still_speed = still_speed, model.still_time = still_time;
+  check_overlaps(model, overlap_allowed, faults, notes);
+  std::vector<std::uint8_t> floating;
+  for (const SolidSpec& b : bodies_) floating.push_back(b.floating ? 1 : 0);
+  check_held_up(model, floating, faults);
+  attempt([&] { set_bounds(model, bounds); });
+  return model;
+}
+
+Model<3> SolidModelBuilder::build() {
+  std::vector<std::string> faults, notes;
+  Model<3> model = assemble(faults, notes);
+  if (!faults.empty()) throw InputError(faults.front());
+  notes_.insert(notes_.end(), notes.begin(), notes.end());
+  return model;
+}
+
+std::vector<std::string> SolidModelBuilder::faults() const {
+  std::vector<std::string> faults, notes;
+  assemble(faults, notes);
+  return faults;
+}
+
+void set_support(Model<3>& model, int body, int dof, Support support) {
+  const int node = model.bodies[body].first_node;
+  model.support[node][dof] = support;
+  if (support != Support::driven) model.drive_of[node][dof] = -1;
+}
+
+/// The motion's own start displacement is not a jump of the ground.
+void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
+               double origin) {
+  const int node = model.bodies[body].first_node;
+  model.support[node][dof] = Support::driven;
+  model.drive_of[node][dof] = static_cast<int>(model.drives.size());
+  model.drives.push_back({node, dof, origin - motion->displacement(0), start, motion});
+}
+
+}  // namespace trilith

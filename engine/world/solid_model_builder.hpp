@@ -1,0 +1,78 @@
+// Makes a Model in space of bodies, materials, laws and motions, and checks it once: what ModelBuilder is in the plane.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shape/polyhedron.hpp"
+#include "world/contact_rules.hpp"
+#include "world/material.hpp"
+#include "world/model.hpp"
+
+namespace trilith {
+
+/// A rigid body in space to be. Give at most one of density and mass; without any, the material's density counts.
+struct SolidSpec {
+  std::string name;                ///< unique
+  std::vector<Polyhedron> pieces;  ///< convex, where they stand; they share faces or nothing [m]
+  std::string material;
+  std::vector<std::string> groups;
+  std::optional<double> density;     ///< [kg/m3]
+  std::optional<double> mass;        ///< [kg]
+  std::array<Support, 6> support{};  ///< x, y, z, and turns about them
+  Vec3 velocity = Vec3::Zero();      ///< of the centroid at the start [m/s]
+  Vec3 spin = Vec3::Zero();          ///< at the start [rad/s]
+  Vec3 load = Vec3::Zero();          ///< steady force at the centroid [N]
+  bool floating = false;             ///< may start with nothing that holds it up
+};
+
+class SolidModelBuilder {
+ public:
+  Vec3 gravity{0, 0, -standard_gravity};  ///< [m/s2]
+  double mass_damping = 0;                ///< [1/s]
+  double impact_speed = 0.5;              ///< [m/s]
+  double apart_time = 0.02;               ///< [s]
+  double still_speed = 2.54e-7;           ///< [m/s]
+  double still_time = 0.5;                ///< [s]
+  double overlap_allowed = 1e-6;          ///< deepest overlap at the start, share of the smaller body's size
+  Bounds<3> bounds;                       ///< sides that are infinite are those of default_bounds
+
+  // Each throws InputError, and leaves the builder as it was.
+  void add_material(const Material& material);
+  void add_body(SolidSpec spec);
+  /// See ContactRules.
+  void add_law(const std::string& name, const ContactLaw& law) { rules_.add_law(name, law, notes_); }
+  void set_contact(const std::string& a, const std::string& b, const std::string& law) {
+    rules_.set_contact(a, b, law);
+  }
+  /// Adds a line to notes(): what was repaired or chosen before bodies came here.
+  void note(const std::string& line) { notes_.push_back(line); }
+
+  /// Checks everything and makes the model. Throws InputError with the first of faults().
+  Model<3> build();
+  /// All that keeps build() from making the model, a line for each. Empty where nothing does.
+  [[nodiscard]] std::vector<std::string> faults() const;
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const std::vector<SolidSpec>& bodies() const { return bodies_; }
+  [[nodiscard]] std::vector<std::string> law_names() const { return rules_.law_names(); }
+
+ private:
+  Model<3> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
+  [[nodiscard]] double density_of(const SolidSpec& spec) const;
+
+  std::vector<Material> materials_;
+  std::vector<SolidSpec> bodies_;
+  ContactRules rules_;
+  std::vector<std::string> notes_;
+};
+
+/// Fixes or frees one degree of freedom of a body (0 to 2 along x, y, z, 3 to 5 about them), for the next stage.
+void set_support(Model<3>& model, int body, int dof, Support support);
+
+/// Lets one degree of freedom of a body along x, y or z follow `motion` from time `start` [s] and position `origin` on.
+void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
+               double origin);
+
+}  // namespace trilith

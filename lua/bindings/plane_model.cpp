@@ -1,0 +1,26 @@
+#include "plane_model.hpp"
+
+#include "world/pose.hpp"
+
+namespace trilith::script {
+
+const Findings& PlaneModel::findings() {
+  const Model<2>& model = simulation().model();
+  if (!findings_) findings_ = Findings{find_joints(model), find_storeys(model), find_base(model)};
+  return *findings_;
+}
+
+Model<2> PlaneModel::lone_body(int body) const {
+  ModelBuilder alone;
+  alone.thickness = builder.thickness;
+  alone.gravity = Vec2::Zero();
+  for (const Material& m : materials) alone.add_material(m);
+  alone.add_body(spec(body));
+  return alone.build();
+}
+
+double PlaneModel::inertia_of(int body) {
+  return if_built() != nullptr ? body_inertia(if_built()->model(), body) : body_inertia(lone_body(body), 0);
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,67 @@
+// A model in the plane as scripts hold it. No Lua here.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/joints.hpp"
+#include "run/storeys.hpp"
+#include "simulated_model.hpp"
+#include "world/builder.hpp"
+
+namespace trilith::script {
+
+struct BridgeBook;  // bridge_book.hpp
+
+/// What bodies are made as where nothing else is said.
+struct BodyForm {
+  BodyKind kind = BodyKind::rigid;
+  std::array<int, 2> divisions{1, 1};
+};
+
+/// What engineering results are asked of.
+struct Findings {
+  std::vector<Joint> joints;
+  std::vector<Storey> storeys;
+  std::vector<int> base;
+};
+
+class PlaneModel final : public SimulatedModel<2> {
+ public:
+  using SimulatedModel::SimulatedModel;
+
+  ModelBuilder builder;
+  BodyForm body_form;
+  std::shared_ptr<BridgeBook> bridge;  ///< supports and spans; empty before the first
+
+  void add_material(const Material& material) override { builder.add_material(material); }
+  void add_law(const std::string& law_name, const ContactLaw& law) override { builder.add_law(law_name, law); }
+  void set_contact(const std::string& a, const std::string& b, const std::string& law) override {
+    builder.set_contact(a, b, law);
+  }
+  [[nodiscard]] std::vector<std::string> law_names() const override { return builder.law_names(); }
+  [[nodiscard]] int body_count() const override { return static_cast<int>(builder.bodies().size()); }
+  [[nodiscard]] const std::string& body_name(int body) const override { return spec(body).name; }
+  [[nodiscard]] const std::string& material_of(int body) const override { return spec(body).material; }
+  [[nodiscard]] const std::vector<std::string>& groups_of(int body) const override { return spec(body).groups; }
+  [[nodiscard]] const std::vector<std::string>& notes() const override { return builder.notes(); }
+  void add_note(const std::string& line) override { builder.note(line); }
+  [[nodiscard]] std::vector<std::string> faults() const override { return builder.faults(); }
+  /// Moment of inertia of a body about its centroid [kg m2], before and after building.
+  [[nodiscard]] double inertia_of(int body);
+  /// Its joints, storeys and base; builds the model.
+  const Findings& findings();
+  [[nodiscard]] const BodySpec& spec(int body) const { return builder.bodies()[static_cast<std::size_t>(body)]; }
+
+ protected:
+  [[nodiscard]] Model<2> built_model() override { return builder.build(); }
+  [[nodiscard]] Model<2> lone_body(int body) const override;
+
+ private:
+  std::optional<Findings> findings_;
+};
+
+}  // namespace trilith::script

@@ -1,0 +1,303 @@
+#include "simulated_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/quantity_text.hpp"
+#include "step/stable_step.hpp"
+#include "world/event_text.hpp"
+#include "world/motion_hash.hpp"
+#include "world/pose.hpp"
+
+namespace trilith::script {
+
+template <int D>
+Simulation<D>& SimulatedModel<D>::simulation() {
+  if (!simulation_) {
+    simulation_ = std::make_unique<Simulation<D>>(built_model());
+  }
+  return *simulation_;
+}
+
+template <int D>
+const Simulation<D>& SimulatedModel<D>::evaluated() {
+  Simulation<D>& s = simulation();
+  s.refresh();
+  return s;
+}
+
+template <int D>
+void SimulatedModel<D>::change(std::function<void(Model<D>&)> what) {
+  if (running_ && !paused_) {
+    changes_.push_back(std::move(what));
+    return;
+  }
+  simulation().edit(what);
+}
+
+template <int D>
+StepNumbers SimulatedModel<D>::step_numbers() {
+  if (!simulation_) return {};
+  const Simulation<D>& s = evaluated();
+  const Work<D>& w = s.work();
+  return {s.state().last_dt, s.state().step, w.fastest_moving, w.carried > 0 ? w.unbalanced / w.carried : 0};
+}
+
+template <int D>
+std::uint64_t SimulatedModel<D>::hash() {
+  return motion_hash(simulation().state());
+}
+
+template <int D>
+std::string SimulatedModel<D>::step_text() {
+  const Simulation<D>& s = evaluated();
+  return explain_step(s.model(), s.state(), s.work());
+}
+
+template <int D>
+std::string SimulatedModel<D>::text_of(const Event& event) const {
+  return event_text(event, simulation_->model());
+}
+
+template <int D>
+double SimulatedModel<D>::mass_of(int body) {
+  return simulation_ ? body_mass(simulation_->model(), body) : body_mass(lone_body(body), 0);
+}
+
+template <int D>
+void SimulatedModel<D>::grow_weight(double end) {
+  change([end](Model<D>& model) { model.gravity.grow_end = end; });
+}
+
+namespace {
+
+/// A script names its results as "out/run.h5" wherever it is run from. What was typed on the command line may be
+/// mistyped, and makes no folder. Where it cannot be made, the writer of the results says what is wrong.
+void make_folder_of(const std::filesystem::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+}
+
+}  // namespace
+
+template <int D>
+void SimulatedModel<D>::begin_recording(Host& host) {
+  if (recording_begun_) return;
+  recording_begun_ = true;
+  if (!host.results_file.empty()) {
+    if (!results) results.emplace();
+    results->file = std::exchange(host.results_file, "");
+  } else if (results) {
+    make_folder_of(results->file);
+  }
+  if (!results) return;
+  if (!host.case_folder.empty())
+    results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
+  open_recording(host);
+  for (const std::string& text : notes()) recording_->note(text);
+  host.recorded.push_back(this->shared_from_this());
+}
+
+template <int D>
+void SimulatedModel<D>::open_recording(Host& host) {
+  RecordingOptions<D> options;
+  options.provenance = host.provenance(motions);
+  options.materials = materials;
+  for (const History& h : histories) options.histories.push_back({h.name, h.unit, h.sentence, {}});
+  options.with_velocity = results->with_velocity;
+  options.with_joints = results->with_joints;
+  if (!recorded_from_) recorded_from_ = simulation_->state();
+  recording_ = std::make_unique<Recording<D>>(results->file, simulation_->model(), *recorded_from_, std::move(options));
+  const std::string kept = recording_->kept_from_before();
+  if (kept.empty()) return;
+  if (host.observer != nullptr) host.observer->clear();
+  fmt::print(stderr, "note: {}\n", kept);
+}
+
+template <int D>
+RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, RunObserver* observer) {
+  RunListener<D> all;
+  if (recording_) {  // going back in time replaces it
+    all.on_frame = [this](const Instant<D>& now) { recording_->frame(now); };
+    all.on_energy = [this](const Instant<D>& now, const Energy& e) { recording_->energy(now, e); };
+  }
+  if (!histories.empty()) {
+    all.on_history = [this, &script](const Instant<D>& now) {
+      script.on_history();  // the Lua functions' values come first
+      take_histories(now.state.time);
+    };
+  }
+  all.on_event = [this, observer, &script](const Event& e, const Instant<D>& now) {
+    events.push_back(e);
+    if (e.type == EventType::stage_begun) stages_run_.push_back(now.stage);
+    if (recording_) recording_->event(e, now);
+    if (observer != nullptr) observer->event(e, now);
+    script.on_event(e);
+  };
+  all.on_step = [this, observer, &script](const Instant<D>& now) {
+    if (recording_) recording_->step();
+    if (observer != nullptr) observer->step(now);
+    if (watch) watch(now);
+    script.on_step(now.state.time, now.state.last_dt);
+  };
+  all.change_model = [this](Model<D>& model) { return apply_changes(model); };
+  if (script.at_border || checkpoints.on)
+    all.at_border = [this, &script] {
+      // Where the run taken back had ended, this one is to be compared with it.
+      const bool meets = undone && !undone->passed && time() >= undone->checkpoints.back().time();
+      if (meets) undone->passed = true;
+      if (meets || checkpoints.due(*simulation_)) checkpoints.add(checkpoint());
+      if (script.at_border) script.at_border();
+    };
+  return all;
+}
+
+template <int D>
+void SimulatedModel<D>::take_histories(double time) {
+  // A row that an interrupt broke off is left out.
+  const std::size_t rows = history_times.size();
+  const bool whole =
+      std::ranges::all_of(histories, [&](const History& h) { return h.sample || h.values.size() > rows; });
+  if (!whole) {
+    for (History& h : histories) h.values.resize(rows);
+    return;
+  }
+  std::vector<double> row;
+  row.reserve(histories.size());
+  for (History& h : histories) {
+    if (h.sample) h.values.push_back(h.sample());
+    row.push_back(h.values.back());
+  }
+  history_times.push_back(time);
+  if (recording_) recording_->history(time, row);
+}
+
+template <int D>
+bool SimulatedModel<D>::apply_changes(Model<D>& model) {
+  if (changes_.empty()) return false;
+  std::vector<std::function<void(Model<D>&)>> now;
+  now.swap(changes_);
+  const int free_before = model.free_dofs();
+  for (const auto& what : now) what(model);
+  if (model.free_dofs() > free_before) simulation_->drop_step();
+  return true;
+}
+
+template <int D>
+StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListener& listener, Host& host,
+                                   const EquilibriumOptions* statics) {
+  if (running_)
+    throw InputError(fmt::format("{}: a stage runs already; begin the next one when it has ended", title()));
+  Simulation<D>& s = simulation();
+  for (; host.observer != nullptr && notes_shown_ < notes().size(); ++notes_shown_)
+    host.observer->note(notes()[notes_shown_]);
+  begin_recording(host);
+  StageOptions options = asked;
+  if (!histories.empty()) options.history_interval = results ? results->histories : history_interval;
+  if (recording_) {
+    options.frame_interval = results->frames;
+    options.energy_interval = results->energy;
+  }
+  if (host.console != nullptr && !checkpoints_chosen) checkpoints.on = true;
+  if (!options.watched) {
+    const std::string said = fmt::format("speeds and energies of the stage '{}' are not watched", options.name);
+    note(said);
+    if (host.observer != nullptr) host.observer->note(said);
+  }
+  if (host.profile.wanted) {
+    s.measure(&host.profile.times);
+    host.profile.laws = s.model().law_names;
+  }
+  const auto go = [&] {
+    const RunListener<D> all = listen_with(listener, host.observer);
+    return statics != nullptr ? s.settle(options, *statics, all) : s.run(options, all);
+  };
+  return guarded_run(go, host);
+}
+
+template <int D>
+StageReport SimulatedModel<D>::guarded_run(const std::function<StageReport()>& go, Host& host) {
+  struct Scope {
+    SimulatedModel& model;
+    explicit Scope(SimulatedModel& m) : model(m) { model.running_ = true; }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+    ~Scope() {
+      *model.verdict_ = model.simulation_->verdict();
+      model.running_ = false;
+      model.pause_reason.clear();  // of a step border that this stage did not come to
+      model.changes_.clear();
+    }
+  } scope(*this);
+  const auto known = [&](const auto& entry) { return entry.second == verdict_; };
+  if (std::none_of(host.verdicts.begin(), host.verdicts.end(), known)) host.verdicts.emplace_back(title(), verdict_);
+  StageReport report;
+  const auto begun = std::chrono::steady_clock::now();
+  try {
+    report = go();
+    broken_.clear();
+  } catch (const std::exception& e) {
+    broken_ = e.what();
+    throw;
+  }
+  host.profile.times.all += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  if (report.end == StageEnd::diverged) note(report.reason);
+  if (host.observer != nullptr) host.observer->stage_ended(report);
+  return report;
+}
+
+template <int D>
+void SimulatedModel<D>::run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) {
+  paused_ = false;
+  struct Scope {
+    SimulatedModel& model;
+    ~Scope() { model.paused_ = true; }
+  } scope{*this};
+  simulation_->run_on(listen_with(listener, host.observer), limit);
+}
+
+namespace {
+
+/// Where the energy went that did not come back: shares of what was put in, the largest first.
+std::string given_off_text(const EnergyCheck& check) {
+  std::vector<std::pair<double, std::string_view>> shares;
+  for (int i = 0; i < energy_terms; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double share = check.input() > 0 ? check.last().value[k] / check.input() : 0;
+    if (energy_term_info[k].given_off && share >= 5e-4) shares.emplace_back(share, energy_term_info[k].name);
+  }
+  std::sort(shares.rbegin(), shares.rend());
+  std::string text;
+  for (const auto& [share, name] : shares)
+    text += fmt::format("{}{:.1f} % {}", text.empty() ? "; given off: " : ", ", 100 * share, name);
+  return text;
+}
+
+}  // namespace
+
+template <int D>
+std::string SimulatedModel<D>::finish(const std::string& error) {
+  if (!recording_) return "";
+  const std::unique_ptr<Recording<D>> recording = std::move(recording_);
+  std::string why = error.empty() ? broken_ : error;
+  if (why.empty() && verdict_->has(Fault::diverged)) why = verdict_->fault(Fault::diverged).first;
+  if (why.empty() && simulation_->stage() != nullptr) why = "a stage that was gone back into was not run to its end";
+  if (!why.empty()) {
+    recording->abandon(why);
+    return fmt::format("results so far, unfinished, are in {}", recording->part().string());
+  }
+  recording->finish();
+  const EnergyCheck& check = recording->energy_check();
+  return fmt::format("results are in {}; the energy ledger closes to {:.2g} % of {} put in{}",
+                     recording->path().string(), 100 * check.share(), quantity_text(check.input(), "J"),
+                     given_off_text(check));
+}
+
+template class SimulatedModel<2>;
+template class SimulatedModel<3>;
+
+}  // namespace trilith::script

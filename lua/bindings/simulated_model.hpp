@@ -1,0 +1,82 @@
+// A model of a script in D dimensions: it runs, records and goes back in time. No Lua here.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/recording.hpp"
+#include "script_model.hpp"
+
+namespace trilith::script {
+
+template <int D>
+class SimulatedModel : public ScriptModel {
+ public:
+  using ScriptModel::ScriptModel;
+
+  std::function<void(const Instant<D>&)> watch;  ///< of the engine's own, after each step; empty: none
+
+  [[nodiscard]] int dim() const override { return D; }
+  [[nodiscard]] bool built() const override { return simulation_ != nullptr; }
+  [[nodiscard]] bool recording() const override { return recording_ != nullptr; }
+  void build() override { simulation(); }
+  /// Builds where that was not done. Throws InputError as the builder does.
+  Simulation<D>& simulation();
+  /// The simulation with its forces up to date, for reading.
+  const Simulation<D>& evaluated();
+  [[nodiscard]] const Simulation<D>* if_built() const { return simulation_.get(); }
+  /// Does `change` now, or at the next step border where a stage runs.
+  void change(std::function<void(Model<D>&)> what);
+
+  [[nodiscard]] double time() const override { return simulation_ ? simulation_->state().time : 0; }
+  [[nodiscard]] StepNumbers step_numbers() override;
+  [[nodiscard]] Energy energy() override { return evaluated().energy(); }
+  [[nodiscard]] std::uint64_t hash() override;
+  [[nodiscard]] std::string step_text() override;
+  [[nodiscard]] std::string text_of(const Event& event) const override;
+  [[nodiscard]] double mass_of(int body) override;
+  [[nodiscard]] bool is_resting(int body) const override {
+    return simulation_ && simulation_->state().resting[static_cast<std::size_t>(body)] != 0;
+  }
+  void grow_weight(double end) override;
+  void lift_bonds() override { simulation().lift_bonds(); }
+  void set_bonds() override { simulation().set_bonds(); }
+  void drop_step() override { simulation().drop_step(); }
+  void stop() override {
+    if (simulation_) simulation_->stop();
+  }
+
+  StageReport run(const StageOptions& options, const ScriptListener& listener, Host& host,
+                  const EquilibriumOptions* statics) override;
+  void run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) override;
+  StageReport resume(const ScriptListener& listener, Host& host) override;
+  double rewind(double time, Host& host) override;
+  void note(const std::string& text) override;
+  std::string finish(const std::string& error) override;
+
+ protected:
+  [[nodiscard]] virtual Model<D> built_model() = 0;
+  /// A model of that body and nothing else.
+  [[nodiscard]] virtual Model<D> lone_body(int body) const = 0;
+
+ private:
+  void begin_recording(Host& host);
+  void open_recording(Host& host);
+  void continue_recording(Host& host, double left, const Recording<D>& before);
+  void replay(Recording<D>& recording);
+  StageReport guarded_run(const std::function<StageReport()>& go, Host& host);
+  [[nodiscard]] Checkpoint checkpoint();
+  RunListener<D> listen_with(const ScriptListener& script, RunObserver* observer);
+  void take_histories(double time);
+  bool apply_changes(Model<D>& model);
+
+  std::unique_ptr<Simulation<D>> simulation_;
+  std::unique_ptr<Recording<D>> recording_;
+  std::optional<State<D>> recorded_from_;                // where all branches of the results begin
+  std::vector<std::function<void(Model<D>&)>> changes_;  // wait for the step border
+};
+
+}  // namespace trilith::script

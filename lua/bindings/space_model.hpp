@@ -1,0 +1,38 @@
+// A model in space as scripts hold it. No Lua here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulated_model.hpp"
+#include "world/solid_model_builder.hpp"
+
+namespace trilith::script {
+
+class SpaceModel final : public SimulatedModel<3> {
+ public:
+  using SimulatedModel::SimulatedModel;
+
+  SolidModelBuilder builder;
+
+  void add_material(const Material& material) override { builder.add_material(material); }
+  void add_law(const std::string& law_name, const ContactLaw& law) override { builder.add_law(law_name, law); }
+  void set_contact(const std::string& a, const std::string& b, const std::string& law) override {
+    builder.set_contact(a, b, law);
+  }
+  [[nodiscard]] std::vector<std::string> law_names() const override { return builder.law_names(); }
+  [[nodiscard]] int body_count() const override { return static_cast<int>(builder.bodies().size()); }
+  [[nodiscard]] const std::string& body_name(int body) const override { return spec(body).name; }
+  [[nodiscard]] const std::string& material_of(int body) const override { return spec(body).material; }
+  [[nodiscard]] const std::vector<std::string>& groups_of(int body) const override { return spec(body).groups; }
+  [[nodiscard]] const std::vector<std::string>& notes() const override { return builder.notes(); }
+  void add_note(const std::string& line) override { builder.note(line); }
+  [[nodiscard]] std::vector<std::string> faults() const override { return builder.faults(); }
+  [[nodiscard]] const SolidSpec& spec(int body) const { return builder.bodies()[static_cast<std::size_t>(body)]; }
+
+ protected:
+  [[nodiscard]] Model<3> built_model() override { return builder.build(); }
+  [[nodiscard]] Model<3> lone_body(int body) const override;
+};
+
+}  // namespace trilith::script
