@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "shape/surface.hpp"
+
 namespace trilith {
 namespace {
 
@@ -69,9 +71,14 @@ class SolidCut {
 
   /// The lid runs along every edge that only one face runs along, the other way.
   bool close() {
+    const std::vector<int> across = edges_across(made.faces);
     std::vector<std::pair<int, int>> open;
-    for (const SolidEdge& e : solid_edges(made.faces))
-      if (e.right < 0) open.emplace_back(e.to, e.from);
+    for (int f = 0; f < made.faces.count(); ++f) {
+      const int first = made.faces.start[at(f)], end = made.faces.start[at(f) + 1];
+      for (int k = first; k < end; ++k)
+        if (across[at(k)] < 0)
+          open.emplace_back(made.faces.corner[at(k + 1 == end ? first : k + 1)], made.faces.corner[at(k)]);
+    }
     if (open.size() < 3) return false;
     std::vector<int> lid{open[0].first};
     while (lid.size() <= open.size()) {

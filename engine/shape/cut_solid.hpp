@@ -22,7 +22,8 @@ struct CuttingPlane {
 };
 
 /// What of a convex solid lies in a half-space; nothing where no corner is deeper in it than `same` [m], the solid
-/// itself where none stands out by more. The lid is the last face. Time goes as the number of edges squared at most.
+/// itself where none stands out by more. The lid is the last face. Time goes as the number of edges times its
+/// logarithm, and as the corners of the lid squared.
 std::optional<Polyhedron> cut_solid(const Polyhedron& solid, const CuttingPlane& plane, double same);
 
 /// What all half-spaces have in common within `around`, a convex solid: cut one after the other.
