@@ -28,12 +28,17 @@ std::vector<std::array<int, 3>> triangles_of(const Polyhedron& solid) {
   return made;
 }
 
-std::string obj_of(const Polyhedron& solid, int& points) {
+/// An OBJ file: what stands before a solid, and the solid in triangles.
+std::string obj_of(const std::vector<std::pair<std::string, Polyhedron>>& solids) {
   std::string text;
-  for (const Vec3& p : solid.corners) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
-  for (const auto& t : triangles_of(solid))
-    text += fmt::format("f {}/1/1 {}//2 {}\n", points + t[0] + 1, points + t[1] + 1, points + t[2] + 1);
-  points += static_cast<int>(solid.corners.size());
+  int points = 0;
+  for (const auto& [head, solid] : solids) {
+    text += head;
+    for (const Vec3& p : solid.corners) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+    for (const auto& t : triangles_of(solid))
+      text += fmt::format("f {}/1/1 {}//2 {}\n", points + t[0] + 1, points + t[1] + 1, points + t[2] + 1);
+    points += static_cast<int>(solid.corners.size());
+  }
   return text;
 }
 
@@ -77,10 +82,8 @@ const Polyhedron cube = box_solid({0, 0, 0}, {1, 1, 1});
 }  // namespace
 
 TEST_CASE("objects of an OBJ file become bodies whose triangles are joined to faces") {
-  int points = 0;
   const Polyhedron other = box_solid({1, 0, 0}, {3, 1, 1});
-  const std::string text =
-      "# stones\no left stone\n" + obj_of(cube, points) + "o right\ng upper lower\n" + obj_of(other, points);
+  const std::string text = obj_of({{"# stones\no left stone\n", cube}, {"o right\ng upper lower\n", other}});
   const SolidParts read = parse_obj(text, {.name = "wall", .groups = {"old"}}, "file");
   CHECK(read.notes.empty());
   REQUIRE(read.parts.size() == 2);
@@ -95,10 +98,9 @@ TEST_CASE("objects of an OBJ file become bodies whose triangles are joined to fa
 }
 
 TEST_CASE("a group of several convex objects is one body of several pieces") {
-  int points = 0;
-  std::string text = "g ell\no a\n" + obj_of(cube, points);
-  text += "o b\n" + obj_of(box_solid({1, 0, 0}, {2, 1, 3}), points) + "g alone\no c\n" +
-          obj_of(box_solid({5, 0, 0}, {6, 1, 1}), points);
+  const std::string text = obj_of({{"g ell\no a\n", cube},
+                                   {"o b\n", box_solid({1, 0, 0}, {2, 1, 3})},
+                                   {"g alone\no c\n", box_solid({5, 0, 0}, {6, 1, 1})}});
   const SolidParts read = parse_obj(text, {}, "file");
   REQUIRE(read.parts.size() == 2);
   CHECK(read.parts[0].name == "ell");
@@ -130,8 +132,7 @@ TEST_CASE("solids that are inside out or partly so are turned round with a note"
     inverted.faces.add(back);
     partly.faces.add(f == 0 || f == 3 ? std::span<const int>(back) : cube.faces[f]);
   }
-  int points = 0;
-  const SolidParts read = parse_obj("o a\n" + obj_of(inverted, points) + "o b\n" + obj_of(partly, points), {}, "file");
+  const SolidParts read = parse_obj(obj_of({{"o a\n", inverted}, {"o b\n", partly}}), {}, "file");
   CHECK(volume_of(read.parts[0]) == 1);
   CHECK(volume_of(read.parts[1]) == 1);
   REQUIRE(read.notes.size() == 2);
@@ -183,10 +184,11 @@ TEST_CASE("files are read by their ending") {
 }
 
 TEST_CASE("what is no closed convex solid is refused with its name and the place") {
-  int points = 0;
   Polyhedron open = cube;
   open.faces.corner.resize(20), open.faces.start.pop_back();
-  CHECK(says(refusal_of([&] { parse_obj("o a\n" + obj_of(open, points), {}, "file"); }),
+  CHECK(says(refusal_of([&] {
+               parse_obj(obj_of({{"o a\n", open}}), {}, "file");
+             }),
              "file: solid 'a' is open: 4 edges belong to one face only, such as that from ("));
   const Polyhedron ell =
       extrusion(std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {0, 0, 1});
