@@ -65,7 +65,10 @@ class ObjReader {
 
   std::string rest() {
     std::string all;
-    for (std::string_view w = word(); !w.empty(); w = word()) all += (all.empty() ? "" : " ") + std::string(w);
+    for (std::string_view w = word(); !w.empty(); w = word()) {
+      if (!all.empty()) all += ' ';
+      all += w;
+    }
     return all;
   }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/portable.hpp"
 #include "shape/cut_solid.hpp"
 #include "shape/random_convex.hpp"
 
@@ -50,7 +51,7 @@ class SolidFilling {
     if (!(rubble_.aspect >= 0.1 && rubble_.aspect <= 10))
       throw InputError(fmt::format("{}: aspect is {:g}, must be from 0.1 to 10", owner_, rubble_.aspect));
     take_solid();
-    size_ = std::cbrt(volume_ / rubble_.stones);
+    size_ = portable::pow(volume_ / rubble_.stones, 1.0 / 3);
     check_length(rubble_.joint, "joint");
     check_length(rubble_.jitter, "jitter");
     squeeze_ = Vec3(1 / rubble_.aspect, 1 / rubble_.aspect, 1);

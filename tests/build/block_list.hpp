@@ -2,6 +2,7 @@
 #pragma once
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cstdlib>
 #include <string>
@@ -36,7 +37,8 @@ inline std::vector<double> numbers_of_list(const std::string& text, std::size_t 
 
 /// A file of tests/build/blocks: blocks as boxes (low corner, high corner) or as lists of corners, m.
 inline std::vector<BlockCorners> block_list(const std::string& name) {
-  const std::string text = text_of_file(source_dir() + "/tests/build/blocks/" + name, "blocks", 1U << 20);
+  const std::string text =
+      text_of_file(fmt::format("{}/tests/build/blocks/{}", source_dir(), name), "blocks", 1U << 20);
   std::vector<BlockCorners> blocks;
   for (const bool is_box : {true, false}) {
     const std::string key = is_box ? "\"box\":" : "\"verts\":";

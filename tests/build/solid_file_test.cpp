@@ -43,7 +43,7 @@ std::string obj_of(const std::vector<std::pair<std::string, Polyhedron>>& solids
 }
 
 std::string stl_of(const std::string& name, const Polyhedron& solid) {
-  std::string text = "solid " + name + "\n";
+  std::string text = fmt::format("solid {}\n", name);
   for (const auto& t : triangles_of(solid)) {
     text += "facet normal 0 0 0\n outer loop\n";
     for (const int i : t) {
@@ -52,7 +52,7 @@ std::string stl_of(const std::string& name, const Polyhedron& solid) {
     }
     text += " endloop\nendfacet\n";
   }
-  return text + "endsolid " + name + "\n";
+  return text + fmt::format("endsolid {}\n", name);
 }
 
 void put_word(std::string& bytes, std::uint32_t word) {

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <numbers>
 
@@ -128,9 +129,9 @@ TEST_CASE("a dome has the volume between its two polyhedra and shares all its be
         for (const Polyhedron& piece : part.pieces) check_convex(piece, part.name, 1e-14);
       check_sound(parts);
       for (int k = 0; k < 6; ++k) {
-        const double first = volume_of(named(parts, "D.r" + std::to_string(k + 1) + ".s1"));
+        const double first = volume_of(named(parts, fmt::format("D.r{}.s1", k + 1)));
         for (int j = 2; j <= sectors; ++j)
-          CHECK(near(volume_of(named(parts, "D.r" + std::to_string(k + 1) + ".s" + std::to_string(j))), first, 1e-12));
+          CHECK(near(volume_of(named(parts, fmt::format("D.r{}.s{}", k + 1, j))), first, 1e-12));
       }
     }
 }
