@@ -1,0 +1,53 @@
+// What a building's description comes to once it is checked: footprints, junctions, levels, openings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "build/building.hpp"
+
+namespace trilith {
+
+/// A stretch along x or y, m.
+struct Stretch {
+  double low, high;
+};
+
+/// A box of a wall that is not laid with units: an opening or a lintel.
+struct WallVoid {
+  Stretch along;
+  int first, end;  ///< courses of the storey
+  bool lintel;
+};
+
+struct PlannedWall {
+  std::string name;
+  int axis;        ///< 0: along x, 1: along y
+  bool forward;    ///< its line begins at the low end
+  Stretch along;   ///< with its ends in other walls' thickness
+  Stretch across;  ///< its two faces
+  const LeafBond* bond;
+  std::vector<Stretch> junctions;            ///< where walls across it have their thickness
+  std::vector<std::vector<WallVoid>> voids;  ///< [storey]
+};
+
+struct PlannedStorey {
+  std::vector<double> line;  ///< heights of course lines, m: one more than courses
+  double top;                ///< of the floor, or of the last course where there is none
+  [[nodiscard]] int courses() const { return static_cast<int>(line.size()) - 1; }
+};
+
+struct BuildingPlan {
+  std::string owner;                   ///< begins messages
+  double unit, header, course, least;  ///< m
+  std::vector<PlannedWall> walls;
+  std::vector<PlannedStorey> storeys;
+  Polygon floor;   ///< outline of slabs
+  Vec2 low, high;  ///< of all walls
+  std::vector<std::string> notes;
+};
+
+/// Checks everything but pieces that come out short; throws InputError as build_building does.
+BuildingPlan plan_building(const Building& building, const std::string& owner);
+
+}  // namespace trilith

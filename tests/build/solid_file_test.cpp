@@ -1,0 +1,212 @@
+#include "build/solid_file.hpp"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
+#include "base/rotation_3d.hpp"
+#include "build/dome.hpp"
+#include "build/sound_parts.hpp"
+#include "build/sound_solids.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+/// Faces as triangles around their first corner.
+std::vector<std::array<int, 3>> triangles_of(const Polyhedron& solid) {
+  std::vector<std::array<int, 3>> made;
+  for (int f = 0; f < solid.faces.count(); ++f)
+    for (std::size_t k = 2; k < solid.faces[f].size(); ++k)
+      made.push_back({solid.faces[f][0], solid.faces[f][k - 1], solid.faces[f][k]});
+  return made;
+}
+
+/// An OBJ file: what stands before a solid, and the solid in triangles.
+std::string obj_of(const std::vector<std::pair<std::string, Polyhedron>>& solids) {
+  std::string text;
+  int points = 0;
+  for (const auto& [head, solid] : solids) {
+    text += head;
+    for (const Vec3& p : solid.corners) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+    for (const auto& t : triangles_of(solid))
+      text += fmt::format("f {}/1/1 {}//2 {}\n", points + t[0] + 1, points + t[1] + 1, points + t[2] + 1);
+    points += static_cast<int>(solid.corners.size());
+  }
+  return text;
+}
+
+std::string stl_of(const std::string& name, const Polyhedron& solid) {
+  std::string text = fmt::format("solid {}\n", name);
+  for (const auto& t : triangles_of(solid)) {
+    text += "facet normal 0 0 0\n outer loop\n";
+    for (const int i : t) {
+      const Vec3& p = solid.corners[static_cast<std::size_t>(i)];
+      text += fmt::format("  vertex {} {} {}\n", p.x(), p.y(), p.z());
+    }
+    text += " endloop\nendfacet\n";
+  }
+  return text + fmt::format("endsolid {}\n", name);
+}
+
+void put_word(std::string& bytes, std::uint32_t word) {
+  for (int k = 0; k < 4; ++k) bytes += static_cast<char>(word >> (8 * k) & 255U);
+}
+
+std::string binary_stl_of(const std::vector<SolidPart>& parts) {
+  std::string head = "solid that is binary all the same", body;
+  head.resize(80, ' ');
+  std::uint32_t count = 0;
+  for (const SolidPart& part : parts)
+    for (const auto& t : triangles_of(part.pieces[0])) {
+      ++count;
+      for (int k = 0; k < 3; ++k) put_word(body, 0);
+      for (const int i : t)
+        for (int k = 0; k < 3; ++k)
+          put_word(body, std::bit_cast<std::uint32_t>(
+                             static_cast<float>(part.pieces[0].corners[static_cast<std::size_t>(i)][k])));
+      body += std::string(2, '\0');
+    }
+  put_word(head, count);
+  return head + body;
+}
+
+const Polyhedron cube = box_solid({0, 0, 0}, {1, 1, 1});
+
+}  // namespace
+
+TEST_CASE("objects of an OBJ file become bodies whose triangles are joined to faces") {
+  const Polyhedron other = box_solid({1, 0, 0}, {3, 1, 1});
+  const std::string text = obj_of({{"# stones\no left stone\n", cube}, {"o right\ng upper lower\n", other}});
+  const SolidParts read = parse_obj(text, {.name = "wall", .groups = {"old"}}, "file");
+  CHECK(read.notes.empty());
+  REQUIRE(read.parts.size() == 2);
+  CHECK(read.parts[0].name == "wall.left stone");
+  CHECK(read.parts[0].groups == std::vector<std::string>{"old", "wall"});
+  CHECK(read.parts[1].groups == std::vector<std::string>{"upper", "lower", "old", "wall"});
+  CHECK(read.parts[0].pieces[0].faces.count() == 6);
+  CHECK(read.parts[0].pieces[0].corners.size() == 8);
+  CHECK(volume_of(read.parts[0]) == 1);
+  CHECK(volume_of(read.parts[1]) == 2);
+  CHECK(check_sound(read.parts) == 1);
+}
+
+TEST_CASE("a group of several convex objects is one body of several pieces") {
+  const std::string text = obj_of({{"g ell\no a\n", cube},
+                                   {"o b\n", box_solid({1, 0, 0}, {2, 1, 3})},
+                                   {"g alone\no c\n", box_solid({5, 0, 0}, {6, 1, 1})}});
+  const SolidParts read = parse_obj(text, {}, "file");
+  REQUIRE(read.parts.size() == 2);
+  CHECK(read.parts[0].name == "ell");
+  CHECK(read.parts[0].pieces.size() == 2);
+  CHECK(volume_of(read.parts[0]) == 4);
+  CHECK(read.parts[1].name == "alone");
+}
+
+TEST_CASE("files may have another unit, another upward axis, negative indices and faces of any size") {
+  const std::string text =
+      "v 0 0 0\nv +1000 0 0\nv 1e3 1000 0\nv 0 1000 0\nv 0 0 2000\nv 1000 0 2000\nv 1000 1000 2000 1 0.5 0\n"
+      "v 0 1000 2000\nusemtl stone\nf 4 3 2 1\nf -4 -3 -2 -1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8 # last\n";
+  const SolidParts read = parse_obj(text, {.name = "m", .scale = 0.001, .y_up = true}, "file");
+  REQUIRE(read.parts.size() == 1);
+  CHECK(read.parts[0].name == "m");
+  CHECK(near(volume_of(read.parts[0]), 2, 1e-14));
+  Vec3 low = Vec3::Constant(9), high = -low;
+  for (const Vec3& p : read.parts[0].pieces[0].corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  CHECK((low - Vec3(0, -2, 0)).norm() < 1e-14);
+  CHECK((high - Vec3(1, 0, 1)).norm() < 1e-14);
+}
+
+TEST_CASE("solids that are inside out or partly so are turned round with a note") {
+  Polyhedron inverted;
+  inverted.corners = cube.corners;
+  Polyhedron partly = inverted;
+  for (int f = 0; f < 6; ++f) {
+    const std::vector<int> back(cube.faces[f].rbegin(), cube.faces[f].rend());
+    inverted.faces.add(back);
+    partly.faces.add(f == 0 || f == 3 ? std::span<const int>(back) : cube.faces[f]);
+  }
+  const SolidParts read = parse_obj(obj_of({{"o a\n", inverted}, {"o b\n", partly}}), {}, "file");
+  CHECK(volume_of(read.parts[0]) == 1);
+  CHECK(volume_of(read.parts[1]) == 1);
+  REQUIRE(read.notes.size() == 2);
+  CHECK(says(read.notes[0], "solid 'a' was inside out"));
+  CHECK(says(read.notes[1], "solid 'b': 4 of 12 faces ran the wrong way"));
+}
+
+TEST_CASE("STL as text gives a body for each solid, in exactly its places") {
+  const SolidParts read = parse_stl(
+      stl_of("a", cube) + stl_of("", box_solid({0, 0, 1}, {1, 1, 1.5})) + stl_of("a", box_solid({0, 0, 2}, {1, 1, 3})),
+      {}, "file");
+  REQUIRE(read.parts.size() == 3);
+  CHECK(read.parts[0].name == "a");
+  CHECK(read.parts[1].name == "solid");
+  CHECK(read.parts[2].name == "a.2");
+  REQUIRE(read.notes.size() == 1);
+  CHECK(says(read.notes[0], "there is a solid 'a' already, the next one became 'a.2'"));
+  CHECK(near(volume_of(read.parts[1]), 0.5, 1e-15));
+  CHECK(read.parts[1].pieces[0].faces.count() == 6);
+}
+
+TEST_CASE("a dome in single precision, all stones in one binary STL, comes back with plane faces") {
+  std::vector<SolidPart> dome = build_dome({.rings = 5, .sectors = 12, .phase = 0.123});
+  for (SolidPart& part : dome) place_part(part, rotation_by(Vec3(0.3, 0.5, 0.1)), {0.1, 0.2, 0.3});
+  const SolidParts read = parse_stl(binary_stl_of(dome), {.name = "dome", .shells_are_bodies = true}, "file");
+  REQUIRE(read.parts.size() == dome.size());
+  for (std::size_t i = 0; i < dome.size(); ++i) {
+    CHECK(read.parts[i].name == fmt::format("dome.{}", i + 1));
+    CHECK(near(volume_of(read.parts[i]), volume_of(dome[i]), 1e-5));
+    CHECK(read.parts[i].pieces[0].faces.count() == dome[i].pieces[0].faces.count());
+    check_convex(read.parts[i].pieces[0], "stone");
+  }
+  REQUIRE(read.notes.size() == 1);
+  CHECK(says(read.notes[0], "solids were made plane, corners moved by up to"));
+  const SolidParts one = parse_stl(binary_stl_of(dome), {.name = "dome"}, "file");
+  CHECK(one.parts.size() == 1);
+  CHECK(one.parts[0].pieces.size() == dome.size());
+  CHECK(says(one.notes[0], "has 61 separate shells"));
+}
+
+TEST_CASE("files are read by their ending") {
+  const auto folder = std::filesystem::temp_directory_path() / "trilith_solid_file_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "a.STL") << stl_of("a", cube);
+  CHECK(read_solids(folder / "a.STL").parts.size() == 1);
+  CHECK(says(refusal_of([&] { read_solids(folder / "a.ply"); }), "its ending is '.ply'"));
+  CHECK(says(refusal_of([&] { read_solids(folder / "b.obj"); }), "cannot read solids"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("what is no closed convex solid is refused with its name and the place") {
+  Polyhedron open = cube;
+  open.faces.corner.resize(20), open.faces.start.pop_back();
+  CHECK(says(refusal_of([&] {
+               parse_obj(obj_of({{"o a\n", open}}), {}, "file");
+             }),
+             "file: solid 'a' is open: 4 edges belong to one face only, such as that from ("));
+  const Polyhedron ell =
+      extrusion(std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {0, 0, 1});
+  CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }),
+             "solid 'L' is not convex: a face's corner at ("));
+  CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }),
+             "give it as several convex objects in one group"));
+  const auto obj = [](const char* text) { return refusal_of([&] { parse_obj(text, {}, "file"); }); };
+  CHECK(says(obj(""), "file: there is no solid in it"));
+  CHECK(says(obj("v 0 0\n"), "file: line 1: z of a point is ''"));
+  CHECK(says(obj("v 0 0 0\nf 1 2 3\n"), "line 2: a face names point 2, there are points 1 to 1"));
+  CHECK(says(obj("v 0 0 0\nf 1 1\n"), "line 2: a face has 2 corners"));
+  CHECK(says(obj("v 0 0 0\nf a b c\n"), "a corner of a face is 'a'"));
+  const auto stl = [](const std::string& text) { return refusal_of([&] { parse_stl(text, {}, "file"); }); };
+  CHECK(says(stl("hello"), "is no STL file"));
+  CHECK(says(stl("solid a\nfacet"), "line 2: the file ends where 'normal' should be"));
+  CHECK(says(stl("solid a\n facet normal 0 0 1\nouter loop\nvertex 0 0 x"), "line 4: a coordinate is 'x'"));
+  CHECK(says(stl("solid a\nendsolid a\n"), "there is no solid in it"));
+  CHECK(says(refusal_of([&] { parse_stl("solid", {.scale = 0}, "file"); }), "file: scale is 0 m"));
+  CHECK(says(refusal_of([&] { parse_stl(stl_of("a", cube), {.flat = 1}, "file"); }), "flat is 1, must be from"));
+}
