@@ -121,7 +121,7 @@ struct LiveBearing {
 LiveBearing live(const BearingHandle& b) {
   const Simulation<2>& s = b.plane().evaluated();
   const auto row = static_cast<std::size_t>(b.index);
-  return {s.plane(), s.state(), s.work(), s.model().bearings[row], s.work().bearing[row], row};
+  return {s.model(), s.state(), s.work(), s.model().bearings[row], s.work().bearing[row], row};
 }
 
 double force_of(const BearingHandle& b, std::size_t k) {

@@ -65,12 +65,10 @@ Vec2 place(const BodyHandle& b) {
   return motion(b).place.head<2>();
 }
 double rotation(const BodyHandle& b) {
-  b.plane();
-  return motion(b).turned.z();
+  return motion_in_plane(b.plane(), b.index).turned.z();
 }
 double spin(const BodyHandle& b) {
-  b.plane();
-  return motion(b).spin.z();
+  return motion_in_plane(b.plane(), b.index).spin.z();
 }
 
 /// A number of models in space: `axis` 0 to 2.
@@ -179,7 +177,8 @@ const std::array body_properties{
     BodyProperty{"ux", "m", "displacement along x since the start", along_axis<&BodyMotion::moved, 0>},
     BodyProperty{"uy", "m", "displacement along y since the start", along_axis<&BodyMotion::moved, 1>},
     BodyProperty{"uz", "m", "displacement along z since the start, in space", in_space_only<&BodyMotion::moved, 2>},
-    BodyProperty{"speed", "m/s", "speed of the centroid", [](const BodyHandle& b) { return motion(b).velocity.norm(); }},
+    BodyProperty{"speed", "m/s", "speed of the centroid",
+                 [](const BodyHandle& b) { return motion(b).velocity.norm(); }},
     BodyProperty{"mass", "kg", "mass", [](const BodyHandle& b) { return b.model().mass_of(b.index); }},
     BodyProperty{"inertia", "kg m2", "moment of inertia about the centroid",
                  [](const BodyHandle& b) { return b.plane().inertia_of(b.index); }},
@@ -206,9 +205,7 @@ const std::array body_properties{
     BodyProperty{"seats", "", "of a span made with from and to: { left, right }", nullptr,
                  [](lua_State* L, const BodyHandle& b) { push_ends<push_seat>(L, b, b.model().seats); }},
     BodyProperty{"resting", "", "true while it has been still for the model's still_time", nullptr,
-                 [](lua_State* L, const BodyHandle& b) {
-                   lua_pushboolean(L, b.model().is_resting(b.index) ? 1 : 0);
-                 }},
+                 [](lua_State* L, const BodyHandle& b) { lua_pushboolean(L, b.model().is_resting(b.index) ? 1 : 0); }},
 };
 
 /// body:point{x, y}: where a point that was there at the start is now.
@@ -267,10 +264,11 @@ const std::array set_properties{
                   for (const int b : s.bodies) sum += s.model().mass_of(b);
                   return sum;
                 }},
-    SetProperty{"speed", "m/s", "of the fastest centroid",
-                [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return motion(b).velocity.norm(); }); }},
+    SetProperty{
+        "speed", "m/s", "of the fastest centroid",
+        [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return motion(b).velocity.norm(); }); }},
     SetProperty{"drift", "m", "largest displacement since the start",
-                [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return moved(b).norm(); }); }},
+                [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return motion(b).moved.norm(); }); }},
 };
 
 std::vector<int> other_side(lua_State* L, const BodySet& set) {

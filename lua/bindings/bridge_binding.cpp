@@ -179,7 +179,7 @@ int add_span(lua_State* L) {
 int bearing_height(lua_State* L) {
   if (lua_type(L, 2) != LUA_TSTRING)
     throw InputError(fmt::format("{} is {}, must be {}", text_at(L, 3), what_is(L, 2), type_wanted));
-  lua_pushnumber(L, book_of(this_model(L)).layout.require_type(text_at(L, 2), text_at(L, 3)).height);
+  lua_pushnumber(L, book_of(this_plane(L)).layout.require_type(text_at(L, 2), text_at(L, 3)).height);
   return 1;
 }
 

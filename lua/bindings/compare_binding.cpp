@@ -17,7 +17,8 @@ struct Pair {
 Pair latest_pair(const Branch& branch, const PlaneModel& m) {
   std::vector<const State<2>*> now{&m.if_built()->state()};
   const auto& kept = m.checkpoints.list();
-  for (auto c = kept.rbegin(); c != kept.rend() && c->time() > branch.from; ++c) now.push_back(&c->snapshot_in<2>().state);
+  for (auto c = kept.rbegin(); c != kept.rend() && c->time() > branch.from; ++c)
+    now.push_back(&c->snapshot_in<2>().state);
   for (const State<2>* n : now) {
     const State<2>* nearest = nullptr;
     for (const Checkpoint& c : branch.checkpoints) {

@@ -6,7 +6,7 @@
 #include "bindings.hpp"
 #include "run/body_forces.hpp"
 #include "stage_run.hpp"
-#include "step/contact_resultants.hpp"
+#include "step/solid_resultants.hpp"
 #include "table_fields.hpp"
 
 namespace trilith::script {
@@ -194,22 +194,37 @@ int timed(lua_State* L) {
   return 1;
 }
 
+/// "\n  on b3: sticking, normal 12 N, shear 3 N".
+std::string contact_text(const std::string& other, ContactHold hold, double normal, double shear) {
+  constexpr std::array holds{"bonded", "sticking", "sliding"};
+  return fmt::format("\n  on {}: {}, normal {:.4g} N, shear {:.4g} N", other, holds[static_cast<std::size_t>(hold)],
+                     normal, shear);
+}
+
 std::string contacts_text(const Simulation<2>& s, int body) {
   std::vector<TouchingContact> touching;
   contact_resultants(s.model(), s.work(), touching);
   std::string text;
-  constexpr std::array holds{"bonded", "sticking", "sliding"};
-  for (const TouchingContact& c : touching) {
+  for (const TouchingContact& c : touching)
+    if (c.body_a == body || c.body_b == body)
+      text += contact_text(s.model().bodies[c.body_a == body ? c.body_b : c.body_a].name, c.hold, c.resultant.normal,
+                           c.resultant.shear);
+  return text.empty() ? "\n  it touches nothing" : text;
+}
+std::string contacts_text(const Simulation<3>& s, int body) {
+  std::string text;
+  for (std::size_t i = 0; i < s.work().general_touching.size(); ++i) {
+    const SolidResultant c = solid_resultant(s.model(), s.work(), i);
     if (c.body_a != body && c.body_b != body) continue;
-    const int other = c.body_a == body ? c.body_b : c.body_a;
-    text += fmt::format("\n  on {}: {}, normal {:.4g} N, shear {:.4g} N", s.model().bodies[other].name,
-                        holds[static_cast<std::size_t>(c.hold)], c.resultant.normal, c.resultant.shear);
+    const double normal = c.normal.dot(c.force);
+    text += contact_text(s.model().bodies[c.body_a == body ? c.body_b : c.body_a].name, c.hold, normal,
+                         (c.force - normal * c.normal).norm());
   }
   return text.empty() ? "\n  it touches nothing" : text;
 }
 
-void push_worst(lua_State* L, const ModelBox& box) {
-  const Simulation<2>& s = box.get().evaluated();
+template <int D>
+void push_worst_of(lua_State* L, const Simulation<D>& s) {
   const WorstBodies worst = worst_bodies(s.model(), s.work());
   lua_createtable(L, 0, 4);
   luaL_setmetatable(L, "trilith.findings");
@@ -226,6 +241,13 @@ void push_worst(lua_State* L, const ModelBox& box) {
            fmt::format("{}: {:.4g} N unbalanced, {:.3g} of the largest force carried",
                        s.model().bodies[worst.unbalanced].name, worst.force, ratio) +
                contacts_text(s, worst.unbalanced));
+}
+
+void push_worst(lua_State* L, const ModelBox& box) {
+  if (SpaceModel* space = as_space(box.get()))
+    push_worst_of(L, space->evaluated());
+  else
+    push_worst_of(L, box.plane().evaluated());
 }
 
 const std::array debug_property_list{

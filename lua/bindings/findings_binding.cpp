@@ -179,9 +179,9 @@ const std::array finding_method_list{
 
 }  // namespace
 
-int storey_count(const PlaneModel& model) {
+int storey_count(const ScriptModel& model) {
   int most = 0;
-  for (const BodySpec& body : model.builder.bodies()) most = std::max(most, storey_in(body.groups));
+  for (int b = 0; b < model.body_count(); ++b) most = std::max(most, storey_in(model.groups_of(b)));
   return most;
 }
 

@@ -118,7 +118,8 @@ PlaneModel& this_plane(lua_State* L) {
 SpaceModel& this_space(lua_State* L) {
   ScriptModel& m = this_model(L);
   if (SpaceModel* space = as_space(m)) return *space;
-  throw InputError(fmt::format("{}: is of models in space; {} is in the plane, give it dim = 3", called_name(L), m.title()));
+  throw InputError(
+      fmt::format("{}: is of models in space; {} is in the plane, give it dim = 3", called_name(L), m.title()));
 }
 
 void ModelBox::close() {

@@ -252,7 +252,8 @@ std::vector<Vec3> Keys::vectors(std::string_view key) {
     lua_rawgeti(L_, -1, i);
     const auto v = vector_at(L_, -1);
     if (!v)
-      problem(fmt::format("point {} of '{}' is {}, must be {{x, y, z}}, three finite numbers", i, key, what_is(L_, -1)));
+      problem(
+          fmt::format("point {} of '{}' is {}, must be {{x, y, z}}, three finite numbers", i, key, what_is(L_, -1)));
     list.push_back(v.value_or(Vec3::Zero()));
     lua_pop(L_, 1);
   }

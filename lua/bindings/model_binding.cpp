@@ -97,9 +97,8 @@ using ModelProperty = Property<ModelBox>;
 const std::array model_properties{
     ModelProperty{"name", "", "its name", nullptr, [](lua_State* L, const ModelBox& m) { push_text(L, m.get().name); }},
     ModelProperty{"time", "s", "time of the simulation", [](const ModelBox& m) { return m.get().time(); }},
-    ModelProperty{
-        "dt", "s", "length of the last step, 0 before the first",
-        [](const ModelBox& m) { return m.get().step_numbers().last_dt; }},
+    ModelProperty{"dt", "s", "length of the last step, 0 before the first",
+                  [](const ModelBox& m) { return m.get().step_numbers().last_dt; }},
     ModelProperty{"steps", "1", "steps taken",
                   [](const ModelBox& m) { return static_cast<double>(m.get().step_numbers().steps); }},
     ModelProperty{"dim", "1", "2 in the plane, 3 in space",
@@ -168,7 +167,8 @@ Vec<D> read_gravity(Keys& keys) {
     else
       given = vector_at(L, -1);
     if (!given)
-      keys.wrong("gravity", D == 2 ? "a number (downwards) or {x, y}, in m/s2" : "a number (downwards) or {x, y, z}, in m/s2");
+      keys.wrong("gravity",
+                 D == 2 ? "a number (downwards) or {x, y}, in m/s2" : "a number (downwards) or {x, y, z}, in m/s2");
     gravity = given.value_or(gravity);
   }
   lua_pop(L, 1);

@@ -293,8 +293,8 @@ int drive(lua_State* L) {
   return 0;
 }
 
-/// Which degrees of freedom a text such as "xy" names; all where nothing is given. In the plane x, y and r, in space x, y,
-/// z and r, which is every turn.
+/// Which degrees of freedom a text such as "xy" names; all where nothing is given. In the plane x, y and r, in space x,
+/// y, z and r, which is every turn.
 std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, int dim) {
   std::array<bool, 6> on{};
   if (lua_isnoneornil(L, index)) {
@@ -308,8 +308,8 @@ std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, in
     if (k != std::string_view::npos)
       std::fill(on.begin() + static_cast<std::ptrdiff_t>(k), c == 'r' ? on.end() : on.begin() + k + 1, true);
     else if (c != ' ' && c != ',')
-      throw InputError(fmt::format("{}: directions are {}, must be a text of {}, as in \"xy\"", owner, what_is(L, index),
-                                   dim == 2 ? "x, y and r" : "x, y, z and r"));
+      throw InputError(fmt::format("{}: directions are {}, must be a text of {}, as in \"xy\"", owner,
+                                   what_is(L, index), dim == 2 ? "x, y and r" : "x, y, z and r"));
   }
   return on;
 }
@@ -399,8 +399,9 @@ Bounds<D> read_bounds(Keys& keys) {
     chosen.low[k] = keys.number(low, "m", -unbounded);
     chosen.high[k] = keys.number(high, "m", unbounded);
   }
-  if (!any) keys.problem(D == 2 ? "no side is given; give left, right, bottom or top"
-                                : "no side is given; give left, right, front, back, bottom or top");
+  if (!any)
+    keys.problem(D == 2 ? "no side is given; give left, right, bottom or top"
+                        : "no side is given; give left, right, front, back, bottom or top");
   keys.finish();
   return chosen;
 }

@@ -1,0 +1,246 @@
+// Bodies of models in space: what their tables say besides their shape, and parts that become bodies.
+#include <algorithm>
+
+#include "bindings.hpp"
+#include "body_reading.hpp"
+#include "build/solid_block.hpp"
+#include "part_reading.hpp"
+#include "solid_makers.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// Everything a constructor says of a solid besides name and shape.
+struct SolidOptions {
+  SolidSpec spec;
+  std::vector<std::string> fixed;                           ///< names or groups of the parts that are fixed
+  std::vector<std::pair<std::string, SolidSpec>> by_group;  ///< what holds instead for parts of that name or group
+};
+
+/// "fixed", "free" or { x =, y =, z =, turn_x =, turn_y =, turn_z = }.
+void read_solid_support(Keys& keys, std::array<Support, 6>& support) {
+  const std::array<std::string_view, 6> names{"x", "y", "z", "turn_x", "turn_y", "turn_z"};
+  const auto word = [&](Keys& from, std::string_view key, const std::string& text) {
+    if (text != "fixed" && text != "free")
+      from.problem(fmt::format("'{}' is '{}', must be \"fixed\" or \"free\"", key, text));
+    return text == "fixed" ? Support::fixed : Support::free;
+  };
+  const int type = keys.push("support");
+  if (type == LUA_TSTRING) {
+    support.fill(word(keys, "support", text_at(keys.lua(), -1)));
+  } else if (type == LUA_TTABLE) {
+    try {
+      Keys own(keys.lua(), -1, "support");
+      for (std::size_t i = 0; i < 6; ++i) support[i] = word(own, names[i], own.text(names[i], "free"));
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL) {
+    keys.wrong("support", "\"fixed\", \"free\" or { x =, y =, z =, turn_x =, turn_y =, turn_z = }");
+  }
+  lua_pop(keys.lua(), 1);
+}
+
+/// What `keys` say of a solid; `preset` where they say nothing.
+SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
+  SolidSpec s = preset;
+  s.material = keys.text("material", preset.material);
+  const std::vector<std::string> groups = keys.names("groups");
+  s.groups.insert(s.groups.end(), groups.begin(), groups.end());
+  std::optional<double> density = keys.maybe_number("density", "kg/m3");
+  if (density) check_density(keys, *density);
+  if (const auto weight = keys.maybe_number("unit_weight", "N/m3")) {
+    if (density) keys.problem("both density and unit_weight are given; keep one");
+    density = *weight / standard_gravity;
+  }
+  std::optional<double> mass = keys.maybe_number("mass", "kg");
+  if (const auto weight = keys.maybe_number("weight", "N")) {
+    if (mass) keys.problem("both mass and weight are given; keep one");
+    mass = *weight / standard_gravity;
+  }
+  if (density || mass || keys.has("material")) s.density = density, s.mass = mass;
+  read_solid_support(keys, s.support);
+  s.velocity = keys.vector("velocity", preset.velocity);
+  s.spin = keys.vector("spin", preset.spin);
+  s.load = keys.vector("load", preset.load);
+  s.floating = keys.flag("floating", preset.floating);
+  return s;
+}
+
+/// by_group = { floors = { ... }, ... }, in the order of the names: a Lua table has no order of its own.
+void read_groups(Keys& keys, SolidOptions& o) {
+  lua_State* L = keys.lua();
+  const int type = keys.push("by_group");
+  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong("by_group", "a table such as { floors = { density = 2500 } }");
+  if (type == LUA_TTABLE)
+    for (const std::string& name : names_in_table(keys, "by_group: its keys must be names of groups or parts")) {
+      lua_pushlstring(L, name.data(), name.size());
+      lua_rawget(L, -2);
+      try {
+        Keys own(L, -1, fmt::format("by_group: {}", name));
+        o.by_group.emplace_back(name, read_solid_spec(own, o.spec));
+        own.finish();
+      } catch (const InputError& e) {
+        keys.problem(e.what());
+      }
+      lua_pop(L, 1);
+    }
+  lua_pop(L, 1);
+}
+
+SolidOptions read_solid_options(Keys& keys, bool several) {
+  SolidOptions o;
+  o.spec = read_solid_spec(keys, {});
+  if (!several) return o;
+  o.fixed = keys.names("fixed");
+  read_groups(keys, o);
+  return o;
+}
+
+bool is_among(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Throws InputError where `fixed` or `by_group` names a part or group that is not there.
+void check_solids_named(const SolidOptions& options, const std::vector<SolidPart>& parts, const std::string& owner) {
+  std::vector<std::string> groups, names;
+  for (const SolidPart& part : parts) {
+    names.push_back(part.name);
+    for (const std::string& group : part.groups)
+      if (!is_among(group, groups)) groups.push_back(group);
+  }
+  const auto check = [&](const std::string& name, const char* key) {
+    if (!is_among(name, groups) && !is_among(name, names))
+      throw InputError(fmt::format("{}: {} names '{}', but there is no such group or part{}", owner, key, name,
+                                   name_hint(name, groups)));
+  };
+  for (const std::string& name : options.fixed) check(name, "fixed");
+  for (const auto& [name, spec] : options.by_group) check(name, "by_group");
+}
+
+/// Of several entries of by_group that fit a part, the one of its name counts, else the one of its first group.
+void add_solid(SpaceModel& m, const SolidPart& part, const SolidOptions& options) {
+  std::vector<std::string> own{part.name};
+  own.insert(own.end(), part.groups.begin(), part.groups.end());
+  SolidSpec spec = options.spec;
+  for (auto name = own.rbegin(); name != own.rend(); ++name)
+    for (const auto& [entry, other] : options.by_group)
+      if (entry == *name) spec = other;
+  spec.name = part.name, spec.pieces = part.pieces;
+  spec.groups.insert(spec.groups.begin(), part.groups.begin(), part.groups.end());
+  if (std::any_of(own.begin(), own.end(), [&](const std::string& n) { return is_among(n, options.fixed); }))
+    spec.support.fill(Support::fixed);
+  m.builder.add_body(std::move(spec));
+}
+
+/// Pushes what was added from body `first` on: a body where just one can be, else a set.
+void push_solids(lua_State* L, const SpaceModel& m, int first, bool single) {
+  if (single) return push_body(L, 1, first);
+  std::vector<int> added;
+  for (int b = first; b < m.body_count(); ++b) added.push_back(b);
+  push_set(L, 1, std::move(added));
+}
+
+/// Names of all solid builders, for messages.
+std::string solid_maker_names() {
+  std::string names;
+  for (const SolidMaker& maker : solid_makers()) names += fmt::format("{}{}", names.empty() ? "" : ", ", maker.name);
+  return names;
+}
+
+/// The parts of the plane in the list at `index`, with a depth.
+std::vector<SolidPart> extruded_list(lua_State* L, int index, const PartDepth& depth) {
+  std::vector<SolidPart> parts;
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, index, i);
+    Keys part(L, -1, fmt::format("add: part {}", i));
+    const Part flat{part.text("name"), part.points("outline"), part.names("groups")};
+    part.finish();
+    parts.push_back(extrude_part(flat, depth));
+    lua_pop(L, 1);
+  }
+  return parts;
+}
+
+}  // namespace
+
+int add_solids_made(lua_State* L, std::string_view name) {
+  SpaceModel& m = this_space(L);
+  const auto all = solid_makers();
+  const auto maker = std::find_if(all.begin(), all.end(), [&](const SolidMaker& s) { return s.name == name; });
+  if (maker == all.end())
+    throw InputError(
+        fmt::format("{}: is of models in the plane, and {} has dim = 3; give its parts a depth by "
+                    "m:add(trilith.build.{}{{...}}, {{ depth = }}), or take one of {}",
+                    name, m.title(), name, solid_maker_names()));
+  m.require_open(std::string(name));
+  Keys keys(L, 2, std::string(name));
+  const MakeSolids make = maker->read(keys);
+  const SolidOptions options = read_solid_options(keys, !maker->single);
+  keys.finish();
+  const SolidParts made = make();
+  const int first = m.body_count();
+  check_solids_named(options, made.parts, keys.owner());
+  for (const std::string& note : made.notes) m.builder.note(note);
+  for (const SolidPart& part : made.parts) add_solid(m, part, options);
+  push_solids(L, m, first, maker->single);
+  return 1;
+}
+
+/// m:body{ name =, hull = {{x, y, z}, ...} | pieces = { {{x, y, z}, ...}, ... }, ... }
+int make_solid_body(lua_State* L) {
+  SpaceModel& m = this_space(L);
+  m.require_open("body");
+  Keys keys(L, 2, "body");
+  SolidPart part;
+  part.name = read_name(keys, "");
+  std::vector<std::vector<Vec3>> clouds;
+  if (keys.has("hull")) {
+    clouds.push_back(keys.vectors("hull"));
+    if (keys.has("pieces")) keys.problem("both hull and pieces are given; keep one");
+  } else if (keys.push("pieces") == LUA_TTABLE) {
+    read_list(keys, "pieces", "piece", [&](Keys& own) { clouds.push_back(own.vectors("hull")); });
+    lua_pop(L, 1);
+  } else {
+    keys.missing("hull",
+                 "a list of points { {x, y, z}, ... }, or pieces = { { hull = }, ... }; or use m:block, m:hull");
+    lua_pop(L, 1);
+  }
+  const SolidOptions options = read_solid_options(keys, false);
+  keys.finish();
+  for (const std::vector<Vec3>& points : clouds) {
+    HullSolid hull;
+    hull.name = part.name, hull.points = points;
+    NotedSolid made = build_hull(hull);
+    for (const std::string& note : made.notes) m.builder.note(note);
+    part.pieces.insert(part.pieces.end(), made.part.pieces.begin(), made.part.pieces.end());
+  }
+  add_solid(m, part, options);
+  push_body(L, 1, m.body_count() - 1);
+  return 1;
+}
+
+/// m:add(parts, { depth =, from =, centred =, material =, ... }): parts of the plane as solids.
+int add_solid_parts(lua_State* L) {
+  SpaceModel& m = this_space(L);
+  m.require_open("add");
+  if (lua_type(L, 2) != LUA_TTABLE || lua_rawlen(L, 2) == 0)
+    throw InputError(fmt::format("add: takes a list of parts, as from trilith.build; this is {}", what_is(L, 2)));
+  Keys keys(L, 3, "add");
+  PartDepth depth;
+  depth.depth = keys.number("depth", "m");
+  depth.from = keys.number("from", "m", depth.from);
+  depth.centred = keys.flag("centred", depth.centred);
+  const SolidOptions options = read_solid_options(keys, true);
+  keys.finish();
+  const std::vector<SolidPart> parts = extruded_list(L, 2, depth);
+  const int first = m.body_count();
+  check_solids_named(options, parts, "add");
+  for (const SolidPart& part : parts) add_solid(m, part, options);
+  push_solids(L, m, first, false);
+  return 1;
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,39 @@
+// The geometry builders of solids as scripts call them on a model in space: one row each, read from one table.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "build/solid_part.hpp"
+#include "handles.hpp"
+
+namespace trilith::script {
+
+/// Makes the parts; to be called after Keys::finish.
+using MakeSolids = std::function<SolidParts()>;
+
+struct SolidMaker {
+  std::string_view name;
+  bool single;  ///< one part, always
+  MakeSolids (*read)(Keys&);
+  lua_CFunction add;  ///< m:NAME{...}
+  std::string_view doc;
+};
+std::span<const SolidMaker> solid_makers();
+
+// Readers that lie in solid_masonry_makers.cpp.
+MakeSolids read_solid_wall(Keys& k);
+MakeSolids read_building(Keys& k);
+MakeSolids read_vault(Keys& k);
+MakeSolids read_cross_vault(Keys& k);
+MakeSolids read_dome(Keys& k);
+MakeSolids read_solid_rubble(Keys& k);
+
+/// m:NAME{...} on a model in space: the parts of the maker of that name become bodies. InputError where there is none.
+int add_solids_made(lua_State* L, std::string_view name);
+/// m:body{ name =, hull = | pieces = , ... } and m:add(parts, { depth =, ... }) on a model in space.
+int make_solid_body(lua_State* L);
+int add_solid_parts(lua_State* L);
+
+}  // namespace trilith::script
