@@ -96,9 +96,9 @@ class SolidChecker {
     if (check_.repair) across = edges_across(solid.faces);
     if (has_no_measure(solid, size, part, piece)) return;
     const HollowEdge hollow = hollow_edge(solid, across);
-    if (hollow.by > check_.flat * size)
-      return find(SolidFault::hollow, part, piece, hollow.by,
-                  fmt::format("is not convex: by {:.3g} m at ({:.6g}, {:.6g}, {:.6g}) m", hollow.by, hollow.at.x(),
+    if (hollow.out > check_.flat * size)
+      return find(SolidFault::hollow, part, piece, hollow.out,
+                  fmt::format("is not convex: by {:.3g} m at ({:.6g}, {:.6g}, {:.6g}) m", hollow.out, hollow.at.x(),
                               hollow.at.y(), hollow.at.z()));
     slivers(solid, size, part, piece);
     keep(solid, size, part, piece);

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
+#include "shape/convex_hull.hpp"
 #include "shape/cut_solid.hpp"
 #include "shape/surface.hpp"
 
@@ -17,6 +18,8 @@ constexpr std::size_t largest_solid_file = std::size_t{1} << 30;  // [bytes]
 
 /// Checks of convexity go with faces times corners.
 constexpr int most_faces = 5000;
+/// Hulls of more points take too long.
+constexpr std::size_t most_hull_corners = 500;
 
 double require_share(double value, double low, const std::string& what) {
   if (!(value >= low && value <= 0.01))
@@ -36,7 +39,8 @@ class SolidMaker {
   }
 
   void add(const NamedSurfaces& body) {
-    const std::string title = fmt::format("{}: solid '{}'", owner_, body.name);
+    const std::string title =
+        body.name.empty() ? fmt::format("{}: its solid", owner_) : fmt::format("{}: solid '{}'", owner_, body.name);
     std::vector<Polyhedron> pieces;
     for (const Polyhedron& surface : body.surfaces) {
       std::vector<Polyhedron> solids = closed_solids(surface, title);
@@ -64,6 +68,11 @@ class SolidMaker {
     if (planed_ > 0)
       out_.notes.push_back(fmt::format("{}: faces of {} solids were made plane, corners moved by up to {:.3g} m",
                                        owner_, planed_, moved_));
+    if (hulls_ > 0)
+      out_.notes.push_back(
+          fmt::format("{}: {} solids with very narrow faces became the hulls of their corners, with "
+                      "triangles where corners are in no plane",
+                      owner_, hulls_));
     return std::move(out_);
   }
 
@@ -98,7 +107,8 @@ class SolidMaker {
     refuse_open(joined, across, shells, title);
     note_turned(shells, title);
     std::vector<Polyhedron> solids = solids_of(joined, shells);
-    for (Polyhedron& solid : solids) solid = convex_of(solid, title);
+    for (std::size_t i = 0; i < solids.size(); ++i)
+      solids[i] = convex_of(solids[i], solids.size() == 1 ? title : fmt::format("{}, shell {}", title, i + 1));
     return solids;
   }
 
@@ -147,13 +157,51 @@ class SolidMaker {
     if (solid.faces.count() > most_faces)
       throw InputError(fmt::format("{} has {} faces, at most {} are taken; make it coarser", title, solid.faces.count(),
                                    most_faces));
-    if (is_rough(solid, size)) {
-      PlanarSolid planar = with_plane_faces(solid);
-      moved_ = std::max(moved_, planar.moved), ++planed_;
-      solid = std::move(planar.solid);
-    }
+    if (is_rough(solid, size)) make_plane(solid, size, title);
     check_convex(solid, title);
     return solid;
+  }
+
+  /// Corners go to where planes meet. Where a face is so narrow that rounding has turned its plane, they would go far:
+  /// then the solid becomes the hull of its corners, whose faces are triangles where four corners are in no plane.
+  void make_plane(Polyhedron& solid, double size, const std::string& title) {
+    PlanarSolid planar = with_plane_faces(solid);
+    ++planed_;
+    if (planar.moved <= 8 * how_.flat * size && is_convex_solid(planar.solid)) {
+      moved_ = std::max(moved_, planar.moved);
+      solid = std::move(planar.solid);
+      return;
+    }
+    const double moved = planar.moved;
+    if (solid.corners.size() > most_hull_corners ||
+        !(become_hull(solid, kFlatFace / 4) || become_hull(solid, how_.flat) || become_hull(solid, 10 * how_.flat)))
+      throw InputError(
+          fmt::format("{} has faces that are not plane, by too much to put right: corners would move by "
+                      "{:.3g} m; give it in double precision, or with fewer narrow faces",
+                      title, moved));
+    ++hulls_;
+  }
+
+  /// False where the hull of its corners is none that a body may have.
+  static bool become_hull(Polyhedron& solid, double flat) {
+    try {
+      PlanarSolid hull{convex_hull(solid.corners, "", flat), 0};
+      if (!is_convex_solid(hull.solid)) hull = with_plane_faces(hull.solid);
+      if (!is_convex_solid(hull.solid)) return false;
+      solid = std::move(hull.solid);
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  static bool is_convex_solid(const Polyhedron& solid) {
+    try {
+      check_convex(solid, "");
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
   }
 
   /// Whether corners stand off or out of the planes of faces by more than a quarter of what a body may have.
@@ -167,7 +215,7 @@ class SolidMaker {
             kFlatFace / 4 * size)
           return true;
     }
-    return hollow_edge(solid, edges_across(solid.faces)).by > kFlatFace / 4 * size;
+    return hollow_edge(solid, edges_across(solid.faces)).out > kFlatFace / 4 * size;
   }
 
   const SolidFile& how_;
@@ -175,7 +223,7 @@ class SolidMaker {
   SolidParts out_;
   std::unordered_set<std::string> names_;
   double moved_ = 0;
-  int planed_ = 0;
+  int planed_ = 0, hulls_ = 0;
 };
 
 }  // namespace

@@ -14,6 +14,11 @@
 namespace trilith {
 namespace {
 
+/// Smallest area of a face over the square of a stone's mean size.
+constexpr double least_face = 1e-7;
+/// Shortest edge over that size.
+constexpr double least_edge = 1e-5;
+
 /// The other points from near to far; sorted as far as asked for.
 class NearestFirst {
  public:
@@ -163,11 +168,53 @@ class SolidFilling {
     }
   }
 
-  [[nodiscard]] std::vector<SolidPart> named() const {
-    const std::vector<Vec3> points = squeezed();
+  [[nodiscard]] bool has_tiny_parts(const Polyhedron& cell) const {
+    for (int f = 0; f < cell.faces.count(); ++f) {
+      const auto loop = cell.faces[f];
+      if (area_vector(cell.corners, loop).norm() < least_face * size_ * size_) return true;
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Vec3 &from = cell.corners[static_cast<std::size_t>(loop[k])],
+                   &to = cell.corners[static_cast<std::size_t>(loop[k + 1 == loop.size() ? 0 : k + 1])];
+        if ((to - from).norm() < least_edge * size_) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Of very many stones a few have a face or an edge that is next to nothing. Their points are moved a little until
+  /// none has. Cells are found anew where a point that has moved was or is so near that it may cut them.
+  std::vector<std::optional<Polyhedron>> cells_without_tiny_parts() {
+    const double back = rubble_.joint / 2;
+    std::vector<Vec3> points = squeezed(), moved;
+    std::vector<std::optional<Polyhedron>> cells;
+    for (std::size_t i = 0; i < points.size(); ++i) cells.push_back(cell_of(points, i, back));
+    for (int round = 0; round < 100; ++round) {
+      moved.clear();
+      std::vector<char> due(cells.size(), 0);
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (!cells[i] || !has_tiny_parts(*cells[i])) continue;
+        const Vec3 to = points_[i] + 0.02 * size_ * random_in_box(Vec3::Constant(-1), Vec3::Constant(1));
+        if (!is_within(to)) continue;
+        moved.push_back(points[i]);
+        points_[i] = to, points[i] = to.cwiseProduct(squeeze_), due[i] = 1;
+        moved.push_back(points[i]);
+      }
+      if (moved.empty()) break;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const double reach =
+            cells[i] ? 2 * (farthest(*cells[i], points[i]) + back * std::max(1.0, 1 / rubble_.aspect)) : 0;
+        if (due[i] != 0 ||
+            std::any_of(moved.begin(), moved.end(), [&](const Vec3& p) { return (p - points[i]).norm() <= reach; }))
+          cells[i] = cell_of(points, i, back);
+      }
+    }
+    return cells;
+  }
+
+  std::vector<SolidPart> named() {
     std::vector<std::pair<Vec3, Polyhedron>> stones;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (auto cell = cell_of(points, i, rubble_.joint / 2)) {
+    for (auto& cell : cells_without_tiny_parts())
+      if (cell) {
         const Vec3 centre = solid_moments(*cell).centroid;
         stones.emplace_back(centre, std::move(*cell));
       }

@@ -25,8 +25,8 @@ struct SolidRubble {
 /// Stones "r1", "r2", ... from the bottom up by their centroids, in group "stones" and the rubble's name. Without joint
 /// neighbours lie flat on each other and the stones fill the solid; with a joint each stone is set back by half of it
 /// from its neighbours, not from the solid's faces. Faces are plane to rounding, for each is a cut by one plane, and
-/// may be small: relaxation makes that rare. Throws InputError for a solid that is not convex, a box without volume and
-/// numbers out of range.
+/// may be small, if not next to nothing: relaxation makes that rare. Throws InputError for a solid that is not convex,
+/// a box without volume and numbers out of range.
 std::vector<SolidPart> build_solid_rubble(const SolidRubble& rubble);
 
 }  // namespace trilith

@@ -321,15 +321,32 @@ Polyhedron with_joined_faces(const Polyhedron& solid, double flat) {
 HollowEdge hollow_edge(const Polyhedron& solid, std::span<const int> across) {
   const LoopPlaces places(solid.faces);
   const std::vector<Vec3> normals = face_normals(solid);
-  HollowEdge worst;
-  for (std::size_t k = 0; k < across.size(); ++k) {
-    if (across[k] < 0) continue;
-    const int face = places.face[k];
+  struct Outside {
+    double by = 0;
+    int corner = 0;
+  };
+  // of the face that has place k as an edge, beyond the plane of the face on its other side
+  const auto outside = [&](std::size_t k) {
+    const auto beside = at(places.face[at(across[k])]);
     const Vec3& on = solid.corners[at(solid.faces.corner[k])];
-    for (const int i : solid.faces[places.face[at(across[k])]]) {
-      const double by = normals[at(face)].dot(solid.corners[at(i)] - on);
-      if (by > worst.by) worst = {by, solid.corners[at(i)]};
+    Outside most;
+    for (const int i : solid.faces[places.face[k]]) {
+      const double by = normals[beside].dot(solid.corners[at(i)] - on);
+      if (by > most.by) most = {by, i};
     }
+    return most;
+  };
+  HollowEdge worst;
+  bool has_dent = false;
+  for (std::size_t k = 0; k < across.size(); ++k) {
+    if (across[k] < 0 || at(across[k]) < k) continue;
+    const Outside a = outside(k), b = outside(at(across[k]));
+    const Outside &more = a.by > b.by ? a : b, &less = a.by > b.by ? b : a;
+    if (more.by > worst.out) {
+      worst.out = more.by;
+      if (!has_dent) worst.at = solid.corners[at(more.corner)];
+    }
+    if (less.by > worst.by) worst.by = less.by, worst.at = solid.corners[at(less.corner)], has_dent = true;
   }
   return worst;
 }

@@ -36,11 +36,12 @@ std::vector<Polyhedron> solids_of(const Polyhedron& surface, const Shells& shell
 /// were.
 Polyhedron with_joined_faces(const Polyhedron& solid, double flat);
 
-/// Most by which a corner of a face lies outside of the plane of the face beside it, and where. A closed solid without
-/// any is convex.
+/// Where faces beside each other stand out of each other's planes. A closed solid where none does is convex.
 struct HollowEdge {
-  double by = 0;  ///< m
-  Vec3 at = Vec3::Zero();
+  double out = 0;  ///< most by which a corner of a face stands out of the plane of the face beside it, m
+  double by = 0;   ///< depth of the deepest dent, m: the lesser of what two faces stand out of each other's planes, for
+                   ///< the plane of a narrow face says little where corners are rounded
+  Vec3 at = Vec3::Zero();  ///< of the dent, or where `out` is
 };
 HollowEdge hollow_edge(const Polyhedron& solid, std::span<const int> across);
 

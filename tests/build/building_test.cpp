@@ -42,6 +42,13 @@ Building house() {
   return building;
 }
 
+SolidWall wall_of(double length, int courses, std::string_view bond) {
+  SolidWall wall;
+  wall.name = "W", wall.length = length, wall.masonry.bond = bond;
+  wall.storeys.push_back({.courses = courses});
+  return wall;
+}
+
 /// Whose units lie at a place within a course.
 std::string wall_at(const std::vector<SolidPart>& parts, const Vec3& at) {
   std::string found;
@@ -122,8 +129,7 @@ TEST_CASE("no head joint of a wall lies over another in any bond") {
   for (const LeafBond& bond : leaf_bonds()) {
     CAPTURE(bond.name);
     const double length = bond.name == "flemish" ? 0.6 * 5 + 0.4 : 3.2;
-    const SolidWall wall{
-        .name = "W", .length = length, .storeys = {{.courses = 4}}, .masonry = {.bond = std::string(bond.name)}};
+    const SolidWall wall = wall_of(length, 4, bond.name);
     const SolidParts made = build_solid_wall(wall);
     CHECK(made.notes.empty());
     const double thickness = bond.name == "stretcher" ? 0.2 : 0.4;
@@ -149,19 +155,18 @@ TEST_CASE("no head joint of a wall lies over another in any bond") {
 }
 
 TEST_CASE("headers run through a wall, stretchers lie side by side") {
-  const SolidParts english =
-      build_solid_wall({.length = 2, .storeys = {{.courses = 2}}, .masonry = {.bond = "english"}});
-  CHECK(named(english.parts, "s1.c1.u1a").pieces[0].corners[6] == Vec3(0.4, 0.2, 0.2));
-  CHECK(named(english.parts, "s1.c1.u1b").pieces[0].corners[6] == Vec3(0.4, 0.4, 0.2));
-  CHECK(near(volume_of(named(english.parts, "s1.c2.u1")), 0.2 * 0.4 * 0.2, 1e-12));
-  CHECK(near(volume_of(named(english.parts, "s1.c2.u2")), 0.1 * 0.4 * 0.2, 1e-12));
+  const SolidParts english = build_solid_wall(wall_of(2, 2, "english"));
+  CHECK(named(english.parts, "W.s1.c1.u1a").pieces[0].corners[6] == Vec3(0.4, 0.2, 0.2));
+  CHECK(named(english.parts, "W.s1.c1.u1b").pieces[0].corners[6] == Vec3(0.4, 0.4, 0.2));
+  CHECK(near(volume_of(named(english.parts, "W.s1.c2.u1")), 0.2 * 0.4 * 0.2, 1e-12));
+  CHECK(near(volume_of(named(english.parts, "W.s1.c2.u2")), 0.1 * 0.4 * 0.2, 1e-12));
 }
 
 TEST_CASE("English bond turns a corner with stretchers that become headers and a closer behind them") {
   Building building{.walls = {{.name = "a", .start = {0, 0.2}, .end = {3.2, 0.2}},
                               {.name = "b", .start = {0.2, 0.2}, .end = {0.2, 2.4}}},
-                    .storeys = {{.courses = 6}},
-                    .masonry = {.bond = "english"}};
+                    .storeys = {{.courses = 6}}};
+  building.masonry.bond = "english";
   const SolidParts made = build_building(building);
   check_sound(made.parts);
   CHECK(near(total_volume(made.parts), 0.4 * (3.2 + 2.0) * 1.2, 1e-12));
@@ -170,10 +175,8 @@ TEST_CASE("English bond turns a corner with stretchers that become headers and a
 }
 
 TEST_CASE("openings cut units, short pieces join their neighbours with a note") {
-  SolidWall wall{.name = "W",
-                 .length = 4,
-                 .storeys = {{.courses = 10}},
-                 .openings = {{.from = 1.25, .sill = 0.4, .width = 1, .height = 1}}};
+  SolidWall wall = wall_of(4, 10, "stretcher");
+  wall.openings = {{.from = 1.25, .sill = 0.4, .width = 1, .height = 1}};
   const SolidParts made = build_solid_wall(wall);
   REQUIRE(made.notes.size() == 1);
   CHECK(says(made.notes[0], "pieces shorter than 0.08 m were joined to the unit beside them"));
@@ -214,6 +217,5 @@ TEST_CASE("buildings that cannot be are refused") {
              "opening 4 lies on another opening"));
   CHECK(says(refused([](Building& b) { b.walls[0].openings[0].storey = 3; }), "opening 1: storey is 3"));
   CHECK(says(refused([](Building& b) { b.masonry.least_length = 1; }), "least length is 1 m"));
-  CHECK(says(refusal_of([] { build_solid_wall({.name = "W", .storeys = {{.courses = 1}}}); }),
-             "wall 'W': length is 0 m"));
+  CHECK(says(refusal_of([] { build_solid_wall(wall_of(0, 1, "stretcher")); }), "wall 'W': length is 0 m"));
 }

@@ -10,7 +10,9 @@
 #include <fstream>
 
 #include "base/rotation_3d.hpp"
+#include "build/check_solids.hpp"
 #include "build/dome.hpp"
+#include "build/solid_rubble.hpp"
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
 
@@ -171,6 +173,18 @@ TEST_CASE("a dome in single precision, all stones in one binary STL, comes back 
   CHECK(one.parts.size() == 1);
   CHECK(one.parts[0].pieces.size() == dome.size());
   CHECK(says(one.notes[0], "has 61 separate shells"));
+}
+
+TEST_CASE("a thousand stones of rubble have nothing to find, and come back from single precision") {
+  std::vector<SolidPart> rubble = build_solid_rubble({.high = {10, 1, 5}, .stones = 1000, .seed = 3});
+  CHECK(near(total_volume(rubble), 50, 1e-12));
+  CHECK(check_solids(rubble).empty());
+  const SolidParts read = parse_stl(binary_stl_of(rubble), {.name = "R", .shells_are_bodies = true}, "file");
+  REQUIRE(read.parts.size() == 1000);
+  CHECK(near(total_volume(read.parts), 50, 1e-6));
+  for (const SolidPart& part : read.parts) check_convex(part.pieces[0], part.name);
+  REQUIRE(read.notes.size() == 2);
+  CHECK(says(read.notes[1], "solids with very narrow faces became the hulls of their corners"));
 }
 
 TEST_CASE("files are read by their ending") {

@@ -55,8 +55,10 @@ TEST_CASE("a model in space takes every builder's parts, with the faces between 
   const std::vector<SolidPart> dome = build_dome({.rings = 4, .sectors = 40});
   CHECK(faces_in_model(dome).inner == 2);
   const std::vector<SolidPart> rubble = build_solid_rubble({.high = {1, 2, 1}, .stones = 60});
-  const std::vector<SolidPart> wall =
-      build_solid_wall({.length = 3, .storeys = {{.courses = 4}}, .masonry = {.bond = "flemish"}}).parts;
+  SolidWall flemish;
+  flemish.length = 3, flemish.masonry.bond = "flemish";
+  flemish.storeys.push_back({.courses = 4});
+  const std::vector<SolidPart> wall = build_solid_wall(flemish).parts;
   for (const auto& parts : {extruded, drums, vault, dome, rubble, wall}) {
     const ModelFaces found = faces_in_model(parts);
     CHECK(found.bodies == static_cast<int>(parts.size()));
