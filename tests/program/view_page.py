@@ -170,7 +170,7 @@ def shows_solids(page):
     page.until("trilith.player.time === trilith.run.end && !trilith.waiting")
     place = page.ask("trilith.camera.place(...trilith.scene.middle(trilith.run.bodies[1]))")
     colour = page.ask("""(() => {
-      const { gl, ratio, canvas } = trilith.scene, pixel = new Uint8Array(4);
+      const { gl, canvas, camera } = trilith.scene, pixel = new Uint8Array(4), ratio = canvas.width / camera.width;
       trilith.draw();
       gl.readPixels(%f * ratio, canvas.height - %f * ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
       return [...pixel];

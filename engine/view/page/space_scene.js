@@ -48,7 +48,7 @@ function compiled(gl) {
 export class SpaceScene extends Scene {
   /** Solids go to the canvas itself, all else to one over it. */
   contextOf(canvas) {
-    const gl = canvas.getContext("webgl2", { antialias: true });
+    const gl = canvas.getContext("webgl2", { antialias: false });
     if (!gl) throw new Error("This browser shows no models in space: it lacks WebGL 2.");
     this.gl = gl;
     this.over = document.createElement("canvas");
@@ -99,6 +99,11 @@ export class SpaceScene extends Scene {
     super.resize();
     this.over.width = this.canvas.width;
     this.over.height = this.canvas.height;
+    // Drawn finer than it is shown: some machines get the depth of lines wrong that they smooth themselves.
+    if (this.ratio < 2) {
+      this.canvas.width *= 2;
+      this.canvas.height *= 2;
+    }
     this.gl.viewport(0, 0, this.canvas.width, this.canvas.height);
   }
 
@@ -116,7 +121,7 @@ export class SpaceScene extends Scene {
     this.upload(run.pointX, run.pointY, run.pointZ);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.POLYGON_OFFSET_FILL);
-    gl.polygonOffset(1, 1);
+    gl.polygonOffset(2, 2);
     this.drawList(gl.TRIANGLES, this.triangles, [0, 0, 0, 0]);
     this.drawList(gl.LINES, this.edges, [...shares(theme.outline), 1]);
     if (this.show.start) {
@@ -175,7 +180,7 @@ export class SpaceScene extends Scene {
   drawList(kind, list, line) {
     const { gl } = this;
     gl.uniform4fv(this.at("line"), line);
-    gl.uniform1f(this.at("nearer"), line[3] > 0 ? 1.5 / this.camera.scale : 0);
+    gl.uniform1f(this.at("nearer"), line[3] > 0 ? Math.min(4 / this.camera.scale, 0.12 * this.usualSize) : 0);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, list.buffer);
     gl.drawElements(kind, list.count, gl.UNSIGNED_INT, 0);
   }
