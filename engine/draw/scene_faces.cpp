@@ -37,8 +37,17 @@ Colour lit(const Colour& fill, double light) {
   return {part(fill.red), part(fill.green), part(fill.blue), fill.opacity};
 }
 
-void draw_faces(Canvas& canvas, const Scene& scene, const SceneView& view, const PageView& page, double edge_width) {
-  for (const SceneFace& face : scene.faces) {
+FaceRange leading_ground(const Scene& scene) {
+  const auto first = std::find_if(scene.faces.begin(), scene.faces.end(), [&](const SceneFace& face) {
+    return scene.bodies[static_cast<std::size_t>(face.body)].role == BodyRole::free;
+  });
+  return {0, static_cast<std::size_t>(first - scene.faces.begin())};
+}
+
+void draw_faces(Canvas& canvas, const Scene& scene, FaceRange range, const SceneView& view, const PageView& page,
+                double edge_width) {
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const SceneFace& face = scene.faces[i];
     std::vector<PagePoint> points;
     for (const Vec2& p : face.outline) points.push_back(page.place(p));
     if (is_outside(points, page.box)) continue;

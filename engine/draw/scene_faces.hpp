@@ -5,8 +5,17 @@
 
 namespace trilith::draw {
 
-/// The faces of the scene, shaded, with their edges, in their order. `edge_width` in pt.
-void draw_faces(Canvas& canvas, const Scene& scene, const SceneView& view, const PageView& page, double edge_width);
+/// Rows of Scene::faces.
+struct FaceRange {
+  std::size_t begin = 0, end = 0;
+};
+
+/// Faces of the scene, shaded, with their edges, in their order. `edge_width` in pt.
+void draw_faces(Canvas& canvas, const Scene& scene, FaceRange range, const SceneView& view, const PageView& page,
+                double edge_width);
+
+/// The faces of ground that come before all of free bodies.
+FaceRange leading_ground(const Scene& scene);
 
 /// Arrows along the axes in the lower left corner of the panel; one that points at the eye is a dot.
 void draw_axes(Canvas& canvas, const Scene& scene, const PageView& page);

@@ -193,13 +193,16 @@ std::vector<PageBox> draw_scene_content(Canvas& canvas, const Scene& scene, cons
                                         const PageView& page) {
   std::vector<PageBox> marks;
   canvas.clipped(page.box, [&] {
+    const FaceRange ground = leading_ground(scene);
+    const double edge_width = 0.75 * outline_width(scene, page);
     if (scene.faces.empty()) draw_bodies(canvas, scene, view, page, true);
-    draw_faces(canvas, scene, view, page, 0.75 * outline_width(scene, page));
+    draw_faces(canvas, scene, ground, view, page, edge_width);
     for (const auto& ghost : scene.ghosts) {
       const std::vector<PagePoint> outline = page_outline(page, ghost);
       if (!outline.empty()) canvas.polygon(outline, std::nullopt, ghost_stroke());
     }
     if (scene.faces.empty()) draw_bodies(canvas, scene, view, page, false);
+    draw_faces(canvas, scene, {ground.end, scene.faces.size()}, view, page, edge_width);
     for (const SceneCrack& c : scene.cracks) draw_crack(canvas, page.place(c.a), page.place(c.b), c.mark);
     for (const std::vector<Vec2>& line : scene.lines)
       for (std::size_t i = 0; i + 1 < line.size(); ++i)

@@ -138,7 +138,11 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
   }
   std::vector<draw::Scene> scenes;
   std::vector<std::string> words;
-  const std::vector<Moment> moments = source.header.dim == 2 ? key_moments(source) : std::vector<Moment>{};
+  if (source.header.dim == 3 && source.header.face_count() == 0) {
+    html.element("p", "The file tells of no faces of its solids, so that there are no pictures of them.");
+    return;
+  }
+  const std::vector<Moment> moments = key_moments(source);
   for (const Moment& m : moments) {
     draw::SceneChoice choice;
     choice.cracks =
@@ -147,10 +151,6 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
     scenes.push_back(draw::results_scene(source.reader, m.time, choice));
     const std::string letter = moments.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + words.size())) : "";
     words.push_back(fmt::format("{}at {}, {}", letter, shown_time(*scenes.back().time), m.why));
-  }
-  if (scenes.empty()) {
-    html.element("p", fmt::format("The model has {} dimensions; pictures are drawn of two.", source.header.dim));
-    return;
   }
   std::string caption = "The structure";
   for (std::size_t i = 0; i < words.size(); ++i) caption += (i == 0 ? " " : "; ") + words[i];

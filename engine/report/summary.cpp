@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/space.hpp"
 #include "report/sections.hpp"
 #include "results/event_tree.hpp"
+#include "results/placement.hpp"
 #include "results/verdict.hpp"
 
 namespace trilith::report {
@@ -40,35 +42,51 @@ bool is_free(const results::BodyRow& body) {
   return body.support.empty() || body.support.find("free") != std::string::npos;
 }
 
-/// In two dimensions.
-Vec2 place_of(const std::vector<double>& places, int row) {
-  return {places[2 * row], places[2 * row + 1]};
+/// A row of places; in the plane z is 0.
+Vec3 place_of(const results::Header& header, const std::vector<double>& places, int row) {
+  const double* at = places.data() + static_cast<std::size_t>(header.dim) * static_cast<std::size_t>(row);
+  return {at[0], at[1], header.dim == 3 ? at[2] : 0};
+}
+
+/// How deep a solid is, m: its least width across one of its faces.
+double depth_of_solid(const results::Header& header, const results::BodyRow& body) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (int f = body.first_face; f < body.first_face + body.face_count; ++f) {
+    const auto corner = [&](int k) {
+      return place_of(header, header.vertices, header.face_vertex[header.face_first[f] + k]);
+    };
+    Vec3 normal = Vec3::Zero();
+    for (int k = 1; k + 1 < header.face_first[f + 1] - header.face_first[f]; ++k)
+      normal += cross(Vec3(corner(k) - corner(0)), Vec3(corner(k + 1) - corner(0)));
+    double width = 0;
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+      width = std::max(width, std::abs(normal.normalized().dot(place_of(header, header.vertices, v) - corner(0))));
+    depth = std::min(depth, width);
+  }
+  return std::isfinite(depth) ? depth : 0;
 }
 
 /// How deep a body is, m: its area by the greatest distance between two of its corners.
-double depth_of(const results::Header& header, const results::BodyRow& body) {
-  std::vector<Vec2> points;
-  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-    const int node = header.vertex_node[v];
-    points.push_back(place_of(header.node_position, node) +
-                     Turn(header.node_rotation[node]).apply(place_of(header.vertices, v)));
-  }
+double depth_of(const results::Header& header, const results::BodyRow& body, const results::Placement& start) {
+  if (header.dim == 3) return depth_of_solid(header, body);
+  std::vector<Vec3> points;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) points.push_back(start.vertex(v));
   double length = 0, area = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec2 a = points[i] - points[0], b = points[(i + 1) % points.size()] - points[0];
+    const Vec3 a = points[i] - points[0], b = points[(i + 1) % points.size()] - points[0];
     area += 0.5 * (a.x() * b.y() - a.y() * b.x());
-    for (const Vec2& p : points) length = std::max(length, (points[i] - p).norm());
+    for (const Vec3& p : points) length = std::max(length, (points[i] - p).norm());
   }
   return length > 0 ? std::abs(area) / length : 0;
 }
 
 /// How far the ground had moved in the mean of its bodies, m.
-Vec2 ground_way(const results::Header& header, const results::Frame& frame) {
-  Vec2 sum = Vec2::Zero();
+Vec3 ground_way(const results::Header& header, const results::Frame& frame) {
+  Vec3 sum = Vec3::Zero();
   int count = 0;
   for (const results::BodyRow& body : header.bodies) {
     if (is_free(body)) continue;
-    sum += place_of(frame.position, body.first_node) - place_of(header.node_position, body.first_node);
+    sum += place_of(header, frame.position, body.first_node) - place_of(header, header.node_position, body.first_node);
     ++count;
   }
   return sum / std::max(count, 1);
@@ -83,15 +101,17 @@ struct Moved {
 Moved moved_bodies(const ReportSource& source) {
   const results::Header& header = source.header;
   Moved out;
-  if (source.reader.frame_count() == 0 || header.dim != 2) return out;
+  if (source.reader.frame_count() == 0 || (header.dim == 3 && header.face_count() == 0)) return out;
   const results::Frame last = source.reader.frame(source.reader.frame_count() - 1);
-  const Vec2 ground = ground_way(header, last);
+  const results::Frame first = results::start_frame(header);
+  const results::Placement start(header, first);
+  const Vec3 ground = ground_way(header, last);
   for (const results::BodyRow& body : header.bodies) {
     if (!is_free(body)) continue;
     ++out.free;
-    const Vec2 way =
-        place_of(last.position, body.first_node) - place_of(header.node_position, body.first_node) - ground;
-    out.moved += 2 * way.norm() > depth_of(header, body) ? 1 : 0;
+    const Vec3 way = place_of(header, last.position, body.first_node) -
+                     place_of(header, header.node_position, body.first_node) - ground;
+    out.moved += 2 * way.norm() > depth_of(header, body, start) ? 1 : 0;
   }
   return out;
 }

@@ -2,8 +2,6 @@
 
 #include <cassert>
 
-#include "shape/polyhedron.hpp"
-
 namespace trilith::results {
 
 void Header::add_rigid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation,

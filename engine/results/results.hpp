@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace trilith {
-struct FaceLoops;
-}  // namespace trilith
+#include "shape/polyhedron.hpp"
 
 namespace trilith::results {
 

@@ -78,9 +78,9 @@ void write_series(const results::ResultsReader& reader, const ViewLimits& limits
 }  // namespace
 
 std::string view_data(const results::ResultsReader& reader, const ViewLimits& limits, const ViewProgress& progress) {
-  if (reader.header().dim != 2)
-    throw InputError(fmt::format("'{}' is of a model in {} dimensions; only two can be viewed", reader.path().string(),
-                                 reader.header().dim));
+  if (reader.header().dim == 3 && reader.header().face_count() == 0)
+    throw InputError(
+        fmt::format("'{}' tells of no faces of its solids, so that there is nothing to play", reader.path().string()));
   ViewFrames frames = view_frames(reader, limits, progress);
   JsonText json;
   json.begin_object();

@@ -22,7 +22,7 @@ using ViewProgress = std::function<void(double)>;
 /// The data before compression: "TRLV", version and length of the JSON (two uint32, little-endian), the JSON, then the
 /// blocks it lists under "blocks" (name, rows, columns, quantum, bytes), each as view/bytes.hpp packs it. What
 /// the blocks hold is told in frames.hpp. Lengths within half a quantum: 1/2000 of the smallest free body or
-/// finer. Throws InputError for a model in three dimensions, ResultsError for a file that cannot be read.
+/// finer. Throws InputError for a model in space without faces, ResultsError for a file that cannot be read.
 std::string view_data(const results::ResultsReader& reader, const ViewLimits& limits = {},
                       const ViewProgress& progress = {});
 

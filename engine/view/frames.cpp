@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/space.hpp"
+
 namespace trilith::view {
 namespace {
 
@@ -10,14 +12,20 @@ struct Quanta {
   double length = 1, angle = 1, force = 1, bearing_force = 1, bearing_displacement = 1, stress = 1, plastic = 1;
 };
 
+/// A row of places of `dim` numbers; z is 0 in the plane.
+Vec3 row_at(const results::Header& header, const std::vector<double>& places, int row) {
+  const double* at = places.data() + static_cast<std::size_t>(header.dim) * static_cast<std::size_t>(row);
+  return {at[0], at[1], header.dim == 3 ? at[2] : 0};
+}
+
 double reach(const results::Header& header, const results::BodyRow& body) {
   double out = 0;
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-    out = std::max(out, std::hypot(header.vertices[2 * v], header.vertices[2 * v + 1]));
+    out = std::max(out, row_at(header, header.vertices, v).norm());
   // Outline points that are nodes themselves lie at no distance from them: the start tells the size.
+  const Vec3 first = row_at(header, header.node_position, body.first_node);
   for (int n = body.first_node; n < body.first_node + body.node_count; ++n)
-    out = std::max(out, std::hypot(header.node_position[2 * n] - header.node_position[2 * body.first_node],
-                                   header.node_position[2 * n + 1] - header.node_position[2 * body.first_node + 1]));
+    out = std::max(out, (row_at(header, header.node_position, n) - first).norm());
   return out;
 }
 
@@ -35,6 +43,7 @@ Quanta body_quanta(const results::Header& header) {
   Quanta out;
   out.length = length;
   out.angle = std::clamp(length / largest, 1e-6, 1e-3);
+  if (header.dim == 3) out.angle /= 2;  // a quaternion has the halves of angles
   return out;
 }
 
@@ -60,19 +69,20 @@ class Gatherer {
  public:
   Gatherer(const results::Header& header, const Quanta& quanta) {
     const std::size_t nodes = header.node_count(), bearings = header.bearings.size();
+    const auto dim = static_cast<std::size_t>(header.dim);
     time_ = {"time", 1, 1e-6, {}};
     stage_ = {"stage", 1, 1, {}};
-    position_ = {"position", 2 * nodes, quanta.length, {}};
-    rotation_ = {"rotation", nodes, quanta.angle, {}};
+    position_ = {"position", dim * nodes, quanta.length, {}};
+    rotation_ = {"rotation", static_cast<std::size_t>(results::rotation_width(header.dim)) * nodes, quanta.angle, {}};
     stress_ = {"stress", 3 * header.element_count(), quanta.stress, {}};
     plastic_ = {"plastic", header.element_count(), quanta.plastic, {}};
     state_ = {"bearing_state", bearings, 1, {}};
-    force_ = {"bearing_force", 2 * bearings, quanta.bearing_force, {}};
-    displacement_ = {"bearing_displacement", 2 * bearings, quanta.bearing_displacement, {}};
+    force_ = {"bearing_force", dim * bearings, quanta.bearing_force, {}};
+    displacement_ = {"bearing_displacement", dim * bearings, quanta.bearing_displacement, {}};
     contact_frame_ = {"contact_frame", 1, 1, {}};
     contact_first_ = {"contact_first", 1, 1, {0}};
-    place_ = {"contact_place", 2, quanta.length, {}};
-    push_ = {"contact_force", 2, quanta.force, {}};
+    place_ = {"contact_place", dim, quanta.length, {}};
+    push_ = {"contact_force", dim, quanta.force, {}};
     pair_ = {"contact_pair", 3, 1, {}};
   }
 
@@ -106,8 +116,8 @@ class Gatherer {
   }
 
   void add(const results::ContactForce& c) {
-    for (const int k : {0, 1}) place_.values.push_back(quantised(c.point[k], place_.quantum));
-    for (const int k : {0, 1}) push_.values.push_back(quantised(c.force[k], push_.quantum));
+    for (std::size_t k = 0; k < place_.columns; ++k) place_.values.push_back(quantised(c.point[k], place_.quantum));
+    for (std::size_t k = 0; k < push_.columns; ++k) push_.values.push_back(quantised(c.force[k], push_.quantum));
     pair_.values.insert(pair_.values.end(), {c.body_a, c.body_b, static_cast<std::int32_t>(c.state)});
   }
 
@@ -127,7 +137,8 @@ double survey(const results::ResultsReader& reader, Quanta& quanta) {
   for (std::size_t i = 0; i < count; i += step, ++looked) {
     const results::Frame frame = reader.frame(i);
     contacts += frame.contacts.size();
-    for (const results::ContactForce& c : frame.contacts) forces.push_back(std::hypot(c.force[0], c.force[1]));
+    for (const results::ContactForce& c : frame.contacts)
+      forces.push_back(std::hypot(c.force[0], c.force[1], c.force[2]));
     note_sizes(frame.bearing_force, bearing_forces);
     note_sizes(frame.bearing_displacement, displacements);
     note_sizes(frame.stress, stresses);

@@ -75,7 +75,28 @@ void write_run(const results::ResultsReader& reader, const ViewFrames& frames, s
   json.end().end();
 }
 
+/// To so many parts of 1: events keep their order by millionths of a second.
+double rounded(double value, double parts) {
+  return std::round(value * parts) / parts;
+}
+
+/// Of each face how many corners it has, then which rows of the vertices; and where the faces of each body begin.
+void write_faces(const results::Header& header, JsonText& json) {
+  json.key("faces").begin_list();
+  for (std::size_t i = 0; i < header.bodies.size(); ++i) {
+    const results::BodyRow& body = header.bodies[i];
+    json.begin_list();
+    for (int f = body.first_face; f < body.first_face + body.face_count; ++f) {
+      json.number(header.face_first[f + 1] - header.face_first[f]);
+      for (int k = header.face_first[f]; k < header.face_first[f + 1]; ++k) json.number(header.face_vertex[k]);
+    }
+    json.end();
+  }
+  json.end();
+}
+
 void write_bodies(const results::Header& header, const ViewFrames& frames, JsonText& json) {
+  const auto dim = static_cast<std::size_t>(header.dim);
   std::vector<int> bonds(header.bodies.size());
   for (const auto& [a, b] : frames.bonded) ++bonds[a], ++bonds[b];
   json.key("bodies").begin_list();
@@ -87,11 +108,12 @@ void write_bodies(const results::Header& header, const ViewFrames& frames, JsonT
     json.number("vertex", b.first_vertex).number("vertices", b.vertex_count).number("bonds", bonds[i]).end();
   }
   json.end().key("vertices").begin_list();
-  for (std::size_t v = 0; v < header.vertex_node.size(); ++v)
-    json.number(header.vertex_node[v])
-        .number(std::round(header.vertices[2 * v] * 1e6) / 1e6)
-        .number(std::round(header.vertices[2 * v + 1] * 1e6) / 1e6);
+  for (std::size_t v = 0; v < header.vertex_node.size(); ++v) {
+    json.number(header.vertex_node[v]);
+    for (std::size_t k = 0; k < dim; ++k) json.number(rounded(header.vertices[dim * v + k], 1e6));
+  }
   json.end();
+  if (dim == 3) write_faces(header, json);
 }
 
 void write_elements(const results::Header& header, JsonText& json) {
@@ -107,11 +129,11 @@ void write_elements(const results::Header& header, JsonText& json) {
 /// start, where a body has several. `point` is given from the first node as at the start.
 struct PointOfNode {
   int node;
-  double x, y;
+  double x, y, z;
 };
 PointOfNode point_of_node(const results::Header& header, const results::BodyRow& body, const double* point) {
   const int first = body.first_node;
-  PointOfNode best{first, point[0], point[1]};
+  PointOfNode best{first, point[0], point[1], point[2]};
   if (body.node_count == 1) return best;
   const auto away = [&](int node, std::size_t k) {
     return point[k] + header.node_position[2 * first + k] - header.node_position[2 * node + k];
@@ -121,7 +143,7 @@ PointOfNode point_of_node(const results::Header& header, const results::BodyRow&
     const int node = header.vertex_node[v];
     const double x = away(node, 0), y = away(node, 1);
     const double far = std::hypot(header.vertices[2 * v] - x, header.vertices[2 * v + 1] - y);
-    if (far < least) least = far, best = {node, x, y};
+    if (far < least) least = far, best = {node, x, y, 0};
   }
   return best;
 }
@@ -133,6 +155,7 @@ void write_bearings(const results::Header& header, JsonText& json) {
     const PointOfNode a = point_of_node(header, header.bodies[b.body_a], b.point_a),
                       at_b = point_of_node(header, header.bodies[b.body_b], b.point_b);
     json.number("an", a.node).number("ax", a.x).number("ay", a.y);
+    if (header.dim == 3) json.number("az", a.z).number("bz", at_b.z);
     json.number("bn", at_b.node).number("bx", at_b.x).number("by", at_b.y).end();
   }
   json.end();
@@ -154,17 +177,12 @@ std::string mode_of(const results::EventRow& event) {
   return "";
 }
 
-/// Millionths of a second, so that events stand in their order.
-double rounded(double value, double parts) {
-  return std::round(value * parts) / parts;
-}
-
 void write_figure(const results::Figure& figure, JsonText& json) {
   if (figure.name.empty()) return;
   json.text(figure.name).number(figure.value).text(figure.unit);
 }
 
-void write_events(const std::vector<results::EventRow>& events, JsonText& json) {
+void write_events(const std::vector<results::EventRow>& events, int dim, JsonText& json) {
   std::map<std::string, int> order;
   json.key("types").begin_list();
   for (const results::EventRow& e : events)
@@ -178,15 +196,18 @@ void write_events(const std::vector<results::EventRow>& events, JsonText& json) 
     json.text(e.text).begin_list();
     write_figure(e.first, json);
     write_figure(e.second, json);
-    json.end().end();
+    json.end();
+    if (dim == 3) json.number(e.has_place ? rounded(e.place[2], 1e4) : NAN);
+    json.end();
   }
   json.end();
 }
 
-/// Bonds that cracked or broke, each with the line it broke along where the bodies faced each other at the start.
+/// Bonds that cracked or broke (in the plane alone), each with the line it broke along where the bodies faced each
+/// other at the start.
 void write_joints(const results::Header& header, const std::vector<results::EventRow>& events, JsonText& json) {
   json.key("joints").begin_list();
-  for (std::size_t i = 0; i < events.size(); ++i) {
+  for (std::size_t i = 0; i < events.size() && header.dim == 2; ++i) {
     const results::EventRow& e = events[i];
     if (!e.type.starts_with("bond.") || std::min(e.body_a, e.body_b) < 0) continue;
     for (const EdgePart& part : joint_of(header, e.body_a, e.body_b)) {
@@ -230,7 +251,7 @@ void write_view_model(const results::ResultsReader& reader, const ViewFrames& fr
   write_elements(header, json);
   write_bearings(header, json);
   write_stages(reader, json);
-  write_events(events, json);
+  write_events(events, header.dim, json);
   write_joints(header, events, json);
   write_palette(json);
 }

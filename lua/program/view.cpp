@@ -25,11 +25,6 @@ int view(const ViewOptions& options) {
   if (out.extension() != ".html" && out.extension() != ".htm")
     throw InputError(fmt::format("'{}': a page to view ends with .html", out.string()));
   const results::ResultsReader reader(options.result);
-  if (reader.header().dim == 3)
-    throw InputError(
-        fmt::format("'{}' is of a model in space; the page shows models in the plane only: use trilith draw, "
-                    "or trilith export for ParaView",
-                    reader.path().string()));
   ShareStatus status("reading frames");
   const std::string data = view::view_data(reader, {}, [&](double share) { status(share); });
   status.clear();

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "program/verb.hpp"
+#include "results/tumbling_boxes.hpp"
 #include "run/falling_span.hpp"
 #include "source_dir.hpp"
 
@@ -90,6 +91,14 @@ TEST_CASE("the page of a wall of finite elements shows their stress") {
   browse(here / "quads.html", "shows_stress");
 }
 
+TEST_CASE("the page of a model in space shows its solids, turns them by a drag and tells of the one that is clicked") {
+  if (program_is_missing()) return;
+  const testing::Folder here;
+  testing::record_boxes(here / "solids.h5", testing::tumbling_boxes(), 11, 0.1);
+  CHECK(ask(here.path, "view solids.h5").out == "solids.html\n");
+  browse(here / "solids.html", "plays_to_the_end shows_solids");
+}
+
 TEST_CASE("a run that is still being written, or was stopped, is viewed as far as it goes, and said so") {
   if (program_is_missing()) return;
   const testing::Folder here;
@@ -119,4 +128,6 @@ TEST_CASE("trilith view refuses what is no page and what is no results file") {
   CHECK(ask(here.path, "view").code == 2);
   CHECK(ask(here.path, "view empty.h5").out == "empty.html\n");
   browse(here / "empty.html", "tells_that_there_is_no_frame");
+  { results::ResultsWriter(here / "faceless.h5", testing::sample_header(2, 3)).finish(); }
+  testing::check_refused(ask(here.path, "view faceless.h5"), "tells of no faces of its solids");
 }

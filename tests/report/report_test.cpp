@@ -10,6 +10,7 @@
 #include "report/html_text.hpp"
 #include "results/event_tree.hpp"
 #include "results/sample_run.hpp"
+#include "results/tumbling_boxes.hpp"
 #include "source_dir.hpp"
 
 using namespace trilith;
@@ -197,10 +198,19 @@ TEST_CASE("a run that was stopped or has hardly begun is reported as far as it g
   CHECK(has(empty, "no samples of the energy"));
 }
 
-TEST_CASE("a model in three dimensions is reported without pictures of it") {
+TEST_CASE("a model in space is reported with pictures, or where its file has no faces without") {
   const std::string page = page_of(sample_header(3, 3), 3);
   CHECK(wrong_with(page) == "");
-  CHECK(has(page, "The model has 3 dimensions"));
+  CHECK(has(page, "no faces of its solids"));
+
+  const std::filesystem::path path = scratch() / "solids.h5";
+  record_boxes(path, tumbling_boxes(), 9, 0.1);
+  const std::string solids = report_page(ResultsReader(path));
+  CHECK(wrong_with(solids) == "");
+  CHECK(has(solids, "The structure (a) at 0"));
+  CHECK(has(solids, "A model in 3 dimensions; z points upwards"));
+  // Of three free stones two have gone farther than half of their 0.1 m.
+  CHECK(has(solids, "2 of 3 free bodies stood more than half their depth"));
 }
 
 TEST_CASE("of many histories the eight largest are reported") {

@@ -6,6 +6,7 @@
 
 #include "near.hpp"
 #include "results/sample_run.hpp"
+#include "results/tumbling_boxes.hpp"
 #include "view/bytes.hpp"
 #include "view/joints.hpp"
 
@@ -234,4 +235,21 @@ TEST_CASE("a crack lies where two bodies faced each other") {
   CHECK(near(head[0].to - head[0].from, 1, 1e-12));
   CHECK(joint_of(header, 0, 3).empty());
   CHECK(joint_of(header, 0, 4).empty());
+}
+
+TEST_CASE("of a model in space the page gets three coordinates, quaternions, and the faces of each body") {
+  const Folder folder;
+  record_boxes(folder / "solids.h5", tumbling_boxes(), 6, 0.1);
+  const ResultsReader reader(folder / "solids.h5");
+  const std::string data = view_data(reader);
+  const Read position(data, "position"), rotation(data, "rotation"), force(data, "contact_force");
+  REQUIRE(position.columns == 12);
+  REQUIRE(rotation.columns == 16);
+  const Frame frame = reader.frame(5);
+  for (std::size_t k = 0; k < 12; ++k) CHECK(std::abs(position(5, k) - frame.position[k]) <= 0.51 * position.quantum);
+  for (std::size_t k = 0; k < 16; ++k) CHECK(std::abs(rotation(5, k) - frame.rotation[k]) <= 0.51 * rotation.quantum);
+  CHECK(near(force(0, 2), 80, 1e-3));
+  const std::string head = head_of(data);
+  CHECK(head.find("\"faces\":[[4,") != std::string::npos);
+  CHECK(head.find("\"az\":0.1") != std::string::npos);
 }

@@ -1,4 +1,4 @@
-// The part of the world that is seen. Two dimensions; another camera with place() and reach() would serve three.
+// The part of the world that is seen, in the plane.
 
 export class Camera {
   constructor() {
@@ -54,6 +54,9 @@ export class Camera {
     this.y += dy / this.scale;
     this.isHome = false;
   }
+
+  /** What a drag of the pointer does. */
+  drag(dx, dy) { this.pan(dx, dy); }
 
   /** Brings a place into view, if it is not. */
   show(x, y) {

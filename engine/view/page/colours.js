@@ -83,14 +83,13 @@ export function colourings(run) {
   if (!run.frames) return out;
   out.push({ id: "speed", label: "speed", unit: "m/s", values: free((b, f) => run.speed(b, f)) });
   out.push({ id: "displacement", label: "displacement from the start", unit: "m", values: free((b, f) => {
-    const [x, y] = run.centre(b, f);
-    return Math.hypot(x - start[b.index][0], y - start[b.index][1]);
+    return Math.hypot(...run.centre(b, f).map((v, k) => v - start[b.index][k]));
   }) });
   const rigid = run.bodies.some((b) => b.free && b.nodes === 1);
   if (rigid)
-    out.push({ id: "rotation", label: "rotation from the start", unit: "rad", signed: true, values: free((b, f) => (b.nodes === 1 ? run.rotation(b, f) : null)) });
+    out.push({ id: "rotation", label: "rotation from the start", unit: "rad", signed: run.dim === 2, values: free((b, f) => (b.nodes === 1 ? run.rotation(b, f) : null)) });
   out.push(...elementColourings(run));
-  if (rigid && run.block("contact_pair").rows)
+  if (rigid && run.dim === 2 && run.block("contact_pair").rows)
     out.push({ id: run.block("stress").rows ? "compression" : "stress", label: "mean compression, from contact forces", unit: "N/m", values: (f) => compressions(run, f) });
   if (run.bodies.some((b) => b.bonds))
     out.push({ id: "damage", label: "damage: share of bonds lost", unit: "1", top: 1, values: free((b, f, t) => run.damage(b, t)) });

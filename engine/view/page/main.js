@@ -4,6 +4,9 @@ import { Run } from "./run.js";
 import { Camera, homeBox } from "./camera.js";
 import { BodyColours, colourings, themeColours } from "./colours.js";
 import { Scene } from "./scene.js";
+import { SpaceRun } from "./space_run.js";
+import { SpaceCamera, homeSpace, viewsAround } from "./space_camera.js";
+import { SpaceScene } from "./space_scene.js";
 import { listen } from "./picking.js";
 import { HistoriesPanel, SelectionPanel } from "./selection.js";
 import { EventsPanel, eventColour } from "./events.js";
@@ -20,9 +23,11 @@ class App {
     this.run = run;
     this.seek = (time) => this.player.seek(time);
     this.lineColours = ["#2b8cd6", "#e0712c", "#18a67c", "#cc79a7", "#9aa3ad", "#e0a200", "#8a63d2"];
-    this.camera = new Camera();
-    this.camera.home = homeBox(run);
-    this.scene = new Scene(run, byId("canvas"), this.camera);
+    const space = run.dim === 3;
+    this.camera = space ? new SpaceCamera() : new Camera();
+    this.camera.home = space ? homeSpace(run) : homeBox(run);
+    this.scene = new (space ? SpaceScene : Scene)(run, byId("canvas"), this.camera);
+    for (const element of document.querySelectorAll("[data-space]")) element.hidden = !space;
     this.camera.fit();
     this.theme = themeColours();
     this.ways = colourings(run);
@@ -166,7 +171,8 @@ class App {
   select(hit) {
     if (hit?.body && this.run.frames) {
       const points = Array.from({ length: this.run.frames }, (_, f) => this.run.centre(hit.body, f));
-      hit = { body: hit.body, trail: { x: Float64Array.from(points, (p) => p[0]), y: Float64Array.from(points, (p) => p[1]) } };
+      const trail = Object.fromEntries(["x", "y", "z"].slice(0, this.run.dim).map((name, k) => [name, Float64Array.from(points, (p) => p[k])]));
+      hit = { body: hit.body, trail };
     }
     this.selection = hit;
     this.selectionPanel.show(hit);
@@ -178,15 +184,15 @@ class App {
   chooseEvent(event) {
     this.player.pause();
     this.player.seek(event.time);
-    const [x, y] = this.placeOf(event) ?? [];
-    if (x !== undefined) this.camera.show(x, y);
+    const place = this.placeOf(event);
+    if (place) this.camera.show(...place);
     this.flashed = { event, at: performance.now() };
     byId("told").textContent = `${seconds(event.time)}: ${event.text}`;
     this.redraw();
   }
 
   placeOf(event) {
-    if (event.x !== null && event.x !== undefined) return [event.x, event.y];
+    if (event.x !== null && event.x !== undefined) return [event.x, event.y, event.z].slice(0, this.run.dim);
     if (event.bearing >= 0) return this.run.bearingEnds(this.run.bearings[event.bearing])[0];
     if (event.a >= 0 && this.run.bodies[event.a].free) return this.scene.middle(this.run.bodies[event.a]);
     return null;
@@ -230,12 +236,12 @@ class App {
         if (e.time > time) break;
         if (e.time < time - long || e.type.startsWith("stage.") || e.type.startsWith("bond.")) continue;
         const place = this.placeOf(e);
-        if (place) this.scene.flash(...place, (time - e.time) / long, colour(e));
+        if (place) this.scene.flash(place, (time - e.time) / long, colour(e));
       }
     if (!this.flashed) return;
     const age = (performance.now() - this.flashed.at) / 900, place = this.placeOf(this.flashed.event);
     if (age < 1 && place) {
-      this.scene.flash(...place, age, colour(this.flashed.event));
+      this.scene.flash(place, age, colour(this.flashed.event));
       this.redraw();
     } else this.flashed = null;
   }
@@ -253,12 +259,20 @@ class App {
       ArrowLeft: () => (far ? this.player.seek(this.player.time - 1) : this.player.step(-1)),
       ArrowUp: () => this.player.faster(1), ArrowDown: () => this.player.faster(-1),
       "+": () => this.zoom(1.4), "=": () => this.zoom(1.4), "-": () => this.zoom(1 / 1.4), f: () => this.fit(),
-      n: () => this.player.toEvent(1), p: () => this.player.toEvent(-1), c: () => this.nextColour(), t: () => this.switchTheme(),
+      n: () => this.player.toEvent(1), p: () => this.player.toEvent(-1), c: () => this.nextColour(), t: () => this.switchTheme(), v: () => this.nextView(),
       "?": () => byId("help").showModal(), Escape: () => this.select(null),
     }[e.key];
     if (!does || byId("help").open) return;
     e.preventDefault();
     does();
+  }
+
+  /** Of a model in space: from the next side. */
+  nextView() {
+    if (this.run.dim !== 3) return;
+    const at = viewsAround.findIndex(([azimuth, elevation]) => azimuth === this.camera.azimuth && elevation === this.camera.elevation);
+    this.camera.look(...viewsAround[(at + 1) % viewsAround.length]);
+    this.redraw();
   }
 
   nextColour() {
@@ -271,7 +285,7 @@ async function begin() {
     const element = byId("data");
     const data = await decode(element.textContent);
     element.remove();
-    window.trilith = new App(new Run(data));
+    window.trilith = new App(new (data.head.run.dim === 3 ? SpaceRun : Run)(data));
     document.documentElement.dataset.ready = "true";
   } catch (error) {
     byId("state").textContent = error.message;

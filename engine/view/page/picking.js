@@ -1,18 +1,8 @@
 // What is under the pointer; drag to pan, wheel or two fingers to zoom, click to choose.
 
-function inside(run, body, x, y) {
-  let hit = false;
-  for (let i = 0, k = body.vertices - 1; i < body.vertices; k = i++) {
-    const a = body.vertex + i, b = body.vertex + k;
-    if (run.pointY[a] > y !== run.pointY[b] > y &&
-        x < ((run.pointX[b] - run.pointX[a]) * (y - run.pointY[a])) / (run.pointY[b] - run.pointY[a]) + run.pointX[a]) hit = !hit;
-  }
-  return hit;
-}
-
 /** { bearing } or { body } at a place on the canvas, or null; bearings come first, then free bodies. */
 export function pick(scene, px, py) {
-  const { run, camera } = scene;
+  const { run } = scene;
   if (!run.frames) return null;
   let best = null, least = 12;
   if (scene.show.bearings)
@@ -23,9 +13,8 @@ export function pick(scene, px, py) {
       if (far < least) best = bearing, least = far;
     }
   if (best) return { bearing: best };
-  const [x, y] = camera.reach(px, py);
-  for (let i = scene.order.length - 1; i >= 0; i--) if (inside(run, scene.order[i], x, y)) return { body: scene.order[i] };
-  return null;
+  const body = scene.bodyAt(px, py);
+  return body ? { body } : null;
 }
 
 /** Wires the canvas. `on`: { changed(), chosen(hit), hovered(hit, x, y) }. */
@@ -53,7 +42,7 @@ export function listen(canvas, scene, on) {
     const dx = at[0] - before[0], dy = at[1] - before[1];
     moved += Math.hypot(dx, dy);
     if (moved < 4 && down.size === 1) return undefined;
-    if (down.size === 1) camera.pan(dx, dy);
+    if (down.size === 1) camera.drag(dx, dy, e);
     else pinch(camera, down, e.pointerId, at);
     down.set(e.pointerId, at);
     return on.changed();

@@ -6,10 +6,10 @@ export const stateNames = ["intact", "yielded", "failed", "changed", "waiting"];
 export const bearingStates = { intact: 0, yielded: 1, failed: 2, changed: 3, waiting: 4 };
 
 function eventOf(row, index, types) {
-  const [id, time, type, note, a, b, bearing, cause, x, y, text, figures] = row;
+  const [id, time, type, note, a, b, bearing, cause, x, y, text, figures, z] = row;
   const values = [];
   for (let i = 0; i + 2 < figures.length; i += 3) values.push({ name: figures[i], value: figures[i + 1], unit: figures[i + 2] });
-  return { index, id, time, type: types[type][0], heading: types[type][1], note, a, b, bearing, cause, x, y, text, values };
+  return { index, id, time, type: types[type][0], heading: types[type][1], note, a, b, bearing, cause, x, y, z, text, values };
 }
 
 /** First index whose value is above `time`. */
@@ -28,6 +28,7 @@ const floats = (block) => Float64Array.from(block.values, (v) => v * block.quant
 export class Run {
   constructor({ head, blocks }) {
     this.about = head.run;
+    this.dim = head.run.dim;
     this.bodies = head.bodies.map((body, index) => ({ ...body, index, free: isFree(body) }));
     this.bearings = head.bearings.map((bearing, index) => ({ ...bearing, index }));
     this.stages = head.stages;
@@ -40,6 +41,16 @@ export class Run {
     this.contactFrames = this.block("contact_frame").values;
     this.series = head.series.map((s) => ({
       ...s, times: this.samples(`${s.group}.time`), values: this.samples(s.block) }));
+    this.elements = Array.from({ length: head.elements.length / 5 }, (_, i) => ({
+      body: head.elements[5 * i], nodes: head.elements.slice(5 * i + 1, 5 * i + 5).filter((n) => n >= 0) }));
+    this.takeVertices(head);
+    this.takeJoints(head.joints);
+    this.pose(this.begin);
+    for (const body of this.bodies) body.area = this.areaOf(body);
+  }
+
+  /** Outline points, and room for where they and the nodes are. */
+  takeVertices(head) {
     this.vertexNode = new Int32Array(head.vertices.length / 3);
     this.vertexX = new Float64Array(this.vertexNode.length);
     this.vertexY = new Float64Array(this.vertexNode.length);
@@ -48,17 +59,12 @@ export class Run {
       this.vertexX[v] = head.vertices[3 * v + 1];
       this.vertexY[v] = head.vertices[3 * v + 2];
     });
-    this.elements = Array.from({ length: head.elements.length / 5 }, (_, i) => ({
-      body: head.elements[5 * i], nodes: head.elements.slice(5 * i + 1, 5 * i + 5).filter((n) => n >= 0) }));
     this.nodes = this.block("rotation").columns;
     this.nodeX = new Float64Array(this.nodes);
     this.nodeY = new Float64Array(this.nodes);
     this.turn = new Float64Array(this.nodes);
     this.pointX = new Float64Array(this.vertexNode.length);
     this.pointY = new Float64Array(this.vertexNode.length);
-    this.takeJoints(head.joints);
-    this.pose(this.begin);
-    for (const body of this.bodies) body.area = this.areaOf(body);
   }
 
   /** A column of samples as numbers; made once. */
@@ -146,8 +152,8 @@ export class Run {
     while (a > 0 && this.times[b] - this.times[a] < 1e-4) a--;
     const span = this.times[b] - this.times[a];
     if (span <= 0) return 0;
-    const [x0, y0] = this.centre(body, a), [x1, y1] = this.centre(body, b);
-    return Math.hypot(x1 - x0, y1 - y0) / span;
+    const from = this.centre(body, a), to = this.centre(body, b);
+    return Math.hypot(...to.map((v, k) => v - from[k])) / span;
   }
 
   /** Rotation of a rigid body since the start, rad; 0 for a body of many nodes. */
@@ -179,10 +185,10 @@ export class Run {
     return state;
   }
 
-  /** A column of a bearing over all frames: block "bearing_force" [N] or "bearing_displacement" [m], axis 0 or 1. */
+  /** A column of a bearing over all frames: block "bearing_force" [N] or "bearing_displacement" [m], axis 0, 1 or, in space, 2. */
   bearingColumn(bearing, name, axis) {
     const { values, quantum, columns } = this.block(name);
-    return Float64Array.from({ length: this.frames }, (_, f) => quantum * values[f * columns + 2 * bearing.index + axis]);
+    return Float64Array.from({ length: this.frames }, (_, f) => quantum * values[f * columns + this.dim * bearing.index + axis]);
   }
 
   /** Rows [first, last) of the contact forces that are nearest to frame `frame`. */

@@ -4,12 +4,22 @@ import { bearingStates } from "./run.js";
 const markOf = (palette, ink) => [ink, palette.yielded, palette.failed, palette.changed];
 export const crackModes = { tension: "#d03a00", shear: "#8a3ffc", compression: "#0b7a75", "": "#d03a00" };
 
+function inside(run, body, x, y) {
+  let hit = false;
+  for (let i = 0, k = body.vertices - 1; i < body.vertices; k = i++) {
+    const a = body.vertex + i, b = body.vertex + k;
+    if (run.pointY[a] > y !== run.pointY[b] > y &&
+        x < ((run.pointX[b] - run.pointX[a]) * (y - run.pointY[a])) / (run.pointY[b] - run.pointY[a]) + run.pointX[a]) hit = !hit;
+  }
+  return hit;
+}
+
 export class Scene {
   constructor(run, canvas, camera) {
     this.run = run;
     this.canvas = canvas;
     this.camera = camera;
-    this.context = canvas.getContext("2d");
+    this.context = this.contextOf(canvas);
     this.show = { forces: false, cracks: true, bearings: true, names: false, start: false };
     this.order = [...run.bodies].sort((a, b) => a.free - b.free);
     this.usualForce = this.findUsualForce();
@@ -19,15 +29,25 @@ export class Scene {
       run.pose(run.begin);
       this.startX = run.pointX.slice();
       this.startY = run.pointY.slice();
+      this.startZ = run.pointZ?.slice();
     }
+  }
+
+  contextOf(canvas) { return canvas.getContext("2d"); }
+
+  /** The body under a place on the canvas, free ones first, or null. */
+  bodyAt(px, py) {
+    const [x, y] = this.camera.reach(px, py);
+    for (let i = this.order.length - 1; i >= 0; i--) if (inside(this.run, this.order[i], x, y)) return this.order[i];
+    return null;
   }
 
   /** The force that nine in ten stay below, for the length of arrows. */
   findUsualForce() {
-    const { values, quantum, rows } = this.run.block("contact_force");
+    const { values, quantum, rows, columns } = this.run.block("contact_force");
     const sizes = [];
     for (let k = 0; k < rows; k += Math.max(1, Math.floor(rows / 5000)))
-      sizes.push(quantum * Math.hypot(values[2 * k], values[2 * k + 1]));
+      sizes.push(quantum * Math.hypot(...values.subarray(columns * k, columns * (k + 1))));
     sizes.sort((a, b) => a - b);
     return sizes[Math.floor(0.9 * (sizes.length - 1))] || 1;
   }
@@ -189,7 +209,7 @@ export class Scene {
     const state = run.bearingState(bearing, run.now.frame, run.now.time);
     if (state === bearingStates.waiting) return null;
     const [a, b] = run.bearingEnds(bearing);
-    const far = Math.hypot(a[0] - b[0], a[1] - b[1]);
+    const far = Math.hypot(...a.map((v, k) => v - b[k]));
     // What it changed to, sliding on a seat, ends where its bodies part.
     const shown = state === bearingStates.changed && far > 1 ? bearingStates.failed : state;
     return { a: camera.place(...a), b: camera.place(...b), state: shown };
@@ -279,14 +299,14 @@ export class Scene {
     c.stroke();
   }
 
-  /** A ring around where something has just happened; `age` from 0 (now) to 1 (over). */
-  flash(x, y, age, colour) {
+  /** A ring around the place where something has just happened; `age` from 0 (now) to 1 (over). */
+  flash(place, age, colour) {
     const c = this.context;
     c.globalAlpha = 1 - age;
     c.strokeStyle = colour;
     c.lineWidth = 2.5;
     c.beginPath();
-    c.arc(...this.camera.place(x, y), 8 + 26 * age, 0, 7);
+    c.arc(...this.camera.place(...place), 8 + 26 * age, 0, 7);
     c.stroke();
     c.globalAlpha = 1;
   }

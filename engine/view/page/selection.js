@@ -37,7 +37,7 @@ export class SelectionPanel {
   showBody(choice) {
     const { run } = this.app, body = choice.body, times = run.times;
     const column = (f) => Float64Array.from({ length: run.frames }, (_, i) => f(i));
-    const { x, y } = choice.trail;
+    const axes = Object.entries(choice.trail);  // x, y and, in space, z over the frames
     this.now = make("p", { class: "now" });
     const chips = run.bearings.filter((b) => b.a === body.index || b.b === body.index)
       .map((b) => make("button", { class: "chip", onclick: () => this.app.select({ bearing: b }) }, b.name));
@@ -46,12 +46,12 @@ export class SelectionPanel {
       facts([["material", body.material], ["groups", body.groups.replaceAll(" ", ", ")], ["support", body.support],
         ["mass", body.mass ? `${figures(body.mass)} kg` : ""], ["bonds at the start", body.bonds || ""]]),
       chips.length ? make("p", { class: "chips" }, "bearings ", ...chips) : "",
-      this.plot("displacement of its centre", "m", [{ name: "x", times, values: x.map((v) => v - x[0]) }, { name: "y", times, values: y.map((v) => v - y[0]) }]),
+      this.plot("displacement of its centre", "m", axes.map(([name, v]) => ({ name, times, values: v.map((at) => at - v[0]) }))),
       this.plot("speed", "m/s", [{ name: "speed", times, values: column((i) => run.speed(body, i)) }]),
       ...(body.nodes === 1 ? [this.plot("rotation", "rad", [{ name: "rotation", times, values: column((i) => run.rotation(body, i)) }])] : []),
       ...this.stressPlot(body),
       this.events((e) => e.a === body.index || e.b === body.index));
-    this.tell = (frame) => `displacement ${quantity(Math.hypot(x[frame] - x[0], y[frame] - y[0]), "m")}, speed ${quantity(run.speed(body, frame), "m/s")}`;
+    this.tell = (frame) => `displacement ${quantity(Math.hypot(...axes.map(([, v]) => v[frame] - v[0])), "m")}, speed ${quantity(run.speed(body, frame), "m/s")}`;
   }
 
   /** Mean stress over the elements of a body. */
@@ -73,8 +73,8 @@ export class SelectionPanel {
       this.head("bearing", bearing.name), this.now,
       make("p", { class: "chips" }, "between ", body(bearing.a), body(bearing.b)),
       facts([["law", bearing.law]]),
-      this.plot("force", "N", [line("x", "bearing_force", 0), line("y", "bearing_force", 1)]),
-      this.plot("displacement", "m", [line("along", "bearing_displacement", 0), line("across", "bearing_displacement", 1)]),
+      this.plot("force", "N", ["x", "y", "z"].slice(0, run.dim).map((name, k) => line(name, "bearing_force", k))),
+      this.plot("displacement", "m", (run.dim === 3 ? ["x", "y", "z"] : ["along", "across"]).map((name, k) => line(name, "bearing_displacement", k))),
       this.events((e) => e.bearing === bearing.index));
     this.tell = (frame, time) => {
       const state = run.bearingState(bearing, frame, time), mark = this.app.scene.bearingMark(bearing);

@@ -1,0 +1,89 @@
+// A run in space: nodes turn by quaternions, bodies have faces.
+import { Run } from "./run.js";
+
+/** Turns [x, y, z] by the unit quaternion w, u. */
+export function turned(w, ux, uy, uz, x, y, z) {
+  const tx = 2 * (uy * z - uz * y), ty = 2 * (uz * x - ux * z), tz = 2 * (ux * y - uy * x);
+  return [x + w * tx + uy * tz - uz * ty, y + w * ty + uz * tx - ux * tz, z + w * tz + ux * ty - uy * tx];
+}
+
+export class SpaceRun extends Run {
+  takeVertices(head) {
+    const count = head.vertices.length / 4;
+    this.vertexNode = new Int32Array(count);
+    for (const name of ["vertexX", "vertexY", "vertexZ", "pointX", "pointY", "pointZ"]) this[name] = new Float64Array(count);
+    for (let v = 0; v < count; v++)
+      [this.vertexNode[v], this.vertexX[v], this.vertexY[v], this.vertexZ[v]] = head.vertices.slice(4 * v, 4 * v + 4);
+    /** Of each body its faces, each a list of rows of the points. */
+    this.faces = head.faces.map((row) => {
+      const faces = [];
+      for (let at = 0; at < row.length; at += row[at] + 1) faces.push(row.slice(at + 1, at + 1 + row[at]));
+      return faces;
+    });
+    this.nodes = this.block("rotation").columns / 4;
+    this.place = new Float64Array(3 * this.nodes);
+    this.quaternion = new Float64Array(4 * this.nodes);
+  }
+
+  /** Linear between frames; quaternions along the shorter arc, made of length 1 again. */
+  pose(time) {
+    if (!this.frames) return;
+    const { frame, next, share } = this.locate(time);
+    this.now = { time, frame, next, share };
+    const position = this.block("position"), p = position.values, q = this.block("rotation").values;
+    for (let i = 0; i < 3 * this.nodes; i++) {
+      const a = p[3 * frame * this.nodes + i], b = p[3 * next * this.nodes + i];
+      this.place[i] = position.quantum * (a + share * (b - a));
+    }
+    for (let n = 0; n < this.nodes; n++) {
+      const a = 4 * (frame * this.nodes + n), b = 4 * (next * this.nodes + n);
+      const dot = q[a] * q[b] + q[a + 1] * q[b + 1] + q[a + 2] * q[b + 2] + q[a + 3] * q[b + 3];
+      let square = 0;
+      for (let k = 0; k < 4; k++) {
+        const v = (1 - share) * q[a + k] + (dot < 0 ? -share : share) * q[b + k];
+        this.quaternion[4 * n + k] = v;
+        square += v * v;
+      }
+      for (let k = 0; k < 4; k++) this.quaternion[4 * n + k] /= Math.sqrt(square) || 1;
+    }
+    for (let v = 0; v < this.vertexNode.length; v++)
+      [this.pointX[v], this.pointY[v], this.pointZ[v]] = this.placed(this.vertexNode[v], this.vertexX[v], this.vertexY[v], this.vertexZ[v]);
+  }
+
+  /** A point in the axes of a node, as posed now. */
+  placed(n, x, y, z) {
+    const q = this.quaternion, [a, b, c] = turned(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3], x, y, z);
+    return [this.place[3 * n] + a, this.place[3 * n + 1] + b, this.place[3 * n + 2] + c];
+  }
+
+  point(v) { return [this.pointX[v], this.pointY[v], this.pointZ[v]]; }
+
+  /** About the area that is seen of a body: a sixth of its box's surface. */
+  areaOf(body) {
+    const span = (values) => {
+      const own = values.subarray(body.vertex, body.vertex + body.vertices);
+      return own.length ? Math.max(...own) - Math.min(...own) : 0;
+    };
+    const a = span(this.vertexX), b = span(this.vertexY), c = span(this.vertexZ);
+    return (a * b + b * c + c * a) / 3;
+  }
+
+  centre(body, frame) {
+    const { values, quantum } = this.block("position"), at = 3 * (frame * this.nodes + body.node);
+    return [quantum * values[at], quantum * values[at + 1], quantum * values[at + 2]];
+  }
+
+  /** Angle by which a body has turned since the start, rad, at most pi. */
+  rotation(body, frame) {
+    const { values: q } = this.block("rotation"), a = 4 * body.node, b = 4 * (frame * this.nodes + body.node);
+    const size = (at) => Math.hypot(q[at], q[at + 1], q[at + 2], q[at + 3]);
+    // Of the quaternion that leads from one to the other: the scalar part, and the length of the rest.
+    const w = q[a] * q[b] + q[a + 1] * q[b + 1] + q[a + 2] * q[b + 2] + q[a + 3] * q[b + 3];
+    const all = size(a) * size(b);
+    return 2 * Math.atan2(Math.sqrt(Math.max(0, all * all - w * w)), Math.abs(w));
+  }
+
+  bearingEnds(bearing) {
+    return [this.placed(bearing.an, bearing.ax, bearing.ay, bearing.az), this.placed(bearing.bn, bearing.bx, bearing.by, bearing.bz)];
+  }
+}

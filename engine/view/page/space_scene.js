@@ -1,0 +1,281 @@
+// Draws a model in space: solids by WebGL, and marks, forces and the selection on a canvas over it.
+import { Scene } from "./scene.js";
+
+const vertexCode = `#version 300 es
+uniform vec3 right, up, toward, middle;
+uniform vec3 scale;   // clip units per metre: to the right, upwards, into the depth
+uniform float nearer;  // m towards the eye, so that edges lie on their faces
+in vec3 point;
+in vec3 colour;
+out vec3 fill, seen;
+void main() {
+  vec3 p = point - middle;
+  seen = vec3(dot(right, p), dot(up, p), dot(toward, p));
+  fill = colour;
+  gl_Position = vec4(seen.xy * scale.xy, -(seen.z + nearer) * scale.z, 1.0);
+}`;
+// The normal of a face follows from how its points change from pixel to pixel. Light comes from the upper left.
+const pixelCode = `#version 300 es
+precision highp float;
+uniform vec4 line;  // of edges: their colour; opacity 0 where faces are drawn
+in vec3 fill, seen;
+out vec4 shown;
+void main() {
+  vec3 n = normalize(cross(dFdx(seen), dFdy(seen)));
+  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.5, 0.8, 0.6)));
+  shown = line.a > 0.0 ? vec4(line.rgb, 1.0) : vec4(fill * (0.56 + 0.44 * light), 1.0);
+}`;
+
+/** #rrggbb, or rgb(r, g, b) as style sheets give it, to three numbers up to 1. */
+function shares(colour) {
+  if (colour.startsWith("#")) return [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16) / 255);
+  return (colour.match(/[\d.]+/g) ?? [0, 0, 0]).slice(0, 3).map((v) => Number(v) / 255);
+}
+
+function compiled(gl) {
+  const program = gl.createProgram();
+  for (const [kind, code] of [[gl.VERTEX_SHADER, vertexCode], [gl.FRAGMENT_SHADER, pixelCode]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, code);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(`WebGL: ${gl.getProgramInfoLog(program)}`);
+  return program;
+}
+
+export class SpaceScene extends Scene {
+  /** Solids go to the canvas itself, all else to one over it. */
+  contextOf(canvas) {
+    const gl = canvas.getContext("webgl2", { antialias: false });
+    if (!gl) throw new Error("This browser shows no models in space: it lacks WebGL 2.");
+    this.gl = gl;
+    this.over = document.createElement("canvas");
+    this.over.id = "over";
+    this.over.style.cssText = "position:absolute;inset:0;width:100%;height:100%;pointer-events:none";
+    canvas.after(this.over);
+    canvas.addEventListener("contextmenu", (e) => e.preventDefault());
+    this.program = compiled(gl);
+    gl.useProgram(this.program);
+    this.at = (name) => gl.getUniformLocation(this.program, name);
+    this.takeFaces();
+    return this.over.getContext("2d");
+  }
+
+  /** Triangles of all faces and each edge once; both count the points of the run. */
+  takeFaces() {
+    const { gl, run } = this, triangles = [], edges = [];
+    run.faces.forEach((faces) => {
+      const seen = new Set();
+      for (const face of faces)
+        face.forEach((a, i) => {
+          const b = face[(i + 1) % face.length], key = a < b ? `${a} ${b}` : `${b} ${a}`;
+          if (i > 0 && i + 1 < face.length) triangles.push(face[0], a, b);
+          if (!seen.has(key)) seen.add(key), edges.push(a, b);
+        });
+    });
+    const list = (values) => {
+      const buffer = gl.createBuffer();
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint32Array.from(values), gl.STATIC_DRAW);
+      return { buffer, count: values.length };
+    };
+    [this.triangles, this.edges] = [list(triangles), list(edges)];
+    this.points = new Float32Array(3 * run.vertexNode.length);
+    this.fills = new Uint8Array(this.points.length);
+    const numbers = (name, type, normalised) => {
+      const buffer = gl.createBuffer(), place = gl.getAttribLocation(this.program, name);
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.enableVertexAttribArray(place);
+      gl.vertexAttribPointer(place, 3, type, normalised, 0, 0);
+      return buffer;
+    };
+    this.pointBuffer = numbers("point", gl.FLOAT, false);
+    this.fillBuffer = numbers("colour", gl.UNSIGNED_BYTE, true);
+  }
+
+  resize() {
+    super.resize();
+    this.over.width = this.canvas.width;
+    this.over.height = this.canvas.height;
+    // Drawn finer than it is shown: some machines get the depth of lines wrong that they smooth themselves.
+    if (this.ratio < 2) {
+      this.canvas.width *= 2;
+      this.canvas.height *= 2;
+    }
+    this.gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+  }
+
+  draw(time, colours, selection) {
+    const { run, gl, context: c, camera } = this, theme = colours.theme;
+    gl.clearColor(...shares(theme.paper), 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    c.clearRect(0, 0, camera.width, camera.height);
+    if (!run.frames) return;
+    run.pose(time);
+    this.measure();
+    this.aim();
+    this.fill(colours.at(run.now.frame, time));
+    this.upload(run.pointX, run.pointY, run.pointZ);
+    gl.enable(gl.DEPTH_TEST);
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(2, 2);
+    this.drawList(gl.TRIANGLES, this.triangles, [0, 0, 0, 0]);
+    this.drawList(gl.LINES, this.edges, [...shares(theme.outline), 1]);
+    if (this.show.start) {
+      this.upload(this.startX, this.startY, this.startZ);
+      this.drawList(gl.LINES, this.edges, [...shares(theme.ghost), 1]);
+    }
+    if (this.show.forces) this.drawForces(theme);
+    if (this.show.bearings) this.drawBearings(theme, selection);
+    if (this.show.names) this.drawNames(theme);
+    if (selection) this.drawSelection(selection, theme);
+    this.drawAxes(theme);
+  }
+
+  /** How far any point is from the origin, m: the depth that must be told apart. */
+  measure() {
+    const { run } = this;
+    this.farthest = 1e-3;
+    for (let v = 0; v < run.vertexNode.length; v++) this.farthest = Math.max(this.farthest, Math.hypot(run.pointX[v], run.pointY[v], run.pointZ[v]));
+  }
+
+  aim() {
+    const { gl, camera } = this;
+    for (const name of ["right", "up", "toward"]) gl.uniform3fv(this.at(name), camera[name]);
+    gl.uniform3f(this.at("middle"), camera.x, camera.y, camera.z);
+    const deep = 1 / (this.farthest + Math.hypot(camera.x, camera.y, camera.z));
+    gl.uniform3f(this.at("scale"), (2 * camera.scale) / camera.width, (2 * camera.scale) / camera.height, deep);
+  }
+
+  /** A body's colour for each of its points. */
+  fill(colours) {
+    const { run, gl } = this;
+    for (const body of run.bodies) {
+      const colour = shares(colours[body.index]).map((v) => Math.round(255 * v));
+      for (let v = body.vertex; v < body.vertex + body.vertices; v++) this.fills.set(colour, 3 * v);
+    }
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.fillBuffer);
+    gl.bufferData(gl.ARRAY_BUFFER, this.fills, gl.DYNAMIC_DRAW);
+  }
+
+  /** Bodies that have left the bounds shrink to nothing. */
+  upload(xs, ys, zs) {
+    const { run, gl } = this;
+    for (const body of run.bodies) {
+      const gone = body.leaves <= run.now.time;
+      for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
+        const from = gone ? body.vertex : v;
+        this.points[3 * v] = xs[from];
+        this.points[3 * v + 1] = ys[from];
+        this.points[3 * v + 2] = zs[from];
+      }
+    }
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.pointBuffer);
+    gl.bufferData(gl.ARRAY_BUFFER, this.points, gl.DYNAMIC_DRAW);
+  }
+
+  drawList(kind, list, line) {
+    const { gl } = this;
+    gl.uniform4fv(this.at("line"), line);
+    gl.uniform1f(this.at("nearer"), line[3] > 0 ? Math.min(4 / this.camera.scale, 0.12 * this.usualSize) : 0);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, list.buffer);
+    gl.drawElements(kind, list.count, gl.UNSIGNED_INT, 0);
+  }
+
+  drawForces(theme) {
+    const { run, context: c, camera } = this;
+    const [first, last] = run.contactRows(run.now.frame);
+    const place = run.block("contact_place"), force = run.block("contact_force"), pair = run.block("contact_pair").values;
+    c.strokeStyle = c.fillStyle = theme.force;
+    c.lineWidth = 1.6;
+    for (let k = first; k < last; k++) {
+      const row = (block) => [0, 1, 2].map((i) => block.quantum * block.values[3 * k + i]);
+      const at = row(place), f = row(force), size = Math.hypot(...f);
+      if (this.forceLength(size) < 1.5) continue;
+      // Of the two bodies' forces the one on the body that is held up by it.
+      const aFree = run.bodies[pair[3 * k]]?.free, bFree = run.bodies[pair[3 * k + 1]]?.free;
+      const metres = ((aFree === bFree ? f[2] < 0 : bFree) ? -1 : 1) * this.forceLength(size) / camera.scale / size;
+      const [x, y] = camera.place(...at), [ex, ey] = camera.place(...at.map((v, i) => v + metres * f[i]));
+      const length = Math.hypot(ex - x, ey - y);
+      c.beginPath();
+      c.moveTo(x, y);
+      c.lineTo(ex, ey);
+      c.stroke();
+      if (length > 9) this.arrowHead(ex, ey, (ex - x) / length, (ey - y) / length);
+    }
+  }
+
+  middle(body) {
+    const sum = [0, 0, 0];
+    for (let v = body.vertex; v < body.vertex + body.vertices; v++) this.run.point(v).forEach((value, k) => (sum[k] += value / body.vertices));
+    return sum;
+  }
+
+  /** The edges of the chosen body, and where its centre went. */
+  drawSelection(selection, theme) {
+    if (!selection.body) return super.drawSelection(selection, theme);
+    const { run, context: c, camera } = this, { x, y, z } = selection.trail;
+    c.strokeStyle = theme.accent;
+    c.lineWidth = 1.5;
+    c.beginPath();
+    for (let f = 0; f <= run.now.frame; f++) c.lineTo(...camera.place(x[f], y[f], z[f]));
+    c.stroke();
+    c.lineWidth = 2;
+    for (const face of run.faces[selection.body.index]) {
+      c.beginPath();
+      for (const v of face) c.lineTo(...camera.place(...run.point(v)));
+      c.closePath();
+      c.stroke();
+    }
+    return undefined;
+  }
+
+  drawAxes(theme) {
+    const { context: c, camera } = this, [x, y] = [camera.width - 60, camera.height - 90], length = 24;
+    c.strokeStyle = c.fillStyle = theme.quiet;
+    c.lineWidth = 1.5;
+    c.font = "12px system-ui, sans-serif";
+    c.textAlign = "center";
+    c.textBaseline = "middle";
+    ["x", "y", "z"].forEach((name, k) => {
+      const dx = length * camera.right[k], dy = -length * camera.up[k];
+      c.beginPath();
+      c.moveTo(x, y);
+      c.lineTo(x + dx, y + dy);
+      c.stroke();
+      if (Math.hypot(dx, dy) > 6) c.fillText(name, x + 1.35 * dx, y + 1.35 * dy);
+    });
+  }
+
+  /** The body whose face is nearest to the eye at a place on the canvas, or null. */
+  bodyAt(px, py) {
+    const { run, camera } = this;
+    let best = null, nearest = -Infinity;
+    for (const body of this.order)
+      for (const face of run.faces[body.index]) {
+        const corners = face.map((v) => run.point(v)), flat = corners.map((p) => camera.place(...p));
+        let hit = false;
+        for (let i = 0, k = flat.length - 1; i < flat.length; k = i++)
+          if (flat[i][1] > py !== flat[k][1] > py && px < ((flat[k][0] - flat[i][0]) * (py - flat[i][1])) / (flat[k][1] - flat[i][1]) + flat[i][0]) hit = !hit;
+        if (!hit) continue;
+        const depth = depthAt(flat, corners.map((p) => camera.depth(...p)), px, py);
+        if (depth > nearest) [best, nearest] = [body, depth];
+      }
+    return best;
+  }
+}
+
+/** How near the plane of a face is at a place on the canvas, from the face's first corner that is no edge-on. */
+function depthAt(flat, depth, px, py) {
+  const [x, y] = flat[0];
+  for (let i = 1; i + 1 < flat.length; i++) {
+    const ax = flat[i][0] - x, ay = flat[i][1] - y, bx = flat[i + 1][0] - x, by = flat[i + 1][1] - y, area = ax * by - ay * bx;
+    if (Math.abs(area) < 1e-6) continue;
+    const s = ((px - x) * by - (py - y) * bx) / area, t = (ax * (py - y) - ay * (px - x)) / area;
+    return depth[0] + s * (depth[i] - depth[0]) + t * (depth[i + 1] - depth[0]);
+  }
+  return -Infinity;
+}
