@@ -47,14 +47,12 @@ void mark_inner_faces(std::vector<ConvexSolid>& pieces) {
   }
 }
 
-/// Laws whose joints hold together or lose depth, which need more memory than solids have.
-bool remembers_joint(const ContactLaw& law) {
-  return std::visit(
-      [](const auto& l) {
-        using Kernel = typename std::decay_t<decltype(l)>::Kernel;
-        return Kernel::bonds || Kernel::crushes;
-      },
-      law);
+/// Laws whose joints lose depth for good, which solids do not remember.
+bool loses_depth(const ContactLaw& law) {
+  return with_kernel(LawInUse{law}, []<class K>(const K& kernel) {
+    if constexpr (K::crushes) return kernel.crushing > 0;
+    return false;
+  });
 }
 
 void check_solid_body(const Model<3>& model, const SolidBody& body) {
@@ -138,11 +136,9 @@ void SpaceBuilder::contact(int surface_a, int surface_b, const ContactLaw& law, 
   if (surface_a < 0 || surface_b < 0)
     throw InputError(fmt::format("contact '{}' is between surfaces {} and {}; they are numbered from 0", name,
                                  surface_a, surface_b));
-  if (remembers_joint(law))
+  if (loses_depth(law))
     throw InputError(
-        fmt::format("contact '{}' bonds or crushes, which solids in space do not do yet; take a frictional "
-                    "or power law",
-                    name));
+        fmt::format("contact '{}' crushes, which solids in space do not do yet; leave out its compression", name));
   pairings_.push_back({surface_a, surface_b, static_cast<int>(model_.laws.size())});
   model_.laws.push_back(law), model_.law_names.push_back(name);
 }

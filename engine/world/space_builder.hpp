@@ -37,7 +37,7 @@ class SpaceBuilder {
   /// check_convex), a density that is not above 0, numbers that are not finite.
   int add(const SolidBody& body);
   /// The law between two surfaces, which are numbered from 0. Without one, bodies pass through each other. Throws
-  /// InputError: a law that bonds or crushes, which solids in space do not do yet; a surface below 0.
+  /// InputError: a law that crushes, which solids in space do not do yet; a surface below 0.
   void contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name);
   [[nodiscard]] Model<3> build() const;
 
