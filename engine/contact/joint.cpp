@@ -15,15 +15,15 @@ constexpr double longest_turn = 0.02;
 /// Slid by more than this share of their width, faces without bonds share another area than that of their joint.
 constexpr double longest_slide = 0.01;
 
-/// Shares of its stiffness that a patch holds where it softens.
+/// Shares of its stiffness that a patch holds at its places.
 template <class K>
-PatchHolds holds_of(const K& law, const PatchMemory& m) {
-  PatchHolds hold;
-  hold.fill(1);
-  if constexpr (is_softening<K>)
-    for (std::size_t q = 0; q < patch_points; ++q)
-      if (m.damage[q] > 0) hold[q] = m.damage[q] < 1 ? law.held(1 - m.damage[q]) : 0.0;
-  return hold;
+Lanes holds_of(const K& law, const PatchMemory& m) {
+  const Lanes one = Lanes{} + 1.0;
+  if constexpr (is_softening<K>) {
+    const Lanes damage = lanes_of(m.damage);
+    if (any(damage > Lanes{})) return select(damage > Lanes{}, law.held(one - damage), one);
+  }
+  return one;
 }
 
 /// How far sliding has opened a patch [m].
@@ -74,7 +74,7 @@ class JointStep {
     return -least;
   }
 
-  /// Brittle bonds that are beyond their limit: of tension at a corner of a patch, of shear over all of it.
+  /// Brittle bonds that are beyond their limit: of tension at a corner of a patch, of shear at one of its places.
   [[nodiscard]] std::uint32_t lost_bonds(double widest) const {
     std::uint32_t gone = 0;
     for (std::size_t k = 0; k < plan_.patch.size(); ++k) {
@@ -84,9 +84,10 @@ class JointStep {
       double opening = -std::numeric_limits<double>::max();
       if (law_.kn * widest > law_.tension)
         for (const Vec2& x : plan_.corners(p)) opening = std::max(opening, -o.bond(x));
-      const double closed = where_closed(plan_, p, o.bond).force / p.area, open = closed - o.bond(p.middle);
-      const Vec3 trial = before_.patch[k].elastic + law_.ks * p.area * law_.dt * motion_.slip_of(p);
-      if (law_.exceeded(opening, shear_measure(p, trial), law_.shear_strength(closed, open), p.area)) gone |= 1U << k;
+      const Lanes zero{}, u = at_points(p, o.bond), closed = larger(u, zero), open = closed - u;
+      const PatchTrial trial(law_, p, before_.patch[k], p.area, motion_);
+      const Lanes shear_now = root(trial.elastic.dot(trial.elastic)), size = zero + 0.25 * p.area;
+      if (any(law_.exceeded(zero + opening, shear_now, law_.shear_strength(closed, open), size))) gone |= 1U << k;
     }
     return gone != 0 && !law_.by_point ? ~0U : gone;
   }
@@ -94,16 +95,15 @@ class JointStep {
   /// Damage by opening. A patch whose places have all failed has lost its bond.
   void open_patch(std::size_t k, const PatchOverlaps& o) {
     if constexpr (is_softening<K>) {
-      const JointPatch& p = plan_.patch[k];
-      for (std::size_t q = 0; q < patch_points; ++q) {
-        double& d = after_.patch[k].damage[q];
-        d = std::max(d, 1 - law_.strength_left(-o.bond(p.point[q]), 1 - d));
-      }
+      PatchMemory& m = after_.patch[k];
+      const Lanes damage = lanes_of(m.damage), opening = -at_points(plan_.patch[k], o.bond), one = Lanes{} + 1.0;
+      const Lanes left = law_.strength_left(opening, one - damage);
+      store_lanes(select(left < one - damage, one - left, damage), m.damage);
       keep_bond(k);
     }
   }
   void keep_bond(std::size_t k) {
-    std::array<double, patch_points>& damage = after_.patch[k].damage;
+    PatchNumbers& damage = after_.patch[k].damage;
     if (after_.bonded(static_cast<int>(k)) && *std::min_element(damage.begin(), damage.end()) < 1) return;
     after_.bonds &= ~(1U << k), damage.fill(1);
   }
@@ -117,16 +117,17 @@ class JointStep {
     const bool was_bonded = before_.bonded(static_cast<int>(k));
     if (is_softening<K> && was_bonded && (widest > first_opening() || after_.bonds == 0)) open_patch(k, o);
     const bool bonded = after_.bonded(static_cast<int>(k));
-    const PatchHolds hold = holds_of(law_, is);
+    const Lanes hold = holds_of(law_, is);
     const PatchStress stress = elastic_stress(plan_, p, o, bonded, hold);
     pressed.add(stress, 1);
     double force = stress.force;
+    LinearOverlap damped;
     if (law_.beta > 0 && stress.area > 0) {
-      const PatchStress damped =
-          damping_stress(plan_, p, o, bonded, hold, LinearOverlap().plus(motion_.rate, law_.beta));
-      damping.add(damped, 1), force += damped.force;
+      damped = damped.plus(motion_.rate, law_.beta);
+      const PatchStress more = damping_stress(plan_, p, o, bonded, hold, damped);
+      damping.add(more, 1), force += more.force;
     }
-    slide(k, stress.area, law_.kn * force);
+    slide(k, stress, law_.kn * normal_at_points(p, o, bonded, hold, damped, force));
     if (was_bonded && (!after_.bonded(static_cast<int>(k)) || is.damage != was.damage))
       lost.fracture += given_off(k, stress);
     softened = softened || is.damage != was.damage;
@@ -138,28 +139,22 @@ class JointStep {
     return 0;
   }
 
-  void slide(std::size_t k, double area, double normal) {
-    const JointPatch& p = plan_.patch[k];
+  /// `normal`: at its places [N].
+  void slide(std::size_t k, const PatchStress& stress, const Lanes& normal) {
     const PatchMemory& was = before_.patch[k];
     PatchMemory& is = after_.patch[k];
-    const PatchTrial trial(law_, p, was, area, motion_.slip_of(p));
-    const bool bonded = after_.bonded(static_cast<int>(k));
-    PatchLosses of_patch;
+    const PatchTrial trial(law_, plan_.patch[k], was, stress.area, motion_);
     if constexpr (is_softening<K>) {
-      if (bonded) {
-        soften_patch(law_, trial, was, area, normal, is, of_patch);
-        keep_bond(k);
-      } else {
-        slide_patch(law_, trial, was, area, law_.mu * std::max(normal, 0.0), is, of_patch);
-      }
+      soften_patch(law_, trial, was, stress.area, normal, is, lost);
+      keep_bond(k);
       // The work sliding does against the pressure as it opens the joint comes out of what friction would take.
       const double opened = opened_by(law_, is.slip) - opened_by(law_, was.slip);
-      if (opened > 0) of_patch.friction -= (normal + 0.5 * law_.kn * opened * area) * opened;
+      if (opened > 0) lost.friction -= law_.kn * (stress.force + 0.5 * opened * stress.area) * opened;
     } else {
-      const double limit = bonded ? std::numeric_limits<double>::max() : law_.mu * std::max(normal, 0.0);
-      slide_patch(law_, trial, was, area, limit, is, of_patch);
+      const bool bonded = after_.bonded(static_cast<int>(k));
+      const Lanes limit = bonded ? Lanes{} + std::numeric_limits<double>::max() : law_.mu * larger(normal, Lanes{});
+      slide_patch(law_, trial, was, stress.area, limit, is, lost);
     }
-    lost.damping += of_patch.damping, lost.friction += of_patch.friction, lost.fracture += of_patch.fracture;
   }
 
   /// What a bond that holds less than before gave off: its energy before and after the step, and the work between, with
@@ -177,10 +172,13 @@ class JointStep {
   }
 
   void sum_shear(const JointPatch& p, const PatchMemory& m, double slid) {
-    const Vec2 total = m.total.head<2>(), elastic = m.elastic.head<2>();
-    shear += total, shear_elastic += elastic;
-    couple += cross(p.middle, total) + p.gyration * m.total.z();
-    couple_elastic += cross(p.middle, elastic) + p.gyration * m.elastic.z();
+    const Lanes x = lanes_of(p.point_x), y = lanes_of(p.point_y);
+    const auto add = [&](const PatchNumbers& along_x, const PatchNumbers& along_y, Vec2& force, double& about) {
+      const Lanes fx = lanes_of(along_x), fy = lanes_of(along_y);
+      force += Vec2(sum_of(fx), sum_of(fy)), about += sum_of(x * fy - y * fx);
+    };
+    add(m.total_x, m.total_y, shear, couple);
+    add(m.elastic_x, m.elastic_y, shear_elastic, couple_elastic);
     slip += slid * p.area / plan_.area;
   }
 
@@ -243,7 +241,8 @@ double energy_of(const JointMemory& joint, const K& law) {
     const PatchMemory& m = joint.patch[k];
     const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip)));
     sum += law.kn * elastic_stress(*joint.plan, p, o, joint.bonded(static_cast<int>(k)), holds_of(law, m)).energy;
-    if (law.ks * m.active > 0) sum += 0.5 * m.elastic.squaredNorm() / (law.ks * m.active);
+    const Lanes x = lanes_of(m.elastic_x), y = lanes_of(m.elastic_y);
+    if (law.ks * m.active > 0) sum += 2 * sum_of(x * x + y * y) / (law.ks * m.active);
   }
   return sum;
 }
@@ -299,18 +298,19 @@ JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const Body
   joint.bonds = all_bonds(*plan);
   const JointMotion motion(*plan, a, b);
   double second = 0;
-  for (const JointPatch& p : plan->patch) second += p.area * (p.middle.squaredNorm() + p.gyration * p.gyration);
-  const auto spread = [&](const Vec3& force, Vec3 PatchMemory::*part) {
+  for (const JointPatch& p : plan->patch) second += p.area * p.middle.squaredNorm() + p.xx + p.yy;
+  const auto spread = [&](const Vec3& force, PatchNumbers PatchMemory::*along_x, PatchNumbers PatchMemory::*along_y) {
     const Vec2 mean = Vec2(motion.x.dot(force), motion.y.dot(force)) / plan->area;
     const double twist = motion.normal.dot(force) * plan->radius / second;
     for (std::size_t k = 0; k < plan->patch.size(); ++k) {
       const JointPatch& p = plan->patch[k];
-      const Vec2 in_plane = p.area * (mean + twist * Vec2(-p.middle.y(), p.middle.x()));
-      joint.patch[k].*part = Vec3(in_plane.x(), in_plane.y(), p.area * twist * p.gyration);
+      store_lanes(0.25 * p.area * (mean.x() - twist * lanes_of(p.point_y)), joint.patch[k].*along_x);
+      store_lanes(0.25 * p.area * (mean.y() + twist * lanes_of(p.point_x)), joint.patch[k].*along_y);
       joint.patch[k].active = p.area;
     }
   };
-  spread(before.shear.elastic, &PatchMemory::elastic), spread(before.shear.total, &PatchMemory::total);
+  spread(before.shear.elastic, &PatchMemory::elastic_x, &PatchMemory::elastic_y);
+  spread(before.shear.total, &PatchMemory::total_x, &PatchMemory::total_y);
   return joint;
 }
 

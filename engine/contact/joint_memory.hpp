@@ -14,7 +14,7 @@ struct JointPlan;
 /// Patches that a joint is divided into along each of its two axes, and in all.
 inline constexpr int patches_along = 4;
 inline constexpr int most_patches = patches_along * patches_along;
-/// Places of a patch that soften each for itself.
+/// Places of a patch that soften and slide each for itself.
 inline constexpr int patch_points = 4;
 
 /// An overlap that is linear over the plane of a joint; below 0 where the faces stand apart.
@@ -29,22 +29,23 @@ struct LinearOverlap {
   [[nodiscard]] LinearOverlap raised(double by) const { return {at + by, slope}; }
 };
 
-/// History of one patch. Shear is counted along the joint's axes; the third part is the couple about the patch's own
-/// middle over its radius of gyration.
+/// One number for each place of a patch.
+using PatchNumbers = std::array<double, patch_points>;
+
+/// History of one patch. Each of its places carries shear by a spring and a slider of its own, along the joint's axes.
 struct PatchMemory {
-  Vec3 elastic = Vec3::Zero();                   ///< first body drives the second by it, of the springs [N]
-  Vec3 total = Vec3::Zero();                     ///< ... with damping [N]
-  double active = 0;                             ///< area that carries it [m2]
-  double slip = 0;                               ///< accumulated sliding distance [m]
-  std::array<double, patch_points> damage = {};  ///< share of the strength that is lost
+  PatchNumbers elastic_x{}, elastic_y{};  ///< the first body drives the second by it, of the springs [N]
+  PatchNumbers total_x{}, total_y{};      ///< ... with damping [N]
+  PatchNumbers damage{};                  ///< share of the strength that is lost
+  double active = 0;                      ///< area that carries shear [m2]
+  double slip = 0;                        ///< accumulated sliding distance, mean of its places [m]
 
   /// Calls f with every number in turn. `Self`: of either constness.
   template <class Self, class F>
   static void fields(Self& m, F&& f) {
-    for (auto* v : {&m.elastic, &m.total})
-      for (const int k : {0, 1, 2}) f((*v)[k]);
+    for (auto* numbers : {&m.elastic_x, &m.elastic_y, &m.total_x, &m.total_y, &m.damage})
+      for (auto& v : *numbers) f(v);
     f(m.active), f(m.slip);
-    for (auto& d : m.damage) f(d);
   }
 };
 

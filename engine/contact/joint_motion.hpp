@@ -25,10 +25,6 @@ struct JointMotion {
   JointMotion(const JointPlan& plan, const BodyMotion& a, const BodyMotion& b);
 
   [[nodiscard]] Vec3 in_world(const Vec2& p) const { return p.x() * x + p.y() * y; }
-  /// Slip of a patch: along both axes, and its turning times the radius of gyration [m/s].
-  [[nodiscard]] Vec3 slip_of(const JointPatch& p) const {
-    return {slip.x() - spin * p.middle.y(), slip.y() + spin * p.middle.x(), spin * p.gyration};
-  }
 };
 
 inline JointMotion::JointMotion(const JointPlan& plan, const BodyMotion& a, const BodyMotion& b) {

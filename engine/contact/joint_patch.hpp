@@ -1,4 +1,4 @@
-// One patch of a joint: normal stress, exact where it is linear, and shear by one slider.
+// One patch of a joint: normal stress, exact where it is linear, and shear by a slider at each of its four places.
 //
 // Pressure. u is the overlap that the bond feels, c that of the faces (they differ where mortar fills a gap), both
 // linear. A sound bond carries kn u all over the patch, a lost one kn c where c is above 0, over the true polygon. One
@@ -6,21 +6,18 @@
 //
 //     sigma = u - sum over places of (1 - hold) A/4 (u - max(c, 0))        and its moments and its energy alike
 //
-// Shear. Slip along both axes and turning about the patch's middle, the latter times the radius of gyration g, go
-// through one slider, so that its stiffness ks A holds for all three: ks A g^2 is ks J. A force (V, T / g) is at its
-// limit L on
+// Shear. Each place has a quarter of the area that carries, a Kelvin-Voigt spring in series with a slider as half of a
+// line has in the plane (contact/shear.hpp), of which the direction is free: it slides along its force. As the places
+// have the second moments of the patch, all of them together turn about any axis with the stiffness ks J. Where a patch
+// has lost its bond its pressure is shared out among them as the overlap at each says.
 //
-//     x^2 + y^2 + k x^2 y^2 = 1,     x = V / L,  y = T / (L r),  k = 1.7 (r / g)^2 - 1,
-//
-// r the mean distance from the middle: turning alone has its limit L r, and a patch far from the axis that it turns
-// about carries L times its mean distance from it, so that a square in 4 by 4 has its limit to .3 %. The direction of
-// the force is kept as it slides.
+// The places of a patch are the lanes of one.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-#include "contact/joint_plan.hpp"
+#include "contact/joint_motion.hpp"
 #include "contact/list.hpp"
 
 namespace trilith {
@@ -36,7 +33,20 @@ inline constexpr bool is_softening = [] {
 template <class K>
 inline constexpr bool is_brittle = K::bonds && !is_softening<K>;
 
-using PatchHolds = std::array<double, patch_points>;
+static_assert(patch_points == lane_count);
+
+inline Lanes lanes_of(const PatchNumbers& v) {
+  return Lanes{v[0], v[1], v[2], v[3]};
+}
+inline void store_lanes(const Lanes& v, PatchNumbers& to) {
+  to = {v[0], v[1], v[2], v[3]};
+}
+inline double sum_of(const Lanes& v) {
+  return (v[0] + v[1]) + (v[2] + v[3]);
+}
+inline Lanes at_points(const JointPatch& p, const LinearOverlap& f) {
+  return f.at + f.slope.x() * lanes_of(p.point_x) + f.slope.y() * lanes_of(p.point_y);
+}
 
 /// What the normal stresses of a patch add up to, over the stiffness; moments about the joint's origin.
 struct PatchStress {
@@ -73,78 +83,100 @@ struct PatchOverlaps {
       : bond(moved.plus(p.laid)), faces(moved.plus(plan.standing)) {}
 };
 
+/// `hold`: shares of the stiffness that its places hold.
 inline PatchStress elastic_stress(const JointPlan& plan, const JointPatch& p, const PatchOverlaps& o, bool bonded,
-                                  const PatchHolds& hold) {
+                                  const Lanes& hold) {
   if (!bonded) return where_closed(plan, p, o.faces);
   PatchStress out = over_all(p, o.bond);
-  for (std::size_t q = 0; q < patch_points; ++q) {
-    const double lack = 1 - hold[q];
-    if (lack == 0) continue;
-    const double u = o.bond(p.point[q]), c = std::max(o.faces(p.point[q]), 0.0), share = 0.25 * p.area * lack;
-    out.force -= share * (u - c), out.moment -= share * (u - c) * p.point[q];
-    out.energy -= 0.5 * share * (u * u - c * c);
-  }
+  const Lanes lack = 1.0 - hold;
+  if (!any(lack != Lanes{})) return out;
+  const Lanes u = at_points(p, o.bond), c = larger(at_points(p, o.faces), Lanes{});
+  const Lanes share = 0.25 * p.area * lack, lost = share * (u - c);
+  out.force -= sum_of(lost);
+  out.moment -= Vec2(sum_of(lost * lanes_of(p.point_x)), sum_of(lost * lanes_of(p.point_y)));
+  out.energy -= 0.5 * sum_of(share * (u * u - c * c));
   return out;
 }
 
-/// Of overlaps that grow at `rate`, times beta [m]: where faces alone press they never pull by it.
-inline PatchStress damping_stress(const JointPlan& plan, const JointPatch& p, const PatchOverlaps& o, bool bonded,
-                                  const PatchHolds& hold, const LinearOverlap& rate) {
-  if (bonded) {
-    PatchStress out = over_all(p, rate);
-    for (std::size_t q = 0; q < patch_points; ++q) {
-      const double lack = 1 - hold[q];
-      if (lack == 0) continue;
-      const double r = rate(p.point[q]), c = o.faces(p.point[q]), pressed = c > 0 ? std::max(c + r, 0.0) - c : 0.0;
-      const double force = 0.25 * p.area * lack * (r - pressed);
-      out.force -= force, out.moment -= force * p.point[q];
-    }
-    return out;
-  }
-  const LinearOverlap damped = o.faces.plus(rate);
+/// The part where the faces of a patch overlap, under another overlap that is counted where it is above 0.
+inline PatchStress where_both_closed(const JointPlan& plan, const JointPatch& p, const LinearOverlap& faces,
+                                     const LinearOverlap& f) {
   std::array<Vec2, 2 * max_face_corners> closed;
   std::size_t count = 0;
   const std::span<const Vec2> corners = plan.corners(p);
   for (std::size_t i = 0; i < corners.size() && count + 2 < closed.size(); ++i) {
     const Vec2 &from = corners[i], &to = corners[i + 1 < corners.size() ? i + 1 : 0];
-    const double a = o.faces(from), b = o.faces(to);
+    const double a = faces(from), b = faces(to);
     if (a >= 0) closed[count++] = from;
     if ((a > 0 && b < 0) || (a < 0 && b > 0)) closed[count++] = from + a / (a - b) * (to - from);
   }
   if (count < 3) return {};
-  const FaceIntegrals total = integrals_in_contact({closed.data(), count}, damped.at, damped.slope);
-  PatchStress out{total.first, total.first_moment, 0, 0};
-  out.add(where_closed(plan, p, o.faces), -1);
+  const FaceIntegrals sum = integrals_in_contact({closed.data(), count}, f.at, f.slope);
+  return {sum.first, sum.first_moment, 0, 0};
+}
+
+/// Of overlaps that grow at `rate`, times beta [m]: where faces alone press they never pull by it.
+inline PatchStress damping_stress(const JointPlan& plan, const JointPatch& p, const PatchOverlaps& o, bool bonded,
+                                  const Lanes& hold, const LinearOverlap& rate) {
+  if (!bonded) {
+    PatchStress out = where_both_closed(plan, p, o.faces, o.faces.plus(rate));
+    out.add(where_closed(plan, p, o.faces), -1);
+    return out;
+  }
+  PatchStress out = over_all(p, rate);
+  const Lanes lack = 1.0 - hold, zero{};
+  if (!any(lack != zero)) return out;
+  const Lanes r = at_points(p, rate), c = at_points(p, o.faces);
+  const Lanes pressed = select(c > zero, larger(c + r, zero) - c, zero), lost = 0.25 * p.area * lack * (r - pressed);
+  out.force -= sum_of(lost);
+  out.moment -= Vec2(sum_of(lost * lanes_of(p.point_x)), sum_of(lost * lanes_of(p.point_y)));
   return out;
 }
 
-/// How near a shear force is to the limit of a patch: times as much as one at a limit of 1 N.
-inline double shear_measure(const JointPatch& p, const Vec3& f) {
-  const double flat = 1 / (p.turning * p.turning), rounder = 1.7 / flat - 1;
-  const double x = f.x() * f.x() + f.y() * f.y(), y = f.z() * f.z() * flat, sum = x + y;
-  return std::sqrt(0.5 * (sum + std::sqrt(sum * sum + 4 * rounder * x * y)));
+/// Normal forces at the places of a patch over kn, of which `all` is the sum where its bond is lost [m3]. `damping`:
+/// rate of the overlap times beta [m].
+inline Lanes normal_at_points(const JointPatch& p, const PatchOverlaps& o, bool bonded, const Lanes& hold,
+                              const LinearOverlap& damping, double all) {
+  const Lanes c = larger(at_points(p, o.faces), Lanes{});
+  if (bonded) return 0.25 * p.area * (c + hold * (at_points(p, o.bond) - c) + at_points(p, damping));
+  const double sum = sum_of(c);
+  return sum > 0 ? larger(all, 0.0) / sum * c : Lanes{} + 0.25 * larger(all, 0.0);
 }
 
-/// A step of a patch's shear before its slider is asked. As ShearTrial in the plane.
-struct PatchTrial {
-  Vec3 kept, elastic, total;  ///< force kept, with the step's slip all elastic, and with its damping [N]
-  Vec3 path;                  ///< [m]
-  double stiffness, compliance, relaxed, measure;
-  Vec3 along;  ///< direction of the total, of which the slider is asked
+/// A vector at each place of a patch.
+struct PointVectors {
+  Lanes x, y;
 
-  PatchTrial(const Coulomb& law, const JointPatch& p, const PatchMemory& before, double area, const Vec3& rate) {
-    stiffness = law.ks * area, compliance = stiffness > 0 ? 1 / stiffness : 0;
-    const double compliance_before = law.ks * before.active > 0 ? 1 / (law.ks * before.active) : 0;
-    kept = before.elastic * std::min(1.0, stiffness * compliance_before);
-    relaxed = 0.5 * (before.elastic.squaredNorm() * compliance_before - kept.squaredNorm() * compliance);
+  friend PointVectors operator+(const PointVectors& a, const PointVectors& b) { return {a.x + b.x, a.y + b.y}; }
+  friend PointVectors operator-(const PointVectors& a, const PointVectors& b) { return {a.x - b.x, a.y - b.y}; }
+  friend PointVectors operator*(const Lanes& s, const PointVectors& v) { return {s * v.x, s * v.y}; }
+  friend PointVectors operator*(double s, const PointVectors& v) { return {s * v.x, s * v.y}; }
+  [[nodiscard]] Lanes dot(const PointVectors& o) const { return x * o.x + y * o.y; }
+};
+
+/// A step of the shear of a patch before its sliders are asked. As ShearTrial in the plane.
+struct PatchTrial {
+  PointVectors kept, elastic, total;  ///< force kept, with the step's slip all elastic, and with its damping [N]
+  PointVectors path, along;           ///< [m]; direction of the total, of length 1
+  Lanes size;                         ///< of the total [N]
+  double stiffness, compliance, relaxed;
+
+  PatchTrial(const Coulomb& law, const JointPatch& p, const PatchMemory& before, double area,
+             const JointMotion& motion) {
+    const double stiffness_before = 0.25 * law.ks * before.active;
+    const double compliance_before = stiffness_before > 0 ? 1 / stiffness_before : 0;
+    stiffness = 0.25 * law.ks * area, compliance = stiffness > 0 ? 1 / stiffness : 0;
+    const PointVectors held{lanes_of(before.elastic_x), lanes_of(before.elastic_y)};
+    kept = std::min(1.0, stiffness * compliance_before) * held;
+    relaxed = 0.5 * (sum_of(held.dot(held)) * compliance_before - sum_of(kept.dot(kept)) * compliance);
+    const PointVectors rate{motion.slip.x() - motion.spin * lanes_of(p.point_y),
+                            motion.slip.y() + motion.spin * lanes_of(p.point_x)};
     path = law.dt * rate;
     elastic = kept + stiffness * path;
     total = elastic + law.beta * stiffness * rate;
-    measure = shear_measure(p, total);
-    along = measure > 0 ? Vec3(total / measure) : Vec3(Vec3::Zero());
+    size = root(total.dot(total));
+    along = (1.0 / select(size > Lanes{}, size, Lanes{} + 1.0)) * total;
   }
-  /// Along the direction of the total, where that has the size `measure`.
-  [[nodiscard]] double part(const Vec3& v) const { return v.dot(along) / along.squaredNorm(); }
 };
 
 /// Energies that a patch gives off in a step [J].
@@ -152,55 +184,49 @@ struct PatchLosses {
   double damping = 0, friction = 0, fracture = 0;
 };
 
-/// Ends a step of shear: `slip` [m] and the force `held` [N] along the trial's direction where it slides.
-inline void end_patch_shear(const PatchTrial& trial, const PatchMemory& before, double area, bool slides, double slip,
-                            double held, PatchMemory& after, PatchLosses& lost) {
-  const Vec3 slid = slides ? Vec3(slip * trial.along) : Vec3(Vec3::Zero());
-  after.elastic = trial.elastic - trial.stiffness * slid;
-  after.total = slides ? Vec3(held * trial.along) : trial.total;
-  after.active = area, after.slip = before.slip + slid.norm();
-  const Vec3 mean_total = 0.5 * (after.total + before.total), mean_elastic = 0.5 * (after.elastic + before.elastic);
-  if (!(trial.stiffness > 0)) {
-    lost.friction += trial.relaxed;
-    return;
-  }
-  const Vec3 stretch = trial.path - slid;
-  lost.friction += mean_total.dot(slid) + trial.relaxed + 0.5 * (before.elastic - trial.kept).dot(stretch);
-  lost.damping += (mean_total - mean_elastic).dot(stretch);
+/// Ends a step of shear: where places slide, by `slip` [m] and under the force `held` [N] along that of the trial.
+inline void end_patch_shear(const PatchTrial& trial, const PatchMemory& before, double area, const LaneMask& slides,
+                            const Lanes& slip, const Lanes& held, PatchMemory& after, PatchLosses& lost) {
+  const PointVectors slid = select(slides, slip, Lanes{}) * trial.along;
+  const PointVectors elastic = trial.elastic - trial.stiffness * slid, sliding = held * trial.along;
+  const PointVectors total{select(slides, sliding.x, trial.total.x), select(slides, sliding.y, trial.total.y)};
+  store_lanes(elastic.x, after.elastic_x), store_lanes(elastic.y, after.elastic_y);
+  store_lanes(total.x, after.total_x), store_lanes(total.y, after.total_y);
+  after.active = area, after.slip = before.slip;
+  lost.friction += trial.relaxed;
+  if (!(trial.stiffness > 0)) return;
+  after.slip += 0.25 * sum_of(select(slides, magnitude(slip), Lanes{}));
+  const PointVectors elastic_before{lanes_of(before.elastic_x), lanes_of(before.elastic_y)};
+  const PointVectors mean_total = 0.5 * (total + PointVectors{lanes_of(before.total_x), lanes_of(before.total_y)});
+  const PointVectors mean_elastic = 0.5 * (elastic + elastic_before), stretch = trial.path - slid;
+  lost.friction += sum_of(mean_total.dot(slid) + 0.5 * (elastic_before - trial.kept).dot(stretch));
+  lost.damping += sum_of((mean_total - mean_elastic).dot(stretch));
 }
 
-/// Friction, and nothing beside it, as Coulomb::slide.
+/// Friction up to `limit` [N], and nothing beside it, as Coulomb::slide.
 inline void slide_patch(const Coulomb& law, const PatchTrial& trial, const PatchMemory& before, double area,
-                        double limit, PatchMemory& after, PatchLosses& lost) {
-  const bool slides = trial.measure > limit;
-  double slip = 0;
-  if (slides) {
-    const double kept = trial.part(trial.kept), share = law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0;
-    slip = trial.part(trial.path) - (limit - kept) * share * trial.compliance;
-  }
-  end_patch_shear(trial, before, area, slides, slip, limit, after, lost);
+                        const Lanes& limit, PatchMemory& after, PatchLosses& lost) {
+  const double share = law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0;
+  const Lanes kept = trial.kept.dot(trial.along),
+              slip = trial.path.dot(trial.along) - trial.compliance * share * (limit - kept);
+  end_patch_shear(trial, before, area, trial.size > limit, slip, limit, after, lost);
 }
 
-/// A bond that softens, as Cohesive::Kernel::slide: the places that still hold lose alike. `normal`: pressure [N].
+/// A bond that softens, there or lost, as Cohesive::Kernel::slide. `normal`: pressures [N].
 template <class K>
-void soften_patch(K law, const PatchTrial& trial, const PatchMemory& before, double area, double normal,
+void soften_patch(const K& law, const PatchTrial& trial, const PatchMemory& before, double area, const Lanes& normal,
                   PatchMemory& after, PatchLosses& lost) {
-  int alive = 0;
-  double strength = 0;
-  for (const double d : after.damage) alive += d < 1 ? 1 : 0, strength += 1 - d;
-  HalfState<double> h{};
-  const double share = alive / static_cast<double>(patch_points);
-  h.length = share * area, h.bonded = alive > 0, h.strength = alive > 0 ? strength / alive : 0.0;
-  if (alive > 0) law.ks /= share;  // the slider reckons with the stiffness of the length that holds
-  const SofteningSlider<double> slider(h, law, normal, trial.compliance, trial.part(trial.kept),
-                                       trial.part(trial.path));
-  const bool slides = trial.measure > slider.limit;
-  const double slip =
-      slides ? trial.part(trial.path) - (slider.elastic - trial.part(trial.kept)) * trial.compliance : 0.0;
+  const Lanes zero{};
+  HalfState<Lanes> h{};
+  h.length = zero + 0.25 * area, h.strength = 1.0 - lanes_of(after.damage), h.bonded = h.strength > zero;
+  const Lanes kept = trial.kept.dot(trial.along), move = trial.path.dot(trial.along);
+  const SofteningSlider<Lanes> slider(h, law, normal, zero + trial.compliance, kept, move);
+  const LaneMask slides = trial.size > slider.limit;
+  const Lanes slip = move - (slider.elastic - kept) * trial.compliance;
   end_patch_shear(trial, before, area, slides, slip, slider.held, after, lost);
-  if (!slides) return;
-  for (double& d : after.damage) d = std::min(1.0, d + (h.strength - slider.strength));
-  const double cohesive = slider.cohesive * trial.along.squaredNorm();
+  if (!any(slides)) return;
+  store_lanes(select(slides, 1.0 - slider.strength, lanes_of(after.damage)), after.damage);
+  const double cohesive = sum_of(select(slides, slider.cohesive, zero));
   lost.friction -= cohesive, lost.fracture += cohesive;
 }
 

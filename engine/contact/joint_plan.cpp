@@ -84,14 +84,12 @@ LinearOverlap laid_on(const LinearOverlap& standing, const JointPatch& patch, st
 void complete(JointPlan& plan, JointPatch& patch, const PolygonMoments& m) {
   patch.middle = m.middle, patch.area = m.area;
   patch.xx = m.xx, patch.xy = m.xy, patch.yy = m.yy;
-  const double trace = (m.xx + m.yy) / m.area, product = (m.xx * m.yy - m.xy * m.xy) / (m.area * m.area);
-  patch.gyration = std::sqrt(trace);
-  patch.turning = turning_radius(trace, product) / patch.gyration;
-  const double t = m.has_axis() ? m.spread() / m.area : 0;
-  const Vec2 axis = m.axis(), far = std::sqrt(0.5 * trace + t) * axis,
-             near = std::sqrt(std::max(0.0, 0.5 * trace - t)) * Vec2(-axis.y(), axis.x());
-  patch.point = {patch.middle - far - near, patch.middle + far - near, patch.middle + far + near,
-                 patch.middle - far + near};
+  const double mean = 0.5 * (m.xx + m.yy) / m.area, t = m.has_axis() ? m.spread() / m.area : 0;
+  const Vec2 axis = m.axis(), far = std::sqrt(mean + t) * axis,
+             near = std::sqrt(std::max(0.0, mean - t)) * Vec2(-axis.y(), axis.x());
+  const std::array<Vec2, patch_points> arm{-far - near, far - near, far + near, near - far};
+  for (std::size_t q = 0; q < patch_points; ++q)
+    patch.point_x[q] = m.middle.x() + arm[q].x(), patch.point_y[q] = m.middle.y() + arm[q].y();
   const std::span<const Vec2> corners = plan.corners(patch);
   patch.filled = std::any_of(corners.begin(), corners.end(), [&](const Vec2& p) { return plan.standing(p) < 0; });
   patch.laid = patch.filled ? laid_on(plan.standing, patch, corners) : plan.standing;

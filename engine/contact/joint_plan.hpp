@@ -49,13 +49,11 @@ struct JointSeat {
 struct JointPatch {
   int first = 0, count = 0;  ///< its corners in JointPlan::corner, counter-clockwise
   Vec2 middle = Vec2::Zero();
-  double area = 0;                       ///< [m2]
-  double xx = 0, xy = 0, yy = 0;         ///< [m4]
-  double gyration = 0;                   ///< polar radius of gyration [m]
-  double turning = 0;                    ///< mean distance from its middle over that, see turning_radius [1]
-  std::array<Vec2, patch_points> point;  ///< where it softens
-  LinearOverlap laid;                    ///< what its bond feels as the mortar sets
-  bool filled = false;                   ///< ... which is not the overlap of the faces
+  double area = 0;                    ///< [m2]
+  double xx = 0, xy = 0, yy = 0;      ///< [m4]
+  PatchNumbers point_x{}, point_y{};  ///< its four places
+  LinearOverlap laid;                 ///< what its bond feels as the mortar sets
+  bool filled = false;                ///< ... which is not the overlap of the faces
 };
 
 struct JointPlan {
