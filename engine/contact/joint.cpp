@@ -1,7 +1,7 @@
 #include "contact/joint.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <limits>
 
 #include "contact/joint_motion.hpp"
 #include "contact/joint_patch.hpp"
@@ -66,11 +66,12 @@ class JointStep {
     return {plan_, plan_.patch[k], moved.raised(opened_by(law_, before_.patch[k].slip))};
   }
 
-  /// Of any bond at a corner of its patch, or more: where nothing fills the joint, of its outline [m].
+  /// Of any bond at a corner of its patch, or more [m].
   [[nodiscard]] double widest_opening() const {
-    if (plan_.filled) return std::numeric_limits<double>::max();
     double least = std::numeric_limits<double>::max();
-    for (const Vec2& p : plan_.outline) least = std::min(least, motion_.moved(p) + plan_.standing(p));
+    for (const Vec2& p : plan_.outline)
+      least =
+          std::min(least, plan_.filled ? motion_.moved(p) + plan_.least_laid : motion_.moved(p) + plan_.standing(p));
     return -least;
   }
 

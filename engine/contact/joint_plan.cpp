@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/solid_pressure.hpp"
 
@@ -10,6 +11,8 @@ namespace {
 
 /// Patches of less than this share of the joint are left out.
 constexpr double least_patch = 1e-9;
+/// Gaps of less than this share of the joint's width are rounding, and are not filled.
+constexpr double least_gap = 1e-12;
 /// Second moments that differ by less than this share have no principal axis.
 constexpr double same_moment = 1e-6;
 
@@ -91,9 +94,11 @@ void complete(JointPlan& plan, JointPatch& patch, const PolygonMoments& m) {
   for (std::size_t q = 0; q < patch_points; ++q)
     patch.point_x[q] = m.middle.x() + arm[q].x(), patch.point_y[q] = m.middle.y() + arm[q].y();
   const std::span<const Vec2> corners = plan.corners(patch);
-  patch.filled = std::any_of(corners.begin(), corners.end(), [&](const Vec2& p) { return plan.standing(p) < 0; });
+  patch.filled = std::any_of(corners.begin(), corners.end(),
+                             [&](const Vec2& p) { return plan.standing(p) < -least_gap * plan.width; });
   patch.laid = patch.filled ? laid_on(plan.standing, patch, corners) : plan.standing;
   plan.filled = plan.filled || patch.filled;
+  for (const Vec2& p : corners) plan.least_laid = std::min(plan.least_laid, patch.laid(p));
 }
 
 JointSeat seat_in(const BodyMotion& body, const Vec3& origin, const UnitQuaternion& axes) {
@@ -106,7 +111,8 @@ JointSeat seat_in(const BodyMotion& body, const Vec3& origin, const UnitQuaterni
 void divide_joint(JointPlan& plan) {
   plan.corner.clear(), plan.patch.clear();
   const PolygonMoments all(plan.outline);
-  plan.area = all.area, plan.width = std::sqrt(plan.area), plan.filled = false;
+  plan.area = all.area, plan.width = std::sqrt(plan.area), plan.filled = false,
+  plan.least_laid = std::numeric_limits<double>::max();
   plan.radius =
       turning_radius((all.xx + all.yy) / all.area, (all.xx * all.yy - all.xy * all.xy) / (all.area * all.area));
   Vec2 low = plan.outline[0], high = low;

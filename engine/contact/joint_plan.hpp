@@ -66,6 +66,7 @@ struct JointPlan {
   double area = 0, width = 0;  ///< [m2]; root of the area [m]
   double radius = 0;           ///< mean distance of the area from the origin [m]
   bool filled = false;         ///< some patch is
+  double least_laid = 0;       ///< least that any bond feels as the mortar sets [m]
 
   [[nodiscard]] std::span<const Vec2> corners(const JointPatch& p) const {
     return std::span<const Vec2>(corner).subspan(static_cast<std::size_t>(p.first), static_cast<std::size_t>(p.count));

@@ -141,7 +141,7 @@ TEST_CASE("a wall in mortar rests under its weight and loses no bond") {
   SolidRun run(model, start_state(model), 1e-5);
   const int bonds = bonds_of(run.state());
   const double begun = run.energy().balance();
-  run.run(0.5);
+  run.run(0.25);
   CHECK(bonds_of(run.state()) == bonds);
   CHECK(run.moving_energy() < 1e-9);
   CHECK(near_zero(run.energy().balance() - begun, 1e-6));
@@ -167,13 +167,4 @@ TEST_CASE("fresh mortar presses and rubs; as it sets nothing moves, and then it 
   CHECK(bonds_of(hard.state()) == bonds);
   for (std::size_t n = 0; n < places.size(); ++n) CHECK((hard.state().position[n] - places[n]).norm() < 1e-9);
   CHECK(near_zero(hard.energy().balance() - begun, 1e-6));
-}
-
-TEST_CASE("a law that crushes is refused in space, by its name") {
-  Cohesive law = lime();
-  law.compression = 1e6;
-  SpaceBuilder builder;
-  CHECK_THROWS_WITH_AS(builder.contact(0, 0, law, "bed"),
-                       "contact 'bed' crushes, which solids in space do not do yet; leave out its compression",
-                       InputError);
 }
