@@ -54,6 +54,10 @@ struct JointMemory {
   std::shared_ptr<const JointPlan> plan;  ///< how it was laid; never changes
   LinearOverlap moved;                    ///< overlap gained since the mortar set, as of the last step
   std::uint32_t bonds = 0;                ///< bit k: patch k holds its bond, or some of it
+  /// Nothing has cracked or slid yet, so that the shear is linear over all of the joint: `elastic` and `total`, with
+  /// damping, have the force along both axes and the couple about the middle [N], [N m], and the patches nothing.
+  bool sound = false;
+  Vec3 elastic = Vec3::Zero(), total = Vec3::Zero();
   std::array<PatchMemory, most_patches> patch;
 
   [[nodiscard]] bool empty() const { return plan == nullptr; }

@@ -48,25 +48,6 @@ inline Lanes at_points(const JointPatch& p, const LinearOverlap& f) {
   return f.at + f.slope.x() * lanes_of(p.point_x) + f.slope.y() * lanes_of(p.point_y);
 }
 
-/// What the normal stresses of a patch add up to, over the stiffness; moments about the joint's origin.
-struct PatchStress {
-  double force = 0;            ///< [m3]
-  Vec2 moment = Vec2::Zero();  ///< [m4]
-  double energy = 0;           ///< [m4]
-  double area = 0;             ///< that carries shear [m2]
-
-  void add(const PatchStress& o, double times) {
-    force += times * o.force, moment += times * o.moment, energy += times * o.energy, area += times * o.area;
-  }
-};
-
-inline PatchStress over_all(const JointPatch& p, const LinearOverlap& f) {
-  const double mean = f(p.middle);
-  const Vec2 own(p.xx * f.slope.x() + p.xy * f.slope.y(), p.xy * f.slope.x() + p.yy * f.slope.y());
-  const double force = p.area * mean;
-  return {force, force * p.middle + own, 0.5 * (force * mean + f.slope.dot(own)), p.area};
-}
-
 inline PatchStress where_closed(const JointPlan& plan, const JointPatch& p, const LinearOverlap& f) {
   double least = f(plan.corner[static_cast<std::size_t>(p.first)]), most = least;
   for (const Vec2& x : plan.corners(p)) least = std::min(least, f(x)), most = std::max(most, f(x));

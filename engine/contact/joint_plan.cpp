@@ -98,6 +98,7 @@ void complete(JointPlan& plan, JointPatch& patch, const PolygonMoments& m) {
                              [&](const Vec2& p) { return plan.standing(p) < -least_gap * plan.width; });
   patch.laid = patch.filled ? laid_on(plan.standing, patch, corners) : plan.standing;
   plan.filled = plan.filled || patch.filled;
+  plan.laid.add(over_all(patch, patch.laid), 1);
   for (const Vec2& p : corners) plan.least_laid = std::min(plan.least_laid, patch.laid(p));
 }
 
@@ -111,8 +112,11 @@ JointSeat seat_in(const BodyMotion& body, const Vec3& origin, const UnitQuaterni
 void divide_joint(JointPlan& plan) {
   plan.corner.clear(), plan.patch.clear();
   const PolygonMoments all(plan.outline);
-  plan.area = all.area, plan.width = std::sqrt(plan.area), plan.filled = false,
-  plan.least_laid = std::numeric_limits<double>::max();
+  plan.whole = {}, plan.laid = {};
+  plan.whole.area = all.area, plan.whole.middle = all.middle;
+  plan.whole.xx = all.xx, plan.whole.xy = all.xy, plan.whole.yy = all.yy;
+  plan.width = std::sqrt(all.area);
+  plan.filled = false, plan.least_laid = std::numeric_limits<double>::max();
   plan.radius =
       turning_radius((all.xx + all.yy) / all.area, (all.xx * all.yy - all.xy * all.xy) / (all.area * all.area));
   Vec2 low = plan.outline[0], high = low;
@@ -123,7 +127,7 @@ void divide_joint(JointPlan& plan) {
       const Vec2 from = low + cell.cwiseProduct(Vec2(i, j)), to = low + cell.cwiseProduct(Vec2(i + 1, j + 1));
       const std::vector<Vec2> polygon = in_cell(plan.outline, from, to);
       const PolygonMoments moments(polygon);
-      if (polygon.size() < 3 || !(moments.area > least_patch * plan.area)) continue;
+      if (polygon.size() < 3 || !(moments.area > least_patch * all.area)) continue;
       JointPatch patch;
       patch.first = static_cast<int>(plan.corner.size()), patch.count = static_cast<int>(polygon.size());
       plan.corner.insert(plan.corner.end(), polygon.begin(), polygon.end());

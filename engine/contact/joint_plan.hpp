@@ -45,6 +45,18 @@ struct JointSeat {
   }
 };
 
+/// What normal stresses add up to, over the stiffness; moments about the joint's origin.
+struct PatchStress {
+  double force = 0;            ///< [m3]
+  Vec2 moment = Vec2::Zero();  ///< [m4]
+  double energy = 0;           ///< [m4]
+  double area = 0;             ///< that carries shear [m2]
+
+  void add(const PatchStress& o, double times) {
+    force += times * o.force, moment += times * o.moment, energy += times * o.energy, area += times * o.area;
+  }
+};
+
 /// One patch. All about the joint's origin, second moments about the patch's middle.
 struct JointPatch {
   int first = 0, count = 0;  ///< its corners in JointPlan::corner, counter-clockwise
@@ -56,6 +68,14 @@ struct JointPatch {
   bool filled = false;                ///< ... which is not the overlap of the faces
 };
 
+/// Of an overlap that is linear over all of a patch.
+inline PatchStress over_all(const JointPatch& p, const LinearOverlap& f) {
+  const double mean = f(p.middle);
+  const Vec2 own(p.xx * f.slope.x() + p.xy * f.slope.y(), p.xy * f.slope.x() + p.yy * f.slope.y());
+  const double force = p.area * mean;
+  return {force, force * p.middle + own, 0.5 * (force * mean + f.slope.dot(own)), p.area};
+}
+
 struct JointPlan {
   JointSeat in_a, in_b;       ///< one place in the world as the mortar sets
   LinearOverlap standing;     ///< overlap of the faces as the mortar sets
@@ -63,11 +83,15 @@ struct JointPlan {
   // What follows from that:
   std::vector<Vec2> corner;
   std::vector<JointPatch> patch;
-  double area = 0, width = 0;  ///< [m2]; root of the area [m]
-  double radius = 0;           ///< mean distance of the area from the origin [m]
-  bool filled = false;         ///< some patch is
-  double least_laid = 0;       ///< least that any bond feels as the mortar sets [m]
+  JointPatch whole;       ///< all of them: area, middle and second moments
+  PatchStress laid;       ///< what the bonds feel as the mortar sets, all over the joint
+  double width = 0;       ///< root of the area [m]
+  double radius = 0;      ///< mean distance of the area from the origin [m]
+  bool filled = false;    ///< some patch is
+  double least_laid = 0;  ///< least that any bond feels as the mortar sets [m]
 
+  /// What the bond at a corner of the outline feels as the mortar sets, or less [m].
+  [[nodiscard]] double least_at(const Vec2& p) const { return filled ? least_laid : standing(p); }
   [[nodiscard]] std::span<const Vec2> corners(const JointPatch& p) const {
     return std::span<const Vec2>(corner).subspan(static_cast<std::size_t>(p.first), static_cast<std::size_t>(p.count));
   }

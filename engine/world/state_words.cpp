@@ -152,7 +152,10 @@ template <class File, class Joint>
 void walk_patches(File& file, Joint& joint, std::uint32_t patches) {
   const auto number = [&](auto& v) { file.number(v); };
   number(joint.moved.at), number(joint.moved.slope[0]), number(joint.moved.slope[1]);
-  for (std::uint32_t k = 0; k < patches; ++k) PatchMemory::fields(joint.patch[k], number);
+  for (auto* shear : {&joint.elastic, &joint.total})
+    if (joint.sound)
+      for (const int k : {0, 1, 2}) number((*shear)[k]);
+  for (std::uint32_t k = 0; k < patches && !joint.sound; ++k) PatchMemory::fields(joint.patch[k], number);
 }
 
 /// One contact of solids, for the writer and for the reader alike. `patches`: of its joint, 0 where it has none.
@@ -175,7 +178,7 @@ void Writer::contacts(const SolidHistory& s) {
     walk_solid_memory(*this, s.memory[row], patches);
     if (!has) continue;
     walk_plan(*this, *joint->plan);
-    words.push_back(joint->bonds);
+    pair(joint->sound ? 1U : 0U, joint->bonds);
     walk_patches(*this, *joint, patches);
   }
 }
@@ -186,9 +189,11 @@ void Reader::joint(JointMemory& s, std::uint32_t patches) {
   walk_plan(*this, *plan);
   if (plan->outline.size() < 3) fail("has a joint without an area");
   divide_joint(*plan);
-  const std::uint64_t bonds = next();
-  if (plan->patch.size() != patches || bonds >> patches != 0) fail("has a joint that does not fit its faces");
-  s.plan = plan, s.bonds = static_cast<std::uint32_t>(bonds);
+  std::uint32_t sound = 0;
+  pair(sound, s.bonds);
+  if (plan->patch.size() != patches || s.bonds >> patches != 0 || sound > 1)
+    fail("has a joint that does not fit its faces");
+  s.plan = plan, s.sound = sound == 1;
   walk_patches(*this, s, patches);
 }
 

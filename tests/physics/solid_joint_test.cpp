@@ -168,3 +168,33 @@ TEST_CASE("fresh mortar presses and rubs; as it sets nothing moves, and then it 
   for (std::size_t n = 0; n < places.size(); ++n) CHECK((hard.state().position[n] - places[n]).norm() < 1e-9);
   CHECK(near_zero(hard.energy().balance() - begun, 1e-6));
 }
+
+TEST_CASE("a column of bricks hung from its top holds, or tears where it carries the most") {
+  const double height = 0.08, density = 1800, weight = 4 * density * standard_gravity * height;
+  for (const double strength : {3 * weight, 0.9 * weight}) {
+    SpaceBuilder builder;
+    builder.gravity(Vec3(0, 0, -standard_gravity));
+    builder.add(fixed_stone("ceiling", box_at(Vec3(1, 1, 0.1), Vec3(0, 0, 0.05))));
+    for (int i = 0; i < 4; ++i)
+      builder.add(stone("brick " + std::to_string(i), box_at(Vec3(0.25, 0.12, height), Vec3(0, 0, -(i + 0.5) * height)),
+                        density));
+    Bonded law = bonded(1e9, 1e9, 0.7, 1e5, strength);
+    law.beta = 1e-3;
+    builder.contact(0, 0, law, "glue");
+    const Model<3> model = builder.build();
+    SolidRun run(model, start_state(model), 1e-5);
+    const double begun = run.energy().balance();
+    run.run(0.1);
+    const bool holds = strength > weight;
+    CHECK(bonds_of(run.state()) == (holds ? 4 : 3) * most_patches);
+    CHECK(near_zero(run.energy().balance() - begun, 1e-6 * weight));
+    if (holds) {
+      CHECK(run.moving_energy() < 1e-9);
+      CHECK(near(-run.place(1).z() - 0.5 * height, weight / 1e9, 1e-3));
+      continue;
+    }
+    // What is torn off falls freely, all of it at one speed, a little later than from the start.
+    CHECK(near(run.velocity(1).z(), -standard_gravity * run.time(), 2e-2));
+    for (const int n : {2, 3, 4}) CHECK(near(run.velocity(n).z(), run.velocity(1).z(), 1e-3));
+  }
+}
