@@ -15,13 +15,35 @@ std::uint32_t all_bonds(const JointPlan& plan) {
   return (1U << plan.patch.size()) - 1U;
 }
 
+// One copy for wide registers and one for any machine: the same operations, so the same bits.
+
+template <class K>
+void step_narrow(JointStep<K>& step) {
+  step.run();
+}
+#ifdef __x86_64__
+template <class K>
+[[gnu::target("avx2")]] void step_wide(JointStep<K>& step) {
+  step.run();
+}
+#endif
+
+template <class K>
+void step_as_here(JointStep<K>& step) {
+#ifdef __x86_64__
+  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  if (wide) return step_wide(step);
+#endif
+  step_narrow(step);
+}
+
 /// A step patch by patch, of a joint that was sound before too.
 template <class K>
 JointSums step_by_patches(const JointPlan& plan, const JointMotion& motion, const K& law, const JointMemory& joint,
                           JointMemory& after) {
   const auto run = [&](const JointMemory& before) {
     JointStep<K> step(plan, motion, law, before, after);
-    step.run();
+    step_as_here(step);
     return step.sums;
   };
   if (!joint.sound) return run(joint);

@@ -35,20 +35,22 @@ inline constexpr bool is_brittle = K::bonds && !is_softening<K>;
 
 static_assert(patch_points == lane_count);
 
-inline Lanes lanes_of(const PatchNumbers& v) {
-  return Lanes{v[0], v[1], v[2], v[3]};
+TRILITH_INLINE Lanes lanes_of(const PatchNumbers& v) {
+  Lanes lanes;
+  __builtin_memcpy(&lanes, v.data(), sizeof lanes);
+  return lanes;
 }
-inline void store_lanes(const Lanes& v, PatchNumbers& to) {
-  to = {v[0], v[1], v[2], v[3]};
+TRILITH_INLINE void store_lanes(const Lanes& v, PatchNumbers& to) {
+  __builtin_memcpy(to.data(), &v, sizeof v);
 }
-inline double sum_of(const Lanes& v) {
+TRILITH_INLINE double sum_of(const Lanes& v) {
   return (v[0] + v[1]) + (v[2] + v[3]);
 }
-inline Lanes at_points(const JointPatch& p, const LinearOverlap& f) {
+TRILITH_INLINE Lanes at_points(const JointPatch& p, const LinearOverlap& f) {
   return f.at + f.slope.x() * lanes_of(p.point_x) + f.slope.y() * lanes_of(p.point_y);
 }
 
-inline PatchStress where_closed(const JointPlan& plan, const JointPatch& p, const LinearOverlap& f) {
+TRILITH_INLINE PatchStress where_closed(const JointPlan& plan, const JointPatch& p, const LinearOverlap& f) {
   double least = f(plan.corner[static_cast<std::size_t>(p.first)]), most = least;
   for (const Vec2& x : plan.corners(p)) least = std::min(least, f(x)), most = std::max(most, f(x));
   if (least > 0) return over_all(p, f);
@@ -65,8 +67,8 @@ struct PatchOverlaps {
 };
 
 /// `hold`: shares of the stiffness that its places hold.
-inline PatchStress elastic_stress(const JointPlan& plan, const JointPatch& p, const PatchOverlaps& o, bool bonded,
-                                  const Lanes& hold) {
+TRILITH_INLINE PatchStress elastic_stress(const JointPlan& plan, const JointPatch& p, const PatchOverlaps& o,
+                                          bool bonded, const Lanes& hold) {
   if (!bonded) return where_closed(plan, p, o.faces);
   PatchStress out = over_all(p, o.bond);
   const Lanes lack = 1.0 - hold;
@@ -97,8 +99,8 @@ inline PatchStress where_both_closed(const JointPlan& plan, const JointPatch& p,
 }
 
 /// Of overlaps that grow at `rate`, times beta [m]: where faces alone press they never pull by it.
-inline PatchStress damping_stress(const JointPlan& plan, const JointPatch& p, const PatchOverlaps& o, bool bonded,
-                                  const Lanes& hold, const LinearOverlap& rate) {
+TRILITH_INLINE PatchStress damping_stress(const JointPlan& plan, const JointPatch& p, const PatchOverlaps& o,
+                                          bool bonded, const Lanes& hold, const LinearOverlap& rate) {
   if (!bonded) {
     PatchStress out = where_both_closed(plan, p, o.faces, o.faces.plus(rate));
     out.add(where_closed(plan, p, o.faces), -1);
@@ -116,8 +118,8 @@ inline PatchStress damping_stress(const JointPlan& plan, const JointPatch& p, co
 
 /// Normal forces at the places of a patch over kn, of which `all` is the sum where its bond is lost [m3]. `damping`:
 /// rate of the overlap times beta [m].
-inline Lanes normal_at_points(const JointPatch& p, const PatchOverlaps& o, bool bonded, const Lanes& hold,
-                              const LinearOverlap& damping, double all) {
+TRILITH_INLINE Lanes normal_at_points(const JointPatch& p, const PatchOverlaps& o, bool bonded, const Lanes& hold,
+                                      const LinearOverlap& damping, double all) {
   const Lanes c = larger(at_points(p, o.faces), Lanes{});
   if (bonded) return 0.25 * p.area * (c + hold * (at_points(p, o.bond) - c) + at_points(p, damping));
   const double sum = sum_of(c);
@@ -128,11 +130,15 @@ inline Lanes normal_at_points(const JointPatch& p, const PatchOverlaps& o, bool 
 struct PointVectors {
   Lanes x, y;
 
-  friend PointVectors operator+(const PointVectors& a, const PointVectors& b) { return {a.x + b.x, a.y + b.y}; }
-  friend PointVectors operator-(const PointVectors& a, const PointVectors& b) { return {a.x - b.x, a.y - b.y}; }
-  friend PointVectors operator*(const Lanes& s, const PointVectors& v) { return {s * v.x, s * v.y}; }
-  friend PointVectors operator*(double s, const PointVectors& v) { return {s * v.x, s * v.y}; }
-  [[nodiscard]] Lanes dot(const PointVectors& o) const { return x * o.x + y * o.y; }
+  TRILITH_INLINE friend PointVectors operator+(const PointVectors& a, const PointVectors& b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  TRILITH_INLINE friend PointVectors operator-(const PointVectors& a, const PointVectors& b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  TRILITH_INLINE friend PointVectors operator*(const Lanes& s, const PointVectors& v) { return {s * v.x, s * v.y}; }
+  TRILITH_INLINE friend PointVectors operator*(double s, const PointVectors& v) { return {s * v.x, s * v.y}; }
+  [[nodiscard]] TRILITH_INLINE Lanes dot(const PointVectors& o) const { return x * o.x + y * o.y; }
 };
 
 /// A step of the shear of a patch before its sliders are asked. As ShearTrial in the plane.
@@ -142,8 +148,8 @@ struct PatchTrial {
   Lanes size;                         ///< of the total [N]
   double stiffness, compliance, relaxed;
 
-  PatchTrial(const Coulomb& law, const JointPatch& p, const PatchMemory& before, double area,
-             const JointMotion& motion) {
+  TRILITH_INLINE PatchTrial(const Coulomb& law, const JointPatch& p, const PatchMemory& before, double area,
+                            const JointMotion& motion) {
     const double stiffness_before = 0.25 * law.ks * before.active;
     const double compliance_before = stiffness_before > 0 ? 1 / stiffness_before : 0;
     stiffness = 0.25 * law.ks * area, compliance = stiffness > 0 ? 1 / stiffness : 0;
@@ -166,8 +172,9 @@ struct PatchLosses {
 };
 
 /// Ends a step of shear: where places slide, by `slip` [m] and under the force `held` [N] along that of the trial.
-inline void end_patch_shear(const PatchTrial& trial, const PatchMemory& before, double area, const LaneMask& slides,
-                            const Lanes& slip, const Lanes& held, PatchMemory& after, PatchLosses& lost) {
+TRILITH_INLINE void end_patch_shear(const PatchTrial& trial, const PatchMemory& before, double area,
+                                    const LaneMask& slides, const Lanes& slip, const Lanes& held, PatchMemory& after,
+                                    PatchLosses& lost) {
   const PointVectors slid = select(slides, slip, Lanes{}) * trial.along;
   const PointVectors elastic = trial.elastic - trial.stiffness * slid, sliding = held * trial.along;
   const PointVectors total{select(slides, sliding.x, trial.total.x), select(slides, sliding.y, trial.total.y)};
@@ -185,8 +192,8 @@ inline void end_patch_shear(const PatchTrial& trial, const PatchMemory& before, 
 }
 
 /// Friction up to `limit` [N], and nothing beside it, as Coulomb::slide.
-inline void slide_patch(const Coulomb& law, const PatchTrial& trial, const PatchMemory& before, double area,
-                        const Lanes& limit, PatchMemory& after, PatchLosses& lost) {
+TRILITH_INLINE void slide_patch(const Coulomb& law, const PatchTrial& trial, const PatchMemory& before, double area,
+                                const Lanes& limit, PatchMemory& after, PatchLosses& lost) {
   const double share = law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0;
   const Lanes kept = trial.kept.dot(trial.along),
               slip = trial.path.dot(trial.along) - trial.compliance * share * (limit - kept);
@@ -195,8 +202,8 @@ inline void slide_patch(const Coulomb& law, const PatchTrial& trial, const Patch
 
 /// A bond that softens, there or lost, as Cohesive::Kernel::slide. `normal`: pressures [N].
 template <class K>
-void soften_patch(const K& law, const PatchTrial& trial, const PatchMemory& before, double area, const Lanes& normal,
-                  PatchMemory& after, PatchLosses& lost) {
+TRILITH_INLINE void soften_patch(const K& law, const PatchTrial& trial, const PatchMemory& before, double area,
+                                 const Lanes& normal, PatchMemory& after, PatchLosses& lost) {
   const Lanes zero{};
   HalfState<Lanes> h{};
   h.length = zero + 0.25 * area, h.strength = 1.0 - lanes_of(after.damage), h.bonded = h.strength > zero;

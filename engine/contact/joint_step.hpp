@@ -14,7 +14,7 @@ namespace trilith {
 inline constexpr double longest_bond_turn = 0.02;
 /// Shares of its stiffness that a patch holds at its places.
 template <class K>
-Lanes holds_of(const K& law, const PatchMemory& m) {
+TRILITH_INLINE Lanes holds_of(const K& law, const PatchMemory& m) {
   const Lanes one = Lanes{} + 1.0;
   if constexpr (is_softening<K>) {
     const Lanes damage = lanes_of(m.damage);
@@ -47,7 +47,7 @@ class JointStep {
             JointMemory& after)
       : plan_(plan), motion_(motion), law_(law), before_(before), after_(after) {}
 
-  void run() {
+  TRILITH_INLINE void run() {
     if (after_.plan != before_.plan) after_.plan = before_.plan;
     after_.moved = motion_.moved, after_.sound = false;
     after_.bonds = motion_.turn.squaredNorm() > longest_bond_turn * longest_bond_turn ? 0U : before_.bonds;
@@ -59,19 +59,19 @@ class JointStep {
   JointSums sums;
 
  private:
-  [[nodiscard]] PatchOverlaps overlaps(std::size_t k, const LinearOverlap& moved) const {
+  [[nodiscard]] TRILITH_INLINE PatchOverlaps overlaps(std::size_t k, const LinearOverlap& moved) const {
     return {plan_, plan_.patch[k], moved.raised(opened_by(law_, before_.patch[k].slip))};
   }
 
   /// Of any bond at a corner of its patch, or more [m].
-  [[nodiscard]] double widest_opening() const {
+  [[nodiscard]] TRILITH_INLINE double widest_opening() const {
     double least = std::numeric_limits<double>::max();
     for (const Vec2& p : plan_.outline) least = std::min(least, motion_.moved(p) + plan_.least_at(p));
     return -least;
   }
 
   /// Brittle bonds that are beyond their limit: of tension at a corner of a patch, of shear at one of its places.
-  [[nodiscard]] std::uint32_t lost_bonds(double widest) const {
+  [[nodiscard]] TRILITH_INLINE std::uint32_t lost_bonds(double widest) const {
     std::uint32_t gone = 0;
     for (std::size_t k = 0; k < plan_.patch.size(); ++k) {
       if (!before_.bonded(static_cast<int>(k))) continue;
@@ -89,7 +89,7 @@ class JointStep {
   }
 
   /// Damage by opening. A patch whose places have all failed has lost its bond.
-  void open_patch(std::size_t k, const PatchOverlaps& o) {
+  TRILITH_INLINE void open_patch(std::size_t k, const PatchOverlaps& o) {
     if constexpr (is_softening<K>) {
       PatchMemory& m = after_.patch[k];
       const Lanes damage = lanes_of(m.damage), opening = -at_points(plan_.patch[k], o.bond), one = Lanes{} + 1.0;
@@ -98,13 +98,13 @@ class JointStep {
       keep_bond(k);
     }
   }
-  void keep_bond(std::size_t k) {
+  TRILITH_INLINE void keep_bond(std::size_t k) {
     PatchNumbers& damage = after_.patch[k].damage;
     if (after_.bonded(static_cast<int>(k)) && *std::min_element(damage.begin(), damage.end()) < 1) return;
     after_.bonds &= ~(1U << k), damage.fill(1);
   }
 
-  void step_patch(std::size_t k, double widest) {
+  TRILITH_INLINE void step_patch(std::size_t k, double widest) {
     const JointPatch& p = plan_.patch[k];
     const PatchMemory& was = before_.patch[k];
     PatchMemory& is = after_.patch[k];
@@ -136,7 +136,7 @@ class JointStep {
   }
 
   /// `normal`: at its places [N].
-  void slide(std::size_t k, const PatchStress& stress, const Lanes& normal) {
+  TRILITH_INLINE void slide(std::size_t k, const PatchStress& stress, const Lanes& normal) {
     const PatchMemory& was = before_.patch[k];
     PatchMemory& is = after_.patch[k];
     const PatchTrial trial(law_, plan_.patch[k], was, stress.area, motion_);
@@ -167,7 +167,7 @@ class JointStep {
     return law_.kn * (first.energy - last.energy + work);
   }
 
-  void sum_shear(const JointPatch& p, const PatchMemory& m, double slid) {
+  TRILITH_INLINE void sum_shear(const JointPatch& p, const PatchMemory& m, double slid) {
     const Lanes x = lanes_of(p.point_x), y = lanes_of(p.point_y);
     const auto add = [&](const PatchNumbers& along_x, const PatchNumbers& along_y, Vec2& force, double& about) {
       const Lanes fx = lanes_of(along_x), fy = lanes_of(along_y);
