@@ -3,6 +3,7 @@
 
 #include "contact/joint.hpp"
 #include "contact/solid_faces.hpp"
+#include "contact/sound_joint.hpp"
 #include "shape/polyhedron.hpp"
 
 namespace trilith::testing {
@@ -21,6 +22,7 @@ class HeldJoint {
     const bool meet = meeting_faces(below, above, 1e-2, 1e-3, faces);
     if (meet) joint_ = set_joint(faces, a_, b_, memory_);
     stored_at_first = stored();
+    to(Vec3::Zero());
   }
 
   /// To a place and a turn about the middle of the joint, in one step.
@@ -46,6 +48,10 @@ class HeldJoint {
       to(from + (i / static_cast<double>(steps)) * (shift - from),
          turned + (i / static_cast<double>(steps)) * (turn - turned));
     return last;
+  }
+  /// From now on the joint is looked at by its patches, be it sound or not.
+  void by_patches() {
+    if (joint_.sound) spread_shear(joint_);
   }
   [[nodiscard]] double stored() const { return joint_energy(joint_, {law_}); }
   [[nodiscard]] const JointMemory& joint() const { return joint_; }

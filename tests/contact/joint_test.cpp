@@ -30,6 +30,28 @@ TEST_CASE("a joint set under pressure, open in part or twisted keeps its stress 
   CHECK(near(open.to(Vec3(0, 0, 1e-6)).force.z(), -1e3, 1e-9));
 }
 
+TEST_CASE("a sound joint is one spring that carries what its patches do") {
+  for (const double overlap : {0.0, 1e-5, -1e-6}) {
+    Cohesive soft = cohesive(1e10, 8e9, 0.7, 3e6, 2e6, 2e3, 6e3);
+    soft.beta = 1e-4;
+    for (const ContactLaw& law : {ContactLaw(soft), ContactLaw(bonded(1e10, 8e9, 0.7, 3e6, 2e6))}) {
+      HeldJoint one(law, 0.5, 0.4, overlap), many(law, 0.5, 0.4, overlap);
+      many.by_patches();
+      for (HeldJoint* joint : {&one, &many}) {
+        joint->glide(Vec3(1e-5, -2e-5, 1e-5), Vec3(2e-5, 1e-5, 3e-5), 50);
+        joint->glide(Vec3(-1e-5, 1e-5, -1e-5), Vec3(-2e-5, 3e-5, -1e-5), 50);
+      }
+      REQUIRE(one.joint().sound);
+      REQUIRE(!many.joint().sound);
+      CHECK((one.last.force - many.last.force).norm() < 1e-9 * many.last.force.norm());
+      CHECK((one.last.moment - many.last.moment).norm() < 1e-9 * many.last.moment.norm());
+      CHECK(near(one.stored(), many.stored(), 1e-9));
+      CHECK(near_zero(one.damping - many.damping, 1e-9 * many.put_in));
+      CHECK(near(one.put_in, one.stored() - one.stored_at_first + one.damping, 1e-6));
+    }
+  }
+}
+
 TEST_CASE("a centred pull has the tensile strength times the area, at the edge of the kern half of it") {
   const double kn = 1e10, strength = 2e5;
   const ContactLaw brittle = bonded(kn, 1e10, 0.7, 3e5, strength),
