@@ -76,14 +76,14 @@ void add_up(const JointSums& step, const JointPlan& plan, const JointMotion& mot
 }
 
 /// Half of the power that both dampings take, of now and of before, times the step [J].
-double damping_loss(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before, const SolidMemory& now,
-                    double dt) {
+double joint_damping_loss(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before, const SolidMemory& now,
+                          double dt) {
   const Vec3 rate = b.velocity_at(a.place) - a.velocity, spin = b.spin - a.spin;
   const Vec3 force = before.damping + now.damping, moment = before.damping_moment + now.damping_moment;
   return -0.5 * dt * (force.dot(rate) + moment.dot(spin));
 }
 
-double deepest(const JointPlan& plan, const JointMotion& motion) {
+double deepest_overlap(const JointPlan& plan, const JointMotion& motion) {
   double most = 0;
   for (const Vec2& p : plan.outline) most = std::max(most, motion.moved(p) + plan.standing(p));
   return most;
@@ -134,9 +134,9 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
     SolidResponse& contact = out.contact;
     add_up(sums, plan, motion, law, a, contact);
     contact.memory.slip = before.slip + sums.slip;
-    contact.depth = deepest(plan, motion);
+    contact.depth = deepest_overlap(plan, motion);
     contact.lost_friction = sums.lost.friction, contact.lost_fracture = sums.lost.fracture;
-    contact.lost_damping = sums.lost.damping + damping_loss(a, b, before, contact.memory, law.dt);
+    contact.lost_damping = sums.lost.damping + joint_damping_loss(a, b, before, contact.memory, law.dt);
     contact.touching = after.bonds != 0 || contact.area > 0;
     out.ends = after.bonds == 0 && (!contact.touching || has_left(plan, motion, contact.depth));
     if (!contact.touching) contact.memory = {};

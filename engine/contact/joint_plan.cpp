@@ -17,12 +17,12 @@ constexpr double least_gap = 1e-12;
 constexpr double same_moment = 1e-6;
 
 /// Area, middle, and second moments about it.
-struct PolygonMoments {
+struct OutlineMoments {
   double area = 0;
   Vec2 middle = Vec2::Zero();
   double xx = 0, xy = 0, yy = 0;
 
-  explicit PolygonMoments(std::span<const Vec2> corners) {
+  explicit OutlineMoments(std::span<const Vec2> corners) {
     const FaceIntegrals sum = integrals_over_all(corners, 0, Vec2::Zero());
     area = sum.area;
     if (!(area > 0)) return;
@@ -84,7 +84,7 @@ LinearOverlap laid_on(const LinearOverlap& standing, const JointPatch& patch, st
 }
 
 /// What follows from the corners of a patch.
-void complete(JointPlan& plan, JointPatch& patch, const PolygonMoments& m) {
+void complete(JointPlan& plan, JointPatch& patch, const OutlineMoments& m) {
   patch.middle = m.middle, patch.area = m.area;
   patch.xx = m.xx, patch.xy = m.xy, patch.yy = m.yy;
   const double mean = 0.5 * (m.xx + m.yy) / m.area, t = m.has_axis() ? m.spread() / m.area : 0;
@@ -111,7 +111,7 @@ JointSeat seat_in(const BodyMotion& body, const Vec3& origin, const UnitQuaterni
 
 void divide_joint(JointPlan& plan) {
   plan.corner.clear(), plan.patch.clear();
-  const PolygonMoments all(plan.outline);
+  const OutlineMoments all(plan.outline);
   plan.whole = {}, plan.laid = {};
   plan.whole.area = all.area, plan.whole.middle = all.middle;
   plan.whole.xx = all.xx, plan.whole.xy = all.xy, plan.whole.yy = all.yy;
@@ -126,7 +126,7 @@ void divide_joint(JointPlan& plan) {
     for (int i = 0; i < patches_along; ++i) {
       const Vec2 from = low + cell.cwiseProduct(Vec2(i, j)), to = low + cell.cwiseProduct(Vec2(i + 1, j + 1));
       const std::vector<Vec2> polygon = in_cell(plan.outline, from, to);
-      const PolygonMoments moments(polygon);
+      const OutlineMoments moments(polygon);
       if (polygon.size() < 3 || !(moments.area > least_patch * all.area)) continue;
       JointPatch patch;
       patch.first = static_cast<int>(plan.corner.size()), patch.count = static_cast<int>(polygon.size());
@@ -138,7 +138,7 @@ void divide_joint(JointPlan& plan) {
 
 JointPlan plan_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b) {
   const std::span<const Vec2> shared(faces.shared.corner.data(), static_cast<std::size_t>(faces.shared.count));
-  const PolygonMoments moments(shared);
+  const OutlineMoments moments(shared);
   const Vec2 x = moments.has_axis() ? moments.axis() : longest_side(shared), y(-x.y(), x.x());
   const MeanPlane& plane = faces.plane;
   JointPlan plan;

@@ -69,14 +69,14 @@ class HeldJoint {
   JointMemory joint_, next_;
 };
 
-inline Bonded bonded(double kn, double ks, double mu, double cohesion, double tension, double by_point = 0) {
+inline Bonded brittle_mortar(double kn, double ks, double mu, double cohesion, double tension, double by_point = 0) {
   Bonded law;
   law.kn = kn, law.ks = ks, law.mu = mu, law.cohesion = cohesion, law.tension = tension, law.loss_by_point = by_point;
   return law;
 }
 
-inline Cohesive cohesive(double kn, double ks, double mu, double cohesion, double tension, double mode_1,
-                         double mode_2) {
+inline Cohesive soft_mortar(double kn, double ks, double mu, double cohesion, double tension, double mode_1,
+                            double mode_2) {
   Cohesive law;
   law.kn = kn, law.ks = ks, law.mu = mu, law.cohesion = cohesion, law.tension = tension;
   law.energy_tension = mode_1, law.energy_shear = mode_2;

@@ -11,7 +11,7 @@ using namespace trilith::testing;
 
 TEST_CASE("a bonded rectangle has the stiffness of its area: to pull, to bend about both axes, to shear and to twist") {
   const double kn = 3e9, ks = 2e9, x = 0.6, y = 0.4, d = 1e-7;
-  const auto fresh = [&] { return HeldJoint(bonded(kn, ks, 0.7, 1e9, 1e9), x, y); };
+  const auto fresh = [&] { return HeldJoint(brittle_mortar(kn, ks, 0.7, 1e9, 1e9), x, y); };
   HeldJoint pulled = fresh(), bent_x = fresh(), bent_y = fresh(), sheared = fresh(), twisted = fresh();
   CHECK(near(pulled.to(Vec3(0, 0, d)).force.z(), -kn * x * y * d, 1e-9));
   CHECK(near(bent_x.to(Vec3::Zero(), Vec3(d, 0, 0)).moment.x(), -kn * x * y * y * y / 12 * d, 1e-9));
@@ -22,19 +22,19 @@ TEST_CASE("a bonded rectangle has the stiffness of its area: to pull, to bend ab
 }
 
 TEST_CASE("a joint set under pressure, open in part or twisted keeps its stress as it sets") {
-  HeldJoint pressed(bonded(1e9, 1e9, 0.7, 1e6, 1e6), 1, 1, 1e-5);
+  HeldJoint pressed(brittle_mortar(1e9, 1e9, 0.7, 1e6, 1e6), 1, 1, 1e-5);
   CHECK(near(pressed.to(Vec3::Zero()).force.z(), 1e4, 1e-9));
   CHECK(near(pressed.stored(), 0.5 * 1e9 * 1e-10, 1e-9));
-  HeldJoint open(bonded(1e9, 1e9, 0.7, 1e6, 1e6), 1, 1, -1e-5);
+  HeldJoint open(brittle_mortar(1e9, 1e9, 0.7, 1e6, 1e6), 1, 1, -1e-5);
   CHECK(near_zero(open.to(Vec3::Zero()).force.norm(), 1e-6));
   CHECK(near(open.to(Vec3(0, 0, 1e-6)).force.z(), -1e3, 1e-9));
 }
 
 TEST_CASE("a sound joint is one spring that carries what its patches do") {
   for (const double overlap : {0.0, 1e-5, -1e-6}) {
-    Cohesive soft = cohesive(1e10, 8e9, 0.7, 3e6, 2e6, 2e3, 6e3);
+    Cohesive soft = soft_mortar(1e10, 8e9, 0.7, 3e6, 2e6, 2e3, 6e3);
     soft.beta = 1e-4;
-    for (const ContactLaw& law : {ContactLaw(soft), ContactLaw(bonded(1e10, 8e9, 0.7, 3e6, 2e6))}) {
+    for (const ContactLaw& law : {ContactLaw(soft), ContactLaw(brittle_mortar(1e10, 8e9, 0.7, 3e6, 2e6))}) {
       HeldJoint one(law, 0.5, 0.4, overlap), many(law, 0.5, 0.4, overlap);
       many.by_patches();
       for (HeldJoint* joint : {&one, &many}) {
@@ -54,8 +54,8 @@ TEST_CASE("a sound joint is one spring that carries what its patches do") {
 
 TEST_CASE("a centred pull has the tensile strength times the area, at the edge of the kern half of it") {
   const double kn = 1e10, strength = 2e5;
-  const ContactLaw brittle = bonded(kn, 1e10, 0.7, 3e5, strength),
-                   soft = cohesive(kn, 1e10, 0.7, 3e5, strength, 40, 80);
+  const ContactLaw brittle = brittle_mortar(kn, 1e10, 0.7, 3e5, strength),
+                   soft = soft_mortar(kn, 1e10, 0.7, 3e5, strength, 40, 80);
   const auto most = [&](const ContactLaw& law, bool kern) {
     HeldJoint joint(law, 0.5, 0.8);
     double pull = 0;
@@ -76,14 +76,14 @@ TEST_CASE("a centred pull has the tensile strength times the area, at the edge o
 TEST_CASE("a brittle bond is sheared off at cohesion and friction of the pressure on it, and leaves friction") {
   const double ks = 1e9, mu = 0.6, cohesion = 2e5, area = 0.3;
   for (const double sigma : {0.0, 1e5, 4e5}) {
-    HeldJoint joint(bonded(1e10, ks, mu, cohesion, 1e5), 0.5, 0.6, sigma / 1e10);
+    HeldJoint joint(brittle_mortar(1e10, ks, mu, cohesion, 1e5), 0.5, 0.6, sigma / 1e10);
     double most = 0;
     for (int i = 1; i <= 4000; ++i) most = std::max(most, joint.to(Vec3(i * 2e-7, 0, 0)).force.head<2>().norm());
     CHECK(near(most, (cohesion + mu * sigma) * area, 2e-3));
     CHECK(near_zero(joint.last.force.head<2>().norm() - mu * sigma * area, 1e-6 * cohesion * area));
   }
   // Under a tension of half the strength, cohesion beyond its apex: the line from cohesion to tension.
-  HeldJoint pulled(bonded(1e10, ks, mu, 0.3e5, 1e5), 0.5, 0.6);
+  HeldJoint pulled(brittle_mortar(1e10, ks, mu, 0.3e5, 1e5), 0.5, 0.6);
   double most = 0;
   for (int i = 0; i <= 4000 && !pulled.ended; ++i)
     most = std::max(most, pulled.to(Vec3(i * 2e-8, 0, 0.5e-5)).force.head<2>().norm());
@@ -92,7 +92,7 @@ TEST_CASE("a brittle bond is sheared off at cohesion and friction of the pressur
 
 TEST_CASE("softening mortar gives off its fracture energies where it is parted and where it is slid apart") {
   const double area = 0.5 * 0.4, mode_1 = 20, mode_2 = 60;
-  const ContactLaw law = cohesive(1e10, 8e9, 0.7, 3e5, 2e5, mode_1, mode_2);
+  const ContactLaw law = soft_mortar(1e10, 8e9, 0.7, 3e5, 2e5, mode_1, mode_2);
   HeldJoint parted(law, 0.5, 0.4);
   parted.glide(Vec3(0, 0, 3e-4), Vec3::Zero(), 4000);
   CHECK(parted.ended);
@@ -114,7 +114,7 @@ TEST_CASE("softening mortar gives off its fracture energies where it is parted a
 
 TEST_CASE("X3: bending of softening mortar between two rigid halves") {
   const double depth = 0.1, width = 0.2, strength = 3e6, kn = 1e13;
-  HeldJoint joint(cohesive(kn, 1e13, 0.7, 1e7, strength, 100, 1000), depth, width);
+  HeldJoint joint(soft_mortar(kn, 1e13, 0.7, 1e7, strength, 100, 1000), depth, width);
   // At each turn the height at which the joint carries no force: the middle opens by turn times its distance from the
   // axis; found by halving, each trial from a copy of the joint.
   double most = 0, lift = 0;
@@ -136,7 +136,7 @@ TEST_CASE("X3: bending of softening mortar between two rigid halves") {
 
 TEST_CASE("T10: a square under pressure begins to slide at its corners and reaches its limit by and by") {
   const double ks = 1e8, mu = 0.5, pressure = 1e4, limit = 1913.0, first = 7.0711e-5;
-  HeldJoint joint(bonded(1e9, ks, mu, 0, 0, 1), 1, 1, pressure / 1e9);
+  HeldJoint joint(brittle_mortar(1e9, ks, mu, 0, 0, 1), 1, 1, pressure / 1e9);
   const auto torque = [&](double times, int steps) {
     return -joint.glide(Vec3::Zero(), Vec3(0, 0, times * first), steps).moment.z();
   };
@@ -149,14 +149,14 @@ TEST_CASE("T10: a square under pressure begins to slide at its corners and reach
 
 TEST_CASE("a bond that is twisted: brittle it fails as its corners do and ductile it reaches the whole area's limit") {
   const double ks = 1e10, cohesion = 1e5, a = 0.5;
-  HeldJoint brittle(bonded(1e10, ks, 0.7, cohesion, 1e6), a, a);
+  HeldJoint brittle(brittle_mortar(1e10, ks, 0.7, cohesion, 1e6), a, a);
   double most = 0;
   for (int i = 1; i <= 3000 && brittle.joint().bonds != 0; ++i)
     most = std::max(most, brittle.to(Vec3::Zero(), Vec3(0, 0, i * 5e-8)).moment.norm());
   // J over the distance of the outermost place, which is at .8943 of the corner's
   const double outermost = a / std::sqrt(2.0) * (0.75 + 0.25 / std::sqrt(3.0));
   CHECK(near(most, cohesion * a * a * a * a / 6 / outermost, 2e-3));
-  HeldJoint ductile(cohesive(1e10, ks, 0.7, cohesion, 1e6, 1e4, 1e5), a, a);
+  HeldJoint ductile(soft_mortar(1e10, ks, 0.7, cohesion, 1e6, 1e4, 1e5), a, a);
   most = 0;
   for (int i = 1; i <= 3000; ++i) most = std::max(most, ductile.to(Vec3::Zero(), Vec3(0, 0, i * 1e-7)).moment.norm());
   CHECK(near(most, 0.38260 * cohesion * a * a * a, 1e-2));
@@ -165,9 +165,9 @@ TEST_CASE("a bond that is twisted: brittle it fails as its corners do and ductil
 TEST_CASE("whatever is put into a joint it stores or gives off, as it opens, bends, slips and twists to its end") {
   for (const double beta : {0.0, 2e-5})
     for (const double dilation : {0.0, 0.2}) {
-      Cohesive soft = cohesive(1e10, 8e9, 0.7, 3e5, 2e5, 20, 60);
+      Cohesive soft = soft_mortar(1e10, 8e9, 0.7, 3e5, 2e5, 20, 60);
       soft.beta = beta, soft.dilation = dilation, soft.dilation_slip = 1e-4;
-      Bonded brittle = bonded(1e10, 8e9, 0.7, 3e5, 2e5, 1);
+      Bonded brittle = brittle_mortar(1e10, 8e9, 0.7, 3e5, 2e5, 1);
       brittle.beta = beta;
       for (const ContactLaw& law : {ContactLaw(soft), ContactLaw(brittle)}) {
         HeldJoint joint(law, 0.5, 0.4, 1e-5);

@@ -18,7 +18,7 @@ using namespace trilith::testing;
 namespace {
 
 Cohesive lime(double beta = 1e-5) {
-  Cohesive law = cohesive(2e9, 1e9, 0.7, 1e5, 5e4, 5, 20);
+  Cohesive law = soft_mortar(2e9, 1e9, 0.7, 1e5, 5e4, 5, 20);
   law.beta = beta;
   return law;
 }
@@ -72,8 +72,9 @@ TEST_CASE("bonds are set between all bricks of a wall that touch") {
 }
 
 TEST_CASE("a wall in mortar that a stone strikes breaks, and its ledger closes") {
-  for (const ContactLaw& law : {ContactLaw(lime()), ContactLaw(lime(0)), ContactLaw(bonded(2e9, 1e9, 0.7, 1e5, 5e4)),
-                                ContactLaw(bonded(2e9, 1e9, 0.7, 1e5, 5e4, 1))}) {
+  for (const ContactLaw& law :
+       {ContactLaw(lime()), ContactLaw(lime(0)), ContactLaw(brittle_mortar(2e9, 1e9, 0.7, 1e5, 5e4)),
+        ContactLaw(brittle_mortar(2e9, 1e9, 0.7, 1e5, 5e4, 1))}) {
     SolidRun run = struck(law);
     const double begun = run.energy().balance(), blow = run.moving_energy();
     const int bonds = bonds_of(run.state());
@@ -178,7 +179,7 @@ TEST_CASE("a column of bricks hung from its top holds, or tears where it carries
     for (int i = 0; i < 4; ++i)
       builder.add(stone("brick " + std::to_string(i), box_at(Vec3(0.25, 0.12, height), Vec3(0, 0, -(i + 0.5) * height)),
                         density));
-    Bonded law = bonded(1e9, 1e9, 0.7, 1e5, strength);
+    Bonded law = brittle_mortar(1e9, 1e9, 0.7, 1e5, strength);
     law.beta = 1e-3;
     builder.contact(0, 0, law, "glue");
     const Model<3> model = builder.build();
