@@ -108,11 +108,9 @@ struct Bonded::Kernel : Mortar {
 /// of the half, as of the friction that follows.
 template <class T>
 TRILITH_INLINE Mask<T> Bonded::Kernel::broken(const HalfState<T>& h, T shear_elastic) const {
-  const T zero{};
   const T trial = magnitude(shear_elastic + ks * h.length * h.slip_mean * dt);
   const T open = mean_opening(h), closed = open - 0.5 * (h.g0 + h.g1) + h.filling.stress().sum;
-  const T strength = cohesion + kn * (mu * closed - tension_slope() * open);
-  return h.bonded & ((kn * h.widest() > tension + zero) | (trial > strength * h.length));
+  return h.bonded & exceeded(h.widest(), trial, shear_strength(closed, open), h.length);
 }
 
 /// Takes the bonds that are beyond their limit; returns the energy they gave off [J].

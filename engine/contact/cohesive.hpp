@@ -102,6 +102,7 @@ struct Cohesive::Kernel : Mortar {
         crushing_depth(law.crushing_depth) {}
 
   static constexpr bool crushes = true;
+  static constexpr bool softens = true;
 
   template <class T>
   struct Memory {
@@ -172,6 +173,13 @@ struct Cohesive::Kernel : Mortar {
   /// Its faces have been of general shape.
   void wear(Memory<double>& own) const { own.worn = dilation > 0 ? 1 : own.worn; }
 
+  /// Share of its strength that an opening [m] leaves a bond which had the share `before`.
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE T strength_left(T opening, T before) const {
+    const double range = last_opening - first_opening();
+    const T left = (last_opening - opening) * (1.0 / range);
+    return larger(T{}, smaller(before, left));
+  }
   /// Share of its stiffness that an open bond holds with the share `strength` of its strength.
   template <class T>
   [[nodiscard]] TRILITH_INLINE T held(T strength) const {

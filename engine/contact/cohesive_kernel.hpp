@@ -11,9 +11,7 @@ namespace trilith {
 template <class T>
 TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, T damage) const {
   const T zero{}, one = zero + 1.0;
-  const double range = last_opening - first_opening();
-  const T left = (last_opening - h.widest()) * (1.0 / range);
-  h.strength = larger(zero, smaller(one - damage, left));
+  h.strength = strength_left(h.widest(), one - damage);
   h.bonded = h.bonded & (h.strength > zero);
   h.strength = select(h.bonded, h.strength, zero);
   h.hold = held(h.strength);

@@ -15,12 +15,26 @@ struct Mortar : Coulomb {
       : Coulomb(law, thickness, step), cohesion(law.cohesion * thickness), tension(law.tension * thickness) {}
 
   static constexpr bool bonds = true;
+  static constexpr bool softens = false;  ///< loses its strength by and by
 
   /// Loss of shear strength per tension [1]: that of the Coulomb line, but such that cohesion and tension are both
   /// reached where tension is beyond the line's apex.
   [[nodiscard]] double tension_slope() const { return mu * tension > cohesion ? cohesion / tension : mu; }
   /// Opening at which the tension of an undamaged bond is reached [m].
   [[nodiscard]] double first_opening() const { return tension / kn; }
+  // The law at one place of a bond, of a half of two faces in the plane and of a patch of two in space alike.
+
+  /// Shear strength under the mean overlap of the part that is closed and the mean opening of the rest [m].
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE T shear_strength(T closed, T open) const {
+    return cohesion + kn * (mu * closed - tension_slope() * open);
+  }
+  /// True where a brittle bond of that size is lost: by its widest opening [m] or by its shear [N].
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE Mask<T> exceeded(T widest, T shear, T strength, T size) const {
+    return (kn * widest > tension + T{}) | (shear > strength * size);
+  }
+
   /// True where the opening of a half is beyond that: it failed in tension and not in shear.
   [[nodiscard]] bool pulled(const std::array<HalfGaps, 2>& gaps) const {
     return std::any_of(gaps.begin(), gaps.end(), [&](const HalfGaps& half) {

@@ -23,9 +23,10 @@ bool may_touch_flatly(const PlacedSolid& a, int face_a, const PlacedSolid& b, in
   return std::abs(depth_below(a, face_a, corner)) <= reach;
 }
 
-/// The largest overlap over the shared polygon, and the polygon's width: its area over its longest extent.
+/// The largest overlap and the largest gap over the shared polygon, its area, and its width: that over its longest
+/// extent.
 struct FlatMeasures {
-  double deepest = 0, width = 0;
+  double deepest = 0, widest = 0, area = 0, width = 0;
 
   explicit FlatMeasures(const FaceOverlap3& faces) {
     const SharedPolygon& polygon = faces.shared;
@@ -34,11 +35,13 @@ struct FlatMeasures {
     for (int i = 0; i < polygon.count; ++i) {
       const Vec2 &p = polygon.corner[static_cast<std::size_t>(i)],
                  &q = polygon.corner[static_cast<std::size_t>(i + 1 < polygon.count ? i + 1 : 0)];
-      deepest = std::max(deepest, faces.plane.overlap_at(p));
+      const double overlap = faces.plane.overlap_at(p);
+      deepest = std::max(deepest, overlap), widest = std::max(widest, -overlap);
       low = low.cwiseMin(p), high = high.cwiseMax(p);
       twice += cross(p, q);
     }
     const double extent = (high - low).norm();
+    area = 0.5 * twice;
     width = extent > 0 ? 0.5 * twice / extent : 0;
   }
   [[nodiscard]] bool touch() const { return deepest > 0; }
@@ -121,6 +124,22 @@ bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
       if (!measures.are_flat() || ++found > 1) return false;
     }
   return found == 1;
+}
+
+bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, double width, FaceOverlap3& out) {
+  double most = 0;
+  FaceRoom room_a, room_b;
+  FaceOverlap3 tried;
+  for (int f = 0; f < a.solid->shape.faces.count(); ++f)
+    for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
+      if (a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]) > opposed_enough) continue;
+      if (!fits_faces(a, f) || !fits_faces(b, g) || !may_touch_flatly(a, f, b, g)) continue;
+      if (!face_overlap(face_of(a, f, room_a), face_of(b, g, room_b), tried)) continue;
+      const FlatMeasures measures(tried);
+      const bool near = std::max(measures.deepest, measures.widest) <= reach && measures.width >= width;
+      if (near && measures.area > most) most = measures.area, out = tried;
+    }
+  return most > 0;
 }
 
 SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces) {

@@ -17,6 +17,10 @@ inline constexpr double flat_faces_max_depth = 0.005;  ///< overlap over the wid
 /// True where two solids touch flatly by one pair of surface faces and no other; fills `out`.
 bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out);
 
+/// True where two faces look at each other at a gap or an overlap of at most `reach` [m] and share an area at least
+/// `width` wide [m], be they pressed or not; of several pairs the one that shares the most area. Fills `out`.
+bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, double width, FaceOverlap3& out);
+
 /// Pressure of flat faces under a law that is linear.
 SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces);
 

@@ -123,15 +123,29 @@ OverlapCorner corner_of(const FaceOverlap3& faces, int i) {
   return {p, faces.plane.overlap_at(p)};
 }
 
-}  // namespace
+/// A convex polygon and the overlap over it.
+struct OverlapPolygon {
+  std::span<const Vec2> corners;
+  double overlap;
+  const Vec2& slope;
 
-FaceIntegrals integrals_over_all(const FaceOverlap3& faces) {
+  [[nodiscard]] OverlapCorner operator[](std::size_t i) const { return {corners[i], overlap + slope.dot(corners[i])}; }
+  [[nodiscard]] std::size_t size() const { return corners.size(); }
+};
+
+OverlapPolygon polygon_of(const FaceOverlap3& faces) {
+  return {{faces.shared.corner.data(), static_cast<std::size_t>(faces.shared.count)},
+          faces.plane.overlap,
+          faces.plane.slope};
+}
+
+FaceIntegrals over_all(const OverlapPolygon& polygon) {
   FaceIntegrals sum;
-  if (faces.shared.count < 3) return sum;
-  const OverlapCorner first = corner_of(faces, 0);
-  OverlapCorner before = corner_of(faces, 1);
-  for (int i = 2; i < faces.shared.count; ++i) {
-    const OverlapCorner now = corner_of(faces, i);
+  if (polygon.size() < 3) return sum;
+  const OverlapCorner first = polygon[0];
+  OverlapCorner before = polygon[1];
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const OverlapCorner now = polygon[i];
     add_triangle(first, before, now, sum);
     before = now;
   }
@@ -139,7 +153,7 @@ FaceIntegrals integrals_over_all(const FaceOverlap3& faces) {
 }
 
 // Corners of the part in contact come one by one; each makes a triangle with the first and the one before it.
-FaceIntegrals integrals_in_contact(const FaceOverlap3& faces) {
+FaceIntegrals in_contact(const OverlapPolygon& polygon) {
   FaceIntegrals sum;
   int count = 0;
   OverlapCorner first{}, before{};
@@ -149,16 +163,34 @@ FaceIntegrals integrals_in_contact(const FaceOverlap3& faces) {
     before = now;
     ++count;
   };
-  const int n = faces.shared.count;
+  const std::size_t n = polygon.size();
   if (n < 3) return sum;
-  OverlapCorner p = corner_of(faces, n - 1);
-  for (int i = 0; i < n; ++i) {
-    const OverlapCorner q = corner_of(faces, i);
+  OverlapCorner p = polygon[n - 1];
+  for (std::size_t i = 0; i < n; ++i) {
+    const OverlapCorner q = polygon[i];
     if ((p.c > 0) != (q.c > 0)) take({p.p + (p.c / (p.c - q.c)) * (q.p - p.p), 0});
     if (q.c > 0) take(q);
     p = q;
   }
   return sum;
+}
+
+}  // namespace
+
+FaceIntegrals integrals_over_all(const FaceOverlap3& faces) {
+  return over_all(polygon_of(faces));
+}
+
+FaceIntegrals integrals_in_contact(const FaceOverlap3& faces) {
+  return in_contact(polygon_of(faces));
+}
+
+FaceIntegrals integrals_over_all(std::span<const Vec2> corners, double overlap, const Vec2& slope) {
+  return over_all({corners, overlap, slope});
+}
+
+FaceIntegrals integrals_in_contact(std::span<const Vec2> corners, double overlap, const Vec2& slope) {
+  return in_contact({corners, overlap, slope});
 }
 
 Vec2 energy_by_sliding(const FaceOverlap3& faces) {

@@ -81,9 +81,12 @@ struct FaceIntegrals {
 /// in `first`, `first_moment` and `energy` as corners come in and go out; `area` begins at once where parallel faces
 /// meet.
 FaceIntegrals integrals_in_contact(const FaceOverlap3& faces);
+/// The same of any convex polygon, counter-clockwise, and c = overlap + slope . p over it.
+FaceIntegrals integrals_in_contact(std::span<const Vec2> corners, double overlap, const Vec2& slope);
 
 /// Over all of the shared polygon, c of either sign: for what also carries tension.
 FaceIntegrals integrals_over_all(const FaceOverlap3& faces);
+FaceIntegrals integrals_over_all(std::span<const Vec2> corners, double overlap, const Vec2& slope);
 
 /// Change of the energy (integral of c^2 / 2 where c > 0) as b slides by t along the mean plane, per t, while its
 /// normal stays [m3]: -slope/2 times `first`, for its face moves under a's, and c^2 / 2 along the edges of the shared

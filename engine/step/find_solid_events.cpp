@@ -1,6 +1,8 @@
-// What happened in a step of solids in space: contacts made and lost, impacts, rest.
+// What happened in a step of solids in space: bonds, contacts made and lost, impacts, rest.
 #include <algorithm>
 
+#include "contact/joint.hpp"
+#include "contact/joint_plan.hpp"
 #include "step/body_events.hpp"
 #include "step/find_events.hpp"
 
@@ -33,7 +35,41 @@ void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) 
   work.events.push_back(e);
 }
 
+/// By which of its limits a joint went: it was pulled where its widest opening stressed it more than its shear did.
+JointMode mode_of(const Model<3>& model, const NearPair& pair, const JointMemory& before, const SolidMemory& contact) {
+  double widest = 0;
+  for (const Vec2& p : before.plan->outline) widest = std::max(widest, -before.moved(p));
+  const double kn = std::visit([](const auto& l) { return l.kn; }, model.laws[pair.law]);
+  const double shear = contact.shear.area > 0 ? contact.shear.total.norm() / contact.shear.area : 0;
+  return kn * widest >= shear ? JointMode::tension : JointMode::shear;
+}
+
+/// A bond lost, or its first damage: what it carried up to now, where, and by which of its limits.
+void joint_events(const Model<3>& model, const State<3>& state, Work<3>& work, int row) {
+  const auto r = static_cast<std::size_t>(row);
+  const Contacts<3>& contacts = contacts_before(state, work);
+  const JointMemory* before = contacts.joint_at(r);
+  if (before == nullptr || before->empty()) return;
+  const JointChange change = joint_change(*before, *work.contacts.joint_at(r));
+  if (!change.broken && !change.cracked) return;
+  const NearPair& pair = work.pairs[row];
+  Event e = event_now(state, change.broken ? EventType::bond_broken : EventType::bond_cracked,
+                      model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]);
+  const auto contact = std::lower_bound(work.general_touching.begin(), work.general_touching.end(), row,
+                                        [](const GeneralContact<3>& c, int i) { return c.row < i; });
+  if (contact != work.general_touching.end() && contact->row == row) {
+    e.set_place(contact->centre);
+    e.value = (contact->force - work.contacts.memory[r].shear.total).norm();
+  } else {
+    const int n = model.bodies[e.body_a].first_node, m = model.bodies[e.body_b].first_node;
+    e.set_place(Vec3(0.5 * (state.position[n] + state.position[m])));
+  }
+  e.mode = mode_of(model, pair, *before, contacts.memory[r]);
+  work.events.push_back(e);
+}
+
 void contact_events(const Model<3>& model, State<3>& state, Work<3>& work, int row) {
+  joint_events(model, state, work, row);
   const bool was = (contacts_before(state, work).memory[row].state & contact_touching) != 0,
              is = (work.contacts.memory[row].state & contact_touching) != 0;
   if (was == is) return;

@@ -14,11 +14,15 @@ void match_solids(const SolidHistory& state, Work<3>& work) {
   SolidHistory& now = work.matched;
   now.key.resize(work.pairs.size());
   now.memory.assign(work.pairs.size(), {});
+  now.joint_of.clear(), now.joint.clear();
   std::size_t old = 0;
   for (std::size_t row = 0; row < now.size(); ++row) {
     now.key[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);
     while (old < state.size() && state.key[old] < now.key[row]) ++old;
-    if (old < state.size() && state.key[old] == now.key[row]) now.memory[row] = state.memory[old];
+    if (old == state.size() || state.key[old] != now.key[row]) continue;
+    now.memory[row] = state.memory[old];
+    if (const JointMemory* joint = state.joint_at(old); joint != nullptr && !joint->empty())
+      now.add_joint(row) = *joint;
   }
   work.is_matched = true;
 }
@@ -31,7 +35,8 @@ void find(const Model<3>& model, const State<3>& state, Work<3>& work) {
   if (!work.valid) bound_faces(model, work);
   find_solid_pairs(model, state, work);
   match_solids(state.contacts, work);
-  work.contacts = {work.matched.key, std::vector<SolidMemory>(work.pairs.size())};
+  work.contacts = {work.matched.key, std::vector<SolidMemory>(work.pairs.size()), work.matched.joint_of,
+                   std::vector<JointMemory>(work.matched.joint.size())};
   work.changed_rows.clear();
   work.changed_rows.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());

@@ -1,8 +1,9 @@
-// Contacts of solids in space: of faces, of any other shape, or apart by the axis that parted them last.
+// Contacts of solids in space: of faces, bonded or not, of any other shape, or apart by the axis that parted them last.
 #include <algorithm>
 
-#include "contact/solid_contact.hpp"
+#include "contact/joint.hpp"
 #include "step/evaluate.hpp"
+#include "step/solid_joints.hpp"
 
 namespace trilith {
 namespace {
@@ -22,31 +23,69 @@ void add_to_bodies(const Model<3>& model, const State<3>& state, const NearPair&
   work.solids.moment[b] += r.moment + cross(Vec3(r.centre - state.position[b]), r.force);
 }
 
-void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, int row, double dt) {
+/// Adds what a contact gives to forces, ledger and lists.
+void take_up(const Model<3>& model, const State<3>& state, Work<3>& work, int row, bool was,
+             const SolidResponse& response) {
   const auto r = static_cast<std::size_t>(row);
-  const SolidMemory& before = contacts_before(state, work).memory[r];
-  const bool was = (before.state & contact_touching) != 0;
-  // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
-  if (!was && work.travel < work.asleep_until[r]) return;
-  const NearPair& pair = work.pairs[r];
-  const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
-                    b = moving_solid(model, state, work, pair.piece_b);
-  Separation3& apart = work.solids.separation[r];
-  const LawInUse law{model.laws[pair.law], model.thickness, dt};
-  const SolidPressure pressed = pressure_between(a, b, law, apart, work.solids.shared);
-  const SolidResponse response = respond_solids(a, b, before, law, pressed);
   work.contacts.memory[r] = response.memory;
   if (was != response.touching) work.changed_rows.push_back(row);
   work.given[EnergyTerm::contact_damping] += response.lost_damping;
   work.given[EnergyTerm::contact_friction] += response.lost_friction;
   if (!response.touching) {
     // Each of the two may come nearer by the path of the fastest point.
-    work.asleep_until[r] = work.travel + 0.5 * (1 - 1e-9) * apart.distance;
+    work.asleep_until[r] = work.travel + 0.5 * (1 - 1e-9) * work.solids.separation[r].distance;
     return;
   }
-  add_to_bodies(model, state, pair, response, work);
+  add_to_bodies(model, state, work.pairs[r], response, work);
   work.general_touching.push_back({row, response.area, response.depth, response.centre, response.normal_force});
-  work.solids.areas.push_back({pressed.middle, response.normal_force.normalized(), pressed.radius, pressed.spread});
+  const JointMemory* joint = work.contacts.joint_at(r);
+  const double area = joint != nullptr && joint->bonds != 0 ? joint->plan->whole.area : response.area;
+  work.solids.areas.push_back({response.middle, response.normal, area, response.radius, response.spread});
+}
+
+/// Faces that mortar holds together, or did until now.
+void respond_bonded(const Model<3>& model, const State<3>& state, Work<3>& work, int row, const JointMemory& before,
+                    double dt) {
+  const auto r = static_cast<std::size_t>(row);
+  const NearPair& pair = work.pairs[r];
+  JointMemory& after = *work.contacts.joint_at(r);
+  const LawInUse law{model.laws[pair.law], model.thickness, dt};
+  const SolidMemory& contact = contacts_before(state, work).memory[r];
+  JointResponse joint = respond_joint(body_motion(model, state, pair.piece_a), body_motion(model, state, pair.piece_b),
+                                      contact, before, law, after);
+  work.given[EnergyTerm::contact_fracture] += joint.contact.lost_fracture;
+  if (joint.ends) {
+    SolidOverlapBuffer cell;  // room; joints end once
+    // What the joint stores more than two other solids there do is given off as it ends.
+    const double left = !joint.contact.touching
+                            ? 0.0
+                            : solid_contact_energy(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b],
+                                                   joint.contact.memory, law, work.solids.shared, cell);
+    joint.contact.lost_friction += joint_energy(after, law) - left;
+    after = {};
+    work.solids.separation[r].distance = 0;
+  }
+  take_up(model, state, work, row, true, joint.contact);
+  if (joint.changed && joint.contact.touching) work.changed_rows.push_back(row);
+}
+
+void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, int row, double dt) {
+  const auto r = static_cast<std::size_t>(row);
+  const Contacts<3>& contacts = contacts_before(state, work);
+  if (const JointMemory* joint = contacts.joint_at(r); joint != nullptr) {
+    if (!joint->empty()) return respond_bonded(model, state, work, row, *joint, dt);
+    if (JointMemory& over = *work.contacts.joint_at(r); !over.empty()) over = {};
+  }
+  const SolidMemory& before = contacts.memory[r];
+  const bool was = (before.state & contact_touching) != 0;
+  // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
+  if (!was && work.travel < work.asleep_until[r]) return;
+  const NearPair& pair = work.pairs[r];
+  const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
+                    b = moving_solid(model, state, work, pair.piece_b);
+  const LawInUse law{model.laws[pair.law], model.thickness, dt};
+  const SolidPressure pressed = pressure_between(a, b, law, work.solids.separation[r], work.solids.shared);
+  take_up(model, state, work, row, was, respond_solids(a, b, before, law, pressed));
 }
 
 }  // namespace

@@ -12,9 +12,11 @@ SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::
   const GeneralContact<3>& contact = work.general_touching[place];
   const NearPair& pair = work.pairs[contact.row];
   const SlidingForce& shear = work.contacts.memory[contact.row].shear;
-  const double normal = contact.force.norm(), mu = std::visit([](const auto& l) { return l.mu; }, model.laws[pair.law]),
+  const double normal = contact.force.norm(), mu = std::visit([](const auto&l) { return l.mu; }, model.laws[pair.law]),
                limit = (1 - 1e-9) * mu * normal;
-  const Vec3 n = normal > 0 ? Vec3(contact.force / normal) : Vec3(Vec3::Zero());
+  const Vec3& n = work.contacts.memory[contact.row].normal;  // mortar may pull
+  const JointMemory* joint = work.contacts.joint_at(static_cast<std::size_t>(contact.row));
+  const bool bonded = joint != nullptr && joint->bonds != 0;
   const double turning = n.dot(shear.total);
   const Vec3 along = shear.total - turning * n;
   const bool slides = !(limit > 0) || limit_measure(along.norm() / limit, std::abs(turning) / limit) >= 1;
@@ -25,7 +27,9 @@ SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::
           n,
           contact.force - along,
           contact.size,
-          slides ? ContactHold::sliding : ContactHold::sticking};
+          bonded   ? ContactHold::bonded
+          : slides ? ContactHold::sliding
+                   : ContactHold::sticking};
 }
 
 }  // namespace trilith

@@ -160,7 +160,7 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
     for (const int side : {0, 1}) {
       if (!model.body_moves(body[side])) continue;
       const int n = model.bodies[body[side]].first_node;
-      add_area({area.middle - state.position[n], area.normal, contact.size, area.radius, area.spread, law},
+      add_area({area.middle - state.position[n], area.normal, area.area, area.radius, area.spread, law},
                scaled_node(model, n, state.rotation[n]), model.body_moves(body[1 - side]) ? 2 : 1, locals[body[side]]);
     }
   }

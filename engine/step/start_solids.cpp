@@ -1,12 +1,93 @@
-// Solids in space have no bonds yet: they start as they are placed.
+// The bonds of joints of solids in space, as step/start.cpp in the plane.
+#include <algorithm>
+#include <bit>
+
+#include "contact/joint.hpp"
+#include "contact/solid_faces.hpp"
+#include "step/evaluate.hpp"
+#include "step/solid_joints.hpp"
 #include "step/start.hpp"
 
 namespace trilith {
+namespace {
 
-State<3> start_state(const Model<3>& model, double /*reach*/) {
-  return initial_state(model);
+/// Areas narrower than this share of the smaller body's size are those of neighbours across an edge.
+constexpr double least_joint = 1e-3;
+
+/// The pairs that are near, and a state that has its contacts in their rows.
+void find_near_solids(const Model<3>& model, State<3>& state, Work<3>& work) {
+  place(model, state, work);
+  find(model, state, work);
+  state.contacts = work.matched;
 }
-void set_bonds(const Model<3>& /*model*/, State<3>& /*state*/, double /*reach*/) {}
-void lift_bonds(const Model<3>& /*model*/, State<3>& /*state*/) {}
+
+double size_of_smaller(const Model<3>& model, const NearPair& p) {
+  return 2 * std::min(model.body_radius[model.piece_body[p.piece_a]], model.body_radius[model.piece_body[p.piece_b]]);
+}
+
+bool holds_all_over(const JointMemory* joint) {
+  return joint != nullptr && !joint->empty() &&
+         std::popcount(joint->bonds) == static_cast<int>(joint->plan->patch.size());
+}
+
+/// Elastic energy of a row, joint or not [J].
+double energy_of_row(const Model<3>& model, const State<3>& state, Work<3>& work, std::size_t row) {
+  const NearPair& p = work.pairs[row];
+  const LawInUse law{model.laws[p.law], model.thickness, 0};
+  if (const JointMemory* joint = state.contacts.joint_at(row); joint != nullptr && !joint->empty())
+    return joint_energy(*joint, law);
+  const SolidMemory& memory = state.contacts.memory[row];
+  SolidOverlapBuffer cell;
+  if ((memory.state & contact_touching) == 0) return 0;
+  return solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b], memory, law,
+                              work.solids.shared, cell);
+}
+
+/// change() alters what a row remembers; the ledger has the difference of the elastic energy.
+template <class Change>
+void change_row(const Model<3>& model, State<3>& state, Work<3>& work, std::size_t row, Change&& change) {
+  const double before = energy_of_row(model, state, work, row);
+  change();
+  state.given[EnergyTerm::contact_fracture] += before - energy_of_row(model, state, work, row);
+}
+
+}  // namespace
+
+void set_bonds(const Model<3>& model, State<3>& state, double reach) {
+  Work<3> work;
+  find_near_solids(model, state, work);
+  for (std::size_t row = 0; row < work.pairs.size(); ++row) {
+    const NearPair& pair = work.pairs[row];
+    // A joint that holds all over is left as it is, so this may be called again.
+    if (!may_bond(model.laws[pair.law]) || holds_all_over(state.contacts.joint_at(row))) continue;
+    const double size = size_of_smaller(model, pair);
+    FaceOverlap3 faces;
+    if (!meeting_faces(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b], reach * size,
+                       least_joint * size, faces))
+      continue;
+    change_row(model, state, work, row, [&] {
+      SolidMemory& memory = state.contacts.memory[row];
+      JointMemory* joint = state.contacts.joint_at(row);
+      (joint != nullptr ? *joint : state.contacts.add_joint(row)) =
+          set_joint(faces, body_motion(model, state, pair.piece_a), body_motion(model, state, pair.piece_b), memory);
+      memory.state |= contact_touching | contact_general;
+    });
+  }
+}
+
+/// The shear of a joint goes on in the one slider of faces without bonds.
+void lift_bonds(const Model<3>& model, State<3>& state) {
+  Work<3> work;
+  find_near_solids(model, state, work);
+  for (std::size_t row = 0; row < work.pairs.size(); ++row)
+    if (JointMemory* joint = state.contacts.joint_at(row); joint != nullptr && !joint->empty())
+      change_row(model, state, work, row, [&] { *joint = {}; });
+}
+
+State<3> start_state(const Model<3>& model, double reach) {
+  State<3> state = initial_state(model);
+  set_bonds(model, state, reach);
+  return state;
+}
 
 }  // namespace trilith

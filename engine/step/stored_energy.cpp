@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "contact/face_resultant.hpp"
+#include "contact/joint.hpp"
 #include "contact/overlap_energy.hpp"
 #include "step/contact_rows.hpp"
 
@@ -60,6 +61,11 @@ double contact_energy(const Model<3>& model, const State<3>& /*state*/, const Wo
   for (const GeneralContact<3>& g : work.general_touching) {
     const NearPair& p = work.pairs[g.row];
     const LawInUse law{model.laws[p.law], model.thickness, 0};
+    const JointMemory* joint = work.contacts.joint_at(static_cast<std::size_t>(g.row));
+    if (joint != nullptr && !joint->empty()) {
+      sum += joint_energy(*joint, law);
+      continue;
+    }
     sum += solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b],
                                 work.contacts.memory[g.row], law, shared, cell);
   }

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "contact/joint_memory.hpp"
 #include "contact/list.hpp"
 #include "contact/solid_contact.hpp"
 
@@ -39,13 +40,32 @@ struct ContactHistory {
   [[nodiscard]] int find(ContactKey contact) const;
 };
 
-/// The same of solids in space, whose laws remember nothing of their own there.
+/// The same of solids in space. What a bonding law remembers of faces that hold together is in a joint of their own.
 struct SolidHistory {
-  std::vector<ContactKey> key;      ///< [contact]
-  std::vector<SolidMemory> memory;  ///< [contact]
+  std::vector<ContactKey> key;         ///< [contact]
+  std::vector<SolidMemory> memory;     ///< [contact]
+  std::vector<std::int32_t> joint_of;  ///< [contact] index into `joint`, -1: none; empty where there is no joint at all
+  std::vector<JointMemory> joint;
 
   [[nodiscard]] std::size_t size() const { return key.size(); }
-  void clear(std::size_t row) { memory[row] = {}; }
+  /// The joint of a contact, nullptr where there is none. Inline: asked of every row.
+  [[nodiscard]] const JointMemory* joint_at(std::size_t row) const {
+    return row < joint_of.size() && joint_of[row] >= 0 ? &joint[static_cast<std::size_t>(joint_of[row])] : nullptr;
+  }
+  [[nodiscard]] JointMemory* joint_at(std::size_t row) {
+    return row < joint_of.size() && joint_of[row] >= 0 ? &joint[static_cast<std::size_t>(joint_of[row])] : nullptr;
+  }
+  /// Lets a contact forget everything.
+  void clear(std::size_t row) {
+    memory[row] = {};
+    if (JointMemory* j = joint_at(row)) *j = {};
+  }
+  /// Gives a contact a joint; it had none.
+  JointMemory& add_joint(std::size_t row) {
+    joint_of.resize(key.size(), -1);
+    joint_of[row] = static_cast<std::int32_t>(joint.size());
+    return joint.emplace_back();
+  }
 };
 
 /// What the contacts of a model of D dimensions remember.

@@ -16,6 +16,11 @@ void SolidModelBuilder::add_material(const Material& material) {
   materials_.push_back(material);
 }
 
+void SolidModelBuilder::add_law(const std::string& name, const ContactLaw& law) {
+  require_law_for_solids(name, law);
+  rules_.add_law(name, law, notes_);
+}
+
 double SolidModelBuilder::density_of(const SolidSpec& spec) const {
   const std::string owner = fmt::format("body '{}'", spec.name);
   if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");

@@ -42,8 +42,8 @@ class SolidModelBuilder {
   // Each throws InputError, and leaves the builder as it was.
   void add_material(const Material& material);
   void add_body(SolidSpec spec);
-  /// See ContactRules.
-  void add_law(const std::string& name, const ContactLaw& law) { rules_.add_law(name, law, notes_); }
+  /// See ContactRules; refuses laws that crush.
+  void add_law(const std::string& name, const ContactLaw& law);
   void set_contact(const std::string& a, const std::string& b, const std::string& law) {
     rules_.set_contact(a, b, law);
   }

@@ -59,16 +59,6 @@ void mark_inner_faces(std::vector<ConvexSolid>& pieces) {
   }
 }
 
-/// Laws whose joints hold together or lose depth, which need more memory than solids have.
-bool remembers_joint(const ContactLaw& law) {
-  return std::visit(
-      [](const auto& l) {
-        using Kernel = typename std::decay_t<decltype(l)>::Kernel;
-        return Kernel::bonds || Kernel::crushes;
-      },
-      law);
-}
-
 /// True where a law holds between a surface and any.
 bool touches_something(const Model<3>& model, int surface) {
   for (int other = 0; other < model.surfaces; ++other)
@@ -154,15 +144,22 @@ void SpaceBuilder::add_pieces(const SolidBody& body, const SolidMass& mass) {
   model_.body_radius.push_back(radius);
 }
 
+/// Laws whose joints lose depth for good, which solids do not remember.
+void require_law_for_solids(const std::string& name, const ContactLaw& law) {
+  const bool loses_depth = with_kernel(LawInUse{law}, []<class K>(const K& kernel) {
+    if constexpr (K::crushes) return kernel.crushing > 0;
+    return false;
+  });
+  if (loses_depth)
+    throw InputError(
+        fmt::format("contact '{}' crushes, which solids in space do not do yet; leave out its compression", name));
+}
+
 void SpaceBuilder::contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name) {
   if (surface_a < 0 || surface_b < 0)
     throw InputError(fmt::format("contact '{}' is between surfaces {} and {}; they are numbered from 0", name,
                                  surface_a, surface_b));
-  if (remembers_joint(law))
-    throw InputError(
-        fmt::format("contact '{}' bonds or crushes, which solids in space do not do yet; take a frictional "
-                    "or power law",
-                    name));
+  require_law_for_solids(name, law);
   pairings_.push_back({surface_a, surface_b, static_cast<int>(model_.laws.size())});
   model_.laws.push_back(law), model_.law_names.push_back(name);
 }

@@ -28,6 +28,9 @@ struct SolidMass {
 };
 SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density);
 
+/// Throws InputError for a law that solids in space do not have yet: one that crushes.
+void require_law_for_solids(const std::string& name, const ContactLaw& law);
+
 /// Writes thicknesses and the usual bounds of a model in space whose bodies and table of laws are there.
 void complete_space(Model<3>& model);
 
@@ -40,7 +43,7 @@ class SpaceBuilder {
   /// check_convex), a density that is not above 0, numbers that are not finite.
   int add(const SolidBody& body);
   /// The law between two surfaces, which are numbered from 0. Without one, bodies pass through each other. Throws
-  /// InputError: a law that bonds or crushes, which solids in space do not do yet; a surface below 0.
+  /// InputError: a law that crushes, which solids in space do not do yet; a surface below 0.
   void contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name);
   [[nodiscard]] Model<3> build() const;
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "contact/joint_plan.hpp"
 
 namespace trilith {
 namespace {
@@ -98,6 +99,7 @@ class Reader {
   }
   void contacts(ContactHistory& s);
   void contacts(SolidHistory& s);
+  void joint(JointMemory& s, std::uint32_t patches);
   void tangent(std::shared_ptr<const KeptTangent>& kept);
   void done() const {
     if (at_ != words_.size()) fail("is longer than its contents");
@@ -137,15 +139,30 @@ void Writer::contacts(const ContactHistory& s) {
   }
 }
 
-/// One contact of solids, for the writer and for the reader alike.
+/// A joint: how it was laid, which the rest of its plan follows from, and what its patches remember.
+template <class File, class Plan>
+void walk_plan(File& file, Plan& plan) {
+  const auto number = [&](auto& v) { file.number(v); };
+  JointSeat::fields(plan.in_a, number), JointSeat::fields(plan.in_b, number);
+  number(plan.standing.at), number(plan.standing.slope[0]), number(plan.standing.slope[1]);
+  for (std::size_t i = 0, n = file.open_count(plan.outline, 2); i < n; ++i)
+    number(plan.outline[i][0]), number(plan.outline[i][1]);
+}
+template <class File, class Joint>
+void walk_patches(File& file, Joint& joint, std::uint32_t patches) {
+  const auto number = [&](auto& v) { file.number(v); };
+  number(joint.moved.at), number(joint.moved.slope[0]), number(joint.moved.slope[1]);
+  for (auto* shear : {&joint.elastic, &joint.total})
+    if (joint.sound)
+      for (const int k : {0, 1, 2}) number((*shear)[k]);
+  for (std::uint32_t k = 0; k < patches && !joint.sound; ++k) PatchMemory::fields(joint.patch[k], number);
+}
+
+/// One contact of solids, for the writer and for the reader alike. `patches`: of its joint, 0 where it has none.
 template <class File, class Memory>
-void walk_solid_memory(File& file, Memory& m) {
+void walk_solid_memory(File& file, Memory& m, std::uint32_t& patches) {
   SolidMemory::fields(
-      m, [&](auto& v) { file.number(v); },
-      [&](auto& state) {
-        std::uint32_t none = 0;
-        file.pair(none, state);
-      });
+      m, [&](auto& v) { file.number(v); }, [&](auto& state) { file.pair(patches, state); });
 }
 
 void Writer::contacts(const SolidHistory& s) {
@@ -154,17 +171,41 @@ void Writer::contacts(const SolidHistory& s) {
   words.push_back(kept);
   for (std::size_t row = 0; row < s.memory.size(); ++row) {
     if (s.memory[row].empty()) continue;
+    const JointMemory* joint = s.joint_at(row);
+    const bool has = joint != nullptr && !joint->empty();
+    auto patches = has ? static_cast<std::uint32_t>(joint->plan->patch.size()) : 0U;
     key(s.key[row]);
-    walk_solid_memory(*this, s.memory[row]);
+    walk_solid_memory(*this, s.memory[row], patches);
+    if (!has) continue;
+    walk_plan(*this, *joint->plan);
+    pair(joint->sound ? 1U : 0U, joint->bonds);
+    walk_patches(*this, *joint, patches);
   }
+}
+
+/// The rest of a plan is found again from the outline.
+void Reader::joint(JointMemory& s, std::uint32_t patches) {
+  const auto plan = std::make_shared<JointPlan>();
+  walk_plan(*this, *plan);
+  if (plan->outline.size() < 3) fail("has a joint without an area");
+  divide_joint(*plan);
+  std::uint32_t sound = 0;
+  pair(sound, s.bonds);
+  if (plan->patch.size() != patches || s.bonds >> patches != 0 || sound > 1)
+    fail("has a joint that does not fit its faces");
+  s.plan = plan, s.sound = sound == 1;
+  walk_patches(*this, s, patches);
 }
 
 void Reader::contacts(SolidHistory& s) {
   const std::size_t count = open_count(s.key, 19);
   s.memory.resize(count);
   for (std::size_t row = 0; row < count; ++row) {
+    std::uint32_t patches = 0;
     key(s.key[row]);
-    walk_solid_memory(*this, s.memory[row]);
+    walk_solid_memory(*this, s.memory[row], patches);
+    if (patches > most_patches) fail("has a joint of too many patches");
+    if (patches > 0) joint(s.add_joint(row), patches);
   }
 }
 

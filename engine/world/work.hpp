@@ -67,6 +67,7 @@ struct GeneralContact {
 /// How the area of a contact in space lies, for the step estimate.
 struct ContactArea {
   Vec3 middle, normal;    ///< [m], of length 1
+  double area;            ///< pressed, or held by mortar [m2]
   double radius, spread;  ///< see SolidPressure [m], [m2]
 };
 

@@ -16,7 +16,7 @@ std::size_t bytes_of_contacts(const ContactHistory& c) {
   return bytes_in(c.key, c.memory, c.law_row, c.law_memory);
 }
 std::size_t bytes_of_contacts(const SolidHistory& c) {
-  return bytes_in(c.key, c.memory);
+  return bytes_in(c.key, c.memory, c.joint_of, c.joint);
 }
 
 }  // namespace

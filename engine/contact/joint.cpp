@@ -1,0 +1,174 @@
+#include "contact/joint.hpp"
+
+#include <algorithm>
+
+#include "contact/solid_faces.hpp"
+#include "contact/sound_joint.hpp"
+
+namespace trilith {
+namespace {
+
+/// Slid by more than this share of their width, faces without bonds share another area than that of their joint.
+constexpr double longest_slide = 0.01;
+
+std::uint32_t all_bonds(const JointPlan& plan) {
+  return (1U << plan.patch.size()) - 1U;
+}
+
+// One copy for wide registers and one for any machine: the same operations, so the same bits.
+
+template <class K>
+void step_narrow(JointStep<K>& step) {
+  step.run();
+}
+#ifdef __x86_64__
+template <class K>
+[[gnu::target("avx2")]] void step_wide(JointStep<K>& step) {
+  step.run();
+}
+#endif
+
+template <class K>
+void step_as_here(JointStep<K>& step) {
+#ifdef __x86_64__
+  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  if (wide) return step_wide(step);
+#endif
+  step_narrow(step);
+}
+
+/// A step patch by patch, of a joint that was sound before too.
+template <class K>
+JointSums step_by_patches(const JointPlan& plan, const JointMotion& motion, const K& law, const JointMemory& joint,
+                          JointMemory& after) {
+  const auto run = [&](const JointMemory& before) {
+    JointStep<K> step(plan, motion, law, before, after);
+    step_as_here(step);
+    return step.sums;
+  };
+  if (!joint.sound) return run(joint);
+  JointMemory patches = joint;
+  spread_shear(patches);
+  return run(patches);
+}
+
+/// Of a stress along the normal with that moment about the origin of the joint: the moment on b.
+Vec3 moment_on_b(const JointMotion& motion, const Vec2& moment) {
+  return cross(motion.in_world(moment), motion.normal);
+}
+
+/// Forces, and what the contact remembers: also what other solids would, should the joint end.
+void add_up(const JointSums& step, const JointPlan& plan, const JointMotion& motion, const Coulomb& law,
+            const BodyMotion& a, SolidResponse& out) {
+  const Vec3 &n = motion.normal, shear = motion.in_world(step.shear), elastic = motion.in_world(step.shear_elastic);
+  const Vec3 damping = law.kn * step.damping.force * n, turning = moment_on_b(motion, law.kn * step.damping.moment);
+  out.centre = motion.origin;
+  out.normal_force = law.kn * step.pressed.force * n + damping;
+  out.force = out.normal_force - shear;
+  out.moment = moment_on_b(motion, law.kn * step.pressed.moment) + turning - step.couple * n;
+  out.area = step.pressed.area;
+  out.memory.shear = {elastic + step.couple_elastic / plan.radius * n, shear + step.couple / plan.radius * n,
+                      step.pressed.area};
+  out.memory.normal = n;
+  out.memory.damping = damping;
+  out.memory.damping_moment = turning + cross(Vec3(motion.origin - a.place), damping);
+  out.memory.state = contact_touching | contact_general;
+}
+
+/// Half of the power that both dampings take, of now and of before, times the step [J].
+double joint_damping_loss(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before, const SolidMemory& now,
+                          double dt) {
+  const Vec3 rate = b.velocity_at(a.place) - a.velocity, spin = b.spin - a.spin;
+  const Vec3 force = before.damping + now.damping, moment = before.damping_moment + now.damping_moment;
+  return -0.5 * dt * (force.dot(rate) + moment.dot(spin));
+}
+
+double deepest_overlap(const JointPlan& plan, const JointMotion& motion) {
+  double most = 0;
+  for (const Vec2& p : plan.outline) most = std::max(most, motion.moved(p) + plan.standing(p));
+  return most;
+}
+
+bool has_left(const JointPlan& plan, const JointMotion& motion, double depth) {
+  const double slid = motion.aside.norm() + std::abs(motion.turn.z()) * plan.width;
+  return slid > longest_slide * plan.width || motion.turn.head<2>().norm() > flat_faces_max_tilt ||
+         depth > flat_faces_max_depth * plan.width;
+}
+
+template <class K>
+double energy_of(const JointMemory& joint, const K& law) {
+  if (joint.sound)
+    return law.kn * sound_stress(*joint.plan, joint.moved).energy +
+           sound_shear_energy(*joint.plan, joint.elastic, law.ks);
+  double sum = 0;
+  for (std::size_t k = 0; k < joint.plan->patch.size(); ++k) {
+    const JointPatch& p = joint.plan->patch[k];
+    const PatchMemory& m = joint.patch[k];
+    const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip)));
+    sum += law.kn * elastic_stress(*joint.plan, p, o, joint.bonded(static_cast<int>(k)), holds_of(law, m)).energy;
+    const Lanes x = lanes_of(m.elastic_x), y = lanes_of(m.elastic_y);
+    if (law.ks * m.active > 0) sum += 2 * sum_of(x * x + y * y) / (law.ks * m.active);
+  }
+  return sum;
+}
+
+bool is_damaged(const JointMemory& m) {
+  if (m.sound) return false;
+  for (std::size_t k = 0; k < m.plan->patch.size(); ++k)
+    for (const double d : m.patch[k].damage)
+      if (d > 0) return true;
+  return false;
+}
+
+}  // namespace
+
+JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before,
+                            const JointMemory& joint, const LawInUse& use, JointMemory& after) {
+  const JointPlan& plan = *joint.plan;
+  const JointMotion motion(plan, a, b);
+  return with_kernel(use, [&]<class K>(const K& law) {
+    JointSums sums;
+    if (!joint.sound || !step_sound(plan, motion, law, joint, after, sums))
+      sums = step_by_patches(plan, motion, law, joint, after);
+    JointResponse out;
+    SolidResponse& contact = out.contact;
+    add_up(sums, plan, motion, law, a, contact);
+    contact.memory.slip = before.slip + sums.slip;
+    contact.depth = deepest_overlap(plan, motion);
+    contact.middle = motion.origin, contact.normal = motion.normal, contact.radius = plan.radius;
+    contact.spread = std::max(plan.whole.xx, plan.whole.yy) / plan.whole.area;
+    contact.lost_friction = sums.lost.friction, contact.lost_fracture = sums.lost.fracture;
+    contact.lost_damping = sums.lost.damping + joint_damping_loss(a, b, before, contact.memory, law.dt);
+    contact.touching = after.bonds != 0 || contact.area > 0;
+    out.ends = after.bonds == 0 && (!contact.touching || has_left(plan, motion, contact.depth));
+    if (!contact.touching) contact.memory = {};
+    out.changed = joint.bonds != after.bonds || (sums.softened && joint_change(joint, after).cracked);
+    return out;
+  });
+}
+
+double joint_energy(const JointMemory& joint, const LawInUse& use) {
+  return with_kernel(use, [&](const auto& law) { return energy_of(joint, law); });
+}
+
+JointChange joint_change(const JointMemory& before, const JointMemory& now) {
+  JointChange change;
+  change.broken = before.bonds != now.bonds;
+  change.cracked =
+      !change.broken && before.bonds != 0 && !before.empty() && !now.empty() && !is_damaged(before) && is_damaged(now);
+  return change;
+}
+
+JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b, const SolidMemory& before) {
+  const auto plan = std::make_shared<JointPlan>(plan_joint(faces, a, b));
+  const JointMotion motion(*plan, a, b);
+  const auto along_axes = [&](const Vec3& force) {
+    return Vec3(motion.x.dot(force), motion.y.dot(force), plan->radius * motion.normal.dot(force));
+  };
+  JointMemory joint;
+  joint.plan = plan, joint.bonds = all_bonds(*plan), joint.sound = true;
+  joint.elastic = along_axes(before.shear.elastic), joint.total = along_axes(before.shear.total);
+  return joint;
+}
+
+}  // namespace trilith

@@ -1,0 +1,43 @@
+// Two solids whose faces mortar holds together: a bond over each patch of the area they shared as it set.
+//
+//        b                                 What comes in: poses and motions of both bodies, what the joint remembers,
+//        the
+//    ____________________                  law. What goes out: the forces, what is left of each patch's bond, and the
+//   |____|____|____|_  _|                  energies given off. Each patch opens, slips and turns with the two bodies
+//   and
+//        a       ->  crack from one side   loses its bond for itself (contact/joint_patch.hpp); one that has lost it
+//                                          presses and rubs where it stands.
+//
+// The joint ends, and the two go on as any other solids, once no patch holds and the faces have parted, slid by a
+// hundredth of their width or turned further than faces that lie flat may.
+#pragma once
+
+#include "contact/joint_memory.hpp"
+#include "contact/joint_plan.hpp"
+#include "contact/list.hpp"
+#include "contact/solid_contact.hpp"
+
+namespace trilith {
+
+/// What a joint gives in a step.
+struct JointResponse {
+  SolidResponse contact;  ///< its moment is about the middle of the joint, which is its centre
+  bool ends = false;      ///< two other solids from now on, which `contact.memory` is for
+  bool changed = false;   ///< a bond was lost, or damaged for the first time
+};
+
+/// One step. `before`: what the contact remembers; `after`: what the joint does then.
+JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before,
+                            const JointMemory& joint, const LawInUse& law, JointMemory& after);
+
+/// Elastic energy of a joint, of its pressure and of its shear [J].
+double joint_energy(const JointMemory& joint, const LawInUse& law);
+
+/// What happened to a joint between two instants.
+JointChange joint_change(const JointMemory& before, const JointMemory& now);
+
+/// Mortar sets between faces as they stand, whole and undamaged. The shear that the contact carried, spread over all of
+/// the area, stays.
+JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b, const SolidMemory& before);
+
+}  // namespace trilith
