@@ -29,7 +29,7 @@ struct BodyMotion {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
 };
 
-Vec3 in_space(const Vec2& v) {
+Vec3 lifted(const Vec2& v) {
   return {v.x(), v.y(), 0};
 }
 
@@ -39,7 +39,7 @@ BodyMotion motion_in_plane(const PlaneModel& m, int body) {
   const Pose pose = s != nullptr ? body_pose(s->model(), s->state(), body)
                                  : Pose{polygon_moments(spec.outline).centroid, 0, spec.velocity, spec.spin};
   const Vec2 moved = s != nullptr ? Vec2(pose.place - body_start(s->model(), body)) : Vec2(Vec2::Zero());
-  return {in_space(pose.place), in_space(moved), {0, 0, pose.rotation}, in_space(pose.velocity), {0, 0, pose.spin}};
+  return {lifted(pose.place), lifted(moved), {0, 0, pose.rotation}, lifted(pose.velocity), {0, 0, pose.spin}};
 }
 
 BodyMotion motion_in_space(const SpaceModel& m, int body) {
@@ -71,13 +71,6 @@ double spin(const BodyHandle& b) {
   return motion_in_plane(b.plane(), b.index).spin.z();
 }
 
-/// A number of models in space: `axis` 0 to 2.
-template <Vec3 BodyMotion::*vector, int axis>
-double in_space_only(const BodyHandle& b) {
-  if (b.model().dim() != 3)
-    throw InputError(fmt::format("this is of bodies in space, and {} is in the plane", b.model().title()));
-  return (motion(b).*vector)[axis];
-}
 template <Vec3 BodyMotion::*vector, int axis>
 double along_axis(const BodyHandle& b) {
   return (motion(b).*vector)[axis];
@@ -152,58 +145,71 @@ void push_ends(lua_State* L, const BodyHandle& b, const std::vector<std::string>
 }
 
 using BodyProperty = Property<BodyHandle>;
+BodyProperty in_plane(BodyProperty p) {
+  p.dim = 2;
+  return p;
+}
+BodyProperty in_space(BodyProperty p) {
+  p.dim = 3;
+  return p;
+}
+
 const std::array body_properties{
     BodyProperty{"name", "", "its name", nullptr,
                  [](lua_State* L, const BodyHandle& b) { push_text(L, name_of_body(b)); }},
     BodyProperty{"material", "", "name of its material", nullptr,
                  [](lua_State* L, const BodyHandle& b) { push_text(L, b.model().material_of(b.index)); }},
     BodyProperty{"groups", "", "names of its groups", nullptr, push_groups},
-    BodyProperty{"outline", "", "its corners {x, y} where they are now [m]", nullptr, push_outline},
+    in_plane(BodyProperty{"outline", "", "its corners {x, y} where they are now [m]", nullptr, push_outline}),
     BodyProperty{"x", "m", "place of the centroid", along_axis<&BodyMotion::place, 0>},
     BodyProperty{"y", "m", "height of the centroid; in space its place along y", along_axis<&BodyMotion::place, 1>},
-    BodyProperty{"z", "m", "height of the centroid in space", in_space_only<&BodyMotion::place, 2>},
-    BodyProperty{"rotation", "rad", "counter-clockwise turn since the start, in the plane", rotation},
-    BodyProperty{"turn_x", "rad", "turn since the start in space: rotation vector along x",
-                 in_space_only<&BodyMotion::turned, 0>},
-    BodyProperty{"turn_y", "rad", "... along y", in_space_only<&BodyMotion::turned, 1>},
-    BodyProperty{"turn_z", "rad", "... along z", in_space_only<&BodyMotion::turned, 2>},
+    in_space(BodyProperty{"z", "m", "height of the centroid in space", along_axis<&BodyMotion::place, 2>}),
+    in_plane(BodyProperty{"rotation", "rad", "counter-clockwise turn since the start, in the plane", rotation}),
+    in_space(BodyProperty{"turn_x", "rad", "turn since the start in space: rotation vector along x",
+                          along_axis<&BodyMotion::turned, 0>}),
+    in_space(BodyProperty{"turn_y", "rad", "... along y", along_axis<&BodyMotion::turned, 1>}),
+    in_space(BodyProperty{"turn_z", "rad", "... along z", along_axis<&BodyMotion::turned, 2>}),
     BodyProperty{"vx", "m/s", "velocity of the centroid along x", along_axis<&BodyMotion::velocity, 0>},
     BodyProperty{"vy", "m/s", "velocity of the centroid along y", along_axis<&BodyMotion::velocity, 1>},
-    BodyProperty{"vz", "m/s", "velocity of the centroid along z, in space", in_space_only<&BodyMotion::velocity, 2>},
-    BodyProperty{"spin", "rad/s", "rate of rotation, in the plane", spin},
-    BodyProperty{"spin_x", "rad/s", "rate of rotation about x, in space", in_space_only<&BodyMotion::spin, 0>},
-    BodyProperty{"spin_y", "rad/s", "rate of rotation about y, in space", in_space_only<&BodyMotion::spin, 1>},
-    BodyProperty{"spin_z", "rad/s", "rate of rotation about z, in space", in_space_only<&BodyMotion::spin, 2>},
+    in_space(
+        BodyProperty{"vz", "m/s", "velocity of the centroid along z, in space", along_axis<&BodyMotion::velocity, 2>}),
+    in_plane(BodyProperty{"spin", "rad/s", "rate of rotation, in the plane", spin}),
+    in_space(BodyProperty{"spin_x", "rad/s", "rate of rotation about x, in space", along_axis<&BodyMotion::spin, 0>}),
+    in_space(BodyProperty{"spin_y", "rad/s", "rate of rotation about y, in space", along_axis<&BodyMotion::spin, 1>}),
+    in_space(BodyProperty{"spin_z", "rad/s", "rate of rotation about z, in space", along_axis<&BodyMotion::spin, 2>}),
     BodyProperty{"ux", "m", "displacement along x since the start", along_axis<&BodyMotion::moved, 0>},
     BodyProperty{"uy", "m", "displacement along y since the start", along_axis<&BodyMotion::moved, 1>},
-    BodyProperty{"uz", "m", "displacement along z since the start, in space", in_space_only<&BodyMotion::moved, 2>},
+    in_space(
+        BodyProperty{"uz", "m", "displacement along z since the start, in space", along_axis<&BodyMotion::moved, 2>}),
     BodyProperty{"speed", "m/s", "speed of the centroid",
                  [](const BodyHandle& b) { return motion(b).velocity.norm(); }},
     BodyProperty{"mass", "kg", "mass", [](const BodyHandle& b) { return b.model().mass_of(b.index); }},
-    BodyProperty{"inertia", "kg m2", "moment of inertia about the centroid",
-                 [](const BodyHandle& b) { return b.plane().inertia_of(b.index); }},
-    BodyProperty{"area", "m2", "area of the outline",
-                 [](const BodyHandle& b) { return polygon_moments(spec(b).outline).area; }},
+    in_plane(BodyProperty{"inertia", "kg m2", "moment of inertia about the centroid",
+                          [](const BodyHandle& b) { return b.plane().inertia_of(b.index); }}),
+    in_plane(BodyProperty{"area", "m2", "area of the outline",
+                          [](const BodyHandle& b) { return polygon_moments(spec(b).outline).area; }}),
     BodyProperty{"kind", "", "\"rigid\", \"quad\" or \"mesh\"", nullptr,
                  [](lua_State* L, const BodyHandle& b) {
                    const PlaneModel* plane = as_plane(b.model());
                    push_text(L, std::string(name_of(plane != nullptr ? plane->spec(b.index).kind : BodyKind::rigid)));
                  }},
-    BodyProperty{
+    in_plane(BodyProperty{
         "sxx", "Pa", "mean stress along x of a deformable body",
-        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xx; }); }},
-    BodyProperty{
+        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xx; }); }}),
+    in_plane(BodyProperty{
         "syy", "Pa", "mean stress along y of a deformable body",
-        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).yy; }); }},
-    BodyProperty{
+        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).yy; }); }}),
+    in_plane(BodyProperty{
         "sxy", "Pa", "mean shear stress of a deformable body",
-        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xy; }); }},
-    BodyProperty{"plastic", "1", "mean plastic measure of a deformable body",
-                 [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return e.plastic; }); }},
-    BodyProperty{"bearings", "", "of a span made with from and to: { left, right }; a side without a bearing is nil",
-                 nullptr, [](lua_State* L, const BodyHandle& b) { push_ends<push_bearing>(L, b, b.model().bearings); }},
-    BodyProperty{"seats", "", "of a span made with from and to: { left, right }", nullptr,
-                 [](lua_State* L, const BodyHandle& b) { push_ends<push_seat>(L, b, b.model().seats); }},
+        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xy; }); }}),
+    in_plane(BodyProperty{
+        "plastic", "1", "mean plastic measure of a deformable body",
+        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return e.plastic; }); }}),
+    in_plane(BodyProperty{
+        "bearings", "", "of a span made with from and to: { left, right }; a side without a bearing is nil", nullptr,
+        [](lua_State* L, const BodyHandle& b) { push_ends<push_bearing>(L, b, b.model().bearings); }}),
+    in_plane(BodyProperty{"seats", "", "of a span made with from and to: { left, right }", nullptr,
+                          [](lua_State* L, const BodyHandle& b) { push_ends<push_seat>(L, b, b.model().seats); }}),
     BodyProperty{"resting", "", "true while it has been still for the model's still_time", nullptr,
                  [](lua_State* L, const BodyHandle& b) { lua_pushboolean(L, b.model().is_resting(b.index) ? 1 : 0); }},
 };
@@ -267,8 +273,9 @@ const std::array set_properties{
     SetProperty{
         "speed", "m/s", "of the fastest centroid",
         [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return motion(b).velocity.norm(); }); }},
-    SetProperty{"drift", "m", "largest displacement since the start",
-                [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return motion(b).moved.norm(); }); }},
+    SetProperty{
+        "drift", "m", "largest displacement since the start",
+        [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return motion(b).moved.norm(); }); }},
 };
 
 std::vector<int> other_side(lua_State* L, const BodySet& set) {

@@ -175,6 +175,14 @@ inline PlaneModel& BodySet::plane() const {
 inline PlaneModel& Row::plane() const {
   return require_plane(model(), "this");
 }
+/// Of the model that a handle belongs to.
+inline int dimension_of(const ModelBox& m) {
+  return m.get().dim();
+}
+inline int dimension_of(const BodyHandle& b) {
+  return b.model().dim();
+}
+
 /// A handle for C++: of a body, bearing, seat or storey of `model`.
 template <class H>
 H row_of(ScriptModel& model, int index) {

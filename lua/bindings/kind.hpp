@@ -26,6 +26,7 @@ struct Property {
   double (*number)(const H&) = nullptr;
   void (*push)(lua_State*, const H&) = nullptr;      ///< pushes one value; the handle is at stack index 1
   void (*set)(lua_State*, H&, int index) = nullptr;  ///< nullptr: cannot be set
+  int dim = 0;                                       ///< of models with so many dimensions alone; 0: of all
 };
 
 struct Method {
@@ -74,18 +75,30 @@ H& handle(lua_State* L, int index) {
 }
 
 template <class H>
-std::vector<std::string> member_names(lua_State* L, int lookup) {
-  std::vector<std::string> names;
-  for (lua_pushnil(L); lua_next(L, lookup) != 0; lua_pop(L, 1)) names.emplace_back(lua_tostring(L, -2));
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-template <class H>
 const Property<H>* find_property(std::string_view name) {
   for (const Property<H>& p : Kind<H>::properties())
     if (p.name == name) return &p;
   return nullptr;
+}
+
+/// Whether that handle has it: some are of models in the plane, or in space, alone.
+template <class H>
+bool has_property(const Property<H>& p, const H& h) {
+  if constexpr (requires { dimension_of(h); })
+    return p.dim == 0 || p.dim == dimension_of(h);
+  else
+    return true;
+}
+
+template <class H>
+std::vector<std::string> member_names(lua_State* L, int lookup, const H& h) {
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, lookup) != 0; lua_pop(L, 1)) {
+    const Property<H>* p = find_property<H>(lua_tostring(L, -2));
+    if (p == nullptr || has_property(*p, h)) names.emplace_back(lua_tostring(L, -2));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 template <class H>
@@ -110,8 +123,9 @@ int read_member(lua_State* L) {
   require_open(h);
   lua_pushvalue(L, 2);
   const int found = lua_rawget(L, lua_upvalueindex(1));
-  if (found == LUA_TLIGHTUSERDATA) {
-    push_property(L, *static_cast<const Property<H>*>(lua_touserdata(L, -1)), h);
+  const auto* property = found == LUA_TLIGHTUSERDATA ? static_cast<const Property<H>*>(lua_touserdata(L, -1)) : nullptr;
+  if (property != nullptr && has_property(*property, h)) {
+    push_property(L, *property, h);
     return 1;
   }
   if (found == LUA_TFUNCTION) return 1;
@@ -121,7 +135,7 @@ int read_member(lua_State* L) {
     throw InputError(fmt::format("a {} has no members by {}", Kind<H>::name, luaL_typename(L, 2)));
   const std::string name = text_at(L, 2);
   throw InputError(fmt::format("{} has no '{}'{}", Kind<H>::title(h), name,
-                               name_hint(name, member_names<H>(L, lua_upvalueindex(1)))));
+                               name_hint(name, member_names<H>(L, lua_upvalueindex(1), h))));
 }
 
 template <class H>

@@ -101,8 +101,8 @@ const std::array model_properties{
                   [](const ModelBox& m) { return m.get().step_numbers().last_dt; }},
     ModelProperty{"steps", "1", "steps taken",
                   [](const ModelBox& m) { return static_cast<double>(m.get().step_numbers().steps); }},
-    ModelProperty{"dim", "1", "2 in the plane, 3 in space",
-                  [](const ModelBox& m) { return static_cast<double>(m.get().dim()); }},
+    ModelProperty{"dim", "", "2 in the plane, 3 in space", nullptr,
+                  [](lua_State* L, const ModelBox& m) { lua_pushinteger(L, m.get().dim()); }},
     ModelProperty{"thickness", "m", "out of the plane", [](const ModelBox& m) { return m.plane().builder.thickness; }},
     ModelProperty{"speed", "m/s", "fastest point of all moving bodies",
                   [](const ModelBox& m) { return m.get().step_numbers().speed; }},
@@ -242,8 +242,11 @@ int make_model(lua_State* L) {
 std::span<const Property<ModelBox>> Kind<ModelBox>::properties() {
   static const std::vector<ModelProperty> all = [] {
     std::vector<ModelProperty> list(model_properties.begin(), model_properties.end());
-    for (const auto part : {finding_properties(), pushover_properties(), debug_properties()})
-      list.insert(list.end(), part.begin(), part.end());
+    list.insert(list.end(), finding_properties().begin(), finding_properties().end());
+    list.insert(list.end(), pushover_properties().begin(), pushover_properties().end());
+    for (ModelProperty& p : list) p.dim = p.name == "thickness" ? 2 : p.dim;
+    for (std::size_t i = model_properties.size(); i < list.size(); ++i) list[i].dim = 2;
+    list.insert(list.end(), debug_properties().begin(), debug_properties().end());
     return list;
   }();
   return all;

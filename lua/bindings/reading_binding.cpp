@@ -141,10 +141,10 @@ int contacts(lua_State* L) {
 }
 
 template <class H>
-std::vector<std::string> number_names() {
+std::vector<std::string> number_names(const H& h) {
   std::vector<std::string> names;
   for (const Property<H>& p : Kind<H>::properties())
-    if (p.number != nullptr) names.emplace_back(p.name);
+    if (p.number != nullptr && has_property(p, h)) names.emplace_back(p.name);
   return names;
 }
 
@@ -152,9 +152,9 @@ std::vector<std::string> number_names() {
 template <class H>
 void follow(Keys& keys, History& history, const std::string& what, const H& h) {
   const Property<H>* p = find_property<H>(what);
-  if (p == nullptr || p->number == nullptr) {
+  if (p == nullptr || p->number == nullptr || !has_property(*p, h)) {
     keys.problem(
-        fmt::format("'what' is '{}', no number of a {}{}", what, Kind<H>::name, name_hint(what, number_names<H>())));
+        fmt::format("'what' is '{}', no number of a {}{}", what, Kind<H>::name, name_hint(what, number_names(h))));
     return;
   }
   history.sample = [h, p] { return p->number(h); };
@@ -183,11 +183,12 @@ bool follow_key(Keys& keys, std::string_view key, History& history, const std::s
 /// A number of the model itself.
 void follow_model(Keys& keys, History& h, const std::string& what, ScriptModel& m) {
   const Property<ModelBox>* p = find_property<ModelBox>(what);
-  if (p == nullptr || p->number == nullptr) {
+  const ModelBox box{m.shared_from_this()};
+  if (p == nullptr || p->number == nullptr || !has_property(*p, box)) {
     if (keys.push("what") == LUA_TSTRING)  // others have been told of
       keys.problem(
           fmt::format("'what' is '{}', no number of the model (for others give body, bearing, seat or storey){}", what,
-                      name_hint(what, number_names<ModelBox>())));
+                      name_hint(what, number_names(box))));
     lua_pop(keys.lua(), 1);
     return;
   }

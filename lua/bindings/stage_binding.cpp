@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable.hpp"
 #include "bindings.hpp"
 #include "load/motion_check.hpp"
 #include "stage_run.hpp"
@@ -380,7 +381,8 @@ int tilt(lua_State* L) {
   const double duration = rate == 0 ? unbounded : by / std::abs(rate);
   if (SpaceModel* space = as_space(m)) {
     // About the axis across: what pointed down turns towards (cos, sin, 0).
-    const Vec3 axis(std::sin(towards), -std::cos(towards), 0);
+    const portable::SineCosine way = portable::sine_cosine(towards);
+    const Vec3 axis(way.sine, -way.cosine, 0);
     begin_tilt<3>(*space, rate * axis, duration);
   } else {
     begin_tilt<2>(require_plane(m, "tilt"), rate, duration);

@@ -8,6 +8,7 @@ local function check_members(list, manual)
     for name, member in pairs(core.members(kind)) do
       local is_method = type(member) == "function"
       local entry = manual.by_name[owner .. (is_method and ":" or ".") .. name]
+        or owner == "model" and manual.by_name["space:" .. name]
       if not entry then
         complain(list, "%s%s%s is not declared", owner, is_method and ":" or ".", name)
       elseif entry.is_field and not entry.type then
@@ -31,6 +32,7 @@ local function check_there(list, manual)
   for _, entry in ipairs(manual.list) do
     local owner = console.table_of(entry.owner)
       or console.kind_names[entry.owner] and core.members(console.kind_names[entry.owner])
+      or entry.owner == "space" and core.members "model"
     if not entry.is_row and (not owner or rawget(owner, entry.member) == nil) then
       complain(list, "%s is declared but not there", entry.name)
     end
@@ -56,7 +58,7 @@ end
 
 local function check_keys(list, manual)
   local trilith = core.module
-  local things = { model = trilith.model {}, motion = trilith.motion { acceleration = { 0, 1, 0 }, dt = 1 } }
+  local things = { model = trilith.model {}, space = trilith.model { dim = 3 }, motion = trilith.motion { acceleration = { 0, 1, 0 }, dt = 1 } }
   for _, entry in ipairs(manual.list) do
     if entry.takes_table and not entry.unread and (things[entry.owner] or entry.owner:find "^trilith") then
       local known, message = keys_known(entry, things)

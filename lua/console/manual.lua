@@ -40,7 +40,8 @@ local function read_entry(row, page, shared)
   -- Keys that are known only beside others, and constructors that tell no keys here: for the check of the manual.
   entry.beside, entry.unread = row.beside or {}, row.unread
   if row.with then entry.with = read_keys(shared[row.with]) end
-  if row.with == "bodies" then table.move(read_keys(shared.body), 1, 99, #entry.with + 1, entry.with) end
+  local each = ({ bodies = "body", solids = "solid" })[row.with]
+  if each then table.move(read_keys(shared[each]), 1, 99, #entry.with + 1, entry.with) end
   return entry
 end
 

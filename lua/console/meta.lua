@@ -8,7 +8,7 @@ local class_of = {
   ["solid law"] = "trilith.solid_law", ["fibre law"] = "trilith.fibre_law", ["hinge law"] = "trilith.hinge_law",
   section = "trilith.section", report = "trilith.report",
   findings = "trilith.findings",
-  event = "trilith.event", part = "trilith.part",
+  event = "trilith.event", part = "trilith.part", space = "trilith.space_model",
 }
 local type_of = {
   text = "string", flag = "boolean", integer = "integer", number = "number", point = "number[]", points = "number[][]",
@@ -19,6 +19,7 @@ local type_of = {
   ["solid law"] = "trilith.solid_law", ["fibre law"] = "trilith.fibre_law", ["hinge law"] = "trilith.hinge_law",
   section = "trilith.section", ["text or integer"] = "string|integer",
   course = "number|table",
+  vector = "number[]", vectors = "number[][]", ["text or table"] = "string|table",
   place = "number[]|string", ["two bodies"] = "table[]",
   ["bearing or law"] = "trilith.bearing|trilith.contact_law|string", storeys = "integer|table[]",
 }
@@ -94,7 +95,8 @@ local function field_type(entry)
 end
 
 local function add_class(lines, owner)
-  lines[#lines + 1] = "---@class " .. class_of[owner]
+  -- A model in space is a model with other makers of bodies.
+  lines[#lines + 1] = "---@class " .. class_of[owner] .. (owner == "space" and ": trilith.model" or "")
   for _, entry in ipairs(console.manual().list) do
     if entry.owner == owner and entry.is_field then
       local unit = entry.unit ~= "" and entry.unit ~= "1" and " [" .. entry.unit .. "]" or ""
@@ -111,7 +113,7 @@ function console.meta_text()
   local manual = console.manual()
   local lines = { "---@meta trilith", "-- Made by trilith manual --meta; see docs/editor.md.", "" }
   for _, owner in ipairs { "report", "findings", "event", "part", "direction law", "solid law", "fibre law",
-    "hinge law", "section", "model",
+    "hinge law", "section", "model", "space",
     "body", "set",
     "bearing", "seat", "history", "storey", "motion", "contact law" } do
     add_class(lines, owner)

@@ -2,8 +2,9 @@ return {
   name = "model", title = "Models: what they are made of",
   { "trilith.model", "A new model. Any number of them live side by side.", keys = [[
 name             text = ""           what messages call it
+dim              integer = 2         2 in the plane, 3 in space: see "Models in space"
 thickness        number m = 1        out of the plane, of every contact
-gravity          number m/s2 = 9.81  downwards; or a vector {x, y}
+gravity          number m/s2 = 9.81  downwards; or a vector {x, y}, in space {x, y, z}
 mass_damping     number 1/s = 0      damping force per momentum
 impact_speed     number m/s = 0.5    a contact made faster than this is an impact
 apart_time       number s = 0.02     a contact that has been open this long is lost
@@ -81,7 +82,7 @@ by_group        table?           what holds for a group alone]] },
   fields = {
     model = { name = "string", energy = "table", bearings = "trilith.bearing[]", seats = "trilith.seat[]",
       storeys = "trilith.storey[]", events = "trilith.event[]", hash = "string", notes = "string[]",
-      worst = "trilith.findings", verdict = "table" },
+      worst = "trilith.findings", verdict = "table", dim = "integer" },
     body = { name = "string", material = "string", groups = "string[]", outline = "number[][]", kind = "string",
       resting = "boolean", bearings = "table<string, trilith.bearing>?", seats = "table<string, trilith.seat>?" },
     ["set of bodies"] = { names = "string[]" },

@@ -23,6 +23,7 @@ value       number    see value_name
 value_name  text      what the value is
 x           number m  where
 y           number m  where
+z           number m?  where, in space
 mode        text?     of a joint: "tension", "shear" or "compression"
 text        text      in words
 bodies      list      the bodies concerned

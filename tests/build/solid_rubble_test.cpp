@@ -56,7 +56,7 @@ TEST_CASE("a joint sets stones apart by its width") {
   CHECK(near(widest, 0.1, 1e-12));
 }
 
-TEST_CASE("the same seed gives the same stones, another one others; relaxation evens them out") {
+TEST_CASE("the same seed gives the same stones, another one others, relaxation evens them out") {
   SolidRubble rubble{.high = {1, 1, 1}, .stones = 40, .relaxations = 0, .jitter = 0.01};
   const auto spread = [](const std::vector<SolidPart>& parts) {
     double least = 1, most = 0;

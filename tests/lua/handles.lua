@@ -25,7 +25,8 @@ local quake = trilith.motion { acceleration = { 0, 1, 0, -1, 0 }, dt = 0.1, allo
 -- What stands under the keys that are not under test.
 local fillers = {
   text = "impact", names = { "stone", "stone" }, number = 1, integer = 1, flag = true, point = { 0.5, 0.5 },
-  points = { { 0, 0 }, { 1, 0 }, { 1, 1 } }, numbers = { 1, 2 }, table = {}, list = {}, ["function"] = function() end,
+  points = { { 0, 0 }, { 1, 0 }, { 1, 1 } }, vector = { 1, 1, 1 }, vectors = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+  { 0, 0, 1 } }, ["text or table"] = "fixed", numbers = { 1, 2 }, table = {}, list = {}, ["function"] = function() end,
   body = "b", bodies = "b", bearing = "B", seat = "S", motion = quake, ["two bodies"] = { "b", "base" },
   ["contact law"] = trilith.frictional { kn = 1, ks = 1, mu = 1 }, ["text or integer"] = "x.lua:1",
 }
@@ -98,7 +99,7 @@ local tried, own = 0, 0
 --- Gives the function `value` at one place; it must refuse it, for the reason `why` where that is known.
 local function try(f, key, value, why, by_key)
   local here = make "here"
-  here.motion = quake
+  here.motion, here.space = quake, trilith.model { dim = 3 }
   local message
   if by_key then
     local t = filled(f.keys)

@@ -148,7 +148,7 @@ TEST_CASE("a wall in mortar rests under its weight and loses no bond") {
   CHECK(near_zero(run.energy().balance() - begun, 1e-6));
 }
 
-TEST_CASE("fresh mortar presses and rubs; as it sets nothing moves, and then it holds") {
+TEST_CASE("fresh mortar presses and rubs, as it sets nothing moves, and then it holds") {
   const Model<3> model = wall(lime(1e-3), 3, 0);
   State<3> state = start_state(model);
   lift_bonds(model, state);

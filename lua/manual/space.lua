@@ -1,0 +1,175 @@
+return {
+  name = "space", title = "Models in space: dim = 3",
+  shared = {
+    solid = [[
+material     text?            of it
+groups       names?           names of groups
+density      number kg/m3?    instead of the material's
+unit_weight  number N/m3?     or so
+mass         number kg?       or so
+weight       number N?        or so
+support      text or table?   "fixed", "free" or { x = , y = , z = , turn_x = , turn_y = , turn_z = }
+velocity     vector = {0, 0, 0}  at the start [m/s]
+spin         vector = {0, 0, 0}  at the start [rad/s]
+load         vector = {0, 0, 0}  steady force at the centroid [N]
+floating     flag = false     it may start with nothing that holds it up]],
+    solids = [[
+fixed        names?           names or groups of parts that are fixed
+by_group     table?           { name = { ... } }: what holds instead for parts of that name or group]],
+  },
+  { "space:block", "A box in any pose.", keys = [[
+name    text                   its name
+size    vector                 along its own x, y and z [m]
+at      vector = {0, 0, 0}     where its anchor is
+anchor  text = "lower_corner"  "lower_corner" or "centre"
+turn    table?                 { axis = {x, y, z}, angle = }: about the anchor]], with = "solid", gives = "body" },
+  { "space:extrusion", "What an outline sweeps over; one that is not convex becomes several pieces of a body.", keys = [[
+name     text                its name
+outline  points              corners in order
+plane    text = "upright"    "upright": its second number is z, depth along y; "level": it is y, depth along z
+from     number m = 0        where it begins along that axis
+depth    number m            how far it goes
+centred  flag = false        `from` is its middle
+at       vector = {0, 0, 0}  the outline's origin
+turn     table?              about `at`: { axis = , angle = }]], with = "solid", gives = "body" },
+  { "space:hull", "The convex hull of points.", keys = [[
+name    text       its name
+points  vectors    at least four, not in a plane
+flat    number?    points this near a plane, as a share of its size, are in it]], with = "solid", gives = "body" },
+  { "space:prism", "An upright regular prism.", keys = [[
+name    text                its name
+sides   integer = 6         how many
+radius  number m            of the circle through its corners
+height  number m            of it
+phase   number rad = 0      of its first corner, from x
+at      vector = {0, 0, 0}  middle of its foot
+turn    table?              about `at`: { axis = , angle = }]], with = "solid", gives = "body" },
+  { "space:column", "A column of drums, with base and capital.", keys = [[
+name        text?               names begin with it
+drums       integer = 1         how many
+height      number m            of all drums
+sides       integer = 16        of a drum
+radius      number m            of the lowest foot
+top_radius  number m?           of the uppermost top
+of          text = "area"       what the radius is of: the circle of the same "area", through the "corners" or in the "sides"
+phase       number rad = 0      of the first corners, from x
+base        table?              { width = , height = } under the drums
+capital     table?              { width = , height = } on them
+at          vector = {0, 0, 0}  middle of its foot]], with = "solids", gives = "set" },
+  { "space:wall", "A masonry wall with a thickness, along x.", keys = [[
+name            text?                names begin with it
+length          number m             along x
+thickness       number m?            along y; without it half a unit's length, or a unit's where there are headers
+unit_length     number m = 0.4       of a stretcher with its joint
+unit_height     number m = 0.2       of a course
+header_length   number m?            of a header along the wall
+bond            text = "stretcher"   stretcher, header, english or flemish
+courses         integer?             in a storey
+storey_height   number m?            or its height
+storeys         storeys = 1          how many, or a list of { courses = , height = , slab_height = }
+slab_height     number m = 0         of the floor on each storey
+slab_overhang   number m = 0         beyond the walls
+base_height     number m = 0         of the block under it
+base_margin     number m = 0         beyond the walls
+lintel_height   number m?            over openings
+lintel_bearing  number m?            its length on the wall
+least_length    number m?            shortest piece that is cut
+snap            flag = false         openings are moved to the nearest course lines
+openings        list?                { storey = , from = , sill = , width = , height = , lintel = }, ...
+at              vector = {0, 0, 0}   lower left corner of its front
+angle           number rad = 0       about z through that corner]], with = "solids", gives = "set" },
+  { "space:building", "Walls of a plan, whose corners and junctions interlock, storey upon storey.", keys = [[
+name            text?                names begin with it
+walls           list                 { name = , from = {x, y}, to = {x, y}, thickness = , bond = , openings = }, ...
+unit_length     number m = 0.4       of a stretcher with its joint
+unit_height     number m = 0.2       of a course
+header_length   number m?            of a header along the wall
+bond            text = "stretcher"   stretcher, header, english or flemish
+courses         integer?             in a storey
+storey_height   number m?            or its height
+storeys         storeys = 1          how many, or a list of { courses = , height = , slab_height = }
+slab_height     number m = 0         of the floor on each storey
+slab_overhang   number m = 0         beyond the walls
+slab_outline    points?              of the floors, instead
+base_height     number m = 0         of the block under it
+base_margin     number m = 0         beyond the walls
+lintel_height   number m?            over openings
+lintel_bearing  number m?            its length on the wall
+least_length    number m?            shortest piece that is cut
+snap            flag = false         openings are moved to the nearest course lines
+first_along_y   flag = false         in odd courses the walls along y run through
+at              vector = {0, 0, 0}   where the plan's origin is
+angle           number rad = 0       about z through it]], with = "solids", gives = "set" },
+  { "space:vault", "A barrel vault of stones in bond: an arch as model:arch makes it, along y.", keys = [[
+name             text?               names begin with it
+voussoirs        integer?            of the arch
+radius           number m?           of its mid line
+thickness        number m?           of the ring
+half_angle       number rad?         half of the angle it spans
+offset           number m?           of the two centres of a pointed arch
+span             number m?           instead of radius: clear span, with rise
+rise             number m?           see span
+abutments        flag?               make them too
+abutment_depth   number m?           of the abutments
+abutment_margin  number m?           beyond the ring
+stone_length     number m            along y
+stones           integer = 1         whole stones in a course
+bond             flag = true         joints shift from course to course
+half_first       flag = false        the first course begins with half a stone
+from             number m = 0        y where it begins
+at               vector = {0, 0, 0}  by which it is moved]], with = "solids", gives = "set" },
+  { "space:cross_vault", "Two barrels that meet along the diagonals of a square bay.", keys = [[
+name             text?               names begin with it
+voussoirs        integer?            of the arch
+radius           number m?           of its mid line
+thickness        number m?           of the ring
+half_angle       number rad?         half of the angle it spans
+offset           number m?           of the two centres of a pointed arch
+span             number m?           instead of radius: clear span, with rise
+rise             number m?           see span
+abutments        flag?               not used
+abutment_depth   number m?           not used
+abutment_margin  number m?           not used
+half_bay         number m?           from the middle to each end
+stone_length     number m            along each web
+bond             flag = true         joints shift from course to course
+at               vector = {0, 0, 0}  middle of the bay
+angle            number rad = 0      about z]], with = "solids", gives = "set" },
+  { "space:dome", "A dome of rings and sectors of stones with plane faces.", keys = [[
+name       text?               names begin with it
+radius     number m = 1        midway through its thickness
+thickness  number m = 0.1      of it
+rings      integer = 8         how many
+sectors    integer = 16        how many
+springing  number rad?         angle of the lowest bed from the vertical; a half dome without it
+crown      number rad?         of the uppermost bed, 10 degrees without it
+top        text = "key"        "key" or "oculus"
+phase      number rad = 0      of the first joint, from x
+centre     vector = {0, 0, 0}  of its spheres]], with = "solids", gives = "set" },
+  { "space:rubble", "Irregular stones that fill a box.", keys = [[
+name         text?         names begin with it
+low          vector        corner of the box
+high         vector        the opposite one
+stones       integer = 50  how many
+relaxations  integer = 3   more of them make the stones more even
+aspect       number = 1    width over height
+joint        number m = 0  between the stones
+jitter       number m = 0  points are moved at random by up to this
+seed         integer = 1   of the random numbers]], with = "solids", gives = "set" },
+  { "space:solids", "Solids of an OBJ or STL file.", keys = [[
+name               text?           names begin with it
+file               text            its path, from the script's folder
+scale              number = 1      m for each unit of the file
+y_up               flag = false    the file's y is up
+shells_are_bodies  flag = false    each closed shell is a body, not a piece of one
+weld               number?         corners nearer than this, as a share of the size, are one
+flat               number?         faces this near a plane, as a share of the size, are in it]], with = "solids", gives = "set" },
+  { "space:body", "Makes a body of hulls; with a name alone, finds one.", args = "name  text?  of a body; or the table",
+    keys = [[
+name    text      its name
+hull    vectors?  points around it
+pieces  list?     or { { hull = }, ... }: convex pieces that share faces]], with = "solid", gives = "body" },
+  { "space:add", "Parts of the plane, as from trilith.build, become bodies with a depth: x stays, y becomes z.", args = [[
+parts    table  list of { name, outline, groups }
+options  table  depth = , from = , centred = , and what solids take]], gives = "set" },
+}
