@@ -136,7 +136,8 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
     contact.memory.slip = before.slip + sums.slip;
     contact.depth = deepest_overlap(plan, motion);
     contact.middle = motion.origin, contact.normal = motion.normal, contact.radius = plan.radius;
-    contact.spread = std::max(plan.whole.xx, plan.whole.yy) / plan.whole.area;
+    contact.arm = spread_arms(plan.whole.xx / plan.whole.area, plan.whole.xy / plan.whole.area,
+                              plan.whole.yy / plan.whole.area, motion.x, motion.y);
     contact.lost_friction = sums.lost.friction, contact.lost_fracture = sums.lost.fracture;
     contact.lost_damping = sums.lost.damping + joint_damping_loss(a, b, before, contact.memory, law.dt);
     contact.touching = after.bonds != 0 || contact.area > 0;

@@ -90,7 +90,7 @@ SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const S
     out.force = out.normal_force = pressed.force, out.moment = pressed.moment;
     out.centre = pressed.centre, out.area = pressed.area, out.depth = pressed.depth;
     out.middle = pressed.middle, out.normal = pressed.force.normalized();
-    out.radius = pressed.radius, out.spread = pressed.spread;
+    out.radius = pressed.radius, out.arm = pressed.arm;
     out.memory.state = contact_touching | contact_general;
     out.memory.slip = before.slip;
     out.memory.damping = pressed.damping;

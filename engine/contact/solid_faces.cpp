@@ -93,12 +93,13 @@ FaceIntegrals damped_integrals(const FaceOverlap3& faces, const ClosingRate& rat
 }
 
 /// How the area in contact lies about its middle.
-void set_spread(const FaceIntegrals& of, SolidPressure& out) {
+void set_spread(const FaceIntegrals& of, const MeanPlane& plane, SolidPressure& out) {
   const Vec2 middle = of.area_moment / of.area;
   const double xx = of.xx / of.area - middle.x() * middle.x(), yy = of.yy / of.area - middle.y() * middle.y(),
                xy = of.xy / of.area - middle.x() * middle.y();
   const double trace = xx + yy, product = xx * yy - xy * xy;
-  out.radius = turning_radius(trace, product), out.spread = larger_principal(trace, product);
+  out.radius = turning_radius(trace, product);
+  out.arm = spread_arms(xx, xy, yy, plane.x, plane.y);
 }
 
 }  // namespace
@@ -165,7 +166,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
   out.damping_moment = cross(Vec3(arm.x() * plane.x + arm.y() * plane.y), plane.normal);
   out.damped = law.kn * (rate.power(total) - rate.power(springs));
   out.area = springs.area;
-  set_spread(springs, out);
+  set_spread(springs, plane, out);
   return out;
 }
 

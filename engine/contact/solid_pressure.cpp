@@ -256,6 +256,13 @@ void press_face(const MovingSolid& owner, const MovingSolid& walker, const Press
   }
 }
 
+/// Any line across n.
+Vec3 line_across(const Vec3& n) {
+  int least = 0;
+  n.cwiseAbs().minCoeff(&least);
+  return cross(n, Vec3(Vec3::Unit(least))).normalized();
+}
+
 /// Moves the moments to the centre of pressure and finds the mean distance from it.
 SolidPressure finished(SolidSums& sums) {
   SolidPressure& out = sums.out;
@@ -268,7 +275,10 @@ SolidPressure finished(SolidSums& sums) {
   // A plane area has one principal value of 0, so the sum of the products by twos is that of the other two.
   const double product = about(0, 0) * about(1, 1) + about(1, 1) * about(2, 2) + about(2, 2) * about(0, 0) -
                          about(0, 1) * about(0, 1) - about(1, 2) * about(1, 2) - about(2, 0) * about(2, 0);
-  out.radius = turning_radius(about.trace(), product), out.spread = larger_principal(about.trace(), product);
+  out.radius = turning_radius(about.trace(), product);
+  const Vec3 n = out.force.squaredNorm() > 0 ? Vec3(out.force.normalized()) : Vec3(Vec3::UnitZ());
+  const Vec3 x = line_across(n), y = cross(n, x);
+  out.arm = spread_arms(x.dot(about * x), x.dot(about * y), y.dot(about * y), x, y);
   return out;
 }
 
@@ -304,8 +314,11 @@ double turning_radius(double trace, double product) {
   return std::sqrt(trace) * (0.8660 + 0.0725 * std::sqrt(roundness));
 }
 
-double larger_principal(double trace, double product) {
-  return 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4 * product)));
+/// By Cholesky: a = (sqrt(xx), xy / sqrt(xx)), b = (0, the root of what is left).
+std::array<Vec3, 2> spread_arms(double xx, double xy, double yy, const Vec3& x, const Vec3& y) {
+  if (!(xx > 0)) return {Vec3(Vec3::Zero()), Vec3(std::sqrt(std::max(0.0, yy)) * y)};
+  const double along = std::sqrt(xx), aside = xy / along;
+  return {Vec3(along * x + aside * y), Vec3(std::sqrt(std::max(0.0, yy - aside * aside)) * y)};
 }
 
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,

@@ -13,6 +13,8 @@
 // Damping acts on the closing speed along each face's normal; the pressure is never below 0 with it.
 #pragma once
 
+#include <array>
+
 #include "contact/list.hpp"
 #include "shape/overlap_3d.hpp"
 
@@ -38,8 +40,9 @@ struct SolidPressure {
   double area = 0;                     ///< in contact: half of the pressed faces of both [m2]
   Vec3 middle = Vec3::Zero();          ///< of the area in contact [m]
   double radius = 0;                   ///< mean distance of the area from its centroid, see turning_radius [m]
-  double spread = 0;                   ///< largest second moment of the area over it, about a line of it [m2]
-  double depth = 0;                    ///< greatest depth of a pressed face in the other solid [m]
+  /// Arms in its plane, of which the products sum to its second moments over the area, see spread_arms [m]
+  std::array<Vec3, 2> arm{Vec3::Zero(), Vec3::Zero()};
+  double depth = 0;  ///< greatest depth of a pressed face in the other solid [m]
 };
 
 /// Of the solid they share, which solid_overlap has left in `shared`; all zero where it is empty.
@@ -51,7 +54,7 @@ SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const L
 /// square .9375 of its gyration, a disc .9428; between them this is right to 1 %, triangles to 2 %.
 double turning_radius(double trace, double product);
 
-/// The larger of two principal values of this trace and product.
-double larger_principal(double trace, double product);
+/// Two arms a, b with a a' + b b' the second moments of an area over it, in a plane of axes x and y [m].
+std::array<Vec3, 2> spread_arms(double xx, double xy, double yy, const Vec3& x, const Vec3& y);
 
 }  // namespace trilith

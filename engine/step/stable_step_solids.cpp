@@ -1,8 +1,9 @@
 // The longest stable step of rigid solids in space, from the areas in contact.
 //
-// Comes in: for each contact its area A, middle, normal n, spread and radius (see SolidPressure) and the tangent of its
-// law. Each body then has springs along n and two lines across, b = (e, arm x e), and turns against kn A spread about
-// lines of the area and ks A radius^2 about n. Goes out: the bound of lambda over all bodies.
+// Comes in: for each contact its area A, middle, normal n, arms and radius (see SolidPressure) and the tangent of its
+// law. Each body then has springs along n and two lines across, b = (e, arm x e), and turns against kn A (a x n)(a x
+// n)' for the two arms a of its second moments, and ks A radius^2 about n. Goes out: the bound of lambda over all
+// bodies.
 #include <algorithm>
 #include <cmath>
 
@@ -61,7 +62,8 @@ Vec3 line_across(const Vec3& n) {
 /// An area under pressure, at `arm` from the node; where its force points nowhere, as stiff along every line.
 struct AreaSprings {
   Vec3 arm, normal;
-  double area, radius, spread;
+  double area, radius;
+  std::array<Vec3, 2> spread;
   ContactTangent law;
 };
 
@@ -71,10 +73,8 @@ void add_area(const AreaSprings& s, const ScaledNode& node, double weight, Local
   const double normal = weight * s.area * (known ? s.law.normal : std::max(s.law.normal, s.law.shear)),
                shear = weight * s.area * (known ? s.law.shear : std::max(s.law.normal, s.law.shear));
   local.add(node.along(n, s.arm), normal, s.law.beta);
-  for (const Vec3& e : {across, other}) {
-    local.add(node.along(e, s.arm), shear, s.law.beta);
-    local.add(node.about(e), normal * s.spread, s.law.beta);
-  }
+  for (const Vec3& e : {across, other}) local.add(node.along(e, s.arm), shear, s.law.beta);
+  for (const Vec3& a : s.spread) local.add(node.about(cross(a, n)), normal, s.law.beta);
   local.add(node.about(n), shear * s.radius * s.radius, s.law.beta);
 }
 
@@ -106,7 +106,13 @@ AreaSprings face_springs(const ConvexSolid& solid, int face, const ContactTangen
   const Vec3 middle = first / area;
   const Eigen::Matrix3d about = second / area - middle * middle.transpose();
   const double trace = about.trace(), product = 0.5 * (trace * trace - (about * about).trace());
-  return {origin + middle, n, area, turning_radius(trace, product), larger_principal(trace, product), law};
+  const Vec3 x = line_across(n), y = cross(n, x);
+  return {origin + middle,
+          n,
+          area,
+          turning_radius(trace, product),
+          spread_arms(x.dot(about * x), x.dot(about * y), y.dot(about * y), x, y),
+          law};
 }
 
 /// The stiffest law that a body's surface has with any other.
@@ -160,7 +166,7 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
     for (const int side : {0, 1}) {
       if (!model.body_moves(body[side])) continue;
       const int n = model.bodies[body[side]].first_node;
-      add_area({area.middle - state.position[n], area.normal, area.area, area.radius, area.spread, law},
+      add_area({area.middle - state.position[n], area.normal, area.area, area.radius, area.arm, law},
                scaled_node(model, n, state.rotation[n]), model.body_moves(body[1 - side]) ? 2 : 1, locals[body[side]]);
     }
   }

@@ -66,9 +66,10 @@ struct GeneralContact {
 
 /// How the area of a contact in space lies, for the step estimate.
 struct ContactArea {
-  Vec3 middle, normal;    ///< [m], of length 1
-  double area;            ///< pressed, or held by mortar [m2]
-  double radius, spread;  ///< see SolidPressure [m], [m2]
+  Vec3 middle, normal;      ///< [m], of length 1
+  double area;              ///< pressed, or held by mortar [m2]
+  double radius;            ///< see SolidPressure [m]
+  std::array<Vec3, 2> arm;  ///< likewise [m]
 };
 
 /// Solids in space where they stand, and what their contacts give.
