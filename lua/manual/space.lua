@@ -23,7 +23,7 @@ size    vector                 along its own x, y and z [m]
 at      vector = {0, 0, 0}     where its anchor is
 anchor  text = "lower_corner"  "lower_corner" or "centre"
 turn    table?                 { axis = {x, y, z}, angle = }: about the anchor]], with = "solid", gives = "body" },
-  { "space:extrusion", "What an outline sweeps over; one that is not convex becomes several pieces of a body.", keys = [[
+  { "space:extrusion", "What an outline sweeps over; one that is not convex comes in several pieces.", keys = [[
 name     text                its name
 outline  points              corners in order
 plane    text = "upright"    "upright": its second number is z, depth along y; "level": it is y, depth along z
@@ -51,7 +51,7 @@ height      number m            of all drums
 sides       integer = 16        of a drum
 radius      number m            of the lowest foot
 top_radius  number m?           of the uppermost top
-of          text = "area"       what the radius is of: the circle of the same "area", through the "corners" or in the "sides"
+of          text = "area"       of the circle of the same "area", through "corners" or in the "sides"
 phase       number rad = 0      of the first corners, from x
 base        table?              { width = , height = } under the drums
 capital     table?              { width = , height = } on them
@@ -163,13 +163,15 @@ scale              number = 1      m for each unit of the file
 y_up               flag = false    the file's y is up
 shells_are_bodies  flag = false    each closed shell is a body, not a piece of one
 weld               number?         corners nearer than this, as a share of the size, are one
-flat               number?         faces this near a plane, as a share of the size, are in it]], with = "solids", gives = "set" },
+flat               number?         faces this near a plane, as a share of the size, are in it]], with = "solids",
+    gives = "set" },
   { "space:body", "Makes a body of hulls; with a name alone, finds one.", args = "name  text?  of a body; or the table",
     keys = [[
 name    text      its name
 hull    vectors?  points around it
 pieces  list?     or { { hull = }, ... }: convex pieces that share faces]], with = "solid", gives = "body" },
-  { "space:add", "Parts of the plane, as from trilith.build, become bodies with a depth: x stays, y becomes z.", args = [[
+  { "space:add", "Parts of the plane, as from trilith.build, become bodies with a depth: x stays, y becomes z.",
+    args = [[
 parts    table  list of { name, outline, groups }
 options  table  depth = , from = , centred = , and what solids take]], gives = "set" },
 }
