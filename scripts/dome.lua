@@ -5,11 +5,11 @@ local trilith = require "trilith"
 local deg, s = trilith.units "deg s"
 local p = trilith.params {
   radius = { 5, unit = "m", "of the middle of the shell" },
-  t = { 0.12, "thickness over radius; a dome on a ring that holds needs .042" },
+  t = { 0.08, "thickness over radius; on a ring that holds .042 is enough" },
   rings = { 8, "stones from springing to key" }, sectors = { 16, "stones around" },
   mu = { 0.6, "friction of the joints" }, kn = { 2e9, unit = "Pa/m", "stiffness of a joint" },
-  spread = { 0.12, "by which the springing moves out, over radius; 0: it holds" },
-  over = { 20, unit = "s", "in which it does" },
+  spread = { 0.2, "by which the springing moves out, over radius; 0: it holds" },
+  over = { 12, unit = "s", "in which it does" },
   out = { "out/dome.h5", "results" } }
 local R, t, n = p.radius, p.t*p.radius, p.sectors
 local m = trilith.model { name = "dome", dim = 3 }
@@ -38,8 +38,8 @@ m:consolidate { ratio = 1e-4, duration = 30*s }
 local key = m:body "dome.key"
 print(("stands: the key has sunk by %.2f mm"):format(-1e3*key.uz))
 
-local begun, z0, fallen = m.time, key.z, nil
-local function spread() return trilith.math.pow(1, 1) and (ring[1].ux^2 + ring[1].uy^2)^0.5/R end
+local begun, z0, came, fallen = m.time, key.z, nil, nil
+local function spread() return math.sqrt(ring[1].ux^2 + ring[1].uy^2)/R end
 m:on("impact", function(e)
   if fallen then return end
   for _, b in ipairs(e.bodies) do
@@ -52,18 +52,15 @@ end)
 local motions = {}
 for k = 1, n do
   local angle = (k - 0.5)*2*math.pi/n
-  local function out(share)
-    return trilith.ramp { by = p.spread*R*share, duration = p.over }
-  end
+  local function out(share) return trilith.ramp { by = p.spread*R*share, duration = p.over } end
   motions[k] = { body = ring[k], x = out(trilith.math.cos(angle)), y = out(trilith.math.sin(angle)) }
 end
 m:drive { motions = motions }
-local came
 m:every(0.02, function()
-  if not came and key.vz < -0.5 then
+  if not came and key.vz < -1 then
     came = m.time
     print(("%.2f s: comes down, springing out by %.4f R, key sunk by %.4f R"):format(came - begun, spread(), (z0 - key.z)/R))
   end
   if came and m.time > came + 2 then m:stop() end
 end)
-local report = m:run { name = "spreading", duration = p.over }
+m:run { name = "spreading", duration = p.over }
