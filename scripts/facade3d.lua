@@ -12,6 +12,7 @@ local p = trilith.params {
   mu = { 0.6, "friction of the joints" },
   kn = { 5e8, unit = "Pa/m", "stiffness of a joint" },
   returns = { 2.1, unit = "m", "length of the return walls" },
+  safety = { 0.5, "share of the longest stable step" },
   out = { "out/facade3d.h5", "results" } }
 
 local ns = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga } -- first: a file that is not there is told at once
@@ -67,7 +68,7 @@ m:on("impact", function(e) -- a unit on the base is one that fell
     if e.bodies[i].name == "house.base" and e.bodies[3 - i].z > 0.4 then tell("stone on the ground", e) end
   end
 end)
-local report = m:shake { body = "house.base", x = ew, y = ns:scale { factor = p.sign }, z = up, duration = p.duration, safety = 0.8 }
+local report = m:shake { body = "house.base", x = ew, y = ns:scale { factor = p.sign }, z = up, duration = p.duration, safety = p.safety }
 local moved = {}
 for _, b in ipairs(house) do
   local base = m:body "house.base"
