@@ -5,8 +5,9 @@ local trilith = require "trilith"
 local g, s, kPa = trilith.units "g s kPa"
 local p = trilith.params {
   pga = { 0.8, unit = "g", "peak acceleration across the façade; the other two components have the same factor" },
+  vertical = { false, "with the vertical component too; see the page" },
   sign = { 1, "1: NS as the agency gives it, or -1" },
-  duration = { 8, unit = "s", "of the shaking" },
+  duration = { 5, unit = "s", "of the shaking" },
   mortar = { 10, unit = "kPa", "tensile strength of the joints; 0: dry" },
   cohesion = { 1.5, "shear strength at no pressure, as a share of the tensile strength" },
   mu = { 0.6, "friction of the joints" },
@@ -68,7 +69,7 @@ m:on("impact", function(e) -- a unit on the base is one that fell
     if e.bodies[i].name == "house.base" and e.bodies[3 - i].z > 0.4 then tell("stone on the ground", e) end
   end
 end)
-local report = m:shake { body = "house.base", x = ew, y = ns:scale { factor = p.sign }, z = up, duration = p.duration, safety = p.safety }
+local report = m:shake { body = "house.base", x = ew, y = ns:scale { factor = p.sign }, z = p.vertical and up or nil, duration = p.duration, safety = p.safety }
 local moved = {}
 for _, b in ipairs(house) do
   local base = m:body "house.base"
