@@ -7,7 +7,7 @@ local p = trilith.params {
   pga = { 0.8, unit = "g", "peak acceleration across the façade; the other two components have the same factor" },
   vertical = { false, "with the vertical component too; see the page" },
   sign = { 1, "1: NS as the agency gives it, or -1" },
-  duration = { 5, unit = "s", "of the shaking" },
+  duration = { 5.6, unit = "s", "of the shaking" },
   mortar = { 10, unit = "kPa", "tensile strength of the joints; 0: dry" },
   cohesion = { 1.5, "shear strength at no pressure, as a share of the tensile strength" },
   mu = { 0.6, "friction of the joints" },
