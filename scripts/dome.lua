@@ -1,0 +1,66 @@
+-- A half sphere of stones in rings, dry, on a springing ring that is cut in as many stones as the dome has sectors. These
+-- move outwards, slowly, as walls under a dome do that lean: the dome cracks along its meridians, sinks, and falls.
+-- docs/gallery/dome.md has what is found here.
+local trilith = require "trilith"
+local deg, s = trilith.units "deg s"
+local p = trilith.params {
+  radius = { 5, unit = "m", "of the middle of the shell" },
+  t = { 0.08, "thickness over radius; on a ring that holds .042 is enough" },
+  rings = { 8, "stones from springing to key" }, sectors = { 16, "stones around" },
+  mu = { 0.6, "friction of the joints" }, kn = { 2e9, unit = "Pa/m", "stiffness of a joint" },
+  spread = { 0.2, "by which the springing moves out, over radius; 0: it holds" },
+  over = { 12, unit = "s", "in which it does" },
+  out = { "out/dome.h5", "results" } }
+local R, t, n = p.radius, p.t*p.radius, p.sectors
+local m = trilith.model { name = "dome", dim = 3 }
+m:material { name = "stone", density = 2000 }
+local side = R*math.pi/2/p.rings
+local beta = 2*0.1/math.sqrt(p.kn/(2000*side)) -- 10 % of critical for a stone on its bed
+m:contact { between = { "*", "*" }, law = trilith.frictional { kn = p.kn, ks = 0.5*p.kn, mu = p.mu, beta = beta } }
+m:block { name = "ground", size = { 4*R, 4*R, 0.5 }, at = { -2*R, -2*R, -1.5 }, material = "stone", support = "fixed" }
+local dome = m:dome { name = "dome", radius = R, thickness = t, rings = p.rings, sectors = n, material = "stone" }
+local ring = {}
+for k = 1, n do -- one stone of the springing ring under each sector, between the same two planes through the axis
+  local points = {}
+  for _, angle in ipairs { (k - 1)*2*math.pi/n, k*2*math.pi/n } do
+    for _, r in ipairs { R - t, R + t } do
+      for _, z in ipairs { -0.5, 0 } do
+        points[#points + 1] = { r*trilith.math.cos(angle), r*trilith.math.sin(angle), z }
+      end
+    end
+  end
+  ring[k] = m:hull { name = "springing " .. k, points = points, material = "stone", support = "fixed" }
+end
+print(("%d stones, %.1f t, t/R = %g"):format(#dome, 1e-3*dome.mass, p.t))
+
+m:results { file = p.out, frames = 0.1*s, energy = 0.1*s }
+m:consolidate { ratio = 1e-4, duration = 30*s }
+local key = m:body "dome.key"
+print(("stands: the key has sunk by %.2f mm"):format(-1e3*key.uz))
+
+local begun, z0, came, fallen = m.time, key.z, nil, nil
+local function spread() return math.sqrt(ring[1].ux^2 + ring[1].uy^2)/R end
+m:on("impact", function(e)
+  if fallen then return end
+  for _, b in ipairs(e.bodies) do
+    if b.name == "ground" then
+      fallen = e.time - begun
+      print(("%.2f s: first stone on the ground, springing out by %.4f R"):format(fallen, spread()))
+    end
+  end
+end)
+local motions = {}
+for k = 1, n do
+  local angle = (k - 0.5)*2*math.pi/n
+  local function out(share) return trilith.ramp { by = p.spread*R*share, duration = p.over } end
+  motions[k] = { body = ring[k], x = out(trilith.math.cos(angle)), y = out(trilith.math.sin(angle)) }
+end
+m:drive { motions = motions }
+m:every(0.02, function()
+  if not came and key.vz < -1 then
+    came = m.time
+    print(("%.2f s: comes down, springing out by %.4f R, key sunk by %.4f R"):format(came - begun, spread(), (z0 - key.z)/R))
+  end
+  if came and m.time > came + 2 then m:stop() end
+end)
+m:run { name = "spreading", duration = p.over }
