@@ -1,8 +1,8 @@
--- A half sphere of stones in rings, dry, on a springing ring that is cut in as many stones as the dome has sectors. These
--- move outwards, slowly, as walls under a dome do that lean: the dome cracks along its meridians, sinks, and falls.
+-- A half sphere of stones in rings, dry, on a springing ring that is cut in as many stones as the dome has sectors.
+-- These move outwards, slowly, as walls under a dome do that lean: the dome cracks along its meridians, sinks, and falls.
 -- docs/gallery/dome.md has what is found here.
 local trilith = require "trilith"
-local deg, s = trilith.units "deg s"
+local s = trilith.units "s"
 local p = trilith.params {
   radius = { 5, unit = "m", "of the middle of the shell" },
   t = { 0.08, "thickness over radius; on a ring that holds .042 is enough" },
@@ -59,7 +59,8 @@ m:drive { motions = motions }
 m:every(0.02, function()
   if not came and key.vz < -1 then
     came = m.time
-    print(("%.2f s: comes down, springing out by %.4f R, key sunk by %.4f R"):format(came - begun, spread(), (z0 - key.z)/R))
+    print(("%.2f s: comes down, springing out by %.4f R, key sunk by %.4f R"):format(came - begun, spread(),
+      (z0 - key.z)/R))
   end
   if came and m.time > came + 2 then m:stop() end
 end)

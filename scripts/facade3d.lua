@@ -1,8 +1,9 @@
--- A façade of two storeys between two return walls, of stone blocks in weak mortar, with one floor, in El Centro 1940 until it
--- leaves the returns: NS goes across the façade, EW along it, the vertical component on demand, all with the same factor.
+-- A façade of two storeys between two return walls, of stone blocks in weak mortar, with one floor, in El Centro 1940
+-- until it leaves the returns: NS goes across the façade, EW along it, the vertical component on demand, all with the
+-- same factor.
 -- docs/gallery/facade3d.md has what is found here, and why the numbers are as they are.
 local trilith = require "trilith"
-local g, s, kPa = trilith.units "g s kPa"
+local s = trilith.units "s"
 local p = trilith.params {
   pga = { 0.8, unit = "g", "peak acceleration across the façade; the other two components have the same factor" },
   vertical = { false, "with the vertical component too; see the page" },

@@ -30,7 +30,13 @@ double room_left(const FatBox<3>& inner, const FatBox<3>& outer) {
   return least;
 }
 
-/// A twentieth of the smallest side of a piece's box in its own axes, and whether its body moves.
+/// Free along some axis, or driven: a base that a motion lifts comes to what stands above it.
+bool goes_places(const Model<3>& model, int body) {
+  const auto& support = model.support[model.bodies[body].first_node];
+  return std::any_of(support.begin(), support.end(), [](Support s) { return s != Support::fixed; });
+}
+
+/// A twentieth of the smallest side of a piece's box in its own axes, and whether its body moves or is moved.
 void find_solid_margins(const Model<3>& model, PieceSearch<3>& search) {
   const auto pieces = static_cast<std::size_t>(model.pieces());
   search.margin.assign(pieces, 0), search.may_move.assign(pieces, 0), search.is_due.assign(pieces, 0);
@@ -38,7 +44,7 @@ void find_solid_margins(const Model<3>& model, PieceSearch<3>& search) {
     Vec3 low = Vec3::Constant(unbounded), high = -low;
     for (const Vec3& x : model.piece_solid[p].shape.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
     search.margin[p] = 0.05 * (high - low).minCoeff();
-    search.may_move[p] = model.body_moves(model.piece_body[p]) ? 1 : 0;
+    search.may_move[p] = goes_places(model, model.piece_body[p]) ? 1 : 0;
   }
 }
 
@@ -57,6 +63,7 @@ int law_between(const Model<3>& model, const State<3>& state, const PieceSearch<
   const int a = model.piece_body[p], b = model.piece_body[q];
   if (a == b || state.left[a] != 0 || state.left[b] != 0) return -1;
   if (search.may_move[p] == 0 && search.may_move[q] == 0) return -1;
+  if (!model.body_moves(a) && !model.body_moves(b)) return -1;
   return model.law_of[model.bodies[a].surface * model.surfaces + model.bodies[b].surface];
 }
 

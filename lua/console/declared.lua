@@ -58,7 +58,8 @@ end
 
 local function check_keys(list, manual)
   local trilith = core.module
-  local things = { model = trilith.model {}, space = trilith.model { dim = 3 }, motion = trilith.motion { acceleration = { 0, 1, 0 }, dt = 1 } }
+  local things = { model = trilith.model {}, space = trilith.model { dim = 3 },
+    motion = trilith.motion { acceleration = { 0, 1, 0 }, dt = 1 } }
   for _, entry in ipairs(manual.list) do
     if entry.takes_table and not entry.unread and (things[entry.owner] or entry.owner:find "^trilith") then
       local known, message = keys_known(entry, things)

@@ -70,6 +70,18 @@ local hash, block = shaken()
 assert(hash == (shaken()), "the same bits")
 assert(block.ux > 0.01 and math.abs(block.ux - block.uy) < 1e-6)
 
+-- A base that is driven up meets what hovers above it where they touch, and not later.
+do
+  local m = model { gravity = 0 }
+  local b = m:block { name = "b", size = { 1, 1, 1 }, at = { 0, 0, 0.15 }, material = "stone", floating = true }
+  local met
+  m:on("impact", function(e) met = met or e.time end)
+  local up = trilith.motion { acceleration = { 0, 10, 0, 0, -10, 0 }, dt = 0.1, allow_drift = true }
+  m:shake { body = "ground", z = up }
+  assert(met and met > 0.2 and met < 0.3, "it meets the base on its way up")
+  assert(b.vz > 0.9 and b.vz < 2.1 and math.abs(m.energy.residual) < 1e-3*m.energy.support)
+end
+
 -- Supports about single axes.
 do
   local m = model { gravity = 0 }
