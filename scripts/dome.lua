@@ -1,5 +1,5 @@
 -- A half sphere of stones in rings, dry, on a springing ring that is cut in as many stones as the dome has sectors.
--- These move outwards, slowly, as walls under a dome do that lean: the dome cracks along its meridians, sinks, and falls.
+-- These move outwards, slowly, as walls under a dome do that lean: the dome cracks along its meridians, sinks, falls.
 -- docs/gallery/dome.md has what is found here.
 local trilith = require "trilith"
 local s = trilith.units "s"
