@@ -231,7 +231,7 @@ class SolidMaker {
 FileAxes::FileAxes(const SolidFile& how, std::string_view owner)
     : scale_(require_positive(how.scale, fmt::format("{}: scale", owner), "m")), y_up_(how.y_up) {}
 
-SolidParts solids_of_file(std::vector<NamedSurfaces> bodies, const SolidFile& how, std::string_view owner) {
+SolidParts solids_of_file(const std::vector<NamedSurfaces>& bodies, const SolidFile& how, std::string_view owner) {
   SolidMaker maker(how, owner);
   for (const NamedSurfaces& body : bodies)
     if (!body.surfaces.empty()) maker.add(body);

@@ -45,7 +45,7 @@ struct NamedSurfaces {
 };
 
 /// Makes parts of what a reader has found, as parse_obj says. Names that come twice get ".2", ".3", ..., with a note.
-SolidParts solids_of_file(std::vector<NamedSurfaces> bodies, const SolidFile& how, std::string_view owner);
+SolidParts solids_of_file(const std::vector<NamedSurfaces>& bodies, const SolidFile& how, std::string_view owner);
 
 /// A place of the file in the axes and the unit of a model; throws InputError for a scale that is not above 0.
 class FileAxes {

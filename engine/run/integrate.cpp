@@ -124,17 +124,9 @@ void Simulation<D>::leave_implicit() {
   state_.dt = next_.dt, state_.safety = next_.safety;
 }
 
-/// From a committed instant to the next one. False where that could not be found.
-template <int D>
-bool Simulation<D>::take_step(double dt, const Energy& energy) {
-  if constexpr (D == 2)
-    if (state_.implicit()) return step_implicitly(dt, energy);
-  advance(model_, state_, work_, {dt, rest_}, times_);
-  return true;
-}
-
-template <int D>
-bool Simulation<D>::step_implicitly(double dt, const Energy& energy) requires(D == 2) {
+/// By the implicit scheme of the stage; there is none in space yet.
+template <>
+bool Simulation<2>::step_implicitly(double dt, const Energy& energy) {
   const StageOptions& options = stage_->options;
   ImplicitOptions how;
   how.scheme = *options.implicit, how.dt = dt, how.tolerance = options.tolerance, how.accuracy = options.accuracy;
@@ -153,6 +145,18 @@ bool Simulation<D>::step_implicitly(double dt, const Energy& energy) requires(D 
   advance(model_, state_, work_, {swept_.dt, rest_}, times_);
   return true;
 }
+template <>
+bool Simulation<3>::step_implicitly(double /*dt*/, const Energy& /*energy*/) {
+  return false;
+}
+
+/// From a committed instant to the next one. False where that could not be found.
+template <int D>
+bool Simulation<D>::take_step(double dt, const Energy& energy) {
+  if (state_.implicit()) return step_implicitly(dt, energy);
+  advance(model_, state_, work_, {dt, rest_}, times_);
+  return true;
+}
 
 template bool Simulation<2>::wants_implicit() const;
 template bool Simulation<2>::goes_implicitly() const;
@@ -168,6 +172,5 @@ template void Simulation<3>::change_integrator(bool);
 template bool Simulation<3>::take_step(double, const Energy&);
 template void Simulation<2>::leave_implicit();
 template void Simulation<3>::leave_implicit();
-template bool Simulation<2>::step_implicitly(double, const Energy&);
 
 }  // namespace trilith

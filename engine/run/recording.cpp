@@ -53,8 +53,9 @@ Vec2 displacement_of(const Model<2>& model, const State<2>& state, const Bearing
 /// Numbers, vectors and quaternions lie in a row, as the file wants them.
 template <class T>
 std::span<const double> numbers(const std::vector<T>& values) {
-  static_assert(sizeof(T) % sizeof(double) == 0);
-  return {reinterpret_cast<const double*>(values.data()), sizeof(T) / sizeof(double) * values.size()};
+  constexpr std::size_t bytes = sizeof(T), each = bytes / sizeof(double);
+  static_assert(bytes % sizeof(double) == 0);
+  return {reinterpret_cast<const double*>(values.data()), each * values.size()};
 }
 
 /// [s], to some milliseconds; read without a call of the system, so that it may be asked after every step.
@@ -96,8 +97,8 @@ void Recording<2>::take_contacts(const Instant<2>& now) {
   }
 }
 
-template <int D>
-void Recording<D>::take_bearings(const Instant<D>& now) requires(D == 2) {
+template <>
+void Recording<2>::take_bearings(const Instant<2>& now) {
   bearing_state_.clear();
   bearing_force_.clear();
   bearing_displacement_.clear();
@@ -111,8 +112,8 @@ void Recording<D>::take_bearings(const Instant<D>& now) requires(D == 2) {
   }
 }
 
-template <int D>
-void Recording<D>::take_stress(const Instant<D>& now) requires(D == 2) {
+template <>
+void Recording<2>::take_stress(const Instant<2>& now) {
   stress_.clear();
   plastic_.clear();
   for (int e = 0; e < static_cast<int>(now.model.elements.size()); ++e) {
@@ -122,6 +123,12 @@ void Recording<D>::take_stress(const Instant<D>& now) requires(D == 2) {
     plastic_.push_back(stress.plastic);
   }
 }
+
+/// There are no bearings and no elements in space yet.
+template <>
+void Recording<3>::take_bearings(const Instant<3>& /*now*/) {}
+template <>
+void Recording<3>::take_stress(const Instant<3>& /*now*/) {}
 
 /// A bond that holds makes a contact bonded; else it slides where friction is used up.
 template <>
@@ -166,7 +173,8 @@ template <int D>
 void Recording<D>::frame(const Instant<D>& now) {
   assert(stage_ >= 0);
   take_contacts(now);
-  if constexpr (D == 2) take_bearings(now), take_stress(now);
+  take_bearings(now);
+  take_stress(now);
   results::FrameRow row;
   row.time = time_ = now.state.time;
   row.step = now.state.step;

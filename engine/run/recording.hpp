@@ -67,8 +67,8 @@ class Recording {
   void end_stage(double time, std::string_view why);
   void note_drives(const Model<D>& model);
   void take_contacts(const Instant<D>& now);
-  void take_bearings(const Instant<D>& now) requires(D == 2);
-  void take_stress(const Instant<D>& now) requires(D == 2);
+  void take_bearings(const Instant<D>& now);
+  void take_stress(const Instant<D>& now);
   void flush_when_due();
   void flush();
 

@@ -13,19 +13,9 @@
 namespace trilith {
 
 /// All of it lies between two looks at the same instant: what led to rest is told at the second one.
-template <int D>
-StageReport Simulation<D>::settle(const StageOptions& options, const EquilibriumOptions& how,
-                                  const RunListener<D>& listener) {
-  if constexpr (D == 3)
-    throw InputError(fmt::format(
-        "stage '{}': models in space are not settled by statics yet; let it consolidate in time", options.name));
-  else
-    return settle_plane(options, how, listener);
-}
-
-template <int D>
-StageReport Simulation<D>::settle_plane(const StageOptions& options, const EquilibriumOptions& how,
-                                        const RunListener<D>& listener) requires(D == 2) {
+template <>
+StageReport Simulation<2>::settle(const StageOptions& options, const EquilibriumOptions& how,
+                                  const RunListener<2>& listener) {
   begin_stage(options);
   StageReport& report = stage_->report;
   const Flagged running(running_);
@@ -36,7 +26,7 @@ StageReport Simulation<D>::settle_plane(const StageOptions& options, const Equil
     watch_->reset();
     drop_work();
     refresh();
-    const Instant<D> now = instant();
+    const Instant<2> now = instant();
     for (const Event& e : found.events) tell(e, listener, now);
     if (listener.on_step) listener.on_step(now);
     report.steps = found.steps, report.ended = state_.time;
@@ -54,8 +44,11 @@ StageReport Simulation<D>::settle_plane(const StageOptions& options, const Equil
   return out;
 }
 
-template StageReport Simulation<2>::settle(const StageOptions&, const EquilibriumOptions&, const RunListener<2>&);
-template StageReport Simulation<3>::settle(const StageOptions&, const EquilibriumOptions&, const RunListener<3>&);
-template StageReport Simulation<2>::settle_plane(const StageOptions&, const EquilibriumOptions&, const RunListener<2>&);
+template <>
+StageReport Simulation<3>::settle(const StageOptions& options, const EquilibriumOptions& /*how*/,
+                                  const RunListener<3>& /*listener*/) {
+  throw InputError(fmt::format("stage '{}': models in space are not settled by statics yet; let it consolidate in time",
+                               options.name));
+}
 
 }  // namespace trilith

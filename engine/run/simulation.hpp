@@ -111,8 +111,6 @@ class Simulation {
 
  private:
   void begin_stage(const StageOptions& options);
-  StageReport settle_plane(const StageOptions& options, const EquilibriumOptions& how,
-                           const RunListener<D>& listener) requires(D == 2);
   StageReport go_on(const RunListener<D>& listener);
   void pass(const RunListener<D>& listener);
   void see_off();
@@ -125,7 +123,7 @@ class Simulation {
   void change_integrator(bool implicit);
   void leave_implicit();
   bool take_step(double dt, const Energy& energy);
-  bool step_implicitly(double dt, const Energy& energy) requires(D == 2);
+  bool step_implicitly(double dt, const Energy& energy);
   void get_stuck(const RunListener<D>& listener);
   [[nodiscard]] double whole_step() const;
   [[nodiscard]] Instant<D> instant() const;
