@@ -3,7 +3,8 @@ local drive = [[
 body      bodies   what is moved
 x         motion?  along x
 y         motion?  along y
-rotation  motion?  about the centroid
+z         motion?  along z, in space
+rotation  motion?  about the centroid, in the plane
 motions   list?    instead: { { body = , x = , y = , rotation = }, ... }]]
 
 return {
@@ -51,22 +52,26 @@ alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps 
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest
 accuracy         number = 1e-3       implicit: share of energies and velocities a step may miss; 0: any
-watch     flag = true     speeds and energies that nothing gave end it as diverged]], gives = "report" },
-  { "model:drive", "A body follows a motion from now on.", keys = drive },
+watch     flag = true     speeds and energies that nothing gave end it as diverged]], beside = { z = true },
+    gives = "report" },
+  { "model:drive", "A body follows a motion from now on.", keys = drive, beside = { z = true } },
   { "model:fix", "Holds bodies, in some directions or all.", args = [[
 bodies      bodies  a body, set, name, group or list of these
-directions  text?   of x, y and r, as in "xy"]] },
+directions  text?   of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
   { "model:free", "Lets bodies go, in some directions or all.", args = [[
 bodies      bodies  a body, set, name, group or list of these
-directions  text?   of x, y and r, as in "xy"]] },
+directions  text?   of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
   { "model:tilt", "Gravity turns from now on.", keys = [[
-rate  number rad/s  counter-clockwise
-by    number rad?   where it stops]] },
+rate     number rad/s    counter-clockwise
+by       number rad?     where it stops
+towards  number rad = 0  in space: the azimuth it turns towards, counted from x to y]], beside = { towards = true } },
   { "model:bounds", "What leaves them is an event, stands still from then on and touches nothing. Sides that are not "
     .. "given are 10 times the extent of all bodies at the start away from them, at least 100 m.", keys = [[
 left    number m?  least x
 right   number m?  greatest x
-bottom  number m?  least y
-top     number m?  greatest y]] },
+front   number m?  least y, in space
+back    number m?  greatest y, in space
+bottom  number m?  least y, in space z
+top     number m?  greatest y, in space z]], beside = { front = true, back = true } },
   { "model:stop", "Ends the running stage at the next step border." },
 }
