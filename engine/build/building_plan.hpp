@@ -10,36 +10,36 @@ namespace trilith {
 
 /// A stretch along x or y, m.
 struct Stretch {
-  double low, high;
+  double low = 0, high = 0;
 };
 
 /// A box of a wall that is not laid with units: an opening or a lintel.
 struct WallVoid {
   Stretch along;
-  int first, end;  ///< courses of the storey
-  bool lintel;
+  int first = 0, end = 0;  ///< courses of the storey
+  bool lintel = false;
 };
 
 struct PlannedWall {
   std::string name;
-  int axis;        ///< 0: along x, 1: along y
-  bool forward;    ///< its line begins at the low end
-  Stretch along;   ///< with its ends in other walls' thickness
-  Stretch across;  ///< its two faces
-  const LeafBond* bond;
+  int axis = 0;          ///< 0: along x, 1: along y
+  bool forward = false;  ///< its line begins at the low end
+  Stretch along;         ///< with its ends in other walls' thickness
+  Stretch across;        ///< its two faces
+  const LeafBond* bond = nullptr;
   std::vector<Stretch> junctions;            ///< where walls across it have their thickness
   std::vector<std::vector<WallVoid>> voids;  ///< [storey]
 };
 
 struct PlannedStorey {
   std::vector<double> line;  ///< heights of course lines, m: one more than courses
-  double top;                ///< of the floor, or of the last course where there is none
+  double top = 0;            ///< of the floor, or of the last course where there is none
   [[nodiscard]] int courses() const { return static_cast<int>(line.size()) - 1; }
 };
 
 struct BuildingPlan {
-  std::string owner;                   ///< begins messages
-  double unit, header, course, least;  ///< m
+  std::string owner;                                   ///< begins messages
+  double unit = 0, header = 0, course = 0, least = 0;  ///< m
   std::vector<PlannedWall> walls;
   std::vector<PlannedStorey> storeys;
   Polygon floor;   ///< outline of slabs
