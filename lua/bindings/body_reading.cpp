@@ -190,22 +190,6 @@ BodyOptions read_body_options(Keys& keys, bool several, const BodyForm& preset) 
   return o;
 }
 
-void check_named(const BodyOptions& options, const std::vector<Part>& parts, const std::string& owner) {
-  std::vector<std::string> groups, names;
-  for (const Part& part : parts) {
-    names.push_back(part.name);
-    for (const std::string& group : part.groups)
-      if (!contains(groups, group)) groups.push_back(group);
-  }
-  const auto check = [&](const std::string& name, const char* key) {
-    if (!contains(groups, name) && !contains(names, name))
-      throw InputError(fmt::format("{}: {} names '{}', but there is no such group or part{}", owner, key, name,
-                                   name_hint(name, groups)));
-  };
-  for (const std::string& name : options.fixed) check(name, "fixed");
-  for (const auto& [name, spec] : options.by_group) check(name, "by_group");
-}
-
 void add_part(PlaneModel& model, const Part& part, const BodyOptions& options) {
   BodySpec spec = spec_of(part, options);
   spec.name = part.name;

@@ -1,6 +1,10 @@
 // What m:body, m:add and the bridge conveniences share: reading what a body is, but for its shape.
 #pragma once
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "build/part.hpp"
 #include "handles.hpp"
 
@@ -28,7 +32,26 @@ void read_support(Keys& keys, std::string_view key, std::array<Support, 3>& supp
 void check_density(Keys& keys, double density);
 
 /// Throws InputError where `fixed` or `by_group` names a part or group that is not among `parts`.
-void check_named(const BodyOptions& options, const std::vector<Part>& parts, const std::string& owner);
+/// Options and parts of either dimension.
+template <class Options, class AnyPart>
+void check_named(const Options& options, const std::vector<AnyPart>& parts, const std::string& owner) {
+  std::vector<std::string> groups, names;
+  const auto is_in = [](const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  for (const AnyPart& part : parts) {
+    names.push_back(part.name);
+    for (const std::string& group : part.groups)
+      if (!is_in(groups, group)) groups.push_back(group);
+  }
+  const auto check = [&](const std::string& name, const char* key) {
+    if (!is_in(groups, name) && !is_in(names, name))
+      throw InputError(fmt::format("{}: {} names '{}', but there is no such group or part{}", owner, key, name,
+                                   name_hint(name, groups)));
+  };
+  for (const std::string& name : options.fixed) check(name, "fixed");
+  for (const auto& [name, spec] : options.by_group) check(name, "by_group");
+}
 
 /// Adds a part as a body; its groups are the part's and those of the options. Of several entries of by_group that fit,
 /// the one of the part's name counts, else the one of its first group.

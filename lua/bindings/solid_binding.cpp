@@ -102,23 +102,6 @@ bool is_among(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Throws InputError where `fixed` or `by_group` names a part or group that is not there.
-void check_solids_named(const SolidOptions& options, const std::vector<SolidPart>& parts, const std::string& owner) {
-  std::vector<std::string> groups, names;
-  for (const SolidPart& part : parts) {
-    names.push_back(part.name);
-    for (const std::string& group : part.groups)
-      if (!is_among(group, groups)) groups.push_back(group);
-  }
-  const auto check = [&](const std::string& name, const char* key) {
-    if (!is_among(name, groups) && !is_among(name, names))
-      throw InputError(fmt::format("{}: {} names '{}', but there is no such group or part{}", owner, key, name,
-                                   name_hint(name, groups)));
-  };
-  for (const std::string& name : options.fixed) check(name, "fixed");
-  for (const auto& [name, spec] : options.by_group) check(name, "by_group");
-}
-
 /// Of several entries of by_group that fit a part, the one of its name counts, else the one of its first group.
 void add_solid(SpaceModel& m, const SolidPart& part, const SolidOptions& options) {
   std::vector<std::string> own{part.name};
@@ -182,7 +165,7 @@ int add_solids_made(lua_State* L, std::string_view name) {
   keys.finish();
   const SolidParts made = make();
   const int first = m.body_count();
-  check_solids_named(options, made.parts, keys.owner());
+  check_named(options, made.parts, keys.owner());
   for (const std::string& note : made.notes) m.builder.note(note);
   for (const SolidPart& part : made.parts) add_solid(m, part, options);
   push_solids(L, m, first, maker->single);
@@ -237,7 +220,7 @@ int add_solid_parts(lua_State* L) {
   keys.finish();
   const std::vector<SolidPart> parts = extruded_list(L, 2, depth);
   const int first = m.body_count();
-  check_solids_named(options, parts, "add");
+  check_named(options, parts, "add");
   for (const SolidPart& part : parts) add_solid(m, part, options);
   push_solids(L, m, first, false);
   return 1;
