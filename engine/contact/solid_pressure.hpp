@@ -42,9 +42,9 @@ struct SolidPressure {
   double depth = 0;                    ///< greatest depth of a pressed face in the other solid [m]
 };
 
-/// Of the solid they share, which solid_overlap has left in `shared`; all zero where it is empty.
+/// Of the solid they share, which solid_overlap has left in `shared`, whose room is used; all zero where it is empty.
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
-                             const SolidOverlapBuffer& shared);
+                             SolidOverlapBuffer& shared);
 
 /// Mean distance of a plane area from its centroid [m], from its second moments about it (of unit area, trace of the
 /// tensor and the product of its two principal values). A line of length l has l/4 and a gyration of l/sqrt(12), a

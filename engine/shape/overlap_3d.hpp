@@ -11,9 +11,11 @@
 // The two parts of the surface close it, so b's part has the opposite vectors.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "shape/convex_solid.hpp"
+#include "shape/depth_table.hpp"
 
 namespace trilith {
 
@@ -36,6 +38,9 @@ struct SolidOverlapBuffer {
   std::vector<Face> faces_before;
   std::vector<double> height;
   std::vector<int> number;
+  // scratch of what goes over the points afterwards
+  std::array<DepthRoom, 2> depths;
+  std::vector<Vec3> rate;
 };
 
 /// A half-space: where normal . x <= offset. The normal may be of any length.
