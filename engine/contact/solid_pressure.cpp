@@ -6,6 +6,9 @@
 #include <limits>
 #include <span>
 
+#include "base/lanes.hpp"
+#include "shape/depth_table.hpp"
+
 namespace trilith {
 namespace {
 
@@ -57,8 +60,8 @@ struct TriangleSums {
 };
 
 /// Of a pressure that is linear over the triangle; arms are from the point the moment is about, and their sum.
-void add_linear(double area, const std::array<double, 3>& p, const std::array<Vec3, 3>& arm, const Vec3& arms,
-                const std::array<double, 3>& closing, TriangleSums& sums) {
+TRILITH_INLINE void add_linear(double area, const std::array<double, 3>& p, const std::array<Vec3, 3>& arm,
+                               const Vec3& arms, const std::array<double, 3>& closing, TriangleSums& sums) {
   const double sum = p[0] + p[1] + p[2], speed = closing[0] + closing[1] + closing[2], twelfth = area / 12;
   sums.force += 4 * twelfth * sum;
   sums.first += twelfth * (sum * arms + p[0] * arm[0] + p[1] * arm[1] + p[2] * arm[2]);
@@ -103,7 +106,7 @@ struct SolidSums {
   std::array<double, 6> second{};  // ... of its square: xx, yy, zz, xy, yz, zx
 };
 
-void add_area(double area, const std::array<Vec3, 3>& arm, const Vec3& arms, SolidSums& sums) {
+TRILITH_INLINE void add_area(double area, const std::array<Vec3, 3>& arm, const Vec3& arms, SolidSums& sums) {
   sums.out.area += 0.5 * area;
   sums.area_arm += area / 6 * arms;
   const double share = area / 24;
@@ -209,6 +212,13 @@ struct PressedFace {
   }
 };
 
+double least_of(double a, double b, double c) {
+  return std::min(std::min(a, b), c);
+}
+double largest_of(double a, double b, double c) {
+  return std::max(std::max(a, b), c);
+}
+
 /// A triangle of a face of the walker: points of the shared solid, and the speeds at which the two close there.
 struct PressedTriangle {
   std::array<int, 3> point;
@@ -229,10 +239,9 @@ struct NearFaces {
   NearFaces(const DepthTable& owner, const std::array<int, 3>& point) {
     const double *d0 = owner.row(point[0]), *d1 = owner.row(point[1]), *d2 = owner.row(point[2]);
     double reach = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < owner.columns(); ++k) reach = std::min(reach, std::max({0.0, d0[k], d1[k], d2[k]}));
+    for (int k = 0; k < owner.columns(); ++k) reach = std::min(reach, std::max(0.0, largest_of(d0[k], d1[k], d2[k])));
     for (int k = 0; k < owner.columns() && count < most; ++k)
-      if (std::min({d0[k], d1[k], d2[k]}) <= reach && !owner.has_first_like(k))
-        row[count++] = {k, {d0[k], d1[k], d2[k]}};
+      if (least_of(d0[k], d1[k], d2[k]) <= reach && !owner.has_first_like(k)) row[count++] = {k, {d0[k], d1[k], d2[k]}};
   }
 };
 
@@ -266,8 +275,8 @@ class CellCutter {
       if (g == f) continue;
       const std::array<double, 3>& other = faces_.row[g].depth;
       const double h0 = other[0] - depth[0], h1 = other[1] - depth[1], h2 = other[2] - depth[2];
-      if (std::max({h0, h1, h2}) < -noise_) return false;
-      if (std::min({h0, h1, h2}) <= noise_) cutter_[cutters_++] = g;
+      if (largest_of(h0, h1, h2) < -noise_) return false;
+      if (least_of(h0, h1, h2) <= noise_) cutter_[cutters_++] = g;
     }
     return true;
   }

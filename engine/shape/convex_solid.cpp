@@ -1,10 +1,26 @@
 #include "shape/convex_solid.hpp"
 
+#include <utility>
+
 namespace trilith {
+
+namespace {
+
+/// Whether two faces look the same way within a hundred times what has_first_like asks for.
+bool some_alike(const std::vector<Vec3>& normals) {
+  for (std::size_t f = 0; f < normals.size(); ++f)
+    for (std::size_t g = 0; g < f; ++g)
+      if ((normals[f] - normals[g]).squaredNorm() < 1e-20) return true;
+  return false;
+}
+
+}  // namespace
 
 ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double flat) {
   check_convex(shape, owner, flat);
-  return {shape, face_normals(shape), solid_edges(shape.faces), {}, solid_size(shape.corners)};
+  std::vector<Vec3> normals = face_normals(shape);
+  const bool may_repeat = some_alike(normals);
+  return {shape, std::move(normals), solid_edges(shape.faces), {}, solid_size(shape.corners), may_repeat};
 }
 
 void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out) {
@@ -18,6 +34,7 @@ void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSo
 
 /// Of a convex solid two faces that look the same way lie in one plane.
 bool has_first_like(const PlacedSolid& solid, int face) {
+  if (!solid.solid->may_repeat) return false;
   const Vec3& n = solid.normals[static_cast<std::size_t>(face)];
   for (int f = 0; f < face; ++f)
     if (solid.solid->is_surface(f) && (solid.normals[static_cast<std::size_t>(f)] - n).squaredNorm() < 1e-24)

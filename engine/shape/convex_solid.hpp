@@ -17,7 +17,8 @@ struct ConvexSolid {
   std::vector<SolidEdge> edges;
   /// [faces] 1: part of the surface of the body, 0: an inner cut; empty: all are surface
   std::vector<std::uint8_t> surface;
-  double size = 0;  ///< see solid_size [m]
+  double size = 0;         ///< see solid_size [m]
+  bool may_repeat = true;  ///< false where no two faces look nearly the same way, see has_first_like
 
   [[nodiscard]] bool is_surface(int face) const {
     return surface.empty() || surface[static_cast<std::size_t>(face)] != 0;

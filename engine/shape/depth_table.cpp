@@ -35,22 +35,14 @@ int fill_row(const Vec3& at, std::size_t n, const double* __restrict plane, doub
 
 }  // namespace
 
-DepthTable::DepthTable(const PlacedSolid& solid, std::span<const Vec3> points, DepthRoom& room)
-    : solid_(solid), room_(room) {
+DepthTable::DepthTable(const PlacedSolid& solid, std::span<const Vec3> points, DepthRoom& room) : solid_(solid) {
   list_planes(solid, room);
   const std::size_t n = room.face.size();
   room.depth.resize(n * points.size()), room.nearest.resize(points.size());
-  room.first_like.assign(n, -1);
   for (std::size_t i = 0; i < points.size(); ++i)
     room.nearest[i] = fill_row(points[i], n, room.plane.data(), room.depth.data() + i * n);
   columns_ = static_cast<int>(n);
-  plane_ = room.plane.data(), depth_ = room.depth.data(), nearest_ = room.nearest.data();
-}
-
-bool DepthTable::has_first_like(int column) const {
-  std::int8_t& known = room_.first_like[static_cast<std::size_t>(column)];
-  if (known < 0) known = trilith::has_first_like(solid_, room_.face[static_cast<std::size_t>(column)]) ? 1 : 0;
-  return known != 0;
+  plane_ = room.plane.data(), depth_ = room.depth.data(), nearest_ = room.nearest.data(), face_ = room.face.data();
 }
 
 }  // namespace trilith

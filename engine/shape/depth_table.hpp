@@ -4,7 +4,6 @@
 // each surface face, n . (p - x) as depth_below has it, to the bit, and the face that is nearest to it.
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -15,11 +14,10 @@ namespace trilith {
 
 /// Room for a table, kept by the caller so that repeated calls allocate nothing.
 struct DepthRoom {
-  std::vector<double> plane;            ///< numbers of the faces, kind by kind: nx, ny, nz, px, py, pz
-  std::vector<double> depth;            ///< row by row
-  std::vector<int> face;                ///< [surface faces] their numbers in the solid
-  std::vector<int> nearest;             ///< [points]
-  std::vector<std::int8_t> first_like;  ///< [surface faces] see DepthTable::has_first_like; -1: not asked yet
+  std::vector<double> plane;  ///< numbers of the faces, kind by kind: nx, ny, nz, px, py, pz
+  std::vector<double> depth;  ///< row by row
+  std::vector<int> face;      ///< [surface faces] their numbers in the solid
+  std::vector<int> nearest;   ///< [points]
 };
 
 /// The table itself, in a room that must outlive it. Columns are the solid's surface faces, in their order.
@@ -39,14 +37,15 @@ class DepthTable {
     return of[0] * (of[3 * n] - x.x()) + of[n] * (of[4 * n] - x.y()) + of[2 * n] * (of[5 * n] - x.z());
   }
   /// True of a face that lies in the plane of one before it, which stands for both.
-  [[nodiscard]] bool has_first_like(int column) const;
+  [[nodiscard]] bool has_first_like(int column) const {
+    return solid_.solid->may_repeat && trilith::has_first_like(solid_, face_[column]);
+  }
 
  private:
   const PlacedSolid& solid_;
-  DepthRoom& room_;
   int columns_;
   const double *plane_, *depth_;
-  const int* nearest_;
+  const int *nearest_, *face_;
 };
 
 }  // namespace trilith

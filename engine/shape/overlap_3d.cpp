@@ -87,6 +87,25 @@ void cut_face(int first, int end, Buffer3& s) {
   }
 }
 
+/// Six times the volume, as sum_up has it.
+double six_volumes(const Buffer3& s) {
+  const auto point = [&](int p) -> const Vec3& { return s.points[static_cast<std::size_t>(p)]; };
+  const Vec3 origin = point(s.edges[0].from);
+  double six = 0;
+  int i = 0;
+  for (const auto& [of, end] : s.faces) {
+    const int about = s.edges[static_cast<std::size_t>(i)].from;
+    const Vec3 base = point(about) - origin;
+    for (; i < end; ++i) {
+      const auto [from, to] = s.edges[static_cast<std::size_t>(i)];
+      if (from == about || to == about) continue;  // no volume
+      const Vec3 p = point(from) - origin, q = point(to) - origin;
+      six += base.dot(cross(Vec3(p - base), Vec3(q - base)));
+    }
+  }
+  return six;
+}
+
 /// Sums over the triangles between a point of each face and its edges; volumes from one point of the solid.
 SolidOverlap sum_up(const Buffer3& s) {
   const Vec3 origin = s.points[static_cast<std::size_t>(s.edges[0].from)];
@@ -139,19 +158,38 @@ SolidMeasure measured(const SolidOverlapBuffer& buffer) {
   return {all.volume, all.centroid};
 }
 
-SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer) {
+namespace {
+
+/// Cuts `a` by all half-spaces of b; false where nothing is left.
+bool cut_by_all(const PlacedSolid& a, const PlacedSolid& b, Buffer3& buffer) {
   begin_with(a, buffer);
   const FaceLoops& faces = b.solid->shape.faces;
-  SolidOverlap out;
-  bool some = true;
-  for (int f = 0; f < faces.count() && some; ++f) {
+  for (int f = 0; f < faces.count(); ++f) {
     const Vec3& normal = b.normals[static_cast<std::size_t>(f)];
-    some = cut({normal, normal.dot(b.corners[static_cast<std::size_t>(faces[f][0])]), -1 - f}, buffer) &&
-           !buffer.edges.empty();
+    const double offset = normal.dot(b.corners[static_cast<std::size_t>(faces[f][0])]);
+    if (!cut({normal, offset, -1 - f}, buffer) || buffer.edges.empty()) return false;
   }
-  if (some) out = sum_up(buffer);
-  if (!(out.volume > 0)) buffer.points.clear(), buffer.edges.clear(), buffer.faces.clear();
+  return true;
+}
+
+void clear(Buffer3& buffer) {
+  buffer.points.clear(), buffer.edges.clear(), buffer.faces.clear();
+}
+
+}  // namespace
+
+SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer) {
+  SolidOverlap out;
+  if (cut_by_all(a, b, buffer)) out = sum_up(buffer);
+  if (!(out.volume > 0)) clear(buffer);
   return out;
+}
+
+double shared_volume(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer) {
+  const double volume = cut_by_all(a, b, buffer) ? six_volumes(buffer) / 6 : 0;
+  if (volume > 0) return volume;
+  clear(buffer);
+  return 0;
 }
 
 SharedFace shared_face(const SolidOverlapBuffer& buffer, int f, const Vec3& normal) {

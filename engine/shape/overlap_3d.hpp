@@ -75,6 +75,9 @@ struct SolidOverlap {
 /// corners have lost.
 SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer);
 
+/// The same volume alone, to the bit; leaves the same in `buffer`.
+double shared_volume(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer);
+
 /// Area of one face of the shared solid and its centroid.
 struct SharedFace {
   double area;    ///< m2
