@@ -16,9 +16,10 @@ namespace {
 // solid, its rim as triangles about one of its points; for each triangle, the cells in which one face of the other
 // solid is nearest; over each cell the pressure and its moments.
 
-/// A point of a pressed face: where it is, how deep in the other solid, and how fast the two close there.
+/// A point of a pressed face: where it is from the point that moments are about, how deep in the other solid, and how
+/// fast the two close there.
 struct PressedPoint {
-  Vec3 x;
+  Vec3 arm;
   double depth, closing;  // [m], [m/s]
 };
 
@@ -37,7 +38,7 @@ struct PressedPolygon {
 using CornerHeights = std::array<double, PressedPolygon::most>;
 
 PressedPoint between(const PressedPoint& p, const PressedPoint& q, double share) {
-  return {p.x + share * (q.x - p.x), p.depth + share * (q.depth - p.depth),
+  return {p.arm + share * (q.arm - p.arm), p.depth + share * (q.depth - p.depth),
           p.closing + share * (q.closing - p.closing)};
 }
 
@@ -70,17 +71,18 @@ TRILITH_INLINE void add_linear(double area, const std::array<double, 3>& p, cons
 
 /// Six points of a triangle, exact to degree 4 (Dunavant 1985, as in contact/power.hpp), for laws that are not linear.
 template <class Pressure>
-void add_sampled(double area, const std::array<PressedPoint, 3>& at, const std::array<Vec3, 3>& arm,
+void add_sampled(double area, const PressedPolygon& cell, const std::array<std::size_t, 3>& corners,
                  Pressure&& pressure, TriangleSums& sums) {
   constexpr std::array<std::array<double, 3>, 2> rule{{{0.108103018168070, 0.445948490915965, 0.223381589678011},
                                                        {0.816847572980459, 0.091576213509771, 0.109951743655322}}};
   for (const auto& [own, other, weight] : rule)
     for (const std::size_t i : {0U, 1U, 2U}) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      const double closing = own * at[i].closing + other * (at[j].closing + at[k].closing);
-      const double p = weight * area * pressure(own * at[i].depth + other * (at[j].depth + at[k].depth), closing);
-      sums.force += p, sums.power += p * closing;
-      sums.first += p * (own * arm[i] + other * (arm[j] + arm[k]));
+      const PressedPoint &p = cell.corner[corners[i]], &q = cell.corner[corners[(i + 1) % 3]],
+                         &r = cell.corner[corners[(i + 2) % 3]];
+      const double closing = own * p.closing + other * (q.closing + r.closing);
+      const double at = weight * area * pressure(own * p.depth + other * (q.depth + r.depth), closing);
+      sums.force += at, sums.power += at * closing;
+      sums.first += at * (own * p.arm + other * (q.arm + r.arm));
     }
 }
 
@@ -88,119 +90,61 @@ void add_sampled(double area, const std::array<PressedPoint, 3>& at, const std::
 template <class Visit>
 void for_triangles(const PressedPolygon& polygon, const Vec3& normal, Visit&& visit) {
   if (polygon.count < 3) return;
-  const Vec3& first = polygon.corner[0].x;
-  Vec3 before = polygon.corner[1].x - first;
+  const Vec3& first = polygon.corner[0].arm;
+  Vec3 before = polygon.corner[1].arm - first;
   for (std::size_t i = 2; i < polygon.count; ++i) {
-    const Vec3 now = polygon.corner[i].x - first;
+    const Vec3 now = polygon.corner[i].arm - first;
     visit(0.5 * normal.dot(cross(before, now)), std::array<std::size_t, 3>{0, i - 1, i});
     before = now;
   }
 }
 
-/// Sums over all pressed faces. Moments are about `origin`, a point near the contact.
-struct SolidSums {
-  Vec3 origin;
-  SolidPressure out;
-  Vec3 arm_sum = Vec3::Zero();     // integral of pressure times arm
-  Vec3 area_arm = Vec3::Zero();    // ... of the arm over the area, by halves as the area is
-  std::array<double, 6> second{};  // ... of its square: xx, yy, zz, xy, yz, zx
+/// Of an area: its size, the integral of the arm over it and of the arm's square (xx, yy, zz, xy, yz, zx).
+struct AreaSums {
+  double area = 0;
+  Vec3 arm = Vec3::Zero();
+  std::array<double, 6> second{};
+
+  void add_triangle(double of, const Vec3& p, const Vec3& q, const Vec3& r) {
+    const Vec3 sum = p + q + r;
+    const double share = of / 12;
+    area += of, arm += of / 3 * sum;
+    const auto product = [&](int i, int j) {
+      return share * (sum[i] * sum[j] + p[i] * p[j] + q[i] * q[j] + r[i] * r[j]);
+    };
+    second[0] += product(0, 0), second[1] += product(1, 1), second[2] += product(2, 2);
+    second[3] += product(0, 1), second[4] += product(1, 2), second[5] += product(2, 0);
+  }
 };
 
-TRILITH_INLINE void add_area(double area, const std::array<Vec3, 3>& arm, const Vec3& arms, SolidSums& sums) {
-  sums.out.area += 0.5 * area;
-  sums.area_arm += area / 6 * arms;
-  const double share = area / 24;
-  const auto product = [&](int i, int j) {
-    return share * (arms[i] * arms[j] + arm[0][i] * arm[0][j] + arm[1][i] * arm[1][j] + arm[2][i] * arm[2][j]);
-  };
-  sums.second[0] += product(0, 0), sums.second[1] += product(1, 1), sums.second[2] += product(2, 2);
-  sums.second[3] += product(0, 1), sums.second[4] += product(1, 2), sums.second[5] += product(2, 0);
-}
+/// Sums over all pressed faces. Moments are about `origin`, a point near the contact.
+struct SolidSums {
+  SolidPressure out;
+  Vec3 arm_sum = Vec3::Zero();  // integral of pressure times arm
+  AreaSums area;                // of both sides
+};
 
-/// A face of the walker inside the owner.
+/// A face of the walker inside the owner, and what its cells come to.
 template <class K>
 struct PressedFace {
   const K& law;
   Vec3 normal;  // out of the walker
   bool walker_is_b;
+  TriangleSums springs{}, total{};
+  double depth = 0;
 
   /// Adds one cell, over which depth and closing speed are linear.
-  void add_cell(const PressedPolygon& cell, SolidSums& sums) const {
+  void add_cell(const PressedPolygon& cell) {
     if constexpr (K::linear)
-      add_linear_cell(cell, sums);
+      add_linear_cell(cell);
     else
-      add_sampled_cell(cell, sums);
-    for (std::size_t i = 0; i < cell.count; ++i) sums.out.depth = std::max(sums.out.depth, cell.corner[i].depth);
+      add_sampled_cell(cell);
+    for (std::size_t i = 0; i < cell.count; ++i) depth = std::max(depth, cell.corner[i].depth);
   }
 
- private:
-  static std::array<double, 3> three(const CornerHeights& of, const std::array<std::size_t, 3>& at) {
-    return {of[at[0]], of[at[1]], of[at[2]]};
-  }
-  static std::array<double, 3> closings(const PressedPolygon& cell, const std::array<std::size_t, 3>& at) {
-    return {cell.corner[at[0]].closing, cell.corner[at[1]].closing, cell.corner[at[2]].closing};
-  }
-  static std::array<Vec3, 3> arms_of(const PressedPolygon& cell, const std::array<std::size_t, 3>& at,
-                                     const Vec3& origin) {
-    return {cell.corner[at[0]].x - origin, cell.corner[at[1]].x - origin, cell.corner[at[2]].x - origin};
-  }
-
-  void add_linear_cell(const PressedPolygon& cell, SolidSums& sums) const {
-    CornerHeights damped;
-    bool some = false, all = true;
-    for (std::size_t i = 0; i < cell.count; ++i) {
-      damped[i] = cell.corner[i].depth + law.beta * cell.corner[i].closing;
-      some = some || damped[i] > 0, all = all && damped[i] >= 0;
-    }
-    const bool along = law.beta > 0 && all;  // pressed everywhere: both sums by the same triangles
-    TriangleSums springs, total;
-    for_triangles(cell, normal, [&](double area, const std::array<std::size_t, 3>& at) {
-      const std::array<Vec3, 3> arm = arms_of(cell, at, sums.origin);
-      const std::array<double, 3> closing = closings(cell, at);
-      const Vec3 arms = arm[0] + arm[1] + arm[2];
-      add_area(area, arm, arms, sums);
-      add_linear(area, {cell.corner[at[0]].depth, cell.corner[at[1]].depth, cell.corner[at[2]].depth}, arm, arms,
-                 closing, springs);
-      if (along) add_linear(area, three(damped, at), arm, arms, closing, total);
-    });
-    if (!(law.beta > 0))
-      total = springs;
-    else if (some && !all)
-      add_part(cell, damped, sums.origin, total);
-    add(springs, total, sums);
-  }
-
-  /// The pressure with its damping over the part of a cell where that is above 0.
-  void add_part(const PressedPolygon& cell, const CornerHeights& damped, const Vec3& origin,
-                TriangleSums& total) const {
-    PressedPolygon pressed;
-    keep_above(cell, damped, pressed);
-    CornerHeights pressure;
-    for (std::size_t i = 0; i < pressed.count; ++i)
-      pressure[i] = pressed.corner[i].depth + law.beta * pressed.corner[i].closing;
-    for_triangles(pressed, normal, [&](double area, const std::array<std::size_t, 3>& at) {
-      const std::array<Vec3, 3> arm = arms_of(pressed, at, origin);
-      add_linear(area, three(pressure, at), arm, arm[0] + arm[1] + arm[2], closings(pressed, at), total);
-    });
-  }
-
-  void add_sampled_cell(const PressedPolygon& cell, SolidSums& sums) const {
-    TriangleSums springs, total;
-    for_triangles(cell, normal, [&](double area, const std::array<std::size_t, 3>& at) {
-      const std::array<PressedPoint, 3> corner{cell.corner[at[0]], cell.corner[at[1]], cell.corner[at[2]]};
-      const std::array<Vec3, 3> arm = arms_of(cell, at, sums.origin);
-      add_area(area, arm, arm[0] + arm[1] + arm[2], sums);
-      add_sampled(
-          area, corner, arm, [&](double d, double) { return law.effective(d); }, springs);
-      add_sampled(
-          area, corner, arm, [&](double d, double c) { return std::max(0.0, law.effective(d) + law.beta * c); }, total);
-    });
-    add(springs, total, sums);
-  }
-
-  /// k is half of kn, as the faces of the other solid bring the other half. On b acts -n where b walks, as n then
-  /// points from b into a, and +n where a does.
-  void add(const TriangleSums& springs, const TriangleSums& total, SolidSums& sums) const {
+  /// Adds what the cells came to. k is half of kn, as the faces of the other solid bring the other half. On b acts -n
+  /// where b walks, as n then points from b into a, and +n where a does.
+  void add_to(SolidSums& sums) const {
     const double k = 0.5 * law.kn, sign = walker_is_b ? -1 : 1;
     const Vec3 n = sign * k * normal;
     SolidPressure& out = sums.out;
@@ -209,6 +153,48 @@ struct PressedFace {
     out.damping_moment += cross(Vec3(total.first - springs.first), n);
     out.damped += k * (total.power - springs.power);
     out.pressure += k * total.force, sums.arm_sum += k * total.first;
+    out.depth = std::max(out.depth, depth);
+  }
+
+ private:
+  static void add_pressure(const PressedPolygon& cell, const std::array<std::size_t, 3>& at, double area,
+                           const std::array<double, 3>& pressure, TriangleSums& sums) {
+    const PressedPoint &p = cell.corner[at[0]], &q = cell.corner[at[1]], &r = cell.corner[at[2]];
+    add_linear(area, pressure, {p.arm, q.arm, r.arm}, p.arm + q.arm + r.arm, {p.closing, q.closing, r.closing}, sums);
+  }
+
+  void add_linear_cell(const PressedPolygon& cell) {
+    CornerHeights damped;
+    bool some = false, all = true;
+    for (std::size_t i = 0; i < cell.count; ++i) {
+      damped[i] = cell.corner[i].depth + law.beta * cell.corner[i].closing;
+      some = some || damped[i] > 0, all = all && damped[i] >= 0;
+    }
+    for_triangles(cell, normal, [&](double area, const std::array<std::size_t, 3>& at) {
+      const auto& [p, q, r] = at;
+      add_pressure(cell, at, area, {cell.corner[p].depth, cell.corner[q].depth, cell.corner[r].depth}, springs);
+      if (all) add_pressure(cell, at, area, {damped[p], damped[q], damped[r]}, total);
+    });
+    if (some && !all) add_part(cell, damped);
+  }
+
+  /// The pressure with its damping over the part of a cell where that is above 0.
+  void add_part(const PressedPolygon& cell, const CornerHeights& damped) {
+    PressedPolygon pressed;
+    keep_above(cell, damped, pressed);
+    const auto pressure = [&](std::size_t i) { return pressed.corner[i].depth + law.beta * pressed.corner[i].closing; };
+    for_triangles(pressed, normal, [&](double area, const std::array<std::size_t, 3>& at) {
+      add_pressure(pressed, at, area, {pressure(at[0]), pressure(at[1]), pressure(at[2])}, total);
+    });
+  }
+
+  void add_sampled_cell(const PressedPolygon& cell) {
+    for_triangles(cell, normal, [&](double area, const std::array<std::size_t, 3>& at) {
+      add_sampled(
+          area, cell, at, [&](double d, double) { return law.effective(d); }, springs);
+      add_sampled(
+          area, cell, at, [&](double d, double c) { return std::max(0.0, law.effective(d) + law.beta * c); }, total);
+    });
   }
 };
 
@@ -249,8 +235,8 @@ struct NearFaces {
 /// away, or all of it; `noise` is well above what rounding does to a depth [m].
 class CellCutter {
  public:
-  CellCutter(const DepthTable& owner, std::span<const Vec3> points, const PressedTriangle& triangle, double noise)
-      : owner_(owner), points_(points), triangle_(triangle), faces_(owner, triangle.point), noise_(noise) {}
+  CellCutter(const DepthTable& owner, std::span<const Vec3> arms, const PressedTriangle& triangle, double noise)
+      : owner_(owner), arms_(arms), triangle_(triangle), faces_(owner, triangle.point), noise_(noise) {}
 
   [[nodiscard]] std::size_t faces() const { return faces_.count; }
 
@@ -262,8 +248,8 @@ class CellCutter {
     cell_ = &polygon_[0], spare_ = &polygon_[1];
     cell_->count = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      cell_->add({points_[static_cast<std::size_t>(triangle_.point[i])], depth[i], triangle_.closing[i]});
-    for (std::size_t c = 0; c < cutters_ && cell_->count > 2; ++c) cut_by(faces_.row[cutter_[c]].column);
+      cell_->add({arms_[static_cast<std::size_t>(triangle_.point[i])], depth[i], triangle_.closing[i]});
+    for (std::size_t c = 0; c < cutters_ && cell_->count > 2; ++c) cut_by(cutter_[c], c == 0);
     return cell_->count > 2 ? cell_ : nullptr;
   }
 
@@ -281,12 +267,14 @@ class CellCutter {
     return true;
   }
 
-  void cut_by(int column) {
+  /// Depths of the corners of a whole triangle are those of its row.
+  void cut_by(std::size_t face, bool whole) {
+    const NearFaces::Row& row = faces_.row[face];
     CornerHeights height;
     bool all = true;
     for (std::size_t i = 0; i < cell_->count; ++i) {
       const PressedPoint& p = cell_->corner[i];
-      height[i] = owner_.below(column, p.x) - p.depth;
+      height[i] = (whole ? row.depth[i] : owner_.below(row.column, p.arm)) - p.depth;
       all = all && height[i] >= 0;
     }
     if (all) return;
@@ -295,7 +283,7 @@ class CellCutter {
   }
 
   const DepthTable& owner_;
-  std::span<const Vec3> points_;
+  std::span<const Vec3> arms_;
   const PressedTriangle& triangle_;
   NearFaces faces_;
   double noise_;
@@ -308,73 +296,84 @@ class CellCutter {
 /// What is pressed: the shared solid, and how fast b moves away from a at its points.
 struct PressedSolid {
   const SolidOverlapBuffer& shared;
-  std::array<DepthTable, 2> depths;  // below the faces of a and of b
+  Vec3 origin;                       // of arms
   double noise;                      // see CellCutter
+  std::array<DepthTable, 2> depths;  // below the faces of a and of b
 
   PressedSolid(const MovingSolid& a, const MovingSolid& b, SolidOverlapBuffer& of)
       : shared(of),
-        depths{DepthTable(a.placed, of.points, of.depths[0]), DepthTable(b.placed, of.points, of.depths[1])} {
-    double farthest = 0;
+        origin(of.points[static_cast<std::size_t>(of.edges[0].from)]),
+        noise(1e-13 * (a.placed.solid->size + b.placed.solid->size)),
+        depths{DepthTable(a.placed, origin, arms(of), of.depths[0]),
+               DepthTable(b.placed, origin, of.arm, of.depths[1])} {
     of.rate.clear();
-    for (const Vec3& x : of.points) {
-      of.rate.push_back(b.velocity_at(x) - a.velocity_at(x));
-      farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
-    }
-    noise = 1e-13 * (farthest + a.placed.solid->size + b.placed.solid->size);
+    for (const Vec3& x : of.points) of.rate.push_back(b.velocity_at(x) - a.velocity_at(x));
+  }
+  [[nodiscard]] const Vec3& arm(int point) const { return shared.arm[static_cast<std::size_t>(point)]; }
+
+ private:
+  [[nodiscard]] std::span<const Vec3> arms(SolidOverlapBuffer& of) const {
+    of.arm.clear();
+    for (const Vec3& x : of.points) of.arm.push_back(x - origin);
+    return of.arm;
   }
 };
 
 /// Presses one triangle of a face of the walker against the owner's nearest faces. Where one face is nearest to all
 /// three corners it is so to all of the triangle, as depths are linear.
 template <class K>
-void press_triangle(const PressedSolid& solid, const DepthTable& owner, const PressedFace<K>& face,
-                    const PressedTriangle& triangle, SolidSums& sums) {
+void press_triangle(const PressedSolid& solid, const DepthTable& owner, const PressedTriangle& triangle,
+                    PressedFace<K>& face) {
   const auto& [p, q, r] = triangle.point;
   const int nearest = owner.nearest(p);
-  if (nearest < 0) return;  // a piece without a surface presses nothing
   if (owner.nearest(q) == nearest && owner.nearest(r) == nearest) {
     PressedPolygon cell;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int point = triangle.point[i];
-      cell.add({solid.shared.points[static_cast<std::size_t>(point)], std::max(0.0, owner.row(point)[nearest]),
-                triangle.closing[i]});
-    }
-    return face.add_cell(cell, sums);
+    for (std::size_t i = 0; i < 3; ++i)
+      cell.add(
+          {solid.arm(triangle.point[i]), std::max(0.0, owner.row(triangle.point[i])[nearest]), triangle.closing[i]});
+    return face.add_cell(cell);
   }
-  CellCutter cutter(owner, solid.shared.points, triangle, solid.noise);
+  CellCutter cutter(owner, solid.shared.arm, triangle, solid.noise);
   for (std::size_t f = 0; f < cutter.faces(); ++f)
-    if (const PressedPolygon* cell = cutter.cell(f)) face.add_cell(*cell, sums);
+    if (const PressedPolygon* cell = cutter.cell(f)) face.add_cell(*cell);
 }
 
 /// One face of the shared solid: the edges `first` to `end` of its rim.
 template <class K>
-void press_face(const PressedSolid& solid, const PressedFace<K>& face, int first, int end, SolidSums& sums) {
+void press_face(const PressedSolid& solid, PressedFace<K> face, int first, int end, SolidSums& sums) {
   const DepthTable& owner = solid.depths[face.walker_is_b ? 0 : 1];
+  if (owner.columns() == 0) return;  // a piece without a surface presses nothing
   const auto closing_at = [&](int point) {
     const double along = face.normal.dot(solid.shared.rate[static_cast<std::size_t>(point)]);
     return face.walker_is_b ? along : -along;
   };
   const int base = solid.shared.edges[static_cast<std::size_t>(first)].from;
+  const Vec3& about = solid.arm(base);
   const double at_base = closing_at(base);
   for (int i = first; i < end; ++i) {
     const auto [from, to] = solid.shared.edges[static_cast<std::size_t>(i)];
     if (from == base || to == base) continue;
-    press_triangle(solid, owner, face, {{base, from, to}, {at_base, closing_at(from), closing_at(to)}}, sums);
+    const Vec3 &p = solid.arm(from), &q = solid.arm(to);
+    sums.area.add_triangle(0.5 * face.normal.dot(cross(Vec3(p - about), Vec3(q - about))), about, p, q);
+    press_triangle(solid, owner, {{base, from, to}, {at_base, closing_at(from), closing_at(to)}}, face);
   }
+  face.add_to(sums);
 }
 
-/// Moves the moments to the centre of pressure and finds the mean distance from it.
-SolidPressure finished(SolidSums& sums) {
+/// Moves the moments to the centre of pressure and finds the mean distance from it. `origin`: of arms.
+SolidPressure finished(const Vec3& origin, SolidSums& sums) {
   SolidPressure& out = sums.out;
-  if (!(out.area > 0)) return {};
-  const Vec3 middle = sums.area_arm / out.area;
+  const AreaSums& all = sums.area;
+  if (!(all.area > 0)) return {};
+  out.area = 0.5 * all.area;
+  const Vec3 middle = all.arm / all.area;
   const Vec3 arm = out.pressure > 0 ? Vec3(sums.arm_sum / out.pressure) : middle;
-  out.centre = sums.origin + arm, out.middle = sums.origin + middle;
+  out.centre = origin + arm, out.middle = origin + middle;
   out.moment -= cross(arm, out.force), out.damping_moment -= cross(arm, out.damping);
-  const auto& [xx, yy, zz, xy, yz, zx] = sums.second;
+  const auto& [xx, yy, zz, xy, yz, zx] = all.second;
   Eigen::Matrix3d about;
   about << xx, xy, zx, xy, yy, yz, zx, yz, zz;
-  about = (about / out.area - middle * middle.transpose()).eval();
+  about = (about / all.area - middle * middle.transpose()).eval();
   // A plane area has one principal value of 0, so the sum of the products by twos is that of the other two.
   const double product = about(0, 0) * about(1, 1) + about(1, 1) * about(2, 2) + about(2, 2) * about(0, 0) -
                          about(0, 1) * about(0, 1) - about(1, 2) * about(1, 2) - about(2, 0) * about(2, 0);
@@ -394,17 +393,15 @@ template <class K>
 SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, SolidOverlapBuffer& shared) {
   const PressedSolid solid(a, b, shared);
   SolidSums sums;
-  sums.origin = shared.points[static_cast<std::size_t>(shared.edges[0].from)];
   int first = 0;
   for (const auto& [of, end] : shared.faces) {
     const bool of_b = of < 0;
     if (on_surface(a.placed, b.placed, of)) {
-      const PressedFace<K> face{law, normal_of(a.placed, b.placed, of), of_b};
-      press_face(solid, face, first, end, sums);
+      press_face(solid, PressedFace<K>{law, normal_of(a.placed, b.placed, of), of_b}, first, end, sums);
     }
     first = end;
   }
-  return finished(sums);
+  return finished(solid.origin, sums);
 }
 
 }  // namespace

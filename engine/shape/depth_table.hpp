@@ -1,7 +1,7 @@
 // Depths of many points below all surface faces of a convex solid, each found once.
 //
-// Comes in: the solid where it stands, and points. Goes out: a row for each point, with its depth below the plane of
-// each surface face, n . (p - x) as depth_below has it, to the bit, and the face that is nearest to it.
+// Comes in: the solid where it stands, and points by their arms from one origin. Goes out: a row for each point, with
+// its depth below the plane of each surface face, n . (p - x) for a corner p of it, and the face that is nearest to it.
 #pragma once
 
 #include <limits>
@@ -23,7 +23,7 @@ struct DepthRoom {
 /// The table itself, in a room that must outlive it. Columns are the solid's surface faces, in their order.
 class DepthTable {
  public:
-  DepthTable(const PlacedSolid& solid, std::span<const Vec3> points, DepthRoom& room);
+  DepthTable(const PlacedSolid& solid, const Vec3& origin, std::span<const Vec3> arms, DepthRoom& room);
 
   [[nodiscard]] int columns() const { return columns_; }
   /// Depths of a point below all faces [columns] [m].
@@ -31,10 +31,10 @@ class DepthTable {
   /// Column of the face that is nearest to a point, the first of equals; -1 where the solid has no surface.
   [[nodiscard]] int nearest(int point) const { return nearest_[point]; }
   /// Depth of any other point below one of them [m].
-  [[nodiscard]] double below(int column, const Vec3& x) const {
+  [[nodiscard]] double below(int column, const Vec3& arm) const {
     const double* of = plane_ + column;
     const int n = columns_;
-    return of[0] * (of[3 * n] - x.x()) + of[n] * (of[4 * n] - x.y()) + of[2 * n] * (of[5 * n] - x.z());
+    return of[0] * (of[3 * n] - arm.x()) + of[n] * (of[4 * n] - arm.y()) + of[2 * n] * (of[5 * n] - arm.z());
   }
   /// True of a face that lies in the plane of one before it, which stands for both.
   [[nodiscard]] bool has_first_like(int column) const {

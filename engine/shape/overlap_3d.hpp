@@ -40,7 +40,7 @@ struct SolidOverlapBuffer {
   std::vector<int> number;
   // scratch of what goes over the points afterwards
   std::array<DepthRoom, 2> depths;
-  std::vector<Vec3> rate;
+  std::vector<Vec3> arm, rate;
 };
 
 /// A half-space: where normal . x <= offset. The normal may be of any length.
