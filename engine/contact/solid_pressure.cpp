@@ -7,7 +7,7 @@
 #include <span>
 
 #include "base/lanes.hpp"
-#include "shape/depth_table.hpp"
+#include "contact/nearest_cells.hpp"
 
 namespace trilith {
 namespace {
@@ -15,43 +15,6 @@ namespace {
 // Stages of one call: depths of all points of the shared solid below the faces of both; for each face of the shared
 // solid, its rim as triangles about one of its points; for each triangle, the cells in which one face of the other
 // solid is nearest; over each cell the pressure and its moments.
-
-/// A point of a pressed face: where it is from the point that moments are about, how deep in the other solid, and how
-/// fast the two close there.
-struct PressedPoint {
-  Vec3 arm;
-  double depth, closing;  // [m], [m/s]
-};
-
-/// A convex polygon with room for a triangle cut by many planes.
-struct PressedPolygon {
-  static constexpr std::size_t most = 128;
-  std::array<PressedPoint, most> corner;
-  std::size_t count = 0;
-
-  void add(const PressedPoint& p) {
-    if (count < most) corner[count++] = p;
-  }
-};
-
-/// Of a function at the corners of a polygon.
-using CornerHeights = std::array<double, PressedPolygon::most>;
-
-PressedPoint between(const PressedPoint& p, const PressedPoint& q, double share) {
-  return {p.arm + share * (q.arm - p.arm), p.depth + share * (q.depth - p.depth),
-          p.closing + share * (q.closing - p.closing)};
-}
-
-/// The part of a polygon where a function that is linear over it is not negative.
-void keep_above(const PressedPolygon& from, const CornerHeights& height, PressedPolygon& kept) {
-  kept.count = 0;
-  for (std::size_t i = 0; i < from.count; ++i) {
-    const std::size_t next = i + 1 == from.count ? 0 : i + 1;
-    const double hp = height[i], hq = height[next];
-    if (hp >= 0) kept.add(from.corner[i]);
-    if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) kept.add(between(from.corner[i], from.corner[next], hp / (hp - hq)));
-  }
-}
 
 /// Integrals over a triangle, over kn: of the pressure and of its first moment about some point, of the pressure times
 /// the closing speed.
@@ -198,101 +161,6 @@ struct PressedFace {
   }
 };
 
-double least_of(double a, double b, double c) {
-  return std::min(std::min(a, b), c);
-}
-double largest_of(double a, double b, double c) {
-  return std::max(std::max(a, b), c);
-}
-
-/// A triangle of a face of the walker: points of the shared solid, and the speeds at which the two close there.
-struct PressedTriangle {
-  std::array<int, 3> point;
-  std::array<double, 3> closing;
-};
-
-/// Faces of the owner that may be nearest to some point of a triangle, and their depths at its corners. A face that all
-/// of the triangle is deeper below than below some other is nearest nowhere.
-struct NearFaces {
-  struct Row {
-    int column;
-    std::array<double, 3> depth;
-  };
-  static constexpr std::size_t most = 256;
-  std::array<Row, most> row;
-  std::size_t count = 0;
-
-  NearFaces(const DepthTable& owner, const std::array<int, 3>& point) {
-    const double *d0 = owner.row(point[0]), *d1 = owner.row(point[1]), *d2 = owner.row(point[2]);
-    double reach = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < owner.columns(); ++k) reach = std::min(reach, std::max(0.0, largest_of(d0[k], d1[k], d2[k])));
-    for (int k = 0; k < owner.columns() && count < most; ++k)
-      if (least_of(d0[k], d1[k], d2[k]) <= reach && !owner.has_first_like(k)) row[count++] = {k, {d0[k], d1[k], d2[k]}};
-  }
-};
-
-/// What of a triangle is nearest to one of the faces near it. Of most others its corners tell that they cut nothing
-/// away, or all of it; `noise` is well above what rounding does to a depth [m].
-class CellCutter {
- public:
-  CellCutter(const DepthTable& owner, std::span<const Vec3> arms, const PressedTriangle& triangle, double noise)
-      : owner_(owner), arms_(arms), triangle_(triangle), faces_(owner, triangle.point), noise_(noise) {}
-
-  [[nodiscard]] std::size_t faces() const { return faces_.count; }
-
-  /// The cell of face `f`; null where there is none.
-  const PressedPolygon* cell(std::size_t f) {
-    std::array<double, 3> depth;
-    for (std::size_t i = 0; i < 3; ++i) depth[i] = std::max(0.0, faces_.row[f].depth[i]);
-    if (!list_cutters(f, depth)) return nullptr;
-    cell_ = &polygon_[0], spare_ = &polygon_[1];
-    cell_->count = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      cell_->add({arms_[static_cast<std::size_t>(triangle_.point[i])], depth[i], triangle_.closing[i]});
-    for (std::size_t c = 0; c < cutters_ && cell_->count > 2; ++c) cut_by(cutter_[c], c == 0);
-    return cell_->count > 2 ? cell_ : nullptr;
-  }
-
- private:
-  /// Those that may cut something away; false where one takes all.
-  bool list_cutters(std::size_t f, const std::array<double, 3>& depth) {
-    cutters_ = 0;
-    for (std::size_t g = 0; g < faces_.count; ++g) {
-      if (g == f) continue;
-      const std::array<double, 3>& other = faces_.row[g].depth;
-      const double h0 = other[0] - depth[0], h1 = other[1] - depth[1], h2 = other[2] - depth[2];
-      if (largest_of(h0, h1, h2) < -noise_) return false;
-      if (least_of(h0, h1, h2) <= noise_) cutter_[cutters_++] = g;
-    }
-    return true;
-  }
-
-  /// Depths of the corners of a whole triangle are those of its row.
-  void cut_by(std::size_t face, bool whole) {
-    const NearFaces::Row& row = faces_.row[face];
-    CornerHeights height;
-    bool all = true;
-    for (std::size_t i = 0; i < cell_->count; ++i) {
-      const PressedPoint& p = cell_->corner[i];
-      height[i] = (whole ? row.depth[i] : owner_.below(row.column, p.arm)) - p.depth;
-      all = all && height[i] >= 0;
-    }
-    if (all) return;
-    keep_above(*cell_, height, *spare_);
-    std::swap(cell_, spare_);
-  }
-
-  const DepthTable& owner_;
-  std::span<const Vec3> arms_;
-  const PressedTriangle& triangle_;
-  NearFaces faces_;
-  double noise_;
-  std::array<std::size_t, NearFaces::most> cutter_;
-  std::size_t cutters_ = 0;
-  std::array<PressedPolygon, 2> polygon_;
-  PressedPolygon *cell_ = nullptr, *spare_ = nullptr;
-};
-
 /// What is pressed: the shared solid, and how fast b moves away from a at its points.
 struct PressedSolid {
   const SolidOverlapBuffer& shared;
@@ -319,43 +187,66 @@ struct PressedSolid {
   }
 };
 
-/// Presses one triangle of a face of the walker against the owner's nearest faces. Where one face is nearest to all
-/// three corners it is so to all of the triangle, as depths are linear.
+/// Presses a part of a face of the walker against the owner's nearest faces. Where one face is nearest to all corners
+/// it is so to all of the part, as depths are linear.
 template <class K>
-void press_triangle(const PressedSolid& solid, const DepthTable& owner, const PressedTriangle& triangle,
-                    PressedFace<K>& face) {
-  const auto& [p, q, r] = triangle.point;
-  const int nearest = owner.nearest(p);
-  if (owner.nearest(q) == nearest && owner.nearest(r) == nearest) {
+void press_rim(const PressedSolid& solid, const DepthTable& owner, const Rim& rim, PressedFace<K>& face) {
+  const int nearest = owner.nearest(rim.point[0]);
+  const auto end = rim.point.begin() + static_cast<std::ptrdiff_t>(rim.count);
+  if (std::all_of(rim.point.begin(), end, [&](int p) { return owner.nearest(p) == nearest; })) {
     PressedPolygon cell;
-    for (std::size_t i = 0; i < 3; ++i)
-      cell.add(
-          {solid.arm(triangle.point[i]), std::max(0.0, owner.row(triangle.point[i])[nearest]), triangle.closing[i]});
+    for (std::size_t i = 0; i < rim.count; ++i)
+      cell.add({solid.arm(rim.point[i]), std::max(0.0, owner.row(rim.point[i])[nearest]), rim.closing[i]});
     return face.add_cell(cell);
   }
-  CellCutter cutter(owner, solid.shared.arm, triangle, solid.noise);
+  CellCutter cutter(owner, solid.shared.arm, rim, solid.noise);
   for (std::size_t f = 0; f < cutter.faces(); ++f)
     if (const PressedPolygon* cell = cutter.cell(f)) face.add_cell(*cell);
 }
 
-/// One face of the shared solid: the edges `first` to `end` of its rim.
+using RimEdges = std::span<const SolidOverlapBuffer::Edge>;
+
+/// The points of these edges in the order in which they follow on each other; false where they are not one loop that
+/// has room, as rounding may leave them.
+template <class Closing>
+bool make_rim(RimEdges edges, Closing&& closing, Rim& rim) {
+  if (edges.size() < 3 || edges.size() > Rim::most) return false;
+  const int first = edges[0].from;
+  int at = first;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i > 0 && at == first) return false;
+    rim.add(at, closing(at));
+    std::size_t next = i;  // mostly the next in the list
+    if (edges[i].from != at)
+      for (next = 0; next < edges.size() && edges[next].from != at;) ++next;
+    if (next == edges.size()) return false;
+    at = edges[next].to;
+  }
+  return at == first;
+}
+
+/// One face of the shared solid: whole, or as triangles about one of its points.
 template <class K>
-void press_face(const PressedSolid& solid, PressedFace<K> face, int first, int end, SolidSums& sums) {
+void press_face(const PressedSolid& solid, PressedFace<K> face, RimEdges edges, SolidSums& sums) {
   const DepthTable& owner = solid.depths[face.walker_is_b ? 0 : 1];
   if (owner.columns() == 0) return;  // a piece without a surface presses nothing
   const auto closing_at = [&](int point) {
     const double along = face.normal.dot(solid.shared.rate[static_cast<std::size_t>(point)]);
     return face.walker_is_b ? along : -along;
   };
-  const int base = solid.shared.edges[static_cast<std::size_t>(first)].from;
+  Rim rim;
+  const bool is_loop = make_rim(edges, closing_at, rim);
+  if (is_loop) press_rim(solid, owner, rim, face);
+  const int base = edges[0].from;
   const Vec3& about = solid.arm(base);
-  const double at_base = closing_at(base);
-  for (int i = first; i < end; ++i) {
-    const auto [from, to] = solid.shared.edges[static_cast<std::size_t>(i)];
+  for (const auto& [from, to] : edges) {
     if (from == base || to == base) continue;
     const Vec3 &p = solid.arm(from), &q = solid.arm(to);
     sums.area.add_triangle(0.5 * face.normal.dot(cross(Vec3(p - about), Vec3(q - about))), about, p, q);
-    press_triangle(solid, owner, {{base, from, to}, {at_base, closing_at(from), closing_at(to)}}, face);
+    if (is_loop) continue;
+    Rim triangle;
+    for (const int point : {base, from, to}) triangle.add(point, closing_at(point));
+    press_rim(solid, owner, triangle, face);
   }
   face.add_to(sums);
 }
@@ -397,7 +288,9 @@ SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, So
   for (const auto& [of, end] : shared.faces) {
     const bool of_b = of < 0;
     if (on_surface(a.placed, b.placed, of)) {
-      press_face(solid, PressedFace<K>{law, normal_of(a.placed, b.placed, of), of_b}, first, end, sums);
+      const RimEdges edges =
+          RimEdges(shared.edges).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
+      press_face(solid, PressedFace<K>{law, normal_of(a.placed, b.placed, of), of_b}, edges, sums);
     }
     first = end;
   }

@@ -24,9 +24,14 @@ ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double
 }
 
 void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out) {
-  out.solid = &solid;
-  out.corners.clear(), out.normals.clear(), out.along.clear();
+  out.corners.clear();
   for (const Vec3& p : solid.shape.corners) out.corners.push_back(turn.apply(p) + at);
+  place_faces(solid, turn, out);
+}
+
+void place_faces(const ConvexSolid& solid, const Turn3& turn, PlacedSolid& out) {
+  out.solid = &solid;
+  out.normals.clear(), out.along.clear();
   for (const Vec3& n : solid.normals) out.normals.push_back(turn.apply(n));
   for (const SolidEdge& e : solid.edges)
     out.along.push_back(out.corners[static_cast<std::size_t>(e.to)] - out.corners[static_cast<std::size_t>(e.from)]);

@@ -39,6 +39,9 @@ struct PlacedSolid {
 /// `solid` turned about the origin of its body, which stands at `at` [m]. The solid must outlive `out`.
 void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out);
 
+/// The same of all but the corners, which are there.
+void place_faces(const ConvexSolid& solid, const Turn3& turn, PlacedSolid& out);
+
 /// How deep a point lies below the plane of a face [m]; negative outside.
 inline double depth_below(const PlacedSolid& solid, int face, const Vec3& x) {
   const auto f = static_cast<std::size_t>(face);

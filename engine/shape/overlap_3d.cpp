@@ -47,15 +47,18 @@ void keep_points(Buffer3& s) {
   }
 }
 
-/// Where the edge from `inner` to `outer` passes through the plane. Always found from the inner end, for the same bits
-/// in both faces of the edge.
+/// Where the edge from `inner` to `outer` passes through the plane: one point for both faces of the edge.
 int cut_point(int inner, int outer, Buffer3& s) {
   const auto i = static_cast<std::size_t>(inner), o = static_cast<std::size_t>(outer);
   const double from = s.height[i], to = s.height[o];
   if (from == 0) return s.number[i];
+  const auto known = std::find_if(s.cuts.begin(), s.cuts.end(),
+                                  [&](const Buffer3::Cut& c) { return c.inner == inner && c.outer == outer; });
+  if (known != s.cuts.end()) return known->point;
   const Vec3 &p = s.points_before[i], &q = s.points_before[o];
   s.points.push_back(p + (from / (from - to)) * (q - p));
-  return static_cast<int>(s.points.size()) - 1;
+  s.cuts.push_back({inner, outer, static_cast<int>(s.points.size()) - 1});
+  return s.cuts.back().point;
 }
 
 void add_edge(std::vector<Buffer3::Edge>& edges, int from, int to) {
@@ -140,7 +143,7 @@ bool cut(const HalfSpace& half, Buffer3& s) {
   if (range.lowest >= 0) return false;
   keep_points(s);
   s.edges_before.swap(s.edges), s.faces_before.swap(s.faces);
-  s.edges.clear(), s.faces.clear(), s.lid.clear();
+  s.edges.clear(), s.faces.clear(), s.lid.clear(), s.cuts.clear();
   int first = 0;
   for (const auto& [of, end] : s.faces_before) {
     const std::size_t before = s.edges.size();

@@ -20,7 +20,7 @@
 namespace trilith {
 
 /// Room for the shared solid, kept by the caller so that repeated calls allocate nothing. Its faces are sets of edges
-/// in no order; a point where three faces meet may be there more than once, with the same bits.
+/// in no order.
 struct SolidOverlapBuffer {
   struct Edge {
     int from, to;  ///< points; counter-clockwise about the face as seen from outside
@@ -28,6 +28,10 @@ struct SolidOverlapBuffer {
   struct Face {
     int of;   ///< k: in face k of a; -1 - k: in face k of b
     int end;  ///< one past its last edge; the first follows on the face before
+  };
+  struct Cut {
+    int inner, outer;  ///< ends of an edge
+    int point;         ///< where it was cut
   };
   std::vector<Vec3> points;  ///< m
   std::vector<Edge> edges;
@@ -38,6 +42,7 @@ struct SolidOverlapBuffer {
   std::vector<Face> faces_before;
   std::vector<double> height;
   std::vector<int> number;
+  std::vector<Cut> cuts;
   // scratch of what goes over the points afterwards
   std::array<DepthRoom, 2> depths;
   std::vector<Vec3> arm, rate;
