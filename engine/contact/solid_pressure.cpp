@@ -225,7 +225,8 @@ bool make_rim(RimEdges edges, Closing&& closing, Rim& rim) {
   return at == first;
 }
 
-/// One face of the shared solid: whole, or as triangles about one of its points.
+/// One face of the shared solid: whole, or as triangles about one of its points, as laws are that are not linear, whose
+/// sums are the better the smaller the cells.
 template <class K>
 void press_face(const PressedSolid& solid, PressedFace<K> face, RimEdges edges, SolidSums& sums) {
   const DepthTable& owner = solid.depths[face.walker_is_b ? 0 : 1];
@@ -235,7 +236,7 @@ void press_face(const PressedSolid& solid, PressedFace<K> face, RimEdges edges, 
     return face.walker_is_b ? along : -along;
   };
   Rim rim;
-  const bool is_loop = make_rim(edges, closing_at, rim);
+  const bool is_loop = K::linear && make_rim(edges, closing_at, rim);
   if (is_loop) press_rim(solid, owner, rim, face);
   const int base = edges[0].from;
   const Vec3& about = solid.arm(base);
