@@ -136,6 +136,7 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
     contact.memory.slip = before.slip + sums.slip;
     contact.depth = deepest_overlap(plan, motion);
     contact.middle = motion.origin, contact.normal = motion.normal, contact.radius = plan.radius;
+    contact.friction_arm = plan.friction_arm;
     contact.arm = spread_arms(plan.whole.xx / plan.whole.area, plan.whole.xy / plan.whole.area,
                               plan.whole.yy / plan.whole.area, motion.x, motion.y);
     contact.lost_friction = sums.lost.friction, contact.lost_fracture = sums.lost.fracture;

@@ -117,8 +117,9 @@ void divide_joint(JointPlan& plan) {
   plan.whole.xx = all.xx, plan.whole.xy = all.xy, plan.whole.yy = all.yy;
   plan.width = std::sqrt(all.area);
   plan.filled = false, plan.least_laid = std::numeric_limits<double>::max();
-  plan.radius =
-      turning_radius((all.xx + all.yy) / all.area, (all.xx * all.yy - all.xy * all.xy) / (all.area * all.area));
+  const double trace = (all.xx + all.yy) / all.area;
+  plan.radius = std::sqrt(trace);
+  plan.friction_arm = mean_distance(trace, (all.xx * all.yy - all.xy * all.xy) / (all.area * all.area));
   Vec2 low = plan.outline[0], high = low;
   for (const Vec2& p : plan.outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const Vec2 cell = (high - low) / patches_along;

@@ -83,12 +83,13 @@ struct JointPlan {
   // What follows from that:
   std::vector<Vec2> corner;
   std::vector<JointPatch> patch;
-  JointPatch whole;       ///< all of them: area, middle and second moments
-  PatchStress laid;       ///< what the bonds feel as the mortar sets, all over the joint
-  double width = 0;       ///< root of the area [m]
-  double radius = 0;      ///< mean distance of the area from the origin [m]
-  bool filled = false;    ///< some patch is
-  double least_laid = 0;  ///< least that any bond feels as the mortar sets [m]
+  JointPatch whole;         ///< all of them: area, middle and second moments
+  PatchStress laid;         ///< what the bonds feel as the mortar sets, all over the joint
+  double width = 0;         ///< root of the area [m]
+  double radius = 0;        ///< of gyration about the origin [m]
+  double friction_arm = 0;  ///< mean distance of the area from the origin [m]
+  bool filled = false;      ///< some patch is
+  double least_laid = 0;    ///< least that any bond feels as the mortar sets [m]
 
   /// What the bond at a corner of the outline feels as the mortar sets, or less [m].
   [[nodiscard]] double least_at(const Vec2& p) const { return filled ? least_laid : standing(p); }

@@ -2,9 +2,12 @@
 // is free.
 //
 //            F t   ____          Slip along the plane of contact and turning about its normal n go through one slider:
-//          <------|__c_|         the motion is u = slip + n r turn, the force F = shear + n (couple / r), r the mean
-//             (   couple         distance of the area from its middle. Sliding begins at the limit of
-//                                contact/friction_limit.hpp and goes along its normal.
+//          <------|__c_|         the motion is u = slip + n r turn, the force F = shear + n (couple / r), r the radius
+//             (   couple         of gyration of the area, and the spring dF = ks A du that of the area to the last
+//                                term. Sliding begins at the limit of contact/friction_limit.hpp and goes along its
+//                                normal: the force is the nearest that friction holds.
+//
+// So sliding never gives energy: F . du >= F' . du for any other force F' within the limit.
 //
 // Comes in: the motion of the step, the force remembered, turned along with the pair, the area that carried it and the
 // one that does now. Goes out: the force now, and what damping and sliding gave off, by the mean of force before and
@@ -27,10 +30,9 @@ struct SlidingForce {
 
 /// The motion of b against a in a step.
 struct SlidingMotion {
-  Vec3 path;     ///< [m]
-  Vec3 rate;     ///< now [m/s]
-  Vec3 normal;   ///< of the plane of contact, of length 1
-  double limit;  ///< mu N [N]
+  Vec3 path;  ///< [m]
+  Vec3 rate;  ///< now [m/s]
+  FrictionLimit limit;
 };
 
 /// How the slider is made.
@@ -53,25 +55,6 @@ inline double sliding_energy(double ks, const SlidingForce& f) {
   return 0.5 * f.elastic.squaredNorm() * sliding_compliance(ks, f.area);
 }
 
-/// True where friction cannot hold a force.
-inline bool beyond_limit(const Vec3& total, const SlidingMotion& motion) {
-  if (total.squaredNorm() <= 0.88 * motion.limit * motion.limit) return false;  // within the curve whatever its way
-  const double turning = std::abs(motion.normal.dot(total));
-  const double along = (total - motion.normal.dot(total) * motion.normal).norm();
-  return !(motion.limit > 0) || limit_measure(along / motion.limit, turning / motion.limit) > 1;
-}
-
-/// The nearest force that friction holds.
-inline Vec3 held_by_friction(const Vec3& total, const SlidingMotion& motion) {
-  if (!(motion.limit > 0)) return Vec3::Zero();
-  const double turning = motion.normal.dot(total);
-  const Vec3 in_plane = total - turning * motion.normal;
-  const double along = in_plane.norm();
-  const auto [a, b] = nearest_on_limit(along / motion.limit, std::abs(turning) / motion.limit);
-  const Vec3 slides = along > 0 ? Vec3(in_plane * (a * motion.limit / along)) : Vec3(Vec3::Zero());
-  return slides + motion.normal * (turning < 0 ? -b : b) * motion.limit;
-}
-
 /// Area that parts takes its share of the force along and lets its energy go; new area carries none.
 inline SlidingResponse slide(const SlidingMotion& motion, double area, const SlidingForce& before,
                              const SlidingLaw& law) {
@@ -82,8 +65,8 @@ inline SlidingResponse slide(const SlidingMotion& motion, double area, const Sli
   const double relaxed = 0.5 * (before.elastic.squaredNorm() * compliance_before - kept.squaredNorm() * compliance);
   Vec3 elastic = kept + stiffness * motion.path, total = elastic + law.beta * stiffness * motion.rate;
   Vec3 stretch = motion.path;
-  if (beyond_limit(total, motion)) {
-    const Vec3 held = held_by_friction(total, motion);
+  if (motion.limit.is_below(total)) {
+    const Vec3 held = motion.limit.nearest_to(total);
     elastic = kept + (held - kept) * (law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0);
     total = held;
     stretch = (elastic - kept) * compliance;

@@ -38,8 +38,9 @@ double damping_power(const MovingSolid& a, const MovingSolid& b, const SolidMemo
   return m.damping.dot(rate) + m.damping_moment.dot(Vec3(b.spin - a.spin));
 }
 
-/// Friction on the resultant, and about its normal, in the middle of the area, whatever the pressure does: were it to
-/// follow the centre of pressure, a body that leans would feel couples that no energy stands behind, and flutter.
+/// Friction on the resultant, and about its normal. Its spring sits in the middle of the area, whatever the pressure
+/// does: were it to follow the centre of pressure, a body that leans would feel couples that no energy stands behind,
+/// and flutter. What it can hold goes by the centre of pressure.
 void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const Coulomb& law,
                   const SolidPressure& pressed, SolidResponse& out) {
   const double normal_force = pressed.force.norm();
@@ -47,7 +48,9 @@ void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
   const double radius = pressed.radius, turning = n.dot(Vec3(b.spin - a.spin));
   Vec3 rate = b.velocity_at(pressed.middle) - a.velocity_at(pressed.middle);
   rate += (radius * turning - n.dot(rate)) * n;
-  const SlidingMotion motion{law.dt * rate, rate, n, law.mu * normal_force};
+  const SlidingMotion motion{
+      law.dt * rate, rate,
+      FrictionLimit(law.mu * normal_force, n, pressed.centre - pressed.middle, radius, pressed.friction_arm)};
   const double turned = 0.5 * law.dt * n.dot(Vec3(a.spin + b.spin));
   const SlidingResponse s =
       slide(motion, pressed.area, turned_along(before, n, turned), SlidingLaw{law.ks, law.beta, law.dt});
@@ -117,7 +120,7 @@ SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const S
     out.force = out.normal_force = pressed.force, out.moment = pressed.moment;
     out.centre = pressed.centre, out.area = pressed.area, out.depth = pressed.depth;
     out.middle = pressed.middle, out.normal = pressed.force.normalized();
-    out.radius = pressed.radius, out.arm = pressed.arm;
+    out.radius = pressed.radius, out.arm = pressed.arm, out.friction_arm = pressed.friction_arm;
     out.memory.state = contact_touching | contact_general;
     out.memory.slip = before.slip;
     out.memory.damping = pressed.damping;

@@ -84,12 +84,12 @@ struct ClosingRate {
 };
 
 /// The pressure with its damping, where there is overlap and it is above 0.
-FaceIntegrals damped_integrals(const FaceOverlap3& faces, const ClosingRate& rate, double beta, bool open) {
+FaceMoments damped_moments(const FaceOverlap3& faces, const ClosingRate& rate, double beta, bool open) {
   FaceOverlap3 damped = faces;
   if (open) keep_closed(damped);
   damped.plane.overlap += beta * rate.at_origin;
   damped.plane.slope += beta * rate.slope;
-  return damped.shared.count > 2 ? integrals_in_contact(damped) : FaceIntegrals{};
+  return damped.shared.count > 2 ? moments_in_contact(damped) : FaceMoments{};
 }
 
 /// How the area in contact lies about its middle.
@@ -97,9 +97,17 @@ void set_spread(const FaceIntegrals& of, const MeanPlane& plane, SolidPressure& 
   const Vec2 middle = of.area_moment / of.area;
   const double xx = of.xx / of.area - middle.x() * middle.x(), yy = of.yy / of.area - middle.y() * middle.y(),
                xy = of.xy / of.area - middle.x() * middle.y();
-  const double trace = xx + yy, product = xx * yy - xy * xy;
-  out.radius = turning_radius(trace, product);
+  out.radius = std::sqrt(std::max(0.0, xx + yy));
   out.arm = spread_arms(xx, xy, yy, plane.x, plane.y);
+}
+
+/// Mean distance of the pressure from its centre.
+double friction_arm(const FaceMoments& of, const Vec2& centre) {
+  if (!(of.first > 0)) return 0;
+  const double xx = of.first_xx / of.first - centre.x() * centre.x(),
+               yy = of.first_yy / of.first - centre.y() * centre.y(),
+               xy = of.first_xy / of.first - centre.x() * centre.y();
+  return mean_distance(xx + yy, xx * yy - xy * xy);
 }
 
 }  // namespace
@@ -144,7 +152,7 @@ bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, dou
 }
 
 SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces) {
-  const FaceIntegrals springs = integrals_in_contact(faces);
+  const FaceMoments springs = moments_in_contact(faces);
   SolidPressure out;
   if (!(springs.area > 0)) return out;
   const MeanPlane& plane = faces.plane;
@@ -155,7 +163,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
     open = open || c < 0;
     out.depth = std::max(out.depth, c);
   }
-  const FaceIntegrals total = law.beta > 0 ? damped_integrals(faces, rate, law.beta, open) : springs;
+  const FaceMoments total = law.beta > 0 ? damped_moments(faces, rate, law.beta, open) : springs;
   out.pressure = law.kn * total.first;
   out.force = out.pressure * plane.normal;
   const Vec2 at = total.first > 0 ? Vec2(total.first_moment / total.first) : Vec2(springs.area_moment / springs.area);
@@ -167,6 +175,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
   out.damped = law.kn * (rate.power(total) - rate.power(springs));
   out.area = springs.area;
   set_spread(springs, plane, out);
+  out.friction_arm = friction_arm(total, at);
   return out;
 }
 

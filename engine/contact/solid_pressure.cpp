@@ -17,11 +17,18 @@ namespace {
 // solid is nearest; over each cell the pressure and its moments.
 
 /// Integrals over a triangle, over kn: of the pressure and of its first moment about some point, of the pressure times
-/// the closing speed.
+/// the closing speed, of its second moments (xx, yy, zz, xy, yz, zx).
 struct TriangleSums {
   double force = 0, power = 0;
   Vec3 first = Vec3::Zero();
+  std::array<double, 6> second{};
 };
+
+/// f(place in such a list, row, column) for all of them.
+template <class F>
+TRILITH_INLINE void for_products(F&& f) {
+  f(0, 0, 0), f(1, 1, 1), f(2, 2, 2), f(3, 0, 1), f(4, 1, 2), f(5, 2, 0);
+}
 
 /// Of a pressure that is linear over the triangle; arms are from the point the moment is about, and their sum.
 TRILITH_INLINE void add_linear(double area, const std::array<double, 3>& p, const std::array<Vec3, 3>& arm,
@@ -30,6 +37,19 @@ TRILITH_INLINE void add_linear(double area, const std::array<double, 3>& p, cons
   sums.force += 4 * twelfth * sum;
   sums.first += twelfth * (sum * arms + p[0] * arm[0] + p[1] * arm[1] + p[2] * arm[2]);
   sums.power += twelfth * (sum * speed + p[0] * closing[0] + p[1] * closing[1] + p[2] * closing[2]);
+}
+
+/// ... its second moments, as of faces that lie flat (shape/face_overlap_3d).
+TRILITH_INLINE void add_second(double area, const std::array<double, 3>& p, const std::array<Vec3, 3>& arm,
+                               const Vec3& arms, TriangleSums& sums) {
+  const double share = area / 60, sum = p[0] + p[1] + p[2];
+  const std::array<double, 3> own{sum + 2 * p[0], sum + 2 * p[1], sum + 2 * p[2]};
+  const Vec3 weighted = p[0] * arm[0] + p[1] * arm[1] + p[2] * arm[2];
+  for_products([&](std::size_t k, int i, int j) {
+    sums.second[k] +=
+        share * (sum * arms[i] * arms[j] + arms[i] * weighted[j] + arms[j] * weighted[i] +
+                 own[0] * arm[0][i] * arm[0][j] + own[1] * arm[1][i] * arm[1][j] + own[2] * arm[2][i] * arm[2][j]);
+  });
 }
 
 /// Six points of a triangle, exact to degree 4 (Dunavant 1985, as in contact/power.hpp), for laws that are not linear.
@@ -45,7 +65,9 @@ void add_sampled(double area, const PressedPolygon& cell, const std::array<std::
       const double closing = own * p.closing + other * (q.closing + r.closing);
       const double at = weight * area * pressure(own * p.depth + other * (q.depth + r.depth), closing);
       sums.force += at, sums.power += at * closing;
-      sums.first += at * (own * p.arm + other * (q.arm + r.arm));
+      const Vec3 arm = own * p.arm + other * (q.arm + r.arm);
+      sums.first += at * arm;
+      for_products([&](std::size_t k, int row, int column) { sums.second[k] += at * arm[row] * arm[column]; });
     }
 }
 
@@ -83,8 +105,9 @@ struct AreaSums {
 /// Sums over all pressed faces. Moments are about `origin`, a point near the contact.
 struct SolidSums {
   SolidPressure out;
-  Vec3 arm_sum = Vec3::Zero();  // integral of pressure times arm
-  AreaSums area;                // of both sides
+  Vec3 arm_sum = Vec3::Zero();         // integral of pressure times arm
+  std::array<double, 6> arm_second{};  // ... of its products
+  AreaSums area;                       // of both sides
 };
 
 /// A face of the walker inside the owner, and what its cells come to.
@@ -116,14 +139,21 @@ struct PressedFace {
     out.damping_moment += cross(Vec3(total.first - springs.first), n);
     out.damped += k * (total.power - springs.power);
     out.pressure += k * total.force, sums.arm_sum += k * total.first;
+    for (std::size_t i = 0; i < 6; ++i) sums.arm_second[i] += k * total.second[i];
     out.depth = std::max(out.depth, depth);
   }
 
  private:
-  static void add_pressure(const PressedPolygon& cell, const std::array<std::size_t, 3>& at, double area,
-                           const std::array<double, 3>& pressure, TriangleSums& sums) {
+  static void add_springs(const PressedPolygon& cell, const std::array<std::size_t, 3>& at, double area,
+                          const std::array<double, 3>& pressure, TriangleSums& sums) {
     const PressedPoint &p = cell.corner[at[0]], &q = cell.corner[at[1]], &r = cell.corner[at[2]];
     add_linear(area, pressure, {p.arm, q.arm, r.arm}, p.arm + q.arm + r.arm, {p.closing, q.closing, r.closing}, sums);
+  }
+  static void add_pressure(const PressedPolygon& cell, const std::array<std::size_t, 3>& at, double area,
+                           const std::array<double, 3>& pressure, TriangleSums& sums) {
+    const Vec3 &p = cell.corner[at[0]].arm, &q = cell.corner[at[1]].arm, &r = cell.corner[at[2]].arm;
+    add_springs(cell, at, area, pressure, sums);
+    add_second(area, pressure, {p, q, r}, p + q + r, sums);
   }
 
   void add_linear_cell(const PressedPolygon& cell) {
@@ -135,7 +165,7 @@ struct PressedFace {
     }
     for_triangles(cell, normal, [&](double area, const std::array<std::size_t, 3>& at) {
       const auto& [p, q, r] = at;
-      add_pressure(cell, at, area, {cell.corner[p].depth, cell.corner[q].depth, cell.corner[r].depth}, springs);
+      add_springs(cell, at, area, {cell.corner[p].depth, cell.corner[q].depth, cell.corner[r].depth}, springs);
       if (all) add_pressure(cell, at, area, {damped[p], damped[q], damped[r]}, total);
     });
     if (some && !all) add_part(cell, damped);
@@ -252,7 +282,15 @@ void press_face(const PressedSolid& solid, PressedFace<K> face, RimEdges edges, 
   face.add_to(sums);
 }
 
-/// Moves the moments to the centre of pressure and finds the mean distance from it. `origin`: of arms.
+/// Second moments of unit area or force about `middle`.
+Eigen::Matrix3d spread_about(const std::array<double, 6>& second, double whole, const Vec3& middle) {
+  const auto& [xx, yy, zz, xy, yz, zx] = second;
+  Eigen::Matrix3d about;
+  about << xx, xy, zx, xy, yy, yz, zx, yz, zz;
+  return about / whole - middle * middle.transpose();
+}
+
+/// Moves the moments to the centre of pressure and finds how area and pressure are spread. `origin`: of arms.
 SolidPressure finished(const Vec3& origin, SolidSums& sums) {
   SolidPressure& out = sums.out;
   const AreaSums& all = sums.area;
@@ -262,17 +300,17 @@ SolidPressure finished(const Vec3& origin, SolidSums& sums) {
   const Vec3 arm = out.pressure > 0 ? Vec3(sums.arm_sum / out.pressure) : middle;
   out.centre = origin + arm, out.middle = origin + middle;
   out.moment -= cross(arm, out.force), out.damping_moment -= cross(arm, out.damping);
-  const auto& [xx, yy, zz, xy, yz, zx] = all.second;
-  Eigen::Matrix3d about;
-  about << xx, xy, zx, xy, yy, yz, zx, yz, zz;
-  about = (about / all.area - middle * middle.transpose()).eval();
-  // A plane area has one principal value of 0, so the sum of the products by twos is that of the other two.
-  const double product = about(0, 0) * about(1, 1) + about(1, 1) * about(2, 2) + about(2, 2) * about(0, 0) -
-                         about(0, 1) * about(0, 1) - about(1, 2) * about(1, 2) - about(2, 0) * about(2, 0);
-  out.radius = turning_radius(about.trace(), product);
   const Vec3 n = out.force.squaredNorm() > 0 ? Vec3(out.force.normalized()) : Vec3(Vec3::UnitZ());
   const Vec3 x = line_across(n), y = cross(n, x);
-  out.arm = spread_arms(x.dot(about * x), x.dot(about * y), y.dot(about * y), x, y);
+  const auto in_plane = [&](const Eigen::Matrix3d& of, const auto& take) {
+    return take(x.dot(of * x), x.dot(of * y), y.dot(of * y));
+  };
+  in_plane(spread_about(all.second, all.area, middle), [&](double xx, double xy, double yy) {
+    out.radius = std::sqrt(std::max(0.0, xx + yy)), out.arm = spread_arms(xx, xy, yy, x, y);
+  });
+  if (out.pressure > 0)
+    in_plane(spread_about(sums.arm_second, out.pressure, arm),
+             [&](double xx, double xy, double yy) { out.friction_arm = mean_distance(xx + yy, xx * yy - xy * xy); });
   return out;
 }
 
@@ -303,7 +341,7 @@ SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, So
 
 }  // namespace
 
-double turning_radius(double trace, double product) {
+double mean_distance(double trace, double product) {
   if (!(trace > 0)) return 0;
   const double roundness = std::clamp(4 * product / (trace * trace), 0.0, 1.0);
   return std::sqrt(trace) * (0.8660 + 0.0725 * std::sqrt(roundness));

@@ -39,7 +39,8 @@ struct SolidPressure {
   double pressure = 0;                 ///< integral of the pressure, whatever way it acts [N]
   double area = 0;                     ///< in contact: half of the pressed faces of both [m2]
   Vec3 middle = Vec3::Zero();          ///< of the area in contact [m]
-  double radius = 0;                   ///< mean distance of the area from its centroid, see turning_radius [m]
+  double radius = 0;                   ///< of gyration of the area about its middle [m]
+  double friction_arm = 0;             ///< mean distance of the pressure from its centre, see mean_distance [m]
   /// Arms in its plane, of which the products sum to its second moments over the area, see spread_arms [m]
   std::array<Vec3, 2> arm{Vec3::Zero(), Vec3::Zero()};
   double depth = 0;  ///< greatest depth of a pressed face in the other solid [m]
@@ -51,8 +52,9 @@ SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const L
 
 /// Mean distance of a plane area from its centroid [m], from its second moments about it (of unit area, trace of the
 /// tensor and the product of its two principal values). A line of length l has l/4 and a gyration of l/sqrt(12), a
-/// square .9375 of its gyration, a disc .9428; between them this is right to 1 %, triangles to 2 %.
-double turning_radius(double trace, double product);
+/// square .9375 of its gyration, a disc .9428; between them this is right to 1 %, triangles to 2 %. Of an area under
+/// pressure likewise: 2 % where the pressure of a rectangle grows from nothing at one side, 6 % at one corner.
+double mean_distance(double trace, double product);
 
 /// Some direction across n, of length 1.
 Vec3 line_across(const Vec3& n);

@@ -118,6 +118,20 @@ void add_triangle(const OverlapCorner& u, const OverlapCorner& v, const OverlapC
   to.energy += 0.5 * share * (c * c + u.c * u.c + v.c * v.c + w.c * w.c);
 }
 
+/// ... of three f, g and h: A/60 (sum f sum g sum h + sum f sum of g h + sum g sum of h f + sum h sum of f g + 2 sum of
+/// f g h).
+void add_triangle(const OverlapCorner& u, const OverlapCorner& v, const OverlapCorner& w, FaceMoments& to) {
+  add_triangle(u, v, w, static_cast<FaceIntegrals&>(to));
+  const Vec2 uv = v.p - u.p, uw = w.p - u.p, sum = u.p + v.p + w.p;
+  const Vec2 weighted = u.c * u.p + v.c * v.p + w.c * w.p;
+  const double share = cross(uv, uw) / 120, c = u.c + v.c + w.c, cu = c + 2 * u.c, cv = c + 2 * v.c, cw = c + 2 * w.c;
+  const auto product = [&](int i, int j) {
+    return share * (c * sum[i] * sum[j] + sum[i] * weighted[j] + sum[j] * weighted[i] + cu * u.p[i] * u.p[j] +
+                    cv * v.p[i] * v.p[j] + cw * w.p[i] * w.p[j]);
+  };
+  to.first_xx += product(0, 0), to.first_xy += product(0, 1), to.first_yy += product(1, 1);
+}
+
 OverlapCorner corner_of(const FaceOverlap3& faces, int i) {
   const Vec2& p = faces.shared.corner[static_cast<std::size_t>(i)];
   return {p, faces.plane.overlap_at(p)};
@@ -153,8 +167,9 @@ FaceIntegrals over_all(const OverlapPolygon& polygon) {
 }
 
 // Corners of the part in contact come one by one; each makes a triangle with the first and the one before it.
-FaceIntegrals in_contact(const OverlapPolygon& polygon) {
-  FaceIntegrals sum;
+template <class Sums>
+Sums in_contact(const OverlapPolygon& polygon) {
+  Sums sum;
   int count = 0;
   OverlapCorner first{}, before{};
   const auto take = [&](const OverlapCorner& now) {
@@ -182,7 +197,11 @@ FaceIntegrals integrals_over_all(const FaceOverlap3& faces) {
 }
 
 FaceIntegrals integrals_in_contact(const FaceOverlap3& faces) {
-  return in_contact(polygon_of(faces));
+  return in_contact<FaceIntegrals>(polygon_of(faces));
+}
+
+FaceMoments moments_in_contact(const FaceOverlap3& faces) {
+  return in_contact<FaceMoments>(polygon_of(faces));
 }
 
 FaceIntegrals integrals_over_all(std::span<const Vec2> corners, double overlap, const Vec2& slope) {
@@ -190,7 +209,7 @@ FaceIntegrals integrals_over_all(std::span<const Vec2> corners, double overlap, 
 }
 
 FaceIntegrals integrals_in_contact(std::span<const Vec2> corners, double overlap, const Vec2& slope) {
-  return in_contact({corners, overlap, slope});
+  return in_contact<FaceIntegrals>({corners, overlap, slope});
 }
 
 Vec2 energy_by_sliding(const FaceOverlap3& faces) {

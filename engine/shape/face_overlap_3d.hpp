@@ -77,12 +77,18 @@ struct FaceIntegrals {
   double energy = 0;                 ///< of c^2 / 2 [m4]
 };
 
+/// ... with those of c x x, c x y and c y y [m5].
+struct FaceMoments : FaceIntegrals {
+  double first_xx = 0, first_xy = 0, first_yy = 0;
+};
+
 /// Over the part where c > 0: the polygon cut along the line c = 0. Exact, and continuous with their first derivatives
 /// in `first`, `first_moment` and `energy` as corners come in and go out; `area` begins at once where parallel faces
 /// meet.
 FaceIntegrals integrals_in_contact(const FaceOverlap3& faces);
 /// The same of any convex polygon, counter-clockwise, and c = overlap + slope . p over it.
 FaceIntegrals integrals_in_contact(std::span<const Vec2> corners, double overlap, const Vec2& slope);
+FaceMoments moments_in_contact(const FaceOverlap3& faces);
 
 /// Over all of the shared polygon, c of either sign: for what also carries tension.
 FaceIntegrals integrals_over_all(const FaceOverlap3& faces);

@@ -40,7 +40,8 @@ void take_up(const Model<3>& model, const State<3>& state, Work<3>& work, int ro
   work.general_touching.push_back({row, response.area, response.depth, response.centre, response.normal_force});
   const JointMemory* joint = work.contacts.joint_at(r);
   const double area = joint != nullptr && joint->bonds != 0 ? joint->plan->whole.area : response.area;
-  work.solids.areas.push_back({response.middle, response.normal, area, response.radius, response.arm});
+  work.solids.areas.push_back(
+      {response.middle, response.normal, area, response.radius, response.friction_arm, response.arm});
 }
 
 /// Faces that mortar holds together, or did until now.

@@ -17,9 +17,9 @@ SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::
   const Vec3& n = work.contacts.memory[contact.row].normal;  // mortar may pull
   const JointMemory* joint = work.contacts.joint_at(static_cast<std::size_t>(contact.row));
   const bool bonded = joint != nullptr && joint->bonds != 0;
-  const double turning = n.dot(shear.total);
-  const Vec3 along = shear.total - turning * n;
-  const bool slides = !(limit > 0) || limit_measure(along.norm() / limit, std::abs(turning) / limit) >= 1;
+  const ContactArea& area = work.solids.areas[place];
+  const FrictionLimit friction(limit, n, contact.centre - area.middle, area.radius, area.friction_arm);
+  const Vec3 along = shear.total - n.dot(shear.total) * n;
   return {contact.row,
           model.piece_body[pair.piece_a],
           model.piece_body[pair.piece_b],
@@ -27,9 +27,9 @@ SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::
           n,
           contact.force - along,
           contact.size,
-          bonded   ? ContactHold::bonded
-          : slides ? ContactHold::sliding
-                   : ContactHold::sticking};
+          bonded                           ? ContactHold::bonded
+          : friction.is_below(shear.total) ? ContactHold::sliding
+                                           : ContactHold::sticking};
 }
 
 }  // namespace trilith

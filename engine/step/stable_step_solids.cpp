@@ -98,12 +98,11 @@ AreaSprings face_springs(const ConvexSolid& solid, int face, const ContactTangen
   }
   const Vec3 middle = first / area;
   const Eigen::Matrix3d about = second / area - middle * middle.transpose();
-  const double trace = about.trace(), product = 0.5 * (trace * trace - (about * about).trace());
   const Vec3 x = line_across(n), y = cross(n, x);
   return {origin + middle,
           n,
           area,
-          turning_radius(trace, product),
+          std::sqrt(about.trace()),
           spread_arms(x.dot(about * x), x.dot(about * y), y.dot(about * y), x, y),
           law};
 }

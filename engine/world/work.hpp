@@ -69,6 +69,7 @@ struct ContactArea {
   Vec3 middle, normal;      ///< [m], of length 1
   double area;              ///< pressed, or held by mortar [m2]
   double radius;            ///< see SolidPressure [m]
+  double friction_arm;      ///< likewise [m]
   std::array<Vec3, 2> arm;  ///< likewise [m]
 };
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <random>
 
 #include "near.hpp"
 
@@ -10,11 +11,47 @@ using namespace trilith;
 using testing::near;
 using testing::near_zero;
 
+namespace {
+
+/// Friction of `force` in the plane z = 0 whose centre of pressure is at `offset` from the spring.
+FrictionLimit limit_at(double force, const Vec3& offset = Vec3::Zero(), double radius = 1, double arm = 1) {
+  return {force, Vec3::UnitZ(), offset, radius, arm};
+}
+
+/// V / mu N and T / mu N a of a spring's force.
+std::pair<double, double> shares(const FrictionLimit& limit, const Vec3& spring) {
+  const Vec3 across(spring.x(), spring.y(), 0);
+  const double couple = limit.radius * spring.z() - (limit.offset.x() * spring.y() - limit.offset.y() * spring.x());
+  return {across.norm() / limit.force, std::abs(couple) / (limit.force * limit.arm)};
+}
+double measure(const FrictionLimit& limit, const Vec3& spring) {
+  const auto [x, y] = shares(limit, spring);
+  return limit_measure(x, y);
+}
+
+/// A limit by chance, and a force beyond it by up to `far` times itself.
+struct LimitDraw {
+  FrictionLimit limit;
+  Vec3 beyond;
+};
+LimitDraw draw_limit(std::mt19937& random, double far) {
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> share(0, 1);
+  const double radius = 0.2 + share(random);
+  const FrictionLimit limit =
+      limit_at(100, radius * Vec3(normal(random), normal(random), 0), radius, radius * std::exp(-4 * share(random)));
+  Vec3 spring(normal(random), normal(random), normal(random));
+  while (measure(limit, spring) <= 1) spring *= 1.1;
+  return {limit, Vec3(spring * (1 + far * share(random)))};
+}
+
+}  // namespace
+
 TEST_CASE("shear below its limit is elastic, in any direction") {
   const SlidingLaw law{1e8, 0, 1e-3};
   SlidingForce force{Vec3::Zero(), Vec3::Zero(), 0.5};
   const Vec3 path(3e-6, -4e-6, 0);
-  const SlidingResponse r = slide({path, path / law.dt, Vec3::UnitZ(), 1e9}, 0.5, force, law);
+  const SlidingResponse r = slide({path, path / law.dt, limit_at(1e9)}, 0.5, force, law);
   CHECK(near_zero((r.force.elastic - 5e7 * path).norm(), 1e-9));
   CHECK(r.slip == 0);
   CHECK(r.lost_friction == 0);
@@ -27,7 +64,7 @@ TEST_CASE("beyond its limit shear slides against the motion with just the limit"
   const Vec3 way = Vec3(1, 2, 0).normalized() * 1e-5;
   double slip = 0, lost = 0;
   for (int i = 0; i < 200; ++i) {
-    const SlidingResponse r = slide({way, way / law.dt, Vec3::UnitZ(), 100}, 0.5, force, law);
+    const SlidingResponse r = slide({way, way / law.dt, limit_at(100)}, 0.5, force, law);
     force = r.force, slip += r.slip, lost += r.lost_friction;
   }
   CHECK(near(force.total.norm(), 100, 1e-12));
@@ -45,7 +82,7 @@ TEST_CASE("energy put into shear is held or given off, with damping and changing
     const Vec3 path = 1e-6 * Vec3(std::cos(t), std::sin(1.7 * t), 0.5 * std::cos(2.3 * t));
     const double area = 0.5 + 0.3 * std::sin(0.5 * t);
     const Vec3 before = force.total;
-    const SlidingResponse r = slide({path, path / law.dt, Vec3::UnitZ(), 60}, area, force, law);
+    const SlidingResponse r = slide({path, path / law.dt, limit_at(60)}, area, force, law);
     force = r.force;
     put_in += 0.5 * (before + force.total).dot(path);
     lost += r.lost_friction + r.lost_damping;
@@ -55,18 +92,51 @@ TEST_CASE("energy put into shear is held or given off, with damping and changing
   CHECK(near(put_in, lost + sliding_energy(law.ks, force), 1e-9));
 }
 
-TEST_CASE("the nearest point of the limit is nearest, and the way to it is along the normal") {
-  for (const double x : {0.0, 0.3, 0.9, 1.5, 20.0})
-    for (const double y : {0.0, 0.4, 0.8, 1.1, 30.0}) {
-      if (!(limit_measure(x, y) > 1)) continue;
-      const auto [a, b] = nearest_on_limit(x, y);
-      CHECK(near(limit_measure(a, b), 1, 1e-12));
-      const double least = std::hypot(x - a, y - b);
-      for (int i = 0; i <= 1000; ++i) {
-        const double c = i / 1000.0, d = std::sqrt((1 - c * c) / (1 + 0.57 * c * c));
-        CHECK(std::hypot(x - c, y - d) >= least * (1 - 1e-12));
+TEST_CASE("the nearest point of the limit is nearest, wherever the pressure is") {
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  for (const double far : {1e-6, 1e-2, 3.0})
+    for (int i = 0; i < 300; ++i) {
+      const auto [limit, beyond] = draw_limit(random, far);
+      REQUIRE(limit.is_below(beyond));
+      const Vec3 held = limit.nearest_to(beyond);
+      CHECK(near(measure(limit, held), 1, 1e-12));
+      const double least = (beyond - held).norm();
+      for (int k = 0; k < 50; ++k) {
+        // Others around it, brought to the limit along their rays.
+        Vec3 other = held + 30 * (k % 2 == 0 ? 1 : 0.01) * Vec3(normal(random), normal(random), normal(random));
+        const auto [x, y] = shares(limit, other);
+        const double squares = x * x + y * y, product = limit_measure(x, y) - squares;
+        other /= std::sqrt(0.5 * (squares + std::sqrt(squares * squares + 4 * product)));
+        CHECK((beyond - other).norm() >= least * (1 - 1e-9));
       }
     }
+}
+
+TEST_CASE("sliding gives no energy, and takes the most that friction can") {
+  std::mt19937 random(12);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 20000; ++i) {
+    const auto [limit, beyond] = draw_limit(random, i % 2 == 0 ? 1e-3 : 10);
+    const Vec3 held = limit.nearest_to(beyond), slip = beyond - held;
+    CHECK(held.dot(slip) > 0);
+    const Vec3 other(normal(random), normal(random), normal(random)), inside = 40 * other;
+    if (!limit.is_below(inside)) CHECK(held.dot(slip) >= inside.dot(slip) - 1e-9 * held.norm() * slip.norm());
+  }
+}
+
+TEST_CASE("with its pressure off the middle, what slides straight has no couple about its pressure") {
+  const Vec3 offset(0.1, -0.3, 0);
+  const FrictionLimit limit = limit_at(100, offset, 0.4, 0.2);
+  const SlidingLaw law{1e8, 0, 1e-3};
+  for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0.6, 0.8, 0), Vec3(-0.28, 0.96, 0)}) {
+    SlidingForce force{Vec3::Zero(), Vec3::Zero(), 0.5};
+    const Vec3 path = 1e-7 * way;
+    for (int i = 0; i < 1000; ++i) force = slide({path, path / law.dt, limit}, 0.5, force, law).force;
+    CHECK(near(force.total.head<2>().dot(way.head<2>()), 100, 1e-9));
+    const double couple = 0.4 * force.total.z();
+    CHECK(near(couple, (offset.x() * way.y() - offset.y() * way.x()) * 100, 1e-9));
+  }
 }
 
 TEST_CASE("the limit is a convex curve: its normal turns one way only") {

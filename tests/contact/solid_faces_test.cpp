@@ -80,6 +80,7 @@ TEST_CASE("flat faces press as the volume they share does") {
           within * size);
       CHECK(near(face.area, whole.area, 1e-2));
       CHECK(near(face.radius, whole.radius, 1e-2));
+      CHECK(near(face.friction_arm, whole.friction_arm, 1e-2));
       const double energy = with_kernel(use, [&](const Coulomb& k) { return face_energy(k, faces); });
       CHECK(near(energy, solid_energy(laid.a, laid.b, use, shared, cell), 1e-2));
     }

@@ -151,11 +151,11 @@ TEST_CASE("T10: the mean distance of an area from its middle is that of the exac
     const double d = std::sqrt(a * a + b * b);
     return (2 * a * b * d + a * a * a * std::log((b + d) / a) + b * b * b * std::log((a + d) / b)) / (12 * a * b);
   };
-  CHECK(near(turning_radius(gyration(1, 1), product(1, 1)), 0.38260, 1e-2));
+  CHECK(near(mean_distance(gyration(1, 1), product(1, 1)), 0.38260, 1e-2));
   for (const double b : {0.8, 0.5, 0.3, 0.1, 0.01})
-    CHECK(near(turning_radius(gyration(1, b), product(1, b)), exact(1, b), 1.5e-2));
-  CHECK(near(turning_radius(0.5, 0.0625), 2.0 / 3, 1e-2));  // a disc of radius 1
+    CHECK(near(mean_distance(gyration(1, b), product(1, b)), exact(1, b), 1.5e-2));
+  CHECK(near(mean_distance(0.5, 0.0625), 2.0 / 3, 1e-2));  // a disc of radius 1
   // An equilateral triangle of side 1: six right triangles of height 1 / (2 sqrt 3) and 60 degrees about its middle.
   const double triangle = (2 * std::sqrt(3.0) + std::log(2 + std::sqrt(3.0))) / 18;
-  CHECK(near(turning_radius(1.0 / 12, 1.0 / 576), triangle, 2.2e-2));
+  CHECK(near(mean_distance(1.0 / 12, 1.0 / 576), triangle, 2.2e-2));
 }

@@ -1,4 +1,4 @@
-// VALIDATION T23 to T26: friction in a plane, its direction free.
+// VALIDATION T23 to T26: friction in a plane, its direction free; where the pressure is.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -115,4 +115,25 @@ TEST_CASE("T26: a plate that slides and spins stops both at once") {
   CHECK(near(run.time(), 0.4808, 2e-2));
   CHECK(near(run.place(1).x(), 0.2301, 2e-2));
   CHECK(run.place(1).x() > 0.1700 * 1.2);  // it goes farther than one that does not spin
+}
+
+TEST_CASE("a body that is heavier on one side slides straight and stops where friction stops it") {
+  const double mu = 0.3, dt = 1e-5, kn = 1e9;
+  SpaceBuilder builder;
+  builder.add(fixed_stone("floor", box_solid(Vec3(-5, -5, -0.5), Vec3(5, 5, 0))));
+  SolidBody body = stone("sledge", box_solid(Vec3(-0.2, -0.2, 0), Vec3(0.2, 0.2, 0.04)));
+  body.pieces.push_back(box_solid(Vec3(-0.1, 0, 0.04), Vec3(0.1, 0.2, 0.14)));
+  body.velocity = Vec3(1, 0, 0);
+  builder.add(body);
+  builder.contact(0, 0, frictional(kn, kn, mu, 1e-4), "joint");
+  SolidRun run(builder.build(), dt);
+  const Vec3 start = run.place(1);
+  CHECK(start.y() > 0.038);  // a tenth of the width
+  REQUIRE(run.run_until(0.5, [&] { return run.velocity(1).norm() < 1e-3; }));
+  CHECK(near(run.time(), 1 / (mu * standard_gravity), 5e-3));
+  const Vec3 way = run.place(1) - start;
+  CHECK(near(way.x(), 0.5 / (mu * standard_gravity), 5e-3));
+  // Friction in the middle of the area would turn it by a quarter of a radian.
+  CHECK(std::abs(run.turned(1).z()) < 1e-3);
+  CHECK(std::abs(way.y()) < 1e-4);
 }

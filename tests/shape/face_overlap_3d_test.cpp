@@ -192,7 +192,10 @@ TEST_CASE("a linear overlap has the integrals of a wedge and of a pyramid's corn
   o.plane.origin = Vec3::Zero(), o.plane.overlap = 0, o.plane.slope = Vec2(t, 0);
   const Polygon square = centred_face(1, 1);
   std::copy(square.begin(), square.end(), o.shared.corner.begin());
-  FaceIntegrals k = integrals_in_contact(o);
+  FaceMoments k = moments_in_contact(o);
+  CHECK(near(k.first_xx, t / 64, 1e-14));
+  CHECK(near(k.first_yy, t / 96, 1e-14));
+  CHECK(near_zero(k.first_xy, 1e-18));
   CHECK(near(k.area, 0.5, 1e-15));
   CHECK(near(k.first, t / 8, 1e-15));
   CHECK(near(k.first_moment.x(), t / 24, 1e-15));
@@ -201,12 +204,16 @@ TEST_CASE("a linear overlap has the integrals of a wedge and of a pyramid's corn
   CHECK(near(k.yy, 1 / 24.0, 1e-15));
   // c = t (x + y - 0.6): a triangle with legs 0.4 at the corner (1/2, 1/2)
   o.plane.overlap = -0.6 * t, o.plane.slope = Vec2(t, t);
-  k = integrals_in_contact(o);
+  k = moments_in_contact(o);
   const double leg = 0.4, peak = leg * t;
   CHECK(near(k.area, leg * leg / 2, 1e-14));
   CHECK(near(k.first, leg * leg * peak / 6, 1e-14));
   CHECK(near(k.first_moment.x() / k.first, 0.5 - leg / 4, 1e-14));
   CHECK(near(k.energy, leg * leg * peak * peak / 24, 1e-14));
+  // a pyramid about its own middle: variances 3/80 of the legs' squares, their product -1/80
+  const Vec2 at = k.first_moment / k.first;
+  CHECK(near(k.first_xx / k.first - at.x() * at.x(), 3 * leg * leg / 80, 1e-12));
+  CHECK(near(k.first_xy / k.first - at.x() * at.y(), -leg * leg / 80, 1e-12));
   // apart by next to nothing at that corner: nothing; closed all over: as over all
   o.plane.overlap = -1.0000001 * t;
   CHECK(integrals_in_contact(o).area == 0);
