@@ -60,9 +60,15 @@ BearingMark mark_of(results::BearingState state) {
       return BearingMark::changed;
     case results::BearingState::intact:
     case results::BearingState::waiting:
+    case results::BearingState::absent:
       break;
   }
   return BearingMark::intact;
+}
+
+/// What waits for another one carries nothing, and what is absent is not there.
+bool is_seen(results::BearingState state) {
+  return state != results::BearingState::waiting && state != results::BearingState::absent;
 }
 
 /// A place of the world in the picture.
@@ -120,7 +126,7 @@ bool touch(const Frame& frame, int a, int b) {
 void add_bearings(const Header& header, const Frame& frame, const Flatten& flat, Scene& scene) {
   const results::Placement place(header, frame);
   for (std::size_t i = 0; i < header.bearings.size(); ++i) {
-    if (frame.bearing_state[i] == results::BearingState::waiting) continue;
+    if (!is_seen(frame.bearing_state[i])) continue;
     const results::BearingRow& b = header.bearings[i];
     const Vec3 a_end = place.end_of(header.bodies[b.body_a], b.point_a),
                b_end = place.end_of(header.bodies[b.body_b], b.point_b);

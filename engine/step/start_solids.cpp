@@ -53,11 +53,12 @@ void change_row(const Model<3>& model, State<3>& state, Work<3>& work, std::size
 
 }  // namespace
 
-void set_bonds(const Model<3>& model, State<3>& state, double reach) {
+void set_bonds(const Model<3>& model, State<3>& state, double reach, int first_body) {
   Work<3> work;
   find_near_solids(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     const NearPair& pair = work.pairs[row];
+    if (std::max(model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]) < first_body) continue;
     // A joint that holds all over is left as it is, so this may be called again.
     if (!may_bond(model.laws[pair.law]) || holds_all_over(state.contacts.joint_at(row))) continue;
     const double size = size_of_smaller(model, pair);

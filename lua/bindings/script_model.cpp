@@ -47,12 +47,10 @@ std::vector<std::string> Host::doubts() const {
   return lines;
 }
 
-void ScriptModel::require_open(const std::string& what) const {
-  if (running_)
-    throw InputError(fmt::format("{}: cannot be added while a stage runs; add it before the first stage", what));
-  if (built())
-    throw InputError(
-        fmt::format("{}: cannot be added any more, as the model was built at its first stage; add it before", what));
+void ScriptModel::require_present(int body, const std::string& owner) const {
+  const std::string why = why_absent(body);
+  if (!why.empty())
+    throw InputError(fmt::format("{}{}body '{}' {}", owner, owner.empty() ? "" : ": ", body_name(body), why));
 }
 
 std::vector<std::string> ScriptModel::body_names() const {
