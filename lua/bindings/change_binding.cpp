@@ -209,7 +209,8 @@ const std::array change_method_list{
     Method{"change", guarded<change>,
            "change{law=, mu=, ...} or change{bearing=, along=, axial=, turning=, limit=, ...}: from now on"},
     Method{"remove", guarded<remove_parts>, "remove(bodies | bearing | load, or a list): from now on it is not there"},
-    Method{"put_back", guarded<put_back_parts>, "put_back(bodies | bearing, or a list): what was removed is there again"},
+    Method{"put_back", guarded<put_back_parts>,
+           "put_back(bodies | bearing, or a list): what was removed is there again"},
 };
 
 /// core.contact_laws(model): a list of the model's laws, with their names.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
@@ -48,6 +49,16 @@ void SimulatedModel<D>::forget_added() {
   bearings.resize(std::min(bearings.size(), model.bearings.size()));
   seats.resize(std::min(seats.size(), model.seats.size()));
   caught_up_ = additions_;
+}
+
+template <int D>
+std::vector<double> SimulatedModel<D>::heights() const {
+  const Model<D>& model = simulation_->model();
+  std::vector<double> heights(model.bodies.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t b = 0; b < heights.size(); ++b)
+    if (model.body_moves(static_cast<int>(b)))
+      heights[b] = simulation_->state().position[static_cast<std::size_t>(model.bodies[b].first_node)][D - 1];
+  return heights;
 }
 
 template <int D>
@@ -138,6 +149,7 @@ void SimulatedModel<D>::put_back(const std::vector<int>& which, const std::vecto
 
 template void SimulatedModel<2>::alter(std::function<void(Model<2>&)>, std::vector<int>);
 template void SimulatedModel<2>::catch_up();
+template std::vector<double> SimulatedModel<2>::heights() const;
 template void SimulatedModel<2>::extend();
 template void SimulatedModel<2>::forget_added();
 template std::vector<RecordedHistory<2>> SimulatedModel<2>::recorded_histories() const;
@@ -150,6 +162,7 @@ template void SimulatedModel<2>::remove(const std::vector<int>&, const std::vect
 template void SimulatedModel<2>::put_back(const std::vector<int>&, const std::vector<int>&, const std::string&);
 template void SimulatedModel<3>::alter(std::function<void(Model<3>&)>, std::vector<int>);
 template void SimulatedModel<3>::catch_up();
+template std::vector<double> SimulatedModel<3>::heights() const;
 template void SimulatedModel<3>::extend();
 template void SimulatedModel<3>::forget_added();
 template std::vector<RecordedHistory<3>> SimulatedModel<3>::recorded_histories() const;

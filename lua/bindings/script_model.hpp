@@ -130,6 +130,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   [[nodiscard]] virtual std::string text_of(const Event& event) const = 0;
   /// Mass of a body [kg], before and after building.
   [[nodiscard]] virtual double mass_of(int body) = 0;
+  /// [body] of the first node [m]; no number for what is held, gone or not there yet. Of a model that is built.
+  [[nodiscard]] virtual std::vector<double> heights() const = 0;
   /// True while it has been still for the model's still_time.
   [[nodiscard]] virtual bool is_resting(int body) const = 0;
   /// Weight grows from nothing until `end` [s].

@@ -51,6 +51,7 @@ class SimulatedModel : public ScriptModel {
   [[nodiscard]] std::string step_text() override;
   [[nodiscard]] std::string text_of(const Event& event) const override;
   [[nodiscard]] double mass_of(int body) override;
+  [[nodiscard]] std::vector<double> heights() const override;
   [[nodiscard]] bool is_resting(int body) const override {
     return has_body(body) && simulation_->state().resting[static_cast<std::size_t>(body)] != 0;
   }
