@@ -10,7 +10,7 @@ local p = trilith.params {
   every = { 0.05, unit = "s", "between two pieces of falsework taken away" },
   key = { true, "false: the falsework is struck before the key is in" },
   out = { "out/arch_staged.h5", "results" } }
-local R, t, n = p.radius, p.thickness, p.voussoirs
+local R, t, n = p.radius, p.thickness, math.tointeger(p.voussoirs)
 local half = 0.39*math.pi
 local m = trilith.model { name = "an arch on falsework" }
 m:material { name = "stone", density = 2400 }
