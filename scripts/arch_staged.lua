@@ -57,9 +57,9 @@ end)
 local last = m:run { name = "struck", duration = 6*s, until_collapse = true,
   until_rest = { from = p.every*middle, ratio = 1e-3, speed = 1e-4 } }
 if last.ending == "rest" then
-  local line = m:thrust_line(ring)
+  local joint = m:contacts { between = { crown, m:body("arch.v" .. middle - 1) } }[1]
   print(("%.2f s: it stands by itself; the crown came down by %.3f mm, the thrust is %.3f of the weight"):format(m.time,
-    1e3*(before - crown.y), math.abs(line[#line//2].fx)/(ring.mass*9.80665)))
+    1e3*(before - crown.y), math.abs(joint.force[1])/(ring.mass*9.80665)))
 else
   print(("%.2f s: it has come down (%s)"):format(m.time, last.reason))
 end

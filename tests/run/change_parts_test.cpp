@@ -26,7 +26,7 @@ Scene tower() {
 StageOptions short_stage(double duration) {
   StageOptions options;
   options.duration = duration;
-  options.dt = 5e-4;
+  options.dt = 1e-4;
   options.energy_interval = 5e-3;
   return options;
 }
@@ -142,7 +142,7 @@ TEST_CASE("a run taken back over a removal and an addition has the bits of one t
   sim.run(short_stage(0.2));
   const std::uint64_t through = state_hash(sim.state());
   sim.restore(kept);
-  scene.block("third", box(-0.5, 1.2, 0.5, 1.7), 500);
+  scene.block("third", box(-0.5, 1.0001, 0.5, 1.5), 500);
   sim.grow(scene.builder.extended(sim.model(), sim.state()));
   const std::vector<int> lower{body(sim, "lower")};
   sim.remove({lower, {}});
