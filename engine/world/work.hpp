@@ -72,23 +72,33 @@ struct ContactArea {
   std::array<Vec3, 2> arm;  ///< likewise [m]
 };
 
+/// What the contact of one row came to, before it is added to anything.
+struct SolidAnswer {
+  int row = -1;  ///< -1: there was nothing to find out
+  bool was_touching = false, joint_changed = false;
+  SolidResponse response;
+};
+
 /// Solids in space where they stand, and what their contacts give.
 template <int D>
 struct SolidWork {};
 template <>
 struct SolidWork<3> {
-  std::vector<PlacedSolid> placed;      ///< [piece]. Writer: place
-  std::vector<Separation3> separation;  ///< [contact] along the axis that parted them last. Writer: respond
-  std::vector<Separation3> spare;       ///< room
-  std::vector<ContactArea> areas;       ///< one for each of general_touching. Writer: respond
-  std::vector<Vec3> force, moment;      ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
-  SolidOverlapBuffer shared;            ///< room
+  std::vector<PlacedSolid> placed;       ///< [piece]. Writer: place
+  std::vector<Separation3> separation;   ///< [contact] along the axis that parted them last. Writer: respond
+  std::vector<Separation3> spare;        ///< room
+  std::vector<ContactArea> areas;        ///< one for each of general_touching. Writer: respond
+  std::vector<Vec3> force, moment;       ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
+  SolidOverlapBuffer shared;             ///< room
+  std::vector<SolidOverlapBuffer> room;  ///< [thread]
+  std::vector<SolidAnswer> answer;       ///< of rows that threads share
 };
 
 /// What a step needs and the next one can do without. `evaluate` writes nothing else; `commit` makes a State of it.
 template <int D>
 struct Work {
   bool valid = false;            ///< false: pairs must be found anew. Writer: detect
+  int threads = 1;               ///< that may share a step; no bit of any result depends on it
   bool leave_out_beams = false;  ///< resist adds none of their forces: the tangent has theirs by itself. Writer: it
 
   // Writer: place
