@@ -85,6 +85,7 @@ struct SolidWork {};
 template <>
 struct SolidWork<3> {
   std::vector<PlacedSolid> placed;       ///< [piece]. Writer: place
+  std::vector<double> speed2;            ///< [piece] largest square of the speeds of its corners [m2/s2]. Writer: place
   std::vector<Separation3> separation;   ///< [contact] along the axis that parted them last. Writer: respond
   std::vector<Separation3> spare;        ///< room
   std::vector<ContactArea> areas;        ///< one for each of general_touching. Writer: respond
@@ -103,9 +104,9 @@ struct Work {
 
   // Writer: place
   std::vector<BodyRow> body;        ///< [body], anew where the pairs must be found anew
-  std::vector<SkinMotion<D>> skin;  ///< [skin]
+  std::vector<SkinMotion<D>> skin;  ///< [skin]; in space none, see SolidWork::placed
   std::vector<Vec<D>> skin_mean;    ///< [skin] mean velocity over the step; empty in explicit stages m/s
-  double fastest = 0;               ///< largest speed of any skin point m/s
+  double fastest = 0;               ///< largest speed of any skin point, in space of any corner m/s
   double fastest_moving = 0;        ///< ... of a body that is free to move m/s
 
   // Writer: detect
@@ -138,7 +139,7 @@ struct Work {
   PlacedPieces placed;                     ///< the pieces of these rows
   std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch
   std::vector<int> changed_rows;                    ///< rows that began or ceased to touch, or lost a bond
-  std::vector<Vec<D>> skin_force;                   ///< [skin] N
+  std::vector<Vec<D>> skin_force;                   ///< [skin] N; in space none
   std::vector<Vec<D>> bearing_force;                ///< [bearing] on body b, in world axes N
   std::vector<Moment<D>> bearing_moment;            ///< [bearing] on body b N m
   std::vector<Vec<D>> bearing_displacement;         ///< [bearing] in its axes m
