@@ -14,6 +14,8 @@ int threads_here();
 namespace detail {
 using StretchCall = void (*)(void* f, int first, int last, int thread);
 void share_stretches(int threads, int count, int stretch, StretchCall call, void* f);
+using SlotCall = void (*)(void* f, int first, int last, int thread, int slot);
+void share_in_order(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both);
 }  // namespace detail
 
 /// Calls f(first, last, thread) for stretches [first, last) that together are [0, count), each of `stretch` items but
@@ -30,6 +32,38 @@ void share(int threads, int count, int stretch, F&& f) {
     (*static_cast<Body*>(body))(first, last, thread);
   };
   detail::share_stretches(threads, count, stretch, call, const_cast<void*>(static_cast<const void*>(&f)));
+}
+
+/// Stretches that are worked on, or wait for their turn, at the same time.
+constexpr int stretches_under_way(int threads) {
+  return threads <= 1 ? 1 : 4 * threads;
+}
+
+/// The same for what must be summed up in order: f(first, last, thread, slot) as with share(), in any order, and after
+/// it then(first, last, slot) for the same stretch, in the order of the stretches and never two at a time, while others
+/// go on with theirs. `slot`, below stretches_under_way(threads), is the stretch's own from the one to the end of the
+/// other: room for what f hands to `then`.
+template <class F, class G>
+void share_in_order(int threads, int count, int stretch, F&& f, G&& then) {
+  if (threads <= 1 || count <= stretch) {
+    for (int first = 0; first < count; first += stretch) {
+      const int last = count - first < stretch ? count : first + stretch;
+      f(first, last, 0, 0);
+      then(first, last, 0);
+    }
+    return;
+  }
+  struct Both {
+    std::remove_reference_t<F>* f;
+    std::remove_reference_t<G>* then;
+  } both{&f, &then};
+  detail::share_in_order(
+      threads, count, stretch,
+      [](void* b, int first, int last, int thread, int slot) {
+        (*static_cast<Both*>(b)->f)(first, last, thread, slot);
+      },
+      [](void* b, int first, int last, int /*thread*/, int slot) { (*static_cast<Both*>(b)->then)(first, last, slot); },
+      &both);
 }
 
 }  // namespace trilith

@@ -1,7 +1,6 @@
 #include "step/central_difference.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "base/team.hpp"
 #include "step/implicit_step.hpp"
@@ -125,21 +124,25 @@ int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, co
 constexpr int node_stretch = 64;
 
 /// Nodes do not ask each other; their works are added in their order.
-void advance_shared(const Model<3>& model, State<3>& state, const Work<3>& work, const StepOptions& options,
+void advance_shared(const Model<3>& model, State<3>& state, Work<3>& work, const StepOptions& options,
                     const StepSpan& span, const Outside<3>& outside) {
-  std::array<NodeWork, 16 * node_stretch> done;
-  for (int from = 0; from < model.nodes(); from += static_cast<int>(done.size())) {
-    const int count = std::min(model.nodes() - from, static_cast<int>(done.size()));
-    share(work.threads, count, node_stretch, [&](int first, int last, int /*thread*/) {
-      for (int i = first; i < last; ++i)
-        done[static_cast<std::size_t>(i)] = advance_node(model, state, work, outside, options, span, from + i);
-    });
-    for (int i = 0; i < count; ++i) add(done[static_cast<std::size_t>(i)], state.given);
-  }
+  std::vector<NodeWork>& done = work.node_work;
+  done.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * node_stretch);
+  share_in_order(
+      work.threads, model.nodes(), node_stretch,
+      [&](int first, int last, int /*thread*/, int slot) {
+        for (int n = first; n < last; ++n)
+          done[static_cast<std::size_t>(slot * node_stretch + n - first)] =
+              advance_node(model, state, work, outside, options, span, n);
+      },
+      [&](int first, int last, int slot) {
+        for (int n = first; n < last; ++n)
+          add(done[static_cast<std::size_t>(slot * node_stretch + n - first)], state.given);
+      });
 }
 
 template <int D>
-void advance_nodes(const Model<D>& model, State<D>& state, const Work<D>& work, const StepOptions& options,
+void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                    const StepSpan& span) {
   const Outside outside(model, state, work);
   if constexpr (D == 2) {
@@ -191,8 +194,7 @@ Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& w
 }
 
 template <int D>
-void advance(const Model<D>& model, State<D>& state, const Work<D>& work, const StepOptions& options,
-             StepTimes* times) {
+void advance(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, StepTimes* times) {
   StepClock clock(times);
   const double dt = options.dt, last = state.last_dt, span = 0.5 * (last + dt);
   advance_nodes(model, state, work, options, {last, dt, span});
@@ -204,7 +206,7 @@ void advance(const Model<D>& model, State<D>& state, const Work<D>& work, const 
 
 template Energy energy_now(const Model<2>&, const State<2>&, const Work<2>&, const StepOptions&);
 template Energy energy_now(const Model<3>&, const State<3>&, const Work<3>&, const StepOptions&);
-template void advance(const Model<2>&, State<2>&, const Work<2>&, const StepOptions&, StepTimes*);
-template void advance(const Model<3>&, State<3>&, const Work<3>&, const StepOptions&, StepTimes*);
+template void advance(const Model<2>&, State<2>&, Work<2>&, const StepOptions&, StepTimes*);
+template void advance(const Model<3>&, State<3>&, Work<3>&, const StepOptions&, StepTimes*);
 
 }  // namespace trilith

@@ -155,11 +155,6 @@ template <std::size_t dofs>
   return sum;
 }
 
-/// Work done on one node along a path [J].
-struct NodeWork {
-  double weight = 0, load = 0, support = 0, element_damping = 0, rest = 0, mass = 0;
-};
-
 /// Work of weight, loads, supports and dampings along `path`. A step's path is half of the one behind and half of the
 /// one ahead of the instant of the forces: the work a step really does.
 template <int D>
@@ -169,16 +164,6 @@ template <int D>
   w.element_damping = dot(f.element_damping, path);
   if (f.damped) w.rest = dot(f.rest, path), w.mass = dot(f.mass, path);
   return w;
-}
-
-/// Adds it to the ledger's sums.
-[[gnu::always_inline]] inline void add(const NodeWork& w, Energy& given) {
-  given[EnergyTerm::gravity] -= w.weight;
-  given[EnergyTerm::load] += w.load;
-  given[EnergyTerm::support] -= w.support;
-  given[EnergyTerm::element_damping] -= w.element_damping;
-  given[EnergyTerm::rest_damping] -= w.rest;
-  given[EnergyTerm::mass_damping] -= w.mass;
 }
 
 /// The same of one node's forces at once.

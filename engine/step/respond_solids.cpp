@@ -107,41 +107,34 @@ bool SolidPass::respond(int row, SolidOverlapBuffer& room, SolidAnswer& answer) 
 /// Rows that threads take at a time: some ten microseconds of what touches.
 constexpr int row_stretch = 16;
 
-/// Rows whose answers wait to be taken up: room for a few megabytes of them, however many rows there are.
-constexpr int row_block = 4096;
-
-/// Several threads answer the rows of a block; then the answers are taken up in the order of rows, so that sums and
-/// lists have the bits of one row after the other.
-void respond_shared(const SolidPass& pass, Work<3>& work) {
-  SolidWork<3>& solids = work.solids;
-  const auto rows = static_cast<int>(work.pairs.size());
-  solids.answer.resize(static_cast<std::size_t>(std::min(rows, row_block)));
-  solids.room.resize(static_cast<std::size_t>(work.threads));
-  for (int from = 0; from < rows; from += row_block) {
-    const int count = std::min(row_block, rows - from);
-    share(work.threads, count, row_stretch, [&](int first, int last, int thread) {
-      for (int i = first; i < last; ++i)
-        if (!pass.respond(from + i, solids.room[thread], solids.answer[i])) solids.answer[i].row = -1;
-    });
-    for (int i = 0; i < count; ++i)
-      if (solids.answer[i].row >= 0) take_up(pass.model, pass.state, work, solids.answer[i]);
-  }
-}
-
 }  // namespace
 
-/// All rows, in their order.
+/// Several threads answer the rows; the answers are taken up in the order of rows, so that sums and lists have the bits
+/// of one row after the other.
 void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work, double dt) {
   work.general_touching.clear();
   work.solids.areas.clear();
   work.solids.force.assign(model.mass.size(), Vec3::Zero());
   work.solids.moment.assign(model.mass.size(), Vec3::Zero());
+  SolidWork<3>& solids = work.solids;
+  solids.room.resize(static_cast<std::size_t>(work.threads));
+  solids.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * row_stretch);
   const SolidPass pass{model, state, work, dt};
-  const auto rows = static_cast<int>(work.pairs.size());
-  if (work.threads > 1 && rows > row_stretch) return respond_shared(pass, work);
-  SolidAnswer answer;
-  for (int row = 0; row < rows; ++row)
-    if (pass.respond(row, work.solids.shared, answer)) take_up(model, state, work, answer);
+  const auto answer_of = [&](int slot, int i) -> SolidAnswer& {
+    return solids.answer[static_cast<std::size_t>(slot * row_stretch + i)];
+  };
+  share_in_order(
+      work.threads, static_cast<int>(work.pairs.size()), row_stretch,
+      [&](int first, int last, int thread, int slot) {
+        for (int row = first; row < last; ++row) {
+          SolidAnswer& answer = answer_of(slot, row - first);
+          if (!pass.respond(row, solids.room[static_cast<std::size_t>(thread)], answer)) answer.row = -1;
+        }
+      },
+      [&](int first, int last, int slot) {
+        for (int i = 0; i < last - first; ++i)
+          if (answer_of(slot, i).row >= 0) take_up(model, state, work, answer_of(slot, i));
+      });
 }
 
 }  // namespace trilith

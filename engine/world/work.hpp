@@ -90,9 +90,8 @@ struct SolidWork<3> {
   std::vector<Separation3> spare;        ///< room
   std::vector<ContactArea> areas;        ///< one for each of general_touching. Writer: respond
   std::vector<Vec3> force, moment;       ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
-  SolidOverlapBuffer shared;             ///< room
   std::vector<SolidOverlapBuffer> room;  ///< [thread]
-  std::vector<SolidAnswer> answer;       ///< of rows that threads share
+  std::vector<SolidAnswer> answer;       ///< of the rows that are worked on
 };
 
 /// What a step needs and the next one can do without. `evaluate` writes nothing else; `commit` makes a State of it.
@@ -169,6 +168,8 @@ struct Work {
   std::vector<Vec<D>> force;           ///< [node] N
   std::vector<Moment<D>> moment;       ///< [node] N m
   double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
+
+  std::vector<NodeWork> node_work;  ///< room of advance, for what threads take
 
   std::vector<Event> events;  ///< of this step. Writer: find_events
   double clear_path = 0;      ///< no two pieces get too deep into each other while `travel` is below this, those of a
