@@ -79,6 +79,14 @@ struct SolidAnswer {
   SolidResponse response;
 };
 
+/// What the general contact of one row in the plane came to, before it is added to anything.
+struct OverlapAnswer {
+  bool changed = false, touching = false;  ///< see Work::changed_rows
+  OverlapResponse response;
+  ShapeLoss let_go;                                ///< what faces held, where they are of general shape now [J]
+  std::array<Vec2, max_piece_corners> on_a, on_b;  ///< [N]
+};
+
 /// Solids in space where they stand, and what their contacts give.
 template <int D>
 struct SolidWork {};
@@ -128,14 +136,16 @@ struct Work {
   SolidWork<D> solids;  ///< in space
 
   // Writer: respond
-  Contacts<D> contacts;                    ///< [contact] trial
-  std::vector<BearingMemory> bearing;      ///< [bearing] trial
-  std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
-  std::vector<int> general_now;            ///< rows that were to be faces and are of general shape now
-  std::vector<int> general_rows;           ///< those and `general`, in the order of rows
-  std::vector<std::int16_t> apart_by;      ///< [contact] the edge that kept the two apart last, see
-                                           ///< OverlapResponse; -1: none. A hint: any value gives the same bits
-  PlacedPieces placed;                     ///< the pieces of these rows
+  Contacts<D> contacts;                       ///< [contact] trial
+  std::vector<BearingMemory> bearing;         ///< [bearing] trial
+  std::vector<int> face_rows, fresh_rows;     ///< of a batch: rows that touched or may touch now; the latter alone
+  std::vector<int> general_now;               ///< rows that were to be faces and are of general shape now
+  std::vector<int> general_rows;              ///< those and `general`, in the order of rows
+  std::vector<std::int16_t> apart_by;         ///< [contact] the edge that kept the two apart last, see
+                                              ///< OverlapResponse; -1: none. A hint: any value gives the same bits
+  std::vector<int> awake_rows, awake_pieces;  ///< those of them that are worked on, and their pieces
+  std::vector<OverlapAnswer> answer;          ///< of rows that threads take
+  PlacedPieces placed;                        ///< the pieces of these rows
   std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch
   std::vector<int> changed_rows;                    ///< rows that began or ceased to touch, or lost a bond
   std::vector<Vec<D>> skin_force;                   ///< [skin] N; in space none
