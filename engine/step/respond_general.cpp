@@ -202,7 +202,7 @@ void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
 }
 
 /// Rows and pieces that threads take at a time: some ten microseconds.
-constexpr int row_stretch = 32, piece_stretch = 128;
+constexpr int general_stretch = 32, awake_stretch = 128;
 
 /// Rows of general shape, and those that were to be faces and are not now, in the order of rows; of these `awake_rows`
 /// are worked on.
@@ -229,7 +229,7 @@ void place_awake(const GeneralPass& pass, Work<2>& work) {
       listed = 1;
     }
   for (const int piece : work.awake_pieces) work.placed.is_placed[static_cast<std::size_t>(piece)] = 0;
-  share(work.threads, static_cast<int>(work.awake_pieces.size()), piece_stretch,
+  share(work.threads, static_cast<int>(work.awake_pieces.size()), awake_stretch,
         [&](int first, int last, int /*thread*/) {
           for (int i = first; i < last; ++i) place_once(pass.model, pass.state, work, work.awake_pieces[i]);
         });
@@ -246,12 +246,12 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
   list_rows(pass, work);
   place_none(model, !work.skin_mean.empty(), work.placed);
   if (work.threads > 1) place_awake(pass, work);
-  work.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * row_stretch);
+  work.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * general_stretch);
   const auto answer_of = [&](int slot, int i) -> OverlapAnswer& {
-    return work.answer[static_cast<std::size_t>(slot * row_stretch + i)];
+    return work.answer[static_cast<std::size_t>(slot * general_stretch + i)];
   };
   share_in_order(
-      work.threads, static_cast<int>(work.awake_rows.size()), row_stretch,
+      work.threads, static_cast<int>(work.awake_rows.size()), general_stretch,
       [&](int first, int last, int /*thread*/, int slot) {
         for (int i = first; i < last; ++i) pass.respond(work.awake_rows[i], answer_of(slot, i - first));
       },

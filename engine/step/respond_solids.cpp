@@ -105,7 +105,7 @@ bool SolidPass::respond(int row, SolidOverlapBuffer& room, SolidAnswer& answer) 
 }
 
 /// Rows that threads take at a time: some ten microseconds of what touches.
-constexpr int row_stretch = 16;
+constexpr int solid_row_stretch = 16;
 
 }  // namespace
 
@@ -118,13 +118,13 @@ void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work
   work.solids.moment.assign(model.mass.size(), Vec3::Zero());
   SolidWork<3>& solids = work.solids;
   solids.room.resize(static_cast<std::size_t>(work.threads));
-  solids.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * row_stretch);
+  solids.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * solid_row_stretch);
   const SolidPass pass{model, state, work, dt};
   const auto answer_of = [&](int slot, int i) -> SolidAnswer& {
-    return solids.answer[static_cast<std::size_t>(slot * row_stretch + i)];
+    return solids.answer[static_cast<std::size_t>(slot * solid_row_stretch + i)];
   };
   share_in_order(
-      work.threads, static_cast<int>(work.pairs.size()), row_stretch,
+      work.threads, static_cast<int>(work.pairs.size()), solid_row_stretch,
       [&](int first, int last, int thread, int slot) {
         for (int row = first; row < last; ++row) {
           SolidAnswer& answer = answer_of(slot, row - first);
