@@ -139,7 +139,9 @@ void Simulation<D>::refresh() {
 
 template <int D>
 void Simulation<D>::drop_work() {
+  const int threads = work_.threads;
   work_ = {};
+  work_.threads = threads;
   evaluated_ = false;
 }
 
