@@ -139,9 +139,7 @@ void Simulation<D>::refresh() {
 
 template <int D>
 void Simulation<D>::drop_work() {
-  const int threads = work_.threads;
-  work_ = {};
-  work_.threads = threads;
+  work_.drop();
   evaluated_ = false;
 }
 

@@ -106,7 +106,7 @@ struct SolidWork<3> {
 template <int D>
 struct Work {
   bool valid = false;            ///< false: pairs must be found anew. Writer: detect
-  int threads = 1;               ///< that may share a step; no bit of any result depends on it
+  int threads = 1;               ///< that may share a step; no bit of any result depends on it. Never dropped
   bool leave_out_beams = false;  ///< resist adds none of their forces: the tangent has theirs by itself. Writer: it
 
   // Writer: place
@@ -185,6 +185,13 @@ struct Work {
   double clear_path = 0;      ///< no two pieces get too deep into each other while `travel` is below this, those of a
                               ///< row while it is below clear_until. Writer: the watch of step/passed.hpp; detect puts
                               ///< both back where it looks up a piece m
+
+  /// Drops everything; see above.
+  void drop() {
+    const int kept = threads;
+    *this = {};
+    threads = kept;
+  }
 };
 
 /// What the contacts remember up to now, in the rows of the pairs.
