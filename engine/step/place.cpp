@@ -1,8 +1,10 @@
 // Skin points, and in space the corners of solids, where the nodes put them, and how they move.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
+#include "base/team.hpp"
 #include "body/rigid.hpp"
 #include "step/evaluate.hpp"
 
@@ -122,19 +124,36 @@ SkinReach place_corners(const ConvexSolid& solid, const NodeMotion<3>& node, con
   return reach;
 }
 
-/// In space there are rigid bodies alone: corners, normals and edges of all their pieces.
+/// In space there are rigid bodies alone: corners, normals and edges of a piece.
+SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
+  const auto p = static_cast<std::size_t>(piece);
+  const int n = model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node;
+  const NodeMotion<3> node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
+  const Turn3 turn(node.rotation);
+  const SkinReach reach = place_corners(model.piece_solid[p], node, turn, solids.placed[p]);
+  solids.speed2[p] = reach.speed2;
+  place_faces(model.piece_solid[p], turn, solids.placed[p]);
+  return reach;
+}
+
+/// Pieces that threads take at a time: some ten microseconds.
+constexpr int piece_stretch = 128;
+
+/// Each thread keeps the largest of what it places: the largest of these is the same in any order.
 PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
-  work.solids.placed.resize(model.piece_solid.size()), work.solids.speed2.resize(model.piece_solid.size());
+  const std::size_t pieces = model.piece_solid.size();
+  work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces);
+  std::array<PlacedReach, most_threads> by{};
+  share(work.threads, static_cast<int>(pieces), piece_stretch, [&](int first, int last, int thread) {
+    PlacedReach& reach = by[static_cast<std::size_t>(thread)];
+    for (int p = first; p < last; ++p) {
+      const SkinReach of = place_piece(model, state, p, work.solids);
+      reach.add(of, model.moves(model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node));
+    }
+  });
   PlacedReach reach;
-  for (std::size_t p = 0; p < model.piece_solid.size(); ++p) {
-    const int n = model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node;
-    const NodeMotion<3> node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
-    const Turn3 turn(node.rotation);
-    const SkinReach of = place_corners(model.piece_solid[p], node, turn, work.solids.placed[p]);
-    reach.add(of, model.moves(n));
-    work.solids.speed2[p] = of.speed2;
-    place_faces(model.piece_solid[p], turn, work.solids.placed[p]);
-  }
+  for (const PlacedReach& one : by)
+    reach.all.add(one.all.speed2, one.all.path2), reach.moving = std::max(reach.moving, one.moving);
   return reach;
 }
 
