@@ -48,22 +48,26 @@ struct FlatMeasures {
   [[nodiscard]] bool are_flat() const { return deepest <= flat_faces_max_depth * width; }
 };
 
-/// Keeps the part of the shared polygon where c > 0.
-void keep_closed(FaceOverlap3& faces) {
-  const SharedPolygon all = faces.shared;
-  SharedPolygon& kept = faces.shared;
-  kept.count = 0;
+/// The same plane and polygon, of which only the corners there are are copied.
+void copy_shared(const FaceOverlap3& from, FaceOverlap3& to) {
+  to.plane = from.plane, to.shared.count = from.shared.count;
+  std::copy_n(from.shared.corner.begin(), from.shared.count, to.shared.corner.begin());
+}
+
+/// ... the part of it where c > 0.
+void copy_closed(const FaceOverlap3& from, FaceOverlap3& to) {
+  const SharedPolygon& all = from.shared;
+  SharedPolygon& kept = to.shared;
+  to.plane = from.plane, kept.count = 0;
   const auto add = [&](const Vec2& p) {
-    kept.edge[static_cast<std::size_t>(kept.count)] = 0;
-    kept.corner[static_cast<std::size_t>(kept.count++)] = p;
+    if (kept.count < 2 * max_face_corners) kept.corner[static_cast<std::size_t>(kept.count++)] = p;
   };
   for (int i = 0; i < all.count; ++i) {
     const Vec2 &p = all.corner[static_cast<std::size_t>(i)],
                &q = all.corner[static_cast<std::size_t>(i + 1 < all.count ? i + 1 : 0)];
-    const double cp = faces.plane.overlap_at(p), cq = faces.plane.overlap_at(q);
+    const double cp = from.plane.overlap_at(p), cq = from.plane.overlap_at(q);
     if (cp >= 0) add(p);
-    if (((cp > 0 && cq < 0) || (cp < 0 && cq > 0)) && kept.count < 2 * max_face_corners)
-      add(p + cp / (cp - cq) * (q - p));
+    if ((cp > 0 && cq < 0) || (cp < 0 && cq > 0)) add(p + cp / (cp - cq) * (q - p));
   }
 }
 
@@ -85,8 +89,11 @@ struct ClosingRate {
 
 /// The pressure with its damping, where there is overlap and it is above 0.
 FaceMoments damped_moments(const FaceOverlap3& faces, const ClosingRate& rate, double beta, bool open) {
-  FaceOverlap3 damped = faces;
-  if (open) keep_closed(damped);
+  FaceOverlap3 damped;
+  if (open)
+    copy_closed(faces, damped);
+  else
+    copy_shared(faces, damped);
   damped.plane.overlap += beta * rate.at_origin;
   damped.plane.slope += beta * rate.slope;
   return damped.shared.count > 2 ? moments_in_contact(damped) : FaceMoments{};
@@ -152,7 +159,9 @@ bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, dou
 }
 
 SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces) {
-  const FaceMoments springs = moments_in_contact(faces);
+  const bool is_damped = law.beta > 0;
+  const FaceMoments undamped = is_damped ? FaceMoments{integrals_in_contact(faces)} : moments_in_contact(faces);
+  const FaceIntegrals& springs = undamped;
   SolidPressure out;
   if (!(springs.area > 0)) return out;
   const MeanPlane& plane = faces.plane;
@@ -163,7 +172,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
     open = open || c < 0;
     out.depth = std::max(out.depth, c);
   }
-  const FaceMoments total = law.beta > 0 ? damped_moments(faces, rate, law.beta, open) : springs;
+  const FaceMoments total = is_damped ? damped_moments(faces, rate, law.beta, open) : undamped;
   out.pressure = law.kn * total.first;
   out.force = out.pressure * plane.normal;
   const Vec2 at = total.first > 0 ? Vec2(total.first_moment / total.first) : Vec2(springs.area_moment / springs.area);
