@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bindings.hpp"
+#include "run/recorded_modes.hpp"
 #include "table_fields.hpp"
 
 namespace trilith::script {
@@ -66,6 +67,7 @@ int find_modes(lua_State* L) {
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
   const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
   const std::array<double, 2> all = free_mass(sim.model());
+  m.record_modes(recorded_modes(sim.state(), found, damping), host(L));
   lua_createtable(L, static_cast<int>(found.size()), 1);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Mode& mode = found[i];
