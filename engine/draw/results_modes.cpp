@@ -37,23 +37,9 @@ double size_of_free(const Scene& scene) {
   return (high - low).norm();
 }
 
-/// By how much the mode is multiplied: [m sqrt(kg)].
-double scale_of(const Header& header, const ModeRow& mode, double size) {
-  double most = 0, turn = 0;
-  for (std::size_t v = 0; v < header.vertex_node.size(); ++v) {
-    const auto n = static_cast<std::size_t>(header.vertex_node[v]);
-    const Vec2 arm = Turn(mode.rotation[n]).apply(Vec2(header.vertices[2 * v], header.vertices[2 * v + 1]));
-    const Vec2 way = Vec2(mode.displacement[2 * n], mode.displacement[2 * n + 1]) + cross(mode.turn[n], arm);
-    most = std::max(most, way.norm()), turn = std::max(turn, std::abs(mode.turn[n]));
-  }
-  const double by_way = most > 0 ? shown_share * size / most : 1;
-  return turn * by_way > most_shown_turn ? most_shown_turn / turn : by_way;
-}
-
 std::string mode_text(const ModeRow& mode) {
   if (!(mode.frequency > 0)) return "does not swing";
-  return fmt::format("{:.4g} Hz, period {:.3g} s, damping {:.2g} %", mode.frequency, 1 / mode.frequency,
-                     100 * mode.damping);
+  return fmt::format("{:.4g} Hz, damping {:.2g} %", mode.frequency, 100 * mode.damping);
 }
 
 }  // namespace
@@ -74,9 +60,22 @@ std::vector<ModeRow> modes_found(const results::ResultsReader& reader, double ti
   return all;
 }
 
+double mode_scale(const Header& header, const ModeRow& mode) {
+  const double size = size_of_free(plain_scene(header, moved(header, mode, 0)));
+  double most = 0, turn = 0;
+  for (std::size_t v = 0; v < header.vertex_node.size(); ++v) {
+    const auto n = static_cast<std::size_t>(header.vertex_node[v]);
+    const Vec2 arm = Turn(mode.rotation[n]).apply(Vec2(header.vertices[2 * v], header.vertices[2 * v + 1]));
+    const Vec2 way = Vec2(mode.displacement[2 * n], mode.displacement[2 * n + 1]) + cross(mode.turn[n], arm);
+    most = std::max(most, way.norm()), turn = std::max(turn, std::abs(mode.turn[n]));
+  }
+  const double by_way = most > 0 ? shown_share * size / most : 1;
+  return turn * by_way > most_shown_turn ? most_shown_turn / turn : by_way;
+}
+
 Scene mode_scene(const Header& header, const ModeRow& mode, double magnify) {
   const Scene stood = plain_scene(header, moved(header, mode, 0));
-  const double scale = magnify * scale_of(header, mode, size_of_free(stood));
+  const double scale = magnify * mode_scale(header, mode);
   Scene scene = plain_scene(header, moved(header, mode, scale));
   scene.title = fmt::format("mode {}", mode.number);
   scene.time = mode.time;
