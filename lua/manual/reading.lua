@@ -41,7 +41,8 @@ joints      flag = true       with opening, slip and damage of each joint]] },
   { "model:thrust_line", "Where the force goes through a chain of bodies: { a, b, x, y, fx, fy }.",
     args = "bodies  bodies  in order", gives = "table[]" },
   { "model:modes", "Natural frequencies as it stands, lowest first: { frequency, period, square, mass_x, mass_y, "
-    .. "factor_x, factor_y, damping, shape }; shape by body's name: { x, y, rotation }. Prints as a table.",
+    .. "factor_x, factor_y, damping, shape }; shape by body's name: { x, y, rotation }. "
+    .. "Prints as a table; goes to the results file.",
     keys = "count  integer = 10  how many", gives = "table[]" },
   { "model:damping", "Share of critical damping for each mode as it stands: { frequency, ratio, contacts, bearings, "
     .. "elements, mass }, the sum and what gives it. Prints as a table.",
