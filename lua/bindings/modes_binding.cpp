@@ -1,5 +1,6 @@
 // Natural frequencies and shapes of a model as it stands.
 #include "step/mode_damping.hpp"
+#include "step/stable_step.hpp"
 
 #include <algorithm>
 
@@ -89,13 +90,23 @@ int find_modes(lua_State* L) {
   return 1;
 }
 
-std::string damping_text(const std::vector<Mode>& found, const std::vector<ModeDamping>& damping) {
-  std::string text = "frequency [Hz]   damping [%]   contacts   bearings   elements       mass";
+std::string damping_text(const Simulation<2>& sim, const std::vector<Mode>& found,
+                         const std::vector<ModeDamping>& damping) {
+  std::string text = "frequency [Hz]   damping [%]   contacts   bearings   elements      bands       mass";
   for (std::size_t i = 0; i < found.size(); ++i) {
     const ModeDamping& d = damping[i];
-    text += fmt::format("\n{:14.5g}   {:11.3g}   {:8.3g}   {:8.3g}   {:8.3g}   {:8.3g}", found[i].frequency(),
-                        100 * d.total(), 100 * d.contacts, 100 * d.bearings, 100 * d.elements, 100 * d.mass);
+    text +=
+        fmt::format("\n{:14.5g}   {:11.3g}   {:8.3g}   {:8.3g}   {:8.3g}   {:8.3g}   {:8.3g}", found[i].frequency(),
+                    100 * d.total(), 100 * d.contacts, 100 * d.bearings, 100 * d.elements, 100 * d.bands, 100 * d.mass);
   }
+  const double step = stable_step(sim.model(), sim.state(), sim.work()).dt;
+  text += fmt::format("\nlongest stable step {:.4g} s", step);
+  for (const DampingBranches& b : sim.model().bands)
+    text += fmt::format("\nband of {:g} % from {:g} to {:g} Hz: {} branches, stiffer by up to {:.2g} %",
+                        100 * b.band.ratio, b.band.from, b.band.to, b.count, 100 * (b.stiffening() - 1));
+  if (!sim.model().bands.empty())
+    text += fmt::format("; without bands the longest stable step is {:.4g} s",
+                        unbanded_step(sim.model(), sim.state(), sim.work()).dt);
   return text;
 }
 
@@ -106,18 +117,21 @@ int find_damping(lua_State* L) {
   const Simulation<2>& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
   const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
-  lua_createtable(L, static_cast<int>(found.size()), 1);
+  lua_createtable(L, static_cast<int>(found.size()), 3);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    lua_createtable(L, 0, 6);
+    lua_createtable(L, 0, 7);
     set_number(L, "frequency", found[i].frequency());
     set_number(L, "ratio", damping[i].total());
     set_number(L, "contacts", damping[i].contacts);
     set_number(L, "bearings", damping[i].bearings);
     set_number(L, "elements", damping[i].elements);
+    set_number(L, "bands", damping[i].bands);
     set_number(L, "mass", damping[i].mass);
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
-  set_text(L, "text", damping_text(found, damping));
+  set_text(L, "text", damping_text(sim, found, damping));
+  set_number(L, "step", stable_step(sim.model(), sim.state(), sim.work()).dt);
+  set_number(L, "unbanded_step", unbanded_step(sim.model(), sim.state(), sim.work()).dt);
   luaL_setmetatable(L, "trilith.findings");
   return 1;
 }
