@@ -60,15 +60,13 @@ int read_count(lua_State* L, const char* owner) {
   return count;
 }
 
-/// m:modes{ count = }: a list, lowest first.
-int find_modes(lua_State* L) {
-  PlaneModel& m = this_plane(L);
-  const int count = read_count(L, "modes");
+/// Pushes what m:modes gives; `records`: it goes to the results file.
+int push_modes(lua_State* L, PlaneModel& m, int count, bool records) {
   const Simulation<2>& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
   const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
   const std::array<double, 2> all = free_mass(sim.model());
-  m.record_modes(recorded_modes(sim.state(), found, damping), host(L));
+  if (records) m.record_modes(recorded_modes(sim.state(), found, damping), host(L));
   lua_createtable(L, static_cast<int>(found.size()), 1);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Mode& mode = found[i];
@@ -88,6 +86,17 @@ int find_modes(lua_State* L) {
   set_text(L, "text", modes_text(found, damping, all));
   luaL_setmetatable(L, "trilith.findings");
   return 1;
+}
+
+/// m:modes{ count = }: a list, lowest first.
+int find_modes(lua_State* L) {
+  PlaneModel& m = this_plane(L);
+  return push_modes(L, m, read_count(L, "modes"), true);
+}
+
+/// core.quiet_modes(model, count): the same, for no file.
+int quiet_modes(lua_State* L) {
+  return push_modes(L, this_plane(L), static_cast<int>(lua_tointeger(L, 2)), false);
 }
 
 std::string damping_text(const Simulation<2>& sim, const std::vector<Mode>& found,
@@ -142,6 +151,10 @@ const std::array modes_method_list{
 };
 
 }  // namespace
+
+void open_modes(lua_State* L) {
+  set_function(L, "quiet_modes", guarded<quiet_modes>);
+}
 
 std::span<const Method> modes_methods() {
   return modes_method_list;
