@@ -17,6 +17,8 @@ namespace {
 constexpr double apart = 0.7, narrow = 0.4;
 /// Frequencies of the least squares, for each branch.
 constexpr int points_each = 12;
+/// Stiffening above the band beyond which none of it is what was asked for.
+constexpr double most_stiffening = 3;
 
 double decades_of(const BandDamping& band) {
   return portable::log(band.to / band.from) / portable::log(10);
@@ -82,6 +84,11 @@ DampingBranches damping_branches(const BandDamping& band) {
     // A branch that fed the motion would be none; at the spacing above there is none such.
     out.share[j] = std::max(0.0, share[j]);
   }
+  if (out.stiffening() > most_stiffening)
+    throw InputError(
+        fmt::format("band_damping: with {:g} from {:g} to {:g} Hz a member would be {:.2g} times as stiff above "
+                    "the band, more than {:g}; give less or a narrower band",
+                    band.ratio, band.from, band.to, out.stiffening(), most_stiffening));
   return out;
 }
 

@@ -14,14 +14,15 @@
 namespace trilith::testing {
 namespace {
 
-/// A light cantilever with a mass at its tip that makes its frequency about `hertz`, kicked across at .1 m/s.
+/// A cantilever with a mass at its tip, some hundred times its own, that makes its frequency about `hertz`, kicked
+/// across at .1 m/s.
 Model<2> mast(double hertz, const std::optional<BandDamping>& band) {
   BodySpec spec = beam_body("mast", {0, 0}, {0, 3}, rectangle_section(0.1, 0.1), "steel", 2);
   const double bending = 2.1e11 * 1e-4 / 12, w = 2 * M_PI * hertz;
   spec.frame->joints[0].support = held;
   spec.frame->joints[1].mass = 3 * bending / (27 * w * w);
   spec.frame->joints[1].inertia = 1e-3 * spec.frame->joints[1].mass;
-  Material steel = elastic_material("steel", 20, 2.1e11);
+  Material steel = elastic_material("steel", 8000 / (hertz * hertz), 2.1e11);
   steel.band = band;
   Model<2> model = of_frames(steel, {spec});
   model.start_velocity[1] = {0.1, 0};
@@ -43,6 +44,7 @@ Swing swing(Model<2> model, double hertz, std::optional<AlphaScheme> scheme) {
   std::vector<double> peaks;
   double before = 0, last = 0;
   Swing out;
+  sim.refresh();
   const double begun = sim.energy()[EnergyTerm::kinetic];
   sim.run(o, each_step([&](const Instant<2>& now) {
             const double x = now.state.position[1].x();
@@ -50,6 +52,7 @@ Swing swing(Model<2> model, double hertz, std::optional<AlphaScheme> scheme) {
               peaks.push_back(std::abs(last));
             before = last, last = x;
           }));
+  sim.refresh();
   const Energy end = sim.energy();
   out.given = end[EnergyTerm::element_damping] / begun;
   out.residual = std::abs(end.balance() - begun) / begun;
@@ -91,7 +94,7 @@ TEST_CASE("damping over a band: modes tell the ratio that free vibration has") {
     const Model<2> model = mast(hertz, band);
     const State<2> state = start_state(model);
     const std::vector<Mode> found = modes(model, state, 1);
-    CHECK(near(found[0].frequency(), hertz, 0.01));
+    CHECK(near(found[0].frequency(), hertz, 0.02));
     const ModeDamping damping = mode_damping(model, state, found)[0];
     CHECK(near(damping.bands, swing(model, hertz, std::nullopt).ratio, 0.05));
     CHECK(near_zero(damping.elements, 1e-9));
@@ -170,13 +173,14 @@ TEST_CASE("damping over a band: the tangent is that of central differences") {
 TEST_CASE("damping over a band: bands that cannot be had are refused") {
   CHECK_THROWS_WITH_AS(damping_branches({0.02, 5, 5}), doctest::Contains("must end above its begin"), InputError);
   CHECK_THROWS_WITH_AS(damping_branches({0.02, 1e-4, 1e4}), doctest::Contains("is wider than 6.3 decades"), InputError);
+  CHECK_THROWS_WITH_AS(damping_branches({0.15, 1, 1000}), doctest::Contains("would be 4.9 times as stiff"), InputError);
   CHECK_THROWS_AS(damping_branches({0.3, 1, 20}), InputError);
   CHECK_THROWS_AS(damping_branches({0, 1, 20}), InputError);
 }
 
 TEST_CASE("damping over a band: the fit is within a tenth all over bands of any width") {
   for (const double to : {1.5, 3.0, 10.0, 100.0, 3000.0, 1e6})
-    for (const double ratio : {0.005, 0.05, 0.15}) {
+    for (const double ratio : {0.005, 0.02, 0.05}) {
       const DampingBranches b = damping_branches({ratio, 1, to});
       double worst = 0;
       for (int i = 0; i <= 100; ++i) {
