@@ -159,7 +159,7 @@ void add_curve(lua_State* L, const PushCurve& curve, std::string_view limit) {
   number("force", any ? curve.force.back() : 0);
   number("displacement", any ? curve.displacement.back() : 0);
   number("drift", any ? curve.drift.back() : 0);
-  push_text(L, std::string(limit));
+  lua_pushlstring(L, limit.data(), limit.size());
   lua_setfield(L, -2, "limit");
 }
 
@@ -256,7 +256,7 @@ void set_limits(lua_State* L, const LoadPath& path) {
 void set_happened(lua_State* L, const PlaneModel& m, const LoadPath& path) {
   lua_createtable(L, static_cast<int>(path.events.size()), 0);
   for (std::size_t i = 0; i < path.events.size(); ++i) {
-    push_text(L, m.text_of(path.events[i]));
+    lua_pushstring(L, m.text_of(path.events[i]).c_str());
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
   lua_setfield(L, -2, "happened");
