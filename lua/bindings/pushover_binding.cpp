@@ -201,7 +201,7 @@ class ArcRecorder {
     curve_.drift.push_back(drift - first_drift_);
     const double most = curve_.force[curve_.peak()];
     if (std::abs(curve_.drift.back()) >= order_.limits.drift) limit_ = "drift";
-    if (most > 0 && point.factor < order_.limits.drop * most) limit_ = "drop";
+    if (order_.limits.drop > 0 && most > 0 && point.factor < order_.limits.drop * most) limit_ = "drop";
     if (std::abs(curve_.displacement.back()) >= order_.displacement) limit_ = "displacement";
     return limit_.empty();
   }
@@ -303,6 +303,7 @@ int push_by_arc(lua_State* L, PlaneModel& m, PushOrder& o) {
         "which tells what fails");
   take_over(m, std::move(state), loads, path.points.back().factor);
   EquilibriumOptions rest;
+  o.stage.duration = 1;  // none goes by
   push_report(L, settle_stage(L, m, o.stage, rest));
   add_curve(L, recorder.curve(), recorder.limit().empty() ? arc_limit(path.end) : recorder.limit());
   set_limits(L, path), set_happened(L, m, path);

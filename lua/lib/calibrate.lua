@@ -131,7 +131,7 @@ function Search:try(value)
   end
   if self.options.settle then
     local report = self.model:consolidate { integrator = "static", name = ("calibrate %d"):format(#self.tries + 1) }
-    if not report.rests then self:fail("calibrate: no rest was found on the way") end
+    if not report.rests then core.fail("calibrate: no rest was found on the way") end
   end
   local frequency, mode = frequency_now(self.model, self.options)
   self.tries[#self.tries + 1] = { value = value, frequency = frequency, mode = mode }
@@ -142,11 +142,6 @@ function Search:restore()
   for _, row in ipairs(self.varied) do core.set_law_number(self.model, row.law, row.key, row.value) end
 end
 
-function Search:fail(text)
-  self:restore()
-  core.fail(text)
-end
-
 --- A stiffer joint must not have a lower frequency, or there is more than one answer.
 function Search:check_rising()
   local sorted = { table.unpack(self.tries) }
@@ -154,7 +149,7 @@ function Search:check_rising()
   for i = 2, #sorted do
     local a, b = sorted[i - 1], sorted[i]
     if b.frequency < a.frequency*(1 - 1e-6) then
-      self:fail(("calibrate: the frequency falls from %.5g to %.5g Hz while %s rises from %.4g to %.4g; "
+      core.fail(("calibrate: the frequency falls from %.5g to %.5g Hz while %s rises from %.4g to %.4g; "
         .. "give a mode by its number, or narrower bounds"):format(a.frequency, b.frequency, self.varied[1].name,
         a.value, b.value))
     end
@@ -167,7 +162,7 @@ function Search:find(low, high, tolerance)
   local fa, fb = self:try(low), self:try(high)
   if fa > 0 or fb < 0 then
     local first, last = self.tries[1].frequency, self.tries[2].frequency
-    self:fail(("calibrate: with %s from %.4g to %.4g the frequency is %.5g to %.5g Hz and never %.5g Hz; %s")
+    core.fail(("calibrate: with %s from %.4g to %.4g the frequency is %.5g to %.5g Hz and never %.5g Hz; %s")
       :format(self.varied[1].name, low, high, first, last, self.options.frequency,
       fa > 0 and "it would have to be softer" or "it would have to be stiffer, or something else is too soft"))
   end
@@ -188,7 +183,7 @@ function Search:find(low, high, tolerance)
     end
     last = f
   end
-  self:fail(("calibrate: no value gives %.6g Hz to %.1g; give a wider tolerance"):format(self.options.frequency,
+  core.fail(("calibrate: no value gives %.6g Hz to %.1g; give a wider tolerance"):format(self.options.frequency,
     tolerance))
 end
 
@@ -220,7 +215,11 @@ function model_methods.calibrate(model, options)
   if options.between then low, high = pair("calibrate", options, "between", " Pa/m") end
   if high <= low then core.fail(("calibrate: 'between' goes from %g to %g, must rise"):format(low, high)) end
   local search = setmetatable({ model = model, varied = varied, options = wanted, tries = {} }, Search)
-  local value = search:find(low, high, tolerance)
+  local ok, value = pcall(search.find, search, low, high, tolerance)
+  if not ok then
+    search:restore()
+    error(value, 0)
+  end
   local values = {}
   for _, row in ipairs(varied) do
     values[row.name] = row.value*value/varied[1].value
