@@ -320,6 +320,7 @@ template <int D>
 void Recording<D>::modes(std::vector<results::ModeRow> found) {
   for (results::ModeRow& row : found) {
     row.analysis = analyses_;
+    results::fit_mode(header_, row);
     writer_.append_mode(row);
   }
   ++analyses_;

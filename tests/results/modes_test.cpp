@@ -1,6 +1,7 @@
 // Natural modes in a results file.
 #include <doctest/doctest.h>
 
+#include "results/extended.hpp"
 #include "results/sample_run.hpp"
 
 using namespace trilith;
@@ -72,4 +73,23 @@ TEST_CASE("a mode of too few numbers, or of one that is none, is refused and lea
   CHECK_THROWS_AS(writer.append_mode(mode), ResultsError);
   writer.finish();
   CHECK(ResultsReader(folder / "run.h5").modes().empty());
+}
+
+TEST_CASE("modes stay where bodies are added to the file: those that came later stand still in them") {
+  const Folder folder;
+  const Header header = sample_header(), more = sample_header(5);
+  ResultsWriter writer(folder / "run.h5", header);
+  writer.append_mode(sample_mode(header, 0, 1));
+  ResultsWriter longer = extended(std::move(writer), more, {});
+  longer.append_mode(sample_mode(more, 1, 1));
+  longer.finish();
+  const std::vector<ModeRow> read = ResultsReader(folder / "run.h5").modes();
+  REQUIRE(read.size() == 2);
+  const ModeRow was = sample_mode(header, 0, 1);
+  CHECK(std::equal(was.displacement.begin(), was.displacement.end(), read[0].displacement.begin()));
+  CHECK(read[0].displacement.size() == 10);
+  CHECK(read[0].displacement[8] == 0);
+  CHECK(read[0].turn[4] == 0);
+  CHECK(read[0].position[8] == more.node_position[8]);
+  CHECK(read[1].displacement == sample_mode(more, 1, 1).displacement);
 }
