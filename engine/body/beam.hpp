@@ -31,6 +31,8 @@ struct Beam {
   BeamYield yield = BeamYield::never;
   int yield_row = -1;     ///< of Model::yields, by its kind
   int first_memory = -1;  ///< of State::beam_memory
+  int band = -1;          ///< of Model::bands; -1: no damping over a band
+  int first_branch = -1;  ///< of State::beam_memory, for that
 };
 
 /// A straight member of a frame: beams one after the other.

@@ -292,6 +292,7 @@ void book_flow(const std::array<HingeStep, 2>& hinge, const Returned& at, double
 }  // namespace
 
 HingeStatus status_of(const EndHingeMemory& memory, int end) {
+  if (memory.gone[end] > 1) return HingeStatus::removed;
   if (memory.gone[end] != 0) return HingeStatus::lost;
   // The stretch is of both ends; what an end has given off tells whether its own law let it flow. Rounding leaves the
   // other one a trace of it.
@@ -300,8 +301,40 @@ HingeStatus status_of(const EndHingeMemory& memory, int end) {
   return memory.reach[end] > 0 || own > trace * other ? HingeStatus::yielded : HingeStatus::elastic;
 }
 
+/// Bends that belong to the moments: (K + N d2(L q)) b = M, where an end that is pinned has no part.
+double held_energy(const BeamStiffness& stiffness, const EndHingeMemory& memory) {
+  if (memory.gone[0] > 1) return 0;
+  const BeamOfStep beam(stiffness, {});
+  const Eigen::Matrix2d k = beam.bend + memory.normal * beam.bow;
+  const Eigen::Vector2d moment(memory.moment[0], memory.moment[1]);
+  Eigen::Vector2d bent = Eigen::Vector2d::Zero();
+  if (k(0, 0) > 0 && k(1, 1) > 0)
+    bent = k.inverse() * moment;
+  else
+    for (const int i : {0, 1}) bent[i] = k(i, i) > 0 ? moment[i] / k(i, i) : 0;
+  return 0.5 * (memory.normal * memory.normal / beam.axial + bent.dot(beam.bend * bent));
+}
+
+namespace {
+
+/// Of a beam that is gone, and of one that goes now: it gives off what it holds, with what hardening has stored.
+EndHingeResponse removed(const BeamStiffness& stiffness, const std::array<const HingeLaw*, 2>& law,
+                         const EndHingeMemory& before) {
+  EndHingeResponse out;
+  out.memory = before;
+  out.memory.normal = 0, out.memory.moment = {}, out.memory.gone = {2, 2};
+  if (before.gone[0] > 1) return out;
+  out.dissipated = held_energy(stiffness, before);
+  for (const int i : {0, 1}) out.dissipated += back_energy(step_of(*law[i], before, i), before.turned[i]);
+  return out;
+}
+
+}  // namespace
+
 EndHingeResponse respond(const BeamStiffness& stiffness, const std::array<const HingeLaw*, 2>& law,
                          const BeamStrain& strain, const EndHingeMemory& before) {
+  if ((law[0]->removes && before.gone[0] != 0) || (law[1]->removes && before.gone[1] != 0) || before.gone[0] > 1)
+    return removed(stiffness, law, before);
   const BeamOfStep beam(stiffness, strain);
   const std::array<HingeStep, 2> hinge{step_of(*law[0], before, 0), step_of(*law[1], before, 1)};
   const Eigen::Vector2d p(before.turned[0], before.turned[1]);

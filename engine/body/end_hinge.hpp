@@ -27,12 +27,12 @@ struct EndHingeMemory {
   std::array<double, 2> turned{};     ///< p_i [rad]
   std::array<double, 2> reach{};      ///< largest |p_i| so far [rad]
   std::array<double, 2> given_off{};  ///< energy [J]
-  std::array<double, 2> gone{};       ///< 1 where the hinge has lost its moment
+  std::array<double, 2> gone{};       ///< 1 where the hinge has lost its moment, 2 where the beam is removed
   static constexpr int size = 12;
 };
 static_assert(sizeof(EndHingeMemory) == EndHingeMemory::size * sizeof(double));
 
-enum class HingeStatus : std::uint8_t { elastic, yielded, lost };
+enum class HingeStatus : std::uint8_t { elastic, yielded, lost, removed };
 
 struct EndHingeResponse {
   BeamStress stress{};
@@ -47,7 +47,11 @@ struct EndHingeResponse {
 /// Of one end: 0 or 1.
 HingeStatus status_of(const EndHingeMemory& memory, int end);
 
-/// `law[i]` is that of end i. `stiffness` may have pinned ends, which never flow.
+/// What a beam holds elastically by what is remembered: what it lets go of as it is removed [J].
+double held_energy(const BeamStiffness& stiffness, const EndHingeMemory& memory);
+
+/// One of which a hinge that `removes` has lost its moment carries nothing from the next step on; what it held is given
+/// off. `law[i]` is that of end i. `stiffness` may have pinned ends, which never flow.
 EndHingeResponse respond(const BeamStiffness& stiffness, const std::array<const HingeLaw*, 2>& law,
                          const BeamStrain& strain, const EndHingeMemory& before);
 

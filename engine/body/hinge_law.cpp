@@ -33,6 +33,11 @@ void HingeLaw::check() const {
                                  ultimate, capping));
   if (compression > 0 && !(tension > 0)) throw InputError("end_hinge: with a compression, tension must be given too");
   if (!force.empty() || !share.empty()) check_points(force, share);
+  const bool ends = ultimate > 0 || (residual == 0 && (capping > 0 || wear > 0));
+  if (removes && !ends)
+    throw InputError(
+        "end_hinge: becomes is \"removed\", but this hinge never loses its moment; give an ultimate rotation, or "
+        "softening or wear without a residual");
 }
 
 /// By the exponent e with n = |N| / Np: c = 1 - n^e, dc/dN = -sign(N) e n^(e-1) / Np, d2c/dN2 = -e (e-1) n^(e-2) /

@@ -4,9 +4,9 @@
 //   D (X - (hogging + Hi r) c) <= M <= D (X + (sagging + Hi r) c),   X = Hk p,   Hk + Hi = hardening
 // From |p| = `capping` on X and Hi r stand, and D falls straight from 1 to `residual` over `softening`; besides D is
 // less by a straight line of the energy given off so far, down to `residual` once that is `wear` times the sagging
-// moment. Beyond `ultimate` the hinge has lost its moment for good. The backbone with a cap and the loss by energy are
-// those of Ibarra, Medina and Krawinkler, Earthquake Eng. Struct. Dyn. 34, 2005, without their pinching and loss of
-// stiffness. The share of the moment left beside N,
+// moment. Beyond `ultimate` the hinge has lost its moment for good; where it `removes`, its beam is then gone. The
+// backbone with a cap and the loss by energy are those of Ibarra, Medina and Krawinkler, Earthquake Eng. Struct. Dyn.
+// 34, 2005, without their pinching and loss of stiffness. The share of the moment left beside N,
 //   c = 1 - |N/Np|^exponent    (2: a rectangle, Neal, "The plastic methods of structural analysis", 1956)
 // with Np in tension and compression, or by points: a concave line, down to 0 at both of its ends. Flow is associated:
 // plastic stretch dp_u = -(dc/dN) D (sagging + Hi r) |dp|. Bends to either side wear and soften the hinge together.
@@ -43,6 +43,7 @@ struct HingeLaw {
   double compression = 0;                      ///< [N]
   double exponent = 2;                         ///< [1]
   std::vector<double> force = {}, share = {};  ///< points of c, N rising [N], [1]; empty: by the exponent
+  bool removes = false;                        ///< the beam carries nothing once this hinge has lost its moment
 
   static constexpr std::string_view name = "end_hinge";
   static constexpr std::string_view sentence = "plastic hinge at the end of a beam";

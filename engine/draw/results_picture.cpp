@@ -282,6 +282,12 @@ void add_findings(const Header& header, const Frame& frame, const SceneChoice& c
 
 }  // namespace
 
+Scene plain_scene(const Header& header, const Frame& frame) {
+  Scene scene;
+  add_bodies(header, frame, scene);
+  return scene;
+}
+
 Scene results_scene(const ResultsReader& reader, double time, const SceneChoice& choice) {
   const Header& header = reader.header();
   require_time(reader, time);

@@ -34,6 +34,9 @@ const std::vector<std::string>& colour_names();
 /// ResultsError for a file without frames.
 Scene results_scene(const results::ResultsReader& reader, double time, const SceneChoice& choice = {});
 
+/// The bodies of a model in the plane where `frame` has them, and nothing else.
+Scene plain_scene(const results::Header& header, const results::Frame& frame);
+
 /// Row of the first stage called `name`; throws InputError with the nearest name where there is none.
 results::StageRow find_stage(const results::ResultsReader& reader, std::string_view name);
 

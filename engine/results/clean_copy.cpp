@@ -150,7 +150,7 @@ Committed read_committed(hid_t file) {
             "cannot read the row counters");
   const auto committed = unpack<Committed>(type, 2, record.data());
   for (const std::int64_t rows : {committed.frames, committed.contacts, committed.histories, committed.events,
-                                  committed.energy, committed.stages, committed.notes})
+                                  committed.energy, committed.stages, committed.notes, committed.modes})
     if (rows < 0) throw h5::Failure("a row counter is negative");
   return committed;
 }

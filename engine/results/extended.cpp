@@ -86,6 +86,13 @@ void copy_tables(const ResultsReader& from, ResultsWriter& to) {
   for (const Note& note : from.notes()) to.append_note(note.time, note.text);
 }
 
+void copy_modes(const ResultsReader& from, const Header& header, ResultsWriter& to) {
+  for (ModeRow& mode : from.modes()) {
+    fit_mode(header, mode);
+    to.append_mode(mode);
+  }
+}
+
 void copy_all(const ResultsReader& from, const Header& header, ResultsWriter& to) {
   for (const StageRow& stage : from.stages()) {
     to.begin_stage(stage.name, stage.kind, stage.begin);
@@ -94,9 +101,17 @@ void copy_all(const ResultsReader& from, const Header& header, ResultsWriter& to
   for (std::size_t i = 0; i < from.frame_count(); ++i) copy_frame(from.frame(i), from.header(), header, to);
   copy_histories(from, header, to);
   copy_tables(from, to);
+  copy_modes(from, header, to);
 }
 
 }  // namespace
+
+void fit_mode(const Header& header, ModeRow& mode) {
+  fill_up(mode.position, header.node_position);
+  fill_up(mode.rotation, header.node_rotation);
+  mode.displacement.resize(header.node_position.size());
+  mode.turn.resize(header.node_inertia.size());
+}
 
 ResultsWriter extended(ResultsWriter before, const Header& header, WriterOptions options) {
   const std::filesystem::path path = before.path(), part = before.part();

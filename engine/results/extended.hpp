@@ -13,4 +13,7 @@ namespace trilith::results {
 /// writer does; then what was written lies under a name of its own, which the message gives.
 ResultsWriter extended(ResultsWriter before, const Header& header, WriterOptions options);
 
+/// A mode with as many numbers as `header` has nodes: those that came later stand where they begin, and do not move.
+void fit_mode(const Header& header, ModeRow& mode);
+
 }  // namespace trilith::results

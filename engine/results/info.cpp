@@ -95,6 +95,16 @@ std::string span_of(const std::vector<double>& times) {
   return times.empty() ? "" : fmt::format(", {:g} s to {:g} s", times.front(), times.back());
 }
 
+/// How many, and the frequencies of those that were found last.
+std::string modes(const std::vector<ModeRow>& rows) {
+  if (rows.empty()) return "";
+  std::string text = line("modes", fmt::format("{}, the last ones found at {:g} s", rows.size(), rows.back().time));
+  for (const ModeRow& row : rows)
+    if (row.analysis == rows.back().analysis)
+      text += fmt::format("    {}: {:.5g} Hz, damping {:.3g} %\n", row.number, row.frequency, 100 * row.damping);
+  return text;
+}
+
 std::string records(const ResultsReader& reader) {
   std::string text = "records\n";
   text += line("frames", fmt::format("{}{}", reader.frame_count(), span_of(reader.frame_times())));
@@ -104,7 +114,7 @@ std::string records(const ResultsReader& reader) {
   for (const Quantity& quantity : reader.header().histories)
     text += fmt::format("    {} [{}]{}{}\n", quantity.name, quantity.unit, quantity.description.empty() ? "" : ": ",
                         quantity.description);
-  return text;
+  return text + modes(reader.modes());
 }
 
 std::string events(const std::vector<EventRow>& rows) {

@@ -126,6 +126,7 @@ hid_t with_groups(hid_t file) {
   make_group(file, "/frames", "motion, contact forces and bearings at an interval");
   make_group(file, "/histories", "named quantities over time, all sampled at /histories/time");
   make_group(file, "/energy", "energy ledger");
+  make_group(file, "/modes", "natural modes, as they were found");
   return file;
 }
 
@@ -252,7 +253,18 @@ Layout::Layout(hid_t file, const Header& h)
       energy_residual(file, {"/energy/residual", "J", "what the terms leave unexplained"}, "energy", Kind::real, {}),
       events(file, {"/events", "", "events in the order they happened"}, "events", event_type(h)),
       stages(file, {"/stages", "", "stages of the run"}, "stages", plain_type<StageRow>(h.dim)),
-      notes(file, {"/provenance/notes", "", "notes and warnings"}, "notes", plain_type<NoteRow>(h.dim)) {
+      notes(file, {"/provenance/notes", "", "notes and warnings"}, "notes", plain_type<NoteRow>(h.dim)),
+      modes(file, {"/modes/list", "", "modes in the order they were found"}, "modes", plain_type<ModeRow>(h.dim)),
+      mode_position(file, {"/modes/position", "m", "where the nodes stood as it was found"}, "modes", Kind::real,
+                    per_node(h, h.dim)),
+      mode_rotation(file,
+                    {h.dim == 2 ? "/modes/angle" : "/modes/quaternion", h.dim == 2 ? "rad" : "1",
+                     "how the nodes were turned as it was found"},
+                    "modes", Kind::real, per_node(h, rotation_width(h.dim))),
+      mode_displacement(file, {"/modes/displacement", "1/sqrt(kg)", "of each node; phi' M phi = 1"}, "modes",
+                        Kind::real, per_node(h, h.dim)),
+      mode_turn(file, {"/modes/rotation", "1/(m sqrt(kg))", "of each node, to the same scale"}, "modes", Kind::real,
+                per_node(h, spin_width(h.dim))) {
   if (h.with_velocity) {
     velocity.emplace(file, SetText{"/frames/velocity", "m/s", "velocity of each node"}, "frames", Kind::real,
                      per_node(h, h.dim));
@@ -290,7 +302,9 @@ std::vector<GrowingSet*> Layout::sets() {
   for (GrowingSet& set : histories) all.push_back(&set);
   all.push_back(&energy_time);
   for (GrowingSet& set : energy_terms) all.push_back(&set);
-  for (GrowingSet* set : {&energy_residual, &events.set, &stages.set, &notes.set}) all.push_back(set);
+  for (GrowingSet* set : {&energy_residual, &events.set, &stages.set, &notes.set, &modes.set, &mode_position,
+                          &mode_rotation, &mode_displacement, &mode_turn})
+    all.push_back(set);
   return all;
 }
 

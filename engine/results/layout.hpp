@@ -57,7 +57,8 @@ struct Layout {
   GrowingSet energy_time;
   std::vector<GrowingSet> energy_terms;
   GrowingSet energy_residual;
-  GrowingTable events, stages, notes;
+  GrowingTable events, stages, notes, modes;
+  GrowingSet mode_position, mode_rotation, mode_displacement, mode_turn;
 };
 
 }  // namespace trilith::results

@@ -229,6 +229,27 @@ std::vector<Note> ResultsReader::notes() const {
   });
 }
 
+std::vector<ModeRow> ResultsReader::modes() const {
+  return body_->guarded([&]() -> std::vector<ModeRow> {
+    const hid_t file = body_->file.get();
+    if (H5Lexists(file, "/modes", H5P_DEFAULT) <= 0) return {};
+    const Header& h = header();
+    auto rows = read_table<ModeRow>(file, "/modes/list", 0, body_->committed.modes, h.dim);
+    const auto block = [&](const char* set, std::size_t row, int width) {
+      std::vector<hsize_t> shape = {h.node_count()};
+      if (width > 1) shape.push_back(static_cast<hsize_t>(width));
+      return read_rows<double>(file, set, static_cast<std::int64_t>(row), 1, shape);
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].position = block("/modes/position", i, h.dim);
+      rows[i].rotation = block(h.dim == 2 ? "/modes/angle" : "/modes/quaternion", i, rotation_width(h.dim));
+      rows[i].displacement = block("/modes/displacement", i, h.dim);
+      rows[i].turn = block("/modes/rotation", i, spin_width(h.dim));
+    }
+    return rows;
+  });
+}
+
 void repair(const std::filesystem::path& from, const std::filesystem::path& to) {
   const ResultsReader reader(from);
   require_writable(to);

@@ -58,6 +58,8 @@ class ResultsReader {
   EnergyTable energy() const;
   std::vector<StageRow> stages() const;
   std::vector<Note> notes() const;
+  /// In the order they were found; none in a file of an earlier program.
+  std::vector<ModeRow> modes() const;
 
  private:
   friend void repair(const std::filesystem::path& from, const std::filesystem::path& to);

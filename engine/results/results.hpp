@@ -214,6 +214,21 @@ struct StageRow {
   std::string why;  ///< why it ended, e.g. "at rest"
 };
 
+/// A natural mode as it was found at some time of the run: what is in a row of the table, and where the nodes were and
+/// how they move in it. Its largest displacement is as the modes have it, phi' M phi = 1.
+struct ModeRow {
+  std::int32_t analysis = 0;         ///< modes found at once have the same; from 0
+  std::int32_t number = 1;           ///< by rising frequency, from 1
+  double time = 0;                   ///< s
+  double frequency = 0;              ///< Hz; 0 where it does not swing
+  double damping = 0;                ///< ratio to critical
+  double mass[3] = {0, 0, 0};        ///< effective along each axis, kg; dim numbers count
+  std::vector<double> position;      ///< [N][dim] m, where the nodes stood
+  std::vector<double> rotation;      ///< [N][rotation_width]
+  std::vector<double> displacement;  ///< [N][dim] 1/sqrt(kg)
+  std::vector<double> turn;          ///< [N][spin_width] 1/(m sqrt(kg))
+};
+
 /// The energy ledger: one column per term of Header::energy_terms, J.
 struct EnergyTable {
   std::vector<double> time;

@@ -20,7 +20,7 @@ struct ContactRow {
 
 /// How many rows of each growing table are safe to read. Written last at each flush.
 struct Committed {
-  std::int64_t frames = 0, contacts = 0, histories = 0, events = 0, energy = 0, stages = 0, notes = 0;
+  std::int64_t frames = 0, contacts = 0, histories = 0, events = 0, energy = 0, stages = 0, notes = 0, modes = 0;
 };
 
 template <class A>
@@ -32,6 +32,7 @@ void describe(A& a, typename A::template Of<Committed>& row) {
   a.number("energy", row.energy, "1", "rows of every data set in /energy");
   a.number("stages", row.stages, "1", "rows of /stages");
   a.number("notes", row.notes, "1", "rows of /provenance/notes");
+  a.number("modes", row.modes, "1", "rows of every data set in /modes");
 }
 
 template <class A>
@@ -124,6 +125,16 @@ void describe(A& a, typename A::template Of<StageRow>& row) {
   a.number("end", row.end, "s", "time of its end; its begin while it runs");
   a.code("ended", row.ended, "1 once it has ended");
   a.text("why", row.why, 160, "why it ended");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<ModeRow>& row) {
+  a.number("analysis", row.analysis, "1", "modes found at once have the same");
+  a.number("number", row.number, "1", "by rising frequency, from 1");
+  a.number("time", row.time, "s", "time at which it was found");
+  a.number("frequency", row.frequency, "Hz", "natural frequency; 0 where it does not swing");
+  a.number("damping", row.damping, "1", "ratio to critical damping");
+  a.vector("mass_", row.mass, "kg", "effective mass along each axis");
 }
 
 template <class A>

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -43,6 +44,7 @@ class ResultsWriter::Body {
   void add(EventRow event);
   void add_energy(double time, std::span<const double> terms, double residual);
   void add(const NoteRow& note);
+  void add(const ModeRow& mode);
   std::int32_t begin_stage(const StageRow& row);
   void end_stage(double time, std::string_view why);
   void flush();
@@ -298,6 +300,26 @@ void ResultsWriter::Body::add(const NoteRow& note) {
   layout_->notes.append(note, dim_);
 }
 
+void ResultsWriter::Body::add(const ModeRow& mode) {
+  require_open();
+  const std::size_t dim = static_cast<std::size_t>(dim_), turns = static_cast<std::size_t>(rotation_width(dim_)),
+                    spins = static_cast<std::size_t>(spin_width(dim_));
+  Layout& to = *layout_;
+  for (const auto& [values, width] : {std::pair{&mode.position, dim}, std::pair{&mode.rotation, turns},
+                                      std::pair{&mode.displacement, dim}, std::pair{&mode.turn, spins}}) {
+    if (values->size() != width * nodes_)
+      throw ResultsError(fmt::format("results mode {}: {} numbers for {} nodes", mode.number, values->size(), nodes_));
+    if (!std::all_of(values->begin(), values->end(), [](double v) { return std::isfinite(v); }))
+      throw ResultsError(fmt::format("results mode {}: holds a number that is not finite", mode.number));
+  }
+  to.modes.append(mode, dim_);
+  copy(to.mode_position, std::span<const double>(mode.position));
+  copy(to.mode_rotation, std::span<const double>(mode.rotation));
+  copy(to.mode_displacement, std::span<const double>(mode.displacement));
+  copy(to.mode_turn, std::span<const double>(mode.turn));
+  flush();
+}
+
 std::int32_t ResultsWriter::Body::begin_stage(const StageRow& row) {
   require_open();
   stage_ = row;
@@ -329,7 +351,7 @@ void ResultsWriter::Body::flush_if_full() {
 Committed ResultsWriter::Body::counts() const {
   const Layout& from = *layout_;
   return {from.time.rows(),        from.contacts.set.rows(), from.history_time.rows(), from.events.set.rows(),
-          from.energy_time.rows(), from.stages.set.rows(),   from.notes.set.rows()};
+          from.energy_time.rows(), from.stages.set.rows(),   from.notes.set.rows(),    from.modes.set.rows()};
 }
 
 void ResultsWriter::Body::flush() {
@@ -381,6 +403,9 @@ void ResultsWriter::append_energy(double time, std::span<const double> terms, do
 }
 void ResultsWriter::append_note(double time, std::string_view text) {
   body_->add(NoteRow{time, std::string(text)});
+}
+void ResultsWriter::append_mode(const ModeRow& mode) {
+  body_->add(mode);
 }
 std::int32_t ResultsWriter::begin_stage(std::string_view name, std::string_view kind, double time) {
   return body_->begin_stage({std::string(name), std::string(kind), time, time, false, ""});

@@ -44,6 +44,8 @@ class ResultsWriter {
   void append_energy(double time, std::span<const double> terms, double residual);
   /// A note or warning that came up at `time`, s.
   void append_note(double time, std::string_view text);
+  /// A mode, and flushes.
+  void append_mode(const ModeRow& mode);
   /// Opens a stage and flushes; gives its row, which frames and events name. Text beyond 64 bytes is cut.
   std::int32_t begin_stage(std::string_view name, std::string_view kind, double time);
   /// Ends the last stage and flushes.

@@ -317,6 +317,16 @@ void Recording<D>::note_drives(const Model<D>& model) {
 }
 
 template <int D>
+void Recording<D>::modes(std::vector<results::ModeRow> found) {
+  for (results::ModeRow& row : found) {
+    row.analysis = analyses_;
+    results::fit_mode(header_, row);
+    writer_.append_mode(row);
+  }
+  ++analyses_;
+}
+
+template <int D>
 void Recording<D>::note(std::string_view text) {
   writer_.append_note(time_, text);
 }

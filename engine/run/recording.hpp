@@ -50,6 +50,8 @@ class Recording {
   void extend(const Model<D>& model, const State<D>& state, std::vector<RecordedHistory<D>> histories);
   /// This file goes on where `before` was left off: its residual counts from the same start.
   void continue_ledger(const Recording& before);
+  /// Modes that were found at once (run/recorded_modes.hpp).
+  void modes(std::vector<results::ModeRow> found);
   /// A line of text that belongs to the run; time of the last row.
   void note(std::string_view text);
 
@@ -85,7 +87,7 @@ class Recording {
   double flush_interval_, flushed_;  // wall clock [s]
   int frames_since_ = 0;
   bool has_frame_ = false, rows_wait_ = false;
-  std::int32_t stage_ = -1;
+  std::int32_t stage_ = -1, analyses_ = 0;
   bool stage_open_ = false;
   std::size_t drives_known_;
   double time_;

@@ -37,11 +37,18 @@ void member_event(const Model<2>& model, const State<2>& state, Work<2>& work, c
   const std::span after = memory_of(model, b, std::span<const double>(work.beam_memory));
   const HingeStatus was = yield_status(b, memory_of(model, b, std::span<const double>(state.beam_memory)), end);
   const HingeStatus is = yield_status(b, after, end);
-  if (was == is) return;
+  // A beam that goes is told of at the end where its hinge had gone.
+  if (was == is || (is == HingeStatus::removed && was != HingeStatus::lost)) return;
   Event e;
-  e.type = is == HingeStatus::lost ? EventType::member_failed : EventType::member_yielded;
   e.time = state.time, e.step = state.step, e.body_a = m.body;
-  e.value = is == HingeStatus::lost ? hinge_memory(after).reach[end] : moment_at(model, state, work, b, end);
+  if (is == HingeStatus::removed) {
+    const EndHingeMemory before = hinge_memory(memory_of(model, b, std::span<const double>(state.beam_memory)));
+    e.type = EventType::member_removed, e.value = held_energy(b.stiffness, before);
+  } else if (is == HingeStatus::lost) {
+    e.type = EventType::member_failed, e.value = hinge_memory(after).reach[end];
+  } else {
+    e.type = EventType::member_yielded, e.value = moment_at(model, state, work, b, end);
+  }
   Vec2 arm;
   const Vec2 at = end_of(state, b, static_cast<std::size_t>(end), arm).place;
   e.x = at.x(), e.y = at.y();

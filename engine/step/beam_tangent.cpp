@@ -62,15 +62,28 @@ Eigen::Matrix<double, 3, 6> rate_by_place(const BeamNow& now, const BeamShape& s
   return out;
 }
 
+/// The branches take part in a change of stress within the step; of a beam that is removed there is none.
+void add_branches(const Model<2>& model, const State<2>& state, const Beam& beam, double dt, BeamTangent& t) {
+  if (t.by_strain.isZero(0)) return;
+  const DampingBranches& branches = model.bands[beam.band];
+  const BranchStep step(branches, dt);
+  std::array<double, 3 * (1 + DampingBranches::most)> after;
+  const BeamStress more =
+      relax(branches, step, t.stress, branches_of(model, beam, std::span(state.beam_memory)), after);
+  for (std::size_t k = 0; k < more.size(); ++k) t.damping[k] += more[k];
+  t.by_strain *= 1 + step.sum;
+}
+
 }  // namespace
 
 /// With s the stretch and bends, J = ds/dq and stress S(s) + C ds/dt the forces are -J^T S, so that
 ///   dF = -(J^T T J + dJ^T S) dq - J^T C (J rate + d(ds/dt)/dq) dq.
-BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate) {
+BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate, double dt) {
   std::array<Vec2, 2> arm;
   const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);
   const BeamNow now(from, to, beam.length, beam.angle);
-  const BeamTangent t = tangent_of(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)));
+  BeamTangent t = tangent_of(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)));
+  if (beam.band >= 0 && dt > 0) add_branches(model, state, beam, dt, t);
   const BeamShape shape = shape_of(now, arm, {from.spin, to.spin});
   BeamStress all;
   for (std::size_t k = 0; k < all.size(); ++k) all[k] = t.stress[k] + t.damping[k];

@@ -24,7 +24,7 @@ void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, doubl
   clock.mark(StepPart::general);
   respond_bearings(model, state, work, dt);
   clock.mark(StepPart::bearings);
-  resist(model, state, work);
+  resist(model, state, work, dt);
   clock.mark(StepPart::resist);
   apply_loads(model, state, work);
   sum(model, state, work);

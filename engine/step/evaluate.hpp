@@ -28,7 +28,8 @@ void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& wor
 /// bearing was placed. Writes its trial memory. Returns the elastic energy it begins with [J].
 double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, int i);
 /// Deformable bodies: forces and dampings of their elements on their nodes, trial plastic memory, energies.
-void resist(const Model<2>& model, const State<2>& state, Work<2>& work);
+/// `dt`: as for evaluate; 0 where nothing has gone by since the last commit.
+void resist(const Model<2>& model, const State<2>& state, Work<2>& work, double dt = 0);
 /// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
 void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// Force on the whole of a face that is loaded, at the full size of its load curve [N].

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "step/beam_motion.hpp"
 #include "step/evaluate.hpp"
+#include "step/resist_beams.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
@@ -51,6 +53,27 @@ Along forces_along(const Model<2>& model, State<2>& state, const Mode& mode, dou
   return out;
 }
 
+/// Of beams that are damped over a band.
+double band_ratio(const Model<2>& model, const State<2>& rest, const Mode& mode, double scale) {
+  // So far along the mode that chords turn by little and rounding is less still.
+  const double way = scale * 1e-3, w = std::sqrt(mode.square);
+  State<2> moved = rest;
+  for (std::size_t n = 0; n < moved.position.size(); ++n)
+    moved.position[n] += way * mode.displacement[n], moved.rotation[n] += way * mode.rotation[n];
+  double lost = 0, stiffer = 0;
+  for (const Beam& beam : model.beams) {
+    if (beam.band < 0 || is_removed(model, beam, rest.beam_memory)) continue;
+    const BeamNow now = now_of(moved, beam), was = now_of(rest, beam);
+    BeamStrain s;
+    for (std::size_t k = 0; k < s.size(); ++k) s[k] = (now.strain[k] - was.strain[k]) / way;
+    const BeamStress stress = linear_stress(beam.stiffness, s);
+    const double held = stress[0] * s[0] + stress[1] * s[1] + stress[2] * s[2];
+    const DampingBranches& branches = model.bands[beam.band];
+    lost += branches.loss(w) * held, stiffer += (branches.stiffness(w) - 1) * held;
+  }
+  return lost / (2 * (mode.square + stiffer));
+}
+
 ModeDamping damping_of(const Model<2>& model, State<2>& rest, const Mode& mode) {
   if (!(mode.square > 0)) return {};
   double most = 0, most_turn = 0;
@@ -64,6 +87,7 @@ ModeDamping damping_of(const Model<2>& model, State<2>& rest, const Mode& mode) 
   out.bearings = ratio(ahead.bearings, back.bearings);
   out.elements = ratio(ahead.elements, back.elements);
   out.contacts = ratio(ahead.all, back.all) - out.bearings - out.elements;
+  if (!model.bands.empty()) out.bands = band_ratio(model, rest, mode, scale);
   out.mass = model.mass_damping / critical;
   return out;
 }

@@ -123,7 +123,7 @@ void resist_batch(const ElementPass& pass, const ElementBatch& batch, ResistSums
 
 /// Batches of elements in their order, then beams. Energies that are stored are of the instant, those given
 /// off are added to the ledger's.
-void resist(const Model<2>& model, const State<2>& state, Work<2>& work) {
+void resist(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
   work.element_stored = 0;
   if (model.elements.empty() && model.beams.empty()) return;
   const auto nodes = static_cast<std::size_t>(model.nodes());
@@ -136,7 +136,7 @@ void resist(const Model<2>& model, const State<2>& state, Work<2>& work) {
     work.element_moment.assign(nodes, 0);
     work.element_damping_moment.assign(nodes, 0);
     work.beam_memory.resize(state.beam_memory.size());
-    if (!work.leave_out_beams) resist_beams(model, state, work, sums);
+    if (!work.leave_out_beams) resist_beams(model, state, work, dt, sums);
   }
   work.element_stored = sums.stored;
   work.given[EnergyTerm::plastic] += sums.plastic;

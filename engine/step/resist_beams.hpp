@@ -14,11 +14,21 @@ struct ResistSums {
   double plastic = 0;  ///< given off in this step [J]
 };
 
-/// Adds to the forces and dampings on the nodes, and writes the trial memories of beams that yield.
-void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, ResistSums& sums);
+/// Adds to the forces and dampings on the nodes, and writes the trial memories of beams that yield or are damped over a
+/// band, of a step of `dt` [s].
+void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ResistSums& sums);
+
+/// True where the beam is gone for good.
+bool is_removed(const Model<2>& model, const Beam& beam, std::span<const double> memories);
 
 /// Normal force and end moments of a beam at a state that has been committed, without damping.
 BeamStress beam_stress(const Model<2>& model, const State<2>& state, const Beam& beam, const BeamNow& now);
+
+/// What the branches of a beam's damping over a band remember.
+template <class Number>
+std::span<Number> branches_of(const Model<2>& model, const Beam& beam, std::span<Number> memories) {
+  return memories.subspan(beam.first_branch, model.bands[beam.band].memory_size());
+}
 
 /// What a beam that yields remembers.
 template <class Number>

@@ -337,6 +337,12 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
   return found;
 }
 
+StableStep unbanded_step(Model<2> model, const State<2>& state, const Work<2>& work) {
+  for (RateBound& own : model.element_bound)
+    if (own.unbanded > 0) own.stiffness = own.unbanded;
+  return stable_step(model, state, work);
+}
+
 double settled_step(double stable, double safety) {
   // The rungs 2^(k/8) from a half to below 1.
   constexpr std::array<double, 8> rungs{0x1.0000000000000p-1, 0x1.172b83c7d517bp-1, 0x1.306fe0a31b715p-1,

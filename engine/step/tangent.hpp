@@ -28,6 +28,7 @@ struct TangentOptions {
   double force = 1;    ///< share of the forces in the equation of motion
   double inertia = 0;  ///< coefficient of the mass [1/s2]
   double move = 0;     ///< how far nodes are moved [m]; 0: as suits the step
+  bool bands = true;   ///< with what damping over a band adds to the stiffness
 };
 
 /// The force [N] or moment [N m] on an unknown at an evaluated state: weight, loads and all dampings with it.

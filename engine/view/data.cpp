@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "view/model.hpp"
+#include "view/modes.hpp"
 
 namespace trilith::view {
 namespace {
@@ -87,6 +88,7 @@ std::string view_data(const results::ResultsReader& reader, const ViewLimits& li
   write_view_model(reader, frames, limits, json);
   std::vector<ViewBlock>& blocks = frames.blocks;
   write_series(reader, limits, json, blocks);
+  write_modes(reader, json, blocks);
   json.key("blocks").begin_list();
   std::string bytes;
   for (const ViewBlock& block : blocks) {

@@ -115,6 +115,12 @@ Model<2> ModelBuilder::build() {
   Model<2> model = assemble(faults, notes);
   if (!faults.empty()) throw InputError(faults.front());
   notes_.insert(notes_.end(), notes.begin(), notes.end());
+  for (const Material& m : materials_) {
+    const auto is_idle = [&](const BodySpec& b) { return b.material == m.name && b.kind != BodyKind::frame; };
+    if (m.band && std::any_of(bodies_.begin(), bodies_.end(), is_idle))
+      notes_.push_back(fmt::format(
+          "material '{}': its band_damping acts in members of frames alone; its other bodies have none of it", m.name));
+  }
   return model;
 }
 

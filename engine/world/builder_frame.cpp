@@ -69,7 +69,9 @@ void add_masses(const FrameRows& rows, const Beam& beam, const EndMass& end) {
   const double most = beam_frequency2(beam.stiffness, beam.length, {axes.undo(beam.arm[0]), axes.undo(beam.arm[1])},
                                       {end.mass, end.mass}, end.inertia);
   RateBound& bound = rows.model.element_bound[rows.body];
-  bound.stiffness = std::max(bound.stiffness, most);
+  const double stiffening = beam.band < 0 ? 1 : rows.model.bands[beam.band].stiffening();
+  bound.stiffness = std::max(bound.stiffness, stiffening * most);
+  bound.unbanded = std::max(bound.unbanded, most);
   bound.damping = std::max(bound.damping, beam.damping * most);
 }
 
@@ -125,7 +127,27 @@ struct MemberMaterial {
   double mass;  ///< [kg/m]
   BeamMaterial elastic;
   double damping;  ///< [s]
+  int band;        ///< of Model::bands, or -1
 };
+
+/// The row of Model::bands that is this band, made where there is none; -1 without one.
+int band_row(const std::optional<BandDamping>& band, Model<2>& model) {
+  if (!band) return -1;
+  const auto same = [&](const DampingBranches& b) {
+    return b.band.ratio == band->ratio && b.band.from == band->from && b.band.to == band->to;
+  };
+  const auto at = std::find_if(model.bands.begin(), model.bands.end(), same);
+  if (at != model.bands.end()) return static_cast<int>(at - model.bands.begin());
+  model.bands.push_back(damping_branches(*band));
+  return static_cast<int>(model.bands.size()) - 1;
+}
+
+/// Room for what the branches of a beam remember, behind what it remembers of its yielding.
+void add_branches(Beam& beam, int band, Model<2>& model) {
+  if (band < 0) return;
+  beam.band = band, beam.first_branch = model.beam_memory;
+  model.beam_memory += model.bands[band].memory_size();
+}
 
 void append_beams(const FrameRows& rows, std::size_t m, const MemberMaterial& made) {
   const FrameMember& member = rows.frame.members[m];
@@ -150,6 +172,7 @@ void append_beams(const FrameRows& rows, std::size_t m, const MemberMaterial& ma
     const std::array pinned{i == 0 && member.pinned[0], i + 2 == stations.size() && member.pinned[1]};
     beam.stiffness = beam_stiffness(made.elastic, member.section, beam.length, pinned);
     yields.add(beam, i == 0, i + 2 == stations.size(), pinned);
+    add_branches(beam, made.band, rows.model);
     add_masses(rows, beam, end_mass(beam, made.mass * beam.length, member.section));
     rows.model.beams.push_back(beam);
   }
@@ -218,7 +241,8 @@ std::vector<MemberMaterial> member_materials(const FrameRows& rows, const std::v
         std::visit([](const auto& l) { return std::pair(l.young, l.poisson); }, material.solid->law);
     made.push_back({spec.density.value_or(material.density) * member.section.area,
                     {young, member.shear ? young / (2 * (1 + poisson)) : 0.0},
-                    material.solid->damping()});
+                    material.solid->damping(),
+                    band_row(material.band, rows.model)});
     given += made.back().mass * length_of(rows.plan, m);
   }
   const double wanted = spec.mass ? *spec.mass : spec.weight ? *spec.weight / standard_gravity : given;

@@ -21,6 +21,7 @@ enum class EventType : int {
   bearing_changed,
   member_yielded,
   member_failed,
+  member_removed,
   contact_made,
   contact_lost,
   seat_lost,
@@ -37,7 +38,7 @@ enum class EventType : int {
   bearing_added,
   bearing_removed,
 };
-inline constexpr int event_types = 25;
+inline constexpr int event_types = 26;
 
 /// How a mortar joint fails; results hold the number.
 enum class JointMode : std::uint8_t { tension, shear, compression };
@@ -76,6 +77,7 @@ inline constexpr std::array<EventTypeInfo, event_types> event_type_info{{
     {"bearing.changed", "bearing changed", "displacement", "m", has_place | can_cause},
     {"member.yielded", "member yielded", "moment", "N m", has_place},
     {"member.failed", "member failed", "rotation", "rad", has_place | can_cause},
+    {"member.removed", "member removed", "energy", "J", has_place | can_cause},
     {"contact.made", "contact made", "closing speed", "m/s", has_place | is_minor},
     {"contact.lost", "contact lost", "", "", is_minor},
     {"seat.lost", "seat lost", "speed", "m/s", has_place | can_cause},

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/quantity_text.hpp"
+
 namespace trilith {
 namespace {
 
@@ -92,6 +94,8 @@ std::string event_text(const Event& e, const Model<D>& model) {
       return fmt::format("{}: {} yielded under {}", a, e.text, moment_text(e.value));
     case EventType::member_failed:
       return fmt::format("{}: {} lost its moment after {:.3g} rad", a, e.text, e.value);
+    case EventType::member_removed:
+      return fmt::format("{}: {} was removed and let go of {}", a, e.text, quantity_text(e.value, "J"));
     case EventType::contact_made:
       return fmt::format("{} touched {}", a, b);
     case EventType::contact_lost:

@@ -146,6 +146,7 @@ void add(Hash& hash, const Beam& b) {
   add(hash, b.length), add(hash, b.angle), add(hash, b.damping);
   add(hash, b.stiffness.axial), add(hash, b.stiffness.bend), add(hash, b.stiffness.bow);
   hash.add(static_cast<std::uint64_t>(b.yield)), add(hash, b.yield_row), add(hash, b.first_memory);
+  if (b.band >= 0) add(hash, b.band), add(hash, b.first_branch);
 }
 
 void add(Hash& hash, const FibreSection& s) {
@@ -164,6 +165,7 @@ void add(Hash& hash, const FibreBeamRow& r) {
 
 void add(Hash& hash, const HingeLaw& l) {
   add_law(hash, l), add(hash, l.force), add(hash, l.share);
+  if (l.removes) hash.add(std::string_view("removes"));
 }
 
 void add(Hash& hash, const BeamYields& y) {
@@ -226,6 +228,7 @@ std::uint64_t structure_of(const Model<D>& m) {
   add(hash, m.edge_corner);
   add(hash, m.solids), add(hash, m.elements), add(hash, m.element_number), add(hash, m.beams), add(hash, m.members);
   if (m.beam_memory > 0) add(hash, m.yields);
+  for (const DampingBranches& b : m.bands) add_law(hash, b.band);
   add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, m.law_of);
   add(hash, m.bearings), add(hash, m.seats);
   if constexpr (D == 3) add(hash, m.piece_solid);

@@ -16,6 +16,10 @@ void check_material(const Material& material, const std::vector<Material>& other
   const std::string owner = fmt::format("material '{}'", material.name);
   require_positive(material.density, owner + ": density", "kg/m3");
   add_doubt(notes, owner, "density", "kg/m3", material.density);
+  if (material.band) {
+    check_parameters(*material.band), material.band->check();
+    if (!material.solid) throw InputError(owner + ": band_damping is of its stiffness, and it has none; give E too");
+  }
   if (material.solid) std::visit([&](const auto& l) { add_doubts(notes, owner, l); }, material.solid->law);
 }
 

@@ -5,14 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "body/band_damping.hpp"
 #include "material/list.hpp"
 
 namespace trilith {
 
 struct Material {
   std::string name;
-  double density = 0;                         ///< [kg/m3], above 0
-  std::optional<Solid> solid = std::nullopt;  ///< what deformable bodies need
+  double density = 0;                              ///< [kg/m3], above 0
+  std::optional<Solid> solid = std::nullopt;       ///< what deformable bodies need
+  std::optional<BandDamping> band = std::nullopt;  ///< of members of frames
 };
 
 /// Throws InputError for a name that `others` have, and a density that is not above 0; adds to `notes` what is unusual.

@@ -12,6 +12,7 @@
 #include "base/rotation_3d.hpp"
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
+#include "body/band_damping.hpp"
 #include "body/beam_yield.hpp"
 #include "body/list.hpp"
 #include "contact/list.hpp"
@@ -67,6 +68,7 @@ struct ElementBatch {
 struct RateBound {
   double stiffness = 0;  ///< [1/s2]
   double damping = 0;    ///< [1/s]
+  double unbanded = 0;   ///< `stiffness` without what damping over a band adds
 };
 
 /// One degree of freedom of one node follows a ground motion.
@@ -169,6 +171,7 @@ struct Model {
   std::vector<Member> members;                ///< of frames, body by body
   std::vector<Beam> beams;                    ///< [beam] of frames, body by body
   BeamYields yields;                          ///< of those that yield
+  std::vector<DampingBranches> bands;         ///< of beams that are damped over a band
   std::vector<RateBound> element_bound;       ///< [body] of its elements or beams; 0 where it is rigid
   int plastic_points = 0;                     ///< rows of State::plastic
   int beam_memory = 0;                        ///< rows of State::beam_memory

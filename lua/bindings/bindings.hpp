@@ -50,6 +50,7 @@ std::span<const Property<ModelBox>> debug_properties();
 void open_debug(lua_State* L);
 void open_compare(lua_State* L);
 void open_change(lua_State* L);
+void open_modes(lua_State* L);
 void open_bridge(lua_State* L);  ///< for the library: heights of bearing types
 void open_lint(lua_State* L);    ///< for the library: faults, doubts, damping of contacts, what is usual
 

@@ -225,6 +225,26 @@ int contact_laws(lua_State* L) {
   return 1;
 }
 
+/// core.set_law_number(model, law, key, value): as m:change, and says nothing.
+int set_law_number(lua_State* L) {
+  PlaneModel& m = this_plane(L);
+  const std::string name = text_at(L, 2), key = text_at(L, 3);
+  const double value = lua_tonumber(L, 4);
+  const auto& names = m.simulation().model().law_names;
+  const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  if (row == names.size()) throw InputError(fmt::format("there is no law '{}'", name));
+  ContactLaw law = m.simulation().model().laws[row];
+  std::visit(
+      [&](auto& l) {
+        for (const auto& p : std::decay_t<decltype(l)>::parameters())
+          if (p.name == key) l.*(p.member) = value;
+      },
+      law);
+  m.change([row, law](Model<2>& model) { model.laws[row] = law; });
+  m.simulation().drop_step();
+  return 0;
+}
+
 }  // namespace
 
 std::span<const Method> change_methods() {
@@ -233,6 +253,7 @@ std::span<const Method> change_methods() {
 
 void open_change(lua_State* L) {
   set_function(L, "contact_laws", guarded<contact_laws>);
+  set_function(L, "set_law_number", guarded<set_law_number>);
 }
 
 }  // namespace trilith::script

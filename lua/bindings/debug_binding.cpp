@@ -281,6 +281,7 @@ void open_debug(lua_State* L) {
   set_function(L, "open_console", guarded<open_console>);
   open_compare(L);
   open_change(L);
+  open_modes(L);
   open_lint(L);
 }
 

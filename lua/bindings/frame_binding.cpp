@@ -237,7 +237,7 @@ AskedMember asked_member(lua_State* L, const char* call) {
   return {*built, member_of(built->model(), b.index, name, call)};
 }
 
-constexpr std::array<const char*, 3> hinge_states{"elastic", "yielded", "failed"};
+constexpr std::array<const char*, 4> hinge_states{"elastic", "yielded", "failed", "removed"};
 
 }  // namespace
 

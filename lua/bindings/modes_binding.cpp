@@ -1,9 +1,11 @@
 // Natural frequencies and shapes of a model as it stands.
 #include "step/mode_damping.hpp"
+#include "step/stable_step.hpp"
 
 #include <algorithm>
 
 #include "bindings.hpp"
+#include "run/recorded_modes.hpp"
 #include "table_fields.hpp"
 
 namespace trilith::script {
@@ -58,14 +60,13 @@ int read_count(lua_State* L, const char* owner) {
   return count;
 }
 
-/// m:modes{ count = }: a list, lowest first.
-int find_modes(lua_State* L) {
-  PlaneModel& m = this_plane(L);
-  const int count = read_count(L, "modes");
+/// Pushes what m:modes gives; `records`: it goes to the results file.
+int push_modes(lua_State* L, PlaneModel& m, int count, bool records) {
   const Simulation<2>& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
   const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
   const std::array<double, 2> all = free_mass(sim.model());
+  if (records) m.record_modes(recorded_modes(sim.state(), found, damping), host(L));
   lua_createtable(L, static_cast<int>(found.size()), 1);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Mode& mode = found[i];
@@ -87,13 +88,34 @@ int find_modes(lua_State* L) {
   return 1;
 }
 
-std::string damping_text(const std::vector<Mode>& found, const std::vector<ModeDamping>& damping) {
-  std::string text = "frequency [Hz]   damping [%]   contacts   bearings   elements       mass";
+/// m:modes{ count = }: a list, lowest first.
+int find_modes(lua_State* L) {
+  PlaneModel& m = this_plane(L);
+  return push_modes(L, m, read_count(L, "modes"), true);
+}
+
+/// core.quiet_modes(model, count): the same, for no file.
+int quiet_modes(lua_State* L) {
+  return push_modes(L, this_plane(L), static_cast<int>(lua_tointeger(L, 2)), false);
+}
+
+std::string damping_text(const Simulation<2>& sim, const std::vector<Mode>& found,
+                         const std::vector<ModeDamping>& damping) {
+  std::string text = "frequency [Hz]   damping [%]   contacts   bearings   elements      bands       mass";
   for (std::size_t i = 0; i < found.size(); ++i) {
     const ModeDamping& d = damping[i];
-    text += fmt::format("\n{:14.5g}   {:11.3g}   {:8.3g}   {:8.3g}   {:8.3g}   {:8.3g}", found[i].frequency(),
-                        100 * d.total(), 100 * d.contacts, 100 * d.bearings, 100 * d.elements, 100 * d.mass);
+    text +=
+        fmt::format("\n{:14.5g}   {:11.3g}   {:8.3g}   {:8.3g}   {:8.3g}   {:8.3g}   {:8.3g}", found[i].frequency(),
+                    100 * d.total(), 100 * d.contacts, 100 * d.bearings, 100 * d.elements, 100 * d.bands, 100 * d.mass);
   }
+  const double step = stable_step(sim.model(), sim.state(), sim.work()).dt;
+  text += fmt::format("\nlongest stable step {:.4g} s", step);
+  for (const DampingBranches& b : sim.model().bands)
+    text += fmt::format("\nband of {:g} % from {:g} to {:g} Hz: {} branches, stiffer by up to {:.2g} %",
+                        100 * b.band.ratio, b.band.from, b.band.to, b.count, 100 * (b.stiffening() - 1));
+  if (!sim.model().bands.empty())
+    text += fmt::format("; without bands the longest stable step is {:.4g} s",
+                        unbanded_step(sim.model(), sim.state(), sim.work()).dt);
   return text;
 }
 
@@ -104,18 +126,21 @@ int find_damping(lua_State* L) {
   const Simulation<2>& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
   const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
-  lua_createtable(L, static_cast<int>(found.size()), 1);
+  lua_createtable(L, static_cast<int>(found.size()), 3);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    lua_createtable(L, 0, 6);
+    lua_createtable(L, 0, 7);
     set_number(L, "frequency", found[i].frequency());
     set_number(L, "ratio", damping[i].total());
     set_number(L, "contacts", damping[i].contacts);
     set_number(L, "bearings", damping[i].bearings);
     set_number(L, "elements", damping[i].elements);
+    set_number(L, "bands", damping[i].bands);
     set_number(L, "mass", damping[i].mass);
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
-  set_text(L, "text", damping_text(found, damping));
+  set_text(L, "text", damping_text(sim, found, damping));
+  set_number(L, "step", stable_step(sim.model(), sim.state(), sim.work()).dt);
+  set_number(L, "unbanded_step", unbanded_step(sim.model(), sim.state(), sim.work()).dt);
   luaL_setmetatable(L, "trilith.findings");
   return 1;
 }
@@ -126,6 +151,10 @@ const std::array modes_method_list{
 };
 
 }  // namespace
+
+void open_modes(lua_State* L) {
+  set_function(L, "quiet_modes", guarded<quiet_modes>);
+}
 
 std::span<const Method> modes_methods() {
   return modes_method_list;

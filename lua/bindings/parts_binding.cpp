@@ -33,6 +33,21 @@ std::optional<Solid> read_solid(Keys& keys) {
   return std::nullopt;
 }
 
+/// band_damping = { ratio =, from =, to = }
+std::optional<BandDamping> read_band(Keys& keys) {
+  std::optional<BandDamping> out;
+  const int type = keys.push("band_damping");
+  if (type == LUA_TTABLE) {
+    Keys own(keys.lua(), -1, keys.owner() + ": band_damping");
+    own.declared(out.emplace());
+    own.finish();
+  } else if (type != LUA_TNIL) {
+    keys.wrong("band_damping", "a table { ratio = , from = , to = }");
+  }
+  lua_pop(keys.lua(), 1);
+  return out;
+}
+
 /// m:material{ name =, density = | unit_weight =, E =, nu =, damping =, solid =, plane =, form =, strain_limit = }
 int add_material(lua_State* L) {
   ScriptModel& m = this_model(L);
@@ -45,6 +60,7 @@ int add_material(lua_State* L) {
   if (density.has_value() == weight.has_value()) keys.problem("give either density (kg/m3) or unit_weight (N/m3)");
   if (density) check_density(keys, *density);
   material.solid = read_solid(keys);
+  material.band = read_band(keys);
   keys.finish();
   material.density = density ? *density : *weight / standard_gravity;
   m.add_material(material);

@@ -6,6 +6,8 @@
 #include "load/ramp.hpp"
 #include "run/pushover.hpp"
 #include "stage_run.hpp"
+#include "step/equilibrium.hpp"
+#include "step/load_path.hpp"
 #include "world/loads.hpp"
 
 namespace trilith::script {
@@ -21,7 +23,24 @@ struct PushOrder {
   int storey = 0, samples = 200;
   PushLimits limits;
   StageOptions stage;
+  bool by_arc = false;  ///< in no time, by equilibria; else steadily in time
+  double arc = 0;       ///< first arc [m]; 0: a hundredth of the displacement
 };
+
+/// What is of one control alone.
+void read_control(Keys& keys, PushOrder& o) {
+  o.by_arc = keys.choice("control", {"time", "arc"}, 0) == 1;
+  const std::vector<std::string_view> others = o.by_arc
+                                                   ? std::vector<std::string_view>{"rate", "damping", "dt", "safety"}
+                                                   : std::vector<std::string_view>{"arc"};
+  for (const std::string_view key : others)
+    if (keys.has(key))
+      keys.problem(
+          fmt::format("'{}' is given, which is of control = \"{}\"; leave it out", key, o.by_arc ? "time" : "arc"));
+  o.arc = keys.number("arc", "m", 0);
+  if (keys.has("arc") && !(o.arc > 0)) keys.problem(fmt::format("'arc' is {:g} m, must be above 0", o.arc));
+  if (!o.by_arc) o.rate = keys.number("rate", "m/s");
+}
 
 /// What ends it early: drift =, storey =, drop =.
 void read_limits(Keys& keys, PushOrder& o) {
@@ -63,7 +82,7 @@ PushOrder read_order(Keys& keys, const PlaneModel& m) {
   read_pushed(keys, m, o);
   o.direction = ways[keys.choice("direction", {"x", "-x", "y", "-y"}, 0)];
   o.pattern = patterns[keys.choice("pattern", {"mass", "uniform", "triangle"}, 0)];
-  o.rate = keys.number("rate", "m/s");
+  read_control(keys, o);
   read_limits(keys, o);
   const bool bounded = o.limits.drift < unbounded;
   o.displacement = bounded ? keys.number("displacement", "m", 2 * o.limits.drift) : keys.number("displacement", "m");
@@ -72,7 +91,7 @@ PushOrder read_order(Keys& keys, const PlaneModel& m) {
   o.stage.dt = keys.number("dt", "s", 0);
   o.stage.safety = keys.number("safety", "1", o.stage.safety);
   for (const auto& [key, value, unit] :
-       {std::tuple{"rate", o.rate, "m/s"}, std::tuple{"displacement", o.displacement, "m"}})
+       {std::tuple{"rate", o.by_arc ? 1 : o.rate, "m/s"}, std::tuple{"displacement", o.displacement, "m"}})
     if (!(value > 0))
       keys.problem(fmt::format("'{}' is {:g} {}, must be above 0; the direction has the sign", key, value, unit));
   if (o.samples < 2) keys.problem(fmt::format("'samples' is {}, must be at least 2", o.samples));
@@ -121,8 +140,7 @@ void set_array(lua_State* L, const char* key, const std::vector<double>& values)
   lua_setfield(L, -2, key);
 }
 
-void add_curve(lua_State* L, const PushoverRecorder& recorder) {
-  const PushCurve& curve = recorder.curve();
+void add_curve(lua_State* L, const PushCurve& curve, std::string_view limit) {
   const auto number = [&](const char* key, double value) {
     lua_pushnumber(L, value);
     lua_setfield(L, -2, key);
@@ -141,7 +159,7 @@ void add_curve(lua_State* L, const PushoverRecorder& recorder) {
   number("force", any ? curve.force.back() : 0);
   number("displacement", any ? curve.displacement.back() : 0);
   number("drift", any ? curve.drift.back() : 0);
-  lua_pushstring(L, recorder.limit().empty() ? "displacement" : recorder.limit().c_str());
+  lua_pushlstring(L, limit.data(), limit.size());
   lua_setfield(L, -2, "limit");
 }
 
@@ -154,6 +172,144 @@ struct Watch {
   ~Watch() { model.watch = nullptr; }
 };
 
+/// The push as loads at its points, 1 N in all; those of a rigid body at a point of it turn it too.
+std::vector<PointLoad<2>> unit_loads(const Model<2>& model, const std::string& name, const Push<2>& push) {
+  std::vector<PointLoad<2>> out;
+  for (const PushRow<2>& row : push.rows) {
+    PointLoad<2> load;
+    load.name = name, load.body = body_of_node(model, row.node);
+    load.at = Tie<2>::to_node(row.node, row.place), load.at.turn[0] = row.turn;
+    load.force = row.weight * push.direction;
+    out.push_back(std::move(load));
+  }
+  return out;
+}
+
+/// Equilibria along a push, and when to end.
+class ArcRecorder {
+ public:
+  ArcRecorder(const Push<2>& push, const PushOrder& order, std::function<double(const State<2>&)> drift)
+      : push_(push), order_(order), drift_(std::move(drift)) {}
+
+  /// True where the path is to go on.
+  bool add(const PathPoint& point, const State<2>& state) {
+    const double place = push_place(state, push_), drift = drift_(state);
+    if (curve_.force.empty()) first_place_ = place, first_drift_ = drift;
+    curve_.time.push_back(state.time);
+    curve_.force.push_back(point.factor);
+    curve_.displacement.push_back(place - first_place_);
+    curve_.drift.push_back(drift - first_drift_);
+    const double most = curve_.force[curve_.peak()];
+    if (std::abs(curve_.drift.back()) >= order_.limits.drift) limit_ = "drift";
+    if (order_.limits.drop > 0 && most > 0 && point.factor < order_.limits.drop * most) limit_ = "drop";
+    if (std::abs(curve_.displacement.back()) >= order_.displacement) limit_ = "displacement";
+    return limit_.empty();
+  }
+  [[nodiscard]] const PushCurve& curve() const { return curve_; }
+  [[nodiscard]] const std::string& limit() const { return limit_; }
+
+ private:
+  const Push<2>& push_;
+  const PushOrder& order_;
+  std::function<double(const State<2>&)> drift_;
+  double first_place_ = 0, first_drift_ = 0;
+  PushCurve curve_;
+  std::string limit_;
+};
+
+std::function<double(const State<2>&)> arc_drift(PlaneModel& m, const PushOrder& o, const Push<2>& push) {
+  const Findings& f = m.findings();
+  if (f.storeys.empty()) {
+    if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
+    return [&push](const State<2>& s) { return push_place(s, push); };
+  }
+  const Model<2>& model = m.simulation().model();
+  if (o.storey == 0) return [&](const State<2>& s) { return top_drift(model, s, f.storeys, f.base); };
+  for (std::size_t i = 0; i < f.storeys.size(); ++i)
+    if (f.storeys[i].number == o.storey)
+      return [&, i](const State<2>& s) { return storey_drift(model, s, f.storeys, f.base, i); };
+  throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
+}
+
+/// Ends of a path that its recorder did not ask for.
+std::string_view arc_limit(PathEnd end) {
+  return end == PathEnd::most_points ? "samples" : end == PathEnd::stuck ? "stuck" : "arrived";
+}
+
+/// { {force =, displacement =, highest =}, ... }: where the force turns.
+void set_limits(lua_State* L, const LoadPath& path) {
+  lua_createtable(L, static_cast<int>(path.limits.size()), 0);
+  for (std::size_t i = 0; i < path.limits.size(); ++i) {
+    lua_createtable(L, 0, 3);
+    lua_pushnumber(L, path.limits[i].factor);
+    lua_setfield(L, -2, "force");
+    lua_pushnumber(L, path.limits[i].displacement);
+    lua_setfield(L, -2, "displacement");
+    lua_pushboolean(L, path.limits[i].is_highest ? 1 : 0);
+    lua_setfield(L, -2, "highest");
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, "limits");
+}
+
+/// What broke and yielded on the way, in words.
+void set_happened(lua_State* L, const PlaneModel& m, const LoadPath& path) {
+  lua_createtable(L, static_cast<int>(path.events.size()), 0);
+  for (std::size_t i = 0; i < path.events.size(); ++i) {
+    lua_pushstring(L, m.text_of(path.events[i]).c_str());
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, "happened");
+}
+
+/// The path's last equilibrium becomes the model's state, with the loads of there, so that it stands.
+void take_over(PlaneModel& m, State<2> state, std::vector<PointLoad<2>> loads, double factor) {
+  for (PointLoad<2>& load : loads) load.force *= factor;
+  m.change([&](Model<2>& model) {
+    model.point_loads.insert(model.point_loads.end(), std::make_move_iterator(loads.begin()),
+                             std::make_move_iterator(loads.end()));
+  });
+  Simulation<2>& sim = m.simulation();
+  Snapshot<2> there = sim.snapshot();
+  there.state = std::move(state);
+  sim.restore(there);
+}
+
+/// m:pushover{ control = "arc", ... }: by equilibria, past limit points (step/load_path.hpp).
+int push_by_arc(lua_State* L, PlaneModel& m, PushOrder& o) {
+  const Simulation<2>& sim = m.evaluated();
+  const std::vector<std::string> names = load_names(sim.model());
+  if (std::find(names.begin(), names.end(), o.stage.name) != names.end())
+    throw InputError(fmt::format("pushover: there is a load or push '{}'; give another name", o.stage.name));
+  Push<2> push;
+  push.rows = push_rows(sim.model(), o.bodies, o.at, o.pattern, o.direction), push.direction = o.direction;
+  const std::vector<PointLoad<2>> loads = unit_loads(sim.model(), o.stage.name, push);
+  Model<2> model = sim.model();
+  model.point_loads.insert(model.point_loads.end(), loads.begin(), loads.end());
+  ArcRecorder recorder(push, o, arc_drift(m, o, push));
+  LoadPathOptions how;
+  how.loads = o.stage.name;
+  how.first = o.arc > 0 ? o.arc : 0.01 * o.displacement;
+  how.longest = 5 * how.first, how.most_points = o.samples;
+  for (const PushRow<2>& row : push.rows)
+    for (const int k : {0, 1})
+      if (push.direction[k] != 0) how.followed.push_back({{row.node, k}, row.weight * push.direction[k]});
+  how.goes_on = [&](const PathPoint& point, const State<2>& state) { return recorder.add(point, state); };
+  State<2> state = sim.state();
+  const LoadPath path = follow_loads(model, state, how);
+  if (path.end == PathEnd::no_rest)
+    throw InputError(
+        "pushover: there is no rest to begin from; find it by m:consolidate{ integrator = \"static\" }, "
+        "which tells what fails");
+  take_over(m, std::move(state), loads, path.points.back().factor);
+  EquilibriumOptions rest;
+  o.stage.duration = 1;  // none goes by
+  push_report(L, settle_stage(L, m, o.stage, rest));
+  add_curve(L, recorder.curve(), recorder.limit().empty() ? arc_limit(path.end) : recorder.limit());
+  set_limits(L, path), set_happened(L, m, path);
+  return 1;
+}
+
 /// m:pushover{ body =, at =, direction =, pattern =, rate =, displacement =, drift =, storey =, drop =, ... }
 int pushover(lua_State* L) {
   PlaneModel& m = this_plane(L);
@@ -164,6 +320,7 @@ int pushover(lua_State* L) {
   const Model<2>& model = m.simulation().model();
   if (!o.place.empty() && !(o.at = named_place(model, o.bodies.front(), o.place)))
     throw InputError(fmt::format("pushover: 'at' is '{}', must be {{x, y}} or one of {}", o.place, place_names));
+  if (o.by_arc) return push_by_arc(L, m, o);
   const auto motion = std::make_shared<const GroundMotion>(even_motion(o.displacement, o.rate));
   o.stage.duration = motion->duration();
   PushoverRecorder recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading(m, o));
@@ -178,7 +335,7 @@ int pushover(lua_State* L) {
   recorder.finish();
   stop_push(m, o);
   push_report(L, report);
-  add_curve(L, recorder);
+  add_curve(L, recorder.curve(), recorder.limit().empty() ? "displacement" : recorder.limit());
   return 1;
 }
 
@@ -197,8 +354,8 @@ double push_displacement(const ModelBox& box) {
 
 const std::array pushover_method_list{
     Method{"pushover", guarded<pushover>,
-           "pushover{body=, at=, direction=, pattern=, rate=, displacement=, drift=, storey=, drop=}: a stage "
-           "that pushes steadily"},
+           "pushover{body=, at=, direction=, pattern=, control=, rate=, arc=, displacement=, drift=, storey=, drop=}: "
+           "a stage that pushes steadily, or by equilibria past limit points"},
 };
 
 using PushoverProperty = Property<ModelBox>;

@@ -114,7 +114,23 @@ void SimulatedModel<D>::begin_recording(Host& host) {
     results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
   open_recording(host);
   for (const std::string& text : notes()) recording_->note(text);
-  host.recorded.push_back(this->shared_from_this());
+  for (auto& found : std::exchange(waiting_modes_, {})) recording_->modes(std::move(found));
+  keep_until_finish(host);
+}
+
+template <int D>
+void SimulatedModel<D>::keep_until_finish(Host& host) {
+  const auto self = this->shared_from_this();
+  if (std::find(host.recorded.begin(), host.recorded.end(), self) == host.recorded.end()) host.recorded.push_back(self);
+}
+
+template <int D>
+void SimulatedModel<D>::record_modes(std::vector<results::ModeRow> found, Host& host) {
+  if (recording_) return recording_->modes(std::move(found));
+  if (recording_begun_ || (!results && host.results_file.empty())) return;
+  waiting_modes_.push_back(std::move(found));
+  modes_host_ = &host;
+  keep_until_finish(host);
 }
 
 template <int D>
@@ -301,6 +317,8 @@ std::string given_off_text(const EnergyCheck& check) {
 
 template <int D>
 std::string SimulatedModel<D>::finish(const std::string& error) {
+  const bool modes_alone = !recording_ && !waiting_modes_.empty() && error.empty();
+  if (modes_alone) begin_recording(*modes_host_);
   if (!recording_) return "";
   const std::unique_ptr<Recording<D>> recording = std::move(recording_);
   std::string why = error.empty() ? broken_ : error;
@@ -311,6 +329,7 @@ std::string SimulatedModel<D>::finish(const std::string& error) {
     return fmt::format("results so far, unfinished, are in {}", recording->part().string());
   }
   recording->finish();
+  if (modes_alone) return fmt::format("modes are in {}", recording->path().string());
   const EnergyCheck& check = recording->energy_check();
   return fmt::format("results are in {}; the energy ledger closes to {:.2g} % of {} put in{}",
                      recording->path().string(), 100 * check.share(), quantity_text(check.input(), "J"),

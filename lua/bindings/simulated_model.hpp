@@ -69,6 +69,9 @@ class SimulatedModel : public ScriptModel {
   StageReport resume(const ScriptListener& listener, Host& host) override;
   double rewind(double time, Host& host) override;
   void note(const std::string& text) override;
+  /// Modes that were found at once go to the results file, where there is or will be one. What is found before its
+  /// first stage waits for that, and makes a file of its own accord where none comes.
+  void record_modes(std::vector<results::ModeRow> found, Host& host);
   std::string finish(const std::string& error) override;
 
  protected:
@@ -82,6 +85,7 @@ class SimulatedModel : public ScriptModel {
 
  private:
   void begin_recording(Host& host);
+  void keep_until_finish(Host& host);
   void open_recording(Host& host);
   void continue_recording(Host& host, double left, const Recording<D>& before);
   void replay(Recording<D>& recording);
@@ -98,6 +102,8 @@ class SimulatedModel : public ScriptModel {
 
   std::unique_ptr<Simulation<D>> simulation_;
   std::unique_ptr<Recording<D>> recording_;
+  std::vector<std::vector<results::ModeRow>> waiting_modes_;
+  Host* modes_host_ = nullptr;                           // of those
   std::optional<State<D>> recorded_from_;                // where all branches of the results begin
   std::vector<std::function<void(Model<D>&)>> changes_;  // wait for the step border
   std::size_t caught_up_ = 0;                            // with so many additions

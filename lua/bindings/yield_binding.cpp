@@ -11,6 +11,7 @@ int make_end_hinge(lua_State* L) {
   Keys keys(L, 1, std::string(HingeLaw::name));
   HingeLaw law;
   keys.declared(law);
+  law.removes = keys.choice("becomes", {"pinned", "removed"}, 0) == 1;
   if (keys.has("axial"))
     for (const Vec2& p : keys.points("axial")) law.force.push_back(p.x()), law.share.push_back(p.y());
   keys.finish();

@@ -77,6 +77,8 @@ local function add_laws(manual)
       if name == "end_hinge" then
         entry.keys[1] = { name = "axial", type = "points", unit = "", optional = true,
           doc = "{ normal force, share of the moment left }, ..., instead of tension, compression, exponent" }
+        entry.keys[2] = { name = "becomes", type = "text", unit = "", optional = true, preset = '"pinned"',
+          doc = "what its beam is once it has no moment: \"pinned\", or \"removed\", which carries nothing" }
       end
       if name == "table" then
         entry.keys[1] = { name = "points", type = "points", unit = "", doc = "{ displacement, force }, ..." }

@@ -39,14 +39,16 @@ body          bodies           what is pushed
 at            place?           a point {x, y} or the name of a place of one body
 direction     text = "x"       x, -x, y or -y
 pattern       text = "mass"    share of each body: mass, uniform or triangle
-rate          number m/s       how fast
+control       text = "time"    "time": pushed steadily; "arc": by equilibria, in no time, past limit points
+rate          number m/s?      how fast, by time
+arc           number m?        by arc: length of the first step; a hundredth of the displacement
 displacement  number m?        how far; or drift
 drift         number m?        until this drift
 storey        integer?         of this storey
 drop          number?          until the force has fallen to this share of its peak
-samples       integer?         of the curve
-damping       number = 0.8     share of the unbalanced force that brakes each body
+samples       integer?         of the curve; by arc at most so many
+damping       number = 0.8     by time: share of the unbalanced force that brakes each body
 name          text?            what results call it
-dt            number s?        fixed step
-safety        number = 0.5     share of the longest stable step, at most 0.9]], gives = "report" },
+dt            number s?        by time: fixed step
+safety        number = 0.5     by time: share of the longest stable step, at most 0.9]], gives = "report" },
 }

@@ -22,6 +22,7 @@ unit_weight  number N/m3?      or this
 E            number Pa?        Young's modulus, for bodies that deform
 nu           number?           Poisson's ratio
 damping      number s?         stress per strain rate over E
+band_damping  table?           of members of frames: { ratio =, from =, to = }, the same between two frequencies [Hz]
 solid        solid law?        instead of E: a law such as trilith.mohr_coulomb{...}
 plane        text = "stress"   "stress" or "strain"
 form         text = "assumed"  "assumed" or "plain": the element

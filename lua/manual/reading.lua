@@ -41,10 +41,21 @@ joints      flag = true       with opening, slip and damage of each joint]] },
   { "model:thrust_line", "Where the force goes through a chain of bodies: { a, b, x, y, fx, fy }.",
     args = "bodies  bodies  in order", gives = "table[]" },
   { "model:modes", "Natural frequencies as it stands, lowest first: { frequency, period, square, mass_x, mass_y, "
-    .. "factor_x, factor_y, damping, shape }; shape by body's name: { x, y, rotation }. Prints as a table.",
+    .. "factor_x, factor_y, damping, shape }; shape by body's name: { x, y, rotation }. "
+    .. "Prints as a table; goes to the results file.",
     keys = "count  integer = 10  how many", gives = "table[]" },
   { "model:damping", "Share of critical damping for each mode as it stands: { frequency, ratio, contacts, bearings, "
-    .. "elements, mass }, the sum and what gives it. Prints as a table.",
+    .. "elements, bands, mass }, the sum and what gives it; step and unbanded_step [s], the longest stable one and "
+    .. "that without damping over bands. Prints as a table.",
     keys = "count  integer = 10  how many modes", gives = "table[]" },
+  { "model:calibrate", "Fits stiffnesses of joints to a measured frequency; the model keeps them. Gives { value, "
+    .. "values, frequency, mode, tries }, which prints as a table of the tries.", keys = [[
+frequency  number Hz        as measured
+vary       names            such as "mortar.kn"; several keep their ratio: { "mortar.kn", "mortar.ks" }
+mode       integer = 1      which mode is to have it; or
+shape      table?           a shape from m:modes: the mode most like it
+between    numbers?         least and most value of the first; a thousandth and a thousand times what it is
+tolerance  number = 0.0001  of the frequency
+settle     flag = false     finds rest by statics after each change]], gives = "table" },
   { "model:stresses", "Mean stress { xx, yy, xy, major, minor } by body's name [Pa].", gives = "table" },
 }

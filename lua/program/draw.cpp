@@ -1,12 +1,15 @@
 // trilith draw RESULT [--at T,...] [-o FILE]
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "comma_list.hpp"
 #include "draw/results_findings.hpp"
+#include "draw/results_modes.hpp"
 #include "draw/results_picture.hpp"
 #include "newer_run.hpp"
 #include "positive.hpp"
@@ -21,6 +24,7 @@ struct DrawOptions {
   std::string stress, thrust;
   double magnify = 1;
   std::string colour = "group", cut;
+  std::string mode;
   int columns = 0;
 };
 
@@ -80,19 +84,46 @@ draw::SceneChoice choice_of(const DrawOptions& options, int dim) {
   return choice;
 }
 
+/// A panel for each mode asked for, of those found last, or last before the time of --at.
+std::vector<draw::Scene> mode_scenes(const results::ResultsReader& reader, const DrawOptions& options) {
+  if (options.forces || options.ghost || options.cracks || !options.stress.empty() || !options.thrust.empty() ||
+      options.colour != "group")
+    throw InputError(
+        "--mode: shows the shape alone; leave out --forces, --ghost, --cracks, --stress, --thrust, --colour");
+  const bool last = options.at == "end" && options.stage.empty();
+  const std::vector<results::ModeRow> found =
+      draw::modes_found(reader, last ? std::numeric_limits<double>::infinity()
+                                     : time_of(reader, window_of(reader, options.stage), options.at));
+  std::vector<draw::Scene> scenes;
+  for (const std::string& text : comma_list(options.mode)) {
+    const double number = number_of(text, "--mode");
+    const auto at = std::find_if(found.begin(), found.end(), [&](const auto& row) { return row.number == number; });
+    if (at == found.end())
+      throw InputError(fmt::format("--mode: there is no mode {}; '{}' has modes 1 to {}", text, reader.path().string(),
+                                   found.size()));
+    scenes.push_back(draw::mode_scene(reader.header(), *at, options.magnify));
+  }
+  return scenes;
+}
+
+std::vector<draw::Scene> scenes_of(const results::ResultsReader& reader, const DrawOptions& options) {
+  if (!options.mode.empty()) return mode_scenes(reader, options);
+  const draw::SceneChoice choice = choice_of(options, reader.header().dim);
+  const Window window = window_of(reader, options.stage);
+  std::vector<draw::Scene> scenes;
+  for (const std::string& at : comma_list(options.at))
+    scenes.push_back(draw::results_scene(reader, time_of(reader, window, at), choice));
+  return scenes;
+}
+
 int draw(const DrawOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path(options.result).replace_extension(".png")
                                         : std::filesystem::path(options.out);
   draw::picture_format(out);
   const results::ResultsReader reader(options.result);
-  const int dim = reader.header().dim;
-  const draw::PictureStyle style = style_of(options, dim);
-  const draw::SceneChoice choice = choice_of(options, dim);
-  const Window window = window_of(reader, options.stage);
-  std::vector<draw::Scene> scenes;
-  for (const std::string& at : comma_list(options.at))
-    scenes.push_back(draw::results_scene(reader, time_of(reader, window, at), choice));
+  const draw::PictureStyle style = style_of(options, reader.header().dim);
+  std::vector<draw::Scene> scenes = scenes_of(reader, options);
   const std::string stem = std::filesystem::path(options.result).stem().string();
   if (scenes.size() == 1) scenes[0].title = scenes[0].title.empty() ? stem : stem + ", " + scenes[0].title;
   const int columns = options.columns > 0 ? options.columns : scenes.size() <= 3 ? 1 : 2;
@@ -130,6 +161,10 @@ void add_draw(CLI::App& app, int& code) {
   verb->add_option("--magnify", o->magnify, "displacements since the start times this")
       ->type_name("FACTOR")
       ->check(CLI::Validator(is_positive, "", ""));
+  verb->add_option("--mode", o->mode,
+                   "natural modes by number, of those that m:modes found last, or last before --at; several become "
+                   "panels; --magnify times the size that is chosen")
+      ->type_name("N[,N...]");
   verb->add_option("--colour", o->colour, "what bodies are coloured by")
       ->check(CLI::IsMember(draw::colour_names()))
       ->capture_default_str();

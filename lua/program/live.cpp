@@ -28,8 +28,8 @@ void Live::tell_event(const Event& event, const Instant<D>& now) {
   // The report of a stage says more than its last event.
   if (quiet_ || event.type == EventType::stage_ended) return;
   const bool strong = event.type == EventType::bearing_failed || event.type == EventType::member_failed ||
-                      event.type == EventType::seat_lost || event.type == EventType::body_passed ||
-                      event.type == EventType::element_overstrained;
+                      event.type == EventType::member_removed || event.type == EventType::seat_lost ||
+                      event.type == EventType::body_passed || event.type == EventType::element_overstrained;
   for (const std::string& line : lines_.tell(event, now.model)) screen_.line(line, strong);
 }
 

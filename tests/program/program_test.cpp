@@ -89,6 +89,31 @@ TEST_CASE("trilith draw refuses times, stages, views and files that are not ther
   CHECK_FALSE(std::filesystem::exists(here / "picture.gif"));
 }
 
+TEST_CASE("trilith draw --mode draws the modes that a script has found, before its first stage and without one") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  std::ofstream(here / "modes.lua") << R"lua(
+local trilith = require "trilith"
+local m = trilith.model { name = "cantilever", thickness = 1, gravity = 0 }
+m:material { name = "steel", density = 7850, E = 2.1e11 }
+m:results { file = "modes.h5" }
+m:frame { name = "mast", material = "steel", floating = true,
+  joints = { foot = { at = { 0, 0 }, support = "fixed" }, head = { 0, 3 } },
+  members = { { from = "foot", to = "head", section = trilith.rectangle_section { width = 0.1, depth = 0.2 } } } }
+assert(#m:modes { count = 3 } == 3)
+)lua";
+  const Said run = ask(here, "run modes.lua");
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  CHECK(run.says("modes are in modes.h5"));
+  CHECK(ask(here, "info modes.h5").says("modes       3, the last ones found at 0 s"));
+  CHECK(ask(here, "draw modes.h5 --mode 1,3 -o modes.svg").code == 0);
+  CHECK(testing::bytes_of(here / "modes.svg").find("<svg") != std::string::npos);
+  check_refused(ask(here, "draw modes.h5 --mode 4"), "there is no mode 4; 'modes.h5' has modes 1 to 3");
+  check_refused(ask(here, "draw modes.h5 --mode first"), "'first' is not a number");
+  check_refused(ask(here, "draw modes.h5 --mode 1 --forces"), "shows the shape alone");
+  check_refused(ask(here, "draw span.h5 --mode 1"), "'span.h5' has no modes");
+}
+
 TEST_CASE("trilith plot draws histories and energy, of several runs too, and lists what there is") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;

@@ -159,6 +159,24 @@ def shows_stress(page):
     assert "mean stress" in page.text("#selection")
 
 
+def plays_a_mode(page):
+    """The menu of modes: the first swings about where it stood, space stops it, the next key brings the next; back to the run."""
+    assert page.ask("trilith.run.modes.length") == 3
+    page.keys("m")
+    page.until("trilith.run.mode && trilith.run.mode.share < -0.5")
+    assert page.text("#clock") == "mode 1" and "Hz" in page.text("#stage"), page.text("#stage")
+    page.keys(" ")
+    # The largest displacement of a node is at most 6 % of the structure's size.
+    at = "(share => (trilith.run.mode.share = share, trilith.run.poseMode(), [...trilith.run.nodeX].concat([...trilith.run.nodeY])))"
+    ways = [abs(a - b) for a, b in zip(page.ask(at + "(1)"), page.ask(at + "(-1)"))]
+    assert 0.5 * 0.06 * 4.7 < max(ways) / 2 < 1.1 * 0.06 * 4.8, max(ways)
+    page.picture("mode")
+    page.keys("m")
+    assert page.ask("trilith.run.mode.index") == 1
+    page.keys(Keys.HOME)
+    assert page.ask("trilith.run.mode === null") and page.text("#clock") == "0.00 s"
+
+
 def shows_solids(page):
     """A model in space: bodies are where they should be, drawn, turned by a drag, chosen by a click."""
     assert page.ask("trilith.run.dim") == 3

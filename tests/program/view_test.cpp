@@ -91,6 +91,28 @@ TEST_CASE("the page of a wall of finite elements shows their stress") {
   browse(here / "quads.html", "shows_stress");
 }
 
+TEST_CASE("the page plays the natural modes that a run has found, and goes back to the run") {
+  if (program_is_missing()) return;
+  const testing::Folder here;
+  std::ofstream(here / "frame.lua") << R"lua(
+local trilith = require "trilith"
+local m = trilith.model { name = "bent", thickness = 1 }
+m:material { name = "steel", density = 7850, E = 2.1e11 }
+m:results { file = "frame.h5", frames = 0.01 }
+local section = trilith.rectangle_section { width = 0.2, depth = 0.2 }
+m:frame { name = "bent", material = "steel", floating = true,
+  joints = { foot = { at = { 0, 0 }, support = "fixed" }, head = { 0, 4 }, tip = { at = { 2.5, 4 }, mass = 300 } },
+  members = { { name = "column", from = "foot", to = "head", section = section },
+              { name = "arm", from = "head", to = "tip", section = section } } }
+m:modes { count = 3 }
+m:run { duration = 0.2, integrator = "implicit", dt = 0.005 }
+)lua";
+  const Said run = ask(here.path, "run frame.lua --quiet");
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  CHECK(ask(here.path, "view frame.h5").out == "frame.html\n");
+  browse(here / "frame.html", "plays_a_mode plays_to_the_end");
+}
+
 TEST_CASE("the page of a model in space shows its solids, turns them by a drag and tells of the one that is clicked") {
   if (program_is_missing()) return;
   const testing::Folder here;

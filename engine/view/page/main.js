@@ -12,6 +12,7 @@ import { HistoriesPanel, SelectionPanel } from "./selection.js";
 import { EventsPanel, eventColour } from "./events.js";
 import { Player } from "./player.js";
 import { Legend } from "./legend.js";
+import { Modes } from "./modes.js";
 import { byId, make, seconds } from "./words.js";
 
 const toggles = [["forces", "forces", "contact_pair"], ["cracks", "cracks", null], ["bearings", "bearings", "bearing_state"],
@@ -34,6 +35,7 @@ class App {
     this.selection = null;
     const shaking = run.stages.find((s) => s.kind !== "consolidation");
     this.player = new Player(this, shaking && shaking.begin <= run.end ? shaking.begin : run.begin);
+    this.modes = new Modes(this);
     this.events = new EventsPanel(this);
     this.selectionPanel = new SelectionPanel(this);
     this.histories = new HistoriesPanel(this);
@@ -222,6 +224,7 @@ class App {
     this.scene.draw(time, this.colours, this.selection);
     this.drawFlashes(time);
     this.player.draw();
+    this.modes.draw();
     this.legend.draw();
     this.events.draw(time);
     if (!byId("selection").hidden) this.selectionPanel.draw(time, this.theme);
@@ -260,7 +263,7 @@ class App {
       ArrowUp: () => this.player.faster(1), ArrowDown: () => this.player.faster(-1),
       "+": () => this.zoom(1.4), "=": () => this.zoom(1.4), "-": () => this.zoom(1 / 1.4), f: () => this.fit(),
       n: () => this.player.toEvent(1), p: () => this.player.toEvent(-1), c: () => this.nextColour(), t: () => this.switchTheme(), v: () => this.nextView(),
-      "?": () => byId("help").showModal(), Escape: () => this.select(null),
+      "?": () => byId("help").showModal(), m: () => this.nextMode(), Escape: () => this.select(null),
     }[e.key];
     if (!does || byId("help").open) return;
     e.preventDefault();
@@ -273,6 +276,13 @@ class App {
     const at = viewsAround.findIndex(([azimuth, elevation]) => azimuth === this.camera.azimuth && elevation === this.camera.elevation);
     this.camera.look(...viewsAround[(at + 1) % viewsAround.length]);
     this.redraw();
+  }
+
+  nextMode() {
+    const { modes, mode } = this.run, next = mode ? mode.index + 1 : 0;
+    if (!modes.length || !this.run.frames) return;
+    byId("mode").value = String(next < modes.length ? next : -1);
+    this.modes.choose(next < modes.length ? next : -1);
   }
 
   nextColour() {

@@ -32,6 +32,7 @@ export class Player {
   }
 
   toggle() {
+    if (this.app.modes.on) return this.app.modes.toggle();
     if (this.playing) return this.pause();
     if (!this.app.run.frames) return undefined;
     if (this.time >= this.app.run.end - 1e-9) this.time = this.app.run.begin;
@@ -47,9 +48,9 @@ export class Player {
     this.app.redraw();
   }
 
-  showState() {
-    byId("play").setAttribute("aria-label", this.playing ? "pause" : "play");
-    byId("play").classList.toggle("playing", this.playing);
+  showState(goes = this.playing) {
+    byId("play").setAttribute("aria-label", goes ? "pause" : "play");
+    byId("play").classList.toggle("playing", goes);
   }
 
   tick(now) {
@@ -69,6 +70,7 @@ export class Player {
 
   seek(time) {
     const { run } = this.app;
+    this.app.modes?.leave();
     this.time = Math.max(run.begin, Math.min(run.end, time));
     this.app.redraw();
   }

@@ -32,6 +32,8 @@ export class Run {
     this.bodies = head.bodies.map((body, index) => ({ ...body, index, free: isFree(body) }));
     this.bearings = head.bearings.map((bearing, index) => ({ ...bearing, index }));
     this.stages = head.stages;
+    this.modes = head.modes ?? [];
+    this.mode = null;
     this.palette = head.palette;
     this.types = head.types;
     this.events = head.events.map((row, index) => eventOf(row, index, head.types));
@@ -110,9 +112,10 @@ export class Run {
     return { frame, next, share: span > 0 ? Math.max(0, Math.min(1, (time - this.times[frame]) / span)) : 0 };
   }
 
-  /** Puts all nodes and outline points where they are at `time`. */
+  /** Puts all nodes and outline points where they are at `time`; in a mode, where that has them. */
   pose(time) {
     if (!this.frames) return;
+    if (this.mode) return void this.poseMode();
     const { frame, next, share } = this.locate(time);
     this.now = { time, frame, next, share };
     const position = this.block("position"), rotation = this.block("rotation"), n = this.nodes;
@@ -122,6 +125,27 @@ export class Run {
       this.nodeY[i] = position.quantum * (p[2 * (a + i) + 1] + share * (p[2 * (b + i) + 1] - p[2 * (a + i) + 1]));
       this.turn[i] = rotation.quantum * (r[a + i] + share * (r[b + i] - r[a + i]));
     }
+    this.posePoints();
+  }
+
+  /** In `this.mode`, { index, share }: the nodes where they stood, and this share of the mode. */
+  poseMode() {
+    const { index, share } = this.mode, n = this.nodes;
+    this.now = { ...this.locate(this.modes[index].time), time: this.modes[index].time, share: 0 };
+    const at = (name, i) => {
+      const block = this.block(name);
+      return block.quantum * block.values[index * block.columns + i];
+    };
+    for (let i = 0; i < n; i++) {
+      this.nodeX[i] = at("mode_position", 2 * i) + share * at("mode_displacement", 2 * i);
+      this.nodeY[i] = at("mode_position", 2 * i + 1) + share * at("mode_displacement", 2 * i + 1);
+      this.turn[i] = at("mode_rotation", i) + share * at("mode_turn", i);
+    }
+    this.posePoints();
+  }
+
+  /** Outline points, from the nodes. */
+  posePoints() {
     let node = -1, c = 1, s = 0;
     for (let v = 0; v < this.vertexNode.length; v++) {
       if (this.vertexNode[v] !== node) {

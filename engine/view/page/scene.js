@@ -70,9 +70,10 @@ export class Scene {
     if (!run.frames) return;
     run.pose(time);
     this.drawBodies(colours.at(run.now.frame, time), colours.cellsAt(run.now.frame), theme);
-    if (this.show.start) this.drawStart(theme);
+    if (run.mode) this.drawStood(theme);
+    else if (this.show.start) this.drawStart(theme);
     if (this.show.cracks) this.drawCracks(time, theme);
-    if (this.show.forces) this.drawForces(theme);
+    if (this.show.forces && !run.mode) this.drawForces(theme);
     if (this.show.bearings) this.drawBearings(theme, selection);
     if (this.show.names) this.drawNames(theme);
     if (selection) this.drawSelection(selection, theme);
@@ -128,14 +129,25 @@ export class Scene {
     c.globalAlpha = 1;
   }
 
-  drawStart(theme) {
+  /** What swings in a mode, as it stood. */
+  drawStood(theme) {
+    const { run } = this, swing = run.mode.share;
+    run.mode.share = 0;
+    run.poseMode();
+    const x = run.pointX.slice(), y = run.pointY.slice();
+    run.mode.share = swing;
+    run.poseMode();
+    this.drawStart(theme, x, y);
+  }
+
+  drawStart(theme, xs = this.startX, ys = this.startY) {
     const { context: c } = this;
     c.strokeStyle = theme.ghost;
     c.lineWidth = 1;
     c.setLineDash([4, 3]);
     for (const body of this.order) {
       if (!body.free || !this.run.isThere(body)) continue;
-      this.outline(body, this.startX, this.startY);
+      this.outline(body, xs, ys);
       c.stroke();
     }
     c.setLineDash([]);

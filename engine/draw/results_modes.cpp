@@ -1,0 +1,89 @@
+#include "draw/results_modes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace trilith::draw {
+
+using results::Frame;
+using results::Header;
+using results::ModeRow;
+
+namespace {
+
+/// Largest displacement in the picture, as a share of the structure's size; largest turn [rad].
+constexpr double shown_share = 0.06, most_shown_turn = 0.5;
+
+/// The nodes where they stood, moved by `scale` times the mode.
+Frame moved(const Header& header, const ModeRow& mode, double scale) {
+  Frame frame;
+  frame.time = mode.time;
+  frame.position = mode.position, frame.rotation = mode.rotation;
+  for (std::size_t i = 0; i < frame.position.size(); ++i) frame.position[i] += scale * mode.displacement[i];
+  for (std::size_t i = 0; i < header.node_count(); ++i) frame.rotation[i] += scale * mode.turn[i];
+  return frame;
+}
+
+/// Diagonal of the box around what is free to move [m].
+double size_of_free(const Scene& scene) {
+  Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);
+  for (const SceneBody& body : scene.bodies)
+    if (body.role == BodyRole::free)
+      for (const Vec2& p : body.outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return (high - low).norm();
+}
+
+std::string mode_text(const ModeRow& mode) {
+  if (!(mode.frequency > 0)) return "does not swing";
+  return fmt::format("{:.4g} Hz, damping {:.2g} %", mode.frequency, 100 * mode.damping);
+}
+
+}  // namespace
+
+std::vector<ModeRow> modes_found(const results::ResultsReader& reader, double time) {
+  std::vector<ModeRow> all = reader.modes();
+  if (all.empty())
+    throw InputError(
+        fmt::format("'{}' has no modes; have the script find them with m:modes() and record with m:results",
+                    reader.path().string()));
+  int last = -1;
+  for (const ModeRow& mode : all)
+    if (mode.time <= time) last = mode.analysis;
+  if (last < 0)
+    throw InputError(fmt::format("'{}' has no modes of {:g} s or before; the first were found at {:g} s",
+                                 reader.path().string(), time, all.front().time));
+  std::erase_if(all, [&](const ModeRow& mode) { return mode.analysis != last; });
+  return all;
+}
+
+double mode_scale(const Header& header, const ModeRow& mode) {
+  const double size = size_of_free(plain_scene(header, moved(header, mode, 0)));
+  double most = 0, turn = 0;
+  for (std::size_t v = 0; v < header.vertex_node.size(); ++v) {
+    const auto n = static_cast<std::size_t>(header.vertex_node[v]);
+    const Vec2 arm = Turn(mode.rotation[n]).apply(Vec2(header.vertices[2 * v], header.vertices[2 * v + 1]));
+    const Vec2 way = Vec2(mode.displacement[2 * n], mode.displacement[2 * n + 1]) + cross(mode.turn[n], arm);
+    most = std::max(most, way.norm()), turn = std::max(turn, std::abs(mode.turn[n]));
+  }
+  const double by_way = most > 0 ? shown_share * size / most : 1;
+  return turn * by_way > most_shown_turn ? most_shown_turn / turn : by_way;
+}
+
+Scene mode_scene(const Header& header, const ModeRow& mode, double magnify) {
+  const Scene stood = plain_scene(header, moved(header, mode, 0));
+  const double scale = magnify * mode_scale(header, mode);
+  Scene scene = plain_scene(header, moved(header, mode, scale));
+  scene.title = fmt::format("mode {}", mode.number);
+  scene.time = mode.time;
+  scene.stage = mode_text(mode);
+  for (const SceneBody& body : stood.bodies)
+    if (body.role == BodyRole::free) scene.ghosts.push_back(body.outline);
+  scene.ghost_label = "as it stood";
+  return scene;
+}
+
+}  // namespace trilith::draw

@@ -1,0 +1,21 @@
+// Pictures of natural modes that a run has found.
+#pragma once
+
+#include <limits>
+
+#include "draw/results_picture.hpp"
+
+namespace trilith::draw {
+
+/// The modes that were found at once, the last ones before or at `time` [s]. Throws InputError where there are none.
+std::vector<results::ModeRow> modes_found(const results::ResultsReader& reader,
+                                          double time = std::numeric_limits<double>::infinity());
+
+/// What a mode is multiplied by for a picture [m sqrt(kg)]: its largest displacement of an outline is then 6 % of the
+/// structure's size, and less where a body would turn by more than half a radian.
+double mode_scale(const results::Header& header, const results::ModeRow& mode);
+
+/// The structure in a mode, `magnify` times mode_scale(), over its outline as it stood when the mode was found.
+Scene mode_scene(const results::Header& header, const results::ModeRow& mode, double magnify = 1);
+
+}  // namespace trilith::draw

@@ -1,0 +1,56 @@
+#include "view/modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/results_modes.hpp"
+
+namespace trilith::view {
+namespace {
+
+/// A page does not hold more; the last ones.
+constexpr std::size_t most_modes = 40;
+/// Of the largest number in a block.
+constexpr double mode_parts = 1e5;
+
+ViewBlock mode_block(const char* name, std::size_t columns, const std::vector<std::vector<double>>& rows) {
+  double largest = 0;
+  for (const auto& row : rows)
+    for (const double v : row) largest = std::max(largest, std::abs(v));
+  ViewBlock block{name, columns, largest > 0 ? largest / mode_parts : 1, {}};
+  for (const auto& row : rows)
+    for (const double v : row) block.values.push_back(quantised(v, block.quantum));
+  return block;
+}
+
+std::vector<double> times(double scale, std::vector<double> values) {
+  for (double& v : values) v *= scale;
+  return values;
+}
+
+}  // namespace
+
+void write_modes(const results::ResultsReader& reader, JsonText& json, std::vector<ViewBlock>& blocks) {
+  const results::Header& header = reader.header();
+  std::vector<results::ModeRow> modes;
+  if (header.dim == 2) modes = reader.modes();
+  if (modes.size() > most_modes) modes.erase(modes.begin(), modes.end() - most_modes);
+  std::vector<std::vector<double>> position, rotation, displacement, turn;
+  json.key("modes").begin_list();
+  for (const results::ModeRow& m : modes) {
+    json.begin_object().number("number", m.number).number("time", m.time).number("frequency", m.frequency);
+    json.number("damping", m.damping).end();
+    const double scale = draw::mode_scale(header, m);
+    position.push_back(m.position), rotation.push_back(m.rotation);
+    displacement.push_back(times(scale, m.displacement)), turn.push_back(times(scale, m.turn));
+  }
+  json.end();
+  if (modes.empty()) return;
+  const std::size_t nodes = header.node_count();
+  blocks.push_back(mode_block("mode_position", 2 * nodes, position));
+  blocks.push_back(mode_block("mode_rotation", nodes, rotation));
+  blocks.push_back(mode_block("mode_displacement", 2 * nodes, displacement));
+  blocks.push_back(mode_block("mode_turn", nodes, turn));
+}
+
+}  // namespace trilith::view

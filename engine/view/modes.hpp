@@ -1,0 +1,15 @@
+// Private to view/: natural modes of a results file, for the page to play.
+#pragma once
+
+#include "results/reader.hpp"
+#include "view/bytes.hpp"
+#include "view/json_text.hpp"
+
+namespace trilith::view {
+
+/// Blocks of M modes and N nodes of a model in the plane: mode_position [M, 2 N] and mode_rotation [M, N], where the
+/// nodes stood; mode_displacement [M, 2 N] and mode_turn [M, N], how they move, as large as a picture shows them. What
+/// each mode is goes to `json` under "modes".
+void write_modes(const results::ResultsReader& reader, JsonText& json, std::vector<ViewBlock>& blocks);
+
+}  // namespace trilith::view
