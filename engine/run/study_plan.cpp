@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/normal_distribution.hpp"
 #include "base/portable.hpp"
 
 namespace trilith {
@@ -58,32 +58,6 @@ class Random {
  private:
   std::uint64_t state_;
 };
-
-/// How probably a standard normal variable stays below `x`: G. Marsaglia, "Evaluating the normal distribution", Journal
-/// of Statistical Software 11, 2004; in the tails Laplace's continued fraction.
-double normal_share(double x) {
-  const double density = portable::exp(-0.5 * x * x) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
-  if (std::abs(x) < 3) {
-    // Phi(x) = 1/2 + density (x + x^3/3 + x^5/(3 5) + ...).
-    double sum = x, term = x;
-    for (int n = 3; n < 200; n += 2) term *= x * x / n, sum += term;
-    return 0.5 + density * sum;
-  }
-  // density / (x + 1/(x + 2/(x + ...))), from the inside out.
-  double beyond = std::abs(x);
-  for (int n = 100; n > 0; --n) beyond = std::abs(x) + n / beyond;
-  return x < 0 ? density / beyond : 1 - density / beyond;
-}
-
-/// The number below which a standard normal variable stays with probability `p`, by bisection.
-double normal_quantile(double p) {
-  double low = -9, high = 9;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    (normal_share(middle) < p ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
 
 double quantile(const StudySpread& s, double p) {
   switch (s.kind) {
