@@ -47,17 +47,26 @@ struct NamedResults {
   std::string name;
 };
 
+/// The part of a run that is plotted [s]: from `from` to `to`, counted from the beginning of `stage` where that is
+/// named, else from the start of the run. Within a stage its own end is the last moment.
+struct PlotWindow {
+  std::string stage = {};
+  std::optional<double> from = std::nullopt, to = std::nullopt;
+};
+
 /// One panel for each unit among the histories `names` (every history of the first file where empty), each result a
-/// line. Throws InputError where a file does not have a history (with the nearest name) or has no samples.
-Chart history_chart(const std::vector<NamedResults>& results, const std::vector<std::string>& names);
+/// line over time or, where `against` is the name of a history, over that: the loop of a bearing, a capacity curve.
+/// Throws InputError where a file does not have a history (with the nearest name) or no samples in the window.
+Chart history_chart(const std::vector<NamedResults>& results, const std::vector<std::string>& names,
+                    const PlotWindow& window = {}, const std::string& against = {});
 
 /// The ledger: terms that hold or have taken up energy on each other, and as a line over them what ground, loads,
 /// falling weight and start have put in. Terms below a hundredth of the largest are one. Throws InputError where the
 /// file has no energy.
-Chart results_energy_chart(const NamedResults& result, EnergyView view);
+Chart results_energy_chart(const NamedResults& result, EnergyView view, const PlotWindow& window = {});
 
 /// Stages and the events that change the structure (bearings and bonds lost, seats lost, impacts) as marks; where there
-/// are too many of one kind, one of it: the fastest impact, else the first.
-std::vector<ChartMark> event_marks(const results::ResultsReader& reader);
+/// are too many of one kind, one of it: the fastest impact, else the first. Those of the window, in its time.
+std::vector<ChartMark> event_marks(const results::ResultsReader& reader, const PlotWindow& window = {});
 
 }  // namespace trilith::draw

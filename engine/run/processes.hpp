@@ -1,4 +1,5 @@
-// Runs commands as processes of their own, so many at a time, until all have ended or the caller wants no more.
+// Runs commands, or functions, as processes of their own, so many at a time, until all have ended or the caller wants
+// no more.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +12,7 @@ namespace trilith {
 
 struct ProcessOrder {
   std::vector<std::string> command;   ///< program and arguments
+  std::function<int()> here;          ///< or what a process that parts from this one does; gives its exit code
   std::filesystem::path out, errors;  ///< files for what it writes, made anew
 };
 

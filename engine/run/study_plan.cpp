@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -115,6 +116,40 @@ std::string StudyPlan::label(std::size_t index) const {
 const std::vector<std::string>& study_columns() {
   static const std::vector<std::string> names{"case", "status", "exit", "seconds", "message", "folder"};
   return names;
+}
+
+void require_rising(const StudyPlan& plan, const std::string& parameter) {
+  const auto found = std::find(plan.names.begin(), plan.names.end(), parameter);
+  if (found == plan.names.end())
+    throw InputError(fmt::format("study: there is no parameter '{}' to rise over; there are {}", parameter,
+                                 fmt::join(plan.names, ", ")));
+  const std::size_t k = static_cast<std::size_t>(found - plan.names.begin());
+  for (const auto& row : plan.cases)
+    if (!std::holds_alternative<double>(row[k]))
+      throw InputError(
+          fmt::format("study: '{}' is to rise, but its value '{}' is no number", parameter, text_of(row[k])));
+}
+
+std::vector<std::vector<std::size_t>> rising_levels(const StudyPlan& plan, const std::string& parameter) {
+  const auto k =
+      static_cast<std::size_t>(std::find(plan.names.begin(), plan.names.end(), parameter) - plan.names.begin());
+  std::map<double, std::vector<std::size_t>> levels;
+  for (std::size_t i = 0; i < plan.cases.size(); ++i) levels[std::get<double>(plan.cases[i][k])].push_back(i);
+  std::vector<std::vector<std::size_t>> out;
+  for (auto& [value, cases] : levels) out.push_back(std::move(cases));
+  return out;
+}
+
+bool is_below(const StudyPlan& plan, const std::string& parameter, std::size_t low, std::size_t high) {
+  bool below = false;
+  for (std::size_t k = 0; k < plan.names.size(); ++k) {
+    const StudyValue &a = plan.cases[low][k], &b = plan.cases[high][k];
+    if (plan.names[k] == parameter)
+      below = std::get<double>(a) < std::get<double>(b);
+    else if (a != b)
+      return false;
+  }
+  return below;
 }
 
 StudyPlan product_plan(const std::vector<StudyParameter>& parameters) {

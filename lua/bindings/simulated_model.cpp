@@ -87,7 +87,6 @@ void make_folder_of(const std::filesystem::path& file) {
 template <int D>
 void SimulatedModel<D>::begin_recording(Host& host) {
   if (recording_begun_) return;
-  recording_begun_ = true;
   if (!host.results_file.empty()) {
     if (!results) results.emplace();
     results->file = std::exchange(host.results_file, "");
@@ -95,6 +94,7 @@ void SimulatedModel<D>::begin_recording(Host& host) {
     make_folder_of(results->file);
   }
   if (!results) return;
+  recording_begun_ = true;
   if (!host.case_folder.empty())
     results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
   open_recording(host);
