@@ -12,8 +12,9 @@ namespace trilith {
 
 struct ProcessOrder {
   std::vector<std::string> command;   ///< program and arguments
-  std::function<int()> here;          ///< or what a process that parts from this one does; gives its exit code
   std::filesystem::path out, errors;  ///< files for what it writes, made anew
+  /// Instead of a command: what a process that parts from this one does; gives its exit code.
+  std::function<int()> here = nullptr;
 };
 
 struct ProcessEnd {

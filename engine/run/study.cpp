@@ -157,7 +157,7 @@ class StudyRun {
     std::vector<ProcessOrder> orders;
     for (const std::size_t i : wanted) {
       const std::filesystem::path& folder = outcomes_[i].folder;
-      orders.push_back({{}, {}, folder / "log.txt", folder / "errors.txt"});
+      orders.push_back({{}, folder / "log.txt", folder / "errors.txt"});
       if (order_.run_here)
         orders.back().here = [this, i] { return order_.run_here(i, outcomes_[i].folder); };
       else
