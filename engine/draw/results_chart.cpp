@@ -42,7 +42,8 @@ std::string quantity_of(const Quantity& history) {
 /// What an axis of this history alone is called: "slab 3, displacement along x".
 std::string label_of(const Quantity& history) {
   const std::string quantity = quantity_of(history);
-  return quantity.empty() || quantity == history.name ? history.name : history.name + ", " + quantity;
+  if (quantity.find(history.name) != std::string::npos) return quantity;
+  return quantity.empty() ? history.name : history.name + ", " + quantity;
 }
 
 /// What an axis of several is called: the quantity they share, else nothing; the legend tells them apart.

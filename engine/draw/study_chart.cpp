@@ -97,7 +97,7 @@ ChartPanel& panel_of_unit(Chart& chart, const StudyColumn& figure) {
   for (ChartPanel& panel : chart.panels)
     if (panel.y.unit == (results::is_flag(figure) ? "" : figure.unit)) return panel;
   if (results::is_flag(figure)) {
-    chart.panels.push_back({{"share of the cases, 95 %", "", AxisScale::linear, 0.0, 1.0}, {}});
+    chart.panels.push_back({{"share of the cases, 95 %", "", AxisScale::linear, -0.04, 1.04}, {}});
   } else {
     chart.panels.push_back({{"median, 16 to 84 %, range", figure.unit}, {}});
   }
@@ -118,10 +118,12 @@ std::vector<double> curve_places(const results::StudyFragility& f) {
 ChartSeries ida_line(const results::RecordCases& record, const std::vector<double>& im, const std::vector<double>& edp,
                      const std::vector<results::Holds>& stopped, double beyond) {
   ChartSeries line{"records", {0}, {0}};
-  line.colour = palette().quiet_ink;
+  line.colour = palette().axis;
   for (const std::size_t row : record.rows) {
     if (stopped[row] == results::Holds::yes) {
-      line.x.push_back(beyond), line.y.push_back(im[row]);
+      const double between = 0.5 * (line.y.back() + im[row]);  // where its capacity lies, as far as is known
+      line.x.push_back(line.x.back()), line.y.push_back(between);
+      line.x.push_back(beyond), line.y.push_back(between);
       break;
     }
     if (std::isfinite(edp[row])) line.x.push_back(edp[row]), line.y.push_back(im[row]);
@@ -167,6 +169,11 @@ Chart study_chart(const std::vector<StudyColumn>& columns, const std::string& ov
   chart.x = {x.name, results::is_flag(x) ? "" : x.unit, AxisScale::linear};
   chart.x.words = places.words;
   if (places.words.empty()) chart.x.scale = scale_of(places.x);
+  if (places.words.empty() && chart.x.scale == AxisScale::linear) {
+    const auto [low, high] = std::minmax_element(places.x.begin(), places.x.end());
+    const double room = 0.04 * (*high - *low);
+    if (room > 0) chart.x.low = *low == 0 ? 0 : *low - room, chart.x.high = *high + room;
+  }
   for (const std::string& name : figures.empty() ? names.figures : figures) {
     const StudyColumn& figure = results::study_column(columns, name, names.figures, "figure");
     if (figures.empty() && !is_number_column(figure)) continue;
@@ -183,7 +190,7 @@ Chart fragility_chart(const results::StudyFragility& f, const std::string& condi
   chart.subtitle = fragility_text(f);
   chart.x = {f.intensity, f.unit};
   chart.x.low = 0;
-  ChartPanel panel{{fmt::format("probability of: {}", condition), "", AxisScale::linear, 0.0, 1.0}, {}};
+  ChartPanel panel{{fmt::format("probability of '{}'", condition), "", AxisScale::linear, -0.04, 1.04}, {}};
   ChartSeries curve{"lognormal curve", curve_places(f), {}}, band{"its band of 95 %", curve.x, {}};
   for (const double x : curve.x) {
     const results::Confidence c = f.curve.band(x);

@@ -24,8 +24,9 @@ Chart fragility_chart(const results::StudyFragility& fragility, const std::strin
 
 /// Incremental dynamic analysis (D. Vamvatsikos and C. A. Cornell, Earthquake Engineering and Structural Dynamics 31,
 /// 2002): intensity `over` over the response `figure`, a line for each record, and the intensity's 16, 50 and 84 %
-/// lines of the response. `stop` not "": a condition; where it holds the response is without bound and the record's
-/// line goes on level to the edge. Throws InputError as study_fragility.
+/// lines of the response. `stop` not "": a condition; where it holds the response is without bound, and the record's
+/// line goes on level to the edge, half-way between the intensities that it stood and that brought it down. Throws
+/// InputError as study_fragility.
 Chart ida_chart(const std::vector<results::StudyColumn>& columns, const std::string& figure, const std::string& over,
                 const std::string& stop);
 

@@ -133,6 +133,12 @@ std::string study_probability_text(const std::vector<StudyColumn>& columns, cons
   std::string text;
   for (const std::string& value : order)
     text += fmt::format("{} {}, {}: {}\n", with_unit(x), value, condition, probability_words(tallies[value]));
+  const StudyColumn* status = column_if(columns, "status");
+  int passed = 0;
+  for (std::size_t i = 0; status != nullptr && i < holds.size(); ++i)
+    passed += study_text(*status, i) == "passed over" ? 1 : 0;
+  if (passed > 0)
+    text += fmt::format("not counted: {} cases that were passed over; trilith plot --fragility counts them\n", passed);
   return text;
 }
 
