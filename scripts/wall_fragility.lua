@@ -10,7 +10,7 @@ local trilith = require "trilith"
 local p = trilith.params {
   out = { "out/wall_fragility.h5", "the table" }, motions = { 20, "turned components" },
   levels = { 8, "of acceleration" }, step = { 0.15, "between the levels, in g" },
-  duration = { 12, unit = "s", "of the shaking" }, tension = { 2e4, unit = "Pa", "strength of the mortar" } }
+  duration = { 8, unit = "s", "of the shaking" }, tension = { 2e4, unit = "Pa", "strength of the mortar" } }
 local motions, levels = {}, {}
 for k = 1, p.motions do motions[k] = k end
 for k = 1, p.levels do levels[k] = k*p.step end

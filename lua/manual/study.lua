@@ -10,7 +10,7 @@ cases       list?        or these cases
 samples     table?       or a sample of spreads, with count and seed
 count       integer?     cases of the sample
 seed        integer?     of the sample
-histories   table?       figures from histories: names give the largest absolute value; or name = last, max, min, largest
-ida         table?       { over = parameter, stop = flag }: values of over from the lowest up, those beyond stop left out
+histories   table?       figures from histories: names: largest absolute value; or name = last, max, min, largest
+ida         table?       { over = parameter, stop = flag }: from its lowest value up, until the flag is true
 jobs        integer?     cases at a time]], gives = "table", unread = true },
 }
