@@ -23,15 +23,16 @@ struct SceneChoice {
   double magnify = 1;       ///< displacements since the start times this, without contact forces
   std::string colour = {};  ///< bodies coloured by one of colour_names(); "" as "group"
   ViewDirection from = {};  ///< of a model in space: from where it is seen
+  double zero = 0;          ///< times in the caption count from here [s]
   std::optional<CutPlane> cut = std::nullopt;  ///< of a model in space: what is on the eye's side of it is left out
 };
 
 /// What bodies can be coloured by: group, displacement (of the node since the start), speed.
 const std::vector<std::string>& colour_names();
 
-/// The structure, in the plane or in space, at `time` [s], titled by its stage, with how long that had run, and the
-/// latest event of note. Throws InputError for a time outside the frames (half a frame's spacing is allowed),
-/// ResultsError for a file without frames.
+/// The structure, in the plane or in space, at `time` [s], titled by its stage, and the
+/// latest event of note where that was within the last second of the same stage. Throws InputError for a time outside
+/// the frames (half a frame's spacing is allowed), ResultsError for a file without frames.
 Scene results_scene(const results::ResultsReader& reader, double time, const SceneChoice& choice = {});
 
 /// Row of the first stage called `name`; throws InputError with the nearest name where there is none.
