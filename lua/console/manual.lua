@@ -123,7 +123,7 @@ local function add_events(manual, page)
     local doc = sentences[event.name] or error("manual: nothing is said of the event '" .. event.name .. "'", 0)
     if event.place then doc = doc .. "; x, y: where" end
     if event.mode then doc = doc .. "; mode: tension, shear or compression" end
-    manual.add { name = event.name, owner = "event type", member = event.name, unit = event.unit,
+    manual.add { name = ('event "%s"'):format(event.name), owner = "event type", member = event.name, unit = event.unit,
       doc = doc, type = event.value ~= "" and event.value or "no value", is_field = true, is_row = true, args = {},
       keys = {}, with = {}, page = page.name }
   end
@@ -178,7 +178,9 @@ console.kind_names = kind_names
 --- Entries that `text` names: "m.consolidate" where m is a handle, "model:run", "trilith.build.wall", "run".
 function console.entries_named(text, value_of)
   local manual = console.manual()
-  if manual.by_name[text] then return { manual.by_name[text] } end
+  local event = manual.by_name[('event "%s"'):format(text)]
+  if manual.by_name[text] then return { manual.by_name[text], event } end
+  if event then return { event } end
   local first, rest = text:match "^([%a_][%w_]*)[.:](.+)$"
   local kind = first and value_of and core.kind_of(value_of(first))
   if kind then
