@@ -131,8 +131,9 @@ std::string study_probability_text(const std::vector<StudyColumn>& columns, cons
     tallies[value].add(holds[i]);
   }
   std::string text;
+  const std::string unit = x.unit.empty() || x.unit == "1" || is_flag(x) ? "" : " " + x.unit;
   for (const std::string& value : order)
-    text += fmt::format("{} {}, {}: {}\n", with_unit(x), value, condition, probability_words(tallies[value]));
+    text += fmt::format("{} {}{}, {}: {}\n", x.name, value, unit, condition, probability_words(tallies[value]));
   const StudyColumn* status = column_if(columns, "status");
   int passed = 0;
   for (std::size_t i = 0; status != nullptr && i < holds.size(); ++i)

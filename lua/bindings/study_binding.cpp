@@ -221,6 +221,7 @@ int study(lua_State* L) {
     throw InputError(script_is_done);
   }
   if (wanted.has_before) {
+    h.threads = 1;  // a process that parts from this one takes none of its threads along
     order.prepare = [L] { make_state(L); };
     order.run_here = [L, &h, &order](std::size_t i, const std::filesystem::path& folder) {
       return run_parted_case(L, h, order.plan, i, folder);

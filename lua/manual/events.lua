@@ -21,5 +21,9 @@ body.passed         a body was found in another; the run is not to be trusted fr
 element.overstrained  an element went beyond the strain its law holds for
 stage.diverged      a stage broke off; value: until when it may be trusted; text: why
 stage.unsettled     a consolidation did not come to rest; value: the unbalanced force left
+body.added          a body came, new or back
+body.removed        a body was taken away; value: how fast it was
+bearing.added       a bearing came, new or back
+bearing.removed     a bearing was taken away
 integrator.changed  time is stepped by the other integrator from here; value: its step]],
 }
