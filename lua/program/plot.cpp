@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/terminal_text.hpp"
 #include "draw/results_picture.hpp"
 #include "draw/study_chart.hpp"
 #include "newer_run.hpp"
@@ -78,7 +79,7 @@ draw::Chart chart_of_study(const PlotOptions& options, const std::vector<results
   if (options.fragility.empty()) return draw::study_chart(columns, options.over, options.names);
   const results::StudyFragility f =
       results::study_fragility(columns, options.fragility, intensity_of(options, columns));
-  fmt::print("{} over {}: {}\n", options.fragility, f.intensity, fragility_text(f));
+  fmt::print("{}\n", terminal_text(fmt::format("{} over {}: {}", options.fragility, f.intensity, fragility_text(f))));
   return draw::fragility_chart(f, options.fragility);
 }
 
