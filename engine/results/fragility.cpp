@@ -56,11 +56,12 @@ std::vector<LogBounds> logs_of(const std::vector<CapacityBounds>& bounds) {
   std::vector<LogBounds> logs;
   for (const CapacityBounds& one : bounds) {
     if (!(one.low >= 0 && one.low < one.high))
-      throw InputError(fmt::format("fragility: a capacity between {:g} and {:g}; the first must not be below 0, the "
-                                   "second above it",
-                                   one.low, one.high));
-    logs.push_back({one.low > 0 ? portable::log(one.low) : -forever,
-                    std::isfinite(one.high) ? portable::log(one.high) : forever});
+      throw InputError(
+          fmt::format("fragility: a capacity between {:g} and {:g}; the first must not be below 0, the "
+                      "second above it",
+                      one.low, one.high));
+    logs.push_back(
+        {one.low > 0 ? portable::log(one.low) : -forever, std::isfinite(one.high) ? portable::log(one.high) : forever});
   }
   // A bound from 0 to infinity says nothing.
   std::erase_if(logs, [](const LogBounds& l) { return !std::isfinite(l.low) && !std::isfinite(l.high); });
@@ -136,7 +137,8 @@ Fragility fit_fragility(const std::vector<CapacityBounds>& bounds) {
     now = next;
     if (std::abs(step_a) < 1e-12 * (1 + std::abs(f.a)) && std::abs(step_b) < 1e-12 * (1 + std::abs(f.b))) break;
   }
-  if (!(f.b > 1e-6)) throw InputError("fragility: it does not happen more often at higher intensities; look at the table");
+  if (!(f.b > 1e-6))
+    throw InputError("fragility: it does not happen more often at higher intensities; look at the table");
   const double det = now.aa * now.bb - now.ab * now.ab;
   f.var_a = -now.bb / det, f.var_b = -now.aa / det, f.cov_ab = now.ab / det;
   f.log_likelihood = now.value;

@@ -65,7 +65,8 @@ Spread spread_of(const std::vector<double>& values) {
   Spread s;
   s.count = static_cast<int>(known.size());
   s.mean = mean_of(known), s.low = known.front(), s.high = known.back();
-  s.median = sorted_quantile(known, 0.5), s.lower = sorted_quantile(known, 0.16), s.upper = sorted_quantile(known, 0.84);
+  s.median = sorted_quantile(known, 0.5), s.lower = sorted_quantile(known, 0.16),
+  s.upper = sorted_quantile(known, 0.84);
   s.deviation = deviation_of(known), s.dispersion = dispersion_of(known);
   return s;
 }

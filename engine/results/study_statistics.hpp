@@ -10,9 +10,9 @@ struct Confidence {
   double low = 0, high = 1;
 };
 
-/// Wilson's score interval of a probability of which `count` trials showed `hits`: E. B. Wilson, Journal of the American
-/// Statistical Association 22, 1927. It never leaves 0 to 1, and with no hit it still says how much is possible.
-/// `count` 0: 0 to 1. `confidence` above 0 and below 1.
+/// Wilson's score interval of a probability of which `count` trials showed `hits`: E. B. Wilson, Journal of the
+/// American Statistical Association 22, 1927. It never leaves 0 to 1, and with no hit it still says how much is
+/// possible. `count` 0: 0 to 1. `confidence` above 0 and below 1.
 Confidence wilson_interval(int hits, int count, double confidence = 0.95);
 
 /// The value below which the share `p` of `values` lies, linear between the sorted ones (type 7 of R. J. Hyndman and
@@ -24,7 +24,7 @@ struct Spread {
   int count = 0;
   double mean = 0, low = 0, high = 0;
   double median = 0, lower = 0, upper = 0;  ///< 50, 16 and 84 %: one standard deviation, were it a normal distribution
-  double deviation = 0;   ///< standard deviation, with count - 1; NaN for one value
+  double deviation = 0;                     ///< standard deviation, with count - 1; NaN for one value
   double dispersion = 0;  ///< standard deviation of the natural logarithm; NaN where a value is not above 0
 };
 Spread spread_of(const std::vector<double>& values);

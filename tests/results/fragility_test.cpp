@@ -78,7 +78,7 @@ TEST_CASE("no other lognormal curve is likelier than the fitted one, for stripes
   std::vector<CapacityBounds> stripes;
   int hits[] = {0, 1, 1, 4, 6, 7, 9, 10};
   for (int i = 0; i < 8; ++i) add_stripe(stripes, 0.1 * (i + 1), hits[i], 10);
-  const std::vector<CapacityBounds> records{{0.2, 0.3}, {0.4, 0.5}, {0.4, 0.5}, {0.5, 0.6},
+  const std::vector<CapacityBounds> records{{0.2, 0.3}, {0.4, 0.5}, {0.4, 0.5},     {0.5, 0.6},
                                             {0.7, 0.8}, {0.3, 0.4}, {0.8, forever}, {0, 0.2}};
   for (const auto& bounds : {stripes, records}) {
     const Fragility f = fit_fragility(bounds);
