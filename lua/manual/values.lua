@@ -37,7 +37,7 @@ u0            number m = 0       displacement at the start
 velocity      number m/s?        instead of samples: a steady velocity
 duration      number s?          of the steady velocity
 allow_drift   flag = false       it need not come to rest
-name          text?              what messages call it]], gives = "motion", beside = { duration = true } },
+name          text?              what messages call it]], gives = "motion", beside = { duration = true, unit = true } },
   { "trilith.ramp", "A motion from rest to rest, smoothly: for supports that are moved.", keys = [[
 by        number           how far: m, or rad of a rotation
 duration  number s         how long]], gives = "motion" },
