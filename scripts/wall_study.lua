@@ -17,7 +17,7 @@ local by = {}
 for _, row in ipairs(study.rows) do
   if row.status == "finished" then
     local sum = by[row.tension] or { n = 0, down = 0, apart = { 0, 0, 0 } }
-    by[row.tension], sum.n, sum.down = sum, sum.n + 1, sum.down + (row.collapsed ~= 0 and 1 or 0)
+    by[row.tension], sum.n, sum.down = sum, sum.n + 1, sum.down + (row.collapsed and 1 or 0)
     for k = 1, 3 do sum.apart[k] = sum.apart[k] + row["apart " .. k] end
   end
 end

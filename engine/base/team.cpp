@@ -32,7 +32,7 @@ int threads_here() {
 
 /// Threads take one stretch after the other as they come free: one that the machine holds up delays no more than the
 /// stretch it is at, where a fixed share for each would make all others wait.
-void detail::share_stretches(int threads, int count, int stretch, StretchCall call, void* f) {
+void share_stretches(int threads, int count, int stretch, StretchCall call, void* f) {
   const int stretches = (count + stretch - 1) / stretch;
   arena_of(std::min(threads, most_threads)).execute([&] {
     tbb::parallel_for(
@@ -48,7 +48,7 @@ void detail::share_stretches(int threads, int count, int stretch, StretchCall ca
 
 /// A pipeline of three: the next stretch, what is done to it, and what comes after that in order. A stretch that is
 /// done before its turn waits in its slot; who comes to its turn takes up those that wait.
-void detail::share_in_order(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both) {
+void share_slots(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both) {
   const int stretches = (count + stretch - 1) / stretch, slots = stretches_under_way(std::min(threads, most_threads));
   const auto pass = [&](SlotCall to, int s) {
     to(both, s * stretch, std::min(count, (s + 1) * stretch), tbb::this_task_arena::current_thread_index(), s % slots);

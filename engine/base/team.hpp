@@ -11,12 +11,11 @@ inline constexpr int most_threads = 64;
 /// How many threads the machine has for this process, at most most_threads.
 int threads_here();
 
-namespace detail {
+// What the two loops below come to behind their templates.
 using StretchCall = void (*)(void* f, int first, int last, int thread);
 void share_stretches(int threads, int count, int stretch, StretchCall call, void* f);
 using SlotCall = void (*)(void* f, int first, int last, int thread, int slot);
-void share_in_order(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both);
-}  // namespace detail
+void share_slots(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both);
 
 /// Calls f(first, last, thread) for stretches [first, last) that together are [0, count), each of `stretch` items but
 /// the last; `thread`, from 0 to threads - 1, is that of the calling thread, for room of its own. In any order and at
@@ -31,7 +30,7 @@ void share(int threads, int count, int stretch, F&& f) {
   const auto call = [](void* body, int first, int last, int thread) {
     (*static_cast<Body*>(body))(first, last, thread);
   };
-  detail::share_stretches(threads, count, stretch, call, const_cast<void*>(static_cast<const void*>(&f)));
+  share_stretches(threads, count, stretch, call, const_cast<void*>(static_cast<const void*>(&f)));
 }
 
 /// Stretches that are worked on, or wait for their turn, at the same time.
@@ -57,7 +56,7 @@ void share_in_order(int threads, int count, int stretch, F&& f, G&& then) {
     std::remove_reference_t<F>* f;
     std::remove_reference_t<G>* then;
   } both{&f, &then};
-  detail::share_in_order(
+  share_slots(
       threads, count, stretch,
       [](void* b, int first, int last, int thread, int slot) {
         (*static_cast<Both*>(b)->f)(first, last, thread, slot);

@@ -71,7 +71,9 @@ ValueRange y_range(const ChartPanel& panel, const PlotAxis& x) {
     for (std::size_t i = 0; i < series.y.size(); ++i) {
       if (!x.can_show(series.x[i]) || !probe.can_show(series.y[i])) continue;
       all.add(series.y[i]);
-      if (series.x[i] >= x.low && series.x[i] <= x.high) range.add(series.y[i]);
+      if (series.x[i] < x.low || series.x[i] > x.high) continue;
+      range.add(series.y[i]);
+      if (!series.to.empty() && probe.can_show(series.to[i])) range.add(series.to[i]);
     }
   }
   return range.any ? range : all;
@@ -206,13 +208,15 @@ std::vector<LegendItem> legend_items(const std::vector<Chart>& charts, const Ser
         const auto same = [&](const LegendItem& item) { return item.text == series.name; };
         if (series.name.empty() || std::any_of(items.begin(), items.end(), same)) continue;
         const Stroke stroke{looks.colour(series), 1.1, looks.dash(series)};
-        const bool stacked = series.stacked, points = series.points;
+        const bool stacked = series.stacked, points = series.points, joined = series.joined, band = !series.to.empty();
         items.push_back({18,
                          [=](Canvas& c, const PagePoint& at) {
                            const PageBox box{at.x() + 3, at.y() - 3.5, at.x() + 15, at.y() + 3.5};
-                           if (stacked)
+                           if (band)
+                             c.rectangle(box, blend(stroke.colour, palette().paper, 0.8), std::nullopt);
+                           else if (stacked)
                              c.rectangle(box, blend(stroke.colour, palette().paper, 0.45), Stroke{stroke.colour, 0.5});
-                           else
+                           else if (joined)
                              c.line(at, at + PagePoint(18, 0), stroke);
                            if (points) c.circle(at + PagePoint(9, 0), 1.7, palette().paper, Stroke{stroke.colour, 0.8});
                          },

@@ -19,6 +19,8 @@ struct ChartAxis {
   std::string unit;
   AxisScale scale = AxisScale::linear;
   std::optional<double> low = std::nullopt, high = std::nullopt;
+  /// Words instead of figures: value i stands for words[i], and the axis shows them all.
+  std::vector<std::string> words = {};
 };
 
 /// One line through (x[i], y[i]). Points that are not finite, or not above zero on a logarithmic axis, are gaps. Series
@@ -30,6 +32,9 @@ struct ChartSeries {
   bool points = false;                          ///< circles at the points (for short series)
   bool stacked = false;                         ///< filled, and laid on the sum of the panel's stacked series before it
   std::optional<Colour> colour = std::nullopt;  ///< else by order of first appearance of the name
+  bool joined = true;                           ///< a line through the points; false: the points alone
+  /// Not empty: a band between y and `to`, of as many values, painted below all lines.
+  std::vector<double> to = {};
 };
 
 /// A moment worth a vertical line, at `x` in the x axis' unit.

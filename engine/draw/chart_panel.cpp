@@ -29,6 +29,9 @@ void check_series(const ChartSeries& series, AxisScale x_scale, AxisScale y_scal
     throw InputError(
         fmt::format("{}: {} values of x and {} of y, must be as many", where, series.x.size(), series.y.size()));
   if (series.x.empty()) throw InputError(where + " has no points; leave it out or record it first");
+  if (!series.to.empty() && series.to.size() != series.y.size())
+    throw InputError(
+        fmt::format("{}: a band from {} values to {}, must be as many", where, series.y.size(), series.to.size()));
   for (std::size_t i = 0; i < series.x.size(); ++i)
     if (shows(series.x[i], x_scale) && shows(series.y[i], y_scale)) return;
   throw InputError(where + " has no point that can be drawn: all are not finite, or not above 0 on a logarithmic axis");
@@ -55,11 +58,13 @@ std::vector<std::vector<PagePoint>> page_lines(const ChartSeries& series, const 
 
 void draw_line(Canvas& canvas, const std::vector<PagePoint>& run, const ChartSeries& series, const Stroke& stroke) {
   // A lone point between gaps has no length; a dot keeps it visible.
-  if (run.size() == 1 && !series.points) canvas.circle(run[0], stroke.width, stroke.colour, std::nullopt);
+  if (run.size() == 1 && !series.points && series.joined)
+    canvas.circle(run[0], stroke.width, stroke.colour, std::nullopt);
   const std::vector<PagePoint> kept = decimate(run, column);
   // A shaking line needs a thinner pen than a smooth or short one.
   const bool dense = static_cast<double>(kept.size()) > 2 * std::abs(run.back().x() - run.front().x());
-  if (kept.size() > 1) canvas.polyline(kept, {stroke.colour, dense ? dense_width : stroke.width, stroke.dash});
+  if (kept.size() > 1 && series.joined)
+    canvas.polyline(kept, {stroke.colour, dense ? dense_width : stroke.width, stroke.dash});
   if (!series.points) return;
   for (const PagePoint& p : run) canvas.circle(p, 1.7, palette().paper, Stroke{stroke.colour, 0.8});
 }
@@ -73,14 +78,30 @@ void draw_filled(Canvas& canvas, std::vector<PagePoint> run, double base, const 
   if (run.size() > 1) canvas.polyline(run, {colour, 0.5});
 }
 
+/// The area between the two lines of a band, on the page.
+void draw_band(Canvas& canvas, const ChartSeries& series, const PanelDrawing& d, const Colour& colour) {
+  std::vector<PagePoint> there, back;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (!d.x->can_show(series.x[i]) || !d.y->can_show(series.y[i]) || !d.y->can_show(series.to[i])) continue;
+    const double x = d.box.x0 + d.x->share(series.x[i]) * d.box.width();
+    there.emplace_back(x, d.box.y1 - d.y->share(series.y[i]) * d.box.height());
+    back.emplace_back(x, d.box.y1 - d.y->share(series.to[i]) * d.box.height());
+  }
+  if (there.size() < 2) return;
+  there.insert(there.end(), back.rbegin(), back.rend());
+  canvas.polygon(std::move(there), blend(colour, palette().paper, 0.8), std::nullopt);
+}
+
 void draw_series(Canvas& canvas, const ChartPanel& panel, const PanelDrawing& d, const SeriesLooks& looks) {
+  for (const ChartSeries& series : panel.series)
+    if (!series.to.empty()) draw_band(canvas, series, d, looks.colour(series));
   const double base = d.box.y1 - (d.y->can_show(0) ? d.y->share(0) : 0) * d.box.height();
   // Each stacked area reaches down to zero, so the last sum is painted first.
   for (auto series = panel.series.rbegin(); series != panel.series.rend(); ++series)
     if (series->stacked)
       for (const auto& run : page_lines(*series, d)) draw_filled(canvas, run, base, looks.colour(*series));
   for (const ChartSeries& series : panel.series)
-    if (!series.stacked)
+    if (!series.stacked && series.to.empty())
       for (const auto& run : page_lines(series, d))
         draw_line(canvas, run, series, {looks.colour(series), line_width, looks.dash(series)});
 }

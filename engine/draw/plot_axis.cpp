@@ -80,10 +80,25 @@ void ValueRange::add(double value) {
   any = true;
 }
 
+namespace {
+
+/// An axis of words: each stands half a place from the next one's room.
+PlotAxis word_axis(const ChartAxis& axis) {
+  PlotAxis out;
+  out.low = -0.5, out.high = static_cast<double>(axis.words.size()) - 0.5;
+  for (std::size_t i = 0; i < axis.words.size(); ++i) out.ticks.push_back(static_cast<double>(i));
+  out.texts = axis.words;
+  out.title = axis_title(axis.label, axis.unit);
+  return out;
+}
+
+}  // namespace
+
 PlotAxis plot_axis(const ChartAxis& axis, const ValueRange& range, double margin, int most_ticks,
                    const std::string& where) {
   assert(range.any);
   check_ends(axis, where);
+  if (!axis.words.empty()) return word_axis(axis);
   PlotAxis out;
   out.scale = axis.scale;
   out.low = axis.low.value_or(range.low);

@@ -190,13 +190,12 @@ Frame frame_for(const ResultsReader& reader, double time, bool whole) {
   return reader.frame(nearest);
 }
 
-/// Title and how long the stage had run, where the moment is not counted from the start of the file anyway.
+/// The title is the stage's name; the caption has one time, counted as was asked for.
 void add_stage(const ResultsReader& reader, const Frame& frame, Scene& scene) {
   const std::vector<results::StageRow> stages = reader.stages();
   if (frame.stage < 0 || frame.stage >= static_cast<int>(stages.size())) return;
   const results::StageRow& stage = stages[static_cast<std::size_t>(frame.stage)];
   scene.title = stage.name;
-  if (stage.begin > 0) scene.stage = fmt::format("{:.2f} s into the stage", frame.time - stage.begin);
 }
 
 /// Bodies that had left the bounds, were removed or not there yet are not drawn, so that the picture is of what is
@@ -216,11 +215,16 @@ void drop_left(const std::vector<bool>& left, Scene& scene) {
   scene.bodies.resize(kept);
 }
 
-std::string event_before(const ResultsReader& reader, double time) {
+/// The latest event of note, where it is recent: an old one would be told under every later picture.
+std::string event_before(const ResultsReader& reader, double time, double zero) {
+  constexpr double recent = 1;  // [s]
   std::string out;
   for (const results::EventRow& e : events_of_note(reader)) {
     if (e.time > time) break;
-    if (e.type != "stage.begun") out = fmt::format("{:.2f} s: {}", e.time, e.text);
+    if (e.type == "stage.begun" || e.time < time - recent)
+      out.clear();
+    else
+      out = fmt::format("{:.2f} s: {}", e.time - zero, e.text);
   }
   return out;
 }
@@ -298,9 +302,9 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
   const ViewAxes view(choice.from);
   const Flatten flat = flatten_for(header, view);
   Scene scene;
-  scene.time = frame.time;
+  scene.time = frame.time - choice.zero;
   add_stage(reader, frame, scene);
-  scene.event = event_before(reader, frame.time);
+  scene.event = event_before(reader, frame.time, choice.zero);
   scene.verdict = results::results_verdict(reader.events()).text();
   add_bodies(header, frame, scene);
   if (!choice.colour.empty()) colour_bodies(reader, frame, choice.colour, scene);

@@ -23,15 +23,16 @@ struct SceneChoice {
   double magnify = 1;       ///< displacements since the start times this, without contact forces
   std::string colour = {};  ///< bodies coloured by one of colour_names(); "" as "group"
   ViewDirection from = {};  ///< of a model in space: from where it is seen
+  double zero = 0;          ///< times in the caption count from here [s]
   std::optional<CutPlane> cut = std::nullopt;  ///< of a model in space: what is on the eye's side of it is left out
 };
 
 /// What bodies can be coloured by: group, displacement (of the node since the start), speed.
 const std::vector<std::string>& colour_names();
 
-/// The structure, in the plane or in space, at `time` [s], titled by its stage, with how long that had run, and the
-/// latest event of note. Throws InputError for a time outside the frames (half a frame's spacing is allowed),
-/// ResultsError for a file without frames.
+/// The structure, in the plane or in space, at `time` [s], titled by its stage, and the
+/// latest event of note where that was within the last second of the same stage. Throws InputError for a time outside
+/// the frames (half a frame's spacing is allowed), ResultsError for a file without frames.
 Scene results_scene(const results::ResultsReader& reader, double time, const SceneChoice& choice = {});
 
 /// The bodies of a model in the plane where `frame` has them, and nothing else.
@@ -50,17 +51,26 @@ struct NamedResults {
   std::string name;
 };
 
+/// The part of a run that is plotted [s]: from `from` to `to`, counted from the beginning of `stage` where that is
+/// named, else from the start of the run. Within a stage its own end is the last moment.
+struct PlotWindow {
+  std::string stage = {};
+  std::optional<double> from = std::nullopt, to = std::nullopt;
+};
+
 /// One panel for each unit among the histories `names` (every history of the first file where empty), each result a
-/// line. Throws InputError where a file does not have a history (with the nearest name) or has no samples.
-Chart history_chart(const std::vector<NamedResults>& results, const std::vector<std::string>& names);
+/// line over time or, where `against` is the name of a history, over that: the loop of a bearing, a capacity curve.
+/// Throws InputError where a file does not have a history (with the nearest name) or no samples in the window.
+Chart history_chart(const std::vector<NamedResults>& results, const std::vector<std::string>& names,
+                    const PlotWindow& window = {}, const std::string& against = {});
 
 /// The ledger: terms that hold or have taken up energy on each other, and as a line over them what ground, loads,
 /// falling weight and start have put in. Terms below a hundredth of the largest are one. Throws InputError where the
 /// file has no energy.
-Chart results_energy_chart(const NamedResults& result, EnergyView view);
+Chart results_energy_chart(const NamedResults& result, EnergyView view, const PlotWindow& window = {});
 
 /// Stages and the events that change the structure (bearings and bonds lost, seats lost, impacts) as marks; where there
-/// are too many of one kind, one of it: the fastest impact, else the first.
-std::vector<ChartMark> event_marks(const results::ResultsReader& reader);
+/// are too many of one kind, one of it: the fastest impact, else the first. Those of the window, in its time.
+std::vector<ChartMark> event_marks(const results::ResultsReader& reader, const PlotWindow& window = {});
 
 }  // namespace trilith::draw

@@ -132,7 +132,7 @@ std::vector<LegendItem> scene_legend(const std::vector<Scene>& scenes, const Sce
   if (view.has_values) items.push_back(colour_bar(view, scenes[0], style));
   const auto ghosts = std::find_if(scenes.begin(), scenes.end(), [](const Scene& s) { return !s.ghosts.empty(); });
   if (ghosts != scenes.end()) items.push_back(ghost_item(ghosts->ghost_label));
-  for (const CrackMark mark : {CrackMark::opened, CrackMark::slid})
+  for (const CrackMark mark : {CrackMark::fine, CrackMark::opened, CrackMark::wide, CrackMark::slid})
     if (has_crack(scenes, mark)) items.push_back(crack_item(mark));
   const auto lines = std::find_if(scenes.begin(), scenes.end(), [](const Scene& s) { return !s.lines.empty(); });
   if (lines != scenes.end()) items.push_back(line_item(lines->line_label));

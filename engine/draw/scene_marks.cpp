@@ -118,13 +118,26 @@ void draw_force(Canvas& canvas, const PagePoint& start, const PagePoint& end, bo
 }
 
 void draw_crack(Canvas& canvas, const PagePoint& a, const PagePoint& b, CrackMark mark) {
-  const double length = (b - a).norm();
+  // As wide as its class, but of a short joint no more than a part of its length.
+  constexpr double widths[] = {0.5, 1.1, 2.2, 0.9};  // fine, opened, wide, slid
+  const double most = std::max(0.3, 0.25 * (b - a).norm());
   canvas.line(a, b,
-              {mark == CrackMark::opened ? palette().opened : palette().slid, std::clamp(0.1 * length, 0.3, 1.3)});
+              {mark == CrackMark::slid ? palette().slid : palette().opened,
+               std::min(widths[static_cast<std::size_t>(mark)], most)});
 }
 
 std::string crack_text(CrackMark mark) {
-  return mark == CrackMark::opened ? "joint broken, opened most" : "joint broken, slid most";
+  switch (mark) {
+    case CrackMark::fine:
+      return fmt::format("joint open up to {:g} mm", 1e3 * fine_crack);
+    case CrackMark::opened:
+      return fmt::format("{:g} to {:g} mm", 1e3 * fine_crack, 1e3 * wide_crack);
+    case CrackMark::wide:
+      return fmt::format("more than {:g} mm", 1e3 * wide_crack);
+    case CrackMark::slid:
+      return "joint slid, open by less";
+  }
+  return "";
 }
 
 Stroke line_stroke() {

@@ -62,8 +62,10 @@ struct SceneBearing {
   BearingMark state = BearingMark::intact;
 };
 
-/// What a joint that has lost its bond did most.
-enum class CrackMark { opened, slid };
+/// How a joint that has lost its bond stands: how far it is open now, in three classes, or slid and open by less than
+/// it slid.
+enum class CrackMark { fine, opened, wide, slid };
+inline constexpr double fine_crack = 1e-3, wide_crack = 5e-3;  ///< ends of the class between them [m]
 
 /// A broken joint, from end to end [m].
 struct SceneCrack {

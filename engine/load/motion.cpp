@@ -78,14 +78,13 @@ GroundMotion GroundMotion::transformed(double amplitude, double time, MotionStar
 }
 
 GroundMotion GroundMotion::scaled(double factor) const {
-  if (!std::isfinite(factor) || factor == 0)
-    throw InputError(
-        fmt::format("scale factor of motion '{}' is {:g}, must be finite and not 0", description_, factor));
+  require_finite(factor, "scale factor of motion '" + description_ + "'");
   return transformed(factor, 1, {start().velocity * factor, start().displacement * factor},
                      fmt::format("x {:.6g}", factor));
 }
 
 GroundMotion GroundMotion::scaled_to_peak(double peak) const {
+  if (peak == 0) return scaled(0);
   require_positive(peak, "peak to which motion '" + description_ + "' is scaled", "m/s2");
   const double present = largest_acceleration(samples_);
   if (present == 0)

@@ -52,6 +52,7 @@ double balanced_start_velocity(const GroundMotion& motion) {
 }
 
 std::string why_not_usable(const GroundMotion& motion, Drift drift) {
+  if (motion.amplitude_factor() == 0) return "";  // a control run: scaled to nothing on purpose
   if (motion_peaks(motion).acceleration.value == 0)
     return fmt::format("motion '{}' is zero everywhere; check the file and its column", motion.description());
   return drift == Drift::allow ? "" : drift_of(motion);

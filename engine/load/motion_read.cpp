@@ -57,7 +57,8 @@ GroundMotion parse_motion(std::string_view text, const std::string& name) {
   const bool named_peer = lower_case(std::filesystem::path(name).extension().string()) == ".at2";
   if (named_peer || looks_like_peer(text)) return parse_peer_motion(text, name);
   lines.fail_whole(
-      "is neither a CSV record (first line '# title: ...') nor a PEER AT2 file (fourth line 'NPTS= ..., DT= ...')");
+      "is neither a CSV record (first line '# title: ...') nor a PEER AT2 file (fourth line 'NPTS= ..., DT= ...'); "
+      "say the unit of a file of plain columns");
 }
 
 }  // namespace trilith

@@ -82,6 +82,22 @@ std::vector<double> read_numbers(hid_t dataset, const char* name, std::size_t ro
   return values;
 }
 
+/// Column `name` of all rows as texts; `member` is its stored type.
+std::vector<std::string> read_member_texts(hid_t dataset, const char* name, hid_t member, std::size_t rows) {
+  if (H5Tis_variable_str(member) != 0) throw h5::Failure("/cases has texts of no length of their own");
+  const std::size_t length = H5Tget_size(member);
+  const h5::Handle one(H5Tcreate(H5T_COMPOUND, length), H5Tclose, "cannot make a type");
+  h5::check(H5Tinsert(one.get(), name, 0, member), "cannot make a type");
+  std::string packed(rows * length, '\0');
+  h5::check(H5Dread(dataset, one.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), "cannot read /cases");
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto begin = packed.begin() + static_cast<std::ptrdiff_t>(i * length);
+    texts.emplace_back(begin, std::find(begin, begin + static_cast<std::ptrdiff_t>(length), '\0'));
+  }
+  return texts;
+}
+
 std::string member_name(hid_t type, unsigned member) {
   char* const text = H5Tget_member_name(type, member);
   if (text == nullptr) h5::fail("unreadable column of /cases");
@@ -116,9 +132,13 @@ std::vector<StudyColumn> read_study_table(const std::filesystem::path& path) {
     if (static_cast<int>(std::min(units.size(), descriptions.size())) < members)
       throw h5::Failure("/cases has columns without a unit or a description");
     for (unsigned i = 0; i < static_cast<unsigned>(members); ++i) {
-      if (H5Tget_member_class(type.get(), i) == H5T_STRING) continue;
       const std::string name = member_name(type.get(), i);
-      columns.push_back({name, units[i], descriptions[i], read_numbers(dataset.get(), name.c_str(), rows)});
+      const h5::Handle member(H5Tget_member_type(type.get(), i), H5Tclose, "unreadable column of /cases");
+      columns.push_back({name, units[i], descriptions[i], {}});
+      if (H5Tget_class(member.get()) == H5T_STRING)
+        columns.back().values = read_member_texts(dataset.get(), name.c_str(), member.get(), rows);
+      else
+        columns.back().values = read_numbers(dataset.get(), name.c_str(), rows);
     }
     return columns;
   } catch (const std::exception& e) {

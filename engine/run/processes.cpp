@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <thread>
 
@@ -33,7 +34,7 @@ void redirect(const char* path, int descriptor) {
 }
 
 /// Only calls that are allowed between fork and exec; everything was allocated before.
-[[noreturn]] void become(char* const* arguments, const char* out, const char* errors, pid_t parent) {
+void settle_in(const char* out, const char* errors, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::_exit(cannot_begin);  // it died in between
@@ -41,8 +42,19 @@ void redirect(const char* path, int descriptor) {
   redirect("/dev/null", STDIN_FILENO);
   redirect(out, STDOUT_FILENO);
   redirect(errors, STDERR_FILENO);
-  ::execv(arguments[0], arguments);
-  ::_exit(cannot_begin);
+}
+
+/// What waits in this program's buffers is the parent's to write: the child ends without it.
+[[noreturn]] void carry_out(const ProcessOrder& order) {
+  int code = cannot_begin;
+  try {
+    code = order.here();
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    code = 1;
+  }
+  std::fflush(nullptr);
+  ::_exit(code);
 }
 
 pid_t begin(const ProcessOrder& order) {
@@ -50,8 +62,14 @@ pid_t begin(const ProcessOrder& order) {
   for (const std::string& a : order.command) arguments.push_back(const_cast<char*>(a.c_str()));
   arguments.push_back(nullptr);
   const pid_t self = ::getpid();
+  if (order.here) std::fflush(nullptr);  // else the child would write it again
   const pid_t id = ::fork();
-  if (id == 0) become(arguments.data(), order.out.c_str(), order.errors.c_str(), self);
+  if (id == 0) {
+    settle_in(order.out.c_str(), order.errors.c_str(), self);
+    if (order.here) carry_out(order);
+    ::execv(arguments[0], arguments.data());
+    ::_exit(cannot_begin);
+  }
   if (id > 0) ::setpgid(id, id);
   return id;
 }

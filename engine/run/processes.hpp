@@ -1,4 +1,5 @@
-// Runs commands as processes of their own, so many at a time, until all have ended or the caller wants no more.
+// Runs commands, or functions, as processes of their own, so many at a time, until all have ended or the caller wants
+// no more.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +13,8 @@ namespace trilith {
 struct ProcessOrder {
   std::vector<std::string> command;   ///< program and arguments
   std::filesystem::path out, errors;  ///< files for what it writes, made anew
+  /// Instead of a command: what a process that parts from this one does; gives its exit code.
+  std::function<int()> here = nullptr;
 };
 
 struct ProcessEnd {

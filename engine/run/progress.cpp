@@ -14,7 +14,6 @@ namespace {
 
 constexpr double pace_window = 5, pace_spacing = 0.2;  // wall clock [s]
 constexpr double crowd_window = 1;                     // simulated [s]
-constexpr int crowd_size = 12;
 
 std::string grouped(std::int64_t number) {
   const std::string digits = std::to_string(number);
@@ -29,6 +28,11 @@ std::string grouped(std::int64_t number) {
 std::string step_text(double shortest, double longest) {
   const std::string low = quantity_text(shortest, "s"), high = quantity_text(longest, "s");
   return low == high ? low : fmt::format("{} to {}", low, high);
+}
+
+/// So many of a type are told one by one within a window: of bonds, which break by the dozen at one moment, the first.
+int crowd_size(EventType type) {
+  return has_trait(type, of_joint) ? 1 : 12;
 }
 
 bool comes_in_crowds(EventType type) {
@@ -116,7 +120,7 @@ bool EventLines::thins_out(const Event& event, std::vector<std::string>& lines) 
       lines.push_back(fmt::format("{:10}    ... and {} more: {}", "", crowd.hidden, info_of(event.type).heading));
     crowd = {event.time, 0, 0};
   }
-  if (crowd.shown < crowd_size) {
+  if (crowd.shown < crowd_size(event.type)) {
     ++crowd.shown;
     return false;
   }

@@ -99,6 +99,7 @@ class StudyRun {
 
   std::vector<StudyOutcome> go() {
     require_distinct(order_);
+    if (order_.rise) require_rising(order_.plan, order_.rise->over);
     make_folders(folder_of_cases(order_));
     const Lock lock(folder_of_cases(order_));
     results::require_study_path(order_.file);
@@ -124,14 +125,46 @@ class StudyRun {
 
   [[nodiscard]] int jobs() const { return order_.jobs > 0 ? order_.jobs : processors(); }
 
+  /// All at once or, where the study rises, level by level: what is passed over depends on the level before.
   bool run_due() {
-    std::vector<ProcessOrder> orders;
-    for (const std::size_t i : due_) {
-      const std::filesystem::path& folder = outcomes_[i].folder;
-      orders.push_back({order_.command(i, folder), folder / "log.txt", folder / "errors.txt"});
+    if (order_.prepare && !due_.empty()) order_.prepare();
+    if (!order_.rise) return run_these(due_);
+    const std::vector<std::vector<std::size_t>> levels = rising_levels(order_.plan, order_.rise->over);
+    for (const std::vector<std::size_t>& level : levels) {
+      std::vector<std::size_t> wanted;
+      for (const std::size_t i : level) {
+        if (outcomes_[i].status == StudyStatus::finished) continue;
+        if (is_passed_over(i))
+          outcomes_[i].status = StudyStatus::passed_over, ++passed_;
+        else
+          wanted.push_back(i);
+      }
+      if (!run_these(wanted)) return false;
     }
-    const ProcessWatch watch{[this](std::size_t n) { begin(due_[n]); },
-                             [this](std::size_t n, const ProcessEnd& end) { finish(due_[n], end); },
+    return true;
+  }
+
+  /// Whether a case that differs in the rising parameter alone, and lies lower, has come to where the study stops.
+  [[nodiscard]] bool is_passed_over(std::size_t i) const {
+    for (std::size_t k = 0; k < outcomes_.size(); ++k)
+      if (outcomes_[k].status == StudyStatus::finished && is_below(order_.plan, order_.rise->over, k, i))
+        for (const StudyFigure& f : outcomes_[k].figures)
+          if (f.name == order_.rise->stop && f.value == decltype(f.value)(true)) return true;
+    return false;
+  }
+
+  bool run_these(const std::vector<std::size_t>& wanted) {
+    std::vector<ProcessOrder> orders;
+    for (const std::size_t i : wanted) {
+      const std::filesystem::path& folder = outcomes_[i].folder;
+      orders.push_back({{}, folder / "log.txt", folder / "errors.txt"});
+      if (order_.run_here)
+        orders.back().here = [this, i] { return order_.run_here(i, outcomes_[i].folder); };
+      else
+        orders.back().command = order_.command(i, folder);
+    }
+    const ProcessWatch watch{[&](std::size_t n) { begin(wanted[n]); },
+                             [&](std::size_t n, const ProcessEnd& end) { finish(wanted[n], end); },
                              [this] { return look(); }};
     return run_processes(orders, jobs(), watch);
   }
@@ -153,9 +186,10 @@ class StudyRun {
     --running_;
     ++(o.status == StudyStatus::failed ? failed_ : finished_);
     spent_ += end.seconds;
-    watch_.line(fmt::format("case {} of {}  {}: {}", i + 1, outcomes_.size(), order_.plan.label(i),
-                            o.message.empty() ? fmt::format("{:.3g} s", end.seconds) : "failed: " + o.message),
-                !o.message.empty());
+    last_ = order_.plan.label(i);
+    if (!o.message.empty())
+      watch_.line(
+          fmt::format("case {} of {}  {}: failed: {}", i + 1, outcomes_.size(), order_.plan.label(i), o.message), true);
   }
 
   /// Reads the figures; "" where all is well.
@@ -183,14 +217,17 @@ class StudyRun {
   }
 
   bool look() {
-    const std::size_t done = finished_ + failed_, left = due_.size() - done;
+    const std::size_t done = finished_ + failed_, gone = std::min(done + passed_, due_.size()),
+                      left = due_.size() - gone;
     std::string text = fmt::format("study: {} of {} done", outcomes_.size() - left, outcomes_.size());
     if (failed_ > 0) text += fmt::format(", {} failed", failed_);
+    if (passed_ > 0) text += fmt::format(", {} passed over", passed_);
     text += fmt::format(", {} running", running_);
     if (done > 0) {
       // Half of what runs is taken as done.
       const double cases = static_cast<double>(left) - 0.5 * static_cast<double>(running_);
       text += fmt::format(", {} left", duration_text(spent_ / static_cast<double>(done) * cases / jobs()));
+      text += "; last: " + last_;
     }
     watch_.status(text);
     return watch_.goes_on();
@@ -199,16 +236,18 @@ class StudyRun {
   [[nodiscard]] std::string summary(bool whole) const {
     const std::size_t good = static_cast<std::size_t>(std::count_if(
         outcomes_.begin(), outcomes_.end(), [](const auto& o) { return o.status == StudyStatus::finished; }));
-    return fmt::format("{} of {} cases finished{}{}; the table is {}", good, outcomes_.size(),
-                       failed_ > 0 ? fmt::format(", {} failed", failed_) : "", whole ? "" : ", stopped before its end",
-                       order_.file.string());
+    return fmt::format("{} of {} cases finished{}{}{}; the table is {}", good, outcomes_.size(),
+                       failed_ > 0 ? fmt::format(", {} failed", failed_) : "",
+                       passed_ > 0 ? fmt::format(", {} passed over", passed_) : "",
+                       whole ? "" : ", stopped before its end", order_.file.string());
   }
 
   const StudyOrder& order_;
   const StudyWatch& watch_;
   std::vector<StudyOutcome> outcomes_;  // [case]
   std::vector<std::size_t> due_;        // cases to run
-  std::size_t finished_ = 0, failed_ = 0, running_ = 0;
+  std::size_t finished_ = 0, failed_ = 0, running_ = 0, passed_ = 0;
+  std::string last_;  // the case that ended last
   double spent_ = 0;  // wall clock of all that ended [s]
 };
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,21 +13,35 @@
 
 namespace trilith {
 
+/// An incremental analysis: cases that differ in parameter `over` alone are run from its lowest value up, and once one
+/// of them gives the flag `stop` as true, those above it are passed over.
+struct StudyRise {
+  std::string over, stop;
+};
+
 struct StudyOrder {
   StudyPlan plan;
   std::filesystem::path file;           ///< the table; the cases' folders are in `<file without .h5>.cases`
   std::vector<StudyHistory> histories;  ///< figures taken from the cases' results
   /// Program and arguments that run a case and leave its results, and figures_file, in `folder`.
   std::function<std::vector<std::string>(std::size_t index, const std::filesystem::path& folder)> command;
+  /// Where not empty, a case is run by this in a process that has parted from the present one, instead of by a command:
+  /// it goes on from whatever state is in memory. Gives the exit code.
+  std::function<int(std::size_t index, const std::filesystem::path& folder)> run_here;
+  /// Called once before the first case that is run, where there is one: it may make the state that run_here goes on
+  /// from.
+  std::function<void()> prepare;
+  std::optional<StudyRise> rise;
   std::string source;              ///< what decides, with its parameters, what a case comes to: scripts and version
   results::Provenance provenance;  ///< for the table
   int jobs = 0;                    ///< cases at a time; 0: as many as there are processors
   bool fresh = false;              ///< run also those again that are finished
 };
 
-enum class StudyStatus { not_run, finished, failed };
+/// `passed_over`: a case of lower intensity has already given what the study rises to.
+enum class StudyStatus { not_run, finished, failed, passed_over };
 constexpr const char* name_of(StudyStatus s) {
-  constexpr const char* names[] = {"not run", "finished", "failed"};
+  constexpr const char* names[] = {"not run", "finished", "failed", "passed over"};
   return names[static_cast<int>(s)];
 }
 
@@ -40,7 +55,7 @@ struct StudyOutcome {
   std::vector<StudyFigure> figures;
 };
 
-/// Who is told how a study goes on.
+/// Who is told how a study goes on. Cases that finish well are in the status alone.
 struct StudyWatch {
   std::function<void(const std::string& text, bool strong)> line;
   std::function<void(const std::string& text)> status;  ///< one line, told again and again

@@ -12,20 +12,39 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-results::StudyColumn parameter_column(const StudyPlan& plan, std::size_t k) {
-  results::StudyColumn column{plan.names[k], plan.units[k], "parameter", {}};
-  const bool numbers = std::all_of(plan.cases.begin(), plan.cases.end(),
-                                   [k](const auto& row) { return std::holds_alternative<double>(row[k]); });
-  if (numbers) {
+/// A number, a flag as 1 or 0; NaN for a text.
+template <class Value>
+double number_of_value(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? 1 : 0;
+  return none;
+}
+
+/// Numbers, flags, or texts where the values are not all of one of these. `all[i]` nullptr: case i has none.
+template <class Value, class Text>
+results::StudyColumn value_column(results::StudyColumn column, const std::vector<const Value*>& all, Text&& text) {
+  const auto every = [&](auto&& is) {
+    return std::all_of(all.begin(), all.end(), [&](const Value* v) { return v == nullptr || is(*v); });
+  };
+  const bool flags = every([](const Value& v) { return std::holds_alternative<bool>(v); });
+  if (flags || every([](const Value& v) { return std::holds_alternative<double>(v); })) {
     std::vector<double> values;
-    for (const auto& row : plan.cases) values.push_back(std::get<double>(row[k]));
+    for (const Value* v : all) values.push_back(v == nullptr ? none : number_of_value(*v));
     column.values = std::move(values);
-  } else {
-    std::vector<std::string> values;
-    for (const auto& row : plan.cases) values.push_back(text_of(row[k]));
-    column.values = std::move(values);
+    if (flags) column.unit = results::flag_unit;
+    return column;
   }
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < all.size(); ++i) values.push_back(all[i] == nullptr ? "" : text(i));
+  column.values = std::move(values);
   return column;
+}
+
+results::StudyColumn parameter_column(const StudyPlan& plan, std::size_t k) {
+  std::vector<const StudyValue*> all;
+  for (const auto& row : plan.cases) all.push_back(&row[k]);
+  return value_column({plan.names[k], plan.units[k], results::parameter_text, {}}, all,
+                      [&](std::size_t i) { return text_of(plan.cases[i][k]); });
 }
 
 /// Of each name the first figure that has it.
@@ -44,24 +63,15 @@ const StudyFigure* find_figure(const StudyOutcome& outcome, const std::string& n
   return nullptr;
 }
 
-/// Numbers where all that have the figure give numbers, else texts.
 results::StudyColumn figure_column(const StudyFigure& figure, const std::vector<StudyOutcome>& outcomes) {
-  std::vector<double> numbers;
-  std::vector<std::string> texts;
-  bool is_number = true;
+  using Value = decltype(StudyFigure::value);
+  std::vector<const Value*> all;
   for (const StudyOutcome& o : outcomes) {
     const StudyFigure* f = find_figure(o, figure.name);
-    const auto* number = f == nullptr ? nullptr : std::get_if<double>(&f->value);
-    is_number = is_number && (f == nullptr || number != nullptr);
-    numbers.push_back(number == nullptr ? none : *number);
-    texts.push_back(f == nullptr ? "" : number != nullptr ? fmt::format("{}", *number) : std::get<1>(f->value));
+    all.push_back(f == nullptr ? nullptr : &f->value);
   }
-  results::StudyColumn column{figure.name, figure.unit, "figure that the case gave", {}};
-  if (is_number)
-    column.values = std::move(numbers);
-  else
-    column.values = std::move(texts);
-  return column;
+  return value_column({figure.name, figure.unit, results::figure_text, {}}, all,
+                      [&](std::size_t i) { return figure_value_text(*find_figure(outcomes[i], figure.name)); });
 }
 
 template <class T, class Get>
@@ -93,7 +103,7 @@ std::vector<results::StudyColumn> study_table_columns(const StudyPlan& plan,
   columns.push_back({"case", "1", "number of the case, from 1", numbers});
   for (std::size_t k = 0; k < plan.names.size(); ++k) columns.push_back(parameter_column(plan, k));
   for (const StudyFigure* f : known_figures(outcomes)) columns.push_back(figure_column(*f, outcomes));
-  columns.push_back(outcome_column<std::string>("status", "", "finished, failed or not run", outcomes,
+  columns.push_back(outcome_column<std::string>("status", "", "finished, failed, not run, or passed over", outcomes,
                                                 [](const auto& o) { return std::string(name_of(o.status)); }));
   columns.push_back(outcome_column<std::int32_t>("exit", "1", "exit code; -1: ended by a signal", outcomes,
                                                  [](const auto& o) { return o.exit; }));

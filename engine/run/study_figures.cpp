@@ -25,9 +25,11 @@ StudyFigure figure_of(const std::string& line) {
   std::istringstream in(line);
   for (std::string part; std::getline(in, part, '\t');) field.push_back(part);
   if (field.size() == 3) field.emplace_back();  // a text of no length
-  if (field.size() != 4 || field[0].empty() || (field[2] != "number" && field[2] != "text"))
+  if (field.size() != 4 || field[0].empty() || (field[2] != "number" && field[2] != "text" && field[2] != "flag"))
     throw InputError(fmt::format("'{}' is no figure of a case", line));
   if (field[2] == "text") return {field[0], field[1], field[3]};
+  if (field[2] == "flag" && (field[3] == "true" || field[3] == "false"))
+    return {field[0], field[1], field[3] == "true"};
   double value = 0;
   const char* const end = field[3].data() + field[3].size();
   const auto [stop, error] = std::from_chars(field[3].data(), end, value);
@@ -69,12 +71,18 @@ std::string StudyHistory::column() const {
   return history + " " + study_takes()[static_cast<std::size_t>(take)];
 }
 
+std::string figure_value_text(const StudyFigure& figure) {
+  if (const auto* number = std::get_if<double>(&figure.value)) return fmt::format("{}", *number);
+  if (const auto* flag = std::get_if<bool>(&figure.value)) return *flag ? "true" : "false";
+  return std::get<std::string>(figure.value);
+}
+
 std::string figures_text(const std::vector<StudyFigure>& figures) {
   std::string text;
   for (const StudyFigure& f : figures) {
-    const bool number = f.value.index() == 0;
-    text += fmt::format("{}\t{}\t{}\t{}\n", one_field(f.name), one_field(f.unit), number ? "number" : "text",
-                        number ? fmt::format("{}", std::get<double>(f.value)) : one_field(std::get<1>(f.value)));
+    constexpr const char* kinds[] = {"number", "text", "flag"};
+    text += fmt::format("{}\t{}\t{}\t{}\n", one_field(f.name), one_field(f.unit), kinds[f.value.index()],
+                        one_field(figure_value_text(f)));
   }
   return text;
 }

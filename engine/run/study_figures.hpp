@@ -10,7 +10,7 @@ namespace trilith {
 
 struct StudyFigure {
   std::string name, unit;
-  std::variant<double, std::string> value;
+  std::variant<double, std::string, bool> value;
 };
 
 /// How a history becomes one figure; `largest`: the one farthest from 0, with its sign.
@@ -24,7 +24,10 @@ struct StudyHistory {
   [[nodiscard]] std::string column() const;
 };
 
-/// One line for each figure: name, unit, kind and value with tabs between.
+/// "0.012", "rocking", "true".
+std::string figure_value_text(const StudyFigure& figure);
+
+/// One line for each figure: name, unit, kind (number, text or flag) and value with tabs between.
 std::string figures_text(const std::vector<StudyFigure>& figures);
 
 /// Reads such lines. Throws InputError for text that is none.

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <map>
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/normal_distribution.hpp"
 #include "base/portable.hpp"
 
 namespace trilith {
@@ -58,32 +59,6 @@ class Random {
  private:
   std::uint64_t state_;
 };
-
-/// How probably a standard normal variable stays below `x`: G. Marsaglia, "Evaluating the normal distribution", Journal
-/// of Statistical Software 11, 2004; in the tails Laplace's continued fraction.
-double normal_share(double x) {
-  const double density = portable::exp(-0.5 * x * x) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
-  if (std::abs(x) < 3) {
-    // Phi(x) = 1/2 + density (x + x^3/3 + x^5/(3 5) + ...).
-    double sum = x, term = x;
-    for (int n = 3; n < 200; n += 2) term *= x * x / n, sum += term;
-    return 0.5 + density * sum;
-  }
-  // density / (x + 1/(x + 2/(x + ...))), from the inside out.
-  double beyond = std::abs(x);
-  for (int n = 100; n > 0; --n) beyond = std::abs(x) + n / beyond;
-  return x < 0 ? density / beyond : 1 - density / beyond;
-}
-
-/// The number below which a standard normal variable stays with probability `p`, by bisection.
-double normal_quantile(double p) {
-  double low = -9, high = 9;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    (normal_share(middle) < p ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
 
 double quantile(const StudySpread& s, double p) {
   switch (s.kind) {
@@ -141,6 +116,40 @@ std::string StudyPlan::label(std::size_t index) const {
 const std::vector<std::string>& study_columns() {
   static const std::vector<std::string> names{"case", "status", "exit", "seconds", "message", "folder"};
   return names;
+}
+
+void require_rising(const StudyPlan& plan, const std::string& parameter) {
+  const auto found = std::find(plan.names.begin(), plan.names.end(), parameter);
+  if (found == plan.names.end())
+    throw InputError(fmt::format("study: there is no parameter '{}' to rise over; there are {}", parameter,
+                                 fmt::join(plan.names, ", ")));
+  const std::size_t k = static_cast<std::size_t>(found - plan.names.begin());
+  for (const auto& row : plan.cases)
+    if (!std::holds_alternative<double>(row[k]))
+      throw InputError(
+          fmt::format("study: '{}' is to rise, but its value '{}' is no number", parameter, text_of(row[k])));
+}
+
+std::vector<std::vector<std::size_t>> rising_levels(const StudyPlan& plan, const std::string& parameter) {
+  const auto k =
+      static_cast<std::size_t>(std::find(plan.names.begin(), plan.names.end(), parameter) - plan.names.begin());
+  std::map<double, std::vector<std::size_t>> levels;
+  for (std::size_t i = 0; i < plan.cases.size(); ++i) levels[std::get<double>(plan.cases[i][k])].push_back(i);
+  std::vector<std::vector<std::size_t>> out;
+  for (auto& [value, cases] : levels) out.push_back(std::move(cases));
+  return out;
+}
+
+bool is_below(const StudyPlan& plan, const std::string& parameter, std::size_t low, std::size_t high) {
+  bool below = false;
+  for (std::size_t k = 0; k < plan.names.size(); ++k) {
+    const StudyValue &a = plan.cases[low][k], &b = plan.cases[high][k];
+    if (plan.names[k] == parameter)
+      below = std::get<double>(a) < std::get<double>(b);
+    else if (a != b)
+      return false;
+  }
+  return below;
 }
 
 StudyPlan product_plan(const std::vector<StudyParameter>& parameters) {

@@ -52,6 +52,15 @@ StudyPlan list_plan(const std::vector<StudyParameter>& parameters);
 /// equal probability, in an order of its own. The same seed gives the same samples. Throws InputError as above.
 StudyPlan sampled_plan(const std::vector<StudySpread>& spreads, int count, std::uint64_t seed);
 
+/// Throws InputError where `parameter` is none of the plan's, or has a value that is no number.
+void require_rising(const StudyPlan& plan, const std::string& parameter);
+
+/// The cases by the values of the numbers of `parameter`, lowest first.
+std::vector<std::vector<std::size_t>> rising_levels(const StudyPlan& plan, const std::string& parameter);
+
+/// Whether cases `low` and `high` differ in `parameter` alone, with the lower value in `low`.
+bool is_below(const StudyPlan& plan, const std::string& parameter, std::size_t low, std::size_t high);
+
 /// Names that parameters and figures cannot have: columns of the table of a study.
 const std::vector<std::string>& study_columns();
 

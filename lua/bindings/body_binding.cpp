@@ -228,9 +228,10 @@ const std::array body_properties{
 int body_point(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
   b.model().require_present(b.index, "point");
+  const PlaneModel& plane = b.plane();  // in space that is what is wrong first
   const auto at = point_at(L, 2);
   if (!at) throw InputError(fmt::format("point: takes {{x, y}}, two finite numbers; this is {}", what_is(L, 2)));
-  const Simulation<2>* s = b.plane().if_built();
+  const Simulation<2>* s = plane.if_built();
   Vec2 now = *at;
   if (s != nullptr) {
     const Tie<2> tied = tie_point(s->model(), b.index, *at, fmt::format("point of body '{}'", spec(b).name));

@@ -116,6 +116,31 @@ int event_names(lua_State* L) {
   return 1;
 }
 
+/// core.event_types(): of each kind of event its name, what its value is, the unit, and whether it has a place and the
+/// mode of a joint.
+int event_types(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  const auto text = [&](const char* key, std::string_view value) {
+    lua_pushlstring(L, value.data(), value.size());
+    lua_setfield(L, -2, key);
+  };
+  const auto flag = [&](const char* key, bool value) {
+    lua_pushboolean(L, value ? 1 : 0);
+    lua_setfield(L, -2, key);
+  };
+  for (const EventTypeInfo& e : event_type_info) {
+    lua_newtable(L);
+    text("name", e.name);
+    text("value", e.value_name);
+    text("unit", e.value_unit);
+    flag("place", (e.traits & has_place) != 0);
+    flag("mode", (e.traits & of_joint) != 0);
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
 /// core.history_names(model)
 int history_names(lua_State* L) {
   lua_newtable(L);
@@ -149,6 +174,7 @@ void open_declarations(lua_State* L) {
   set_function(L, "kind_of", guarded<kind_of>);
   set_function(L, "manual_pages", guarded<manual_pages>);
   set_function(L, "event_names", guarded<event_names>);
+  set_function(L, "event_types", guarded<event_types>);
   set_function(L, "history_names", guarded<history_names>);
   set_function(L, "is_built", guarded<is_built>);
 }

@@ -14,7 +14,7 @@ void read_value(lua_State* L, StudyFigure& figure) {
   if (type == LUA_TNUMBER) {
     figure.value = require_finite(lua_tonumber(L, -1), "figure '" + figure.name + "'");
   } else if (type == LUA_TBOOLEAN) {
-    figure.value = lua_toboolean(L, -1) != 0 ? 1.0 : 0.0;
+    figure.value = lua_toboolean(L, -1) != 0;
   } else if (type == LUA_TSTRING) {
     figure.value = text_at(L, -1);
   } else {

@@ -3,13 +3,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "results/results.hpp"
 #include "run/stage.hpp"
-#include "run/study_figures.hpp"
+#include "run/study.hpp"
 #include "step/step_times.hpp"
 #include "world/verdict.hpp"
 
@@ -57,12 +58,13 @@ class Console {
 
 /// What the command line says of a script's study.
 struct StudyChoice {
-  std::string program;  ///< runs the cases; "": there is none, so that no study can be begun
-  int jobs = 0;         ///< cases at a time; 0: as the script says
-  int only = 0;         ///< run this case alone, here; 0: run the study
-  bool fresh = false;   ///< run finished cases again
-  bool list = false;    ///< list the cases and end
-  bool begun = false;   ///< the script has called trilith.study
+  std::string program;            ///< runs the cases; "": there is none, so that no study can be begun
+  int jobs = 0;                   ///< cases at a time; 0: as the script says
+  int only = 0;                   ///< run this case alone, here; 0: run the study
+  bool fresh = false;             ///< run finished cases again
+  bool list = false;              ///< list the cases and end
+  bool begun = false;             ///< the script has called trilith.study
+  std::optional<StudyRise> rise;  ///< an incremental analysis; else as the script says
 };
 
 /// What a Lua callback cost.

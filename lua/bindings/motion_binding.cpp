@@ -5,8 +5,11 @@
 #include "bindings.hpp"
 #include "load/motion_check.hpp"
 #include "load/motion_measures.hpp"
+#include "load/motion_plain.hpp"
+#include "load/motion_process.hpp"
 #include "load/motion_read.hpp"
 #include "load/ramp.hpp"
+#include "load/response_spectrum.hpp"
 
 namespace trilith::script {
 namespace {
@@ -27,7 +30,7 @@ std::vector<std::string> files_in(const std::vector<fs::path>& folders) {
 
 fs::path find_record(const Host& host, const std::string& name) {
   if (fs::path(name).is_absolute()) return name;
-  std::vector<fs::path> folders{host.folder()};
+  std::vector<fs::path> folders{host.folder(), host.folder() / "records"};
   folders.insert(folders.end(), host.records.begin(), host.records.end());
   for (const fs::path& folder : folders)
     if (std::error_code ignored; fs::is_regular_file(folder / name, ignored)) return folder / name;
@@ -82,6 +85,12 @@ int make_motion(lua_State* L) {
   }
   std::string file = keys.text("file", "");
   const bool allow_drift = keys.flag("allow_drift", false);
+  if (!file.empty() && (keys.has("unit") || keys.has("dt"))) {
+    const PlainForm form{keys.text("unit"), keys.maybe_number("dt", "s")};
+    keys.finish();
+    push_motion(L, read_plain_motion(find_record(host(L), file), form), allow_drift);
+    return 1;
+  }
   if (!file.empty()) {
     keys.finish();
     push_motion(L, read_motion(find_record(host(L), file)), allow_drift);
@@ -121,10 +130,96 @@ double number_argument(lua_State* L, int index, const char* what) {
 int scale(lua_State* L) {
   const MotionValue& m = this_motion(L);
   Keys keys(L, 2, "scale");
-  const auto pga = keys.maybe_number("pga", "m/s2"), factor = keys.maybe_number("factor", "1");
-  if (pga.has_value() == factor.has_value()) keys.problem("give either pga (in m/s2) or factor");
+  const auto pga = keys.maybe_number("pga", "m/s2"), factor = keys.maybe_number("factor", "1"),
+             sa = keys.maybe_number("sa", "m/s2");
+  if (pga.has_value() + factor.has_value() + sa.has_value() != 1)
+    keys.problem("give either pga (in m/s2), factor, or sa (in m/s2) with its period");
+  const double period = sa ? keys.number("period", "s") : 0, damping = keys.number("damping", "1", 0.05);
+  if (!sa && (keys.has("period") || keys.has("damping"))) keys.problem("'period' and 'damping' go with sa");
   keys.finish();
-  push_motion(L, pga ? m.motion->scaled_to_peak(*pga) : m.motion->scaled(*factor), m.steady);
+  if (sa && *sa != 0)
+    push_motion(L, m.motion->scaled(factor_to_spectrum(*m.motion, {period, *sa}, damping)), m.steady);
+  else
+    push_motion(L, pga ? m.motion->scaled_to_peak(*pga) : m.motion->scaled(factor.value_or(0)), m.steady);
+  return 1;
+}
+
+/// { {T, Sa}, ... }
+std::vector<SpectrumPoint> read_spectrum(Keys& keys) {
+  lua_State* L = keys.lua();
+  std::vector<SpectrumPoint> points;
+  if (keys.push("spectrum") != LUA_TTABLE) keys.wrong("spectrum", "a list of points { period, acceleration }");
+  const auto count = lua_istable(L, -1) ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    const bool pair =
+        lua_type(L, -1) == LUA_TTABLE && lua_rawgeti(L, -1, 1) == LUA_TNUMBER && lua_rawgeti(L, -2, 2) == LUA_TNUMBER;
+    if (!pair)
+      throw InputError(fmt::format("match: point {} of 'spectrum' must be two numbers, period and acceleration", i));
+    points.push_back({lua_tonumber(L, -2), lua_tonumber(L, -1)});
+    lua_pop(L, 3);
+  }
+  lua_pop(L, 1);
+  return points;
+}
+
+/// motion:match{ spectrum =, from =, to =, damping = }
+int match(lua_State* L) {
+  const MotionValue& m = this_motion(L);
+  Keys keys(L, 2, "match");
+  std::vector<SpectrumPoint> points = read_spectrum(keys);
+  const double from = keys.number("from", "s", 0), to = keys.number("to", "s", 1e9),
+               damping = keys.number("damping", "1", 0.05);
+  keys.finish();
+  std::erase_if(points, [&](const SpectrumPoint& p) { return p.period < from || p.period > to; });
+  if (points.empty()) throw InputError("match: no point of the spectrum lies between 'from' and 'to'");
+  push_motion(L, m.motion->scaled(factor_to_spectrum(*m.motion, points, damping)), m.steady);
+  return 1;
+}
+int baseline(lua_State* L) {
+  const double degree = number_argument(L, 2, "baseline");
+  if (degree != std::floor(degree)) throw InputError(fmt::format("baseline: degree is {:g}, must be whole", degree));
+  push_motion(L, baseline_corrected(*this_motion(L).motion, static_cast<int>(std::clamp(degree, -1.0, 99.0))),
+              this_motion(L).steady);
+  return 1;
+}
+int filter(lua_State* L) {
+  const MotionValue& m = this_motion(L);
+  Keys keys(L, 2, "filter");
+  const FilterBand band{keys.number("low", "Hz", 0), keys.number("high", "Hz", 0), keys.count("order", 4),
+                        keys.number("pad", "s", 0)};
+  keys.finish();
+  push_motion(L, filtered(*m.motion, band), m.steady);
+  return 1;
+}
+int resample(lua_State* L) {
+  push_motion(L, resampled(*this_motion(L).motion, number_argument(L, 2, "resample")), this_motion(L).steady);
+  return 1;
+}
+/// motion:rotate(other, angle): both components, turned.
+int rotate(lua_State* L) {
+  const MotionValue &a = this_motion(L), &b = handle<MotionValue>(L, 2);
+  const bool steady = a.steady || b.steady;
+  auto [first, second] = rotated(*a.motion, *b.motion, number_argument(L, 3, "rotate"));
+  push_motion(L, std::move(first), steady);
+  push_motion(L, std::move(second), steady);
+  return 2;
+}
+/// motion:passage{ distance =, velocity = }: later by the time a wave takes.
+int passage(lua_State* L) {
+  const MotionValue& m = this_motion(L);
+  Keys keys(L, 2, "passage");
+  const double distance = keys.number("distance", "m"), velocity = keys.number("velocity", "m/s");
+  if (!(velocity > 0)) keys.problem(fmt::format("'velocity' is {:g} m/s, must be above 0", velocity));
+  keys.finish();
+  push_motion(L, m.motion->delayed(distance / velocity), m.steady);
+  return 1;
+}
+/// motion:sa(period, damping)
+int sa(lua_State* L) {
+  const double period = number_argument(L, 2, "sa");
+  const double damping = lua_isnoneornil(L, 3) ? 0.05 : number_argument(L, 3, "sa: damping");
+  lua_pushnumber(L, oscillator_peak(*this_motion(L).motion, period, damping).pseudo_acceleration);
   return 1;
 }
 int scale_as(lua_State* L) {
@@ -178,7 +273,14 @@ const std::array motion_properties{
 };
 
 const std::array motion_methods{
-    Method{"scale", guarded<scale>, "scale{pga=} or scale{factor=}"},
+    Method{"scale", guarded<scale>, "scale{pga=}, scale{factor=} or scale{sa=, period=}"},
+    Method{"match", guarded<match>, "match{spectrum={{T, Sa}, ...}}: scaled to come nearest to a spectrum"},
+    Method{"baseline", guarded<baseline>, "baseline(degree): without the polynomial that fits it best"},
+    Method{"filter", guarded<filter>, "filter{low=, high=, order=, pad=}: Butterworth, without a shift of phase"},
+    Method{"resample", guarded<resample>, "resample(dt): samples at another step"},
+    Method{"rotate", guarded<rotate>, "rotate(other, angle): two components turned; gives both"},
+    Method{"passage", guarded<passage>, "passage{distance=, velocity=}: later by the time a wave takes"},
+    Method{"sa", guarded<sa>, "sa(period, damping): pseudo-acceleration of an oscillator"},
     Method{"scale_as", guarded<scale_as>, "scale_as(other): by the factor the other was scaled by"},
     Method{"time_scale", guarded<time_scale>, "time_scale(factor): time axis times factor, accelerations kept"},
     Method{"delay", guarded<delay>, "delay(t): the same later"},

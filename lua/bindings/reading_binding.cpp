@@ -256,7 +256,7 @@ int history(lua_State* L) {
 /// m:results{ file =, frames =, histories =, energy =, velocities =, joints = }
 int results(lua_State* L) {
   ScriptModel& m = this_model(L);
-  if (m.running() || m.time() > 0) throw InputError("results: must be asked for before the first stage");
+  if (m.running()) throw InputError("results: must be asked for between stages; this one runs");
   if (m.results)
     throw InputError(fmt::format("results: asked for already, into '{}'; a model has one file, so give all in one call",
                                  m.results->file));

@@ -102,7 +102,6 @@ State<D> begun_as(const Model<D>& model, State<D> state) {
 template <int D>
 void SimulatedModel<D>::begin_recording(Host& host) {
   if (recording_begun_) return;
-  recording_begun_ = true;
   if (!host.results_file.empty()) {
     if (!results) results.emplace();
     results->file = std::exchange(host.results_file, "");
@@ -110,6 +109,7 @@ void SimulatedModel<D>::begin_recording(Host& host) {
     make_folder_of(results->file);
   }
   if (!results) return;
+  recording_begun_ = true;
   if (!host.case_folder.empty())
     results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
   open_recording(host);

@@ -255,6 +255,36 @@ void run_on(lua_State* L, ScriptModel& model, RunLimit limit) {
   model.run_on(limit, handlers.listener(true), h);
 }
 
+namespace {
+
+/// tostring(report): "shake ended (time) after 12 s in 100740 steps".
+int report_text(lua_State* L) {
+  if (lua_type(L, 1) != LUA_TTABLE) throw InputError("report: no report");
+  const auto raw = [&](const char* key) {
+    lua_pushstring(L, key);
+    lua_rawget(L, 1);
+  };
+  const auto text = [&](const char* key) {
+    raw(key);
+    const std::string value = text_at(L, -1);
+    lua_pop(L, 1);
+    return value;
+  };
+  const auto number = [&](const char* key) {
+    raw(key);
+    const double value = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+    return value;
+  };
+  std::string line = fmt::format("{} ended ({}) after {:.6g} s in {:.0f} steps", text("name"), text("ending"),
+                                 number("ended") - number("begun"), number("steps"));
+  if (const std::string reason = text("reason"); !reason.empty()) line += ": " + reason;
+  lua_pushlstring(L, line.data(), line.size());
+  return 1;
+}
+
+}  // namespace
+
 void push_report(lua_State* L, const StageReport& r) {
   const auto number = [&](const char* key, double value) {
     lua_pushnumber(L, value);
@@ -277,6 +307,8 @@ void push_report(lua_State* L, const StageReport& r) {
   number("longest_dt", r.longest_dt);
   number("speed", r.speed);
   number("ratio", r.ratio);
+  if (luaL_newmetatable(L, "trilith.report") != 0) set_function(L, "__tostring", guarded<report_text>);
+  lua_setmetatable(L, -2);
 }
 
 }  // namespace trilith::script

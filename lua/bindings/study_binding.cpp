@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/units.hpp"
+#include "base/whole_file.hpp"
 #include "bindings.hpp"
 #include "figures_reading.hpp"
 #include "interrupt_watch.hpp"
@@ -18,8 +19,21 @@ namespace {
 struct Wanted {
   std::string file, script;
   int jobs = 0;
-  bool has_function = false;
+  bool has_function = false, has_before = false;
+  std::optional<StudyRise> rise;
 };
+
+std::optional<StudyRise> read_rise(Keys& keys) {
+  lua_State* L = keys.lua();
+  std::optional<StudyRise> rise;
+  if (keys.push("ida") != LUA_TNIL) {
+    Keys own(L, lua_gettop(L), "study: 'ida'");
+    rise = StudyRise{own.text("over"), own.text("stop")};
+    own.finish();
+  }
+  lua_pop(L, 1);
+  return rise;
+}
 
 Wanted read_wanted(Keys& keys) {
   Wanted w;
@@ -29,6 +43,12 @@ Wanted read_wanted(Keys& keys) {
   w.has_function = keys.push("case") == LUA_TFUNCTION;
   if (!w.has_function && !lua_isnil(keys.lua(), -1)) keys.wrong("case", "a function");
   lua_pop(keys.lua(), 1);
+  w.has_before = keys.push("before") == LUA_TFUNCTION;
+  if (!w.has_before && !lua_isnil(keys.lua(), -1)) keys.wrong("before", "a function");
+  lua_pop(keys.lua(), 1);
+  w.rise = read_rise(keys);
+  if (w.has_before && !w.has_function)
+    keys.problem("'before' goes with case = a function, which is given what it gives");
   if (w.has_function == !w.script.empty())
     keys.problem("give just one of script = a file that runs a case, and case = a function of its parameters");
   return w;
@@ -49,18 +69,54 @@ void push_parameters(lua_State* L, const StudyPlan& plan, std::size_t index) {
   }
 }
 
+/// Where what `before` gave waits in the registry.
+constexpr const char* state_key = "trilith.study.state";
+
+/// Calls `before` of the study and keeps what it gives.
+void make_state(lua_State* L) {
+  lua_getfield(L, 1, "before");
+  call(L, 0, 1);
+  lua_setfield(L, LUA_REGISTRYINDEX, state_key);
+}
+
+/// Calls the case's function with its parameters, and with what `before` gave; keeps its figures.
+void call_case(lua_State* L, Host& h, const StudyPlan& plan, std::size_t index) {
+  lua_getfield(L, 1, "case");
+  push_parameters(L, plan, index);
+  lua_getfield(L, LUA_REGISTRYINDEX, state_key);
+  for (std::size_t k = 0; k < plan.names.size(); ++k)
+    h.parameters.push_back({plan.names[k], text_of(plan.cases[index][k]), plan.units[k], "", "of the study"});
+  call(L, 2, 1);
+  h.figures = figures_at(L, -1);
+}
+
+/// Runs a case in this process, which has parted from the one of the study: results and figures go to `folder`. Gives
+/// the exit code.
+int run_parted_case(lua_State* L, Host& h, const StudyPlan& plan, std::size_t index,
+                    const std::filesystem::path& folder) {
+  h.case_folder = folder;
+  h.observer = nullptr;
+  try {
+    call_case(L, h, plan, index);
+  } catch (const std::exception& e) {
+    h.finish(e.what());
+    fmt::print(stderr, "{}\n", e.what());
+    return h.doubts().empty() ? 1 : 3;
+  }
+  h.finish("");
+  write_whole_file(folder / figures_file, figures_text(h.figures));
+  for (const std::string& line : h.doubts()) fmt::print(stderr, "{}\n", line);
+  return h.doubts().empty() ? 0 : 3;
+}
+
 /// Runs one case here: its function, with its parameters.
 void run_case(lua_State* L, Host& h, const StudyPlan& plan, const Wanted& wanted) {
   const auto only = static_cast<std::size_t>(h.study.only);
   if (only > plan.cases.size())
     throw InputError(fmt::format("study: there is no case {}; there are {}", only, plan.cases.size()));
   if (!wanted.has_function) throw InputError("study: its cases are runs of a script of their own; see --list");
-  lua_getfield(L, 1, "case");
-  push_parameters(L, plan, only - 1);
-  for (std::size_t k = 0; k < plan.names.size(); ++k)
-    h.parameters.push_back({plan.names[k], text_of(plan.cases[only - 1][k]), plan.units[k], "", "of the study"});
-  call(L, 1, 1);
-  h.figures = figures_at(L, -1);
+  if (wanted.has_before) make_state(L);
+  call_case(L, h, plan, only - 1);
   throw InputError(script_is_done);
 }
 
@@ -84,6 +140,8 @@ void push_outcome(lua_State* L, const StudyPlan& plan, std::size_t index, const 
   for (const StudyFigure& f : o.figures) {
     if (const auto* number = std::get_if<double>(&f.value))
       lua_pushnumber(L, *number);
+    else if (const auto* flag = std::get_if<bool>(&f.value))
+      lua_pushboolean(L, *flag ? 1 : 0);
     else
       lua_pushstring(L, std::get<std::string>(f.value).c_str());
     lua_setfield(L, -2, f.name.c_str());
@@ -106,7 +164,7 @@ void push_study(lua_State* L, const StudyOrder& order, const std::vector<StudyOu
   lua_pushstring(L, order.file.string().c_str());
   lua_setfield(L, -2, "file");
   lua_newtable(L);
-  std::array<lua_Integer, 3> count{};
+  std::array<lua_Integer, 4> count{};
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     ++count[static_cast<std::size_t>(outcomes[i].status)];
     push_outcome(L, order.plan, i, outcomes[i]);
@@ -117,6 +175,8 @@ void push_study(lua_State* L, const StudyOrder& order, const std::vector<StudyOu
   lua_setfield(L, -2, "finished");
   lua_pushinteger(L, count[static_cast<std::size_t>(StudyStatus::failed)]);
   lua_setfield(L, -2, "failed");
+  lua_pushinteger(L, count[static_cast<std::size_t>(StudyStatus::passed_over)]);
+  lua_setfield(L, -2, "passed_over");
 }
 
 StudyOrder order_of(Host& h, StudyPlan plan, const Wanted& wanted) {
@@ -130,6 +190,7 @@ StudyOrder order_of(Host& h, StudyPlan plan, const Wanted& wanted) {
   order.jobs = h.study.jobs > 0 ? h.study.jobs : wanted.jobs;
   order.fresh = h.study.fresh;
   order.provenance.command_line = h.command_line;
+  order.rise = h.study.rise ? h.study.rise : wanted.rise;
   return order;
 }
 
@@ -158,6 +219,13 @@ int study(lua_State* L) {
   if (h.study.list) {
     list_cases(order);
     throw InputError(script_is_done);
+  }
+  if (wanted.has_before) {
+    h.threads = 1;  // a process that parts from this one takes none of its threads along
+    order.prepare = [L] { make_state(L); };
+    order.run_here = [L, &h, &order](std::size_t i, const std::filesystem::path& folder) {
+      return run_parted_case(L, h, order.plan, i, folder);
+    };
   }
   const InterruptWatch interrupt(L, h);
   StudyWatch watch;

@@ -139,6 +139,28 @@ StudyTake take_at_top(lua_State* L, const std::string& history) {
   return static_cast<StudyTake>(it - takes.begin());
 }
 
+/// Names in a list, without a take: the largest absolute value of each, which is what a response is judged by. What has
+/// a key stays, in a table of its own in place of the one on top of the stack.
+void take_names_out(lua_State* L, std::vector<StudyHistory>& wanted) {
+  const int given = lua_gettop(L);
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, given));
+  for (lua_Integer i = 1; i <= count; ++i) {
+    if (lua_rawgeti(L, given, i) != LUA_TSTRING)
+      throw InputError(
+          fmt::format("study: entry {} of 'histories' is {}, must be the name of a history", i, what_is(L, -1)));
+    wanted.push_back({text_at(L, -1), StudyTake::largest});
+    lua_pop(L, 1);
+  }
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, given) != 0; lua_pop(L, 1)) {
+    if (lua_isinteger(L, -2) != 0 && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= count) continue;
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, given + 1);
+  }
+  lua_replace(L, given);
+}
+
 }  // namespace
 
 StudyPlan read_plan(Keys& keys) {
@@ -164,9 +186,12 @@ std::vector<StudyHistory> read_histories(Keys& keys) {
   std::vector<StudyHistory> wanted;
   if (keys.push("histories") != LUA_TNIL) {
     require_table(L, "histories");
+    take_names_out(L, wanted);
     for (const std::string& name : sorted_names(L, "study: 'histories'")) {
       lua_getfield(L, -1, name.c_str());
-      if (lua_type(L, -1) != LUA_TTABLE) {
+      if (lua_type(L, -1) == LUA_TBOOLEAN && lua_toboolean(L, -1) != 0) {
+        wanted.push_back({name, StudyTake::largest});
+      } else if (lua_type(L, -1) != LUA_TTABLE) {
         wanted.push_back({name, take_at_top(L, name)});
       } else {
         const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));

@@ -35,7 +35,8 @@ struct Declaration {
   std::string name, unit, sentence;
   std::vector<std::string> choices;
   int type = LUA_TNIL;
-  double number = 0;  ///< in `unit`
+  double number = 0;   ///< in `unit`
+  bool whole = false;  ///< the default is a whole number
   bool flag = false;
   std::string text;
 
@@ -48,7 +49,7 @@ struct Declaration {
 void read_preset(lua_State* L, Declaration& d, Keys* keys) {
   d.type = lua_type(L, -1);
   if (d.type == LUA_TNUMBER)
-    d.number = lua_tonumber(L, -1);
+    d.number = lua_tonumber(L, -1), d.whole = lua_isinteger(L, -1) != 0;
   else if (d.type == LUA_TSTRING)
     d.text = text_at(L, -1);
   else if (d.type == LUA_TBOOLEAN)
@@ -106,8 +107,13 @@ void take_given(Declaration& d, const std::string& given) {
   }
 }
 
+/// What is declared as a whole number and is given as one stays whole: a count may index and repeat.
 void push_value(lua_State* L, const Declaration& d) {
-  if (d.type == LUA_TNUMBER)
+  constexpr double most_whole = 0x1p53;
+  if (d.type == LUA_TNUMBER && d.whole && d.unit.empty() && d.number == std::floor(d.number) &&
+      std::abs(d.number) < most_whole)
+    lua_pushinteger(L, static_cast<lua_Integer>(d.number));
+  else if (d.type == LUA_TNUMBER)
     lua_pushnumber(L, d.unit.empty() ? d.number : d.number * parse_unit(d.unit).factor);
   else if (d.type == LUA_TBOOLEAN)
     lua_pushboolean(L, d.flag ? 1 : 0);

@@ -65,7 +65,9 @@ local function names_in_string(session, before, start)
   local place = before:match "%.(bearings)%s*%[%s*$" or before:match "%.(seats)%s*%[%s*$"
     or (before:match ":%s*body%s*%(?%s*$" and "bodies")
   if before:match "%f[%w_]help%s*%(?%s*$" then
-    for _, entry in ipairs(console.manual().list) do names[#names + 1] = entry.name end
+    for _, entry in ipairs(console.manual().list) do
+      names[#names + 1] = entry.owner == "event type" and entry.member or entry.name
+    end
   else
     for _, model in ipairs(models_seen(session)) do pcall(add_names_of, model, names, place) end
     if not place then for _, name in ipairs(core.event_names()) do names[#names + 1] = name end end

@@ -33,7 +33,11 @@ end
 --- An entry of the manual as text.
 function console.entry_text(entry)
   local lines = { console.call_text(entry), "  " .. entry.doc }
-  if entry.is_field then
+  if entry.owner == "event type" then
+    lines[2] = lines[2] .. (entry.type == "no value" and "" or ("; value: %s%s"):format(entry.type,
+      entry.unit ~= "1" and " [" .. entry.unit .. "]" or ""))
+    lines[3] = "  and type, time, id, cause, step, text, bodies, body, bearing, seat: help \"tables\""
+  elseif entry.is_field then
     lines[2] = lines[2] .. (entry.unit ~= "" and entry.unit ~= "1" and " [" .. entry.unit .. "]" or "")
   end
   add_keys(lines, entry.args)
@@ -158,12 +162,19 @@ function console.help_text(value, value_of)
   return ("%s %s: %s"):format(sort == "integer" and "an" or "a", sort, console.show(value))
 end
 
---- Entries in which a word occurs, one line each.
+local function title_of(name)
+  for _, page in ipairs(console.manual().pages) do
+    if page.name == name then return page.title end
+  end
+  return ""
+end
+
+--- Entries in which a word occurs, or in the title of whose page it does, one line each.
 function console.apropos_text(word)
   if type(word) ~= "string" or word == "" then core.fail "apropos: takes a word, as in apropos \"bearing\"" end
   local lines, low = {}, word:lower()
   for _, entry in ipairs(console.manual().list) do
-    local text = entry.name .. " " .. entry.doc
+    local text = entry.name .. " " .. entry.doc .. " " .. title_of(entry.page)
     for _, keys in ipairs { entry.args, entry.keys } do
       for _, key in ipairs(keys) do text = text .. " " .. key.name .. " " .. key.doc end
     end

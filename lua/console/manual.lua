@@ -114,6 +114,23 @@ local function add_tables(manual, page)
   end
 end
 
+--- The types of events: what the engine says of their values, with a sentence of a page for each.
+local function add_events(manual, page)
+  local sentences = {}
+  for line in page.events:gmatch "[^\n]+" do
+    local name, doc = line:match "^(%S+)%s+(%S.*)$"
+    sentences[name] = doc
+  end
+  for _, event in ipairs(core.event_types()) do
+    local doc = sentences[event.name] or error("manual: nothing is said of the event '" .. event.name .. "'", 0)
+    if event.place then doc = doc .. "; x, y: where" end
+    if event.mode then doc = doc .. "; mode: tension, shear or compression" end
+    manual.add { name = ('event "%s"'):format(event.name), owner = "event type", member = event.name, unit = event.unit,
+      doc = doc, type = event.value ~= "" and event.value or "no value", is_field = true, is_row = true, args = {},
+      keys = {}, with = {}, page = page.name }
+  end
+end
+
 --- All of it: { by_name, list (in order of pages), pages }.
 function console.manual()
   if console.manual_made then return console.manual_made end
@@ -135,6 +152,7 @@ function console.manual()
     for _, row in ipairs(page) do manual.add(read_entry(row, page, shared)) end
     if page.makers then add_makers(manual, page, shared) end
     if page.tables then add_tables(manual, page) end
+    if page.events then add_events(manual, page) end
   end
   manual.pages[#manual.pages + 1] = { name = "laws",
     title = "Laws of contacts, bearings, solids, fibres and hinges; sections of beams" }
@@ -162,7 +180,9 @@ console.kind_names = kind_names
 --- Entries that `text` names: "m.consolidate" where m is a handle, "model:run", "trilith.build.wall", "run".
 function console.entries_named(text, value_of)
   local manual = console.manual()
-  if manual.by_name[text] then return { manual.by_name[text] } end
+  local event = manual.by_name[('event "%s"'):format(text)]
+  if manual.by_name[text] then return { manual.by_name[text], event } end
+  if event then return { event } end
   local first, rest = text:match "^([%a_][%w_]*)[.:](.+)$"
   local kind = first and value_of and core.kind_of(value_of(first))
   if kind then
@@ -170,10 +190,14 @@ function console.entries_named(text, value_of)
     local entry = manual.by_name[owner .. ":" .. rest] or manual.by_name[owner .. "." .. rest]
     if entry then return { entry } end
   end
-  local found = {}
+  local found, of_others = {}, {}
   local member = rest or text
   for _, entry in ipairs(manual.list) do
-    if entry.member == member and (not first or entry.owner == first) then found[#found + 1] = entry end
+    if entry.member == member then
+      table.insert((not first or entry.owner == first) and found or of_others, entry)
+    end
   end
+  -- "m.run" before there is an m: what is called so, whosever it is.
+  if #found == 0 and first and not kind_names[first] and first ~= "trilith" then return of_others end
   return found
 end

@@ -34,19 +34,47 @@ frequencies  numbers Hz  at which they are]], gives = "table" },
     keys = [[
 file          text?              a file with accelerations
 acceleration  numbers?           samples [m/s2]
-dt            number s?          step of the samples
+dt            number s?          step of the samples; with a file of plain columns: of its samples
+unit          text?              with a file of plain columns: of its accelerations, as in "cm/s2" or "g"
 v0            number m/s = 0     velocity at the start
 u0            number m = 0       displacement at the start
 velocity      number m/s?        instead of samples: a steady velocity
 duration      number s?          of the steady velocity
 allow_drift   flag = false       it need not come to rest
-name          text?              what messages call it]], gives = "motion", beside = { duration = true } },
+name          text?              what messages call it]], gives = "motion", beside = { duration = true, unit = true } },
   { "trilith.ramp", "A motion from rest to rest, smoothly: for supports that are moved.", keys = [[
 by        number           how far: m, or rad of a rotation
 duration  number s         how long]], gives = "motion" },
-  { "motion:scale", "The same times a factor.", keys = [[
-pga     number m/s2?  so that the largest acceleration is this
-factor  number?       or times this]], gives = "motion" },
+  { "motion:scale", "The same times a factor; 0 makes a control run.", keys = [[
+pga      number m/s2?   so that the largest acceleration is this
+factor   number?        or times this
+sa       number m/s2?   or so that the spectrum has this at the period
+period   number s?      with sa
+damping  number = 0.05  with sa]], gives = "motion" },
+  { "motion:match", "Scaled so that its spectrum comes nearest to a target, in the mean of the logarithm.", keys = [[
+spectrum  list           { { period, acceleration [m/s2] }, ... }
+from      number s?      leave out shorter periods
+to        number s?      leave out longer ones
+damping   number = 0.05  of the spectrum]], gives = "motion" },
+  { "motion:baseline", "Without the polynomial that fits its acceleration best.",
+    args = "degree  integer  0 to 10", gives = "motion" },
+  { "motion:filter", "Through a Butterworth filter forward and backward: no shift of phase, -3 dB at the corners.",
+    keys = [[
+low    number Hz?    take out what is slower
+high   number Hz?    take out what is faster
+order  integer = 4   of each side, 1 to 10
+pad    number s = 0  rest set before and after the record, which stays]], gives = "motion" },
+  { "motion:resample", "Samples at another step, linear between the old ones; a longer step is filtered first.",
+    args = "dt  number s  the new step", gives = "motion" },
+  { "motion:rotate", "Two horizontal components turned counter-clockwise.", args = [[
+other  motion      the other component
+angle  number rad  by which]], gives = "motion, motion" },
+  { "motion:passage", "Later by the time a wave takes: supports along a bridge.", keys = [[
+distance  number m    from where the motion comes
+velocity  number m/s  of the wave]], gives = "motion" },
+  { "motion:sa", "Pseudo-acceleration of an oscillator on this ground [m/s2].", args = [[
+period   number s       its period
+damping  number = 0.05  share of the critical one]], gives = "number" },
   { "motion:scale_as", "The same by the factor another one was scaled by.", args = "other  motion  the other one",
     gives = "motion" },
   { "motion:time_scale", "The time axis times a factor; accelerations are kept.", args = "factor  number  above 0",

@@ -76,8 +76,15 @@ draw::CutPlane cut_plane(const std::string& text) {
 }
 
 draw::SceneChoice choice_of(const DrawOptions& options, int dim) {
-  draw::SceneChoice choice{options.forces, options.ghost,   options.cracks, options.stress,
-                           options.thrust, options.magnify, options.colour, {},
+  draw::SceneChoice choice{options.forces,
+                           options.ghost,
+                           options.cracks,
+                           options.stress,
+                           options.thrust,
+                           options.magnify,
+                           options.colour,
+                           {},
+                           0,
                            std::nullopt};
   if (dim == 3 && !options.view.empty()) choice.from = draw::view_direction(options.view);
   if (!options.cut.empty()) choice.cut = cut_plane(options.cut);
@@ -108,8 +115,9 @@ std::vector<draw::Scene> mode_scenes(const results::ResultsReader& reader, const
 
 std::vector<draw::Scene> scenes_of(const results::ResultsReader& reader, const DrawOptions& options) {
   if (!options.mode.empty()) return mode_scenes(reader, options);
-  const draw::SceneChoice choice = choice_of(options, reader.header().dim);
+  draw::SceneChoice choice = choice_of(options, reader.header().dim);
   const Window window = window_of(reader, options.stage);
+  choice.zero = window.begin;  // what --at counts from, the caption does too
   std::vector<draw::Scene> scenes;
   for (const std::string& at : comma_list(options.at))
     scenes.push_back(draw::results_scene(reader, time_of(reader, window, at), choice));
@@ -151,8 +159,7 @@ void add_draw(CLI::App& app, int& code) {
       ->type_name("FILE");
   verb->add_flag("--forces", o->forces, "contact forces");
   verb->add_flag("--ghost", o->ghost, "where the bodies stood at the start");
-  verb->add_flag("--cracks", o->cracks,
-                 "joints that have lost their bond, coloured by what they did most: open or slide");
+  verb->add_flag("--cracks", o->cracks, "joints that have lost their bond, by how far they are open, or slid");
   verb->add_option("--stress", o->stress,
                    "colour bodies by their mean stress: smaller or larger principal, or a component")
       ->check(CLI::IsMember(draw::stress_names()));

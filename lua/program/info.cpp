@@ -3,22 +3,37 @@
 
 #include <memory>
 
+#include "base/error.hpp"
 #include "base/terminal_text.hpp"
 #include "draw/results_picture.hpp"
 #include "newer_run.hpp"
 #include "results/event_table.hpp"
 #include "results/info.hpp"
+#include "results/study_info.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
 namespace {
 
 struct InfoOptions {
-  std::string result;
+  std::string result, probability, over;
   bool events = false, of_note = false;
 };
 
+/// The table of a study.
+int show_study(const InfoOptions& options) {
+  const std::vector<results::StudyColumn> columns = results::read_study_table(options.result);
+  const std::string text = options.probability.empty()
+                               ? results::study_info_text(columns)
+                               : results::study_probability_text(columns, options.probability, options.over);
+  fmt::print("{}", terminal_text(text));
+  return ended_well;
+}
+
 int show_info(const InfoOptions& options) {
+  if (results::is_study_table(options.result)) return show_study(options);
+  if (!options.probability.empty() || !options.over.empty())
+    throw InputError("--probability and --over are for the table of a study; this is a run");
   const results::ResultsReader reader(options.result);
   if (!options.events && !options.of_note) {
     fmt::print("{}", terminal_text(results::info_text(reader)));
@@ -34,10 +49,15 @@ int show_info(const InfoOptions& options) {
 
 void add_info(CLI::App& app, int& code) {
   auto o = std::make_shared<InfoOptions>();
-  CLI::App* verb = app.add_subcommand("info", "Tell what a results file holds, finished or not");
-  verb->add_option("result", o->result, "results file")->required()->type_name("RESULT");
+  CLI::App* verb =
+      app.add_subcommand("info", "Tell what a results file, finished or not, or the table of a study holds");
+  verb->add_option("result", o->result, "results file, or table of a study")->required()->type_name("RESULT");
   verb->add_flag("--events", o->events, "all events, each below the one that led to it");
   verb->add_flag("--of-note", o->of_note, "the same without contacts made and lost and bodies at rest");
+  verb->add_option("--probability", o->probability,
+                   "of a study: how many cases meet this, as in collapsed or \"drift > 0.02\", with an interval")
+      ->type_name("CONDITION");
+  verb->add_option("--over", o->over, "with --probability: for each value of this parameter")->type_name("PARAMETER");
   verb->callback([o, &code] { code = show_info(*o); });
 }
 

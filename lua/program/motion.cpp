@@ -4,7 +4,10 @@
 #include <memory>
 #include <optional>
 
+#include "base/error.hpp"
 #include "draw/motion_chart.hpp"
+#include "load/motion_plain.hpp"
+#include "load/motion_process.hpp"
 #include "load/motion_read.hpp"
 #include "load/motion_summary.hpp"
 #include "verbs.hpp"
@@ -16,10 +19,22 @@ struct MotionOptions {
   std::string file, out;
   std::optional<double> scale, peak, time_scale;
   bool reverse = false, no_picture = false;
+  std::string unit;
+  std::optional<double> step;
+  std::optional<int> baseline;
+  FilterBand band;
 };
 
+GroundMotion read_processed(const MotionOptions& options) {
+  if (options.step && options.unit.empty()) throw InputError("--dt goes with --unit, for a file of plain columns");
+  GroundMotion motion =
+      options.unit.empty() ? read_motion(options.file) : read_plain_motion(options.file, {options.unit, options.step});
+  if (options.baseline) motion = baseline_corrected(motion, *options.baseline);
+  return options.band.low > 0 || options.band.high > 0 ? filtered(motion, options.band) : motion;
+}
+
 GroundMotion read_scaled(const MotionOptions& options) {
-  GroundMotion motion = read_motion(options.file);
+  GroundMotion motion = read_processed(options);
   if (options.scale) motion = motion.scaled(*options.scale);
   if (options.time_scale) motion = motion.time_scaled(*options.time_scale);
   if (options.peak) motion = motion.scaled_to_peak(*options.peak * standard_gravity);
@@ -44,9 +59,19 @@ int show_motion(const MotionOptions& options) {
 void add_motion(CLI::App& app, int& code) {
   auto o = std::make_shared<MotionOptions>();
   CLI::App* verb = app.add_subcommand("motion", "Measure and draw a ground motion");
-  verb->add_option("file", o->file, "record: PEER .AT2 or CSV")->required()->type_name("FILE");
+  verb->add_option("file", o->file, "record: PEER .AT2, CSV, or with --unit plain columns")
+      ->required()
+      ->type_name("FILE");
   verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; FILE with .png, here, where not given")
       ->type_name("FILE");
+  verb->add_option("--unit", o->unit, "of the accelerations of a file of plain columns: " + plain_units())
+      ->type_name("UNIT");
+  verb->add_option("--dt", o->step, "with --unit: step of its samples [s], where it has no column of time")
+      ->type_name("STEP");
+  verb->add_option("--baseline", o->baseline, "take out the polynomial of this degree")->type_name("DEGREE");
+  verb->add_option("--low", o->band.low, "Butterworth filter: take out what is slower [Hz]")->type_name("HZ");
+  verb->add_option("--high", o->band.high, "Butterworth filter: take out what is faster [Hz]")->type_name("HZ");
+  verb->add_option("--order", o->band.order, "of the filter")->type_name("N")->capture_default_str();
   verb->add_option("--scale", o->scale, "factor on the amplitudes")->type_name("FACTOR");
   verb->add_option("--peak", o->peak, "scale to this peak acceleration, in g")->type_name("PGA");
   verb->add_option("--time-scale", o->time_scale, "factor on the time axis")->type_name("FACTOR");

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/terminal_text.hpp"
 #include "draw/results_picture.hpp"
 #include "draw/study_chart.hpp"
 #include "newer_run.hpp"
@@ -15,8 +16,9 @@ namespace trilith::program {
 namespace {
 
 struct PlotOptions {
-  std::string result, out, over;
+  std::string result, out, over, against, fragility, ida;
   std::vector<std::string> more, names;
+  draw::PlotWindow window;
   bool list = false, events = false, lines = false;
 };
 
@@ -46,15 +48,17 @@ std::vector<std::string> short_names(const std::vector<std::string>& paths) {
 std::vector<draw::Chart> charts_of(const std::vector<draw::NamedResults>& results, const PlotOptions& options) {
   std::vector<std::string> names = options.names;
   const auto wants_ledger = std::find(names.begin(), names.end(), ledger);
+  if (!options.against.empty() && wants_ledger != names.end())
+    throw InputError("--against is for histories; the energy is drawn over time");
   const bool energy = (wants_ledger != names.end() && !has_history(*results[0].reader, ledger)) ||
                       (names.empty() && results[0].reader->header().histories.empty());
   if (energy && wants_ledger != names.end()) names.erase(wants_ledger);
   std::vector<draw::Chart> charts;
-  if (!names.empty() || !energy) charts.push_back(draw::history_chart(results, names));
+  if (!names.empty() || !energy) charts.push_back(draw::history_chart(results, names, options.window, options.against));
   for (const draw::NamedResults& r : results)
     if (energy)
-      charts.push_back(
-          draw::results_energy_chart(r, options.lines ? draw::EnergyView::lines : draw::EnergyView::stacked));
+      charts.push_back(draw::results_energy_chart(
+          r, options.lines ? draw::EnergyView::lines : draw::EnergyView::stacked, options.window));
   if (results.size() == 1 && charts.size() == 2) {  // one time axis, one set of marks
     charts[0].panels.push_back(std::move(charts[1].panels[0]));
     charts.pop_back();
@@ -62,15 +66,33 @@ std::vector<draw::Chart> charts_of(const std::vector<draw::NamedResults>& result
   return charts;
 }
 
+/// The parameter of the intensity: the one given, else the only one of numbers that varies.
+std::string intensity_of(const PlotOptions& options, const std::vector<results::StudyColumn>& columns) {
+  if (!options.over.empty()) return options.over;
+  throw InputError(
+      fmt::format("say over what: --over {}", fmt::join(results::study_names(columns).parameters, " or ")));
+}
+
+draw::Chart chart_of_study(const PlotOptions& options, const std::vector<results::StudyColumn>& columns) {
+  if (!options.ida.empty())
+    return draw::ida_chart(columns, options.ida, intensity_of(options, columns), options.fragility);
+  if (options.fragility.empty()) return draw::study_chart(columns, options.over, options.names);
+  const results::StudyFragility f =
+      results::study_fragility(columns, options.fragility, intensity_of(options, columns));
+  fmt::print("{}\n", terminal_text(fmt::format("{} over {}: {}", options.fragility, f.intensity, fragility_text(f))));
+  return draw::fragility_chart(f, options.fragility);
+}
+
 /// The table of a study.
 int plot_study(const PlotOptions& options, const std::filesystem::path& out) {
   const std::vector<results::StudyColumn> columns = results::read_study_table(options.result);
   if (options.list) {
-    const draw::StudyNames names = draw::study_names(columns);
+    const results::StudyNames names = results::study_names(columns);
     fmt::print("over: {}\nfigures: {}\n", fmt::join(names.parameters, ", "), fmt::join(names.figures, ", "));
     return ended_well;
   }
-  draw::Chart chart = draw::study_chart(columns, options.over, options.names);
+  if (!options.against.empty()) throw InputError("--against is for a run; figures of a study go --over a parameter");
+  draw::Chart chart = chart_of_study(options, columns);
   chart.title = std::filesystem::path(options.result).stem().string();
   draw::draw_chart(chart, out);
   fmt::print("{}\n", out.string());
@@ -83,6 +105,8 @@ int plot(const PlotOptions& options) {
                                         : std::filesystem::path(options.out);
   draw::picture_format(out);
   if (results::is_study_table(options.result)) return plot_study(options, out);
+  if (!options.fragility.empty() || !options.ida.empty())
+    throw InputError("--fragility and --ida are for the table of a study; this is a run");
   if (!options.over.empty()) throw InputError("--over is for the table of a study; this is a run, over its time");
   std::vector<std::string> paths{options.result};
   paths.insert(paths.end(), options.more.begin(), options.more.end());
@@ -98,8 +122,9 @@ int plot(const PlotOptions& options) {
   std::vector<draw::Chart> charts = charts_of(results, options);
   const std::string stem = std::filesystem::path(options.result).stem().string();
   if (charts[0].title.empty() && results.size() == 1) charts[0].title = stem;
+  if (options.events && !options.against.empty()) throw InputError("--events go with time, not with --against");
   if (options.events)
-    for (draw::Chart& chart : charts) chart.marks = draw::event_marks(readers[0]);
+    for (draw::Chart& chart : charts) chart.marks = draw::event_marks(readers[0], options.window);
   draw::draw_charts(charts, draw::Arrangement::below, out);
   fmt::print("{}\n", out.string());
   for (const results::ResultsReader& reader : readers) tell_of_newer_run(reader);
@@ -124,6 +149,20 @@ void add_plot(CLI::App& app, int& code) {
       ->type_name("FILE");
   verb->add_option("--over", o->over, "parameter of a study; the first that takes several values where not given")
       ->type_name("PARAMETER");
+  verb->add_option(
+          "--fragility", o->fragility,
+          "of a study: lognormal fragility curve of a condition, as in collapsed or \"drift > 0.02\", over --over")
+      ->type_name("CONDITION");
+  verb->add_option("--ida", o->ida,
+                   "of a study: --over drawn over this figure, a line for each record; with --fragility the lines end "
+                   "where that condition holds")
+      ->type_name("FIGURE");
+  verb->add_option("--against", o->against, "draw over this history instead of over time: loops, capacity curves")
+      ->type_name("HISTORY");
+  verb->add_option("--stage", o->window.stage, "this stage alone, with time counted from its beginning")
+      ->type_name("NAME");
+  verb->add_option("--from", o->window.from, "leave out what is before [s]")->type_name("T");
+  verb->add_option("--to", o->window.to, "leave out what is after [s]")->type_name("T");
   verb->add_flag("--events", o->events, "mark stages and events of the first run");
   verb->add_flag("--lines", o->lines, "terms of the energy as lines, not on each other");
   verb->add_flag("--list", o->list, "list the histories there are and end");

@@ -22,6 +22,7 @@ namespace {
 struct StudyOptions {
   std::string script, out;
   std::vector<std::string> given, over;
+  std::string ida, stop;
   script::StudyChoice choice;
   bool quiet = false;
 };
@@ -84,6 +85,7 @@ StudyOrder order_of(const StudyOptions& o) {
   StudyOrder order = script::study_order(product_plan(parameters), cases);
   order.file = o.out.empty() ? std::filesystem::path(o.script).stem().string() + "_study.h5" : o.out;
   order.jobs = o.choice.jobs;
+  order.rise = o.choice.rise;
   order.fresh = o.choice.fresh;
   order.provenance.command_line = "trilith study " + o.script;
   for (const std::string& g : o.given) order.provenance.command_line += " " + g;
@@ -152,10 +154,19 @@ void add_study(CLI::App& app, int& code) {
   verb->add_option("-j,--jobs", o->choice.jobs, "cases at a time; as many as there are processors where not given")
       ->type_name("N")
       ->check(CLI::Validator(is_count, "", ""));
+  verb->add_option("--ida", o->ida, "incremental analysis: from the lowest value of this parameter up, with --stop")
+      ->type_name("PARAMETER");
+  verb->add_option("--stop", o->stop,
+                   "with --ida: a flag of the cases; where it is true, higher values are passed over")
+      ->type_name("FIGURE");
   verb->add_flag("--fresh", o->choice.fresh, "run also those cases again that are finished");
   verb->add_flag("--list", o->choice.list, "print the command of each case and end");
   verb->add_flag("--quiet,-q", o->quiet, "show nothing but what goes wrong");
-  verb->callback([o, &code] { code = o->over.empty() ? run_own(*o) : run_over(*o); });
+  verb->callback([o, &code] {
+    if (o->ida.empty() != o->stop.empty()) throw InputError("study: --ida and --stop go together");
+    if (!o->ida.empty()) o->choice.rise = StudyRise{o->ida, o->stop};
+    code = o->over.empty() ? run_own(*o) : run_over(*o);
+  });
 }
 
 }  // namespace trilith::program

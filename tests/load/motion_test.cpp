@@ -177,11 +177,12 @@ TEST_CASE("samples, steps, starts and factors that are no numbers or out of rang
   CHECK_THROWS_AS(GroundMotion(good, 0.01, {nan, 0}), InputError);
   CHECK_THROWS_AS(GroundMotion(good, 0.01, {0, nan}), InputError);
   const GroundMotion motion(good, 0.01);
-  for (const double factor : {0.0, nan, 1e300}) {
+  for (const double factor : {nan, 1e300}) {
     CHECK_THROWS_AS(motion.scaled(factor), InputError);
     CHECK_THROWS_AS(motion.time_scaled(factor), InputError);
     CHECK_THROWS_AS(motion.scaled_to_peak(factor), InputError);
   }
+  CHECK_THROWS_AS(motion.time_scaled(0), InputError);
   CHECK_THROWS_AS(motion.time_scaled(-1), InputError);
   CHECK_THROWS_AS(motion.scaled_to_peak(-1), InputError);
   CHECK_THROWS_AS(motion.delayed(nan), InputError);

@@ -200,7 +200,8 @@ local cases = {
   { function() trilith.motion { acceleration = { 0, 1, 0 } } end, "motion: 'dt' is missing; give a number in s" },
   { function() trilith.motion {} end,
     "motion: 'acceleration' is missing; give a list of numbers in m/s2, or a file, or a velocity and a duration" },
-  { function() quake:scale { pga = 1, factor = 2 } end, "scale: give either pga (in m/s2) or factor" },
+  { function() quake:scale { pga = 1, factor = 2 } end,
+    "scale: give either pga (in m/s2), factor, or sa (in m/s2) with its period" },
   { function() quake:scale(2) end, "scale: takes one table, as in scale{ ... }; this is 2" },
   { function() quake:time_scale "x" end, "time_scale: takes one finite number; this is the text 'x'" },
   -- stages

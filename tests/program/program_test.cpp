@@ -128,6 +128,18 @@ TEST_CASE("trilith plot draws histories and energy, of several runs too, and lis
   check_refused(ask(here, "plot span.h5 span.z"), "no history 'span.z'; did you mean 'span.x'?");
 }
 
+TEST_CASE("trilith plot draws one history over another, and a stage or a part of a run alone") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  CHECK(ask(here, "plot span.h5 span.y --against span.x -o loop.svg").out == "loop.svg\n");
+  CHECK(ask(here, "plot span.h5 span.y --stage shaking --to 1 -o part.svg").code == 0);
+  check_refused(ask(here, "plot span.h5 span.y --against span.z"), "did you mean 'span.x'?");
+  check_refused(ask(here, "plot span.h5 span.y --stage shakin"), "did you mean 'shaking'?");
+  check_refused(ask(here, "plot span.h5 span.y --from 90"), "no samples of its histories in that part of the run");
+  check_refused(ask(here, "plot span.h5 energy --against span.x"), "the energy is drawn over time");
+  check_refused(ask(here, "plot span.h5 --fragility collapsed"), "for the table of a study");
+}
+
 TEST_CASE("control characters in a results file do not reach the terminal") {
   if (program_is_missing()) return;
   const testing::Folder here;

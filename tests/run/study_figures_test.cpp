@@ -8,10 +8,9 @@
 using namespace trilith;
 
 TEST_CASE("figures written to text read back as they were") {
-  const std::vector<StudyFigure> figures{{"drift", "m", 0.1},
-                                         {"mode", "", std::string("rocking, then sliding")},
-                                         {"tiny", "1", 1.0 / 3e200},
-                                         {"empty", "", std::string()}};
+  const std::vector<StudyFigure> figures{{"drift", "m", 0.1},        {"mode", "", std::string("rocking, then sliding")},
+                                         {"tiny", "1", 1.0 / 3e200}, {"empty", "", std::string()},
+                                         {"collapsed", "", true},    {"stands", "", false}};
   const std::vector<StudyFigure> read = figures_from(figures_text(figures));
   REQUIRE(read.size() == figures.size());
   for (std::size_t i = 0; i < read.size(); ++i) {

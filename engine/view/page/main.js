@@ -113,7 +113,8 @@ class App {
       tab.addEventListener("click", () => open(tab));
       tab.addEventListener("keydown", (e) => {
         const step = { ArrowRight: 1, ArrowLeft: -1 }[e.key];
-        if (!step) return;
+        // Whoever clicked the tab means the frames; whoever came to it by keys means the tabs.
+        if (!step || !tab.matches(":focus-visible")) return;
         e.stopPropagation();
         const to = tabs[(i + step + tabs.length) % tabs.length];
         to.focus();
@@ -249,10 +250,17 @@ class App {
     } else this.flashed = null;
   }
 
+  /** Left and right step frames wherever the focus is, but for fields in which they have a meaning of their own. */
+  stepsFrames(e) {
+    if (!["ArrowLeft", "ArrowRight"].includes(e.key)) return false;
+    const { tagName, type, id } = e.target;
+    return tagName === "SELECT" || (tagName === "INPUT" && (id === "time" || ["checkbox", "radio", "button"].includes(type)));
+  }
+
   key(e) {
     if (e.ctrlKey || e.metaKey || e.altKey) return;
-    if (/^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && !(e.target.id === "time" && e.key === " ")) {
-      if (e.target.id !== "time" || !["Home", "End", "ArrowLeft", "ArrowRight"].includes(e.key)) return;
+    if (!this.stepsFrames(e) && /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && !(e.target.id === "time" && e.key === " ")) {
+      if (e.target.id !== "time" || !["Home", "End"].includes(e.key)) return;
     }
     if (e.target.tagName === "BUTTON" && (e.key === " " || e.key === "Enter")) return;
     const far = e.shiftKey;
