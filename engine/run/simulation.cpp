@@ -139,7 +139,7 @@ void Simulation<D>::refresh() {
 
 template <int D>
 void Simulation<D>::drop_work() {
-  work_ = {};
+  work_.drop();
   evaluated_ = false;
 }
 

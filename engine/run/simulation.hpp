@@ -1,6 +1,7 @@
 // A model in time: stages run one after the other, listeners told of what happens.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/team.hpp"
 #include "run/causes.hpp"
 #include "run/stage.hpp"
 #include "run/stage_progress.hpp"
@@ -108,6 +110,9 @@ class Simulation {
 
   /// From now on adds where the time goes to `times`, which must outlive this; nullptr: no more.
   void measure(StepTimes* times) { times_ = times; }
+  /// How many threads may share a step, 1 to most_threads; as many of them do as there is work for. The bits are those
+  /// of one.
+  void use_threads(int threads) { work_.threads = std::clamp(threads, 1, most_threads); }
   /// Asks a running stage to end at the next step border. May be called from a signal handler or another thread.
   void stop() { stop_.store(true, std::memory_order_relaxed); }
   /// Everything that can be read is of one instant from then on: the present state, evaluated, with the forces of the

@@ -37,10 +37,9 @@ double energy_of_row(const Model<3>& model, const State<3>& state, Work<3>& work
   if (const JointMemory* joint = state.contacts.joint_at(row); joint != nullptr && !joint->empty())
     return joint_energy(*joint, law);
   const SolidMemory& memory = state.contacts.memory[row];
-  SolidOverlapBuffer cell;
   if ((memory.state & contact_touching) == 0) return 0;
-  return solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b], memory, law,
-                              work.solids.shared, cell);
+  SolidOverlapBuffer shared, cell;
+  return solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b], memory, law, shared, cell);
 }
 
 /// change() alters what a row remembers; the ledger has the difference of the elastic energy.

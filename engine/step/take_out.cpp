@@ -201,7 +201,7 @@ std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const S
   const std::size_t bodies = model.bodies.size(), bearings = model.bearings.size();
   model = std::move(grown);
   extend_state(state, model);
-  work = {};
+  work.drop();
   set_bonds(model, state, reach, static_cast<int>(bodies));
   std::vector<Event> events;
   for (std::size_t b = bodies; b < model.bodies.size(); ++b)

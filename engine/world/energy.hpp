@@ -79,4 +79,19 @@ struct Energy {
   }
 };
 
+/// Work done on one node along a path [J].
+struct NodeWork {
+  double weight = 0, load = 0, support = 0, element_damping = 0, rest = 0, mass = 0;
+};
+
+/// Adds it to the ledger's sums.
+inline void add(const NodeWork& w, Energy& given) {
+  given[EnergyTerm::gravity] -= w.weight;
+  given[EnergyTerm::load] += w.load;
+  given[EnergyTerm::support] -= w.support;
+  given[EnergyTerm::element_damping] -= w.element_damping;
+  given[EnergyTerm::rest_damping] -= w.rest;
+  given[EnergyTerm::mass_damping] -= w.mass;
+}
+
 }  // namespace trilith

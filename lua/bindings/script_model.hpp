@@ -62,6 +62,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::vector<History> histories;
   std::vector<double> history_times;  ///< [s]
   double history_interval = 0.01;     ///< [s], without results
+  int threads = 0;                    ///< that may share a step; 0: as the surroundings say
   std::optional<ResultsOptions> results;
   std::vector<std::string> motions;  ///< one line for each motion used
   std::vector<Event> events;         ///< of all stages

@@ -5,6 +5,7 @@ name             text = ""           what messages call it
 dim              integer = 2         2 in the plane, 3 in space: see "Models in space"
 thickness        number m = 1        out of the plane, of every contact
 gravity          number m/s2 = 9.81  downwards; or a vector {x, y}, in space {x, y, z}
+threads          integer?            that may share a step, 1 to 64; any number gives the same bits
 mass_damping     number 1/s = 0      damping force per momentum
 impact_speed     number m/s = 0.5    a contact made faster than this is an impact
 apart_time       number s = 0.02     a contact that has been open this long is lost
