@@ -35,7 +35,9 @@ local ring = m:add({ stone(1), stone(n) }, { material = "stone" })
 m:results { file = p.out, frames = 0.02*s, energy = 0.02*s }
 m:consolidate { ratio = 1e-4 }
 local middle = (n + 1)//2
-local function rest(name) m:run { name = name, duration = 5*s, damping = 0.8, until_rest = { ratio = 1e-4, hold = 0.1 } } end
+local function rest(name)
+  m:run { name = name, duration = 5*s, damping = 0.8, until_rest = { ratio = 1e-4, hold = 0.1 } }
+end
 for i = 2, middle - 1 do
   ring = ring + m:add({ stone(i), stone(n + 1 - i) }, { material = "stone" })
   rest(("stones %d and %d"):format(i, n + 1 - i))

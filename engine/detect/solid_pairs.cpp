@@ -80,8 +80,9 @@ void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
     });
   for (std::size_t row = 0; row < state.contacts.size(); ++row) {
     const ContactKey key = state.contacts.key[row];
-    if (!state.contacts.memory[row].empty() &&
-        (search.is_due[first_piece(key)] != 0 || search.is_due[second_piece(key)] != 0))
+    const int p = first_piece(key), q = second_piece(key);
+    if (!state.contacts.memory[row].empty() && (search.is_due[p] != 0 || search.is_due[q] != 0) &&
+        law_between(model, state, search, p, q) >= 0)  // none where one is out of the step, or both are held
       search.found.push_back(key);
   }
   std::sort(search.found.begin(), search.found.end());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "results/extended.hpp"
@@ -234,7 +235,12 @@ void Recording<D>::frame(const Instant<D>& now) {
 template <int D>
 void Recording<D>::history(const Instant<D>& now) {
   values_.clear();
-  for (const RecordedHistory<D>& h : options_.histories) values_.push_back(h.sample(now));
+  for (const RecordedHistory<D>& h : options_.histories) {
+    values_.push_back(h.sample(now));
+    if (!std::isfinite(values_.back()))  // the file takes that for one that was not followed yet
+      throw results::ResultsError(
+          fmt::format("history '{}' at t = {:g} s is {}", h.name, now.state.time, values_.back()));
+  }
   history(now.state.time, values_);
 }
 

@@ -127,9 +127,11 @@ class Handlers {
       call(L_, arguments, results);
       return true;
     } catch (const ScriptError& e) {
-      // Somebody is there to look: nothing of the run is lost, which goes on without that call.
-      if (host_.console != nullptr) {
-        if (model_.pause_reason.empty()) model_.pause_reason = fmt::format("a handler failed: {}", e.what());
+      // Somebody is there to look: nothing of the run is lost, which goes on without that call. An interrupt is no
+      // failure, and ends what hangs.
+      if (host_.console != nullptr && !host_.console->was_interrupted()) {
+        const std::string said = e.what(), first = said.substr(0, said.find('\n'));
+        model_.pause_reason += fmt::format("{}a handler failed: {}", model_.pause_reason.empty() ? "" : "; ", first);
         return false;
       }
       if (!leaves()) throw;

@@ -171,8 +171,9 @@ def session_error_objects_are_told_in_words(place):
     s = place.console("-i", "fall.lua")
     s.line("m:every(0.01, function() error { code = 5, why = 'so' } end)")
     s.expect("^> $")
-    s.ask("m:run { duration = 1 }", r"error object is a table value: \{ code = 5, why = \"so\" \}.*^> $")
-    s.ask("select(2, pcall(m.run, m, { duration = 1 })).code", r"^5$")
+    s.ask("m:run { duration = 1 }", r"Paused: a handler failed: .*error object is a table value: \{ code = 5, why = \"so\" \}.*s> $")
+    s.line("stop")
+    s.expect(r"stage ended.*^> $")
     s.ask("error(setmetatable({}, { __tostring = function() return 'in its own words' end }))", r"^in its own words")
 
 
@@ -189,8 +190,10 @@ def session_error_in_a_handler_leaves_the_model_usable(place):
     s = place.console("-i", "fall.lua")
     s.line("m:on('impact', function() local x = nil + 1 end)")
     s.expect("^> $")
-    s.ask("m:run { duration = 1 }", r"attempt to perform arithmetic on a nil value.*^> $")
+    s.ask("m:run { duration = 1 }", r"Paused: a handler failed: .*attempt to perform arithmetic on a nil value.*s> $")
     s.ask("m.time > 0.2 and m.time < 0.21", r"^true$")
+    s.line("stop")
+    s.expect(r"stage ended.*^> $")
     s.ask("m:run { duration = 0.05 }.ending", r"^time$")
 
 

@@ -111,3 +111,29 @@ fails(function() t:run { duration = 1, until_true = 3 } end, "until_true")
 -- A removal asked for twice in one step is refused at the border.
 t:every(0.01, function(model) model:remove "upper"; model:remove "upper" end)
 fails(function() t:run { duration = 1 } end, "body 'upper' was removed at")
+
+-- In space: the same words.
+local file = os.tmpname()
+os.remove(file)
+local s = trilith.model { name = "space", dim = 3 }
+s:material { name = "stone", density = 2000 }
+s:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.6, beta = 1e-3 } }
+s:block { name = "ground", size = { 6, 6, 1 }, at = { -3, -3, -1 }, material = "stone", support = "fixed" }
+s:block { name = "lower", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0 }, material = "stone" }
+s:block { name = "upper", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0.5 }, material = "stone" }
+s:results { file = file .. ".h5" }
+s:consolidate { ratio = 1e-4 }
+s:remove "lower"
+fails(function() return s:body("lower").z end, "was removed at")
+calm(s)
+near(s:body("upper").z, 0.25, 1e-2)
+local third = s:block { name = "third", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0.5001 }, material = "stone" }
+calm(s)
+near(third.z, 0.75, 1e-2)
+s:remove(third)
+s:put_back(third)
+assert(third.present and not third.removed_at)
+s:run { duration = 0.1 }
+near(third.z, 0.75, 1e-2)
+s:close()
+os.remove(file .. ".h5")

@@ -165,7 +165,8 @@ local cases = {
   { function() m.time = 3 end, "'time' of model 'wrong' can be read, not set" },
   { function() return b:body("block").hight end,
     "body 'block' has no 'hight'; known: area, bearings, forces, groups, hinges, inertia, kind, mass, material, name, "
-      .. "outline, plastic, point, resting, rotation, seats, speed, spin, sxx, sxy, syy, ux, uy, vx, vy, x, y" },
+      .. "outline, plastic, point, present, removed_at, resting, rotation, seats, speed, spin, sxx, sxy, "
+      .. "syy, ux, uy, vx, vy, x, y" },
   { function() return m:bodies { grup = "x" } end, "bodies: unknown key 'grup'; did you mean 'group'?" },
   -- bearings and seats
   { function() m:bearing { name = "B", between = { "base", "nobody" }, at = { 0, 0 } } end,
@@ -246,7 +247,7 @@ local cases = {
     "the energy ledger has no 'kin'; did you mean 'kinetic'? Its terms are kinetic, gravity, contact_elastic, "
       .. "bearing_elastic, strain, contact_damping, contact_friction, contact_fracture, bearing_damping, "
       .. "bearing_inner, bearing_failure, plastic, element_damping, mass_damping, rest_damping, support, load, "
-      .. "left_bounds, numerical, residual" },
+      .. "left_bounds, numerical, added, removed, residual" },
   -- handlers and histories
   { function() m:on("bearing.faild", print) end,
     "on: there is no event 'bearing.faild'; did you mean 'bearing.failed'?" },
@@ -282,7 +283,8 @@ local cases = {
     "body 'up' stands on nothing: no contact or bearing leads from it to a fixed or driven body; set it "
       .. "on something, give a contact law for its material, or say floating = true" },
   { function() late():body { name = "late", outline = square, mass = 1 } end,
-    "body: cannot be added any more, as the model was built at its first stage; add it before" },
+    "body 'late' stands on nothing: no contact or bearing leads from it to a fixed or driven body; set it "
+      .. "on something, give a contact law for its material, or say floating = true" },
   { function() return closed().time end, "the model is closed" },
   -- sets without a body, counts out of range, control characters
   { function() built():pushover { body = built():bodies { name = "none" }, at = "top", rate = 1, displacement = 1 } end,
