@@ -7,6 +7,13 @@ ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double
   return {shape, face_normals(shape), solid_edges(shape.faces), {}, solid_size(shape.corners)};
 }
 
+ConvexSolid convex_sphere(const Sphere& sphere) {
+  ConvexSolid solid;
+  solid.shape.corners = {sphere.centre};
+  solid.size = 2 * sphere.radius, solid.radius = sphere.radius;
+  return solid;
+}
+
 void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out) {
   out.solid = &solid;
   out.corners.clear(), out.normals.clear(), out.along.clear();

@@ -92,13 +92,23 @@ void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
   }
 }
 
+/// Their radii; empty where no piece is one.
+void list_spheres(const Model<3>& model, std::vector<Sphere>& sphere) {
+  sphere.clear();
+  const auto& pieces = model.piece_solid;
+  if (std::none_of(pieces.begin(), pieces.end(), [](const ConvexSolid& s) { return s.is_sphere(); })) return;
+  for (const ConvexSolid& piece : pieces) sphere.push_back({Vec3::Zero(), piece.radius});
+}
+
 void place_solids(const Model<2>& /*model*/, const State<2>& /*state*/, Work<2>& /*work*/) {}
-/// Corners, normals and edges of all pieces.
+/// Corners, normals and edges of all pieces, and spheres in a row of their own where there are any.
 void place_solids(const Model<3>& model, const State<3>& state, Work<3>& work) {
   work.solids.placed.resize(model.piece_solid.size());
+  if (!work.valid) list_spheres(model, work.solids.sphere);
   for (std::size_t p = 0; p < model.piece_solid.size(); ++p) {
     const int node = model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node;
     place(model.piece_solid[p], Turn3(state.rotation[node]), state.position[node], work.solids.placed[p]);
+    if (!work.solids.sphere.empty()) work.solids.sphere[p].centre = work.solids.placed[p].corners[0];
   }
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "contact/joint.hpp"
+#include "contact/sphere_contact.hpp"
 #include "step/evaluate.hpp"
 #include "step/solid_joints.hpp"
 
@@ -69,6 +70,16 @@ void respond_bonded(const Model<3>& model, const State<3>& state, Work<3>& work,
   if (joint.changed && joint.contact.touching) work.changed_rows.push_back(row);
 }
 
+bool has_sphere(const Work<3>& work, const NearPair& pair) {
+  const std::vector<Sphere>& sphere = work.solids.sphere;
+  return !sphere.empty() && (sphere[pair.piece_a].radius > 0 || sphere[pair.piece_b].radius > 0);
+}
+
+SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
+  const int n = model.bodies[model.piece_body[piece]].first_node;
+  return {work.solids.sphere[piece], work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n]};
+}
+
 void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, int row, double dt) {
   const auto r = static_cast<std::size_t>(row);
   const Contacts<3>& contacts = contacts_before(state, work);
@@ -81,6 +92,13 @@ void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, in
   // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
   if (!was && work.travel < work.asleep_until[r]) return;
   const NearPair& pair = work.pairs[r];
+  if (has_sphere(work, pair)) {
+    const LawInUse law{model.laws[pair.law], model.thickness, dt};
+    const SolidResponse response =
+        respond_spheres(sphere_side(model, state, work, pair.piece_a), sphere_side(model, state, work, pair.piece_b),
+                        before, law, work.solids.separation[r].distance);
+    return take_up(model, state, work, row, was, response);
+  }
   const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
                     b = moving_solid(model, state, work, pair.piece_b);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};

@@ -78,6 +78,7 @@ struct SolidWork {};
 template <>
 struct SolidWork<3> {
   std::vector<PlacedSolid> placed;      ///< [piece]. Writer: place
+  std::vector<Sphere> sphere;           ///< [piece] radius 0 of a polyhedron; empty without spheres. Writer: place
   std::vector<Separation3> separation;  ///< [contact] along the axis that parted them last. Writer: respond
   std::vector<Separation3> spare;       ///< room
   std::vector<ContactArea> areas;       ///< one for each of general_touching. Writer: respond

@@ -1,0 +1,144 @@
+// A sphere in a convex polyhedron: what presses on the parts of the polyhedron's faces that lie inside of the sphere.
+//
+// Comes in: the sphere (centre c, radius R) and the polyhedron where it stands. On a face at the height h below c the
+// part inside is the face's polygon within a disc about the foot of c, of radius a = sqrt(R^2 - h^2). A quantity p that
+// depends on the distance m from c alone, m^2 = h^2 + rho^2, sums up there to an integral around the foot,
+//
+//      integral of Q dtheta,   Q(rho) = integral of p rho drho = rho^2 mean(rho^2),
+//
+// with rho going along the polygon's sides where they are inside of the disc, and along its rim else: the rim is the
+// whole of it less the angles of the sides. Along a side at the distance q from the foot, dtheta = q dt / (q^2 + t^2),
+// so the integrand is mean(q^2 + t^2) q, smooth, and taken by Gauss's rule. Goes out: the sums over all faces.
+#pragma once
+
+#include "base/portable.hpp"
+#include "contact/sphere_lens.hpp"
+#include "shape/convex_solid.hpp"
+
+namespace trilith {
+
+/// Sums over the faces inside of a sphere.
+struct SphereFacets {
+  Vec3 pressed = Vec3::Zero();  ///< of p along the outward normals
+  Vec3 area = Vec3::Zero();     ///< of the area, likewise [m2]
+  double lever = 0;             ///< of p times the height of the centre
+  double apart = -unbounded;    ///< greatest height of the centre over a face, less the radius [m]
+};
+
+/// p and 1 over a part of a face.
+struct FaceSums {
+  double pressed = 0, area = 0;
+};
+
+/// Over the part of a face in the disc of radius `rim` about `foot`; mean(rho^2) as above.
+template <class Mean>
+FaceSums face_in_disc(const PlacedSolid& solid, int face, const Vec3& foot, double rim, Mean&& mean) {
+  const std::span<const int> loop = solid.solid->shape.faces[face];
+  const Vec3& n = solid.normals[static_cast<std::size_t>(face)];
+  const double square = rim * rim, rim_mean = square * mean(square);
+  FaceSums out;
+  bool inside = true;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec3& from = solid.corners[static_cast<std::size_t>(loop[i])];
+    const Vec3 side = solid.corners[static_cast<std::size_t>(loop[i + 1 < loop.size() ? i + 1 : 0])] - from;
+    const Vec3 arm = from - foot;
+    // Outwards in the plane: side x n. Most sides are far from the disc, and found so without a root.
+    const double scaled = arm.dot(cross(side, n)) + 0.0, length2 = side.squaredNorm();
+    if (scaled * scaled >= square * length2) {
+      if (scaled < 0) return {};
+      continue;
+    }
+    const double length = std::sqrt(length2), q = scaled / length, half = std::sqrt(square - q * q);
+    inside = inside && q >= 0;
+    const double begin = arm.dot(side) / length, t0 = std::max(begin, -half), t1 = std::min(begin + length, half);
+    if (!(t0 < t1)) continue;
+    double sum = 0;
+    for (std::size_t k = 0; k < sphere_point.size(); ++k) {
+      const double t = t0 + (t1 - t0) * sphere_point[k];
+      sum += sphere_weight[k] * mean(q * q + t * t);
+    }
+    const double angle = portable::atan2(q * (t1 - t0), q * q + t0 * t1);
+    out.pressed += (t1 - t0) * q * sum - rim_mean * angle;
+    out.area += 0.5 * ((t1 - t0) * q - square * angle);
+  }
+  if (inside) out.pressed += 2 * std::numbers::pi * rim_mean, out.area += std::numbers::pi * square;
+  return out;
+}
+
+/// Sums of `quantity` over all faces, inner ones too: those cancel between the pieces that share them.
+/// quantity(height)(rho^2) is mean(rho^2) on a face at that height, not below 0.
+template <class Quantity>
+SphereFacets facets_in_sphere(const PlacedSolid& solid, const Sphere& sphere, Quantity&& quantity) {
+  SphereFacets out;
+  const FaceLoops& faces = solid.solid->shape.faces;
+  for (int f = 0; f < faces.count(); ++f)
+    out.apart = std::max(out.apart, -depth_below(solid, f, sphere.centre) - sphere.radius);
+  if (out.apart >= 0) return out;
+  for (int f = 0; f < faces.count(); ++f) {
+    const double height = -depth_below(solid, f, sphere.centre);
+    const double square = sphere.radius * sphere.radius - height * height;
+    if (!(square > 0)) continue;
+    const Vec3& n = solid.normals[static_cast<std::size_t>(f)];
+    const FaceSums sums =
+        face_in_disc(solid, f, sphere.centre - height * n, std::sqrt(square), quantity(std::abs(height)));
+    out.pressed += sums.pressed * n, out.area += sums.area * n;
+    out.lever += sums.pressed * height;
+  }
+  return out;
+}
+
+/// Of max(e(phi) - relief, 0), phi = R - m [m3]; relief [m].
+template <class K>
+SphereFacets pressed_facets(const PlacedSolid& solid, const Sphere& sphere, const K& law, double relief) {
+  if constexpr (K::linear) {
+    const Sphere left{sphere.centre, sphere.radius - relief};
+    if (!(left.radius > 0)) return {};
+    return facets_in_sphere(solid, left, [&](double h) {
+      return [h, radius = left.radius](double square) {
+        const double m = std::sqrt(h * h + square), sum = m + h;
+        return sum > 0 ? 0.5 * radius - (m * m + m * h + h * h) / (3 * sum) : 0.5 * radius;
+      };
+    });
+  } else {
+    return facets_in_sphere(solid, sphere, [&](double h) {
+      return [&, h](double square) {
+        return 0.5 * integral_to_rim([&](double share) {
+                 const double depth = sphere.radius - std::sqrt(h * h + square * share);
+                 return std::max(0.0, law.effective(std::max(0.0, depth)) - relief);
+               });
+      };
+    });
+  }
+}
+
+/// Integral over kn of the energy of each place in the volume that the two share [m4]. With the field (x - c) g(m)
+/// whose divergence is that energy and which vanishes on the sphere, g = - 1 / (3 m^3) integral of e(t) ((R - t)^3 -
+/// m^3) from 0 to R - m, it is an integral over the faces, and that of a whole ball where the centre is inside.
+template <class K>
+double facets_energy(const PlacedSolid& solid, const Sphere& sphere, const K& law) {
+  const double radius = sphere.radius;
+  const auto field = [&](double m) {  // - 3 m^3 g
+    const double deep = radius - m;
+    if constexpr (K::linear) {
+      return deep * deep * (radius * radius + 2 * radius * m + 3 * m * m) / 4;
+    } else {
+      return deep * integral_to_rim([&](double share) {
+               const double t = deep * (1 - share), left = radius - t;
+               return law.effective(std::max(0.0, t)) * (left * left * left - m * m * m);
+             });
+    }
+  };
+  const SphereFacets sums = facets_in_sphere(solid, sphere, [&](double h) {
+    return [&, h](double square) {
+      return 0.5 * integral_to_rim([&](double share) {
+               const double m = std::max(std::sqrt(h * h + square * share), 1e-9 * radius);
+               return field(m) / (3 * m * m * m);
+             });
+    };
+  });
+  if (sums.apart >= 0) return 0;
+  const bool swallowed = sums.apart <= -radius;
+  return sums.lever + (swallowed ? 4.0 / 3 * std::numbers::pi * field(0) : 0);
+}
+
+}  // namespace trilith
