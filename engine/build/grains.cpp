@@ -9,7 +9,8 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "base/portable.hpp"
+#include "base/rotation_3d.hpp"
+#include "base/schema.hpp"
 #include "shape/random_convex.hpp"
 #include "shape/random_convex_3d.hpp"
 

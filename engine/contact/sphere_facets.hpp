@@ -111,34 +111,25 @@ SphereFacets pressed_facets(const PlacedSolid& solid, const Sphere& sphere, cons
   }
 }
 
-/// Integral over kn of the energy of each place in the volume that the two share [m4]. With the field (x - c) g(m)
-/// whose divergence is that energy and which vanishes on the sphere, g = - 1 / (3 m^3) integral of e(t) ((R - t)^3 -
-/// m^3) from 0 to R - m, it is an integral over the faces, and that of a whole ball where the centre is inside.
+/// The work over kn that brings the sphere from where it touches nothing to where it stands [m4], along the normal of
+/// the face that it is highest over. Any other way takes as much, for the force is the derivative of an energy.
 template <class K>
 double facets_energy(const PlacedSolid& solid, const Sphere& sphere, const K& law) {
-  const double radius = sphere.radius;
-  const auto field = [&](double m) {  // - 3 m^3 g
-    const double deep = radius - m;
-    if constexpr (K::linear) {
-      return deep * deep * (radius * radius + 2 * radius * m + 3 * m * m) / 4;
-    } else {
-      return deep * integral_to_rim([&](double share) {
-               const double t = deep * (1 - share), left = radius - t;
-               return law.effective(std::max(0.0, t)) * (left * left * left - m * m * m);
-             });
+  constexpr int stretches = 4;
+  double height = -unbounded;
+  Vec3 out = Vec3::UnitZ();
+  for (int f = 0; f < solid.solid->shape.faces.count(); ++f)
+    if (const double above = -depth_below(solid, f, sphere.centre); above > height)
+      height = above, out = solid.normals[static_cast<std::size_t>(f)];
+  const double way = (sphere.radius - height) / stretches;
+  if (!(way > 0)) return 0;
+  double sum = 0;
+  for (int i = 0; i < stretches; ++i)
+    for (std::size_t k = 0; k < sphere_point.size(); ++k) {
+      const Vec3 at = sphere.centre + (i + sphere_point[k]) * way * out;
+      sum += sphere_weight[k] * way * out.dot(pressed_facets(solid, Sphere{at, sphere.radius}, law, 0).pressed);
     }
-  };
-  const SphereFacets sums = facets_in_sphere(solid, sphere, [&](double h) {
-    return [&, h](double square) {
-      return 0.5 * integral_to_rim([&](double share) {
-               const double m = std::max(std::sqrt(h * h + square * share), 1e-9 * radius);
-               return field(m) / (3 * m * m * m);
-             });
-    };
-  });
-  if (sums.apart >= 0) return 0;
-  const bool swallowed = sums.apart <= -radius;
-  return sums.lever + (swallowed ? 4.0 / 3 * std::numbers::pi * field(0) : 0);
+  return sum;
 }
 
 }  // namespace trilith

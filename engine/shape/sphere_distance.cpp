@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/schema.hpp"
+
 namespace trilith {
 namespace {
 
