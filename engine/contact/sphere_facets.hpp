@@ -14,6 +14,7 @@
 #include "base/portable.hpp"
 #include "contact/sphere_lens.hpp"
 #include "shape/convex_solid.hpp"
+#include "shape/sphere_distance.hpp"
 
 namespace trilith {
 
@@ -100,36 +101,44 @@ SphereFacets pressed_facets(const PlacedSolid& solid, const Sphere& sphere, cons
       };
     });
   } else {
+    // With m dm = (R - phi) dphi, Q is what T(x), the integral of p (R - phi) from 0 to x, loses along the way.
+    const double radius = sphere.radius;
+    const auto pressure = [&](double depth) { return std::max(0.0, law.effective(depth) - relief); };
+    const auto total = [&, radius](double x) {
+      return x > 0 ? x * integral_to_rim([&](double share) {
+                       const double depth = x * (1 - share);
+                       return pressure(depth) * (radius - depth);
+                     })
+                   : 0.0;
+    };
     return facets_in_sphere(solid, sphere, [&](double h) {
-      return [&, h](double square) {
-        return 0.5 * integral_to_rim([&](double share) {
-                 const double depth = sphere.radius - std::sqrt(h * h + square * share);
-                 return std::max(0.0, law.effective(std::max(0.0, depth)) - relief);
-               });
+      return [&, h, foot = total(radius - h)](double square) {
+        if (square < 1e-12 * radius * radius) return 0.5 * pressure(radius - h);
+        return (foot - total(radius - std::sqrt(h * h + square))) / square;
       };
     });
   }
 }
 
-/// The work over kn that brings the sphere from where it touches nothing to where it stands [m4], along the normal of
-/// the face that it is highest over. Any other way takes as much, for the force is the derivative of an energy.
+/// The work over kn that brings the sphere from where it touches nothing to where it stands [m4], along the line
+/// through the nearest point of the surface. Any other way takes as much, for the force is the derivative of an energy.
 template <class K>
 double facets_energy(const PlacedSolid& solid, const Sphere& sphere, const K& law) {
-  constexpr int stretches = 4;
-  double height = -unbounded;
-  Vec3 out = Vec3::UnitZ();
+  constexpr int stretches = 3;
+  const Vec3 way = sphere.centre - nearest_point(solid, sphere.centre);
+  double above = -unbounded;
   for (int f = 0; f < solid.solid->shape.faces.count(); ++f)
-    if (const double above = -depth_below(solid, f, sphere.centre); above > height)
-      height = above, out = solid.normals[static_cast<std::size_t>(f)];
-  const double way = (sphere.radius - height) / stretches;
-  if (!(way > 0)) return 0;
+    above = std::max(above, -depth_below(solid, f, sphere.centre));
+  const double distance = above > 0 ? way.norm() : -way.norm(), overlap = sphere.radius - distance;
+  if (!(overlap > 0) || distance == 0) return 0;
+  const Vec3 out = way / distance;
   double sum = 0;
   for (int i = 0; i < stretches; ++i)
     for (std::size_t k = 0; k < sphere_point.size(); ++k) {
-      const Vec3 at = sphere.centre + (i + sphere_point[k]) * way * out;
-      sum += sphere_weight[k] * way * out.dot(pressed_facets(solid, Sphere{at, sphere.radius}, law, 0).pressed);
+      const Vec3 at = sphere.centre + (i + sphere_point[k]) * overlap / stretches * out;
+      sum += sphere_weight[k] * out.dot(pressed_facets(solid, Sphere{at, sphere.radius}, law, 0).pressed);
     }
-  return sum;
+  return sum * overlap / stretches;
 }
 
 }  // namespace trilith
