@@ -32,8 +32,8 @@ bool meet_spheres(const SphereSide& a, const SphereSide& b, const K& law, Sphere
   if (!(apart < 0)) return false;
   apart = 0;
   const SphereLens lens{std::max(a.sphere.radius, b.sphere.radius), std::min(a.sphere.radius, b.sphere.radius),
-                        distance};
-  out.normal = distance > 0 ? Vec3(way / distance) : Vec3(Vec3::UnitZ());
+                        distance, distance > 0 ? 1 / distance : 0};
+  out.normal = distance > 0 ? Vec3(lens.inverse * way) : Vec3(Vec3::UnitZ());
   const bool swallowed = lens.is_swallowed();
   const double plane = swallowed ? (a.sphere.radius < b.sphere.radius ? 0 : distance)
                                  : lens.plane_from(a.sphere.radius, b.sphere.radius);
@@ -72,21 +72,27 @@ bool meet_facets(const SphereSide& a, const SphereSide& b, const K& law, SphereA
   return true;
 }
 
-/// What was remembered, turned with the plane of contact by the shortest way and about its normal by `turn` [rad].
-struct CarriedShear {
-  Vec3 from, to;
-  double turn;
-
-  [[nodiscard]] Vec3 operator()(const Vec3& v) const {
+/// Turns what was remembered with the plane of contact, by the shortest way, and about its normal.
+class CarriedShear {
+ public:
+  /// From one normal to another; `turn` about the latter [rad], small: by Cayley's map, which keeps lengths.
+  CarriedShear(const Vec3& from, const Vec3& to, double turn) : to_(to), axis_(cross(from, to)) {
     const double cosine = from.dot(to);
-    if (cosine <= -0.5) return v - 2 * v.dot(to) * to;  // turned over: no shortest way worth the name
-    const Vec3 axis = cross(from, to), once = cross(axis, v);
-    const Vec3 here = v + once + cross(axis, once) / (1 + cosine);
-    // A small turn by Cayley's map, which keeps lengths.
-    const double half = 0.5 * turn, scale = 1 / (1 + half * half);
-    const Vec3 aside = cross(to, here), flat = here - to.dot(here) * to;
-    return here + 2 * half * scale * (aside - half * flat);
+    turned_over_ = cosine <= -0.5;  // no shortest way worth the name
+    share_ = 1 / (1 + cosine), half_ = 0.5 * turn, scale_ = 2 * half_ / (1 + half_ * half_);
   }
+  [[nodiscard]] Vec3 operator()(const Vec3& v) const {
+    if (turned_over_) return v - 2 * v.dot(to_) * to_;
+    const Vec3 once = cross(axis_, v);
+    const Vec3 here = v + once + share_ * cross(axis_, once);
+    return here + scale_ * (cross(to_, here) - half_ * (here - to_.dot(here) * to_));
+  }
+
+ private:
+  const Vec3& to_;
+  Vec3 axis_;
+  double share_, half_, scale_;
+  bool turned_over_;
 };
 
 /// A Kelvin-Voigt spring in series with a slider, as contact/shear_3d.hpp, but for the limit: what is beyond it comes
@@ -100,7 +106,7 @@ void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMe
   const Vec3 path = law.dt * rate;
   Vec3 old = Vec3::Zero(), old_total = Vec3::Zero();
   if (before.shear.area > 0) {
-    const CarriedShear carried{before.normal, n, 0.5 * law.dt * n.dot(Vec3(a.spin + b.spin))};
+    const CarriedShear carried(before.normal, n, 0.5 * law.dt * n.dot(Vec3(a.spin + b.spin)));
     old = carried(before.shear.elastic), old_total = carried(before.shear.total);
   }
   const double stiffness = law.ks * at.area, compliance = stiffness > 0 ? 1 / stiffness : 0,
@@ -112,11 +118,11 @@ void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMe
     total *= limit / std::sqrt(square);
     elastic = kept + (total - kept) * (law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0);
     stretch = (elastic - kept) * compliance;
+    out.memory.slip += (path - stretch).norm();
   }
   const Vec3 slip = path - stretch, mean_total = 0.5 * (total + old_total), mean_elastic = 0.5 * (elastic + old);
   out.memory.shear = {elastic, total, at.area};
   out.memory.normal = n;
-  out.memory.slip += slip.norm();
   out.lost_friction += mean_total.dot(slip) + relaxed + 0.5 * (old - kept).dot(stretch);
   out.lost_damping += (mean_total - mean_elastic).dot(stretch);
   const double along = n.dot(total);

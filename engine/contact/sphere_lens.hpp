@@ -32,13 +32,17 @@ double integral_to_rim(F&& f) {
 struct SphereLens {
   double large, small;  ///< radii [m]
   double distance;      ///< of the centres, below the sum of the radii [m]
+  double inverse;       ///< of it [1/m]
+
+  SphereLens(double r, double s, double d) : SphereLens(r, s, d, 1 / d) {}
+  SphereLens(double r, double s, double d, double one_over) : large(r), small(s), distance(d), inverse(one_over) {}
 
   [[nodiscard]] double overlap() const { return large + small - distance; }
   /// One lies within the other: what they share has no rim.
   [[nodiscard]] bool is_swallowed() const { return distance <= large - small; }
   /// From the centre of a sphere to the plane of the disc [m].
   [[nodiscard]] double plane_from(double radius, double other) const {
-    return 0.5 * (distance + (radius - other) * (radius + other) / distance);
+    return 0.5 * (distance + (radius - other) * (radius + other) * inverse);
   }
   [[nodiscard]] double disc_radius_squared() const {
     if (is_swallowed()) return small * small;
@@ -49,7 +53,7 @@ struct SphereLens {
   [[nodiscard]] double volume() const {
     if (is_swallowed()) return 4.0 / 3 * std::numbers::pi * small * small * small;
     const double sum = large + small, difference = large - small, e = overlap();
-    return std::numbers::pi * e * e * (distance * (distance + 2 * sum) - 3 * difference * difference) / (12 * distance);
+    return std::numbers::pi / 12 * e * e * inverse * (distance * (distance + 2 * sum) - 3 * difference * difference);
   }
 };
 
@@ -57,7 +61,8 @@ struct SphereLens {
 template <class K>
 double lens_force(const SphereLens& lens, const K& law, double relief) {
   if constexpr (K::linear) {
-    const SphereLens left{lens.large, lens.small, lens.distance + relief};
+    if (relief == 0) return lens.overlap() > 0 ? lens.volume() : 0;
+    const SphereLens left(lens.large, lens.small, lens.distance + relief);
     return left.overlap() > 0 ? left.volume() : 0;
   } else {
     if (lens.is_swallowed()) return std::max(0.0, law.effective(2 * lens.small) - relief) * lens.area();
@@ -78,7 +83,7 @@ template <class K>
 double lens_energy(const SphereLens& lens, const K& law) {
   const double from = lens.large + lens.small, way = lens.overlap();
   return way * integral_to_rim([&](double share) {
-           return lens_force(SphereLens{lens.large, lens.small, from - way * (1 - share)}, law, 0);
+           return lens_force(SphereLens(lens.large, lens.small, from - way * (1 - share)), law, 0);
          });
 }
 
