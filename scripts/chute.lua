@@ -3,12 +3,12 @@
 local trilith = require "trilith"
 local deg, s = trilith.units "deg", trilith.units "s"
 local p = trilith.params {
-  count = { 1500, "grains" }, least = { 0.011, unit = "m", "smallest radius" }, most = { 0.016, unit = "m", "largest" },
+  count = { 600, "grains" }, least = { 0.011, unit = "m", "smallest radius" }, most = { 0.016, unit = "m", "largest" },
   clumps = { 0.3, "share of clumps of three spheres among them" },
   angle = { 30*deg, unit = "rad", "slope of the chute" }, length = { 2, unit = "m", "of the chute, along it" },
   width = { 0.4, unit = "m", "of chute and bin" }, mu = { 0.4, "friction" },
-  kn = { 4e9, unit = "Pa/m", "stiffness of contacts" }, beta = { 8e-5, unit = "s", "their damping" },
-  settle = { 0.8, unit = "s", "before the gate is lifted" }, flow = { 4, unit = "s", "after it" },
+  kn = { 1.5e9, unit = "Pa/m", "stiffness of contacts" }, beta = { 1.5e-4, unit = "s", "their damping" },
+  settle = { 0.6, unit = "s", "before the gate is lifted" }, flow = { 2.5, unit = "s", "after it" },
   out = { "out/chute.h5", "results" } }
 local w, t, wall = p.width, 0.04, 0.35
 local slope, run = trilith.math.tan(p.angle), p.length*trilith.math.cos(p.angle)
@@ -46,7 +46,8 @@ plate("bin back", { { run - 0.3 - t, -t }, { run - 0.3, -t }, { run - 0.3, rim -
 plate("bin left", { { run - 0.3, 0 }, { far, 0 }, { far, rim - 0.1 }, { run - 0.3, rim - 0.1 } }, -t, t)
 plate("bin right", { { run - 0.3, 0 }, { far, 0 }, { far, rim - 0.1 }, { run - 0.3, rim - 0.1 } }, w, t)
 
-local stone = { { at = { 0, 0, 0 }, radius = 0.6 }, { at = { 0.5, 0, 0 }, radius = 0.5 }, { at = { 0, 0.45, 0.1 }, radius = 0.45 } }
+local stone = { { at = { 0, 0, 0 }, radius = 0.6 }, { at = { 0.5, 0, 0 }, radius = 0.5 },
+  { at = { 0, 0.45, 0.1 }, radius = 0.45 } }
 local grains = m:pour { name = "grains", low = { 0, 0, top(0) + 0.001 }, high = { gate_x, w, top(0) + 400 },
   count = p.count, radius = { p.least, p.most }, clump = p.clumps > 0 and stone or nil, share = p.clumps,
   material = "grain" }
@@ -60,8 +61,8 @@ local function beyond()
   end
   return count
 end
-m:run { name = "settling", duration = p.settle }
 m:history { name = "past the lip", of = beyond, unit = "1", doc = "grains that have left the chute" }
+m:run { name = "settling", duration = p.settle }
 local begun, counts = m.time, {}
 m:drive { body = "gate", z = trilith.ramp { by = tall, duration = 0.4 } }
 m:every(0.1, function() counts[#counts + 1] = { m.time - begun, beyond() } end)
@@ -82,7 +83,7 @@ for _, now in ipairs(counts) do
 end
 print(("first grain at the lip after %s s, a tenth after %s, nine tenths after %s"):format(first, tenth, nine))
 print(("largest flow %.0f grains/s, %.2f kg/s, after %.1f s"):format(most, most*grains.mass/#grains, at))
--- The surface of the heap: the highest grain in each tenth of the bin, and a line through them by least squares.
+-- The surface of the heap: the highest grain in each twelfth of the bin.
 local heap, n, reach = {}, 12, 0
 for _, g in ipairs(grains) do
   if g.x > run - 0.3 and g.z < lip then
@@ -92,6 +93,7 @@ for _, g in ipairs(grains) do
   end
 end
 for k = 1, n do
-  if heap[k] then print(("x = %.2f m from the lip: grains up to %.3f m"):format((k - 0.5)*(far - run + 0.3)/n - 0.3, heap[k])) end
+  local x = (k - 0.5)*(far - run + 0.3)/n - 0.3
+  if heap[k] then print(("x = %.2f m from the lip: grains up to %.3f m"):format(x, heap[k])) end
 end
 print(("%d grains in the bin, the farthest %.2f m from the lip"):format(beyond(), reach))

@@ -54,7 +54,8 @@ std::optional<Box> box_of_free(const std::vector<SolidPiece>& pieces, const std:
   std::vector<double> along[3];
   for (const SeenSphere& s : spheres)
     if (scene.bodies[static_cast<std::size_t>(s.body)].role == BodyRole::free)
-      for (int k = 0; k < 3; ++k) along[k].push_back(s.centre[k]);
+      for (int k = 0; k < 3; ++k)
+        for (const double reach : {-s.radius, s.radius}) along[k].push_back(s.centre[k] + reach);
   for (const SolidPiece& piece : pieces)
     if (scene.bodies[static_cast<std::size_t>(piece.body)].role == BodyRole::free)
       for (const PieceFace& face : piece.faces)

@@ -160,13 +160,14 @@ seed         integer = 1   of the random numbers]], with = "solids", gives = "se
 name    text                its name
 radius  number m            of it
 at      vector = {0, 0, 0}  its centre]], with = "solid", gives = "body" },
-  { "space:clump", "Spheres that overlap or touch, as one body: its mass is that of their union; each touches others for "
-    .. "itself.", keys = [[
+  { "space:clump", "Spheres that overlap or touch, as one body: its mass is that of their union; each touches "
+    .. "others for itself.", keys = [[
 name     text                its name
 spheres  list                { { at = {x, y, z}, radius = }, ... }, about its own origin
 at       vector = {0, 0, 0}  where that origin stands
 turn     table?              { axis = {x, y, z}, angle = }: about it]], with = "solid", gives = "body" },
-  { "space:pour", "Spheres, or clumps of one shape, at random in a box, none touching another, ready to fall.", keys = [[
+  { "space:pour", "Spheres, or clumps of one shape, at random in a box, none touching another, ready to fall.",
+    keys = [[
 name     text?            names begin with it
 low      vector           corner of the box they begin in
 high     vector           the opposite one

@@ -20,7 +20,8 @@ do
   local m = model()
   near(m:sphere { name = "one", radius = 0.1, at = { 0, 0, 1 }, material = "stone", floating = true }.mass,
     2500*ball(0.1), 1e-12)
-  local pair = m:clump { name = "pair", spheres = { { at = { 0, 0, 0 }, radius = 0.1 }, { at = { 0.1, 0, 0 }, radius = 0.1 } },
+  local pair = m:clump { name = "pair",
+    spheres = { { at = { 0, 0, 0 }, radius = 0.1 }, { at = { 0.1, 0, 0 }, radius = 0.1 } },
     at = { 1, 0, 1 }, turn = { axis = { 0, 1, 1 }, angle = 0.7 }, material = "stone", floating = true }
   near(pair.mass, 2500*(2*ball(0.1) - math.pi*(4*0.1 + 0.1)*(2*0.1 - 0.1)^2/12), 1e-8)
   near(m:sphere { name = "given", radius = 0.1, at = { 2, 0, 1 }, mass = 7, floating = true }.mass, 7, 1e-12)
@@ -30,12 +31,13 @@ end
 do
   local m = model()
   local ball_of = m:sphere { name = "ball", radius = 0.1, at = { 0, 0, 0.3 }, material = "stone", floating = true }
-  local clump = m:clump { name = "clump", spheres = { { at = { 0, 0, 0 }, radius = 0.1 }, { at = { 0.12, 0, 0 }, radius = 0.08 } },
+  local clump = m:clump { name = "clump",
+    spheres = { { at = { 0, 0, 0 }, radius = 0.1 }, { at = { 0.12, 0, 0 }, radius = 0.08 } },
     at = { 1, 0, 0.2 }, material = "stone", floating = true }
   m:run { duration = 0.19 }
   near(ball_of.z, 0.3 - 0.5*9.80665*0.19^2, 1e-3)
   m:consolidate { ratio = 1e-4 }
-  near(ball_of.z, 0.1, 1e-2)
+  near(0.1 - ball_of.z, math.sqrt(ball_of.mass*9.80665/(1e8*math.pi*0.1)), 0.02) -- carried by kn pi R e^2
   assert(clump.z < 0.101 and clump.speed < 0.05)
 end
 
@@ -43,7 +45,9 @@ end
 do
   local function heap()
     local m = model()
-    for k, side in ipairs { { -0.3, -0.3, 0.1, 0.6 }, { 0.2, -0.3, 0.1, 0.6 }, { -0.2, -0.4, 0.4, 0.1 }, { -0.2, 0.3, 0.4, 0.1 } } do
+    local sides = { { -0.3, -0.3, 0.1, 0.6 }, { 0.2, -0.3, 0.1, 0.6 }, { -0.2, -0.4, 0.4, 0.1 },
+      { -0.2, 0.3, 0.4, 0.1 } }
+    for k, side in ipairs(sides) do
       m:block { name = "side " .. k, size = { side[3], side[4], 0.4 }, at = { side[1], side[2], 0 }, support = "fixed",
         material = "stone" }
     end
@@ -77,8 +81,9 @@ end, "sphere 1 touches none of the others, by 1 m")
 refused(function(m)
   m:clump { name = "c", spheres = { { at = { 0, 0, 0 }, radius = 1 }, { at = { 0.1, 0, 0 }, radius = 0.5 } } }
 end, "sphere 2 lies within sphere 1; leave it out or move it")
-refused(function(m) m:pour { low = { 0, 0, 0 }, high = { 1, 1, 1 }, count = 2000, radius = 0.1, material = "stone" } end,
-  "its box has room for 64 grains of up to 0.2 m, 2000 are asked for")
+refused(function(m)
+  m:pour { low = { 0, 0, 0 }, high = { 1, 1, 1 }, count = 2000, radius = 0.1, material = "stone" }
+end, "its box has room for 64 grains of up to 0.2 m, 2000 are asked for")
 refused(function(m) m:pour { low = { 0, 0, 0 }, high = { 1, 1, 1 }, radius = { 0.2, 0.1 }, material = "stone" } end,
   "radius is from 0.2 to 0.1 m")
 refused(function(m) m:pour { low = { 0, 0, 0 }, high = { 1, 0.1, 1 }, radius = 0.1, material = "stone" } end,
