@@ -3,7 +3,7 @@
 local trilith = require "trilith"
 local deg, s = trilith.units "deg", trilith.units "s"
 local p = trilith.params {
-  count = { 600, "grains" }, least = { 0.011, unit = "m", "smallest radius" }, most = { 0.016, unit = "m", "largest" },
+  count = { 1200, "grains" }, least = { 0.011, unit = "m", "smallest radius" }, most = { 0.016, unit = "m", "largest" },
   clumps = { 0.3, "share of clumps of three spheres among them" },
   angle = { 30*deg, unit = "rad", "slope of the chute" }, length = { 2, unit = "m", "of the chute, along it" },
   width = { 0.4, unit = "m", "of chute and bin" }, mu = { 0.4, "friction" },
@@ -40,7 +40,7 @@ for _, side in ipairs { { "hopper left", -t }, { "hopper right", w } } do
 end
 local far, rim = run + 1.2, 0.3
 plate("bin floor", { { run - 0.3, -t }, { far, -t }, { far, 0 }, { run - 0.3, 0 } }, -t, w + 2*t)
-plate("bin end", { { far, -t }, { far + t, -t }, { far + t, rim }, { far, rim } }, -t, w + 2*t)
+plate("bin end", { { far, -t }, { far + t, -t }, { far + t, 2*rim }, { far, 2*rim } }, -t, w + 2*t)
 plate("bin back", { { run - 0.3 - t, -t }, { run - 0.3, -t }, { run - 0.3, rim - 0.1 },
   { run - 0.3 - t, rim - 0.1 } }, -t, w + 2*t)
 plate("bin left", { { run - 0.3, 0 }, { far, 0 }, { far, rim - 0.1 }, { run - 0.3, rim - 0.1 } }, -t, t)
@@ -81,7 +81,9 @@ for _, now in ipairs(counts) do
   if not tenth and now[2] >= 0.1*#grains then tenth = now[1] end
   if not nine and now[2] >= 0.9*#grains then nine = now[1] end
 end
-print(("first grain at the lip after %s s, a tenth after %s, nine tenths after %s"):format(first, tenth, nine))
+local function time(t) return t and ("%.1f s"):format(t) or "-" end
+print(("first grain past the lip after %s, a tenth after %s, nine tenths after %s"):format(time(first), time(tenth),
+  time(nine)))
 print(("largest flow %.0f grains/s, %.2f kg/s, after %.1f s"):format(most, most*grains.mass/#grains, at))
 -- The surface of the heap: the highest grain in each twelfth of the bin.
 local heap, n, reach = {}, 12, 0
