@@ -81,7 +81,7 @@ for _, now in ipairs(counts) do
   if not tenth and now[2] >= 0.1*#grains then tenth = now[1] end
   if not nine and now[2] >= 0.9*#grains then nine = now[1] end
 end
-local function time(t) return t and ("%.1f s"):format(t) or "-" end
+local function time(at_time) return at_time and ("%.1f s"):format(at_time) or "-" end
 print(("first grain past the lip after %s, a tenth after %s, nine tenths after %s"):format(time(first), time(tenth),
   time(nine)))
 print(("largest flow %.0f grains/s, %.2f kg/s, after %.1f s"):format(most, most*grains.mass/#grains, at))
