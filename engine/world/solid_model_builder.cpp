@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "world/bounds.hpp"
 #include "world/check.hpp"
+#include "world/extend.hpp"
 #include "world/names.hpp"
 #include "world/space_builder.hpp"
 #include "world/usual.hpp"
@@ -50,19 +53,12 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
 }
 
 /// Faults come in the order in which a model is made, so that the first one is the cause of others.
-Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
-  const auto attempt = [&](auto&& part) {
-    try {
-      part();
-    } catch (const InputError& e) {
-      faults.emplace_back(e.what());
-    }
-  };
+Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   SpaceBuilder space;
   space.gravity(gravity);
   if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
   for (const SolidSpec& spec : bodies_)
-    attempt([&] {
+    attempt(faults, [&] {
       space.add({spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0, spec.spheres});
     });
   rules_.check(bodies_, materials_, faults);
@@ -74,15 +70,36 @@ Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vect
   }
   rules_.fill(model);
   complete_space(model);
-  attempt([&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
+  attempt(faults, [&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
   model.impact_speed = impact_speed, model.apart_time = apart_time;
   model.still_speed = still_speed, model.still_time = still_time;
-  check_overlaps(model, overlap_allowed, faults, notes);
-  std::vector<std::uint8_t> floating;
-  for (const SolidSpec& b : bodies_) floating.push_back(b.floating ? 1 : 0);
-  check_held_up(model, floating, faults);
-  attempt([&] { set_bounds(model, bounds); });
   return model;
+}
+
+Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
+  Model<3> model = assemble_bodies(faults);
+  if (model.bodies.empty()) return model;  // some body is at fault
+  check_overlaps(model, overlap_allowed, faults, notes);
+  check_held_up(model, floating_bodies(bodies_), faults);
+  attempt(faults, [&] { set_bounds(model, bounds); });
+  return model;
+}
+
+Model<3> SolidModelBuilder::extended(const Model<3>& model, const State<3>& state) {
+  std::vector<std::string> faults, notes;
+  Model<3> grown = assemble_bodies(faults);
+  if (!faults.empty()) throw InputError(faults.front());
+  carry_conditions(model, grown);
+  const Model<3> standing = as_it_stands(grown, state);
+  check_newcomers(standing, state, overlap_allowed, floating_bodies(bodies_), faults, notes);
+  if (!faults.empty()) throw InputError(faults.front());
+  widen_bounds(standing, bounds, grown);
+  notes_.insert(notes_.end(), notes.begin(), notes.end());
+  return grown;
+}
+
+void SolidModelBuilder::shorten(std::size_t bodies) {
+  bodies_.resize(std::min(bodies, bodies_.size()));
 }
 
 Model<3> SolidModelBuilder::build() {

@@ -10,6 +10,7 @@
 #include "world/contact_rules.hpp"
 #include "world/material.hpp"
 #include "world/model.hpp"
+#include "world/state.hpp"
 
 namespace trilith {
 
@@ -53,6 +54,9 @@ class SolidModelBuilder {
 
   /// Checks everything and makes the model. Throws InputError with the first of faults().
   Model<3> build();
+  /// As ModelBuilder::extended and ModelBuilder::shorten.
+  Model<3> extended(const Model<3>& model, const State<3>& state);
+  void shorten(std::size_t bodies);
   /// All that keeps build() from making the model, a line for each. Empty where nothing does.
   [[nodiscard]] std::vector<std::string> faults() const;
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
@@ -61,6 +65,7 @@ class SolidModelBuilder {
 
  private:
   Model<3> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
+  Model<3> assemble_bodies(std::vector<std::string>& faults) const;
   [[nodiscard]] double density_of(const SolidSpec& spec) const;
 
   std::vector<Material> materials_;

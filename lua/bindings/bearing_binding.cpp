@@ -71,7 +71,7 @@ void read_between(Keys& keys, const PlaneModel& m, BearingSpec& spec) {
 
 int add_bearing(lua_State* L) {
   PlaneModel& m = this_plane(L);
-  m.require_open("bearing");
+  m.adding();
   Keys keys(L, 2, "bearing");
   BearingSpec spec;
   spec.name = keys.text("name");
@@ -86,13 +86,14 @@ int add_bearing(lua_State* L) {
   keys.finish();
   m.builder.add_bearing(spec);
   m.bearings.push_back(spec.name);
+  m.catch_up();
   push_bearing(L, 1, static_cast<int>(m.bearings.size()) - 1);
   return 1;
 }
 
 int add_seat(lua_State* L) {
   PlaneModel& m = this_plane(L);
-  m.require_open("seat");
+  m.adding();
   Keys keys(L, 2, "seat");
   SeatSpec spec;
   spec.name = keys.text("name");
@@ -105,8 +106,14 @@ int add_seat(lua_State* L) {
   keys.finish();
   m.builder.add_seat(spec);
   m.seats.push_back(spec.name);
+  m.catch_up();
   push_seat(L, 1, static_cast<int>(m.seats.size()) - 1);
   return 1;
+}
+
+/// What a handler adds is in the model from the next step border on.
+void require_there(std::size_t count, std::size_t row, const std::string& title) {
+  if (row >= count) throw InputError(title + " is added at the next step border");
 }
 
 struct LiveBearing {
@@ -121,6 +128,7 @@ struct LiveBearing {
 LiveBearing live(const BearingHandle& b) {
   const Simulation<2>& s = b.plane().evaluated();
   const auto row = static_cast<std::size_t>(b.index);
+  require_there(s.model().bearings.size(), row, Kind<BearingHandle>::title(b));
   return {s.model(), s.state(), s.work(), s.model().bearings[row], s.work().bearing[row], row};
 }
 
@@ -184,10 +192,10 @@ using BearingProperty = Property<BearingHandle>;
 const std::array bearing_properties{
     BearingProperty{"name", "", "its name", nullptr,
                     [](lua_State* L, const BearingHandle& b) { lua_pushstring(L, name_of_row(b).c_str()); }},
-    BearingProperty{"status", "", "waiting, intact, yielded, failed or changed", nullptr,
+    BearingProperty{"status", "", "waiting, intact, yielded, failed, changed or removed", nullptr,
                     [](lua_State* L, const BearingHandle& b) {
-                      lua_pushstring(
-                          L, name_of(b.plane().simulation().state().bearing[static_cast<std::size_t>(b.index)].status));
+                      const LiveBearing l = live(b);
+                      lua_pushstring(L, name_of(l.state.bearing[l.row].status));
                     }},
     BearingProperty{"bodies", "", "the two bodies it links", nullptr, push_bodies},
     BearingProperty{"force", "", "forces of its laws { along, axial, turning } [N, N, N m]", nullptr,

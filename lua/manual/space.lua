@@ -174,7 +174,7 @@ high     vector           the opposite one
 count    integer = 100    how many
 radius   number or list   of all, or { least, most } [m]
 grading  text = "number"  "number": as many of each radius; "mass": as much mass of each
-clump    list?            { { at = {x, y, z}, radius = }, ... }: a shape; the grain's radius is that of the ball round it
+clump    list?            { { at = {x, y, z}, radius = }, ... }: a shape, as large as the ball of a grain's radius
 share    number = 1       of clumps among the grains, where there is a shape
 seed     integer = 1      of the random numbers]], with = "solids", gives = "set" },
   { "space:solids", "Solids of an OBJ or STL file.", keys = [[

@@ -201,11 +201,11 @@ export class SpaceScene extends Scene {
     gl.bufferData(gl.ARRAY_BUFFER, this.fills, gl.DYNAMIC_DRAW);
   }
 
-  /** Bodies that have left the bounds shrink to nothing. */
+  /** Bodies that have left the bounds, or are not there, shrink to nothing. */
   upload(xs, ys, zs) {
     const { run, gl } = this;
     for (const body of run.bodies) {
-      const gone = body.leaves <= run.now.time;
+      const gone = body.leaves <= run.now.time || !run.isThere(body);
       for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
         const from = gone ? body.vertex : v;
         this.points[3 * v] = xs[from];
@@ -320,7 +320,7 @@ export class SpaceScene extends Scene {
   bodyAt(px, py) {
     const { run, camera } = this;
     let best = null, nearest = -Infinity;
-    for (const body of this.order) {
+    for (const body of this.order.filter((b) => run.isThere(b))) {
       for (const [x, y, deep, r] of this.discs(body)) {
         const square = (r * r - (px - x) ** 2 - (py - y) ** 2) / camera.scale ** 2;
         if (square > 0 && deep + Math.sqrt(square) > nearest) [best, nearest] = [body, deep + Math.sqrt(square)];
