@@ -17,6 +17,7 @@ namespace trilith {
 double volume_of(const SolidPart& part) {
   double volume = 0;
   for (const Polyhedron& piece : part.pieces) volume += solid_moments(piece).volume;
+  if (!part.spheres.empty()) volume += sphere_moments(part.spheres).volume;
   return volume;
 }
 
@@ -60,6 +61,10 @@ void place_part(SolidPart& part, const UnitQuaternion& rotation, const Vec3& shi
       if (turns) p = turn.apply(p);
       if (moves) p += shift;
     }
+  for (Sphere& s : part.spheres) {
+    if (turns) s.centre = turn.apply(s.centre);
+    if (moves) s.centre += shift;
+  }
 }
 
 Polyhedron box_between(const Vec3& low, const Vec3& high) {

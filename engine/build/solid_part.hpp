@@ -8,6 +8,7 @@
 
 #include "build/part.hpp"
 #include "shape/polyhedron.hpp"
+#include "shape/sphere.hpp"
 
 namespace trilith {
 
@@ -18,6 +19,7 @@ struct SolidPart {
   std::string name;
   std::vector<Polyhedron> pieces;
   std::vector<std::string> groups;
+  std::vector<Sphere> spheres = {};  ///< beside the pieces; they may overlap each other
 };
 
 /// Parts, and what was changed of their description, one line each.
@@ -26,7 +28,7 @@ struct SolidParts {
   std::vector<std::string> notes;
 };
 
-/// Volume of all pieces, m3.
+/// Volume of all pieces, and of the union of all spheres, m3.
 double volume_of(const SolidPart& part);
 
 /// How a solid is turned about its anchor: about an axis by an angle, or by a quaternion; one of the two.

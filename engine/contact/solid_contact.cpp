@@ -3,6 +3,7 @@
 #include "base/portable.hpp"
 #include "contact/solid_energy.hpp"
 #include "contact/solid_faces.hpp"
+#include "contact/sphere_contact.hpp"
 
 namespace trilith {
 namespace {
@@ -137,9 +138,11 @@ SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const S
 double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const SolidMemory& memory, const LawInUse& use,
                             SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch) {
   FaceOverlap3 faces;
-  const bool flat = is_linear(use.law) && flat_faces(a, b, faces);
-  const double pressure = flat ? with_kernel(use, [&](const Coulomb& law) { return face_energy(law, faces); })
-                               : solid_energy(a, b, use, shared, scratch);
+  const bool sphere = a.solid->is_sphere() || b.solid->is_sphere();
+  const bool flat = !sphere && is_linear(use.law) && flat_faces(a, b, faces);
+  const double pressure = sphere ? sphere_energy(a, b, use)
+                          : flat ? with_kernel(use, [&](const Coulomb& law) { return face_energy(law, faces); })
+                                 : solid_energy(a, b, use, shared, scratch);
   return pressure + with_kernel(use, [&](const Coulomb& law) { return sliding_energy(law.ks, memory.shear); });
 }
 

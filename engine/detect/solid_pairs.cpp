@@ -12,7 +12,7 @@ FatBox<3> box_around(const PlacedSolid& solid) {
       const double at = x[static_cast<Eigen::Index>(k)];
       box.low[k] = std::min(box.low[k], at), box.high[k] = std::max(box.high[k], at);
     }
-  return box;
+  return solid.solid->is_sphere() ? widened(box, solid.solid->radius) : box;
 }
 
 FatBox<3> widened(FatBox<3> box, double by) {
@@ -43,7 +43,7 @@ void find_solid_margins(const Model<3>& model, PieceSearch<3>& search) {
   for (std::size_t p = 0; p < pieces; ++p) {
     Vec3 low = Vec3::Constant(unbounded), high = -low;
     for (const Vec3& x : model.piece_solid[p].shape.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
-    search.margin[p] = 0.05 * (high - low).minCoeff();
+    search.margin[p] = 0.05 * ((high - low).minCoeff() + 2 * model.piece_solid[p].radius);
     search.may_move[p] = goes_places(model, model.piece_body[p]) ? 1 : 0;
   }
 }

@@ -220,6 +220,24 @@ void Canvas::circle(const PagePoint& centre, double radius, const std::optional<
   });
 }
 
+void Canvas::ball(const PagePoint& centre, double radius, const Colour& lit, const Colour& shade) {
+  content_->acts.emplace_back([=](cairo_t* c) {
+    cairo_pattern_t* pattern = cairo_pattern_create_radial(centre.x() - 0.4 * radius, centre.y() - 0.45 * radius, 0,
+                                                           centre.x(), centre.y(), radius);
+    cairo_pattern_add_color_stop_rgba(pattern, 0, lit.red, lit.green, lit.blue, lit.opacity);
+    cairo_pattern_add_color_stop_rgba(pattern, 0.45, 0.8 * lit.red + 0.2 * shade.red,
+                                      0.8 * lit.green + 0.2 * shade.green, 0.8 * lit.blue + 0.2 * shade.blue,
+                                      lit.opacity);
+    cairo_pattern_add_color_stop_rgba(pattern, 1, shade.red, shade.green, shade.blue, shade.opacity);
+    cairo_new_path(c);
+    cairo_arc(c, centre.x(), centre.y(), radius, 0, 2 * std::numbers::pi);
+    cairo_close_path(c);
+    cairo_set_source(c, pattern);
+    cairo_fill(c);
+    cairo_pattern_destroy(pattern);
+  });
+}
+
 void Canvas::hatch(std::vector<PagePoint> points, double degrees, double spacing, const Stroke& stroke) {
   assert(spacing > 0);
   if (points.empty()) return;

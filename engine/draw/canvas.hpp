@@ -81,6 +81,8 @@ class Canvas {
   void rectangle(const PageBox& box, const std::optional<Colour>& fill, const std::optional<Stroke>& outline);
   void circle(const PagePoint& centre, double radius, const std::optional<Colour>& fill,
               const std::optional<Stroke>& outline);
+  /// A disc shaded as a ball with the light from the upper left, from `lit` to `shade` at the rim.
+  void ball(const PagePoint& centre, double radius, const Colour& lit, const Colour& shade);
   /// Parallel lines within a polygon: direction `degrees` from the x axis (anticlockwise as seen), `spacing` in pt.
   void hatch(std::vector<PagePoint> points, double degrees, double spacing, const Stroke& stroke);
   /// Text with its baseline's left end, middle or right end (by `align`) at `at`. Bytes that are not UTF-8 and control

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "draw/paint_order.hpp"
+#include "draw/scene_spheres.hpp"
 #include "results/placement.hpp"
 
 namespace trilith::draw {
@@ -48,8 +49,13 @@ struct Box {
 
 /// The box of nearly all free bodies, and as far again around it, but no larger than the box of all: beyond it ground
 /// is of no interest.
-std::optional<Box> box_of_free(const std::vector<SolidPiece>& pieces, const Scene& scene) {
+std::optional<Box> box_of_free(const std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres,
+                               const Scene& scene) {
   std::vector<double> along[3];
+  for (const SeenSphere& s : spheres)
+    if (scene.bodies[static_cast<std::size_t>(s.body)].role == BodyRole::free)
+      for (int k = 0; k < 3; ++k)
+        for (const double reach : {-s.radius, s.radius}) along[k].push_back(s.centre[k] + reach);
   for (const SolidPiece& piece : pieces)
     if (scene.bodies[static_cast<std::size_t>(piece.body)].role == BodyRole::free)
       for (const PieceFace& face : piece.faces)
@@ -69,8 +75,8 @@ std::optional<Box> box_of_free(const std::vector<SolidPiece>& pieces, const Scen
 }
 
 /// Ground that reaches beyond the box by more than a border ends there; that depth is the least of what matters.
-void trim_ground(std::vector<SolidPiece>& pieces, const Scene& scene) {
-  const std::optional<Box> box = box_of_free(pieces, scene);
+void trim_ground(std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres, const Scene& scene) {
+  const std::optional<Box> box = box_of_free(pieces, spheres, scene);
   if (!box) return;
   const double size = (box->high - box->low).norm(), beside = 0.16 * size, below = 0.05 * size;
   std::vector<SolidPiece> kept;
@@ -117,6 +123,24 @@ void add_faces(const SolidPiece& piece, const ViewAxes& view, Scene& scene) {
   }
 }
 
+/// Spheres whose centres are on the eye's side of the plane are left out, the others stay whole.
+void cut_away(std::vector<SeenSphere>& spheres, CutPlane plane, const ViewAxes& view) {
+  if (plane.normal.dot(view.toward) < -rounding) plane = {-plane.normal, -plane.offset};
+  std::erase_if(spheres, [&](const SeenSphere& s) { return plane.above(s.centre) > 0; });
+}
+
+/// Pieces in their order, and spheres where they come among them.
+void add_all_faces(const std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres, const ViewAxes& view,
+                   Scene& scene) {
+  const std::vector<SpherePlace> places = sphere_places(spheres, pieces, view);
+  auto next = places.begin();
+  for (std::size_t i = 0; i <= pieces.size(); ++i) {
+    for (; next != places.end() && next->pieces_before <= i; ++next)
+      scene.faces.push_back(sphere_face(spheres[next->sphere], view));
+    if (i < pieces.size()) add_faces(pieces[i], view, scene);
+  }
+}
+
 std::vector<Vec2> outline_as_seen(const BodyRow& body, const Placement& at, const ViewAxes& view) {
   std::vector<Vec2> points;
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
@@ -127,6 +151,11 @@ std::vector<Vec2> outline_as_seen(const BodyRow& body, const Placement& at, cons
 /// Bodies that nothing is left of go, and the rows that faces name follow; outlines are those of what is left.
 void set_outlines(const std::vector<SolidPiece>& pieces, const ViewAxes& view, Scene& scene) {
   std::vector<std::vector<Vec2>> points(scene.bodies.size());
+  for (const SceneFace& face : scene.faces)
+    if (face.radius > 0) {
+      std::vector<Vec2>& own = points[static_cast<std::size_t>(face.body)];
+      own.insert(own.end(), face.outline.begin(), face.outline.end());
+    }
   for (const SolidPiece& piece : pieces)
     for (const PieceFace& face : piece.faces)
       for (const Vec3& p : face.corners) points[static_cast<std::size_t>(piece.body)].push_back(view.flat(p));
@@ -156,13 +185,14 @@ void add_solids(const Header& header, const Frame& frame, const SceneChoice& cho
     const double slack = 1e-6 * piece_size(solid);
     for (SolidPiece& piece : convex_pieces(std::move(solid), slack)) pieces.push_back(std::move(piece));
   }
-  if (pieces.empty())
+  std::vector<SeenSphere> spheres = seen_spheres(header, at, left_out);
+  if (pieces.empty() && spheres.empty())
     throw InputError("the results tell of no faces of their solids, so that there is nothing to draw");
-  if (choice.cut) cut_away(pieces, *choice.cut, view);
-  trim_ground(pieces, scene);
-  if (pieces.empty()) throw InputError("the cut leaves nothing to draw");
+  if (choice.cut) cut_away(pieces, *choice.cut, view), cut_away(spheres, *choice.cut, view);
+  trim_ground(pieces, spheres, scene);
+  if (pieces.empty() && spheres.empty()) throw InputError("the cut leaves nothing to draw");
   pieces = paint_order(std::move(pieces), view);
-  for (const SolidPiece& piece : pieces) add_faces(piece, view, scene);
+  add_all_faces(pieces, spheres, view, scene);
   set_outlines(pieces, view, scene);
   static constexpr const char* names[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) scene.axes.push_back({names[k], view.flat(Vec3::Unit(k))});
@@ -179,7 +209,7 @@ void add_solid_ghosts(const Header& header, const Frame& start, const Frame& fra
       moved = std::max(moved, (now.vertex(v) - before.vertex(v)).norm());
       size = std::max(size, (before.vertex(v) - before.vertex(body.first_vertex)).norm());
     }
-    if (moved > least_share * size) scene.ghosts.push_back(outline_as_seen(body, before, view));
+    if (size > 0 && moved > least_share * size) scene.ghosts.push_back(outline_as_seen(body, before, view));
   }
   scene.ghost_label = fmt::format("at t = {:.3g} s", start.time);
 }

@@ -32,7 +32,7 @@ void draw_edges(Canvas& canvas, const std::vector<PagePoint>& points, const std:
 
 Colour lit(const Colour& fill, double light) {
   constexpr double darkest = 0.56, palest = 1;
-  const double times = darkest + (palest - darkest) * std::clamp(light, 0.0, 1.0);
+  const double times = darkest + (palest - darkest) * std::clamp(light, -0.5, 1.0);
   const auto part = [&](double v) { return std::min(1.0, v * times); };
   return {part(fill.red), part(fill.green), part(fill.blue), fill.opacity};
 }
@@ -52,6 +52,11 @@ void draw_faces(Canvas& canvas, const Scene& scene, FaceRange range, const Scene
     for (const Vec2& p : face.outline) points.push_back(page.place(p));
     if (is_outside(points, page.box)) continue;
     const SceneBody& body = scene.bodies[static_cast<std::size_t>(face.body)];
+    if (face.radius > 0) {
+      const Colour own = body_fill(view, body);
+      canvas.ball(page.place(face.centre), page.scale * face.radius, lit(own, 1), lit(own, -0.2));
+      continue;
+    }
     const Colour fill = lit(body_fill(view, body), face.light);
     const Stroke edge{body.role == BodyRole::free ? palette().outline : palette().ground_outline, edge_width};
     const bool whole = std::find(face.is_edge.begin(), face.is_edge.end(), false) == face.is_edge.end();

@@ -20,7 +20,7 @@ FaceRange leading_ground(const Scene& scene);
 /// Arrows along the axes in the lower left corner of the panel; one that points at the eye is a dot.
 void draw_axes(Canvas& canvas, const Scene& scene, const PageView& page);
 
-/// `fill` in more or less light, 0 to 1.
+/// `fill` in more or less light, 0 to 1; down to -.5 at the rim of balls.
 Colour lit(const Colour& fill, double light);
 
 }  // namespace trilith::draw

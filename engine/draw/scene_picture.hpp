@@ -39,6 +39,8 @@ struct SceneFace {
   double light = 1;           ///< 0 in the shade to 1 in full light
   int body = 0;               ///< row of Scene::bodies
   bool is_section = false;    ///< where the solid is cut
+  double radius = 0;          ///< above 0: a ball, drawn round about `centre`; its outline is a polygon near its rim
+  Vec2 centre = Vec2::Zero();
 };
 
 /// An axis of the world as it is seen: where 1 m along it leads.

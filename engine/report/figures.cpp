@@ -138,7 +138,7 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
   }
   std::vector<draw::Scene> scenes;
   std::vector<std::string> words;
-  if (source.header.dim == 3 && source.header.face_count() == 0) {
+  if (source.header.dim == 3 && source.header.face_count() == 0 && source.header.sphere_vertex.empty()) {
     html.element("p", "The file tells of no faces of its solids, so that there are no pictures of them.");
     return;
   }

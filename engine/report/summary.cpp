@@ -48,7 +48,7 @@ Vec3 place_of(const results::Header& header, const std::vector<double>& places, 
   return {at[0], at[1], header.dim == 3 ? at[2] : 0};
 }
 
-/// How deep a solid is, m: its least width across one of its faces.
+/// How deep a solid is, m: its least width across one of its faces, or the diameter of its smallest sphere.
 double depth_of_solid(const results::Header& header, const results::BodyRow& body) {
   double depth = std::numeric_limits<double>::infinity();
   for (int f = body.first_face; f < body.first_face + body.face_count; ++f) {
@@ -63,6 +63,9 @@ double depth_of_solid(const results::Header& header, const results::BodyRow& bod
       width = std::max(width, std::abs(normal.normalized().dot(place_of(header, header.vertices, v) - corner(0))));
     depth = std::min(depth, width);
   }
+  const auto first = std::lower_bound(header.sphere_vertex.begin(), header.sphere_vertex.end(), body.first_vertex);
+  for (auto at = first; at != header.sphere_vertex.end() && *at < body.first_vertex + body.vertex_count; ++at)
+    depth = std::min(depth, 2 * header.sphere_radius[static_cast<std::size_t>(at - header.sphere_vertex.begin())]);
   return std::isfinite(depth) ? depth : 0;
 }
 
@@ -101,7 +104,8 @@ struct Moved {
 Moved moved_bodies(const ReportSource& source) {
   const results::Header& header = source.header;
   Moved out;
-  if (source.reader.frame_count() == 0 || (header.dim == 3 && header.face_count() == 0)) return out;
+  if (source.reader.frame_count() == 0 || (header.dim == 3 && header.face_count() == 0 && header.sphere_vertex.empty()))
+    return out;
   const results::Frame last = source.reader.frame(source.reader.frame_count() - 1);
   const results::Frame first = results::start_frame(header);
   const results::Placement start(header, first);

@@ -52,6 +52,10 @@ void read_model(hid_t file, Header& header) {
     header.face_first = read_all<std::int32_t>(file, "/model/face_first");
     header.face_vertex = read_all<std::int32_t>(file, "/model/face_vertex");
   }
+  if (H5Lexists(file, "/model/sphere_vertex", H5P_DEFAULT) > 0) {
+    header.sphere_vertex = read_all<std::int32_t>(file, "/model/sphere_vertex");
+    header.sphere_radius = read_all<double>(file, "/model/sphere_radius");
+  }
   if (H5Lexists(file, "/model/element_body", H5P_DEFAULT) <= 0) return;
   header.element_node = read_all<std::int32_t>(file, "/model/element_node", 4);
   header.element_body = read_all<std::int32_t>(file, "/model/element_body");

@@ -72,6 +72,7 @@ std::string model(const Header& header) {
                                      tally(header.bodies, [](const BodyRow& body) { return body.support; })));
   if (header.face_count() > 0)
     text += line("faces", fmt::format("{}, of {} corners", header.face_count(), header.vertex_node.size()));
+  if (!header.sphere_vertex.empty()) text += line("spheres", fmt::format("{}", header.sphere_vertex.size()));
   text += line("mass", fmt::format("{:.6g} kg", mass));
   if (!header.bearings.empty()) text += line("bearings", fmt::format("{}", header.bearings.size()));
   if (!header.laws.empty()) text += line("laws", tally(header.laws, [](const LawRow& law) { return law.role; }));

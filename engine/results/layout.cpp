@@ -57,6 +57,13 @@ void write_provenance(hid_t file, const Provenance& from) {
   write_texts(file, {"/provenance/motions", "", "ground motions used"}, from.motions);
 }
 
+void write_spheres(hid_t file, const Header& header) {
+  write_numbers(file, {"/model/sphere_vertex", "1", "row of /model/vertices of the centre of each sphere"}, Kind::int32,
+                {header.sphere_vertex.size()}, header.sphere_vertex.data());
+  write_numbers(file, {"/model/sphere_radius", "m", "radius of each sphere"}, Kind::real, {header.sphere_radius.size()},
+                header.sphere_radius.data());
+}
+
 void write_faces(hid_t file, const Header& header) {
   write_numbers(file, {"/model/face_first", "1", "where the loop of each face begins in face_vertex, and the end"},
                 Kind::int32, {header.face_first.size()}, header.face_first.data());
@@ -92,6 +99,7 @@ void write_model(hid_t file, const Header& header) {
   write_numbers(file, {"/model/vertex_node", "1", "node of each outline point"}, Kind::int32, {points},
                 header.vertex_node.data());
   if (header.face_count() > 0) write_faces(file, header);
+  if (!header.sphere_vertex.empty()) write_spheres(file, header);
   if (header.element_count() == 0) return;
   write_numbers(file, {"/model/element_node", "1", "nodes of each finite element, -1 after a triangle's third"},
                 Kind::int32, {header.element_count(), 4}, header.element_node.data());
@@ -148,6 +156,21 @@ std::vector<hsize_t> per_bearing(const Header& header) {
   return {header.bearings.size(), static_cast<hsize_t>(header.dim)};
 }
 
+/// Each about a point of some body.
+void check_spheres(const Header& header) {
+  check_size(header.sphere_radius.size(), header.sphere_vertex.size(), "sphere_radius");
+  if (header.dim != 3 && !header.sphere_vertex.empty())
+    throw ResultsError("results header: bodies in the plane have no spheres");
+  for (std::size_t s = 0; s < header.sphere_vertex.size(); ++s) {
+    const std::int32_t vertex = header.sphere_vertex[s];
+    if (vertex < 0 || static_cast<std::size_t>(vertex) >= header.vertex_node.size())
+      throw ResultsError(fmt::format("results header: sphere {} is about vertex {}, which is not there", s, vertex));
+    if (!(header.sphere_radius[s] > 0) || !std::isfinite(header.sphere_radius[s]))
+      throw ResultsError(
+          fmt::format("results header: sphere {} has a radius of {}, must be above 0", s, header.sphere_radius[s]));
+  }
+}
+
 /// Loops that lie one behind the other, each of 3 corners or more of the body that has the face.
 void check_faces(const Header& header) {
   const std::vector<std::int32_t>& first = header.face_first;
@@ -202,6 +225,7 @@ void check_header(const Header& header) {
     if (node < 0 || static_cast<std::size_t>(node) >= nodes)
       throw ResultsError(fmt::format("results header: an outline point belongs to node {} of {}", node, nodes));
   check_faces(header);
+  check_spheres(header);
   const auto bodies = static_cast<std::int32_t>(header.bodies.size());
   for (const BearingRow& bearing : header.bearings)
     if (std::min(bearing.body_a, bearing.body_b) < 0 || std::max(bearing.body_a, bearing.body_b) >= bodies)

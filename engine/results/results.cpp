@@ -38,4 +38,18 @@ void Header::add_solid_body(BodyRow body, std::span<const double> position, std:
   add_rigid_body(std::move(body), position, rotation, mass, inertia, corners);
 }
 
+void Header::add_sphere(int corner, double radius) {
+  assert(dim == 3 && !bodies.empty() && corner < bodies.back().vertex_count);
+  sphere_vertex.push_back(bodies.back().first_vertex + corner);
+  sphere_radius.push_back(radius);
+}
+
+std::vector<double> Header::vertex_radius() const {
+  if (sphere_vertex.empty()) return {};
+  std::vector<double> radius(vertex_node.size());
+  for (std::size_t s = 0; s < sphere_vertex.size(); ++s)
+    radius[static_cast<std::size_t>(sphere_vertex[s])] = sphere_radius[s];
+  return radius;
+}
+
 }  // namespace trilith::results

@@ -107,16 +107,18 @@ struct Header {
   int dim = 2;
   Provenance provenance;
   std::vector<BodyRow> bodies;
-  std::vector<double> node_position;       ///< [N][dim] m, at the start
-  std::vector<double> node_rotation;       ///< [N][rotation_width] at the start
-  std::vector<double> node_mass;           ///< [N] kg; 0 where the node is driven or fixed and has none
-  std::vector<double> node_inertia;        ///< [N][spin_width] kg m^2, about the node
-  std::vector<double> vertices;            ///< [V][dim] m, outline points in body axes, from their node
-  std::vector<std::int32_t> vertex_node;   ///< [V] the node each outline point belongs to
-  std::vector<std::int32_t> face_vertex;   ///< loops of rows of `vertices`, counter-clockwise seen from outside (3D)
-  std::vector<std::int32_t> face_first;    ///< [F + 1] where each loop begins in face_vertex, and the end; or empty
-  std::vector<std::int32_t> element_node;  ///< [E][4] nodes of each finite element, -1 after a triangle's third (2D)
-  std::vector<std::int32_t> element_body;  ///< [E]
+  std::vector<double> node_position;        ///< [N][dim] m, at the start
+  std::vector<double> node_rotation;        ///< [N][rotation_width] at the start
+  std::vector<double> node_mass;            ///< [N] kg; 0 where the node is driven or fixed and has none
+  std::vector<double> node_inertia;         ///< [N][spin_width] kg m^2, about the node
+  std::vector<double> vertices;             ///< [V][dim] m, outline points in body axes, from their node
+  std::vector<std::int32_t> vertex_node;    ///< [V] the node each outline point belongs to
+  std::vector<std::int32_t> face_vertex;    ///< loops of rows of `vertices`, counter-clockwise seen from outside (3D)
+  std::vector<std::int32_t> face_first;     ///< [F + 1] where each loop begins in face_vertex, and the end; or empty
+  std::vector<std::int32_t> sphere_vertex;  ///< [S] row of `vertices` of the centre of each sphere (3D); or empty
+  std::vector<double> sphere_radius;        ///< [S] m
+  std::vector<std::int32_t> element_node;   ///< [E][4] nodes of each finite element, -1 after a triangle's third (2D)
+  std::vector<std::int32_t> element_body;   ///< [E]
   std::vector<LawRow> laws;
   std::vector<BearingRow> bearings;
   std::vector<JointRow> joints;
@@ -138,6 +140,11 @@ struct Header {
   /// indices into `corners`, counter-clockwise as seen from outside.
   void add_solid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation, double mass,
                       std::span<const double> inertia, std::span<const double> corners, const FaceLoops& faces);
+
+  /// A point of the body added last is the centre of a sphere. `corner`: counts the body's points.
+  void add_sphere(int corner, double radius);
+  /// Of each vertex the radius of the sphere about it, 0 where there is none; empty without spheres.
+  std::vector<double> vertex_radius() const;
 };
 
 enum class ContactState : std::int8_t { bonded = 0, sticking = 1, sliding = 2 };

@@ -12,7 +12,7 @@ namespace trilith::results {
 namespace {
 
 // Cell types of VTK.
-constexpr std::int8_t poly_vertex = 2, triangle = 5, polygon = 7, quad = 9, polyhedron = 42;
+constexpr std::int8_t vertex = 1, poly_vertex = 2, triangle = 5, polygon = 7, quad = 9, polyhedron = 42;
 
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
@@ -45,9 +45,12 @@ VtkBodies::VtkBodies(const Header& header, const std::vector<bool>& left_out) : 
       add_elements(index);
     else if (header.bodies[i].face_count > 0)
       add_solid(header.bodies[i], index);
+    else if (!header.sphere_vertex.empty() && header.dim == 3)
+      continue;
     else
       add_outline(header.bodies[i], index);
   }
+  for (std::size_t i = 0; i < header.bodies.size(); ++i) add_spheres(header.bodies[i], static_cast<std::int32_t>(i));
   const Frame first = start_frame(header);
   const Placement at(header, first);
   for (const Point& p : points_) start_.push_back(at.at(p.node, p.local));
@@ -75,6 +78,20 @@ void VtkBodies::add_solid(const BodyRow& body, std::int32_t index) {
     points_.push_back({header_->vertex_node[v], {at[0], at[1], at[2]}});
   }
   cells_.close(polyhedron, index, -1);
+}
+
+/// A point with its radius for each: ParaView shows points as spheres of a radius that an array says.
+void VtkBodies::add_spheres(const BodyRow& body, std::int32_t index) {
+  const auto end = header_.sphere_vertex.end();
+  auto at = std::lower_bound(header_.sphere_vertex.begin(), end, body.first_vertex);
+  for (; at != end && *at < body.first_vertex + body.vertex_count; ++at) {
+    radius_.resize(points_.size());
+    radius_.push_back(header_.sphere_radius[static_cast<std::size_t>(at - header_.sphere_vertex.begin())]);
+    cells_.corners.push_back(static_cast<std::int32_t>(points_.size()));
+    const double* local = header_.vertices.data() + 3 * static_cast<std::size_t>(*at);
+    points_.push_back({header_.vertex_node[static_cast<std::size_t>(*at)], {local[0], local[1], local[2]}});
+    cells_.close(vertex, index, -1);
+  }
 }
 
 /// A polygon in the plane; in space, where a file tells of no faces, its corners alone.
@@ -171,6 +188,8 @@ std::string VtkBodies::file(const Frame& frame) const {
   }
   std::vector<VtkSection> sections{{"PointData", {}}, {"CellData", {}}, {"Points", {&points}}, {"Cells", {}}};
   for (const VtkArray& a : moving) sections[0].arrays.push_back(&a);
+  const VtkArray radius = vtk_numbers("radius", 1, radius_);
+  if (!radius_.empty()) sections[0].arrays.push_back(&radius);
   for (const VtkArray& a : fixed_) sections[1].arrays.push_back(&a);
   for (const VtkArray& a : of_cells) sections[1].arrays.push_back(&a);
   for (const VtkArray& a : topology_) sections[3].arrays.push_back(&a);

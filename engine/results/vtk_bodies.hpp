@@ -30,6 +30,7 @@ class VtkBodies {
     void close(std::int8_t kind, std::int32_t of_body, std::int32_t of_element);
   };
   void add_solid(const BodyRow& body, std::int32_t index);
+  void add_spheres(const BodyRow& body, std::int32_t index);
   void add_outline(const BodyRow& body, std::int32_t index);
   void add_elements(std::int32_t index);
   void add_names();
@@ -37,7 +38,8 @@ class VtkBodies {
 
   const Header* header_;
   std::vector<Point> points_;
-  std::vector<Vec3> start_;  ///< of the points
+  std::vector<Vec3> start_;     ///< of the points
+  std::vector<double> radius_;  ///< of the points: of spheres, else 0; empty without spheres [m]
   Cells cells_;
   std::vector<VtkArray> topology_;  ///< the section Cells
   std::vector<VtkArray> fixed_;     ///< data of cells that no frame changes

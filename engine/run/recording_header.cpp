@@ -129,6 +129,12 @@ void add_bodies(const Model<3>& model, const State<3>& state, results::Header& h
     const UnitQuaternion& q = state.rotation[n];
     header.add_solid_body(std::move(row), std::span(state.position[n].data(), 3), std::array{q.w, q.x, q.y, q.z},
                           model.mass[n], std::span(model.inertia[n].data(), 3), corners, faces);
+    int corner = 0;
+    for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
+      const ConvexSolid& piece = model.piece_solid[p];
+      if (piece.is_sphere()) header.add_sphere(corner, piece.radius);
+      corner += static_cast<int>(piece.shape.corners.size());
+    }
   }
 }
 

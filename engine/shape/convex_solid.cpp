@@ -23,6 +23,13 @@ ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double
   return {shape, std::move(normals), solid_edges(shape.faces), {}, solid_size(shape.corners), may_repeat};
 }
 
+ConvexSolid convex_sphere(const Sphere& sphere) {
+  ConvexSolid solid;
+  solid.shape.corners = {sphere.centre};
+  solid.size = 2 * sphere.radius, solid.radius = sphere.radius;
+  return solid;
+}
+
 void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out) {
   out.corners.clear();
   for (const Vec3& p : solid.shape.corners) out.corners.push_back(turn.apply(p) + at);

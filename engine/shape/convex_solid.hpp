@@ -1,4 +1,6 @@
 // A convex solid with what contact asks of it again and again, and the same where it stands.
+//
+// A sphere is one corner with a radius around it: no faces, no edges.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +9,7 @@
 
 #include "base/rotation_3d.hpp"
 #include "shape/polyhedron.hpp"
+#include "shape/sphere.hpp"
 
 namespace trilith {
 
@@ -19,7 +22,9 @@ struct ConvexSolid {
   std::vector<std::uint8_t> surface;
   double size = 0;         ///< see solid_size [m]
   bool may_repeat = true;  ///< false where no two faces look nearly the same way, see has_first_like
+  double radius = 0;       ///< of a sphere about its one corner; 0 of a polyhedron [m]
 
+  [[nodiscard]] bool is_sphere() const { return radius > 0; }
   [[nodiscard]] bool is_surface(int face) const {
     return surface.empty() || surface[static_cast<std::size_t>(face)] != 0;
   }
@@ -27,6 +32,9 @@ struct ConvexSolid {
 
 /// Refuses what check_convex refuses, with the same messages.
 ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double flat = kFlatFace);
+
+/// A sphere as a convex solid.
+ConvexSolid convex_sphere(const Sphere& sphere);
 
 /// Where a solid stands in the world. Filled anew in each step, it allocates nothing after the first time.
 struct PlacedSolid {

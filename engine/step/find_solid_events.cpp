@@ -19,6 +19,11 @@ double closing_speed(const Model<3>& model, const State<3>& state, const Work<3>
   return -c.force.normalized().dot(velocity(pair.piece_b) - velocity(pair.piece_a));
 }
 
+/// Two spheres: in a flow they touch and part by the million, so that only blows are told.
+bool are_grains(const Model<3>& model, const NearPair& pair) {
+  return model.piece_solid[pair.piece_a].is_sphere() && model.piece_solid[pair.piece_b].is_sphere();
+}
+
 void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) {
   // A contact that closes again is told only where it strikes. The list rises with the row.
   const bool again = take_back(state, work.contacts.key[row]);
@@ -26,7 +31,7 @@ void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) 
                                         [](const GeneralContact<3>& c, int r) { return c.row < r; });
   const double closing = closing_speed(model, state, work, *contact);
   const bool strikes = closing > model.impact_speed;
-  if (again && !strikes) return;
+  if ((again || are_grains(model, work.pairs[row])) && !strikes) return;
   const NearPair& pair = work.pairs[row];
   Event e = event_now(state, strikes ? EventType::impact : EventType::contact_made, model.piece_body[pair.piece_a],
                       model.piece_body[pair.piece_b]);
@@ -75,7 +80,7 @@ void contact_events(const Model<3>& model, State<3>& state, Work<3>& work, int r
   if (was == is) return;
   if (is)
     made_event(model, state, work, row);
-  else
+  else if (!are_grains(model, work.pairs[row]))
     state.parted.push_back({work.contacts.key[row], state.time});
 }
 

@@ -87,6 +87,14 @@ void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
   }
 }
 
+/// Their radii; empty where no piece is one.
+void list_spheres(const Model<3>& model, std::vector<Sphere>& sphere) {
+  sphere.clear();
+  const auto& pieces = model.piece_solid;
+  if (std::none_of(pieces.begin(), pieces.end(), [](const ConvexSolid& s) { return s.is_sphere(); })) return;
+  for (const ConvexSolid& piece : pieces) sphere.push_back({Vec3::Zero(), piece.radius});
+}
+
 /// The largest squares of all that is placed, of its speeds and of those of bodies that are free to move.
 struct PlacedReach {
   SkinReach all;
@@ -133,6 +141,7 @@ SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, S
   const SkinReach reach = place_corners(model.piece_solid[p], node, turn, solids.placed[p]);
   solids.speed2[p] = reach.speed2;
   place_faces(model.piece_solid[p], turn, solids.placed[p]);
+  if (!solids.sphere.empty()) solids.sphere[p].centre = solids.placed[p].corners[0];
   return reach;
 }
 
@@ -143,6 +152,7 @@ constexpr int piece_stretch = 128;
 PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
   const std::size_t pieces = model.piece_solid.size();
   work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces);
+  if (!work.valid) list_spheres(model, work.solids.sphere);
   std::array<PlacedReach, most_threads> by{};
   share(work.threads, static_cast<int>(pieces), piece_stretch, [&](int first, int last, int thread) {
     PlacedReach& reach = by[static_cast<std::size_t>(thread)];

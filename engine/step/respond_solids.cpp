@@ -3,6 +3,7 @@
 
 #include "base/team.hpp"
 #include "contact/joint.hpp"
+#include "contact/sphere_contact.hpp"
 #include "step/evaluate.hpp"
 #include "step/solid_joints.hpp"
 
@@ -84,6 +85,16 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidOverlapB
   answer = {row, true, joint.changed, joint.contact};
 }
 
+bool has_sphere(const Work<3>& work, const NearPair& pair) {
+  const std::vector<Sphere>& sphere = work.solids.sphere;
+  return !sphere.empty() && (sphere[pair.piece_a].radius > 0 || sphere[pair.piece_b].radius > 0);
+}
+
+SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
+  const int n = model.bodies[model.piece_body[piece]].first_node;
+  return {work.solids.sphere[piece], work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n]};
+}
+
 /// False where there is nothing to be found out: the two were apart, and still are.
 bool SolidPass::respond(int row, SolidOverlapBuffer& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
@@ -97,6 +108,14 @@ bool SolidPass::respond(int row, SolidOverlapBuffer& room, SolidAnswer& answer) 
   // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
   if (!was && work.travel < work.asleep_until[r]) return false;
   const NearPair& pair = work.pairs[r];
+  if (has_sphere(work, pair)) {
+    const LawInUse law{model.laws[pair.law], model.thickness, dt};
+    answer = {
+        row, was, false,
+        respond_spheres(sphere_side(model, state, work, pair.piece_a), sphere_side(model, state, work, pair.piece_b),
+                        before, law, work.solids.separation[r].distance)};
+    return true;
+  }
   const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
                     b = moving_solid(model, state, work, pair.piece_b);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};

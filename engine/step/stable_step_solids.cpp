@@ -6,6 +6,7 @@
 // bodies.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "contact/solid_pressure.hpp"
 #include "shape/polyhedron.hpp"
@@ -15,6 +16,10 @@ namespace trilith {
 namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
+/// Depth of the contacts that a sphere in none is ready for, as a share of its radius: deeper than any should be. A
+/// blow begins without stiffness, and it takes several steps for its energy to come out right.
+constexpr double usual_cap = 0.3;
+
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// Stiffness and damping of one body over its mass and principal moments: columns of sqrt(k) b and sqrt(c) b.
@@ -107,6 +112,13 @@ AreaSprings face_springs(const ConvexSolid& solid, int face, const ContactTangen
           law};
 }
 
+/// The disc in which a plane cuts a sphere as deep as usual_cap of its radius, lowest of it.
+AreaSprings cap_springs(const ConvexSolid& solid, const ContactTangent& law) {
+  const double r = solid.radius, area = std::numbers::pi * usual_cap * (2 - usual_cap) * r * r;
+  const Vec3 n = Vec3::UnitZ(), lowest = solid.shape.corners[0] - (1 - usual_cap) * r * n;
+  return {lowest, n, area, 8.0 / 15 * std::sqrt(area / std::numbers::pi), {Vec3::Zero(), Vec3::Zero()}, law};
+}
+
 /// The stiffest law that a body's surface has with any other.
 ContactTangent stiffest_law(const Model<3>& model, const Body& body) {
   ContactTangent most{0, 0, 0};
@@ -127,6 +139,12 @@ RateBound on_stiffest_face(const Model<3>& model, const Body& body) {
   if (!(law.normal > 0)) return most;
   for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
     const ConvexSolid& solid = model.piece_solid[p];
+    if (solid.is_sphere()) {
+      LocalSolid local;
+      add_area(cap_springs(solid, law), node, 2, local);
+      most.stiffness = std::max(most.stiffness, largest_bound(local.k));
+      most.damping = std::max(most.damping, largest_bound(local.c));
+    }
     for (int f = 0; f < solid.shape.faces.count(); ++f) {
       if (!solid.is_surface(f)) continue;
       LocalSolid local;

@@ -79,7 +79,7 @@ void write_series(const results::ResultsReader& reader, const ViewLimits& limits
 }  // namespace
 
 std::string view_data(const results::ResultsReader& reader, const ViewLimits& limits, const ViewProgress& progress) {
-  if (reader.header().dim == 3 && reader.header().face_count() == 0)
+  if (reader.header().dim == 3 && reader.header().face_count() == 0 && reader.header().sphere_vertex.empty())
     throw InputError(
         fmt::format("'{}' tells of no faces of its solids, so that there is nothing to play", reader.path().string()));
   ViewFrames frames = view_frames(reader, limits, progress);

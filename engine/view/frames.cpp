@@ -18,10 +18,12 @@ Vec3 row_at(const results::Header& header, const std::vector<double>& places, in
   return {at[0], at[1], header.dim == 3 ? at[2] : 0};
 }
 
-double reach(const results::Header& header, const results::BodyRow& body) {
+/// `radius`: of the sphere about each vertex; empty without spheres.
+double reach(const results::Header& header, const results::BodyRow& body, const std::vector<double>& radius) {
   double out = 0;
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-    out = std::max(out, row_at(header, header.vertices, v).norm());
+    out = std::max(
+        out, row_at(header, header.vertices, v).norm() + (radius.empty() ? 0.0 : radius[static_cast<std::size_t>(v)]));
   // Outline points that are nodes themselves lie at no distance from them: the start tells the size.
   const Vec3 first = row_at(header, header.node_position, body.first_node);
   for (int n = body.first_node; n < body.first_node + body.node_count; ++n)
@@ -32,8 +34,9 @@ double reach(const results::Header& header, const results::BodyRow& body) {
 /// Fine enough for the smallest free body and, at its far end, for the longest one.
 Quanta body_quanta(const results::Header& header) {
   double smallest = 0, largest = 0;
+  const std::vector<double> radius = header.vertex_radius();
   for (const results::BodyRow& body : header.bodies) {
-    const double size = reach(header, body);
+    const double size = reach(header, body, radius);
     largest = std::max(largest, size);
     if (body.support.starts_with("free") && size > 0) smallest = smallest > 0 ? std::min(smallest, size) : size;
   }

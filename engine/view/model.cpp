@@ -95,6 +95,14 @@ void write_faces(const results::Header& header, JsonText& json) {
   json.end();
 }
 
+/// Of each sphere the row of the vertices about which it is, and its radius.
+void write_spheres(const results::Header& header, JsonText& json) {
+  json.key("spheres").begin_list();
+  for (std::size_t s = 0; s < header.sphere_vertex.size(); ++s)
+    json.number(header.sphere_vertex[s]).number(rounded(header.sphere_radius[s], 1e6));
+  json.end();
+}
+
 void write_bodies(const results::Header& header, const ViewFrames& frames, JsonText& json) {
   const auto dim = static_cast<std::size_t>(header.dim);
   std::vector<int> bonds(header.bodies.size());
@@ -113,7 +121,7 @@ void write_bodies(const results::Header& header, const ViewFrames& frames, JsonT
     for (std::size_t k = 0; k < dim; ++k) json.number(rounded(header.vertices[dim * v + k], 1e6));
   }
   json.end();
-  if (dim == 3) write_faces(header, json);
+  if (dim == 3) write_faces(header, json), write_spheres(header, json);
 }
 
 void write_elements(const results::Header& header, JsonText& json) {

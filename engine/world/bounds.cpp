@@ -19,11 +19,15 @@ constexpr double extents_around = 10, least_margin = 100;  // [1], [m]
 template <int D>
 Bounds<D> default_bounds(const Model<D>& model) {
   Bounds<D> box{Vec<D>::Constant(unbounded), Vec<D>::Constant(-unbounded)};
+  double most = 0;
   for (std::size_t i = 0; i < model.skin_place.size(); ++i) {
     const int n = model.skin_node[i];
     const Vec<D> x = model.start_position[n] + turn_of(model.start_rotation[n]).apply(model.skin_place[i]);
     box.low = box.low.cwiseMin(x), box.high = box.high.cwiseMax(x);
   }
+  for (const ConvexSolid& piece : model.piece_solid)  // spheres reach beyond their one point
+    if (piece.is_sphere()) most = std::max(most, piece.radius);
+  box.low.array() -= most, box.high.array() += most;
   if (model.skin_place.empty()) return {};
   const Vec<D> margin = Vec<D>::Constant(std::max(least_margin, extents_around * (box.high - box.low).maxCoeff()));
   return {box.low - margin, box.high + margin};

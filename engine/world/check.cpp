@@ -9,6 +9,7 @@
 #include "shape/overlap.hpp"
 #include "shape/polygon.hpp"
 #include "shape/separation_3d.hpp"
+#include "shape/sphere_distance.hpp"
 
 namespace trilith {
 namespace {
@@ -64,10 +65,11 @@ void for_near_pieces(const Model<3>& model, double reach, Visit&& visit) {
     place(model.piece_solid[p], turn_of(model.start_rotation[node]), model.start_position[node], placed[p]);
     FatBox<3> box;
     box.low.fill(unbounded), box.high.fill(-unbounded);
+    const double beside = 0.5 * reach + model.piece_solid[p].radius;
     for (const Vec3& x : placed[p].corners)
       for (std::size_t k = 0; k < 3; ++k) {
         const double at = x[static_cast<Eigen::Index>(k)];
-        box.low[k] = std::min(box.low[k], at - 0.5 * reach), box.high[k] = std::max(box.high[k], at + 0.5 * reach);
+        box.low[k] = std::min(box.low[k], at - beside), box.high[k] = std::max(box.high[k], at + beside);
       }
     boxes.put(p, box);
   }
@@ -77,7 +79,10 @@ void for_near_pieces(const Model<3>& model, double reach, Visit&& visit) {
       if (q > p && model.piece_body[p] != model.piece_body[q]) near.push_back(q);
     });
     std::sort(near.begin(), near.end());
-    for (const int q : near) visit(p, q, separation(placed[p], placed[q]).distance);
+    for (const int q : near) {
+      const bool sphere = model.piece_solid[p].is_sphere() || model.piece_solid[q].is_sphere();
+      visit(p, q, sphere ? sphere_distance(placed[p], placed[q]) : separation(placed[p], placed[q]).distance);
+    }
   }
 }
 

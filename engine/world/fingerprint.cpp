@@ -108,6 +108,7 @@ void add(Hash& hash, const Tie<D>& t) {
 
 void add(Hash& hash, const ConvexSolid& s) {
   add(hash, s.shape.corners), add(hash, s.shape.faces.corner), add(hash, s.shape.faces.start), add(hash, s.surface);
+  if (s.is_sphere()) add(hash, s.radius);
 }
 
 void add(Hash& hash, const Bearing<3>& b) {

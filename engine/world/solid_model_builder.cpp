@@ -28,7 +28,8 @@ double SolidModelBuilder::density_of(const SolidSpec& spec) const {
   const std::string owner = fmt::format("body '{}'", spec.name);
   if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");
   if (spec.density) return require_positive(*spec.density, owner + ": density", "kg/m3");
-  if (spec.mass) return require_positive(*spec.mass, owner + ": mass", "kg") / mass_of(spec.pieces, 1).mass;
+  if (spec.mass)
+    return require_positive(*spec.mass, owner + ": mass", "kg") / mass_of(spec.pieces, 1, spec.spheres).mass;
   for (const Material& m : materials_)
     if (m.name == spec.material) return m.density;
   throw InputError(fmt::format("{}: give a density or mass, or a material that has a density", owner));
@@ -38,7 +39,9 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   require_name(spec.name, "body");
   require_new(bodies_, spec.name, "body", [](const SolidSpec& b) { return b.name; });
   const std::string owner = fmt::format("body '{}'", spec.name);
-  if (spec.pieces.empty()) throw InputError(owner + " has no piece; it needs at least one");
+  if (spec.pieces.empty() && spec.spheres.empty()) throw InputError(owner + " has no piece; it needs at least one");
+  for (std::size_t s = 0; s < spec.spheres.size(); ++s)
+    check_sphere(spec.spheres[s], spec.spheres.size() == 1 ? owner : fmt::format("{}, sphere {}", owner, s + 1));
   for (std::size_t p = 0; p < spec.pieces.size(); ++p)
     check_convex(spec.pieces[p], spec.pieces.size() == 1 ? owner : fmt::format("{}, piece {}", owner, p + 1));
   for (const Vec3* v : {&spec.velocity, &spec.spin, &spec.load})
@@ -55,7 +58,9 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
   space.gravity(gravity);
   if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
   for (const SolidSpec& spec : bodies_)
-    attempt(faults, [&] { space.add({spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0}); });
+    attempt(faults, [&] {
+      space.add({spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0, spec.spheres});
+    });
   rules_.check(bodies_, materials_, faults);
   if (!faults.empty()) return {};
   Model<3> model = space.build();

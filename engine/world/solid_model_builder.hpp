@@ -27,6 +27,7 @@ struct SolidSpec {
   Vec3 spin = Vec3::Zero();          ///< at the start [rad/s]
   Vec3 load = Vec3::Zero();          ///< steady force at the centroid [N]
   bool floating = false;             ///< may start with nothing that holds it up
+  std::vector<Sphere> spheres = {};  ///< beside the pieces, where they stand; they may overlap each other
 };
 
 class SolidModelBuilder {

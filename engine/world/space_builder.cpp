@@ -68,7 +68,10 @@ bool touches_something(const Model<3>& model, int surface) {
 
 void check_solid_body(const Model<3>& model, const SolidBody& body) {
   if (model.find_body(body.name) >= 0) throw InputError(fmt::format("there is a body '{}' already", body.name));
-  if (body.pieces.empty()) throw InputError(fmt::format("body '{}' has no piece; it needs at least one", body.name));
+  if (body.pieces.empty() && body.spheres.empty())
+    throw InputError(fmt::format("body '{}' has no piece; it needs at least one", body.name));
+  for (std::size_t s = 0; s < body.spheres.size(); ++s)
+    check_sphere(body.spheres[s], fmt::format("body '{}', sphere {}", body.name, s + 1));
   if (!(body.density > 0) || !std::isfinite(body.density))
     throw InputError(fmt::format("body '{}' has a density of {} kg/m3; it must be above 0", body.name, body.density));
   if (!body.velocity.allFinite() || !body.spin.allFinite())
@@ -77,17 +80,16 @@ void check_solid_body(const Model<3>& model, const SolidBody& body) {
 
 }  // namespace
 
-SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density) {
+SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density, const std::vector<Sphere>& spheres) {
+  std::vector<SolidMoments> parts;
+  for (const Polyhedron& piece : pieces) parts.push_back(solid_moments(piece));
+  if (!spheres.empty()) parts.push_back(sphere_moments(spheres));
   double volume = 0;
   Vec3 first = Vec3::Zero();
-  for (const Polyhedron& piece : pieces) {
-    const SolidMoments m = solid_moments(piece);
-    volume += m.volume, first += m.volume * m.centroid;
-  }
+  for (const SolidMoments& m : parts) volume += m.volume, first += m.volume * m.centroid;
   const Vec3 centroid = first / volume;
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (const Polyhedron& piece : pieces) {
-    const SolidMoments m = solid_moments(piece);
+  for (const SolidMoments& m : parts) {
     const Vec3 arm = m.centroid - centroid;
     inertia += m.inertia + m.volume * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
   }
@@ -98,11 +100,11 @@ int SpaceBuilder::add(const SolidBody& body) {
   check_solid_body(model_, body);
   for (std::size_t p = 0; p < body.pieces.size(); ++p)
     check_convex(body.pieces[p], fmt::format("body '{}', piece {}", body.name, p + 1));
-  const SolidMass mass = mass_of(body.pieces, body.density);
+  const SolidMass mass = mass_of(body.pieces, body.density, body.spheres);
   Body row;
   row.name = body.name, row.first_node = model_.nodes(), row.surface = body.surface;
   row.first_skin = static_cast<int>(model_.skin_place.size()), row.first_piece = model_.pieces();
-  row.pieces = static_cast<int>(body.pieces.size());
+  row.pieces = static_cast<int>(body.pieces.size() + body.spheres.size());
   add_node(body, mass);
   add_pieces(body, mass);
   row.skins = static_cast<int>(model_.skin_place.size()) - row.first_skin;
@@ -128,17 +130,19 @@ void SpaceBuilder::add_pieces(const SolidBody& body, const SolidMass& mass) {
   for (const Polyhedron& piece : body.pieces)
     pieces.push_back(convex_solid(placed(placed(piece, {}, -mass.centroid), back, Vec3::Zero()), body.name, 1e-8));
   mark_inner_faces(pieces);
+  for (const Sphere& s : body.spheres)
+    pieces.push_back(convex_sphere({turn_of(back).apply(s.centre - mass.centroid), s.radius}));
   if (model_.piece_first.empty()) model_.piece_first.push_back(0);
   double radius = 0;
   for (const ConvexSolid& piece : pieces) {
     for (const Vec3& x : piece.shape.corners) {
       model_.corner_skin.push_back(static_cast<int>(model_.skin_place.size()));
       model_.skin_place.push_back(x), model_.skin_node.push_back(node), model_.skin_turn.push_back(node);
-      radius = std::max(radius, x.norm());
+      radius = std::max(radius, x.norm() + piece.radius);
     }
     model_.piece_body.push_back(index);
     model_.piece_first.push_back(static_cast<int>(model_.corner_skin.size()));
-    model_.piece_thickness.push_back(solid_width(piece));
+    model_.piece_thickness.push_back(piece.is_sphere() ? 2 * piece.radius : solid_width(piece));
     model_.piece_solid.push_back(piece);
   }
   model_.body_radius.push_back(radius);

@@ -9,24 +9,25 @@
 
 namespace trilith {
 
-/// A rigid body in space: convex pieces where they stand, which share faces or nothing.
+/// A rigid body in space: convex pieces where they stand, which share faces or nothing, and spheres.
 struct SolidBody {
   std::string name;
-  std::vector<Polyhedron> pieces;
+  std::vector<Polyhedron> pieces = {};
   double density = 0;  ///< [kg/m3]
   bool fixed = false;
-  Vec3 velocity = Vec3::Zero();  ///< of its centroid [m/s]
-  Vec3 spin = Vec3::Zero();      ///< [rad/s]
-  int surface = 0;               ///< whose law of contact it has, see SpaceBuilder::contact
+  Vec3 velocity = Vec3::Zero();      ///< of its centroid [m/s]
+  Vec3 spin = Vec3::Zero();          ///< [rad/s]
+  int surface = 0;                   ///< whose law of contact it has, see SpaceBuilder::contact
+  std::vector<Sphere> spheres = {};  ///< beside the pieces, where they stand; they may overlap each other
 };
 
-/// Mass, centroid and inertia of solids of one density that share no volume.
+/// Mass, centroid and inertia of solids of one density that share no volume, and of the union of spheres.
 struct SolidMass {
   double mass;               ///< [kg]
   Vec3 centroid;             ///< [m]
   PrincipalInertia inertia;  ///< about the centroid [kg m2]
 };
-SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density);
+SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density, const std::vector<Sphere>& spheres = {});
 
 /// Throws InputError for a law that solids in space do not have yet: one that crushes.
 void require_law_for_solids(const std::string& name, const ContactLaw& law);

@@ -94,6 +94,7 @@ struct SolidWork {};
 template <>
 struct SolidWork<3> {
   std::vector<PlacedSolid> placed;       ///< [piece]. Writer: place
+  std::vector<Sphere> sphere;            ///< [piece] radius 0 of a polyhedron; empty without spheres. Writer: place
   std::vector<double> speed2;            ///< [piece] largest square of the speeds of its corners [m2/s2]. Writer: place
   std::vector<Separation3> separation;   ///< [contact] along the axis that parted them last. Writer: respond
   std::vector<Separation3> spare;        ///< room

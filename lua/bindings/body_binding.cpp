@@ -46,7 +46,7 @@ BodyMotion motion_in_space(const SpaceModel& m, int body) {
   const Simulation<3>* s = m.has_body(body) ? m.if_built() : nullptr;
   if (s == nullptr) {
     const SolidSpec& spec = m.spec(body);
-    return {mass_of(spec.pieces, 1).centroid, Vec3::Zero(), Vec3::Zero(), spec.velocity, spec.spin};
+    return {mass_of(spec.pieces, 1, spec.spheres).centroid, Vec3::Zero(), Vec3::Zero(), spec.velocity, spec.spin};
   }
   const auto n = static_cast<std::size_t>(s->model().bodies[static_cast<std::size_t>(body)].first_node);
   const State<3>& state = s->state();

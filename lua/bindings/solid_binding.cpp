@@ -110,7 +110,7 @@ void add_solid(SpaceModel& m, const SolidPart& part, const SolidOptions& options
   for (auto name = own.rbegin(); name != own.rend(); ++name)
     for (const auto& [entry, other] : options.by_group)
       if (entry == *name) spec = other;
-  spec.name = part.name, spec.pieces = part.pieces;
+  spec.name = part.name, spec.pieces = part.pieces, spec.spheres = part.spheres;
   spec.groups.insert(spec.groups.begin(), part.groups.begin(), part.groups.end());
   if (std::any_of(own.begin(), own.end(), [&](const std::string& n) { return is_among(n, options.fixed); }))
     spec.support.fill(Support::fixed);
@@ -162,7 +162,8 @@ int add_solids_made(lua_State* L, std::string_view name) {
   m.adding();
   Keys keys(L, 2, std::string(name));
   const MakeSolids make = maker->read(keys);
-  const SolidOptions options = read_solid_options(keys, !maker->single);
+  SolidOptions options = read_solid_options(keys, !maker->single);
+  options.spec.floating = options.spec.floating || maker->falls;
   keys.finish();
   const SolidParts made = make();
   const int first = m.body_count();

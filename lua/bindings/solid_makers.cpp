@@ -7,9 +7,7 @@
 #include "part_reading.hpp"
 
 namespace trilith::script {
-namespace {
 
-/// turn = { axis = {x, y, z}, angle = }.
 SolidTurn read_turn(Keys& k) {
   SolidTurn turn;
   const int type = k.push("turn");
@@ -28,6 +26,8 @@ SolidTurn read_turn(Keys& k) {
   lua_pop(k.lua(), 1);
   return turn;
 }
+
+namespace {
 
 SolidParts one_part(SolidPart part) {
   SolidParts made;
@@ -132,7 +132,7 @@ MakeSolids read_file(Keys& k) {
   return [f, path, beside] { return read_solids(path.is_absolute() ? path : beside / path, f); };
 }
 
-constexpr std::size_t maker_count = 12;
+constexpr std::size_t maker_count = 15;
 template <std::size_t row>
 int add_row(lua_State* L);
 
@@ -155,6 +155,9 @@ constexpr std::array<SolidMaker, maker_count> makers{
     SolidMaker{"dome", false, read_dome, add[9], "a dome of rings and sectors, with a key or open"},
     SolidMaker{"rubble", false, read_solid_rubble, add[10], "irregular stones that fill a box"},
     SolidMaker{"solids", false, read_file, add[11], "solids of an OBJ or STL file"},
+    SolidMaker{"sphere", true, read_sphere, add[12], "a sphere: radius, at"},
+    SolidMaker{"clump", true, read_clump, add[13], "spheres that overlap, as one body"},
+    SolidMaker{"pour", false, read_pour, add[14], "spheres or clumps at random in a box, ready to fall", true},
 };
 
 template <std::size_t row>

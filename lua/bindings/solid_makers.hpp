@@ -19,6 +19,7 @@ struct SolidMaker {
   MakeSolids (*read)(Keys&);
   lua_CFunction add;  ///< m:NAME{...}
   std::string_view doc;
+  bool falls = false;  ///< what it makes may start with nothing that holds it up
 };
 std::span<const SolidMaker> solid_makers();
 
@@ -29,6 +30,13 @@ MakeSolids read_vault(Keys& k);
 MakeSolids read_cross_vault(Keys& k);
 MakeSolids read_dome(Keys& k);
 MakeSolids read_solid_rubble(Keys& k);
+
+// Readers that lie in sphere_makers.cpp.
+MakeSolids read_sphere(Keys& k);
+MakeSolids read_clump(Keys& k);
+MakeSolids read_pour(Keys& k);
+/// turn = { axis = {x, y, z}, angle = }.
+SolidTurn read_turn(Keys& k);
 
 /// m:NAME{...} on a model in space: the parts of the maker of that name become bodies. InputError where there is none.
 int add_solids_made(lua_State* L, std::string_view name);

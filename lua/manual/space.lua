@@ -156,6 +156,27 @@ aspect       number = 1    width over height
 joint        number m = 0  between the stones
 jitter       number m = 0  points are moved at random by up to this
 seed         integer = 1   of the random numbers]], with = "solids", gives = "set" },
+  { "space:sphere", "A sphere.", keys = [[
+name    text                its name
+radius  number m            of it
+at      vector = {0, 0, 0}  its centre]], with = "solid", gives = "body" },
+  { "space:clump", "Spheres that overlap or touch, as one body: its mass is that of their union; each touches "
+    .. "others for itself.", keys = [[
+name     text                its name
+spheres  list                { { at = {x, y, z}, radius = }, ... }, about its own origin
+at       vector = {0, 0, 0}  where that origin stands
+turn     table?              { axis = {x, y, z}, angle = }: about it]], with = "solid", gives = "body" },
+  { "space:pour", "Spheres, or clumps of one shape, at random in a box, none touching another, ready to fall.",
+    keys = [[
+name     text?            names begin with it
+low      vector           corner of the box they begin in
+high     vector           the opposite one
+count    integer = 100    how many
+radius   number or list   of all, or { least, most } [m]
+grading  text = "number"  "number": as many of each radius; "mass": as much mass of each
+clump    list?            { { at = {x, y, z}, radius = }, ... }: a shape, as large as the ball of a grain's radius
+share    number = 1       of clumps among the grains, where there is a shape
+seed     integer = 1      of the random numbers]], with = "solids", gives = "set" },
   { "space:solids", "Solids of an OBJ or STL file.", keys = [[
 name               text?           names begin with it
 file               text            its path, from the script's folder

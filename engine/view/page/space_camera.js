@@ -86,7 +86,11 @@ export function homeSpace(run) {
   const centreOf = (body) => [0, 1, 2].map((k) => run.place[3 * body.node + k]);
   const grow = (p) => p.forEach((v, k) => ([low[k], high[k]] = [Math.min(low[k], v), Math.max(high[k], v)]));
   run.pose(run.begin);
-  for (const body of some) for (let v = body.vertex; v < body.vertex + body.vertices; v++) grow(run.point(v));
+  for (const body of some) for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
+    const p = run.point(v), r = run.radius[v];
+    grow(p.map((x) => x - r));
+    grow(p.map((x) => x + r));
+  }
   const reach = 0.35 * Math.hypot(...high.map((v, k) => v - low[k]));
   if (!(reach > 0)) return { low: [-1, -1, -1], high: [1, 1, 1] };
   const far = [low.map((v) => v - reach), high.map((v) => v + reach)];

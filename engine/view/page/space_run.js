@@ -20,6 +20,13 @@ export class SpaceRun extends Run {
       for (let at = 0; at < row.length; at += row[at] + 1) faces.push(row.slice(at + 1, at + 1 + row[at]));
       return faces;
     });
+    /** Rows of the points that are centres of spheres, and the radius about each point, 0 where there is no sphere. */
+    this.spheres = [];
+    this.radius = new Float32Array(count);
+    for (let s = 0; s < (head.spheres ?? []).length; s += 2) {
+      this.spheres.push(head.spheres[s]);
+      this.radius[head.spheres[s]] = head.spheres[s + 1];
+    }
     this.nodes = this.block("rotation").columns / 4;
     this.place = new Float64Array(3 * this.nodes);
     this.quaternion = new Float64Array(4 * this.nodes);
@@ -62,7 +69,7 @@ export class SpaceRun extends Run {
   areaOf(body) {
     const span = (values) => {
       const own = values.subarray(body.vertex, body.vertex + body.vertices);
-      return own.length ? Math.max(...own) - Math.min(...own) : 0;
+      return own.length ? Math.max(...own) - Math.min(...own) + 2 * this.radius[body.vertex] : 0;
     };
     const a = span(this.vertexX), b = span(this.vertexY), c = span(this.vertexZ);
     return (a * b + b * c + c * a) / 3;

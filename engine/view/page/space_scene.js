@@ -26,15 +26,50 @@ void main() {
   shown = line.a > 0.0 ? vec4(line.rgb, 1.0) : vec4(fill * (0.56 + 0.44 * light), 1.0);
 }`;
 
+// A sphere is a square of pixels about its centre: the disc within it, each pixel with the depth and the light of the
+// place on the sphere that it shows.
+const ballVertexCode = `#version 300 es
+uniform vec3 right, up, toward, middle;
+uniform vec3 scale;
+uniform float pixels;  // of the canvas per metre
+in vec3 point;
+in vec3 colour;
+in float radius;
+out vec3 fill;
+out vec2 deep;  // depth of the centre, and of the radius
+void main() {
+  vec3 p = point - middle;
+  fill = colour;
+  deep = vec2(-dot(toward, p) * scale.z, radius * scale.z);
+  gl_Position = vec4(dot(right, p) * scale.x, dot(up, p) * scale.y, deep.x, 1.0);
+  gl_PointSize = 2.0 * radius * pixels;
+}`;
+const ballPixelCode = `#version 300 es
+precision highp float;
+in vec3 fill;
+in vec2 deep;
+out vec4 shown;
+void main() {
+  vec2 at = vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
+  float square = dot(at, at);
+  if (square > 1.0) discard;
+  vec3 n = vec3(at, sqrt(1.0 - square));
+  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.5, 0.8, 0.6)));
+  shown = vec4(fill * (0.42 + 0.58 * light), 1.0);
+  gl_FragDepth = 0.5 + 0.5 * (deep.x - deep.y * n.z);
+}`;
+
 /** #rrggbb, or rgb(r, g, b) as style sheets give it, to three numbers up to 1. */
 function shares(colour) {
   if (colour.startsWith("#")) return [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16) / 255);
   return (colour.match(/[\d.]+/g) ?? [0, 0, 0]).slice(0, 3).map((v) => Number(v) / 255);
 }
 
-function compiled(gl) {
+function compiled(gl, ofVertices, ofPixels) {
   const program = gl.createProgram();
-  for (const [kind, code] of [[gl.VERTEX_SHADER, vertexCode], [gl.FRAGMENT_SHADER, pixelCode]]) {
+  // One place for each attribute, so that both programs read the same buffers.
+  ["point", "colour", "radius"].forEach((name, place) => gl.bindAttribLocation(program, place, name));
+  for (const [kind, code] of [[gl.VERTEX_SHADER, ofVertices], [gl.FRAGMENT_SHADER, ofPixels]]) {
     const shader = gl.createShader(kind);
     gl.shaderSource(shader, code);
     gl.compileShader(shader);
@@ -56,7 +91,9 @@ export class SpaceScene extends Scene {
     this.over.style.cssText = "position:absolute;inset:0;width:100%;height:100%;pointer-events:none";
     canvas.after(this.over);
     canvas.addEventListener("contextmenu", (e) => e.preventDefault());
-    this.program = compiled(gl);
+    this.solids = compiled(gl, vertexCode, pixelCode);
+    if (this.run.spheres.length) this.balls = compiled(gl, ballVertexCode, ballPixelCode);
+    this.program = this.solids;
     gl.useProgram(this.program);
     this.at = (name) => gl.getUniformLocation(this.program, name);
     this.takeFaces();
@@ -81,18 +118,20 @@ export class SpaceScene extends Scene {
       gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint32Array.from(values), gl.STATIC_DRAW);
       return { buffer, count: values.length };
     };
-    [this.triangles, this.edges] = [list(triangles), list(edges)];
+    [this.triangles, this.edges, this.centres] = [list(triangles), list(edges), list(run.spheres)];
     this.points = new Float32Array(3 * run.vertexNode.length);
     this.fills = new Uint8Array(this.points.length);
-    const numbers = (name, type, normalised) => {
-      const buffer = gl.createBuffer(), place = gl.getAttribLocation(this.program, name);
+    const numbers = (place, width, type, normalised) => {
+      const buffer = gl.createBuffer();
       gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
       gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, 3, type, normalised, 0, 0);
+      gl.vertexAttribPointer(place, width, type, normalised, 0, 0);
       return buffer;
     };
-    this.pointBuffer = numbers("point", gl.FLOAT, false);
-    this.fillBuffer = numbers("colour", gl.UNSIGNED_BYTE, true);
+    this.pointBuffer = numbers(0, 3, gl.FLOAT, false);
+    this.fillBuffer = numbers(1, 3, gl.UNSIGNED_BYTE, true);
+    numbers(2, 1, gl.FLOAT, false);
+    gl.bufferData(gl.ARRAY_BUFFER, run.radius, gl.STATIC_DRAW);
   }
 
   resize() {
@@ -124,6 +163,7 @@ export class SpaceScene extends Scene {
     gl.polygonOffset(2, 2);
     this.drawList(gl.TRIANGLES, this.triangles, [0, 0, 0, 0]);
     this.drawList(gl.LINES, this.edges, [...shares(theme.outline), 1]);
+    this.drawSpheres();
     if (this.show.start) {
       this.upload(this.startX, this.startY, this.startZ);
       this.drawList(gl.LINES, this.edges, [...shares(theme.ghost), 1]);
@@ -185,6 +225,19 @@ export class SpaceScene extends Scene {
     gl.drawElements(kind, list.count, gl.UNSIGNED_INT, 0);
   }
 
+  drawSpheres() {
+    const { gl, run } = this;
+    if (!run.spheres.length) return;
+    this.program = this.balls;
+    gl.useProgram(this.program);
+    this.aim();
+    gl.uniform1f(this.at("pixels"), (this.camera.scale * this.canvas.width) / this.camera.width);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.centres.buffer);
+    gl.drawElements(gl.POINTS, this.centres.count, gl.UNSIGNED_INT, 0);
+    this.program = this.solids;
+    gl.useProgram(this.program);
+  }
+
   drawForces(theme) {
     const { run, context: c, camera } = this;
     const [first, last] = run.contactRows(run.now.frame);
@@ -224,6 +277,11 @@ export class SpaceScene extends Scene {
     for (let f = 0; f <= run.now.frame; f++) c.lineTo(...camera.place(x[f], y[f], z[f]));
     c.stroke();
     c.lineWidth = 2;
+    for (const [x, y, , r] of this.discs(selection.body)) {
+      c.beginPath();
+      c.arc(x, y, r, 0, 2 * Math.PI);
+      c.stroke();
+    }
     for (const face of run.faces[selection.body.index]) {
       c.beginPath();
       for (const v of face) c.lineTo(...camera.place(...run.point(v)));
@@ -250,11 +308,23 @@ export class SpaceScene extends Scene {
     });
   }
 
+  /** The spheres of a body as seen: where, how near the eye the centre is, m, and how large on the canvas. */
+  discs(body) {
+    const { run, camera } = this, discs = [];
+    for (let v = body.vertex; v < body.vertex + body.vertices; v++)
+      if (run.radius[v] > 0) discs.push([...camera.place(...run.point(v)), camera.depth(...run.point(v)), run.radius[v] * camera.scale]);
+    return discs;
+  }
+
   /** The body whose face is nearest to the eye at a place on the canvas, or null. */
   bodyAt(px, py) {
     const { run, camera } = this;
     let best = null, nearest = -Infinity;
-    for (const body of this.order.filter((b) => run.isThere(b)))
+    for (const body of this.order.filter((b) => run.isThere(b))) {
+      for (const [x, y, deep, r] of this.discs(body)) {
+        const square = (r * r - (px - x) ** 2 - (py - y) ** 2) / camera.scale ** 2;
+        if (square > 0 && deep + Math.sqrt(square) > nearest) [best, nearest] = [body, deep + Math.sqrt(square)];
+      }
       for (const face of run.faces[body.index]) {
         const corners = face.map((v) => run.point(v)), flat = corners.map((p) => camera.place(...p));
         let hit = false;
@@ -264,6 +334,7 @@ export class SpaceScene extends Scene {
         const depth = depthAt(flat, corners.map((p) => camera.depth(...p)), px, py);
         if (depth > nearest) [best, nearest] = [body, depth];
       }
+    }
     return best;
   }
 }
