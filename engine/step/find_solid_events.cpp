@@ -1,8 +1,9 @@
-// What happened in a step of solids in space: bonds, contacts made and lost, impacts, rest.
+// What happened in a step of solids in space: bonds, contacts made and lost, impacts, bearings, rest.
 #include <algorithm>
 
 #include "contact/joint.hpp"
 #include "contact/joint_plan.hpp"
+#include "step/bearing_events.hpp"
 #include "step/body_events.hpp"
 #include "step/find_events.hpp"
 
@@ -85,6 +86,7 @@ void find_events(const Model<3>& model, State<3>& state, Work<3>& work) {
   work.events.clear();
   for (const int row : work.changed_rows) contact_events(model, state, work, row);
   if (!state.parted.empty()) parted_events(model, state, work);
+  bearing_events(model, state, work);
   body_events(model, state, work);
 }
 

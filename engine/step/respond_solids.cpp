@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "contact/joint.hpp"
+#include "detect/bearing_rules.hpp"
 #include "step/evaluate.hpp"
 #include "step/solid_joints.hpp"
 
@@ -85,6 +86,9 @@ void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, in
                     b = moving_solid(model, state, work, pair.piece_b);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
   const SolidPressure pressed = pressure_between(a, b, law, work.solids.separation[r], work.solids.shared);
+  // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
+  if (pair.replaced && presses_flat(model, state, work.search, state.bearing, pair, pressed.force))
+    return take_up(model, state, work, row, was, {});
   take_up(model, state, work, row, was, respond_solids(a, b, before, law, pressed));
 }
 

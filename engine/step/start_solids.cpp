@@ -58,8 +58,8 @@ void set_bonds(const Model<3>& model, State<3>& state, double reach) {
   find_near_solids(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     const NearPair& pair = work.pairs[row];
-    // A joint that holds all over is left as it is, so this may be called again.
-    if (!may_bond(model.laws[pair.law]) || holds_all_over(state.contacts.joint_at(row))) continue;
+    // A joint that holds all over is left as it is, so this may be called again. A bearing stands for flat faces.
+    if (pair.replaced || !may_bond(model.laws[pair.law]) || holds_all_over(state.contacts.joint_at(row))) continue;
     const double size = size_of_smaller(model, pair);
     FaceOverlap3 faces;
     if (!meeting_faces(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b], reach * size,

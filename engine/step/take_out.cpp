@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "step/bearing_motion.hpp"
 #include "step/displacement_control.hpp"
 #include "step/evaluate.hpp"
 #include "world/pose.hpp"
@@ -35,17 +36,20 @@ Event left_event(const Model<3>& model, const State<3>& state, int body) {
 }
 
 /// Ends the bearings of bodies that have left.
-void end_bearings(const Model<2>& model, State<2>& state, const Work<2>& work, std::vector<Event>& events) {
+template <int D>
+void end_bearings(const Model<D>& model, State<D>& state, const Work<D>& work, std::vector<Event>& events) {
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    const Bearing<2>& b = model.bearings[i];
-    BearingMemory& memory = state.bearing[i];
+    const Bearing<D>& b = model.bearings[i];
+    BearingMemory<D>& memory = state.bearing[i];
     if (state.left[b.body_a] == 0 && state.left[b.body_b] == 0) continue;
     if (is_live(memory.status)) {
       Event e = event_of(state, EventType::bearing_failed, b.body_a);
-      const Vec2 at = pose_at(model, state, b.end_a).place;
       e.body_b = b.body_b, e.bearing = static_cast<int>(i);
       e.value = work.bearing_displacement[i].norm();
-      e.x = at.x(), e.y = at.y();
+      if constexpr (D == 2)
+        e.set_place(pose_at(model, state, b.end_a).place);
+      else
+        e.set_place(point_of(state, b.end_a));
       events.push_back(e);
     }
     if (is_live(memory.status) || memory.status == BearingStatus::waiting) memory.status = BearingStatus::failed;
@@ -78,7 +82,7 @@ std::vector<Event> take_out(Model<D>& model, State<D>& state, Work<D>& work, con
     events.push_back(left_event(model, state, b));
     state.left[b] = 1;
   }
-  if constexpr (D == 2) end_bearings(model, state, work, events);
+  end_bearings(model, state, work, events);
   for (const int b : bodies) stop(model, state, b);
   std::erase_if(state.parted, [&](const Parted& p) {
     return state.left[model.piece_body[first_piece(p.contact)]] != 0 ||

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shape/polyhedron.hpp"
+#include "world/bearing_spec.hpp"
 #include "world/contact_rules.hpp"
 #include "world/material.hpp"
 #include "world/model.hpp"
@@ -47,6 +48,7 @@ class SolidModelBuilder {
   void set_contact(const std::string& a, const std::string& b, const std::string& law) {
     rules_.set_contact(a, b, law);
   }
+  void add_bearing(const BearingSpecOf<3>& spec);
   /// Adds a line to notes(): what was repaired or chosen before bodies came here.
   void note(const std::string& line) { notes_.push_back(line); }
 
@@ -56,14 +58,19 @@ class SolidModelBuilder {
   [[nodiscard]] std::vector<std::string> faults() const;
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] const std::vector<SolidSpec>& bodies() const { return bodies_; }
+  [[nodiscard]] const std::vector<BearingSpecOf<3>>& bearings() const { return bearings_; }
   [[nodiscard]] std::vector<std::string> law_names() const { return rules_.law_names(); }
 
  private:
   Model<3> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
   [[nodiscard]] double density_of(const SolidSpec& spec) const;
+  [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;
+  void require_near(const std::string& body, const Vec3& point, const std::string& owner) const;
+  void append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const;
 
   std::vector<Material> materials_;
   std::vector<SolidSpec> bodies_;
+  std::vector<BearingSpecOf<3>> bearings_;
   ContactRules rules_;
   std::vector<std::string> notes_;
 };
