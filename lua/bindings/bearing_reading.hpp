@@ -5,7 +5,8 @@
 
 namespace trilith::script {
 
-/// Reads the laws along, axial and turning, and the limit of each. Problems are noted in `keys`.
-void read_directions(Keys& keys, BearingSpec& spec);
+/// Reads the law of each direction, in space of both horizontal ones too, and the limits. Problems are noted in `keys`.
+template <int D>
+void read_directions(Keys& keys, BearingSpecOf<D>& spec);
 
 }  // namespace trilith::script

@@ -7,9 +7,7 @@
 #include "part_reading.hpp"
 
 namespace trilith::script {
-namespace {
 
-/// turn = { axis = {x, y, z}, angle = }.
 SolidTurn read_turn(Keys& k) {
   SolidTurn turn;
   const int type = k.push("turn");
@@ -28,6 +26,8 @@ SolidTurn read_turn(Keys& k) {
   lua_pop(k.lua(), 1);
   return turn;
 }
+
+namespace {
 
 SolidParts one_part(SolidPart part) {
   SolidParts made;
