@@ -1,4 +1,4 @@
-// A bearing to be, and what is checked of one whatever the dimension.
+// Bearings and seats to be, and what is checked of bearings whatever the dimension.
 #pragma once
 
 #include <string>
@@ -25,6 +25,16 @@ struct BearingSpecOf : std::conditional_t<D == 3, HorizontalPart, NoHorizontalPa
   bool starts_waiting = false;
 };
 using BearingSpec = BearingSpecOf<2>;
+
+/// A seat to be; points in world coordinates at the start.
+template <int D>
+struct SeatSpecOf {
+  std::string name;
+  std::string body, support;
+  Vec<D> end = Vec<D>::Zero(), edge = Vec<D>::Zero();  ///< [m]
+  Vec<D> inward = Vec<D>::UnitX();                     ///< from the edge over the seat; made a unit vector
+};
+using SeatSpec = SeatSpecOf<2>;
 
 /// Throws InputError: points that are not finite, numbers of laws out of range, no law at all, a law of both horizontal
 /// directions beside one of along or across, limits that are not above 0, a successor without a limit.

@@ -51,14 +51,6 @@ struct BodySpec {
   bool floating = false;             ///< may start with nothing that holds it up
 };
 
-/// A seat to be; points in world coordinates at the start.
-struct SeatSpec {
-  std::string name;
-  std::string body, support;
-  Vec2 end = Vec2::Zero(), edge = Vec2::Zero();  ///< [m]
-  Vec2 inward = Vec2::UnitX();                   ///< from the edge over the seat; made a unit vector
-};
-
 class ModelBuilder {
  public:
   double thickness = 1;                ///< [m]

@@ -1,4 +1,4 @@
-// Bearings of models in space: what a builder's solids have to do with each other.
+// Bearings and seats of models in space: what a builder's solids have to do with each other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,6 +81,27 @@ void SolidModelBuilder::append_bearing(const BearingSpecOf<3>& spec, Model<3>& m
   b.piece_a = piece_near(model, b.body_a, b.end_a.arm[0]);
   b.piece_b = piece_near(model, b.body_b, b.end_b.arm[0]);
   model.bearings.push_back(std::move(b));
+}
+
+void SolidModelBuilder::add_seat(const SeatSpecOf<3>& spec) {
+  const std::string owner = fmt::format("seat '{}'", spec.name);
+  require_name(spec.name, "seat");
+  (void)require_body(spec.body, owner), (void)require_body(spec.support, owner);
+  if (!spec.end.allFinite() || !spec.edge.allFinite() || !spec.inward.allFinite())
+    throw InputError(owner + ": end, edge or inward is not finite");
+  require_positive(spec.inward.norm(), owner + ": length of the inward direction", "");
+  require_near(spec.body, spec.end, owner);
+  require_near(spec.support, spec.edge, owner);
+  seats_.push_back(spec);
+}
+
+void SolidModelBuilder::append_seat(const SeatSpecOf<3>& spec, Model<3>& model) const {
+  Seat<3> seat;
+  seat.name = spec.name;
+  seat.body = require_body(spec.body, spec.name), seat.support = require_body(spec.support, spec.name);
+  seat.end = tie_to(model, seat.body, spec.end), seat.edge = tie_to(model, seat.support, spec.edge);
+  seat.inward = turn_of(model.start_rotation[seat.edge.node[0]]).undo(Vec3(spec.inward.normalized()));
+  model.seats.push_back(std::move(seat));
 }
 
 }  // namespace trilith

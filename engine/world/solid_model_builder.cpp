@@ -70,6 +70,7 @@ Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vect
   rules_.fill(model);
   complete_space(model);
   for (const BearingSpecOf<3>& spec : bearings_) attempt([&] { append_bearing(spec, model); });
+  for (const SeatSpecOf<3>& spec : seats_) attempt([&] { append_seat(spec, model); });
   attempt([&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
   model.impact_speed = impact_speed, model.apart_time = apart_time;
   model.still_speed = still_speed, model.still_time = still_time;

@@ -49,6 +49,7 @@ class SolidModelBuilder {
     rules_.set_contact(a, b, law);
   }
   void add_bearing(const BearingSpecOf<3>& spec);
+  void add_seat(const SeatSpecOf<3>& spec);
   /// Adds a line to notes(): what was repaired or chosen before bodies came here.
   void note(const std::string& line) { notes_.push_back(line); }
 
@@ -67,10 +68,12 @@ class SolidModelBuilder {
   [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;
   void require_near(const std::string& body, const Vec3& point, const std::string& owner) const;
   void append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const;
+  void append_seat(const SeatSpecOf<3>& spec, Model<3>& model) const;
 
   std::vector<Material> materials_;
   std::vector<SolidSpec> bodies_;
   std::vector<BearingSpecOf<3>> bearings_;
+  std::vector<SeatSpecOf<3>> seats_;
   ContactRules rules_;
   std::vector<std::string> notes_;
 };

@@ -1,4 +1,4 @@
-// Bearings and seats.
+// Bearings.
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +6,6 @@
 #include "bindings.hpp"
 #include "solid_makers.hpp"
 #include "step/bearing_motion.hpp"
-#include "step/find_events.hpp"
 #include "world/pose.hpp"
 
 namespace trilith::script {
@@ -122,25 +121,6 @@ int add_bearing(lua_State* L) {
   else
     add_bearing_to<2>(L, *as_plane(m));
   push_bearing(L, 1, static_cast<int>(m.bearings.size()) - 1);
-  return 1;
-}
-
-int add_seat(lua_State* L) {
-  PlaneModel& m = this_plane(L);
-  m.require_open("seat");
-  Keys keys(L, 2, "seat");
-  SeatSpec spec;
-  spec.name = keys.text("name");
-  keys.name_owner(spec.name);
-  spec.body = body_name(keys, "body", m);
-  spec.support = body_name(keys, "support", m);
-  spec.end = keys.point("at_end");
-  spec.edge = keys.point("edge");
-  spec.inward = keys.point("inward", spec.inward);
-  keys.finish();
-  m.builder.add_seat(spec);
-  m.seats.push_back(spec.name);
-  push_seat(L, 1, static_cast<int>(m.seats.size()) - 1);
   return 1;
 }
 
@@ -303,25 +283,6 @@ const std::array bearing_properties{
     BearingProperty{"share", "1", "largest displacement over its limit", share_of},
 };
 
-const std::string& name_of_seat(const SeatHandle& s) {
-  return s.model().seats[static_cast<std::size_t>(s.index)];
-}
-
-using SeatProperty = Property<SeatHandle>;
-const std::array seat_properties{
-    SeatProperty{"name", "", "its name", nullptr,
-                 [](lua_State* L, const SeatHandle& s) { lua_pushstring(L, name_of_seat(s).c_str()); }},
-    SeatProperty{"length", "m", "how far the end still reaches over the edge",
-                 [](const SeatHandle& s) {
-                   const Simulation<2>& sim = s.plane().simulation();
-                   return seat_length(sim.model(), sim.state(), sim.model().seats[static_cast<std::size_t>(s.index)]);
-                 }},
-    SeatProperty{"lost", "", "true once the end has left its seat", nullptr,
-                 [](lua_State* L, const SeatHandle& s) {
-                   lua_pushboolean(L, s.plane().simulation().state().seat_lost[static_cast<std::size_t>(s.index)]);
-                 }},
-};
-
 const std::array bearing_method_list{
     Method{"bearing", guarded<add_bearing>,
            "bearing{name=, between=, at= | from=, to=, along=, axial=, turning=, limit=, becomes=, waiting=}; in space "
@@ -377,22 +338,6 @@ std::span<const std::pair<const char*, lua_CFunction>> Kind<BearingHandle>::meta
   return {};
 }
 bool Kind<BearingHandle>::read_item(lua_State*, const BearingHandle&) {
-  return false;
-}
-
-std::span<const Property<SeatHandle>> Kind<SeatHandle>::properties() {
-  return seat_properties;
-}
-std::span<const Method> Kind<SeatHandle>::methods() {
-  return {};
-}
-std::string Kind<SeatHandle>::title(const SeatHandle& s) {
-  return s.open() ? fmt::format("seat '{}'", name_of_seat(s)) : "seat of a closed model";
-}
-std::span<const std::pair<const char*, lua_CFunction>> Kind<SeatHandle>::metamethods() {
-  return {};
-}
-bool Kind<SeatHandle>::read_item(lua_State*, const SeatHandle&) {
   return false;
 }
 
