@@ -18,6 +18,7 @@ local p = trilith.params {
   zeta = { 0.05, "damping of contact" },
   soil = { 60e6, unit = "Pa", "shear modulus of the ground" },
   duration = { 30, unit = "s", "of the shaking" },
+  safety = { 0.8, "share of the longest stable step" },
   out = { "out/bridge3d.h5", "results" },
 }
 local m = trilith.model { name = "seven-span bridge in space", dim = 3 }
@@ -102,8 +103,8 @@ for i, support in ipairs(supports) do
     found(name, base, x, bottom*ft, width*ft, 2*half*ft)
   else -- an abutment: a seat, and a back wall that the deck may hit
     local way, depth = i == 1 and 1 or -1, spans[i == 1 and 1 or #spans][3]
-    local face, front, back = x + way*0.5*p.gap, x + way*(0.5*p.gap + seat), x + way*(0.5*p.gap + seat - 12*ft)
-    if i == 1 then face = x - 0.5*p.gap else face = x + 0.5*p.gap end
+    local face, front = x - way*0.5*p.gap, x + way*(0.5*p.gap + seat)
+    local back = front - way*12*ft
     solid(name, { "supports" }, nil, {
       { math.min(front, back), math.max(front, back), -half, half, -20, top },
       { math.min(face, back), math.max(face, back), -half, half, top, depth } })
@@ -113,14 +114,22 @@ end
 
 -- Decks: a slab of 9 in on two girders, and a diaphragm at each end. On supports that are fixed a bearing under each
 -- girder, for a span of 80 ft 60 kip/in lengthwise and sideways and 3000 kip/in vertically, for others by weight.
-local bearings = {}
-local function hold(span, side, support, x)
-  local share = span[2]/80/2
+-- Each girder's end has two seats: how far it reaches over the edge lengthwise, and its middle over the edge sideways.
+local function set_on(span, side, support, x, way)
+  local share, top = span[2]/80/2, top_of(support)*ft
   local function spring(k) return trilith.linear { stiffness = share*k*kip/inch } end
-  for name, y in pairs { l = line, r = -line } do
-    bearings[#bearings + 1] = { name = ("%s.%s.%s"):format(span[1], side, name), between = { support[1], span[1] },
-      from = { x - shear*y*ft, y*ft, top_of(support)*ft }, to = { x - shear*y*ft, y*ft, 0 },
-      horizontal = spring(60), axial = spring(3000), limit = { horizontal = p.limit }, becomes = "expansion bearing" }
+  for _, row in ipairs { { "l", line }, { "r", -line } } do
+    local name, y = ("%s.%s.%s"):format(span[1], side, row[1]), row[2]*ft
+    local middle, out = x + way*0.5*seat - shear*y, y > 0 and 1 or -1
+    if support[2] == "fixed" then
+      m:bearing { name = name, between = { support[1], span[1] }, from = { middle, y, top }, to = { middle, y, 0 },
+                  horizontal = spring(60), axial = spring(3000), limit = { horizontal = p.limit },
+                  becomes = "expansion bearing" }
+    end
+    m:seat { name = name, body = span[1], support = support[1], at_end = { x - shear*y, y, 0 },
+             edge = { x + way*seat - shear*y, y, top }, inward = { -way, -way*shear, 0 } }
+    m:seat { name = name .. " sideways", body = span[1], support = support[1], at_end = { middle, y, 0 },
+             edge = { middle, out*(support[3] and cap or half)*ft, top }, inward = { 0, -out, 0 } }
   end
 end
 for i, span in ipairs(spans) do
@@ -130,11 +139,9 @@ for i, span in ipairs(spans) do
     { x0, x1, -half, half, under, depth },
     { x0, x1, -line - 1, -line + 1, 0, under }, { x0, x1, line - 1, line + 1, 0, under },
     { x0, x0 + 1*ft, -line + 1, line - 1, 0.5, under }, { x1 - 1*ft, x1, -line + 1, line - 1, 0.5, under } })
-  if supports[i][2] == "fixed" then hold(span, "left", supports[i], x0 + 0.5*seat) end
-  if supports[i + 1][2] == "fixed" then hold(span, "right", supports[i + 1], x1 - 0.5*seat) end
+  set_on(span, "left", supports[i], x0, 1)
+  set_on(span, "right", supports[i + 1], x1, -1)
 end
-table.sort(bearings, function(a, b) return a.name < b.name end)
-for _, b in ipairs(bearings) do m:bearing(b) end
 
 m:results { file = p.out, frames = 0.05*s, histories = 0.02*s, energy = 0.05*s }
 for _, what in ipairs { "displacement_along", "displacement_across" } do
@@ -151,7 +158,8 @@ local function firm(motion) return motion:time_scale(0.8):delay(0.204*s) end
 local begun = m.time
 local function tell(e) print(("%6.2f s: %s"):format(e.time - begun, e.text)) end
 m:on("bearing.failed", tell)
-local down = {} -- decks that have dropped by more than half a metre
+m:on("seat.lost", function(e) print(("%6.2f s: seat %s is lost"):format(e.time - begun, e.seat.name)) end)
+local down = {} -- decks that have come to the ground
 m:on("impact", function(e)
   for i, b in ipairs(e.bodies) do
     if b.name:match "^S%d$" and e.bodies[3 - i].name:match "ground" and not down[b.name] then
@@ -163,12 +171,12 @@ end)
 local report = m:shake {
   motions = { { body = "right ground", x = along, y = across, z = up },
               { body = "left ground", x = firm(along), y = firm(across), z = firm(up) } },
-  duration = p.duration }
+  duration = p.duration, safety = p.safety }
 
 local base = m:body "right ground"
 for _, span in ipairs(spans) do
   local b = m:body(span[1])
-  print(("%s has moved by %6.2f m along, %6.2f m across and %6.2f m up, and turned by %4.1f deg about z"):format(span[1],
+  print(("%s has moved by %6.2f m along, %6.2f m across, %6.2f m up, and turned by %4.1f deg about z"):format(span[1],
     b.ux - base.ux, b.uy - base.uy, b.uz - base.uz, b.turn_z/deg))
 end
 print(("%s after %.2f s; the ledger is out by %.2g %% of what was put in"):format(report.ending,

@@ -170,7 +170,7 @@ double share_of(const BearingHandle& b) {
     const auto share = [](double size, double limit) { return std::isfinite(limit) ? std::abs(size) / limit : 0.0; };
     double most = 0;
     for (std::size_t k = 0; k < d.size(); ++k) most = std::max(most, share(d[k], l.bearing().limit[k]));
-    if constexpr (D == 3) most = std::max(most, share(std::hypot(d[0], d[1]), l.bearing().horizontal_limit));
+    if constexpr (D == 3) most = std::max(most, share(portable::hypot(d[0], d[1]), l.bearing().horizontal_limit));
     return most;
   });
 }
@@ -204,10 +204,10 @@ double displacement_in_space(const BearingHandle& b) {
   return displacement<0, k>(b);
 }
 double resultant_force(const BearingHandle& b) {
-  return std::hypot(force_in_space<0>(b), force_in_space<1>(b));
+  return portable::hypot(force_in_space<0>(b), force_in_space<1>(b));
 }
 double resultant_displacement(const BearingHandle& b) {
-  return std::hypot(displacement_in_space<0>(b), displacement_in_space<1>(b));
+  return portable::hypot(displacement_in_space<0>(b), displacement_in_space<1>(b));
 }
 
 template <bool forces>

@@ -7,6 +7,7 @@
 #include "near.hpp"
 #include "physics/solid_bodies.hpp"
 #include "step/bearing_motion.hpp"
+#include "step/find_events.hpp"
 #include "step/stable_step.hpp"
 #include "world/solid_model_builder.hpp"
 #include "world/state_words.hpp"
@@ -313,6 +314,31 @@ TEST_CASE("bearings in space: the stable step is that of the stiffest spring on 
   const double exact = 2 / std::sqrt(4e8 / 1000);
   CHECK(found.dt <= exact * (1 + 1e-12));
   CHECK(found.dt > 0.7 * exact);
+}
+
+TEST_CASE("seats in space: lost sideways as lengthwise, once, where the end comes to the edge") {
+  Isolated top(Linear{1, 0});
+  top.builder.add_bearing(top.spec);
+  // The base is 4 m wide: its edge across is at y = 2, along at x = 2.
+  top.builder.add_seat({"along", "b", "a", {0, 0, 0}, {2, 0, 0}, {-3, 0, 0}});
+  top.builder.add_seat({"across", "b", "a", {0, 0.5, 0}, {0, 2, 0}, {0, -1, 0}});
+  const Model<3> model = top.builder.build();
+  State<3> state = top.start(model);
+  state.velocity[1] = Vec3(0.1, 1, 0);
+  SolidRun run(model, state, 1e-3);
+  CHECK(near(seat_length(model, state, model.seats[0]), 2, 1e-12));
+  std::vector<Event> lost;
+  while (run.time() < 2) {
+    run.step();
+    for (const Event& e : run.work().events)
+      if (e.type == EventType::seat_lost) lost.push_back(e);
+  }
+  REQUIRE(lost.size() == 1);
+  CHECK(lost[0].text == "across");
+  CHECK(near(lost[0].time, 1.5, 1e-2));
+  CHECK(near(lost[0].y, 2, 1e-2));
+  CHECK(near(lost[0].value, std::hypot(0.1, 1), 1e-2));
+  CHECK(near(seat_length(run.model(), run.state(), model.seats[0]), 1.8, 1e-2));
 }
 
 TEST_CASE("bearings in space: what is no bearing is refused in one line") {
