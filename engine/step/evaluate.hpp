@@ -33,6 +33,7 @@ double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work
 void resist(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
 void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work);
+void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work);
 /// Force on the whole of a face that is loaded, at the full size of its load curve [N].
 Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotion<2>& b);
 template <int D>
