@@ -108,7 +108,7 @@ refused("'horizontal' is 5, must be a direction law", { horizontal = 5 })
 refused("horizontal is gap, which has no form for both directions at once",
   { horizontal = trilith.gap { stiffness = 1e5, opening = 0 } })
 refused("horizontal is given beside along or across", { horizontal = soft, across = soft })
-refused("limit: 'across' is -1", { along = soft, limit = { across = -1 } })
+refused("limit displacement is -1, must be above 0", { along = soft, limit = { across = -1 } })
 refused("unknown key 'turning'", { along = soft, limit = { turning = 1 } })
 refused("both angle and turn are given", { along = soft, angle = 1, turn = { axis = { 1, 0, 0 }, angle = 1 } })
 refused("must be {x, y, z}, three finite numbers", { along = soft, at = { 1, 2 } })
