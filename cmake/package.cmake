@@ -20,5 +20,5 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS lua5.4)
 # What the C++ package is compiled with.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "g++, cmake, pkg-config, libeigen3-dev, libfmt-dev, libhdf5-dev, libcairo2-dev, zlib1g-dev, bash-completion, python3-h5py")
+  "g++, cmake, pkg-config, libeigen3-dev, libfmt-dev, libhdf5-dev, libcairo2-dev, zlib1g-dev, libtbb-dev, bash-completion, python3-h5py")
 include(CPack)

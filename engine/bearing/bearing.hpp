@@ -49,11 +49,12 @@ constexpr const char* unit_of_direction(int k) {
   return k < Directions<D>::first_turning ? "m" : "rad";
 }
 
-enum class BearingStatus : std::uint32_t { waiting, intact, yielded, failed, changed };
+/// `removed`: it was taken away, or a body that it links was.
+enum class BearingStatus : std::uint32_t { waiting, intact, yielded, failed, changed, removed };
 
 /// "intact", ...
 constexpr const char* name_of(BearingStatus s) {
-  constexpr std::array names{"waiting", "intact", "yielded", "failed", "changed"};
+  constexpr std::array names{"waiting", "intact", "yielded", "failed", "changed", "removed"};
   return names[static_cast<std::size_t>(s)];
 }
 /// True where the bearing carries load.

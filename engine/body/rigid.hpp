@@ -48,21 +48,6 @@ SkinReach place_rigid(const NodeMotion<2>& node, std::span<const Vec2> skin, std
   return reach;
 }
 
-/// place in space. `Point` has x, y, z [m] and u, v, w [m/s].
-template <class Point>
-SkinReach place_rigid(const NodeMotion<3>& node, std::span<const Vec3> skin, std::span<Point> out) {
-  const Turn3 turn(node.rotation);
-  SkinReach reach;
-  for (std::size_t i = 0; i < skin.size(); ++i) {
-    const Vec3 arm = turn.apply(skin[i]), place = node.position + arm, rate = node.velocity + cross(node.spin, arm);
-    Point& point = out[i];
-    reach.add(rate.squaredNorm(), (place - Vec3(point.x, point.y, point.z)).squaredNorm());
-    point.x = place.x(), point.y = place.y(), point.z = place.z();
-    point.u = rate.x(), point.v = rate.y(), point.w = rate.z();
-  }
-  return reach;
-}
-
 /// What forces at skin points come to at the node.
 struct NodeLoad {
   double x = 0, y = 0;  ///< [N]
@@ -82,17 +67,6 @@ NodeLoad spread_rigid(const Vec2& node, std::span<const Point> skin, std::span<c
     moment += turning[0] - turning[1];
   }
   return {sum[0], sum[1], moment};
-}
-
-/// spread in space: adds what forces at skin points come to at the node.
-template <class Point>
-void spread_rigid(const Vec3& node, std::span<const Point> skin, std::span<const Vec3> skin_force, Vec3& force,
-                  Vec3& moment) {
-  for (std::size_t i = 0; i < skin.size(); ++i) {
-    const Vec3 arm = Vec3(skin[i].x, skin[i].y, skin[i].z) - node;
-    force += skin_force[i];
-    moment += cross(arm, skin_force[i]);
-  }
 }
 
 }  // namespace trilith

@@ -4,50 +4,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "base/lanes.hpp"
+#include "contact/nearest_cells.hpp"
 
 namespace trilith {
 namespace {
 
-// Stages of one call: for each face of the shared solid, its rim as triangles about one of its points; for each
-// triangle, the cells in which one face of the other solid is nearest; over each cell the pressure and its moments.
-
-/// A point of a pressed face: where it is, how deep in the other solid, and how fast the two close there.
-struct PressedPoint {
-  Vec3 x;
-  double depth, closing;  // [m], [m/s]
-};
-
-/// A convex polygon with room for a triangle cut by many planes.
-struct PressedPolygon {
-  static constexpr std::size_t most = 128;
-  std::array<PressedPoint, most> corner;
-  std::size_t count = 0;
-
-  void add(const PressedPoint& p) {
-    if (count < most) corner[count++] = p;
-  }
-  void take(const PressedPolygon& other) {
-    std::copy_n(other.corner.begin(), other.count, corner.begin());
-    count = other.count;
-  }
-};
-
-PressedPoint between(const PressedPoint& p, const PressedPoint& q, double share) {
-  return {p.x + share * (q.x - p.x), p.depth + share * (q.depth - p.depth),
-          p.closing + share * (q.closing - p.closing)};
-}
-
-/// The part of a polygon where a function that is linear over it is not negative.
-template <class Height>
-void keep_above(const PressedPolygon& from, Height&& height, PressedPolygon& kept) {
-  kept.count = 0;
-  for (std::size_t i = 0; i < from.count; ++i) {
-    const PressedPoint &p = from.corner[i], &q = from.corner[(i + 1) % from.count];
-    const double hp = height(p), hq = height(q);
-    if (hp >= 0) kept.add(p);
-    if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) kept.add(between(p, q, hp / (hp - hq)));
-  }
-}
+// Stages of one call: depths of all points of the shared solid below the faces of both; for each face of the shared
+// solid, its rim as triangles about one of its points; for each triangle, the cells in which one face of the other
+// solid is nearest; over each cell the pressure and its moments.
 
 /// Integrals over a triangle, over kn: of the pressure and of its first moment about some point, of the pressure times
 /// the closing speed.
@@ -56,109 +23,91 @@ struct TriangleSums {
   Vec3 first = Vec3::Zero();
 };
 
-/// Of a pressure that is linear over the triangle; arms are from the point the moment is about.
-void add_linear(double area, const std::array<double, 3>& p, const std::array<Vec3, 3>& arm,
-                const std::array<double, 3>& closing, TriangleSums& sums) {
+/// Of a pressure that is linear over the triangle; arms are from the point the moment is about, and their sum.
+TRILITH_INLINE void add_linear(double area, const std::array<double, 3>& p, const std::array<Vec3, 3>& arm,
+                               const Vec3& arms, const std::array<double, 3>& closing, TriangleSums& sums) {
   const double sum = p[0] + p[1] + p[2], speed = closing[0] + closing[1] + closing[2], twelfth = area / 12;
   sums.force += 4 * twelfth * sum;
-  sums.first += twelfth * (sum * (arm[0] + arm[1] + arm[2]) + p[0] * arm[0] + p[1] * arm[1] + p[2] * arm[2]);
+  sums.first += twelfth * (sum * arms + p[0] * arm[0] + p[1] * arm[1] + p[2] * arm[2]);
   sums.power += twelfth * (sum * speed + p[0] * closing[0] + p[1] * closing[1] + p[2] * closing[2]);
 }
 
 /// Six points of a triangle, exact to degree 4 (Dunavant 1985, as in contact/power.hpp), for laws that are not linear.
 template <class Pressure>
-void add_sampled(double area, const std::array<PressedPoint, 3>& at, const std::array<Vec3, 3>& arm,
+void add_sampled(double area, const PressedPolygon& cell, const std::array<std::size_t, 3>& corners,
                  Pressure&& pressure, TriangleSums& sums) {
   constexpr std::array<std::array<double, 3>, 2> rule{{{0.108103018168070, 0.445948490915965, 0.223381589678011},
                                                        {0.816847572980459, 0.091576213509771, 0.109951743655322}}};
   for (const auto& [own, other, weight] : rule)
     for (const std::size_t i : {0U, 1U, 2U}) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      const double closing = own * at[i].closing + other * (at[j].closing + at[k].closing);
-      const double p = weight * area * pressure(own * at[i].depth + other * (at[j].depth + at[k].depth), closing);
-      sums.force += p, sums.power += p * closing;
-      sums.first += p * (own * arm[i] + other * (arm[j] + arm[k]));
+      const PressedPoint &p = cell.corner[corners[i]], &q = cell.corner[corners[(i + 1) % 3]],
+                         &r = cell.corner[corners[(i + 2) % 3]];
+      const double closing = own * p.closing + other * (q.closing + r.closing);
+      const double at = weight * area * pressure(own * p.depth + other * (q.depth + r.depth), closing);
+      sums.force += at, sums.power += at * closing;
+      sums.first += at * (own * p.arm + other * (q.arm + r.arm));
     }
 }
 
 /// Calls visit(area, corners) for the triangles of a polygon about its first corner.
 template <class Visit>
 void for_triangles(const PressedPolygon& polygon, const Vec3& normal, Visit&& visit) {
+  if (polygon.count < 3) return;
+  const Vec3& first = polygon.corner[0].arm;
+  Vec3 before = polygon.corner[1].arm - first;
   for (std::size_t i = 2; i < polygon.count; ++i) {
-    const std::array<PressedPoint, 3> at{polygon.corner[0], polygon.corner[i - 1], polygon.corner[i]};
-    visit(0.5 * normal.dot(cross(Vec3(at[1].x - at[0].x), Vec3(at[2].x - at[0].x))), at);
+    const Vec3 now = polygon.corner[i].arm - first;
+    visit(0.5 * normal.dot(cross(before, now)), std::array<std::size_t, 3>{0, i - 1, i});
+    before = now;
   }
 }
 
-/// Sums over all pressed faces. Moments are about `origin`, a point near the contact.
-struct SolidSums {
-  Vec3 origin;
-  SolidPressure out;
-  Vec3 arm_sum = Vec3::Zero();                       // integral of pressure times arm
-  Vec3 area_arm = Vec3::Zero();                      // ... of the arm over the area, by halves as the area is
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // ... of its square
+/// Of an area: its size, the integral of the arm over it and of the arm's square (xx, yy, zz, xy, yz, zx).
+struct AreaSums {
+  double area = 0;
+  Vec3 arm = Vec3::Zero();
+  std::array<double, 6> second{};
+
+  void add_triangle(double of, const Vec3& p, const Vec3& q, const Vec3& r) {
+    const Vec3 sum = p + q + r;
+    const double share = of / 12;
+    area += of, arm += of / 3 * sum;
+    const auto product = [&](int i, int j) {
+      return share * (sum[i] * sum[j] + p[i] * p[j] + q[i] * q[j] + r[i] * r[j]);
+    };
+    second[0] += product(0, 0), second[1] += product(1, 1), second[2] += product(2, 2);
+    second[3] += product(0, 1), second[4] += product(1, 2), second[5] += product(2, 0);
+  }
 };
 
-void add_area(double area, const std::array<Vec3, 3>& arm, SolidSums& sums) {
-  const Vec3 sum = arm[0] + arm[1] + arm[2];
-  sums.out.area += 0.5 * area;
-  sums.area_arm += area / 6 * sum;
-  sums.second +=
-      area / 24 *
-      (sum * sum.transpose() + arm[0] * arm[0].transpose() + arm[1] * arm[1].transpose() + arm[2] * arm[2].transpose());
-}
+/// Sums over all pressed faces. Moments are about `origin`, a point near the contact.
+struct SolidSums {
+  SolidPressure out;
+  Vec3 arm_sum = Vec3::Zero();  // integral of pressure times arm
+  AreaSums area;                // of both sides
+};
 
-/// A face of the walker inside the owner.
+/// A face of the walker inside the owner, and what its cells come to.
 template <class K>
 struct PressedFace {
   const K& law;
   Vec3 normal;  // out of the walker
   bool walker_is_b;
+  TriangleSums springs{}, total{};
+  double depth = 0;
 
   /// Adds one cell, over which depth and closing speed are linear.
-  void add_cell(const PressedPolygon& cell, SolidSums& sums) const {
-    TriangleSums springs, total;
-    for_triangles(cell, normal, [&](double area, const std::array<PressedPoint, 3>& at) {
-      const std::array<Vec3, 3> arm{at[0].x - sums.origin, at[1].x - sums.origin, at[2].x - sums.origin};
-      add_area(area, arm, sums);
-      if constexpr (K::linear)
-        add_linear(area, {at[0].depth, at[1].depth, at[2].depth}, arm, closings(at), springs);
-      else {
-        add_sampled(
-            area, at, arm, [&](double d, double) { return law.effective(d); }, springs);
-        add_sampled(
-            area, at, arm, [&](double d, double c) { return std::max(0.0, law.effective(d) + law.beta * c); }, total);
-      }
-    });
-    if constexpr (K::linear) {
-      if (law.beta > 0)
-        add_damped(cell, sums.origin, total);
-      else
-        total = springs;
-    }
-    for (std::size_t i = 0; i < cell.count; ++i) sums.out.depth = std::max(sums.out.depth, cell.corner[i].depth);
-    add(springs, total, sums);
+  void add_cell(const PressedPolygon& cell) {
+    if constexpr (K::linear)
+      add_linear_cell(cell);
+    else
+      add_sampled_cell(cell);
+    for (std::size_t i = 0; i < cell.count; ++i) depth = std::max(depth, cell.corner[i].depth);
   }
 
- private:
-  static std::array<double, 3> closings(const std::array<PressedPoint, 3>& at) {
-    return {at[0].closing, at[1].closing, at[2].closing};
-  }
-
-  /// The pressure with its damping, where that is above 0.
-  void add_damped(const PressedPolygon& cell, const Vec3& origin, TriangleSums& total) const {
-    const auto pressure = [&](const PressedPoint& p) { return p.depth + law.beta * p.closing; };
-    PressedPolygon pressed;
-    keep_above(cell, pressure, pressed);
-    for_triangles(pressed, normal, [&](double area, const std::array<PressedPoint, 3>& at) {
-      add_linear(area, {pressure(at[0]), pressure(at[1]), pressure(at[2])},
-                 {at[0].x - origin, at[1].x - origin, at[2].x - origin}, closings(at), total);
-    });
-  }
-
-  /// k is half of kn, as the faces of the other solid bring the other half. On b acts -n where b walks, as n then
-  /// points from b into a, and +n where a does.
-  void add(const TriangleSums& springs, const TriangleSums& total, SolidSums& sums) const {
+  /// Adds what the cells came to. k is half of kn, as the faces of the other solid bring the other half. On b acts -n
+  /// where b walks, as n then points from b into a, and +n where a does.
+  void add_to(SolidSums& sums) const {
     const double k = 0.5 * law.kn, sign = walker_is_b ? -1 : 1;
     const Vec3 n = sign * k * normal;
     SolidPressure& out = sums.out;
@@ -167,111 +116,156 @@ struct PressedFace {
     out.damping_moment += cross(Vec3(total.first - springs.first), n);
     out.damped += k * (total.power - springs.power);
     out.pressure += k * total.force, sums.arm_sum += k * total.first;
+    out.depth = std::max(out.depth, depth);
   }
-};
 
-/// Faces of the owner as seen from a triangle.
-struct NearestFaces {
-  std::array<int, 3> face{-1, -1, -1};                     // nearest to each corner
-  std::array<double, 3> depth;                             // of each corner below it [m]
-  double reach = std::numeric_limits<double>::infinity();  // a face that all of it is deeper below is nearest nowhere
+ private:
+  static void add_pressure(const PressedPolygon& cell, const std::array<std::size_t, 3>& at, double area,
+                           const std::array<double, 3>& pressure, TriangleSums& sums) {
+    const PressedPoint &p = cell.corner[at[0]], &q = cell.corner[at[1]], &r = cell.corner[at[2]];
+    add_linear(area, pressure, {p.arm, q.arm, r.arm}, p.arm + q.arm + r.arm, {p.closing, q.closing, r.closing}, sums);
+  }
 
-  NearestFaces(const PlacedSolid& owner, const std::array<Vec3, 3>& at) {
-    depth.fill(std::numeric_limits<double>::infinity());
-    for (int f = 0; f < owner.solid->shape.faces.count(); ++f) {
-      if (!owner.solid->is_surface(f)) continue;
-      double deepest = 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double d = depth_below(owner, f, at[i]);
-        if (d < depth[i]) depth[i] = d, face[i] = f;
-        deepest = std::max(deepest, d);
-      }
-      reach = std::min(reach, deepest);
+  void add_linear_cell(const PressedPolygon& cell) {
+    CornerHeights damped;
+    bool some = false, all = true;
+    for (std::size_t i = 0; i < cell.count; ++i) {
+      damped[i] = cell.corner[i].depth + law.beta * cell.corner[i].closing;
+      some = some || damped[i] > 0, all = all && damped[i] >= 0;
     }
+    for_triangles(cell, normal, [&](double area, const std::array<std::size_t, 3>& at) {
+      const auto& [p, q, r] = at;
+      add_pressure(cell, at, area, {cell.corner[p].depth, cell.corner[q].depth, cell.corner[r].depth}, springs);
+      if (all) add_pressure(cell, at, area, {damped[p], damped[q], damped[r]}, total);
+    });
+    if (some && !all) add_part(cell, damped);
   }
-  [[nodiscard]] bool is_one() const { return face[0] == face[1] && face[0] == face[2]; }
+
+  /// The pressure with its damping over the part of a cell where that is above 0.
+  void add_part(const PressedPolygon& cell, const CornerHeights& damped) {
+    PressedPolygon pressed;
+    keep_above(cell, damped, pressed);
+    const auto pressure = [&](std::size_t i) { return pressed.corner[i].depth + law.beta * pressed.corner[i].closing; };
+    for_triangles(pressed, normal, [&](double area, const std::array<std::size_t, 3>& at) {
+      add_pressure(pressed, at, area, {pressure(at[0]), pressure(at[1]), pressure(at[2])}, total);
+    });
+  }
+
+  void add_sampled_cell(const PressedPolygon& cell) {
+    for_triangles(cell, normal, [&](double area, const std::array<std::size_t, 3>& at) {
+      add_sampled(
+          area, cell, at, [&](double d, double) { return law.effective(d); }, springs);
+      add_sampled(
+          area, cell, at, [&](double d, double c) { return std::max(0.0, law.effective(d) + law.beta * c); }, total);
+    });
+  }
 };
 
-/// Faces that may be nearest to some point of a triangle: depths of its corners below them.
-struct NearFaces {
-  struct Row {
-    int face;
-    std::array<double, 3> depth;
-  };
-  static constexpr std::size_t most = 256;
-  std::array<Row, most> row;
-  std::size_t count = 0;
+/// What is pressed: the shared solid, and how fast b moves away from a at its points.
+struct PressedSolid {
+  const SolidOverlapBuffer& shared;
+  Vec3 origin;                       // of arms
+  double noise;                      // see CellCutter
+  std::array<DepthTable, 2> depths;  // below the faces of a and of b
 
-  NearFaces(const PlacedSolid& owner, const std::array<PressedPoint, 3>& at, double reach) {
-    for (int f = 0; f < owner.solid->shape.faces.count() && count < most; ++f) {
-      if (!owner.solid->is_surface(f)) continue;
-      const Row r{f, {depth_below(owner, f, at[0].x), depth_below(owner, f, at[1].x), depth_below(owner, f, at[2].x)}};
-      if (std::min({r.depth[0], r.depth[1], r.depth[2]}) <= reach && !has_first_like(owner, f)) row[count++] = r;
-    }
+  PressedSolid(const MovingSolid& a, const MovingSolid& b, SolidOverlapBuffer& of)
+      : shared(of),
+        origin(of.points[static_cast<std::size_t>(of.edges[0].from)]),
+        noise(1e-13 * (a.placed.solid->size + b.placed.solid->size)),
+        depths{DepthTable(a.placed, origin, arms(of), of.depths[0]),
+               DepthTable(b.placed, origin, of.arm, of.depths[1])} {
+    of.rate.clear();
+    for (const Vec3& x : of.points) of.rate.push_back(b.velocity_at(x) - a.velocity_at(x));
+  }
+  [[nodiscard]] const Vec3& arm(int point) const { return shared.arm[static_cast<std::size_t>(point)]; }
+
+ private:
+  [[nodiscard]] std::span<const Vec3> arms(SolidOverlapBuffer& of) const {
+    of.arm.clear();
+    for (const Vec3& x : of.points) of.arm.push_back(x - origin);
+    return of.arm;
   }
 };
 
-/// Presses one triangle of a face of the walker against the owner's nearest faces. Where one face is nearest to all
-/// three corners it is so to all of the triangle, as depths are linear.
+/// Presses a part of a face of the walker against the owner's nearest faces. Where one face is nearest to all corners
+/// it is so to all of the part, as depths are linear.
 template <class K>
-void press_triangle(const PlacedSolid& owner, const PressedFace<K>& face, std::array<PressedPoint, 3> at,
-                    SolidSums& sums) {
-  const NearestFaces nearest(owner, {at[0].x, at[1].x, at[2].x});
-  if (nearest.face[0] < 0) return;  // a piece without a surface presses nothing
-  PressedPolygon cell, cut_cell;
-  if (nearest.is_one()) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      at[i].depth = std::max(0.0, nearest.depth[i]);
-      cell.add(at[i]);
-    }
-    return face.add_cell(cell, sums);
+void press_rim(const PressedSolid& solid, const DepthTable& owner, const Rim& rim, PressedFace<K>& face) {
+  const int nearest = owner.nearest(rim.point[0]);
+  const auto end = rim.point.begin() + static_cast<std::ptrdiff_t>(rim.count);
+  if (std::all_of(rim.point.begin(), end, [&](int p) { return owner.nearest(p) == nearest; })) {
+    PressedPolygon cell;
+    for (std::size_t i = 0; i < rim.count; ++i)
+      cell.add({solid.arm(rim.point[i]), std::max(0.0, owner.row(rim.point[i])[nearest]), rim.closing[i]});
+    return face.add_cell(cell);
   }
-  const NearFaces faces(owner, at, nearest.reach);
-  for (std::size_t f = 0; f < faces.count; ++f) {
-    cell.count = 0;
-    for (std::size_t i = 0; i < 3; ++i) cell.add({at[i].x, std::max(0.0, faces.row[f].depth[i]), at[i].closing});
-    for (std::size_t g = 0; g < faces.count && cell.count > 2; ++g) {
-      if (g == f) continue;
-      keep_above(
-          cell, [&](const PressedPoint& p) { return depth_below(owner, faces.row[g].face, p.x) - p.depth; }, cut_cell);
-      cell.take(cut_cell);
-    }
-    if (cell.count > 2) face.add_cell(cell, sums);
-  }
+  CellCutter cutter(owner, solid.shared.arm, rim, solid.noise);
+  for (std::size_t f = 0; f < cutter.faces(); ++f)
+    if (const PressedPolygon* cell = cutter.cell(f)) face.add_cell(*cell);
 }
 
-/// One face of the shared solid: the edges `first` to `end` of its rim.
+using RimEdges = std::span<const SolidOverlapBuffer::Edge>;
+
+/// The points of these edges in the order in which they follow on each other; false where they are not one loop that
+/// has room, as rounding may leave them.
+template <class Closing>
+bool make_rim(RimEdges edges, Closing&& closing, Rim& rim) {
+  if (edges.size() < 3 || edges.size() > Rim::most) return false;
+  const int first = edges[0].from;
+  int at = first;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i > 0 && at == first) return false;
+    rim.add(at, closing(at));
+    std::size_t next = i;  // mostly the next in the list
+    if (edges[i].from != at)
+      for (next = 0; next < edges.size() && edges[next].from != at;) ++next;
+    if (next == edges.size()) return false;
+    at = edges[next].to;
+  }
+  return at == first;
+}
+
+/// One face of the shared solid: whole, or as triangles about one of its points, as laws are that are not linear, whose
+/// sums are the better the smaller the cells.
 template <class K>
-void press_face(const MovingSolid& owner, const MovingSolid& walker, const PressedFace<K>& face,
-                const SolidOverlapBuffer& shared, int first, int end, SolidSums& sums) {
-  const auto point_at = [&](int point) {
-    const Vec3& x = shared.points[static_cast<std::size_t>(point)];
-    return PressedPoint{x, 0, face.normal.dot(walker.velocity_at(x) - owner.velocity_at(x))};
+void press_face(const PressedSolid& solid, PressedFace<K> face, RimEdges edges, SolidSums& sums) {
+  const DepthTable& owner = solid.depths[face.walker_is_b ? 0 : 1];
+  if (owner.columns() == 0) return;  // a piece without a surface presses nothing
+  const auto closing_at = [&](int point) {
+    const double along = face.normal.dot(solid.shared.rate[static_cast<std::size_t>(point)]);
+    return face.walker_is_b ? along : -along;
   };
-  const int base = shared.edges[static_cast<std::size_t>(first)].from;
-  const PressedPoint about = point_at(base);
-  for (int i = first; i < end; ++i) {
-    const auto [from, to] = shared.edges[static_cast<std::size_t>(i)];
-    if (from != base && to != base) press_triangle(owner.placed, face, {about, point_at(from), point_at(to)}, sums);
+  Rim rim;
+  const bool is_loop = K::linear && make_rim(edges, closing_at, rim);
+  if (is_loop) press_rim(solid, owner, rim, face);
+  const int base = edges[0].from;
+  const Vec3& about = solid.arm(base);
+  for (const auto& [from, to] : edges) {
+    if (from == base || to == base) continue;
+    const Vec3 &p = solid.arm(from), &q = solid.arm(to);
+    sums.area.add_triangle(0.5 * face.normal.dot(cross(Vec3(p - about), Vec3(q - about))), about, p, q);
+    if (is_loop) continue;
+    Rim triangle;
+    for (const int point : {base, from, to}) triangle.add(point, closing_at(point));
+    press_rim(solid, owner, triangle, face);
   }
+  face.add_to(sums);
 }
 
-/// Any line across n.
-Vec3 line_across(const Vec3& n) {
-  int least = 0;
-  n.cwiseAbs().minCoeff(&least);
-  return cross(n, Vec3(Vec3::Unit(least))).normalized();
-}
-
-/// Moves the moments to the centre of pressure and finds the mean distance from it.
-SolidPressure finished(SolidSums& sums) {
+/// Moves the moments to the centre of pressure and finds the mean distance from it. `origin`: of arms.
+SolidPressure finished(const Vec3& origin, SolidSums& sums) {
   SolidPressure& out = sums.out;
-  if (!(out.area > 0)) return {};
-  const Vec3 middle = sums.area_arm / out.area;
+  const AreaSums& all = sums.area;
+  if (!(all.area > 0)) return {};
+  out.area = 0.5 * all.area;
+  const Vec3 middle = all.arm / all.area;
   const Vec3 arm = out.pressure > 0 ? Vec3(sums.arm_sum / out.pressure) : middle;
-  out.centre = sums.origin + arm, out.middle = sums.origin + middle;
+  out.centre = origin + arm, out.middle = origin + middle;
   out.moment -= cross(arm, out.force), out.damping_moment -= cross(arm, out.damping);
-  const Eigen::Matrix3d about = sums.second / out.area - middle * middle.transpose();
+  const auto& [xx, yy, zz, xy, yz, zx] = all.second;
+  Eigen::Matrix3d about;
+  about << xx, xy, zx, xy, yy, yz, zx, yz, zz;
+  about = (about / all.area - middle * middle.transpose()).eval();
   // A plane area has one principal value of 0, so the sum of the products by twos is that of the other two.
   const double product = about(0, 0) * about(1, 1) + about(1, 1) * about(2, 2) + about(2, 2) * about(0, 0) -
                          about(0, 1) * about(0, 1) - about(1, 2) * about(1, 2) - about(2, 0) * about(2, 0);
@@ -291,19 +285,20 @@ bool on_surface(const PlacedSolid& a, const PlacedSolid& b, int of) {
 }
 
 template <class K>
-SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, const SolidOverlapBuffer& shared) {
+SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, SolidOverlapBuffer& shared) {
+  const PressedSolid solid(a, b, shared);
   SolidSums sums;
-  sums.origin = shared.points[static_cast<std::size_t>(shared.edges[0].from)];
   int first = 0;
   for (const auto& [of, end] : shared.faces) {
     const bool of_b = of < 0;
     if (on_surface(a.placed, b.placed, of)) {
-      const PressedFace<K> face{law, normal_of(a.placed, b.placed, of), of_b};
-      press_face(of_b ? a : b, of_b ? b : a, face, shared, first, end, sums);
+      const RimEdges edges =
+          RimEdges(shared.edges).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
+      press_face(solid, PressedFace<K>{law, normal_of(a.placed, b.placed, of), of_b}, edges, sums);
     }
     first = end;
   }
-  return finished(sums);
+  return finished(solid.origin, sums);
 }
 
 }  // namespace
@@ -314,6 +309,12 @@ double turning_radius(double trace, double product) {
   return std::sqrt(trace) * (0.8660 + 0.0725 * std::sqrt(roundness));
 }
 
+Vec3 line_across(const Vec3& n) {
+  int least = 0;
+  n.cwiseAbs().minCoeff(&least);
+  return cross(n, Vec3(Vec3::Unit(least))).normalized();
+}
+
 /// By Cholesky: a = (sqrt(xx), xy / sqrt(xx)), b = (0, the root of what is left).
 std::array<Vec3, 2> spread_arms(double xx, double xy, double yy, const Vec3& x, const Vec3& y) {
   if (!(xx > 0)) return {Vec3(Vec3::Zero()), Vec3(std::sqrt(std::max(0.0, yy)) * y)};
@@ -322,7 +323,7 @@ std::array<Vec3, 2> spread_arms(double xx, double xy, double yy, const Vec3& x, 
 }
 
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
-                             const SolidOverlapBuffer& shared) {
+                             SolidOverlapBuffer& shared) {
   if (shared.faces.empty()) return {};
   return with_kernel(law, [&](const auto& kernel) { return press(a, b, kernel, shared); });
 }

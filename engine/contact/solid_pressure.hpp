@@ -45,14 +45,17 @@ struct SolidPressure {
   double depth = 0;  ///< greatest depth of a pressed face in the other solid [m]
 };
 
-/// Of the solid they share, which solid_overlap has left in `shared`; all zero where it is empty.
+/// Of the solid they share, which solid_overlap has left in `shared`, whose room is used; all zero where it is empty.
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
-                             const SolidOverlapBuffer& shared);
+                             SolidOverlapBuffer& shared);
 
 /// Mean distance of a plane area from its centroid [m], from its second moments about it (of unit area, trace of the
 /// tensor and the product of its two principal values). A line of length l has l/4 and a gyration of l/sqrt(12), a
 /// square .9375 of its gyration, a disc .9428; between them this is right to 1 %, triangles to 2 %.
 double turning_radius(double trace, double product);
+
+/// Some direction across n, of length 1.
+Vec3 line_across(const Vec3& n);
 
 /// Two arms a, b with a a' + b b' the second moments of an area over it, in a plane of axes x and y [m].
 std::array<Vec3, 2> spread_arms(double xx, double xy, double yy, const Vec3& x, const Vec3& y);

@@ -19,8 +19,9 @@ const std::vector<std::string>& stress_names();
 void colour_by_stress(const results::Header& header, const results::Frame& frame, std::string_view name, Scene& scene);
 
 /// A mark on each joint that has lost some of its bond: opened where its opening is at least its slip, else slid.
-/// Throws InputError where the file has no joints.
-void add_cracks(const results::Header& header, const results::Frame& frame, Scene& scene);
+/// Throws InputError where the file has no joints. Those of bodies that are not there (`left_out`: [body]) have none.
+void add_cracks(const results::Header& header, const results::Frame& frame, const std::vector<bool>& left_out,
+                Scene& scene);
 
 /// The line of thrust through the bodies of `group`, in their order: the points in which the forces between neighbours
 /// act, broken where two do not touch. Throws InputError where no body is in it.

@@ -11,6 +11,7 @@
 #include "draw/results_findings.hpp"
 #include "draw/results_solids.hpp"
 #include "results/placement.hpp"
+#include "results/presence.hpp"
 #include "results/verdict.hpp"
 #include "world/event_text.hpp"
 
@@ -60,9 +61,15 @@ BearingMark mark_of(results::BearingState state) {
       return BearingMark::changed;
     case results::BearingState::intact:
     case results::BearingState::waiting:
+    case results::BearingState::absent:
       break;
   }
   return BearingMark::intact;
+}
+
+/// What waits for another one carries nothing, and what is absent is not there.
+bool is_seen(results::BearingState state) {
+  return state != results::BearingState::waiting && state != results::BearingState::absent;
 }
 
 /// A place of the world in the picture.
@@ -120,7 +127,7 @@ bool touch(const Frame& frame, int a, int b) {
 void add_bearings(const Header& header, const Frame& frame, const Flatten& flat, Scene& scene) {
   const results::Placement place(header, frame);
   for (std::size_t i = 0; i < header.bearings.size(); ++i) {
-    if (frame.bearing_state[i] == results::BearingState::waiting) continue;
+    if (!is_seen(frame.bearing_state[i])) continue;
     const results::BearingRow& b = header.bearings[i];
     const Vec3 a_end = place.end_of(header.bodies[b.body_a], b.point_a),
                b_end = place.end_of(header.bodies[b.body_b], b.point_b);
@@ -151,10 +158,10 @@ double size_of(const std::vector<Vec2>& outline) {
   return size;
 }
 
-void add_ghosts(const Header& header, const Frame& start, Scene& scene) {
+void add_ghosts(const Header& header, const Frame& start, const std::vector<bool>& left, Scene& scene) {
   constexpr double least_share = 0.05;  // of a body's size, before it is worth a second outline
   for (std::size_t i = 0; i < header.bodies.size(); ++i) {
-    if (scene.bodies[i].role != BodyRole::free) continue;
+    if (scene.bodies[i].role != BodyRole::free || left[i]) continue;
     const std::vector<Vec2> outline = outline_of(header, header.bodies[i], start);
     double moved = 0;
     for (std::size_t k = 0; k < outline.size(); ++k)
@@ -192,12 +199,12 @@ void add_stage(const ResultsReader& reader, const Frame& frame, Scene& scene) {
   if (stage.begin > 0) scene.stage = fmt::format("{:.2f} s into the stage", frame.time - stage.begin);
 }
 
-/// Bodies that had left the bounds are not drawn, so that the picture is of what is still there; but not all.
+/// Bodies that had left the bounds, were removed or not there yet are not drawn, so that the picture is of what is
+/// there; but not all.
 std::vector<bool> left_bodies(const ResultsReader& reader, double time) {
   std::vector<bool> left(reader.header().bodies.size());
-  for (const results::EventRow& e : reader.events())
-    if (e.type == "body.left" && e.time <= time && e.body_a >= 0 && e.body_a < static_cast<int>(left.size()))
-      left[static_cast<std::size_t>(e.body_a)] = true;
+  const results::Presence presence(reader.events(), left.size());
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] = !presence.is_followed(i, time);
   if (std::find(left.begin(), left.end(), false) == left.end()) left.assign(left.size(), false);
   return left;
 }
@@ -266,9 +273,10 @@ void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
 }
 
 /// What is drawn of models in the plane alone, over their bodies.
-void add_findings(const Header& header, const Frame& frame, const SceneChoice& choice, Scene& scene) {
+void add_findings(const Header& header, const Frame& frame, const SceneChoice& choice, const std::vector<bool>& left,
+                  Scene& scene) {
   if (!choice.stress.empty()) colour_by_stress(header, frame, choice.stress, scene);
-  if (choice.cracks) add_cracks(header, frame, scene);
+  if (choice.cracks) add_cracks(header, frame, left, scene);
   if (!choice.thrust.empty()) add_thrust_line(header, frame, choice.thrust, scene);
 }
 
@@ -292,16 +300,16 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
   if (!choice.colour.empty()) colour_bodies(reader, frame, choice.colour, scene);
   if (!header.bearings.empty()) add_bearings(header, frame, flat, scene);
   if (choice.forces) add_forces(header, frame, flat, scene);
-  if (header.dim == 2) add_findings(header, frame, choice, scene);
+  const std::vector<bool> left = left_bodies(reader, frame.time);
+  if (header.dim == 2) add_findings(header, frame, choice, left, scene);
   if (choice.magnify != 1)
     scene.stage += fmt::format("{}displacements x {:g}", scene.stage.empty() ? "" : ", ", choice.magnify);
-  const std::vector<bool> left = left_bodies(reader, frame.time);
   if (header.dim == 3) {
     add_solids(header, frame, choice, left, scene);
     if (choice.ghost) add_solid_ghosts(header, reader.frame(0), frame, view, scene);
     return scene;
   }
-  if (choice.ghost) add_ghosts(header, reader.frame(0), scene);
+  if (choice.ghost) add_ghosts(header, reader.frame(0), left, scene);
   drop_left(left, scene);
   return scene;
 }

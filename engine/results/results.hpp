@@ -141,8 +141,8 @@ struct Header {
 };
 
 enum class ContactState : std::int8_t { bonded = 0, sticking = 1, sliding = 2 };
-/// `waiting`: carries nothing until another bearing becomes it.
-enum class BearingState : std::int8_t { intact = 0, yielded = 1, failed = 2, changed = 3, waiting = 4 };
+/// `waiting`: carries nothing until another bearing becomes it. `absent`: not placed yet, or removed.
+enum class BearingState : std::int8_t { intact = 0, yielded = 1, failed = 2, changed = 3, waiting = 4, absent = 5 };
 
 /// Resultant of one contact in a frame: the force on body a at `point`; body b feels the opposite.
 struct ContactForce {

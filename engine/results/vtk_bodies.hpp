@@ -9,10 +9,11 @@
 
 namespace trilith::results {
 
-/// What of the bodies does not change: made once, then asked for each frame's file.
+/// What of the bodies does not change while the same ones are there: made once, then asked for each frame's file.
 class VtkBodies {
  public:
-  explicit VtkBodies(const Header& header);
+  /// `left_out`: [body] true where the body is not there.
+  VtkBodies(const Header& header, const std::vector<bool>& left_out);
   /// Bytes of the .vtu of a frame.
   [[nodiscard]] std::string file(const Frame& frame) const;
 
@@ -34,7 +35,7 @@ class VtkBodies {
   void add_names();
   [[nodiscard]] std::vector<double> per_cell(const std::vector<double>& of_bodies, int width) const;
 
-  const Header& header_;
+  const Header* header_;
   std::vector<Point> points_;
   std::vector<Vec3> start_;  ///< of the points
   Cells cells_;

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
+#include "results/presence.hpp"
 #include "results/vtk_bodies.hpp"
 
 namespace trilith::results {
@@ -101,6 +102,13 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw InputError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
 }
 
+/// [body] true where the body is not there: it is no cell.
+std::vector<bool> absent_at(const Presence& presence, const Header& header, double time) {
+  std::vector<bool> absent(header.bodies.size());
+  for (std::size_t i = 0; i < absent.size(); ++i) absent[i] = !presence.is_there(i, time);
+  return absent;
+}
+
 /// The files of one kind, and the list of them.
 class Series {
  public:
@@ -141,12 +149,18 @@ std::vector<std::filesystem::path> export_vtk(const ResultsReader& reader, const
                                    reader.path().string(), reader.frame_count() - 1));
   std::string name = reader.path().filename().string();
   name.resize(name.find(".h5") == std::string::npos ? name.size() : name.rfind(".h5"));
-  const VtkBodies cells(header);
+  const Presence presence(reader.events(), header.bodies.size());
+  std::vector<bool> left_out = absent_at(presence, header, reader.frame_times()[range.from]);
+  VtkBodies cells(header, left_out);
   Series bodies(folder, name + "_bodies", "vtu"), contacts(folder, name + "_contacts", "vtp");
   std::optional<Series> bearings;
   if (!header.bearings.empty()) bearings.emplace(folder, name + "_bearings", "vtp");
   for (std::size_t i = range.from; i <= last; i += range.every) {
     const Frame frame = reader.frame(i);
+    if (const std::vector<bool> now = absent_at(presence, header, frame.time); now != left_out) {
+      left_out = now;
+      cells = VtkBodies(header, left_out);
+    }
     bodies.add(i, frame.time, cells.file(frame));
     contacts.add(i, frame.time, contacts_file(header, frame));
     if (bearings) bearings->add(i, frame.time, bearings_file(header, frame));

@@ -108,11 +108,18 @@ std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state
 
 namespace {
 
-double speed_of(const SkinMotion<2>& point) {
-  return portable::hypot(point.u, point.v);
+/// Of the fastest point of a body.
+double speed_of(const Body& body, const Work<2>& work) {
+  double most = 0;
+  for (int s = body.first_skin; s < body.first_skin + body.skins; ++s)
+    most = std::max(most, portable::hypot(work.skin[s].u, work.skin[s].v));
+  return most;
 }
-double speed_of(const SkinMotion<3>& point) {
-  return Vec3(point.u, point.v, point.w).norm();
+double speed_of(const Body& body, const Work<3>& work) {
+  double most = 0;
+  for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p)
+    most = std::max(most, work.solids.speed2[static_cast<std::size_t>(p)]);
+  return std::sqrt(most);
 }
 
 }  // namespace
@@ -130,10 +137,8 @@ WorstBodies worst_bodies(const Model<D>& model, const Work<D>& work) {
         if (model.support[n][k] != Support::free) left[k] = 0;
       if (worst.unbalanced < 0 || left.norm() > worst.force) worst.unbalanced = b, worst.force = left.norm();
     }
-    for (int s = body.first_skin; s < body.first_skin + body.skins; ++s) {
-      const double speed = speed_of(work.skin[s]);
-      if (worst.fastest < 0 || speed > worst.speed) worst.fastest = b, worst.speed = speed;
-    }
+    const double speed = speed_of(body, work);
+    if (worst.fastest < 0 || speed > worst.speed) worst.fastest = b, worst.speed = speed;
   }
   return worst;
 }

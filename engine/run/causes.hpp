@@ -1,6 +1,8 @@
 // Which event led to which: ids, and the last thing that befell each body.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "world/event.hpp"
@@ -14,6 +16,8 @@ class Causes {
  public:
   explicit Causes(int bodies) : last_(static_cast<std::size_t>(bodies), -1) {}
 
+  /// There are so many bodies from now on, not fewer than before.
+  void grow(std::size_t bodies) { last_.resize(bodies, -1); }
   /// Sets `id` and `cause` of `event`.
   void name(Event& event);
 

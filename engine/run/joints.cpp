@@ -68,7 +68,10 @@ std::uint32_t bonds_of(const State<2>& state, ContactKey key) {
 }  // namespace
 
 std::vector<Joint> find_joints(const Model<2>& model) {
-  State<2> state = start_state(model);
+  return find_joints(model, start_state(model), 0);
+}
+
+std::vector<Joint> find_joints(const Model<2>& model, const State<2>& state, int first_body) {
   Work<2> work;
   place(model, state, work);
   find(model, state, work);
@@ -81,6 +84,7 @@ std::vector<Joint> find_joints(const Model<2>& model) {
     // As for a bond, so that faces just not pressed together count; how near they are is looked at below.
     if (!choose_face_pair(model, work, true, pair)) continue;
     joint.body_a = model.piece_body[pair.piece_a], joint.body_b = model.piece_body[pair.piece_b];
+    if (std::max(joint.body_a, joint.body_b) < first_body) continue;
     joint.a0 = pair.a0, joint.a1 = pair.a1, joint.b0 = pair.b0, joint.b1 = pair.b1;
     if (lay_joint(work, joint)) joints.push_back(joint);
   }

@@ -34,6 +34,8 @@ struct JointMotion {
 
 /// All joints of the model where it starts, sorted by contact. Joints that a bearing stands for are left out.
 std::vector<Joint> find_joints(const Model<2>& model);
+/// The same where its bodies are by `state`, of bodies from `first_body` on with any: their start.
+std::vector<Joint> find_joints(const Model<2>& model, const State<2>& state, int first_body);
 
 /// From the places of the skin points in `work`, which must be those of the present instant. Once the bodies have come
 /// far apart it says how far, no more.

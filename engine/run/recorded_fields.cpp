@@ -29,6 +29,12 @@ int storey_of(const Model<2>& model, const Joint& joint) {
 RecordedFields::RecordedFields(const Model<2>& model)
     : joints_(find_joints(model)), bodies_(model.bodies.size()), values_(joints_.empty() ? 0 : 4) {}
 
+void RecordedFields::extend(const Model<2>& model, const State<2>& state, int first_body) {
+  for (Joint& joint : find_joints(model, state, first_body)) joints_.push_back(joint);
+  bodies_ = model.bodies.size();
+  if (!joints_.empty()) values_.resize(4);
+}
+
 void RecordedFields::describe(const Model<2>& model, results::Header& header) const {
   if (joints_.empty()) return;
   for (const Joint& joint : joints_) header.joints.push_back(row_of(model, joint));

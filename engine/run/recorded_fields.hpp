@@ -15,6 +15,8 @@ class RecordedFields {
   /// Finds the joints of the model.
   explicit RecordedFields(const Model<2>& model);
 
+  /// Adds the joints of what came to the model from body `first_body` on, where that stands by `state`.
+  void extend(const Model<2>& model, const State<2>& state, int first_body);
   /// Adds joints and fields to the header.
   void describe(const Model<2>& model, results::Header& header) const;
   /// The fields' numbers at this instant, in the order of the header; valid until the next call.

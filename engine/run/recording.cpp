@@ -8,6 +8,7 @@
 #include <cassert>
 #include <utility>
 
+#include "results/extended.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/element_stress.hpp"
 #include "step/solid_resultants.hpp"
@@ -39,6 +40,8 @@ results::BearingState state_of(BearingStatus status) {
       return results::BearingState::yielded;
     case BearingStatus::failed:
       return results::BearingState::failed;
+    case BearingStatus::removed:
+      return results::BearingState::absent;
     case BearingStatus::changed:
       break;
   }
@@ -77,6 +80,14 @@ results::Header whole_header(const Model<D>& model, const State<D>& state, const
   if constexpr (D == 2)
     if (fields) fields->describe(model, header);
   return header;
+}
+
+template <int D>
+State<D> places_of(const State<D>& state) {
+  State<D> places;
+  places.position = state.position;
+  places.rotation = state.rotation;
+  return places;
 }
 
 std::optional<RecordedFields> fields_of(const Model<2>& model, const RecordingOptions<2>& options) {
@@ -152,20 +163,40 @@ template <int D>
 Recording<D>::Recording(std::filesystem::path path, const Model<D>& model, const State<D>& state,
                         RecordingOptions<D> options)
     : fields_(fields_of(model, options)),
-      writer_(std::move(path), whole_header(model, state, options, fields_), {options.sync}),
-      histories_(std::move(options.histories)),
-      with_velocity_(options.with_velocity),
-      flush_frames_(options.flush_frames),
-      flush_interval_(options.flush_seconds),
+      options_(std::move(options)),
+      start_(places_of(state)),
+      header_(whole_header(model, start_, options_, fields_)),
+      writer_(std::move(path), header_, {options_.sync}),
+      with_velocity_(options_.with_velocity),
+      flush_frames_(options_.flush_frames),
+      flush_interval_(options_.flush_seconds),
       flushed_(wall_clock()),
       drives_known_(model.drives.size()),
       time_(state.time) {}
+
+/// Names and supports of bodies that were there stay as they were told first.
+template <int D>
+void Recording<D>::extend(const Model<D>& model, const State<D>& state, std::vector<RecordedHistory<D>> histories) {
+  const std::size_t known = start_.position.size(), bodies = header_.bodies.size();
+  for (std::size_t n = known; n < model.mass.size(); ++n) {
+    start_.position.push_back(model.start_position[n]);
+    start_.rotation.push_back(model.start_rotation[n]);
+  }
+  options_.histories = std::move(histories);
+  if constexpr (D == 2)
+    if (fields_) fields_->extend(model, state, static_cast<int>(bodies));
+  results::Header header = whole_header(model, start_, options_, fields_);
+  std::copy(header_.bodies.begin(), header_.bodies.end(), header.bodies.begin());
+  header.provenance = header_.provenance;
+  header_ = std::move(header);
+  writer_ = results::extended(std::move(writer_), header_, {options_.sync});
+}
 
 template <int D>
 RunListener<D> Recording<D>::listener() {
   RunListener<D> out;
   out.on_frame = [this](const Instant<D>& now) { frame(now); };
-  if (!histories_.empty()) out.on_history = [this](const Instant<D>& now) { history(now); };
+  if (!options_.histories.empty()) out.on_history = [this](const Instant<D>& now) { history(now); };
   out.on_energy = [this](const Instant<D>& now, const Energy& e) { energy(now, e); };
   out.on_event = [this](const Event& e, const Instant<D>& now) { event(e, now); };
   out.on_step = [this](const Instant<D>&) { step(); };
@@ -206,7 +237,7 @@ void Recording<D>::frame(const Instant<D>& now) {
 template <int D>
 void Recording<D>::history(const Instant<D>& now) {
   values_.clear();
-  for (const RecordedHistory<D>& h : histories_) values_.push_back(h.sample(now));
+  for (const RecordedHistory<D>& h : options_.histories) values_.push_back(h.sample(now));
   history(now.state.time, values_);
 }
 

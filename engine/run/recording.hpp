@@ -45,6 +45,9 @@ class Recording {
   /// After each step: brings rows to the disk that have waited long enough, though no further ones come. Costs a look
   /// at a coarse clock where rows wait, and nothing else.
   void step();
+  /// The model has further rows at the ends of its arrays, or the run further `histories`: the file goes on as one that
+  /// has them too, with all that was recorded. `state`: what came is where it stands first.
+  void extend(const Model<D>& model, const State<D>& state, std::vector<RecordedHistory<D>> histories);
   /// This file goes on where `before` was left off: its residual counts from the same start.
   void continue_ledger(const Recording& before);
   /// A line of text that belongs to the run; time of the last row.
@@ -73,8 +76,10 @@ class Recording {
   void flush();
 
   std::optional<RecordedFields> fields_;  // none in space
+  RecordingOptions<D> options_;
+  State<D> start_;  // places and turns of the nodes alone
+  results::Header header_;
   results::ResultsWriter writer_;
-  std::vector<RecordedHistory<D>> histories_;
   bool with_velocity_;
   int flush_frames_;
   double flush_interval_, flushed_;  // wall clock [s]

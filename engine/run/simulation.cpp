@@ -139,7 +139,7 @@ void Simulation<D>::refresh() {
 
 template <int D>
 void Simulation<D>::drop_work() {
-  work_ = {};
+  work_.drop();
   evaluated_ = false;
 }
 
@@ -268,7 +268,7 @@ void Simulation<D>::run_on(const RunListener<D>& listener, const RunLimit& limit
 template <int D>
 Snapshot<D> Simulation<D>::snapshot() {
   if (!kept_model_) kept_model_ = std::make_shared<const Model<D>>(model_);
-  return {state_, kept_model_, causes_, stage_, rest_, verdict_};
+  return {state_, kept_model_, causes_, stage_, rest_, verdict_, leaving_};
 }
 
 template <int D>
@@ -284,6 +284,7 @@ void Simulation<D>::restore(const Snapshot<D>& snapshot) {
   tangent_->forget();
   stage_ = snapshot.stage;
   rest_ = snapshot.rest;
+  leaving_ = snapshot.untold;
   drop_work();
 }
 
@@ -292,7 +293,8 @@ template <int D>
 void Simulation<D>::see_off() {
   const std::vector<int> bodies = watch_->leaving(model_, state_, work_);
   if (bodies.empty()) return;
-  leaving_ = take_out(model_, state_, work_, {swept_.dt, rest_}, bodies);
+  const std::vector<Event> events = take_out(model_, state_, work_, {swept_.dt, rest_}, bodies);
+  leaving_.insert(leaving_.end(), events.begin(), events.end());
   all_left_ = hold_left(model_, state_);
   tangent_->forget();
   kept_model_.reset();

@@ -1,19 +1,23 @@
 // A model in time: stages run one after the other, listeners told of what happens.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "base/team.hpp"
 #include "run/causes.hpp"
 #include "run/stage.hpp"
 #include "run/stage_progress.hpp"
 #include "step/central_difference.hpp"
 #include "step/step_times.hpp"
 #include "step/sweep.hpp"
+#include "step/take_out.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 #include "world/verdict.hpp"
@@ -30,6 +34,7 @@ struct Snapshot {
   std::optional<StageProgress> stage;  ///< the stage that ran then
   RestDamping rest;                    ///< of that stage, or of the last one
   Verdict verdict;
+  std::vector<Event> untold;  ///< what happened at the border, to be told at the next instant
 };
 
 /// Where a nested run pauses: the first limit that is reached. Counted from its call.
@@ -82,6 +87,13 @@ class Simulation {
   Model<D>& edit_model();
   /// The same by a function; where it frees a degree of freedom, drop_step.
   void edit(const std::function<void(Model<D>&)>& change);
+  /// Bodies and bearings go, come back, or come new, between stages or at the border of a step: see step/take_out.hpp.
+  /// What that was is told at the next instant of a stage.
+  void remove(const Parts& parts);
+  void put_back(const Parts& parts);
+  void grow(Model<D> grown);
+  /// An edit of laws, whose difference of energy the ledger has; bearings of `begun` begin anew by theirs.
+  void alter(const std::function<void(Model<D>&)>& change, std::span<const int> begun);
   /// The length of the step is looked for anew before the next one: what was freed may need a shorter one.
   void drop_step() { state_.dt = 0; }
   /// The stage that runs, or was restored and waits for resume(); nullptr where there is none.
@@ -98,6 +110,9 @@ class Simulation {
 
   /// From now on adds where the time goes to `times`, which must outlive this; nullptr: no more.
   void measure(StepTimes* times) { times_ = times; }
+  /// How many threads may share a step, 1 to most_threads; as many of them do as there is work for. The bits are those
+  /// of one.
+  void use_threads(int threads) { work_.threads = std::clamp(threads, 1, most_threads); }
   /// Asks a running stage to end at the next step border. May be called from a signal handler or another thread.
   void stop() { stop_.store(true, std::memory_order_relaxed); }
   /// Everything that can be read is of one instant from then on: the present state, evaluated, with the forces of the
@@ -130,6 +145,8 @@ class Simulation {
   void require_step(const StageOptions& options) const;
   void tell_step(const RunListener<D>& listener);
   void edited();
+  template <class Change>
+  void change_parts(Change&& change);
   void tell(Event event, const RunListener<D>& listener, const Instant<D>& now);
   void tell_end(const RunListener<D>& listener, const Instant<D>& now);
 
@@ -149,7 +166,7 @@ class Simulation {
   std::unique_ptr<Tangent> tangent_;  // of implicit steps
   std::string stuck_;                 // why an implicit step could not be taken
   std::string changed_;               // why the integrator has changed within the stage, until that is told
-  std::vector<Event> leaving_;        // events of bodies that left at this instant, to be told
+  std::vector<Event> leaving_;        // events of what left or was changed at this instant, to be told
   bool all_left_ = false;             // nothing is free to move any more, as all of that has left
   std::atomic<bool> stop_{false};
   bool running_ = false, at_border_ = false;

@@ -112,9 +112,9 @@ double given_off(const Energy& e) {
   return sum;
 }
 
-/// Put in by supports, loads and weight [J].
+/// Put in by supports, loads, weight and what was added [J].
 double put_in(const Energy& e) {
-  return e[EnergyTerm::support] + e[EnergyTerm::load] - e[EnergyTerm::gravity];
+  return e[EnergyTerm::support] + e[EnergyTerm::load] + e[EnergyTerm::added] - e[EnergyTerm::gravity];
 }
 
 /// Sound in the stiffest solid, by its body's density, and at least in rock [m/s].

@@ -1,16 +1,37 @@
 #include "shape/convex_solid.hpp"
 
+#include <utility>
+
 namespace trilith {
+
+namespace {
+
+/// Whether two faces look the same way within a hundred times what has_first_like asks for.
+bool some_alike(const std::vector<Vec3>& normals) {
+  for (std::size_t f = 0; f < normals.size(); ++f)
+    for (std::size_t g = 0; g < f; ++g)
+      if ((normals[f] - normals[g]).squaredNorm() < 1e-20) return true;
+  return false;
+}
+
+}  // namespace
 
 ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double flat) {
   check_convex(shape, owner, flat);
-  return {shape, face_normals(shape), solid_edges(shape.faces), {}, solid_size(shape.corners)};
+  std::vector<Vec3> normals = face_normals(shape);
+  const bool may_repeat = some_alike(normals);
+  return {shape, std::move(normals), solid_edges(shape.faces), {}, solid_size(shape.corners), may_repeat};
 }
 
 void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out) {
-  out.solid = &solid;
-  out.corners.clear(), out.normals.clear(), out.along.clear();
+  out.corners.clear();
   for (const Vec3& p : solid.shape.corners) out.corners.push_back(turn.apply(p) + at);
+  place_faces(solid, turn, out);
+}
+
+void place_faces(const ConvexSolid& solid, const Turn3& turn, PlacedSolid& out) {
+  out.solid = &solid;
+  out.normals.clear(), out.along.clear();
   for (const Vec3& n : solid.normals) out.normals.push_back(turn.apply(n));
   for (const SolidEdge& e : solid.edges)
     out.along.push_back(out.corners[static_cast<std::size_t>(e.to)] - out.corners[static_cast<std::size_t>(e.from)]);
@@ -18,6 +39,7 @@ void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSo
 
 /// Of a convex solid two faces that look the same way lie in one plane.
 bool has_first_like(const PlacedSolid& solid, int face) {
+  if (!solid.solid->may_repeat) return false;
   const Vec3& n = solid.normals[static_cast<std::size_t>(face)];
   for (int f = 0; f < face; ++f)
     if (solid.solid->is_surface(f) && (solid.normals[static_cast<std::size_t>(f)] - n).squaredNorm() < 1e-24)

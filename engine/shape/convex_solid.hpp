@@ -17,7 +17,8 @@ struct ConvexSolid {
   std::vector<SolidEdge> edges;
   /// [faces] 1: part of the surface of the body, 0: an inner cut; empty: all are surface
   std::vector<std::uint8_t> surface;
-  double size = 0;  ///< see solid_size [m]
+  double size = 0;         ///< see solid_size [m]
+  bool may_repeat = true;  ///< false where no two faces look nearly the same way, see has_first_like
 
   [[nodiscard]] bool is_surface(int face) const {
     return surface.empty() || surface[static_cast<std::size_t>(face)] != 0;
@@ -37,6 +38,9 @@ struct PlacedSolid {
 
 /// `solid` turned about the origin of its body, which stands at `at` [m]. The solid must outlive `out`.
 void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSolid& out);
+
+/// The same of all but the corners, which are there.
+void place_faces(const ConvexSolid& solid, const Turn3& turn, PlacedSolid& out);
 
 /// How deep a point lies below the plane of a face [m]; negative outside.
 inline double depth_below(const PlacedSolid& solid, int face, const Vec3& x) {

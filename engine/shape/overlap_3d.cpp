@@ -47,15 +47,18 @@ void keep_points(Buffer3& s) {
   }
 }
 
-/// Where the edge from `inner` to `outer` passes through the plane. Always found from the inner end, for the same bits
-/// in both faces of the edge.
+/// Where the edge from `inner` to `outer` passes through the plane: one point for both faces of the edge.
 int cut_point(int inner, int outer, Buffer3& s) {
   const auto i = static_cast<std::size_t>(inner), o = static_cast<std::size_t>(outer);
   const double from = s.height[i], to = s.height[o];
   if (from == 0) return s.number[i];
+  const auto known = std::find_if(s.cuts.begin(), s.cuts.end(),
+                                  [&](const Buffer3::Cut& c) { return c.inner == inner && c.outer == outer; });
+  if (known != s.cuts.end()) return known->point;
   const Vec3 &p = s.points_before[i], &q = s.points_before[o];
   s.points.push_back(p + (from / (from - to)) * (q - p));
-  return static_cast<int>(s.points.size()) - 1;
+  s.cuts.push_back({inner, outer, static_cast<int>(s.points.size()) - 1});
+  return s.cuts.back().point;
 }
 
 void add_edge(std::vector<Buffer3::Edge>& edges, int from, int to) {
@@ -85,6 +88,25 @@ void cut_face(int first, int end, Buffer3& s) {
       add_edge(s.edges, pivot, at), add_edge(s.lid, at, pivot);
     }
   }
+}
+
+/// Six times the volume, as sum_up has it.
+double six_volumes(const Buffer3& s) {
+  const auto point = [&](int p) -> const Vec3& { return s.points[static_cast<std::size_t>(p)]; };
+  const Vec3 origin = point(s.edges[0].from);
+  double six = 0;
+  int i = 0;
+  for (const auto& [of, end] : s.faces) {
+    const int about = s.edges[static_cast<std::size_t>(i)].from;
+    const Vec3 base = point(about) - origin;
+    for (; i < end; ++i) {
+      const auto [from, to] = s.edges[static_cast<std::size_t>(i)];
+      if (from == about || to == about) continue;  // no volume
+      const Vec3 p = point(from) - origin, q = point(to) - origin;
+      six += base.dot(cross(Vec3(p - base), Vec3(q - base)));
+    }
+  }
+  return six;
 }
 
 /// Sums over the triangles between a point of each face and its edges; volumes from one point of the solid.
@@ -121,7 +143,7 @@ bool cut(const HalfSpace& half, Buffer3& s) {
   if (range.lowest >= 0) return false;
   keep_points(s);
   s.edges_before.swap(s.edges), s.faces_before.swap(s.faces);
-  s.edges.clear(), s.faces.clear(), s.lid.clear();
+  s.edges.clear(), s.faces.clear(), s.lid.clear(), s.cuts.clear();
   int first = 0;
   for (const auto& [of, end] : s.faces_before) {
     const std::size_t before = s.edges.size();
@@ -139,19 +161,38 @@ SolidMeasure measured(const SolidOverlapBuffer& buffer) {
   return {all.volume, all.centroid};
 }
 
-SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer) {
+namespace {
+
+/// Cuts `a` by all half-spaces of b; false where nothing is left.
+bool cut_by_all(const PlacedSolid& a, const PlacedSolid& b, Buffer3& buffer) {
   begin_with(a, buffer);
   const FaceLoops& faces = b.solid->shape.faces;
-  SolidOverlap out;
-  bool some = true;
-  for (int f = 0; f < faces.count() && some; ++f) {
+  for (int f = 0; f < faces.count(); ++f) {
     const Vec3& normal = b.normals[static_cast<std::size_t>(f)];
-    some = cut({normal, normal.dot(b.corners[static_cast<std::size_t>(faces[f][0])]), -1 - f}, buffer) &&
-           !buffer.edges.empty();
+    const double offset = normal.dot(b.corners[static_cast<std::size_t>(faces[f][0])]);
+    if (!cut({normal, offset, -1 - f}, buffer) || buffer.edges.empty()) return false;
   }
-  if (some) out = sum_up(buffer);
-  if (!(out.volume > 0)) buffer.points.clear(), buffer.edges.clear(), buffer.faces.clear();
+  return true;
+}
+
+void clear(Buffer3& buffer) {
+  buffer.points.clear(), buffer.edges.clear(), buffer.faces.clear();
+}
+
+}  // namespace
+
+SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer) {
+  SolidOverlap out;
+  if (cut_by_all(a, b, buffer)) out = sum_up(buffer);
+  if (!(out.volume > 0)) clear(buffer);
   return out;
+}
+
+double shared_volume(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer) {
+  const double volume = cut_by_all(a, b, buffer) ? six_volumes(buffer) / 6 : 0;
+  if (volume > 0) return volume;
+  clear(buffer);
+  return 0;
 }
 
 SharedFace shared_face(const SolidOverlapBuffer& buffer, int f, const Vec3& normal) {

@@ -11,14 +11,16 @@
 // The two parts of the surface close it, so b's part has the opposite vectors.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "shape/convex_solid.hpp"
+#include "shape/depth_table.hpp"
 
 namespace trilith {
 
 /// Room for the shared solid, kept by the caller so that repeated calls allocate nothing. Its faces are sets of edges
-/// in no order; a point where three faces meet may be there more than once, with the same bits.
+/// in no order.
 struct SolidOverlapBuffer {
   struct Edge {
     int from, to;  ///< points; counter-clockwise about the face as seen from outside
@@ -26,6 +28,10 @@ struct SolidOverlapBuffer {
   struct Face {
     int of;   ///< k: in face k of a; -1 - k: in face k of b
     int end;  ///< one past its last edge; the first follows on the face before
+  };
+  struct Cut {
+    int inner, outer;  ///< ends of an edge
+    int point;         ///< where it was cut
   };
   std::vector<Vec3> points;  ///< m
   std::vector<Edge> edges;
@@ -36,6 +42,10 @@ struct SolidOverlapBuffer {
   std::vector<Face> faces_before;
   std::vector<double> height;
   std::vector<int> number;
+  std::vector<Cut> cuts;
+  // scratch of what goes over the points afterwards
+  std::array<DepthRoom, 2> depths;
+  std::vector<Vec3> arm, rate;
 };
 
 /// A half-space: where normal . x <= offset. The normal may be of any length.
@@ -69,6 +79,9 @@ struct SolidOverlap {
 /// it. Exact to rounding, about a point of the shared solid, so that nothing is lost far from the origin but what the
 /// corners have lost.
 SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer);
+
+/// The same volume alone, to the bit; leaves the same in `buffer`.
+double shared_volume(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer);
 
 /// Area of one face of the shared solid and its centroid.
 struct SharedFace {

@@ -22,7 +22,7 @@ struct StepOptions {
 
 /// Takes one step from an instant that has been evaluated and committed.
 template <int D>
-void advance(const Model<D>& model, State<D>& state, const Work<D>& work, const StepOptions& options,
+void advance(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
              StepTimes* times = nullptr);
 
 /// The ledger at the instant of the last evaluation (before `advance`): stored terms from the state, given-off terms

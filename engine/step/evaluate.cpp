@@ -41,7 +41,6 @@ void evaluate(const Model<3>& model, const State<3>& state, Work<3>& work, doubl
   work.given = state.given;
   for (const int row : work.changed_rows) work.contacts.clear(static_cast<std::size_t>(row));
   work.changed_rows.clear();
-  std::fill(work.skin_force.begin(), work.skin_force.end(), Vec3::Zero());
   clock.mark(StepPart::place);
   respond_general(model, state, work, dt);
   clock.mark(StepPart::general);

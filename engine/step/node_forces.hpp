@@ -158,15 +158,19 @@ template <std::size_t dofs>
 /// Work of weight, loads, supports and dampings along `path`. A step's path is half of the one behind and half of the
 /// one ahead of the instant of the forces: the work a step really does.
 template <int D>
+[[gnu::always_inline]] inline NodeWork work_of(const NodeForces<D>& f, const std::type_identity_t<Dofs<D>>& path) {
+  NodeWork w{dot(f.weight, path), dot(f.load, path)};
+  if (f.held) w.support = dot(f.on_support, path);
+  w.element_damping = dot(f.element_damping, path);
+  if (f.damped) w.rest = dot(f.rest, path), w.mass = dot(f.mass, path);
+  return w;
+}
+
+/// The same of one node's forces at once.
+template <int D>
 [[gnu::always_inline]] inline void add_work(const NodeForces<D>& f, const std::type_identity_t<Dofs<D>>& path,
                                             Energy& given) {
-  given[EnergyTerm::gravity] -= dot(f.weight, path);
-  given[EnergyTerm::load] += dot(f.load, path);
-  if (f.held) given[EnergyTerm::support] -= dot(f.on_support, path);
-  given[EnergyTerm::element_damping] -= dot(f.element_damping, path);
-  if (!f.damped) return;
-  given[EnergyTerm::rest_damping] -= dot(f.rest, path);
-  given[EnergyTerm::mass_damping] -= dot(f.mass, path);
+  add(work_of(f, path), given);
 }
 
 /// Where degree of freedom k of a node is [m] or [rad].

@@ -1,8 +1,10 @@
-// Skin points where the nodes put them, and how they move.
+// Skin points, and in space the corners of solids, where the nodes put them, and how they move.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
+#include "base/team.hpp"
 #include "body/rigid.hpp"
 #include "step/evaluate.hpp"
 
@@ -38,11 +40,10 @@ SkinReach place_sections(const Model<2>& model, const State<2>& state, const Bod
 }
 
 /// place of a rigid body.
-template <int D>
-SkinReach place_one_node(const Model<D>& model, const State<D>& state, const BodyRow& body, Work<D>& work) {
+SkinReach place_one_node(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
   const int n = body.node;
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
-  return place_rigid(NodeMotion<D>{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]},
+  return place_rigid(NodeMotion<2>{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]},
                      std::span(model.skin_place).subspan(first, count), std::span(work.skin).subspan(first, count));
 }
 
@@ -65,14 +66,8 @@ SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow
   return place_sections(model, state, body, work);
 }
 
-/// In space there are rigid bodies alone.
-SkinReach place_body(const Model<3>& model, const State<3>& state, const BodyRow& body, Work<3>& work) {
-  return place_one_node(model, state, body, work);
-}
-
 /// True where some node of the body is free to move.
-template <int D>
-bool moves(const Model<D>& model, const BodyRow& body) {
+bool moves(const Model<2>& model, const BodyRow& body) {
   for (int n = body.node; n < body.node + body.nodes; ++n)
     if (model.moves(n)) return true;
   return false;
@@ -92,14 +87,74 @@ void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
   }
 }
 
-void place_solids(const Model<2>& /*model*/, const State<2>& /*state*/, Work<2>& /*work*/) {}
-/// Corners, normals and edges of all pieces.
-void place_solids(const Model<3>& model, const State<3>& state, Work<3>& work) {
-  work.solids.placed.resize(model.piece_solid.size());
-  for (std::size_t p = 0; p < model.piece_solid.size(); ++p) {
-    const int node = model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node;
-    place(model.piece_solid[p], Turn3(state.rotation[node]), state.position[node], work.solids.placed[p]);
+/// The largest squares of all that is placed, of its speeds and of those of bodies that are free to move.
+struct PlacedReach {
+  SkinReach all;
+  double moving = 0;  ///< [m2/s2]
+
+  void add(const SkinReach& of, bool moves) {
+    all.add(of.speed2, of.path2);
+    if (moves) moving = std::max(moving, of.speed2);
   }
+};
+
+PlacedReach place_all(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  work.skin.resize(model.skin_place.size());
+  work.skin_force.resize(model.skin_place.size());
+  PlacedReach reach;
+  for (const BodyRow& body : work.body) {
+    const SkinReach of = place_body(model, state, body, work);
+    reach.add(of, of.speed2 > reach.moving && moves(model, body));
+  }
+  work.skin_mean.clear();
+  if (state.implicit()) place_means(model, state, work);
+  return reach;
+}
+
+/// Corners of a piece whose body moves and stands so.
+SkinReach place_corners(const ConvexSolid& solid, const NodeMotion<3>& node, const Turn3& turn, PlacedSolid& out) {
+  const std::vector<Vec3>& own = solid.shape.corners;
+  if (out.corners.size() != own.size()) out.corners.assign(own.size(), node.position);
+  SkinReach reach;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Vec3 arm = turn.apply(own[i]), place = node.position + arm, rate = node.velocity + cross(node.spin, arm);
+    reach.add(rate.squaredNorm(), (place - out.corners[i]).squaredNorm());
+    out.corners[i] = place;
+  }
+  return reach;
+}
+
+/// In space there are rigid bodies alone: corners, normals and edges of a piece.
+SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
+  const auto p = static_cast<std::size_t>(piece);
+  const int n = model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node;
+  const NodeMotion<3> node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
+  const Turn3 turn(node.rotation);
+  const SkinReach reach = place_corners(model.piece_solid[p], node, turn, solids.placed[p]);
+  solids.speed2[p] = reach.speed2;
+  place_faces(model.piece_solid[p], turn, solids.placed[p]);
+  return reach;
+}
+
+/// Pieces that threads take at a time: some ten microseconds.
+constexpr int piece_stretch = 128;
+
+/// Each thread keeps the largest of what it places: the largest of these is the same in any order.
+PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
+  const std::size_t pieces = model.piece_solid.size();
+  work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces);
+  std::array<PlacedReach, most_threads> by{};
+  share(work.threads, static_cast<int>(pieces), piece_stretch, [&](int first, int last, int thread) {
+    PlacedReach& reach = by[static_cast<std::size_t>(thread)];
+    for (int p = first; p < last; ++p) {
+      const SkinReach of = place_piece(model, state, p, work.solids);
+      reach.add(of, model.moves(model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node));
+    }
+  });
+  PlacedReach reach;
+  for (const PlacedReach& one : by)
+    reach.all.add(one.all.speed2, one.all.path2), reach.moving = std::max(reach.moving, one.moving);
+  return reach;
 }
 
 }  // namespace
@@ -107,22 +162,10 @@ void place_solids(const Model<3>& model, const State<3>& state, Work<3>& work) {
 template <int D>
 void place(const Model<D>& model, const State<D>& state, Work<D>& work) {
   if (!work.valid) list_bodies(model, work);
-  work.skin.resize(model.skin_place.size());
-  work.skin_force.resize(model.skin_place.size());
-  double fastest = 0, fastest_moving = 0, farthest = 0;
-  for (const BodyRow& body : work.body) {
-    const auto [speed2, path2] = place_body(model, state, body, work);
-    fastest = std::max(fastest, speed2);
-    farthest = std::max(farthest, path2);
-    if (speed2 > fastest_moving && moves(model, body)) fastest_moving = speed2;
-  }
-  place_solids(model, state, work);
-  work.skin_mean.clear();
-  if constexpr (D == 2)
-    if (state.implicit()) place_means(model, state, work);
-  work.fastest = std::sqrt(fastest);
-  work.fastest_moving = std::sqrt(fastest_moving);
-  work.travel += std::sqrt(farthest);  // of no meaning, and not asked for, before the pairs are found
+  const PlacedReach reach = place_all(model, state, work);
+  work.fastest = std::sqrt(reach.all.speed2);
+  work.fastest_moving = std::sqrt(reach.moving);
+  work.travel += std::sqrt(reach.all.path2);  // of no meaning, and not asked for, before the pairs are found
 }
 
 template void place(const Model<2>&, const State<2>&, Work<2>&);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 
+#include "base/team.hpp"
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
@@ -96,9 +97,7 @@ const PlacedPiece& place_once(const Model<2>& model, const State<2>& state, Work
   return placed;
 }
 
-using Corners = std::array<Vec2, max_piece_corners>;
-
-void add_to_skin(const Model<2>& model, int piece, const Corners& force, Work<2>& work) {
+void add_to_skin(const Model<2>& model, int piece, const Vec2* force, Work<2>& work) {
   const int *skin = &model.corner_skin[model.piece_first[piece]], count = model.corners_of(piece);
   Vec2* const on = work.skin_force.data();  // read once: the compiler cannot know that sums do not change it
   for (int c = 0; c < count; ++c) on[skin[c]] += force[c];
@@ -106,12 +105,10 @@ void add_to_skin(const Model<2>& model, int piece, const Corners& force, Work<2>
 
 /// What two faces held that their contact does not as one of general shape.
 /// Dilation that faces held open, halves crushed unlike: neither has a place in the overlap of areas.
-void book_change_of_shape(Work<2>& work, const NearPair& pair, const Remembered& before, const LawInUse& use) {
-  const ShapeLoss lost = with_kernel(use, [&]<class K>(const K& law) {
+ShapeLoss change_of_shape(const Work<2>& work, const NearPair& pair, const Remembered& before, const LawInUse& use) {
+  return with_kernel(use, [&]<class K>(const K& law) {
     return law.leave_faces(face_overlap(work, pair), before.contact, law_memory<K>(before.law));
   });
-  work.given[EnergyTerm::contact_friction] += lost.friction;
-  work.given[EnergyTerm::contact_fracture] += lost.fracture;
 }
 
 /// What stays where the pieces of a row do not touch.
@@ -122,7 +119,7 @@ void part_row(const ContactHistory& before, ContactHistory& after, int row) {
   });
 }
 
-/// One evaluation's rows.
+/// One evaluation's rows. Each is found from what State and its own row hold, and writes its own row alone.
 struct GeneralPass {
   const Model<2>& model;
   const State<2>& state;
@@ -151,60 +148,116 @@ struct GeneralPass {
     // Each of the two may come nearer by the path of the fastest point.
     work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * distance;
   }
-  void respond(int row) const;
+  void respond(int row, OverlapAnswer& answer) const;
+  void take_up(int row, const OverlapAnswer& answer) const;
 };
 
-void GeneralPass::respond(int row) const {
-  if (!wakes(row)) return;
+/// A row that wakes. Its pieces are placed by now, or are by this.
+void GeneralPass::respond(int row, OverlapAnswer& answer) const {
+  answer.changed = answer.touching = false;
   const ContactMemory& memory = before.memory[row];
   const bool was = (memory.state & contact_touching) != 0;
   const NearPair& pair = work.pairs[row];
+  OverlapResponse& r = answer.response;
+  answer.let_go = {};
   // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
   if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) {
-    if (was) part_row(before, work.contacts, row), work.changed_rows.push_back(row);
+    if (was) part_row(before, work.contacts, row);
+    r = {};
+    answer.changed = was;
     return;
   }
   const PlacedPiece &a = place_once(model, state, work, pair.piece_a),
                     &b = place_once(model, state, work, pair.piece_b);
   if (memory.empty())
-    if (const double distance = still_apart(a, b, row); distance > 0) return sleep(row, distance);
-  Corners on_a, on_b;
-  std::fill_n(on_a.begin(), a.corner.size(), Vec2::Zero());
-  std::fill_n(on_b.begin(), b.corner.size(), Vec2::Zero());
+    if (const double distance = still_apart(a, b, row); distance > 0) return r = {}, sleep(row, distance);
+  std::fill_n(answer.on_a.begin(), a.corner.size(), Vec2::Zero());
+  std::fill_n(answer.on_b.begin(), b.corner.size(), Vec2::Zero());
   const LawInUse law = law_in_use(model, pair.law, dt);
   const Remembered remembered{memory, before.law_numbers(row)};
-  const OverlapResponse r = respond_overlap(a, b, remembered, law, on_a, on_b, work.contacts.law_numbers(row));
-  if (was && (memory.state & contact_general) == 0) book_change_of_shape(work, pair, remembered, law);
-  if (was != r.touching || memory.bonds != 0 || (memory.state & contact_kept) != (r.memory.state & contact_kept))
-    work.changed_rows.push_back(row);
+  r = respond_overlap(a, b, remembered, law, answer.on_a, answer.on_b, work.contacts.law_numbers(row));
+  if (was && (memory.state & contact_general) == 0) answer.let_go = change_of_shape(work, pair, remembered, law);
+  answer.changed =
+      was != r.touching || memory.bonds != 0 || (memory.state & contact_kept) != (r.memory.state & contact_kept);
   if (was || r.touching) work.contacts.memory[row] = r.memory;
+  answer.touching = r.touching;
+  if (r.touching) return;
+  work.apart_by[row] = static_cast<std::int16_t>(r.apart_by);
+  sleep(row, r.separation);
+}
+
+/// Adds what a row came to to forces, ledger and lists.
+void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
+  const OverlapResponse& r = answer.response;
+  if (answer.changed) work.changed_rows.push_back(row);
+  work.given[EnergyTerm::contact_friction] += answer.let_go.friction;
+  work.given[EnergyTerm::contact_fracture] += answer.let_go.fracture;
   work.given[EnergyTerm::contact_damping] += r.lost_damping;
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
   work.given[EnergyTerm::contact_fracture] += r.lost_fracture;
-  if (!r.touching) {
-    work.apart_by[row] = static_cast<std::int16_t>(r.apart_by);
-    return sleep(row, r.separation);
-  }
-  add_to_skin(model, pair.piece_a, on_a, work);
-  add_to_skin(model, pair.piece_b, on_b, work);
+  if (!answer.touching) return;
+  add_to_skin(model, work.pairs[row].piece_a, answer.on_a.data(), work);
+  add_to_skin(model, work.pairs[row].piece_b, answer.on_b.data(), work);
   work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
 }
 
-}  // namespace
+/// Rows and pieces that threads take at a time: some ten microseconds.
+constexpr int general_stretch = 32, awake_stretch = 128;
 
-/// Rows of general shape, and those that were to be faces and are not now, in the order of rows.
-void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
-  work.general_touching.clear();
+/// Rows of general shape, and those that were to be faces and are not now, in the order of rows; of these `awake_rows`
+/// are worked on.
+void list_rows(const GeneralPass& pass, Work<2>& work) {
   std::sort(work.general_now.begin(), work.general_now.end());
   work.general_rows.reserve(work.pairs.size());
   work.general_rows.resize(work.general.size() + work.general_now.size());
   std::merge(work.general.begin(), work.general.end(), work.general_now.begin(), work.general_now.end(),
              work.general_rows.begin());
-  if (work.general_rows.empty()) return;
   work.apart_by.resize(work.pairs.size(), -1);
-  place_none(model, !work.skin_mean.empty(), work.placed);
+  work.awake_rows.reserve(work.pairs.size());
+  work.awake_rows.clear();
+  for (const int row : work.general_rows)
+    if (pass.wakes(row)) work.awake_rows.push_back(row);
+}
+
+/// All pieces of the rows to come: where several threads respond, none may place what another reads.
+void place_awake(const GeneralPass& pass, Work<2>& work) {
+  work.awake_pieces.clear();
+  for (const int row : work.awake_rows)
+    for (const int piece : {work.pairs[row].piece_a, work.pairs[row].piece_b}) {
+      std::uint8_t& listed = work.placed.is_placed[static_cast<std::size_t>(piece)];
+      if (listed == 0) work.awake_pieces.push_back(piece);
+      listed = 1;
+    }
+  for (const int piece : work.awake_pieces) work.placed.is_placed[static_cast<std::size_t>(piece)] = 0;
+  share(work.threads, static_cast<int>(work.awake_pieces.size()), awake_stretch,
+        [&](int first, int last, int /*thread*/) {
+          for (int i = first; i < last; ++i) place_once(pass.model, pass.state, work, work.awake_pieces[i]);
+        });
+}
+
+}  // namespace
+
+/// Several threads answer the rows; the answers are taken up in the order of rows, so that sums and lists have the bits
+/// of one row after the other.
+void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
+  work.general_touching.clear();
+  if (work.general.empty() && work.general_now.empty()) return work.general_rows.clear();
   const GeneralPass pass{model, state, contacts_before(state, work), work, dt};
-  for (const int row : work.general_rows) pass.respond(row);
+  list_rows(pass, work);
+  place_none(model, !work.skin_mean.empty(), work.placed);
+  if (work.threads > 1) place_awake(pass, work);
+  work.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * general_stretch);
+  const auto answer_of = [&](int slot, int i) -> OverlapAnswer& {
+    return work.answer[static_cast<std::size_t>(slot * general_stretch + i)];
+  };
+  share_in_order(
+      work.threads, static_cast<int>(work.awake_rows.size()), general_stretch,
+      [&](int first, int last, int /*thread*/, int slot) {
+        for (int i = first; i < last; ++i) pass.respond(work.awake_rows[i], answer_of(slot, i - first));
+      },
+      [&](int first, int last, int slot) {
+        for (int i = first; i < last; ++i) pass.take_up(work.awake_rows[i], answer_of(slot, i - first));
+      });
 }
 
 }  // namespace trilith

@@ -53,13 +53,6 @@ ScaledNode scaled_node(const Model<3>& model, int node, const UnitQuaternion& ro
   return {turn_of(rotation), std::sqrt(model.mass[node]), model.inertia[node].cwiseSqrt()};
 }
 
-/// Any line across n.
-Vec3 line_across(const Vec3& n) {
-  int least = 0;
-  n.cwiseAbs().minCoeff(&least);
-  return cross(n, Vec3(Vec3::Unit(least))).normalized();
-}
-
 /// An area under pressure, at `arm` from the node; where its force points nowhere, as stiff along every line.
 struct AreaSprings {
   Vec3 arm, normal;

@@ -48,12 +48,13 @@ void find_contacts(const Model<2>& model, State<2>& state, Work<2>& work) {
 
 /// Where two faces look at each other within `reach` of the smaller body's size, mortar is put between them as they
 /// stand. Stresses stay as they are (see Filling); where what is stored changes, the ledger has the difference.
-void set_bonds(const Model<2>& model, State<2>& state, double reach) {
+void set_bonds(const Model<2>& model, State<2>& state, double reach, int first_body) {
   Work<2> work;
   find_contacts(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     NearPair& pair = work.pairs[row];
     const ContactMemory& memory = state.contacts.memory[row];
+    if (std::max(model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]) < first_body) continue;
     // A joint bonded on both halves is left as it is, so this may be called again.
     if (!may_bond(model.laws[pair.law]) || memory.bonds == 3) continue;
     if (!choose_face_pair(model, work, true, pair)) continue;

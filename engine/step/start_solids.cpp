@@ -37,10 +37,9 @@ double energy_of_row(const Model<3>& model, const State<3>& state, Work<3>& work
   if (const JointMemory* joint = state.contacts.joint_at(row); joint != nullptr && !joint->empty())
     return joint_energy(*joint, law);
   const SolidMemory& memory = state.contacts.memory[row];
-  SolidOverlapBuffer cell;
   if ((memory.state & contact_touching) == 0) return 0;
-  return solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b], memory, law,
-                              work.solids.shared, cell);
+  SolidOverlapBuffer shared, cell;
+  return solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b], memory, law, shared, cell);
 }
 
 /// change() alters what a row remembers; the ledger has the difference of the elastic energy.
@@ -53,11 +52,12 @@ void change_row(const Model<3>& model, State<3>& state, Work<3>& work, std::size
 
 }  // namespace
 
-void set_bonds(const Model<3>& model, State<3>& state, double reach) {
+void set_bonds(const Model<3>& model, State<3>& state, double reach, int first_body) {
   Work<3> work;
   find_near_solids(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     const NearPair& pair = work.pairs[row];
+    if (std::max(model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]) < first_body) continue;
     // A joint that holds all over is left as it is, so this may be called again. A bearing stands for flat faces.
     if (pair.replaced || !may_bond(model.laws[pair.law]) || holds_all_over(state.contacts.joint_at(row))) continue;
     const double size = size_of_smaller(model, pair);

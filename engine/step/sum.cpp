@@ -56,14 +56,9 @@ void spread_one_node(const State<2>& state, const BodyRow& body, Work<2>& work) 
   work.moment[body.node] = load.moment;
 }
 
-/// In space there are rigid bodies alone.
-void spread_body(const Model<3>& /*model*/, const State<3>& state, const BodyRow& body, Work<3>& work) {
-  const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
-  const int n = body.node;
-  work.force[n] = work.moment[n] = Vec3::Zero();
-  spread_rigid(state.position[n], std::span<const SkinMotion<3>>(work.skin).subspan(first, count),
-               std::span<const Vec3>(work.skin_force).subspan(first, count), work.force[n], work.moment[n]);
-  work.force[n] += work.solids.force[n], work.moment[n] += work.solids.moment[n];
+/// In space there are rigid bodies alone, and all forces on them come by their nodes.
+void spread_body(const Model<3>& /*model*/, const State<3>& /*state*/, const BodyRow& body, Work<3>& work) {
+  work.force[body.node] = work.solids.force[body.node], work.moment[body.node] = work.solids.moment[body.node];
 }
 
 void spread_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {

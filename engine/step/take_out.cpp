@@ -5,6 +5,7 @@
 #include "step/bearing_motion.hpp"
 #include "step/displacement_control.hpp"
 #include "step/evaluate.hpp"
+#include "step/start.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
@@ -20,39 +21,52 @@ Event event_of(const State<D>& state, EventType type, int body) {
   return e;
 }
 
-Event left_event(const Model<2>& model, const State<2>& state, int body) {
+Event body_event(const Model<2>& model, const State<2>& state, EventType type, int body) {
   const Pose pose = body_pose(model, state, body);
-  Event e = event_of(state, EventType::body_left, body);
-  e.value = pose.velocity.norm();
+  Event e = event_of(state, type, body);
+  if (type != EventType::body_added) e.value = pose.velocity.norm();
   e.set_place(pose.place);
   return e;
 }
-Event left_event(const Model<3>& model, const State<3>& state, int body) {
+Event body_event(const Model<3>& model, const State<3>& state, EventType type, int body) {
   const int node = model.bodies[body].first_node;
-  Event e = event_of(state, EventType::body_left, body);
-  e.value = state.velocity[node].norm();
+  Event e = event_of(state, type, body);
+  if (type != EventType::body_added) e.value = state.velocity[node].norm();
   e.set_place(state.position[node]);
   return e;
 }
 
-/// Ends the bearings of bodies that have left.
+Vec2 first_point_of(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  return pose_at(model, state, b.end_a).place;
+}
+Vec3 first_point_of(const Model<3>& /*model*/, const State<3>& state, const Bearing<3>& b) {
+  return point_of(state, b.end_a);
+}
+
 template <int D>
-void end_bearings(const Model<D>& model, State<D>& state, const Work<D>& work, std::vector<Event>& events) {
+Event bearing_event_of(const Model<D>& model, const State<D>& state, EventType type, std::size_t row) {
+  const Bearing<D>& b = model.bearings[row];
+  Event e = event_of(state, type, b.body_a);
+  e.body_b = b.body_b, e.bearing = static_cast<int>(row);
+  e.set_place(first_point_of(model, state, b));
+  return e;
+}
+
+/// Ends the bearings of bodies that are out: they fail as the bodies leave the bounds, else they are removed.
+template <int D>
+void end_bearings(const Model<D>& model, State<D>& state, const Work<D>& work, BearingStatus as,
+                  std::vector<Event>& events) {
+  const bool removed = as == BearingStatus::removed;
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     const Bearing<D>& b = model.bearings[i];
     BearingMemory<D>& memory = state.bearing[i];
     if (state.left[b.body_a] == 0 && state.left[b.body_b] == 0) continue;
     if (is_live(memory.status)) {
-      Event e = event_of(state, EventType::bearing_failed, b.body_a);
-      e.body_b = b.body_b, e.bearing = static_cast<int>(i);
-      e.value = work.bearing_displacement[i].norm();
-      if constexpr (D == 2)
-        e.set_place(pose_at(model, state, b.end_a).place);
-      else
-        e.set_place(point_of(state, b.end_a));
-      events.push_back(e);
+      events.push_back(
+          bearing_event_of(model, state, removed ? EventType::bearing_removed : EventType::bearing_failed, i));
+      if (!removed) events.back().value = work.bearing_displacement[i].norm();
     }
-    if (is_live(memory.status) || memory.status == BearingStatus::waiting) memory.status = BearingStatus::failed;
+    if (is_live(memory.status) || memory.status == BearingStatus::waiting) memory.status = as;
   }
 }
 
@@ -69,6 +83,48 @@ void stop(const Model<D>& model, State<D>& state, int body) {
   }
 }
 
+/// What is out touches nothing, and so it parts from nothing.
+template <int D>
+void forget_parting(const Model<D>& model, State<D>& state) {
+  std::erase_if(state.parted, [&](const Parted& p) {
+    return state.left[model.piece_body[first_piece(p.contact)]] != 0 ||
+           state.left[model.piece_body[second_piece(p.contact)]] != 0;
+  });
+}
+
+/// The ledger's balance after a change that has made all pairs stale [J].
+template <int D>
+double balance_anew(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options) {
+  hold_left(model, state);
+  work.valid = false;
+  evaluate(model, state, work, state.last_dt);
+  if constexpr (D == 2)
+    if (!state.implicit()) control_displacement(model, state, work, options);
+  return energy_now(model, state, work, options).balance();
+}
+
+/// `term` takes what the balance has lost, or put in what it has won, so that it goes on as it was.
+template <int D>
+void book(State<D>& state, Work<D>& work, EnergyTerm term, double lost) {
+  const double amount = energy_term_info[static_cast<std::size_t>(term)].sign * lost;
+  state.given[term] += amount;
+  work.given[term] += amount;
+}
+
+/// A body that is back stands still where it is, held as it was before.
+template <int D>
+void bring_back(Model<D>& model, State<D>& state, int body) {
+  state.left[body] = 0;
+  state.removed_at[body] = never_removed;
+  const Body& b = model.bodies[body];
+  std::erase_if(model.set_aside, [&](const SetAside<D>& s) {
+    if (s.node < b.first_node || s.node >= b.first_node + b.nodes) return false;
+    model.support[s.node] = s.support;
+    model.drive_of[s.node] = s.drive_of;
+    return true;
+  });
+}
+
 }  // namespace
 
 /// Held where it is, the body is like ground. The energy that goes with it, of motion, contacts, bearings and its
@@ -79,26 +135,110 @@ std::vector<Event> take_out(Model<D>& model, State<D>& state, Work<D>& work, con
   const double before = energy_now(model, state, work, options).balance();
   std::vector<Event> events;
   for (const int b : bodies) {
-    events.push_back(left_event(model, state, b));
+    events.push_back(body_event(model, state, EventType::body_left, b));
     state.left[b] = 1;
   }
-  end_bearings(model, state, work, events);
+  end_bearings(model, state, work, BearingStatus::failed, events);
   for (const int b : bodies) stop(model, state, b);
-  std::erase_if(state.parted, [&](const Parted& p) {
-    return state.left[model.piece_body[first_piece(p.contact)]] != 0 ||
-           state.left[model.piece_body[second_piece(p.contact)]] != 0;
-  });
-  // Its nodes are fixed, and pairs found anew without it; the balance is then taken from a new evaluation.
-  hold_left(model, state);
-  work.valid = false;
-  evaluate(model, state, work, state.last_dt);
-  if constexpr (D == 2)
-    if (!state.implicit()) control_displacement(model, state, work, options);
-  const double taken = before - energy_now(model, state, work, options).balance();
-  state.given[EnergyTerm::left_bounds] += taken;
-  work.given[EnergyTerm::left_bounds] += taken;
+  forget_parting(model, state);
+  book(state, work, EnergyTerm::left_bounds, before - balance_anew(model, state, work, options));
   return events;
 }
+
+template <int D>
+std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
+                          const Parts& parts) {
+  const double before = energy_now(model, state, work, options).balance();
+  std::vector<Event> events;
+  state.removed_at.resize(state.left.size(), never_removed);
+  for (const int b : parts.bodies) {
+    events.push_back(body_event(model, state, EventType::body_removed, b));
+    state.left[b] = 1;
+    state.removed_at[b] = state.time;
+  }
+  end_bearings(model, state, work, BearingStatus::removed, events);
+  for (const int i : parts.bearings) {
+    if (state.bearing[i].status == BearingStatus::removed) continue;  // it went with a body
+    state.bearing[i].status = BearingStatus::removed;
+    events.push_back(bearing_event_of(model, state, EventType::bearing_removed, static_cast<std::size_t>(i)));
+  }
+  for (const int b : parts.bodies) stop(model, state, b);
+  forget_parting(model, state);
+  book(state, work, EnergyTerm::removed, before - balance_anew(model, state, work, options));
+  return events;
+}
+
+template <int D>
+std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
+                            const Parts& parts) {
+  const double before = energy_now(model, state, work, options).balance();
+  std::vector<Event> events;
+  for (const int b : parts.bodies) {
+    bring_back(model, state, b);
+    events.push_back(body_event(model, state, EventType::body_added, b));
+  }
+  for (const int i : parts.bearings) {
+    begin_bearing(model, state, work, i);
+    state.bearing[i] = work.bearing[i];
+    if (model.bearings[i].starts_waiting) state.bearing[i].status = BearingStatus::waiting;
+    events.push_back(bearing_event_of(model, state, EventType::bearing_added, static_cast<std::size_t>(i)));
+  }
+  book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
+  return events;
+}
+
+template <int D>
+void alter(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
+           const std::function<void(Model<D>&)>& change, std::span<const int> begun) {
+  const double before = energy_now(model, state, work, options).balance();
+  change(model);
+  for (const int i : begun) {
+    if (!is_live(state.bearing[i].status)) continue;
+    begin_bearing(model, state, work, i);
+    state.bearing[i] = work.bearing[i];
+  }
+  book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
+}
+
+template <int D>
+std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, Model<D> grown,
+                        double reach) {
+  const double before = energy_now(model, state, work, options).balance();
+  const std::size_t bodies = model.bodies.size(), bearings = model.bearings.size();
+  model = std::move(grown);
+  extend_state(state, model);
+  work.drop();
+  set_bonds(model, state, reach, static_cast<int>(bodies));
+  std::vector<Event> events;
+  for (std::size_t b = bodies; b < model.bodies.size(); ++b)
+    events.push_back(body_event(model, state, EventType::body_added, static_cast<int>(b)));
+  for (std::size_t i = bearings; i < model.bearings.size(); ++i)
+    events.push_back(bearing_event_of(model, state, EventType::bearing_added, i));
+  book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
+  return events;
+}
+
+namespace {
+
+/// Holds a node. How it was held is kept, the latest that was asked for; nothing where it was held for good.
+template <int D>
+void set_aside(Model<D>& model, int node) {
+  SetAside<D> held;
+  held.node = node;
+  held.support.fill(Support::fixed);
+  held.drive_of.fill(-1);
+  if (model.support[node] == held.support && model.drive_of[node] == held.drive_of) return;
+  std::swap(model.support[node], held.support);
+  std::swap(model.drive_of[node], held.drive_of);
+  const auto known = std::find_if(model.set_aside.begin(), model.set_aside.end(),
+                                  [&](const SetAside<D>& s) { return s.node == node; });
+  if (known != model.set_aside.end())
+    *known = held;
+  else
+    model.set_aside.push_back(held);
+}
+
+}  // namespace
 
 template <int D>
 bool hold_left(Model<D>& model, const State<D>& state) {
@@ -107,16 +247,23 @@ bool hold_left(Model<D>& model, const State<D>& state) {
     if (state.left[b] == 0) continue;
     any = true;
     const Body& body = model.bodies[b];
-    for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
-      model.support[n].fill(Support::fixed);
-      model.drive_of[n].fill(-1);
-    }
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n) set_aside(model, n);
   }
   return any && model.free_dofs() == 0;
 }
 
 template std::vector<Event> take_out(Model<2>&, State<2>&, Work<2>&, const StepOptions&, std::span<const int>);
 template bool hold_left(Model<2>&, const State<2>&);
+template std::vector<Event> remove(Model<2>&, State<2>&, Work<2>&, const StepOptions&, const Parts&);
+template std::vector<Event> remove(Model<3>&, State<3>&, Work<3>&, const StepOptions&, const Parts&);
+template std::vector<Event> put_back(Model<2>&, State<2>&, Work<2>&, const StepOptions&, const Parts&);
+template std::vector<Event> put_back(Model<3>&, State<3>&, Work<3>&, const StepOptions&, const Parts&);
+template void alter(Model<2>&, State<2>&, Work<2>&, const StepOptions&, const std::function<void(Model<2>&)>&,
+                    std::span<const int>);
+template void alter(Model<3>&, State<3>&, Work<3>&, const StepOptions&, const std::function<void(Model<3>&)>&,
+                    std::span<const int>);
+template std::vector<Event> grow(Model<2>&, State<2>&, Work<2>&, const StepOptions&, Model<2>, double);
+template std::vector<Event> grow(Model<3>&, State<3>&, Work<3>&, const StepOptions&, Model<3>, double);
 template std::vector<Event> take_out(Model<3>&, State<3>&, Work<3>&, const StepOptions&, std::span<const int>);
 template bool hold_left(Model<3>&, const State<3>&);
 

@@ -1,6 +1,8 @@
-// Bodies that have left the bounds: they stand still where they are and are no longer part of the step.
+// Bodies that leave the step, as they have left the bounds or are removed, and those that come back. What is out stands
+// still where it is; no row of the model goes, so that all others keep their places.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -11,15 +13,47 @@
 
 namespace trilith {
 
-/// Takes `bodies` out of the step at an evaluated instant, which is evaluated anew. They touch nothing from then on,
-/// their bearings fail, and what they held (motion, elastic energy of what they touched) goes to the ledger's
-/// EnergyTerm::left_bounds. Gives what is to be told: body.left, and bearing.failed of those that were live.
+/// Takes `bodies` out of the step at an evaluated instant, as they have left the bounds; that is evaluated anew. They
+/// touch nothing from then on, their bearings fail, and what they held (motion, elastic energy of what they touched)
+/// goes to the ledger's EnergyTerm::left_bounds. Gives what is to be told: body.left, and bearing.failed of those that
+/// were live.
 template <int D>
 std::vector<Event> take_out(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                             std::span<const int> bodies);
 
-/// Holds all that has left by the state, whatever the model says of its supports. True where something has left and
-/// nothing is free to move any more.
+/// Which bodies and bearings a change of the model is about.
+struct Parts {
+  std::span<const int> bodies, bearings;
+};
+
+/// The same of bodies and bearings that are removed: bearings of the bodies are removed too. The energy goes to
+/// EnergyTerm::removed. Gives body.removed and bearing.removed.
+template <int D>
+std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
+                          const Parts& parts);
+
+/// Puts back what was removed: bodies at rest where they stood, with the supports they had; bearings, whose bodies must
+/// be there, begin anew where they are: springs act from where the bearing was placed first. What that puts in goes to
+/// EnergyTerm::added. Gives body.added and bearing.added.
+template <int D>
+std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
+                            const Parts& parts);
+
+/// Changes numbers of laws. Bearings of `begun`, whose laws are others now, forget what theirs remembered. What that
+/// puts in goes to EnergyTerm::added; it may be negative.
+template <int D>
+void alter(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
+           const std::function<void(Model<D>&)>& change, std::span<const int> begun);
+
+/// Takes over `grown`, the model with further bodies, bearings and seats at the ends of its arrays. Mortar is put
+/// between new bodies and what they meet within `reach` (see set_bonds). What that puts in goes to EnergyTerm::added.
+/// Gives body.added and bearing.added.
+template <int D>
+std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, Model<D> grown,
+                        double reach);
+
+/// Holds all that is out by the state, whatever the model says of its supports, which are set aside. True where
+/// something is out and nothing is free to move any more.
 template <int D>
 bool hold_left(Model<D>& model, const State<D>& state);
 

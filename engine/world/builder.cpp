@@ -11,6 +11,7 @@
 #include "shape/convex_parts.hpp"
 #include "world/check.hpp"
 #include "world/element_rows.hpp"
+#include "world/extend.hpp"
 #include "world/flatness.hpp"
 #include "world/names.hpp"
 #include "world/thickness.hpp"
@@ -123,25 +124,18 @@ std::vector<std::string> ModelBuilder::faults() const {
   return faults;
 }
 
-/// The model, of use only where no fault is found. Each part is tried, so that all faults are.
-Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
+/// Each part is tried, so that all faults are found; of use only where there is none. Without bearings and seats.
+Model<2> ModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   Model<2> model;
-  const auto attempt = [&](auto&& part) {
-    try {
-      part();
-    } catch (const InputError& e) {
-      faults.emplace_back(e.what());
-    }
-  };
-  attempt([&] { model.thickness = require_positive(thickness, "model: thickness", "m"); });
-  attempt([&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
+  attempt(faults, [&] { model.thickness = require_positive(thickness, "model: thickness", "m"); });
+  attempt(faults, [&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
   model.gravity.field = gravity;
   model.impact_speed = impact_speed;
   model.apart_time = apart_time;
   model.still_speed = still_speed;
   model.still_time = still_time;
   if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
-  for (const BodySpec& spec : bodies_) attempt([&] { append_body(spec, model); });
+  for (const BodySpec& spec : bodies_) attempt(faults, [&] { append_body(spec, model); });
   const bool whole = faults.empty();
   rules_.check(bodies_, materials_, faults);
   if (!whole) return model;
@@ -149,13 +143,17 @@ Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<st
   model.drive_of.assign(model.mass.size(), {-1, -1, -1});
   rules_.fill(model);
   find_thickness(model);
-  for (const BearingSpec& spec : bearings_) attempt([&] { append_bearing(spec, model); });
-  for (const SeatSpec& spec : seats_) attempt([&] { append_seat(spec, model); });
+  return model;
+}
+
+Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
+  Model<2> model = assemble_bodies(faults);
+  if (model.drive_of.empty()) return model;  // some body is at fault
+  for (const BearingSpec& spec : bearings_) attempt(faults, [&] { append_bearing(spec, model); });
+  for (const SeatSpec& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
   check_overlaps(model, overlap_allowed, faults, notes);
-  std::vector<std::uint8_t> floating;
-  for (const BodySpec& b : bodies_) floating.push_back(b.floating ? 1 : 0);
-  check_held_up(model, floating, faults);
-  attempt([&] { set_bounds(model, bounds); });
+  check_held_up(model, floating_bodies(bodies_), faults);
+  attempt(faults, [&] { set_bounds(model, bounds); });
   return model;
 }
 

@@ -80,6 +80,13 @@ class ModelBuilder {
   /// Checks everything and makes the model. Throws InputError with the first of faults().
   Model<2> build();
 
+  /// `model`, which this builder made, with what was added here since: further bodies, bearings, seats and laws, at the
+  /// ends of its arrays. They are placed beside the others as these stand by `state`. Throws InputError as build()
+  /// does, for the new ones; then everything is as it was.
+  Model<2> extended(const Model<2>& model, const State<2>& state);
+  /// Forgets what was added after the first so many bodies, bearings and seats.
+  void shorten(std::size_t bodies, std::size_t bearings, std::size_t seats);
+
   /// All that keeps build() from making the model, a line for each: overlapping bodies, bodies on nothing, contacts
   /// between names that are not there, ... Empty where nothing does.
   [[nodiscard]] std::vector<std::string> faults() const;
@@ -88,11 +95,14 @@ class ModelBuilder {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] const std::vector<BodySpec>& bodies() const { return bodies_; }
   [[nodiscard]] const std::vector<BearingSpec>& bearings() const { return bearings_; }
+  [[nodiscard]] const std::vector<SeatSpec>& seats() const { return seats_; }
   [[nodiscard]] std::vector<std::string> body_names() const;
   [[nodiscard]] std::vector<std::string> law_names() const { return rules_.law_names(); }
 
  private:
   Model<2> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
+  Model<2> assemble_bodies(std::vector<std::string>& faults) const;
+  void append_links(const Model<2>& model, const State<2>& state, Model<2>& grown) const;
   void require_near(const std::string& body, const Vec2& point, const std::string& what) const;
   void check_deformable(BodySpec& spec, const std::string& owner);
   void check_frame(BodySpec& spec, const std::string& owner) const;

@@ -15,9 +15,11 @@ namespace {
 
 std::vector<Vec2> piece_outline(const Model<2>& model, int piece) {
   std::vector<Vec2> outline;
-  for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c)
-    outline.emplace_back(model.start_position[model.skin_node[model.corner_skin[c]]] +
-                         model.skin_place[model.corner_skin[c]]);
+  for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c) {
+    const int skin = model.corner_skin[c];
+    outline.emplace_back(model.start_position[model.skin_node[skin]] +
+                         Turn(model.start_rotation[model.skin_turn[skin]]).apply(model.skin_place[skin]));
+  }
   return outline;
 }
 
@@ -88,7 +90,7 @@ int root_of(std::vector<int>& parent, int i) {
 
 template <int D>
 void check_overlaps(const Model<D>& model, double allowed, std::vector<std::string>& faults,
-                    std::vector<std::string>& notes) {
+                    std::vector<std::string>& notes, const Newcomers& among) {
   struct DeepPair {
     double share, depth;
     int body_a, body_b;
@@ -96,6 +98,7 @@ void check_overlaps(const Model<D>& model, double allowed, std::vector<std::stri
   std::vector<DeepPair> found;
   for_near_pieces(model, 0, [&](int p, int q, double separation) {
     if (separation >= 0 || !may_touch(model, p, q)) return;
+    if (!among.concerns(model.piece_body[p], model.piece_body[q])) return;
     const auto [a, b] = std::minmax(model.piece_body[p], model.piece_body[q]);
     // Of the smaller body's size; below 1e-12 it is rounding.
     const double share = -separation / (2 * std::min(model.body_radius[a], model.body_radius[b]));
@@ -125,7 +128,8 @@ void check_overlaps(const Model<D>& model, double allowed, std::vector<std::stri
 /// Bodies that touch or are linked are one set, with one more that stands for what is fixed or driven (index `bodies`);
 /// what is not in its set would fall. Pieces with a small gap between them count as touching.
 template <int D>
-void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults) {
+void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
+                   const Newcomers& among) {
   if (model.gravity.field.isZero()) return;
   const auto bodies = static_cast<int>(model.bodies.size());
   std::vector<int> parent(static_cast<std::size_t>(bodies + 1));
@@ -134,6 +138,7 @@ void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& float
   double size = 0;
   for (const double r : model.body_radius) size = std::max(size, r);
   for (int b = 0; b < bodies; ++b) {
+    if (!among.is_there(b)) continue;
     for (int n = model.bodies[b].first_node; n < model.bodies[b].first_node + model.bodies[b].nodes; ++n) {
       const auto& support = model.support[n];
       if (std::any_of(support.begin(), support.begin() + D, [](Support s) { return s != Support::free; }))
@@ -144,9 +149,9 @@ void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& float
   for_near_pieces(model, 1e-3 * size, [&](int p, int q, double separation) {
     const int a = model.piece_body[p], b = model.piece_body[q];
     const double near = 0.02 * std::min(model.body_radius[a], model.body_radius[b]);
-    if (separation < near && may_touch(model, p, q)) join(a, b);
+    if (separation < near && may_touch(model, p, q) && among.is_there(a) && among.is_there(b)) join(a, b);
   });
-  for (int b = 0; b < bodies; ++b)
+  for (int b = among.first; b < bodies; ++b)
     if (floating[b] == 0 && root_of(parent, b) != root_of(parent, bodies))
       faults.push_back(
           fmt::format("body '{}' stands on nothing: no contact or bearing leads from it to a fixed or driven body; "
@@ -154,9 +159,13 @@ void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& float
                       model.bodies[b].name));
 }
 
-template void check_overlaps(const Model<3>&, double, std::vector<std::string>&, std::vector<std::string>&);
-template void check_held_up(const Model<3>&, const std::vector<std::uint8_t>&, std::vector<std::string>&);
-template void check_overlaps(const Model<2>&, double, std::vector<std::string>&, std::vector<std::string>&);
-template void check_held_up(const Model<2>&, const std::vector<std::uint8_t>&, std::vector<std::string>&);
+template void check_overlaps(const Model<3>&, double, std::vector<std::string>&, std::vector<std::string>&,
+                             const Newcomers&);
+template void check_held_up(const Model<3>&, const std::vector<std::uint8_t>&, std::vector<std::string>&,
+                            const Newcomers&);
+template void check_overlaps(const Model<2>&, double, std::vector<std::string>&, std::vector<std::string>&,
+                             const Newcomers&);
+template void check_held_up(const Model<2>&, const std::vector<std::uint8_t>&, std::vector<std::string>&,
+                            const Newcomers&);
 
 }  // namespace trilith

@@ -13,7 +13,9 @@
 //           place of the law in ContactLaws * 2^32 + how many numbers it remembers, these), contacts that parted a
 //           moment ago (key, time), pairs of bodies that passed (key), bearings (status * 2^32 + failed direction, 3 x
 //           5 numbers of DirectionMemory), points of inelastic elements (5 numbers of PlasticMemory), seats (lost),
-//           bodies (moved at, resting), bodies (left the bounds), terms of the energy ledger. Numbers are IEEE doubles.
+//           bodies (moved at, resting), bodies (left the bounds), the first 19 terms of the energy ledger; and where
+//           bodies or bearings were added or removed, the other terms and the times at which bodies were removed (-1:
+//           not). Numbers are IEEE doubles.
 //   6 + n   digest of all words before (base/hash.hpp)
 #pragma once
 

@@ -28,8 +28,13 @@ enum class EnergyTerm : int {
   load,          ///< put in by steady forces
   left_bounds,   ///< what bodies held when they left the bounds
   numerical,     ///< taken by the dissipation of an implicit scheme
+  added,         ///< put in with bodies and bearings that came later, and by changed laws
+  removed,       ///< what bodies and bearings held when they were taken away
 };
-inline constexpr int energy_terms = 19;
+inline constexpr int energy_terms = 21;
+/// The first so many are in every digest of a run. Those after them are of models that change, and are in it where they
+/// are not 0, so that all other runs keep the hash they have.
+inline constexpr std::size_t plain_energy_terms = 19;
 
 struct EnergyTermInfo {
   std::string_view name, sentence;
@@ -58,6 +63,8 @@ inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
     {"load", "put in by steady forces", -1},
     {"left_bounds", "given off by bodies that left the bounds, which took it along", +1, true},
     {"numerical", "given off by the numerical damping of implicit steps, less what their errors bring", +1, true},
+    {"added", "put in with bodies and bearings that came later, and by laws that were changed", -1},
+    {"removed", "held by bodies and bearings that were taken away, which took it along", +1, true},
 }};
 
 struct Energy {
@@ -71,5 +78,20 @@ struct Energy {
     return sum;
   }
 };
+
+/// Work done on one node along a path [J].
+struct NodeWork {
+  double weight = 0, load = 0, support = 0, element_damping = 0, rest = 0, mass = 0;
+};
+
+/// Adds it to the ledger's sums.
+inline void add(const NodeWork& w, Energy& given) {
+  given[EnergyTerm::gravity] -= w.weight;
+  given[EnergyTerm::load] += w.load;
+  given[EnergyTerm::support] -= w.support;
+  given[EnergyTerm::element_damping] -= w.element_damping;
+  given[EnergyTerm::rest_damping] -= w.rest;
+  given[EnergyTerm::mass_damping] -= w.mass;
+}
 
 }  // namespace trilith

@@ -32,8 +32,12 @@ enum class EventType : int {
   stage_diverged,
   stage_unsettled,
   integrator_changed,
+  body_added,
+  body_removed,
+  bearing_added,
+  bearing_removed,
 };
-inline constexpr int event_types = 21;
+inline constexpr int event_types = 25;
 
 /// How a mortar joint fails; results hold the number.
 enum class JointMode : std::uint8_t { tension, shear, compression };
@@ -83,6 +87,10 @@ inline constexpr std::array<EventTypeInfo, event_types> event_type_info{{
     {"stage.diverged", "diverged", "sound until", "s", spoils_run},
     {"stage.unsettled", "not at rest", "unbalanced", "1", spoils_run},
     {"integrator.changed", "integrator changed", "step", "s", is_minor},
+    {"body.added", "body added", "", "", has_place | can_cause},
+    {"body.removed", "body removed", "speed", "m/s", has_place | can_cause},
+    {"bearing.added", "bearing added", "", "", has_place | can_cause},
+    {"bearing.removed", "bearing removed", "", "", has_place | can_cause},
 }};
 
 constexpr const EventTypeInfo& info_of(EventType type) {

@@ -110,6 +110,13 @@ std::string event_text(const Event& e, const Model<D>& model) {
       return fmt::format("did not come to rest: {}", e.text);
     case EventType::integrator_changed:
       return e.text;
+    case EventType::body_added:
+      return fmt::format("{} was added", a);
+    case EventType::body_removed:
+      return fmt::format("{} was removed", a);
+    case EventType::bearing_added:
+    case EventType::bearing_removed:
+      return failed_text(e, model, e.type == EventType::bearing_added ? "was added" : "was removed");
   }
   return {};
 }

@@ -108,6 +108,11 @@ void drop_faded(Model<2>& model, double now) {
   std::erase_if(model.point_loads, [now](const PointLoad<2>& l) { return l.name.empty() && l.curve.spent(now); });
 }
 
+int drop_loads(Model<2>& model, const std::string& name) {
+  return static_cast<int>(std::erase_if(model.point_loads, [&](const PointLoad<2>& l) { return l.name == name; }) +
+                          std::erase_if(model.face_loads, [&](const FaceLoad<2>& l) { return l.name == name; }));
+}
+
 template <int D>
 int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration) {
   int count = 0;

@@ -82,6 +82,8 @@ template <int D>
 int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration);
 /// Scales the point and face loads called `name`, or all where it is empty. Gives how many.
 int scale_loads(Model<2>& model, const std::string& name, double factor);
+/// Takes the loads called `name` away at once. Gives how many.
+int drop_loads(Model<2>& model, const std::string& name);
 /// Names of all loads and pushes, each once.
 template <int D>
 std::vector<std::string> load_names(const Model<D>& model);

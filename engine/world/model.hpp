@@ -100,6 +100,14 @@ struct Gravity {
   }
 };
 
+/// How a node of a body that is out of the step is held once the body is back.
+template <int D>
+struct SetAside {
+  int node = -1;
+  std::array<Support, Space<D>::dofs> support{};
+  std::array<int, Space<D>::dofs> drive_of{};
+};
+
 /// Where bodies are followed. What leaves stands still from then on and is no longer part of the step.
 template <int D>
 struct Bounds {
@@ -175,6 +183,7 @@ struct Model {
   std::vector<Seat<D>> seats;
   std::vector<Drive> drives;
   std::vector<std::array<int, Space<D>::dofs>> drive_of;  ///< [node] index into drives, or -1
+  std::vector<SetAside<D>> set_aside;                     ///< of nodes that are held as their body is out of the step
   std::vector<PointLoad<D>> point_loads;
   std::vector<FaceLoad<D>> face_loads;
   std::vector<Push<D>> pushes;

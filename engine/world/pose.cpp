@@ -218,7 +218,9 @@ Vec2 skin_place(const Model<2>& model, const State<2>& state, int skin) {
 
 Tie<2> tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner) {
   const Body& b = model.bodies[body];
-  if (b.is_rigid()) return Tie<2>::to_node(b.first_node, at - model.start_position[b.first_node]);
+  if (b.is_rigid())
+    return Tie<2>::to_node(
+        b.first_node, Turn(model.start_rotation[b.first_node]).undo(Vec2(at - model.start_position[b.first_node])));
   const auto [tie, distance] = b.nodes_turn() ? tie_to_sections(model, body, at) : tie_to_elements(model, body, at);
   // As far off as rounding and rough input may be; farther, it is another place that was meant.
   if (distance > 0.02 * model.body_radius[body])

@@ -5,6 +5,7 @@
 
 #include "base/nearest.hpp"
 #include "shape/face_distance.hpp"
+#include "world/extend.hpp"
 #include "world/names.hpp"
 #include "world/solid_model_builder.hpp"
 
@@ -81,6 +82,16 @@ void SolidModelBuilder::append_bearing(const BearingSpecOf<3>& spec, Model<3>& m
   b.piece_a = piece_near(model, b.body_a, b.end_a.arm[0]);
   b.piece_b = piece_near(model, b.body_b, b.end_b.arm[0]);
   model.bearings.push_back(std::move(b));
+}
+
+/// Bearings and seats that come later are tied to bodies as these stand; a bearing is unstressed there.
+void SolidModelBuilder::append_links(const Model<3>& model, const State<3>& state, Model<3>& grown) const {
+  if (bearings_.size() == model.bearings.size() && seats_.size() == model.seats.size()) return;
+  Model<3> standing = as_it_stands(grown, state);
+  for (std::size_t i = model.bearings.size(); i < bearings_.size(); ++i) append_bearing(bearings_[i], standing);
+  for (std::size_t i = model.seats.size(); i < seats_.size(); ++i) append_seat(seats_[i], standing);
+  grown.bearings = standing.bearings;
+  grown.seats = standing.seats;
 }
 
 void SolidModelBuilder::add_seat(const SeatSpecOf<3>& spec) {

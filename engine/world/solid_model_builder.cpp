@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "world/bounds.hpp"
 #include "world/check.hpp"
+#include "world/extend.hpp"
 #include "world/names.hpp"
 #include "world/space_builder.hpp"
 #include "world/usual.hpp"
@@ -47,19 +50,12 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
 }
 
 /// Faults come in the order in which a model is made, so that the first one is the cause of others.
-Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
-  const auto attempt = [&](auto&& part) {
-    try {
-      part();
-    } catch (const InputError& e) {
-      faults.emplace_back(e.what());
-    }
-  };
+Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   SpaceBuilder space;
   space.gravity(gravity);
   if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
   for (const SolidSpec& spec : bodies_)
-    attempt([&] { space.add({spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0}); });
+    attempt(faults, [&] { space.add({spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0}); });
   rules_.check(bodies_, materials_, faults);
   if (!faults.empty()) return {};
   Model<3> model = space.build();
@@ -69,17 +65,41 @@ Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vect
   }
   rules_.fill(model);
   complete_space(model);
-  for (const BearingSpecOf<3>& spec : bearings_) attempt([&] { append_bearing(spec, model); });
-  for (const SeatSpecOf<3>& spec : seats_) attempt([&] { append_seat(spec, model); });
-  attempt([&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
+  attempt(faults, [&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
   model.impact_speed = impact_speed, model.apart_time = apart_time;
   model.still_speed = still_speed, model.still_time = still_time;
-  check_overlaps(model, overlap_allowed, faults, notes);
-  std::vector<std::uint8_t> floating;
-  for (const SolidSpec& b : bodies_) floating.push_back(b.floating ? 1 : 0);
-  check_held_up(model, floating, faults);
-  attempt([&] { set_bounds(model, bounds); });
   return model;
+}
+
+Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
+  Model<3> model = assemble_bodies(faults);
+  if (model.bodies.empty()) return model;  // some body is at fault
+  for (const BearingSpecOf<3>& spec : bearings_) attempt(faults, [&] { append_bearing(spec, model); });
+  for (const SeatSpecOf<3>& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
+  check_overlaps(model, overlap_allowed, faults, notes);
+  check_held_up(model, floating_bodies(bodies_), faults);
+  attempt(faults, [&] { set_bounds(model, bounds); });
+  return model;
+}
+
+Model<3> SolidModelBuilder::extended(const Model<3>& model, const State<3>& state) {
+  std::vector<std::string> faults, notes;
+  Model<3> grown = assemble_bodies(faults);
+  if (!faults.empty()) throw InputError(faults.front());
+  carry_conditions(model, grown);
+  append_links(model, state, grown);
+  const Model<3> standing = as_it_stands(grown, state);
+  check_newcomers(standing, state, overlap_allowed, floating_bodies(bodies_), faults, notes);
+  if (!faults.empty()) throw InputError(faults.front());
+  widen_bounds(standing, bounds, grown);
+  notes_.insert(notes_.end(), notes.begin(), notes.end());
+  return grown;
+}
+
+void SolidModelBuilder::shorten(std::size_t bodies, std::size_t bearings, std::size_t seats) {
+  bodies_.resize(std::min(bodies, bodies_.size()));
+  bearings_.resize(std::min(bearings, bearings_.size()));
+  seats_.resize(std::min(seats, seats_.size()));
 }
 
 Model<3> SolidModelBuilder::build() {

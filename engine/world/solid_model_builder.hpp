@@ -11,6 +11,7 @@
 #include "world/contact_rules.hpp"
 #include "world/material.hpp"
 #include "world/model.hpp"
+#include "world/state.hpp"
 
 namespace trilith {
 
@@ -55,6 +56,9 @@ class SolidModelBuilder {
 
   /// Checks everything and makes the model. Throws InputError with the first of faults().
   Model<3> build();
+  /// As ModelBuilder::extended and ModelBuilder::shorten.
+  Model<3> extended(const Model<3>& model, const State<3>& state);
+  void shorten(std::size_t bodies, std::size_t bearings, std::size_t seats);
   /// All that keeps build() from making the model, a line for each. Empty where nothing does.
   [[nodiscard]] std::vector<std::string> faults() const;
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
@@ -64,11 +68,13 @@ class SolidModelBuilder {
 
  private:
   Model<3> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
+  Model<3> assemble_bodies(std::vector<std::string>& faults) const;
   [[nodiscard]] double density_of(const SolidSpec& spec) const;
   [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;
   void require_near(const std::string& body, const Vec3& point, const std::string& owner) const;
   void append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const;
   void append_seat(const SeatSpecOf<3>& spec, Model<3>& model) const;
+  void append_links(const Model<3>& model, const State<3>& state, Model<3>& grown) const;
 
   std::vector<Material> materials_;
   std::vector<SolidSpec> bodies_;

@@ -28,6 +28,9 @@ struct KeptTangent {
   [[nodiscard]] int size() const { return static_cast<int>(column.size()) - 1; }
 };
 
+/// State::removed_at of a body that is in the model, or left its bounds.
+inline constexpr double never_removed = -1;
+
 template <int D>
 struct State {
   double time = 0;        ///< [s]
@@ -60,10 +63,16 @@ struct State {
   std::vector<std::uint8_t> seat_lost;    ///< [seat]
   std::vector<double> moved_at;           ///< [body] when it was last faster than Model::still_speed s
   std::vector<std::uint8_t> resting;      ///< [body] 1: has been still for Model::still_time
-  std::vector<std::uint8_t> left;  ///< [body] 1: has left Model::bounds; it stands still there and touches nothing
+  std::vector<std::uint8_t> left;  ///< [body] 1: has left Model::bounds, or was removed; it stands still there and
+                                   ///< touches nothing
+  std::vector<double> removed_at;  ///< [body] when it was removed [s], never_removed where it was not, or is back;
+                                   ///< empty where nothing was ever removed
 
   Energy given;  ///< running sums of the ledger (the terms that are not found from the state)
 
+  [[nodiscard]] bool is_removed(std::size_t body) const {
+    return body < removed_at.size() && removed_at[body] != never_removed;
+  }
   /// True where the last step was taken by an implicit scheme, or the next one will be.
   [[nodiscard]] bool implicit() const { return !acceleration.empty(); }
 };
@@ -71,6 +80,11 @@ struct State {
 /// The state at the model's start: at rest or with the start velocities, bonds made where bonded faces meet.
 template <int D>
 State<D> initial_state(const Model<D>& model);
+
+/// The state of a model that has got further rows at the ends of its arrays: these begin as in initial_state, at the
+/// present time. All rows that were there keep their places, and so all that is remembered by body, node or piece.
+template <int D>
+void extend_state(State<D>& state, const Model<D>& grown);
 
 /// Digest of everything above but empty contacts.
 template <int D>

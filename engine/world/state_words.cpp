@@ -6,6 +6,7 @@
 #include <bit>
 #include <climits>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -51,6 +52,12 @@ class Writer {
   void contacts(const ContactHistory& s);
   void contacts(const SolidHistory& s);
   void tangent(const std::shared_ptr<const KeptTangent>& kept);
+  /// Whether there is anything that only models that change have, which then follows.
+  template <int D>
+  [[nodiscard]] bool changed(const State<D>& s) const {
+    const auto later = std::span(s.given.value).subspan(plain_energy_terms);
+    return !s.removed_at.empty() || std::any_of(later.begin(), later.end(), [](double v) { return v != 0; });
+  }
 };
 
 /// Takes them out again; says what is wrong where they cannot be.
@@ -101,6 +108,11 @@ class Reader {
   void contacts(SolidHistory& s);
   void joint(JointMemory& s, std::uint32_t patches);
   void tangent(std::shared_ptr<const KeptTangent>& kept);
+  /// See Writer: it follows where there is more.
+  template <int D>
+  [[nodiscard]] bool changed(const State<D>& /*s*/) const {
+    return at_ < words_.size();
+  }
   void done() const {
     if (at_ != words_.size()) fail("is longer than its contents");
   }
@@ -297,7 +309,11 @@ void walk(File& file, S& s) {
   for (std::size_t i = 0, n = file.count(s.seat_lost); i < n; ++i) file.flag(s.seat_lost[i]);
   for (std::size_t i = 0, n = file.count(s.moved_at); i < n; ++i) file.number(s.moved_at[i]), file.flag(s.resting[i]);
   for (std::size_t i = 0, n = file.count(s.left); i < n; ++i) file.flag(s.left[i]);
-  for (std::size_t i = 0, n = file.count(s.given.value); i < n; ++i) file.number(s.given.value[i]);
+  for (std::size_t i = 0, n = file.count(std::span(s.given.value).first(plain_energy_terms)); i < n; ++i)
+    file.number(s.given.value[i]);
+  if (!file.changed(s)) return;
+  for (std::size_t k = plain_energy_terms; k < s.given.value.size(); ++k) file.number(s.given.value[k]);
+  for (std::size_t i = 0, n = file.open_count(s.removed_at, 1); i < n; ++i) file.number(s.removed_at[i]);
 }
 
 // What a state that was read must be beside whole: of this model.
@@ -359,7 +375,15 @@ template <int D>
 void check_bearings(const Reader& file, const State<D>& s) {
   constexpr std::uint32_t last = D == 2 ? 2 : 6;  // in space the horizontal resultant comes last
   for (const BearingMemory<D>& m : s.bearing)
-    if (m.status > BearingStatus::changed || m.failed_direction > last) file.fail("has a bearing in no known state");
+    if (m.status > BearingStatus::removed || m.failed_direction > last) file.fail("has a bearing in no known state");
+}
+
+template <int D>
+void check_removed(const Reader& file, const State<D>& s) {
+  if (!s.removed_at.empty() && s.removed_at.size() != s.left.size())
+    file.fail("has times of removal for other numbers of bodies than the model");
+  for (std::size_t b = 0; b < s.removed_at.size(); ++b)
+    if (s.is_removed(b) && (s.removed_at[b] < 0 || s.left[b] == 0)) file.fail("has a body removed that is there");
 }
 
 }  // namespace
@@ -380,7 +404,7 @@ State<D> state_from_words(const Model<D>& model, std::span<const std::uint64_t> 
   check_accelerations(file, state), check_tangent(file, state);
   check_contacts(file, model, state);
   check_passed(file, model, state);
-  check_bearings(file, state);
+  check_bearings(file, state), check_removed(file, state);
   return state;
 }
 

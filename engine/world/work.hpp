@@ -72,30 +72,48 @@ struct ContactArea {
   std::array<Vec3, 2> arm;  ///< likewise [m]
 };
 
+/// What the contact of one row came to, before it is added to anything.
+struct SolidAnswer {
+  int row = -1;  ///< -1: there was nothing to find out
+  bool was_touching = false, joint_changed = false;
+  SolidResponse response;
+};
+
+/// What the general contact of one row in the plane came to, before it is added to anything.
+struct OverlapAnswer {
+  bool changed = false, touching = false;  ///< see Work::changed_rows
+  OverlapResponse response;
+  ShapeLoss let_go;                                ///< what faces held, where they are of general shape now [J]
+  std::array<Vec2, max_piece_corners> on_a, on_b;  ///< [N]
+};
+
 /// Solids in space where they stand, and what their contacts give.
 template <int D>
 struct SolidWork {};
 template <>
 struct SolidWork<3> {
-  std::vector<PlacedSolid> placed;      ///< [piece]. Writer: place
-  std::vector<Separation3> separation;  ///< [contact] along the axis that parted them last. Writer: respond
-  std::vector<Separation3> spare;       ///< room
-  std::vector<ContactArea> areas;       ///< one for each of general_touching. Writer: respond
-  std::vector<Vec3> force, moment;      ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
-  SolidOverlapBuffer shared;            ///< room
+  std::vector<PlacedSolid> placed;       ///< [piece]. Writer: place
+  std::vector<double> speed2;            ///< [piece] largest square of the speeds of its corners [m2/s2]. Writer: place
+  std::vector<Separation3> separation;   ///< [contact] along the axis that parted them last. Writer: respond
+  std::vector<Separation3> spare;        ///< room
+  std::vector<ContactArea> areas;        ///< one for each of general_touching. Writer: respond
+  std::vector<Vec3> force, moment;       ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
+  std::vector<SolidOverlapBuffer> room;  ///< [thread]
+  std::vector<SolidAnswer> answer;       ///< of the rows that are worked on
 };
 
 /// What a step needs and the next one can do without. `evaluate` writes nothing else; `commit` makes a State of it.
 template <int D>
 struct Work {
   bool valid = false;            ///< false: pairs must be found anew. Writer: detect
+  int threads = 1;               ///< that may share a step; no bit of any result depends on it. Never dropped
   bool leave_out_beams = false;  ///< resist adds none of their forces: the tangent has theirs by itself. Writer: it
 
   // Writer: place
   std::vector<BodyRow> body;        ///< [body], anew where the pairs must be found anew
-  std::vector<SkinMotion<D>> skin;  ///< [skin]
+  std::vector<SkinMotion<D>> skin;  ///< [skin]; in space none, see SolidWork::placed
   std::vector<Vec<D>> skin_mean;    ///< [skin] mean velocity over the step; empty in explicit stages m/s
-  double fastest = 0;               ///< largest speed of any skin point m/s
+  double fastest = 0;               ///< largest speed of any skin point, in space of any corner m/s
   double fastest_moving = 0;        ///< ... of a body that is free to move m/s
 
   // Writer: detect
@@ -118,17 +136,19 @@ struct Work {
   SolidWork<D> solids;  ///< in space
 
   // Writer: respond
-  Contacts<D> contacts;                    ///< [contact] trial
-  std::vector<BearingMemory<D>> bearing;   ///< [bearing] trial
-  std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
-  std::vector<int> general_now;            ///< rows that were to be faces and are of general shape now
-  std::vector<int> general_rows;           ///< those and `general`, in the order of rows
-  std::vector<std::int16_t> apart_by;      ///< [contact] the edge that kept the two apart last, see
-                                           ///< OverlapResponse; -1: none. A hint: any value gives the same bits
-  PlacedPieces placed;                     ///< the pieces of these rows
+  Contacts<D> contacts;                       ///< [contact] trial
+  std::vector<BearingMemory<D>> bearing;      ///< [bearing] trial
+  std::vector<int> face_rows, fresh_rows;     ///< of a batch: rows that touched or may touch now; the latter alone
+  std::vector<int> general_now;               ///< rows that were to be faces and are of general shape now
+  std::vector<int> general_rows;              ///< those and `general`, in the order of rows
+  std::vector<std::int16_t> apart_by;         ///< [contact] the edge that kept the two apart last, see
+                                              ///< OverlapResponse; -1: none. A hint: any value gives the same bits
+  std::vector<int> awake_rows, awake_pieces;  ///< those of them that are worked on, and their pieces
+  std::vector<OverlapAnswer> answer;          ///< of rows that threads take
+  PlacedPieces placed;                        ///< the pieces of these rows
   std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch
   std::vector<int> changed_rows;                    ///< rows that began or ceased to touch, or lost a bond
-  std::vector<Vec<D>> skin_force;                   ///< [skin] N
+  std::vector<Vec<D>> skin_force;                   ///< [skin] N; in space none
   std::vector<Vec<D>> bearing_force;                ///< [bearing] on body b, in world axes N
   std::vector<Moment<D>> bearing_moment;            ///< [bearing] on body b N m
   std::vector<Vec<D>> bearing_displacement;         ///< [bearing] in its axes m
@@ -159,10 +179,19 @@ struct Work {
   std::vector<Moment<D>> moment;       ///< [node] N m
   double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
 
+  std::vector<NodeWork> node_work;  ///< room of advance, for what threads take
+
   std::vector<Event> events;  ///< of this step. Writer: find_events
   double clear_path = 0;      ///< no two pieces get too deep into each other while `travel` is below this, those of a
                               ///< row while it is below clear_until. Writer: the watch of step/passed.hpp; detect puts
                               ///< both back where it looks up a piece m
+
+  /// Drops everything; see above.
+  void drop() {
+    const int kept = threads;
+    *this = {};
+    threads = kept;
+  }
 };
 
 /// What the contacts remember up to now, in the rows of the pairs.

@@ -97,7 +97,7 @@ void read_between(Keys& keys, const ScriptModel& m, std::string& body_a, std::st
 
 template <int D, class M>
 void add_bearing_to(lua_State* L, M& m) {
-  m.require_open("bearing");
+  m.adding();
   Keys keys(L, 2, "bearing");
   BearingSpecOf<D> spec;
   spec.name = keys.text("name");
@@ -112,6 +112,7 @@ void add_bearing_to(lua_State* L, M& m) {
   keys.finish();
   m.builder.add_bearing(spec);
   m.bearings.push_back(spec.name);
+  m.catch_up();
 }
 
 int add_bearing(lua_State* L) {
@@ -122,6 +123,11 @@ int add_bearing(lua_State* L) {
     add_bearing_to<2>(L, *as_plane(m));
   push_bearing(L, 1, static_cast<int>(m.bearings.size()) - 1);
   return 1;
+}
+
+/// What a handler adds is in the model from the next step border on.
+void require_there(std::size_t count, std::size_t row, const std::string& title) {
+  if (row >= count) throw InputError(title + " is added at the next step border");
 }
 
 /// A bearing as it is now, in a model of D dimensions.
@@ -143,6 +149,7 @@ struct LiveBearing {
 template <int D>
 LiveBearing<D> live_in(SimulatedModel<D>& m, const BearingHandle& b) {
   const Simulation<D>& s = m.evaluated();
+  require_there(s.model().bearings.size(), static_cast<std::size_t>(b.index), Kind<BearingHandle>::title(b));
   return {s.model(), s.state(), s.work(), static_cast<std::size_t>(b.index)};
 }
 
@@ -239,10 +246,7 @@ void push_bodies(lua_State* L, const BearingHandle& b) {
 }
 
 void push_status(lua_State* L, const BearingHandle& b) {
-  const auto row = static_cast<std::size_t>(b.index);
-  SpaceModel* space = as_space(b.model());
-  lua_pushstring(L, name_of(space != nullptr ? space->simulation().state().bearing[row].status
-                                             : b.plane().simulation().state().bearing[row].status));
+  lua_pushstring(L, name_of(with_live(b, [](const auto& l) { return l.state.bearing[l.row].status; })));
 }
 
 using BearingProperty = Property<BearingHandle>;
@@ -253,7 +257,7 @@ constexpr BearingProperty in_dimension(int dim, BearingProperty p) {
 const std::array bearing_properties{
     BearingProperty{"name", "", "its name", nullptr,
                     [](lua_State* L, const BearingHandle& b) { lua_pushstring(L, name_of_row(b).c_str()); }},
-    BearingProperty{"status", "", "waiting, intact, yielded, failed or changed", nullptr, push_status},
+    BearingProperty{"status", "", "waiting, intact, yielded, failed, changed or removed", nullptr, push_status},
     BearingProperty{"bodies", "", "the two bodies it links", nullptr, push_bodies},
     BearingProperty{"force", "",
                     "forces and moments of its laws [N, N m]: { along, axial, turning }, in space { along, across, "

@@ -35,7 +35,7 @@ Vec3 lifted(const Vec2& v) {
 
 BodyMotion motion_in_plane(const PlaneModel& m, int body) {
   const BodySpec& spec = m.spec(body);
-  const Simulation<2>* s = m.if_built();
+  const Simulation<2>* s = m.has_body(body) ? m.if_built() : nullptr;
   const Pose pose = s != nullptr ? body_pose(s->model(), s->state(), body)
                                  : Pose{polygon_moments(spec.outline).centroid, 0, spec.velocity, spec.spin};
   const Vec2 moved = s != nullptr ? Vec2(pose.place - body_start(s->model(), body)) : Vec2(Vec2::Zero());
@@ -43,7 +43,7 @@ BodyMotion motion_in_plane(const PlaneModel& m, int body) {
 }
 
 BodyMotion motion_in_space(const SpaceModel& m, int body) {
-  const Simulation<3>* s = m.if_built();
+  const Simulation<3>* s = m.has_body(body) ? m.if_built() : nullptr;
   if (s == nullptr) {
     const SolidSpec& spec = m.spec(body);
     return {mass_of(spec.pieces, 1).centroid, Vec3::Zero(), Vec3::Zero(), spec.velocity, spec.spin};
@@ -160,6 +160,16 @@ const std::array body_properties{
     BodyProperty{"material", "", "name of its material", nullptr,
                  [](lua_State* L, const BodyHandle& b) { push_text(L, b.model().material_of(b.index)); }},
     BodyProperty{"groups", "", "names of its groups", nullptr, push_groups},
+    BodyProperty{
+        "present", "", "false where it was removed, or is added at the next step border", nullptr,
+        [](lua_State* L, const BodyHandle& b) { lua_pushboolean(L, b.model().why_absent(b.index).empty() ? 1 : 0); }},
+    BodyProperty{"removed_at", "", "when it was removed [s]; nil where it was not, or is back", nullptr,
+                 [](lua_State* L, const BodyHandle& b) {
+                   if (const auto when = b.model().removed_at(b.index))
+                     lua_pushnumber(L, *when);
+                   else
+                     lua_pushnil(L);
+                 }},
     in_plane(BodyProperty{"outline", "", "its corners {x, y} where they are now [m]", nullptr, push_outline}),
     BodyProperty{"x", "m", "place of the centroid", along_axis<&BodyMotion::place, 0>},
     BodyProperty{"y", "m", "height of the centroid; in space its place along y", along_axis<&BodyMotion::place, 1>},
@@ -217,6 +227,7 @@ const std::array body_properties{
 /// body:point{x, y}: where a point that was there at the start is now.
 int body_point(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
+  b.model().require_present(b.index, "point");
   const auto at = point_at(L, 2);
   if (!at) throw InputError(fmt::format("point: takes {{x, y}}, two finite numbers; this is {}", what_is(L, 2)));
   const Simulation<2>* s = b.plane().if_built();
@@ -394,6 +405,14 @@ constexpr std::array set_operators{
 constexpr std::array body_operators{NamedFunction{"__add", guarded<join_sets>}};
 
 }  // namespace
+
+/// What a body is stays known for good; how it stands and moves does while it is there.
+void require_readable(const BodyHandle& b, std::string_view property) {
+  constexpr std::array known{"name",    "material", "groups", "present",  "removed_at", "mass",
+                             "inertia", "area",     "kind",   "bearings", "seats"};
+  if (std::none_of(known.begin(), known.end(), [&](const char* name) { return property == name; }))
+    b.model().require_present(b.index, "");
+}
 
 std::span<const Property<BodyHandle>> Kind<BodyHandle>::properties() {
   return body_properties;

@@ -33,7 +33,7 @@ std::string contact_law_under(Keys& keys, std::string_view key, PlaneModel& m) {
 /// m:bearing_type{ name =, height =, along =, axial =, turning =, limit =, becomes =, contact = }
 int add_bearing_type(lua_State* L) {
   PlaneModel& m = this_plane(L);
-  m.require_open("bearing_type");
+  m.adding();
   Keys keys(L, 2, "bearing type");
   BearingType type;
   BearingRecipe recipe;
@@ -170,9 +170,11 @@ int add_span_alone(lua_State* L, PlaneModel& m, Keys& keys) {
 /// m:span{ name =, from =, to =, left =, right =, depth =, ... }, or { name =, x0 =, x1 =, ... } for a deck alone.
 int add_span(lua_State* L) {
   PlaneModel& m = this_plane(L);
-  m.require_open("span");
+  m.adding();
   Keys keys(L, 2, "span");
-  return keys.has("from") || keys.has("to") ? add_span_between(L, m, keys) : add_span_alone(L, m, keys);
+  const int pushed = keys.has("from") || keys.has("to") ? add_span_between(L, m, keys) : add_span_alone(L, m, keys);
+  m.catch_up();
+  return pushed;
 }
 
 /// core.bearing_height(model, type, owner): of a bearing type [m].

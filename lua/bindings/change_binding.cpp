@@ -1,7 +1,9 @@
-// m:change{...}: another number in a law or a limit of a built model, between stages or in a pause.
+// What changes of a built model: numbers of laws, bearings, and what is there at all.
 #include <algorithm>
 
 #include "bindings.hpp"
+#include "run/recording_header.hpp"
+#include "world/loads.hpp"
 #include "world/usual.hpp"
 
 namespace trilith::script {
@@ -28,53 +30,79 @@ ContactLaw changed_law(Keys& keys, ContactLaw law) {
   return law;
 }
 
+constexpr std::array law_directions{"along", "axial", "turning"};
+
 std::string text_of(const ContactLaw& law) {
   return std::visit([](const auto& l) { return describe(l); }, law);
 }
 
-std::string change_law(Keys& keys, PlaneModel& m, const std::string& name) {
+template <int D>
+std::string change_law(Keys& keys, SimulatedModel<D>& m, const std::string& name) {
   const auto& names = m.simulation().model().law_names;
   const auto it = std::find(names.begin(), names.end(), name);
   if (it == names.end()) throw InputError(fmt::format("change: there is no law '{}'{}", name, name_hint(name, names)));
   const auto row = static_cast<std::size_t>(it - names.begin());
   const ContactLaw law = changed_law(keys, m.simulation().model().laws[row]);
   keys.finish();
-  m.change([row, law](Model<2>& model) { model.laws[row] = law; });
+  m.alter([row, law](Model<D>& model) { model.laws[row] = law; }, {});
   for (auto& [known, value] : m.laws)
     if (known == name) value = law;
   return fmt::format("law '{}' is now {}", name, text_of(law));
 }
 
+/// The limits under `limit`, which stay what they are where none is given.
+std::array<double, 3> changed_limits(Keys& keys, std::array<double, 3> limit) {
+  const int type = keys.push("limit");
+  if (type == LUA_TTABLE) {
+    Keys own(keys.lua(), -1, "change: limit");
+    for (std::size_t k = 0; k < 3; ++k) {
+      limit[k] = own.number(law_directions[k], k == 2 ? "rad" : "m", limit[k]);
+      if (!(limit[k] > 0)) own.problem(fmt::format("'{}' is {:g}, must be above 0", law_directions[k], limit[k]));
+    }
+    own.finish();
+  } else if (type != LUA_TNIL) {
+    keys.wrong("limit", "a table { along = , axial = , turning = }");
+  }
+  lua_pop(keys.lua(), 1);
+  return limit;
+}
+
+/// A law of another kind has no use for what the one before remembered.
+bool begins_anew(const Bearing<2>& before, const Bearing<2>& after) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (before.law[k].index() != after.law[k].index()) return true;
+  return false;
+}
+
 std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
-  constexpr std::array directions{"along", "axial", "turning"};
   const auto& bearings = m.simulation().model().bearings;
   const auto it = std::find_if(bearings.begin(), bearings.end(), [&](const auto& b) { return b.name == name; });
   if (it == bearings.end())
     throw InputError(fmt::format("change: there is no bearing '{}'{}", name, name_hint(name, m.bearings)));
   const auto row = static_cast<std::size_t>(it - bearings.begin());
-  std::array<double, 3> limit = it->limit;
-  if (keys.push("limit") == LUA_TTABLE) {
-    Keys own(keys.lua(), -1, "change: limit");
-    for (std::size_t k = 0; k < 3; ++k) {
-      limit[k] = own.number(directions[k], k == 2 ? "rad" : "m", limit[k]);
-      if (!(limit[k] > 0)) own.problem(fmt::format("'{}' is {:g}, must be above 0", directions[k], limit[k]));
-    }
-    own.finish();
-  } else {
-    keys.wrong("limit", "a table { along = , axial = , turning = }");
-  }
-  lua_pop(keys.lua(), 1);
+  if (m.simulation().state().bearing[row].status == BearingStatus::removed)
+    throw InputError(fmt::format("change: bearing '{}' was removed", name));
+  Bearing<2> changed = *it;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const auto* law = keys.maybe_handle<DirectionLawValue>(law_directions[k])) changed.law[k] = law->law;
+  changed.limit = changed_limits(keys, it->limit);
+  changed.angle = keys.number("angle", "rad", changed.angle);
+  changed.replaces_contact = keys.flag("replaces_contact", changed.replaces_contact);
   keys.finish();
-  m.change([row, limit](Model<2>& model) { model.bearings[row].limit = limit; });
-  return fmt::format("bearing '{}': limit is now along {:g} m, axial {:g} m, turning {:g} rad", name, limit[0],
-                     limit[1], limit[2]);
+  const std::vector<int> begun = begins_anew(*it, changed) ? std::vector{static_cast<int>(row)} : std::vector<int>{};
+  m.alter([row, changed](Model<2>& model) { model.bearings[row] = changed; }, begun);
+  return fmt::format("bearing '{}' is now {}", name, bearing_text(m.simulation().model(), changed));
 }
 
-/// m:change{ law = "name", mu = 0.4 } or m:change{ bearing = "name", limit = { along = 0.3 } }
+std::string change_named(Keys& keys, ScriptModel& m, const std::string& law, const std::string& bearing) {
+  if (!bearing.empty()) return change_bearing(keys, require_plane(m, "change: bearing"), bearing);
+  if (SpaceModel* space = as_space(m)) return change_law<3>(keys, *space, law);
+  return change_law<2>(keys, require_plane(m, "change"), law);
+}
+
+/// m:change{ law = "name", mu = 0.4 } or m:change{ bearing = "name", along = , limit = { along = 0.3 } }
 int change(lua_State* L) {
-  PlaneModel& m = this_plane(L);
-  if (m.running() && !m.paused())
-    throw InputError("change: a stage runs; change laws and limits between stages or in a pause");
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "change");
   const std::string law = keys.text("law", ""), bearing = keys.text("bearing", "");
   if (law.empty() == bearing.empty()) {
@@ -82,8 +110,7 @@ int change(lua_State* L) {
     keys.know({"limit"});
     keys.finish();
   }
-  const std::string said = law.empty() ? change_bearing(keys, m, bearing) : change_law(keys, m, law);
-  m.simulation().drop_step();
+  const std::string said = change_named(keys, m, law, bearing);
   std::vector<std::string> doubts;
   for (const auto& [name, value] : m.laws)
     if (name == law) std::visit([&](const auto& l) { add_doubts(doubts, "change: law '" + law + "'", l); }, value);
@@ -94,8 +121,96 @@ int change(lua_State* L) {
   return 0;
 }
 
+/// What `remove` and `put_back` are asked of.
+struct Chosen {
+  std::vector<int> bodies, bearings;
+  std::vector<std::string> loads;
+};
+
+/// A bearing's handle, or the name of one.
+std::optional<int> bearing_at(lua_State* L, int index, const ScriptModel& m, const std::string& owner) {
+  if (const auto* h = test_handle<BearingHandle>(L, index)) return require_own(*h, m, owner).index;
+  if (lua_type(L, index) != LUA_TSTRING) return std::nullopt;
+  const auto it = std::find(m.bearings.begin(), m.bearings.end(), text_at(L, index));
+  if (it == m.bearings.end()) return std::nullopt;
+  return static_cast<int>(it - m.bearings.begin());
+}
+
+bool is_load(lua_State* L, int index, ScriptModel& m) {
+  PlaneModel* plane = as_plane(m);
+  if (plane == nullptr || lua_type(L, index) != LUA_TSTRING) return false;
+  const std::vector<std::string> names = load_names(plane->simulation().model());
+  return std::find(names.begin(), names.end(), text_at(L, index)) != names.end();
+}
+
+/// A body, a set, a bearing, a name of a body, group, bearing or load, or a list of these.
+void choose(lua_State* L, int index, ScriptModel& m, const std::string& owner, Chosen& chosen) {
+  if (lua_type(L, index) == LUA_TTABLE) {
+    const int list = lua_absindex(L, index);
+    lua_checkstack(L, 8);
+    for (lua_Integer i = 1; i <= static_cast<lua_Integer>(lua_rawlen(L, list)); ++i) {
+      lua_rawgeti(L, list, i);
+      if (lua_type(L, -1) == LUA_TTABLE) throw InputError(owner + ": a list holds another list");
+      choose(L, -1, m, owner, chosen);
+      lua_pop(L, 1);
+    }
+  } else if (const auto bearing = bearing_at(L, index, m, owner)) {
+    chosen.bearings.push_back(*bearing);
+  } else if (is_load(L, index, m)) {
+    chosen.loads.push_back(text_at(L, index));
+  } else {
+    const std::vector<int> bodies = bodies_at(L, index, m, owner);
+    chosen.bodies.insert(chosen.bodies.end(), bodies.begin(), bodies.end());
+  }
+}
+
+void keep_each_once(std::vector<int>& rows) {
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+}
+
+Chosen chosen_at(lua_State* L, ScriptModel& m, const std::string& owner) {
+  Chosen chosen;
+  m.build();
+  choose(L, 2, m, owner, chosen);
+  keep_each_once(chosen.bodies);
+  keep_each_once(chosen.bearings);
+  if (chosen.bodies.empty() && chosen.bearings.empty() && chosen.loads.empty())
+    throw InputError(owner + ": there is nothing of it; give a body, a set, a bearing, a load's name, or a list");
+  return chosen;
+}
+
+/// m:remove(what): from now on, or the next step border on, it is not there.
+int remove_parts(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  const Chosen chosen = chosen_at(L, m, "remove");
+  const std::string place = user_place(L);
+  if (!m.running() || m.paused())
+    for (const int b : chosen.bodies) m.require_present(b, "remove");
+  if (!chosen.bodies.empty() || !chosen.bearings.empty()) m.remove(chosen.bodies, chosen.bearings, place);
+  for (const std::string& name : chosen.loads)
+    require_plane(m, "remove").change([name](Model<2>& model) {
+      if (drop_loads(model, name) == 0) throw InputError(fmt::format("remove: load '{}' was removed already", name));
+    });
+  return 0;
+}
+
+/// m:put_back(what): bodies and bearings that were removed.
+int put_back_parts(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  const Chosen chosen = chosen_at(L, m, "put_back");
+  if (!chosen.loads.empty())
+    throw InputError(fmt::format("put_back: load '{}' is there; put a new one on", chosen.loads.front()));
+  m.put_back(chosen.bodies, chosen.bearings, user_place(L));
+  return 0;
+}
+
 const std::array change_method_list{
-    Method{"change", guarded<change>, "change{law=, mu=, ...} or change{bearing=, limit=}: another number from now on"},
+    Method{"change", guarded<change>,
+           "change{law=, mu=, ...} or change{bearing=, along=, axial=, turning=, limit=, ...}: from now on"},
+    Method{"remove", guarded<remove_parts>, "remove(bodies | bearing | load, or a list): from now on it is not there"},
+    Method{"put_back", guarded<put_back_parts>,
+           "put_back(bodies | bearing, or a list): what was removed is there again"},
 };
 
 /// core.contact_laws(model): a list of the model's laws, with their names.

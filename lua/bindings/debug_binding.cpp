@@ -26,7 +26,7 @@ int step(lua_State* L) {
   StageOptions o;
   o.name = fmt::format("{} step{}", n, n == 1 ? "" : "s");
   o.duration = 1e9;
-  push_report(L, run_stage(L, m, o, n));
+  push_report(L, run_stage(L, m, o, {.steps = n}));
   return 1;
 }
 

@@ -84,13 +84,14 @@ void add_frame(lua_State* L, PlaneModel& m, const std::string& name, BodyOptions
   options.spec.name = name;
   options.spec.frame = std::move(frame);
   m.builder.add_body(std::move(options.spec));
+  m.catch_up();
   push_body(L, 1, m.body_count() - 1);
 }
 
 /// m:beam{ name =, from =, to =, section =, ... }
 int add_beam(lua_State* L) {
   PlaneModel& m = this_plane(L);
-  m.require_open("beam");
+  m.adding();
   Keys keys(L, 2, "beam");
   const std::string name = keys.text("name");
   keys.name_owner(name);
@@ -184,7 +185,7 @@ void read_members(Keys& keys, FrameSpec& frame) {
 /// m:frame{ name =, joints =, members =, ... }
 int frame(lua_State* L) {
   PlaneModel& m = this_plane(L);
-  m.require_open("frame");
+  m.adding();
   Keys keys(L, 2, "frame");
   const std::string name = keys.text("name");
   keys.name_owner(name);

@@ -180,12 +180,25 @@ std::vector<int> some_bodies_at(lua_State* L, int index, const ScriptModel& mode
   if (list.empty())
     throw InputError(fmt::format(
         "{}: the set of bodies is empty, so nothing would be done; see what its m:bodies{{...}} asks for", owner));
+  for (const int body : list) model.require_present(body, owner);
   return list;
 }
 
+namespace {
+
+/// A body that was removed is none to do anything with.
+template <class H>
+int usable(const ScriptModel& model, int row, const std::string& owner) {
+  if constexpr (std::is_same_v<H, BodyHandle>)
+    if (model.removed_at(row)) model.require_present(row, owner);
+  return row;
+}
+
+}  // namespace
+
 template <class H>
 int row_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner) {
-  if (const auto* h = test_handle<H>(L, index)) return require_own(*h, model, owner).index;
+  if (const auto* h = test_handle<H>(L, index)) return usable<H>(model, require_own(*h, model, owner).index, owner);
   if (lua_type(L, index) != LUA_TSTRING)
     throw InputError(fmt::format("{}{} is no {}; give a {} or its name", names_begin(owner), what_is(L, index),
                                  Kind<H>::name, Kind<H>::name));
@@ -195,7 +208,7 @@ int row_at(lua_State* L, int index, const ScriptModel& model, const std::string&
   if (it == names.end())
     throw InputError(fmt::format("{}there is no {} '{}'{}", names_begin(owner), Kind<H>::name, one_line(name),
                                  name_hint(name, names)));
-  return static_cast<int>(it - names.begin());
+  return usable<H>(model, static_cast<int>(it - names.begin()), owner);
 }
 template int row_at<BodyHandle>(lua_State*, int, const ScriptModel&, const std::string&);
 template int row_at<BearingHandle>(lua_State*, int, const ScriptModel&, const std::string&);

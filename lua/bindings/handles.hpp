@@ -133,6 +133,9 @@ TRILITH_KIND(HingeLawValue, "hinge law");
 TRILITH_KIND(SectionValue, "section");
 #undef TRILITH_KIND
 
+/// InputError for a property that a body has only while it is in the model.
+void require_readable(const BodyHandle& b, std::string_view property);
+
 /// The model whose method is called: argument 1. InputError where it is none, or closed.
 ScriptModel& this_model(lua_State* L);
 /// The same where it is in the plane, or in space; InputError, which names the method, where it is not.

@@ -92,6 +92,7 @@ struct Host {
   RunObserver* observer = nullptr;
   Console* console = nullptr;  ///< nullptr: nothing pauses
   int running = 0;             ///< stages that run
+  int threads = 0;             ///< that may share a step, from the command line; 0: as model or surroundings say
   /// Whether Ctrl-C was pressed and nobody took it. nullptr: under stock lua, see InterruptWatch.
   bool (*interrupted)() = nullptr;
   Profile profile;
@@ -105,6 +106,10 @@ struct Host {
 
   /// Folder of the script, "." where it has none.
   [[nodiscard]] std::filesystem::path folder() const;
+  /// How many threads may share a step of a model that asks for `wanted` (0: it does not): those of the command line,
+  /// else these, else of the variable TRILITH_THREADS, else as many as the machine has. Throws InputError where the
+  /// variable is no such number.
+  [[nodiscard]] int threads_for(int wanted) const;
   [[nodiscard]] results::Provenance provenance(const std::vector<std::string>& motions) const;
   /// Completes all results files or, where `error` is not "", leaves them as unfinished, with that reason. Tells the
   /// observer what became of them.

@@ -125,6 +125,7 @@ int read_member(lua_State* L) {
   const int found = lua_rawget(L, lua_upvalueindex(1));
   const auto* property = found == LUA_TLIGHTUSERDATA ? static_cast<const Property<H>*>(lua_touserdata(L, -1)) : nullptr;
   if (property != nullptr && has_property(*property, h)) {
+    if constexpr (requires { require_readable(h, property->name); }) require_readable(h, property->name);
     push_property(L, *property, h);
     return 1;
   }

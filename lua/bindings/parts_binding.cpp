@@ -36,7 +36,7 @@ std::optional<Solid> read_solid(Keys& keys) {
 /// m:material{ name =, density = | unit_weight =, E =, nu =, damping =, solid =, plane =, form =, strain_limit = }
 int add_material(lua_State* L) {
   ScriptModel& m = this_model(L);
-  m.require_open("material");
+  m.adding();
   Keys keys(L, 2, "material");
   Material material;
   material.name = keys.text("name");
@@ -88,7 +88,7 @@ void check_side(Keys& keys, const ScriptModel& m, const std::string& side) {
 /// m:contact{ between = {"a", "b"}, law =, name = }
 int add_contact(lua_State* L) {
   ScriptModel& m = this_model(L);
-  m.require_open("contact");
+  m.adding();
   Keys keys(L, 2, "contact");
   const std::vector<std::string> between = keys.names("between");
   const std::string name = keys.text("name", "");
@@ -194,7 +194,7 @@ int body(lua_State* L) {
   }
   if (this_model(L).dim() == 3) return make_solid_body(L);
   PlaneModel& m = this_plane(L);
-  m.require_open("body");
+  m.adding();
   Keys keys(L, 2, "body");
   const std::string name = keys.text("name");
   keys.name_owner(name);
@@ -205,12 +205,14 @@ int body(lua_State* L) {
   keys.finish();
   if (mesh) options.spec.kind = BodyKind::mesh, options.spec.mesh = std::move(mesh);
   add_part(m, {name, outline, groups}, options);
+  m.catch_up();
   push_body(L, 1, m.body_count() - 1);
   return 1;
 }
 
 /// Pushes what was added from body `first` on: a body where just one can be, else a set.
-void push_added(lua_State* L, const ScriptModel& m, int first, bool single) {
+void push_added(lua_State* L, ScriptModel& m, int first, bool single) {
+  m.catch_up();
   if (single) {
     push_body(L, 1, first);
     return;
@@ -224,7 +226,7 @@ void push_added(lua_State* L, const ScriptModel& m, int first, bool single) {
 int add_parts(lua_State* L) {
   if (this_model(L).dim() == 3) return add_solid_parts(L);
   PlaneModel& m = this_plane(L);
-  m.require_open("add");
+  m.adding();
   if (lua_type(L, 2) != LUA_TTABLE)
     throw InputError(fmt::format("add: takes a list of parts, as from trilith.build; this is {}", what_is(L, 2)));
   if (lua_isnoneornil(L, 3)) {
@@ -283,7 +285,7 @@ int add_made(lua_State* L) {
   const PartMaker& maker = part_makers()[row];
   if (this_model(L).dim() == 3) return add_solids_made(L, maker.name);
   PlaneModel& m = this_plane(L);
-  m.require_open(std::string(maker.name));
+  m.adding();
   Keys keys(L, 2, std::string(maker.name));
   const MakeParts make = maker.read(keys);
   const BodyOptions options = read_body_options(keys, !maker.single, m.body_form);

@@ -20,7 +20,7 @@ Model<2> PlaneModel::lone_body(int body) const {
 }
 
 double PlaneModel::inertia_of(int body) {
-  return if_built() != nullptr ? body_inertia(if_built()->model(), body) : body_inertia(lone_body(body), 0);
+  return has_body(body) ? body_inertia(if_built()->model(), body) : body_inertia(lone_body(body), 0);
 }
 
 }  // namespace trilith::script

@@ -58,6 +58,14 @@ class PlaneModel final : public SimulatedModel<2> {
 
  protected:
   [[nodiscard]] Model<2> built_model() override { return builder.build(); }
+  [[nodiscard]] Model<2> extended_model(const Model<2>& model, const State<2>& state) override {
+    findings_.reset();
+    return builder.extended(model, state);
+  }
+  void forget_beyond(const Model<2>& model) override {
+    findings_.reset();
+    builder.shorten(model.bodies.size(), model.bearings.size(), model.seats.size());
+  }
   [[nodiscard]] Model<2> lone_body(int body) const override;
 
  private:

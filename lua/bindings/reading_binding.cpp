@@ -1,6 +1,7 @@
 // Reading a model: sets of bodies, contacts, histories; what is written to a results file.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bindings.hpp"
 #include "step/solid_resultants.hpp"
@@ -26,6 +27,7 @@ int bodies(lua_State* L) {
   keys.finish();
   std::vector<int> found;
   for (int i = 0; i < m.body_count(); ++i) {
+    if (m.removed_at(i)) continue;
     const auto& groups = m.groups_of(i);
     const bool in_group = group.empty() || std::any_of(groups.begin(), groups.end(),
                                                        [&](const auto& g) { return any_matches(group, g); });
@@ -221,11 +223,8 @@ void read_followed(Keys& keys, History& h, ScriptModel& m) {
 /// `what` is a number of the model. The function, if any, is kept by the library.
 int history(lua_State* L) {
   ScriptModel& m = this_model(L);
-  if (m.running()) throw InputError("history: cannot be added while a stage runs");
-  if (m.recording())
-    throw InputError("history: cannot be added once results are recorded; add it before the first stage");
-  if (!m.history_times.empty())
-    throw InputError("history: cannot be added once histories have been taken; add it before the first stage");
+  if (m.running() && !m.paused())
+    throw InputError("history: cannot be added while a stage runs; add it between stages or in a pause");
   Keys keys(L, 2, "history");
   History h;
   h.name = keys.text("name");
@@ -246,7 +245,10 @@ int history(lua_State* L) {
     m.history_interval = *every;
   }
   keys.finish();
+  // What was not followed from the start on has no number before.
+  h.values.assign(m.history_times.size(), std::numeric_limits<double>::quiet_NaN());
   m.histories.push_back(std::move(h));
+  m.follow_more();
   push_history(L, 1, static_cast<int>(m.histories.size()) - 1);
   return 1;
 }

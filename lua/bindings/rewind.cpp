@@ -62,6 +62,7 @@ double SimulatedModel<D>::rewind(double time, Host& host) {
   for (const History& h : histories) branch.samples.push_back(h.values);
   Checkpoint end = checkpoint();
   simulation_->restore(found.snapshot_in<D>());
+  forget_added();
   *verdict_ = simulation_->verdict();
   events.resize(found.events);
   history_times.resize(found.samples);

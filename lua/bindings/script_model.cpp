@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/team.hpp"
 #include "base/terminal_text.hpp"
 
 namespace trilith::script {
@@ -13,6 +15,20 @@ namespace trilith::script {
 std::filesystem::path Host::folder() const {
   const std::filesystem::path parent = std::filesystem::path(script).parent_path();
   return parent.empty() ? "." : parent;
+}
+
+int Host::threads_for(int wanted) const {
+  if (threads > 0) return threads;
+  if (wanted > 0) return wanted;
+  const char* const said = std::getenv("TRILITH_THREADS");
+  if (said == nullptr || *said == '\0') return threads_here();
+  const std::string text = said;
+  const bool whole = text.size() <= 2 && text.find_first_not_of("0123456789") == std::string::npos;
+  const int count = whole ? std::stoi(text) : 0;
+  if (count < 1 || count > most_threads)
+    throw InputError(
+        fmt::format("the variable TRILITH_THREADS is '{}', must be a whole number from 1 to {}", text, most_threads));
+  return count;
 }
 
 results::Provenance Host::provenance(const std::vector<std::string>& motions) const {
@@ -47,12 +63,10 @@ std::vector<std::string> Host::doubts() const {
   return lines;
 }
 
-void ScriptModel::require_open(const std::string& what) const {
-  if (running_)
-    throw InputError(fmt::format("{}: cannot be added while a stage runs; add it before the first stage", what));
-  if (built())
-    throw InputError(
-        fmt::format("{}: cannot be added any more, as the model was built at its first stage; add it before", what));
+void ScriptModel::require_present(int body, const std::string& owner) const {
+  const std::string why = why_absent(body);
+  if (!why.empty())
+    throw InputError(fmt::format("{}{}body '{}' {}", owner, owner.empty() ? "" : ": ", body_name(body), why));
 }
 
 std::vector<std::string> ScriptModel::body_names() const {

@@ -62,6 +62,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::vector<History> histories;
   std::vector<double> history_times;  ///< [s]
   double history_interval = 0.01;     ///< [s], without results
+  int threads = 0;                    ///< that may share a step; 0: as the surroundings say
   std::optional<ResultsOptions> results;
   std::vector<std::string> motions;  ///< one line for each motion used
   std::vector<Event> events;         ///< of all stages
@@ -82,8 +83,23 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] virtual bool recording() const = 0;
 
-  /// Throws InputError where the model was built or is running: bodies, laws and bearings come before.
-  void require_open(const std::string& what) const;
+  /// Something is about to be added: see catch_up.
+  void adding() { ++additions_; }
+  /// Brings what was added into the model where that is built: now, or at the next step border where a stage runs.
+  /// Throws InputError where it cannot stand as the model stands now; then it is forgotten.
+  virtual void catch_up() = 0;
+  /// Histories were added: the file of results gets columns for them.
+  virtual void follow_more() = 0;
+  /// Takes bodies and bearings away, or puts them back: now, or at the next step border where a stage runs. Throws
+  /// InputError for what is not there, or is there. `place`: of the script, for a message at the border.
+  virtual void remove(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) = 0;
+  virtual void put_back(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) = 0;
+  /// Why the body cannot be used: "was removed at 3.2 s", "is added at the next step border"; "" where it can.
+  [[nodiscard]] virtual std::string why_absent(int body) const = 0;
+  /// When it was removed [s]; nothing where it was not, or is back.
+  [[nodiscard]] virtual std::optional<double> removed_at(int body) const = 0;
+  /// InputError, begun with `owner`, where it cannot be used.
+  void require_present(int body, const std::string& owner) const;
 
   // What the builder knows. Those that add throw InputError as it does.
   virtual void add_material(const Material& material) = 0;
@@ -115,6 +131,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   [[nodiscard]] virtual std::string text_of(const Event& event) const = 0;
   /// Mass of a body [kg], before and after building.
   [[nodiscard]] virtual double mass_of(int body) = 0;
+  /// [body] of the first node [m]; no number for what is held, gone or not there yet. Of a model that is built.
+  [[nodiscard]] virtual std::vector<double> heights() const = 0;
   /// True while it has been still for the model's still_time.
   [[nodiscard]] virtual bool is_resting(int body) const = 0;
   /// Weight grows from nothing until `end` [s].
@@ -152,7 +170,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   int branches_ = 1;                      // files of results so far
   std::vector<StageOptions> stages_run_;  // one for each event "stage.begun"
   std::size_t notes_shown_ = 0;
-  std::string broken_;  // why the last stage broke off, if it did
+  std::string broken_;         // why the last stage broke off, if it did
+  std::size_t additions_ = 0;  // so many things were to be added
 };
 
 }  // namespace trilith::script

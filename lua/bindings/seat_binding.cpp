@@ -15,7 +15,7 @@ Vec3 read_place(Keys& keys, std::string_view key, const SeatSpecOf<3>& /*spec*/)
 
 template <int D, class M>
 void add_seat_to(lua_State* L, M& m) {
-  m.require_open("seat");
+  m.adding();
   Keys keys(L, 2, "seat");
   SeatSpecOf<D> spec;
   spec.name = keys.text("name");
@@ -28,6 +28,7 @@ void add_seat_to(lua_State* L, M& m) {
   keys.finish();
   m.builder.add_seat(spec);
   m.seats.push_back(spec.name);
+  m.catch_up();
 }
 
 const std::string& name_of_seat(const SeatHandle& s) {

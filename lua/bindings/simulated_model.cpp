@@ -19,6 +19,7 @@ template <int D>
 Simulation<D>& SimulatedModel<D>::simulation() {
   if (!simulation_) {
     simulation_ = std::make_unique<Simulation<D>>(built_model());
+    caught_up_ = additions_;
   }
   return *simulation_;
 }
@@ -65,7 +66,7 @@ std::string SimulatedModel<D>::text_of(const Event& event) const {
 
 template <int D>
 double SimulatedModel<D>::mass_of(int body) {
-  return simulation_ ? body_mass(simulation_->model(), body) : body_mass(lone_body(body), 0);
+  return has_body(body) ? body_mass(simulation_->model(), body) : body_mass(lone_body(body), 0);
 }
 
 template <int D>
@@ -80,6 +81,20 @@ namespace {
 void make_folder_of(const std::filesystem::path& file) {
   std::error_code error;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+}
+
+}  // namespace
+
+namespace {
+
+/// As many nodes as the model has; those that came later begin where they were put.
+template <int D>
+State<D> begun_as(const Model<D>& model, State<D> state) {
+  const std::size_t known = std::min(state.position.size(), model.mass.size());
+  state.position.resize(model.mass.size()), state.rotation.resize(model.mass.size());
+  for (std::size_t n = known; n < model.mass.size(); ++n)
+    state.position[n] = model.start_position[n], state.rotation[n] = model.start_rotation[n];
+  return state;
 }
 
 }  // namespace
@@ -107,11 +122,12 @@ void SimulatedModel<D>::open_recording(Host& host) {
   RecordingOptions<D> options;
   options.provenance = host.provenance(motions);
   options.materials = materials;
-  for (const History& h : histories) options.histories.push_back({h.name, h.unit, h.sentence, {}});
+  options.histories = recorded_histories();
   options.with_velocity = results->with_velocity;
   options.with_joints = results->with_joints;
   if (!recorded_from_) recorded_from_ = simulation_->state();
-  recording_ = std::make_unique<Recording<D>>(results->file, simulation_->model(), *recorded_from_, std::move(options));
+  recording_ = std::make_unique<Recording<D>>(results->file, simulation_->model(),
+                                              begun_as(simulation_->model(), *recorded_from_), std::move(options));
   const std::string kept = recording_->kept_from_before();
   if (kept.empty()) return;
   if (host.observer != nullptr) host.observer->clear();
@@ -178,10 +194,11 @@ void SimulatedModel<D>::take_histories(double time) {
 
 template <int D>
 bool SimulatedModel<D>::apply_changes(Model<D>& model) {
-  if (changes_.empty()) return false;
+  if (changes_.empty() && caught_up_ == additions_) return false;
+  const int free_before = model.free_dofs();
+  if (caught_up_ != additions_) extend();
   std::vector<std::function<void(Model<D>&)>> now;
   now.swap(changes_);
-  const int free_before = model.free_dofs();
   for (const auto& what : now) what(model);
   if (model.free_dofs() > free_before) simulation_->drop_step();
   return true;
@@ -193,6 +210,7 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
   if (running_)
     throw InputError(fmt::format("{}: a stage runs already; begin the next one when it has ended", title()));
   Simulation<D>& s = simulation();
+  catch_up();
   for (; host.observer != nullptr && notes_shown_ < notes().size(); ++notes_shown_)
     host.observer->note(notes()[notes_shown_]);
   begin_recording(host);
@@ -208,6 +226,7 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
     note(said);
     if (host.observer != nullptr) host.observer->note(said);
   }
+  s.use_threads(host.threads_for(threads));
   if (host.profile.wanted) {
     s.measure(&host.profile.times);
     host.profile.laws = s.model().law_names;
@@ -252,6 +271,7 @@ StageReport SimulatedModel<D>::guarded_run(const std::function<StageReport()>& g
 
 template <int D>
 void SimulatedModel<D>::run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) {
+  catch_up();
   paused_ = false;
   struct Scope {
     SimulatedModel& model;

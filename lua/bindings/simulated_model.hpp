@@ -28,8 +28,21 @@ class SimulatedModel : public ScriptModel {
   /// The simulation with its forces up to date, for reading.
   const Simulation<D>& evaluated();
   [[nodiscard]] const Simulation<D>* if_built() const { return simulation_.get(); }
+  /// It is built, and the body in it: what a handler adds is so from the next step border on.
+  [[nodiscard]] bool has_body(int body) const {
+    return simulation_ && static_cast<std::size_t>(body) < simulation_->model().bodies.size();
+  }
   /// Does `change` now, or at the next step border where a stage runs.
   void change(std::function<void(Model<D>&)> what);
+
+  /// Changes laws, now or at the next step border; the ledger has what that puts in. Bearings of `begun` begin anew.
+  void alter(std::function<void(Model<D>&)> what, std::vector<int> begun);
+  void catch_up() override;
+  void follow_more() override;
+  void remove(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) override;
+  void put_back(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) override;
+  [[nodiscard]] std::string why_absent(int body) const override;
+  [[nodiscard]] std::optional<double> removed_at(int body) const override;
 
   [[nodiscard]] double time() const override { return simulation_ ? simulation_->state().time : 0; }
   [[nodiscard]] StepNumbers step_numbers() override;
@@ -38,8 +51,9 @@ class SimulatedModel : public ScriptModel {
   [[nodiscard]] std::string step_text() override;
   [[nodiscard]] std::string text_of(const Event& event) const override;
   [[nodiscard]] double mass_of(int body) override;
+  [[nodiscard]] std::vector<double> heights() const override;
   [[nodiscard]] bool is_resting(int body) const override {
-    return simulation_ && simulation_->state().resting[static_cast<std::size_t>(body)] != 0;
+    return has_body(body) && simulation_->state().resting[static_cast<std::size_t>(body)] != 0;
   }
   void grow_weight(double end) override;
   void lift_bonds() override { simulation().lift_bonds(); }
@@ -59,6 +73,10 @@ class SimulatedModel : public ScriptModel {
 
  protected:
   [[nodiscard]] virtual Model<D> built_model() = 0;
+  /// `model` with what was added to the builder since, beside what stands there by `state`.
+  [[nodiscard]] virtual Model<D> extended_model(const Model<D>& model, const State<D>& state) = 0;
+  /// What is not in `model` any more, or not yet, was not added.
+  virtual void forget_beyond(const Model<D>& model) = 0;
   /// A model of that body and nothing else.
   [[nodiscard]] virtual Model<D> lone_body(int body) const = 0;
 
@@ -72,11 +90,17 @@ class SimulatedModel : public ScriptModel {
   RunListener<D> listen_with(const ScriptListener& script, RunObserver* observer);
   void take_histories(double time);
   bool apply_changes(Model<D>& model);
+  void extend();
+  void forget_added();
+  void extend_recording();
+  void require_unpushed(const std::vector<int>& which) const;
+  [[nodiscard]] std::vector<RecordedHistory<D>> recorded_histories() const;
 
   std::unique_ptr<Simulation<D>> simulation_;
   std::unique_ptr<Recording<D>> recording_;
   std::optional<State<D>> recorded_from_;                // where all branches of the results begin
   std::vector<std::function<void(Model<D>&)>> changes_;  // wait for the step border
+  std::size_t caught_up_ = 0;                            // with so many additions
 };
 
 }  // namespace trilith::script

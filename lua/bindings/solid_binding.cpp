@@ -118,7 +118,8 @@ void add_solid(SpaceModel& m, const SolidPart& part, const SolidOptions& options
 }
 
 /// Pushes what was added from body `first` on: a body where just one can be, else a set.
-void push_solids(lua_State* L, const SpaceModel& m, int first, bool single) {
+void push_solids(lua_State* L, SpaceModel& m, int first, bool single) {
+  m.catch_up();
   if (single) return push_body(L, 1, first);
   std::vector<int> added;
   for (int b = first; b < m.body_count(); ++b) added.push_back(b);
@@ -158,7 +159,7 @@ int add_solids_made(lua_State* L, std::string_view name) {
         fmt::format("{}: is of models in the plane, and {} has dim = 3; give its parts a depth by "
                     "m:add(trilith.build.{}{{...}}, {{ depth = }}), or take one of {}",
                     name, m.title(), name, solid_maker_names()));
-  m.require_open(std::string(name));
+  m.adding();
   Keys keys(L, 2, std::string(name));
   const MakeSolids make = maker->read(keys);
   const SolidOptions options = read_solid_options(keys, !maker->single);
@@ -175,7 +176,7 @@ int add_solids_made(lua_State* L, std::string_view name) {
 /// m:body{ name =, hull = {{x, y, z}, ...} | pieces = { {{x, y, z}, ...}, ... }, ... }
 int make_solid_body(lua_State* L) {
   SpaceModel& m = this_space(L);
-  m.require_open("body");
+  m.adding();
   Keys keys(L, 2, "body");
   SolidPart part;
   part.name = read_name(keys, "");
@@ -201,6 +202,7 @@ int make_solid_body(lua_State* L) {
     part.pieces.insert(part.pieces.end(), made.part.pieces.begin(), made.part.pieces.end());
   }
   add_solid(m, part, options);
+  m.catch_up();
   push_body(L, 1, m.body_count() - 1);
   return 1;
 }
@@ -208,7 +210,7 @@ int make_solid_body(lua_State* L) {
 /// m:add(parts, { depth =, from =, centred =, material =, ... }): parts of the plane as solids.
 int add_solid_parts(lua_State* L) {
   SpaceModel& m = this_space(L);
-  m.require_open("add");
+  m.adding();
   if (lua_type(L, 2) != LUA_TTABLE || lua_rawlen(L, 2) == 0)
     throw InputError(fmt::format("add: takes a list of parts, as from trilith.build; this is {}", what_is(L, 2)));
   Keys keys(L, 3, "add");

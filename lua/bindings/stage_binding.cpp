@@ -67,8 +67,45 @@ void read_integrator(Keys& keys, StageOptions& o) {
   o.implicit = std::isfinite(radius) ? AlphaScheme::from_radius(radius) : AlphaScheme::hht(alpha);
 }
 
-int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o) {
-  const StageReport report = run_stage(L, m, o);
+/// What counts as come down where nothing is said: a tenth of the height between the lowest and the highest body, or of
+/// 1 m where there is none.
+double collapse_drop(ScriptModel& m) {
+  m.build();
+  double low = unbounded, high = -unbounded;
+  for (const double h : m.heights())
+    if (std::isfinite(h)) low = std::min(low, h), high = std::max(high, h);
+  return 0.1 * (high > low ? high - low : 1);
+}
+
+/// { until_true = function, until_collapse = true | { drop =, bodies = } }. The function stays on the stack.
+StageUntil read_until(Keys& keys, ScriptModel& m) {
+  lua_State* L = keys.lua();
+  StageUntil until;
+  if (const int type = keys.push("until_collapse"); type == LUA_TTABLE) {
+    Keys own(L, -1, "until_collapse");
+    until.drop = own.number("drop", "m", collapse_drop(m));
+    until.bodies = own.count("bodies", until.bodies);
+    if (!(until.drop > 0)) own.problem(fmt::format("'drop' is {:g} m, must be above 0", until.drop));
+    if (until.bodies < 1) own.problem(fmt::format("'bodies' is {}, must be at least 1", until.bodies));
+    own.finish();
+  } else if (type == LUA_TBOOLEAN) {
+    until.drop = lua_toboolean(L, -1) != 0 ? collapse_drop(m) : 0;
+  } else if (type != LUA_TNIL) {
+    keys.wrong("until_collapse", "true, false or a table { drop = , bodies = }");
+  }
+  lua_pop(L, 1);
+  const int type = keys.push("until_true");
+  if (type == LUA_TFUNCTION) {
+    until.function = lua_gettop(L);
+    return until;
+  }
+  if (type != LUA_TNIL) keys.wrong("until_true", "a function of the model");
+  lua_pop(L, 1);
+  return until;
+}
+
+int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o, const StageUntil& until = {}) {
+  const StageReport report = run_stage(L, m, o, until);
   if (report.end == StageEnd::not_converged) throw InputError(fmt::format("{}: {}", o.name, report.reason));
   push_report(L, report);
   return 1;
@@ -101,9 +138,10 @@ int run(lua_State* L) {
   read_step(keys, o);
   read_integrator(keys, o);
   o.until_rest = read_rest_table(keys, "until_rest", o);
+  const StageUntil until = read_until(keys, m);
   keys.finish();
   if (m.paused()) return run_paused(L, m, {0, m.time() + o.duration, {}});
-  return finish_stage(L, m, o);
+  return finish_stage(L, m, o, until);
 }
 
 int consolidate(lua_State* L) {
@@ -126,6 +164,7 @@ int consolidate(lua_State* L) {
   how.shares = keys.count("shares", how.shares), how.tolerance = keys.number("tolerance", "1", how.tolerance);
   if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a stage of its own");
   o.must_rest = !or_go_on;
+  const StageUntil until = read_until(keys, m);
   keys.finish();
   if (fresh && m.running()) throw InputError("consolidate: a stage runs already; mortar cannot be fresh within it");
   m.build();
@@ -134,7 +173,7 @@ int consolidate(lua_State* L) {
     m.grow_weight(grow);
   }
   if (fresh) m.lift_bonds();
-  const StageReport report = by_statics ? settle_stage(L, m, o, how) : run_stage(L, m, o);
+  const StageReport report = by_statics ? settle_stage(L, m, o, how) : run_stage(L, m, o, until);
   if (report.end == StageEnd::not_at_rest && !or_go_on)
     throw InputError(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
                                  by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
@@ -277,11 +316,12 @@ int shake(lua_State* L) {
   o.duration = keys.number("duration", "s", o.until_rest ? end + 60 : end);
   read_step(keys, o);
   read_integrator(keys, o);
+  const StageUntil until = read_until(keys, m);
   keys.finish();
   if (m.running()) throw InputError("shake: a stage runs already; use m:drive to move a body while it runs");
   m.build();
   for (const DriveOrder& order : orders) apply_drive(m, order);
-  return finish_stage(L, m, o);
+  return finish_stage(L, m, o, until);
 }
 
 int drive(lua_State* L) {

@@ -84,6 +84,17 @@ class Handlers {
     return l;
   }
 
+  /// Whether the function at a stack index, given the model, says true.
+  bool holds(int function) {
+    if (leaves()) return false;
+    const int top = lua_gettop(L_);
+    lua_pushvalue(L_, function);
+    lua_pushvalue(L_, 1);
+    const bool is = run(1, 1) && lua_toboolean(L_, -1) != 0;
+    lua_settop(L_, top);
+    return is;
+  }
+
   /// Values of the histories that Lua functions give; an interrupt leaves some out.
   void sample_functions() {
     for (std::size_t i = 0; i < model_.histories.size(); ++i) {
@@ -115,7 +126,12 @@ class Handlers {
     try {
       call(L_, arguments, results);
       return true;
-    } catch (const ScriptError&) {
+    } catch (const ScriptError& e) {
+      // Somebody is there to look: nothing of the run is lost, which goes on without that call.
+      if (host_.console != nullptr) {
+        if (model_.pause_reason.empty()) model_.pause_reason = fmt::format("a handler failed: {}", e.what());
+        return false;
+      }
       if (!leaves()) throw;
       broken_off_ = std::current_exception();
       return false;
@@ -168,18 +184,57 @@ void refuse_unread_arguments(const Host& h) {
 
 }  // namespace
 
-StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, std::int64_t steps) {
+namespace {
+
+/// Whether bodies have come down since a stage began; looked at now and then.
+class Fallen {
+ public:
+  Fallen(const ScriptModel& model, const StageUntil& until) : model_(model), until_(until), start_(model.heights()) {}
+  [[nodiscard]] bool look() {
+    if (until_.drop <= 0 || ++steps_ % steps_between_looks != 0) return false;
+    const std::vector<double> now = model_.heights();
+    int down = 0;
+    for (std::size_t b = 0; b < start_.size(); ++b) down += start_[b] - now[b] > until_.drop ? 1 : 0;
+    return down >= until_.bodies;
+  }
+
+ private:
+  static constexpr std::int64_t steps_between_looks = 20;
+  const ScriptModel& model_;
+  StageUntil until_;
+  std::vector<double> start_;  // [body] m; no number where it is held or not there
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace
+
+StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const StageUntil& until) {
   Host& h = host(L);
   refuse_unread_arguments(h);
-  return listen(L, model, h, [&](ScriptListener listener) {
-    std::int64_t taken = 0;
-    if (steps > 0)
-      listener.on_step = [&model, &taken, steps, inner = std::move(listener.on_step)](double time, double dt) {
-        inner(time, dt);
-        if (++taken >= steps) model.stop();
-      };
-    return model.run(options, listener, h);
-  });
+  struct Running {
+    int& count;
+    explicit Running(int& c) : count(c) { ++count; }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+    ~Running() { --count; }
+  } running(h.running);
+  Handlers handlers(L, model, h);
+  ScriptListener listener = handlers.listener(false);
+  model.build();
+  Fallen fallen(model, until);
+  std::string met;
+  std::int64_t taken = 0;
+  if (until.steps > 0 || until.function != 0 || until.drop > 0)
+    listener.on_step = [&, inner = std::move(listener.on_step)](double time, double dt) {
+      inner(time, dt);
+      if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true came true";
+      if (met.empty() && fallen.look()) met = "it has collapsed, by until_collapse";
+      if (!met.empty() || (until.steps > 0 && ++taken >= until.steps)) model.stop();
+    };
+  StageReport report = model.run(options, listener, h);
+  handlers.end();
+  if (report.end == StageEnd::stopped && !met.empty()) report.reason = met;
+  return report;
 }
 
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how) {

@@ -1,4 +1,5 @@
--- Handlers: m:on(event, f), m:every(interval, f), m:on_step(f). The engine tests what is due; Lua is entered only then.
+-- Handlers: m:on(event, f), m:every(interval, f), m:on_step(f), m:off(handler). The engine tests what is due; Lua is
+-- entered only then.
 local _, core = ...
 local model_methods = core.members "model"
 
@@ -9,13 +10,34 @@ end
 
 core.check_function = check_function
 
+-- What m:on and its like give: m:off takes it. `list`: where it stands, and is taken out of.
+local handler_type = {
+  __name = "handler",
+  __tostring = function(h) return ("handler of %s%s"):format(h.what, h.off and ", which is off" or "") end,
+}
+
+local function new_handler(model, what, call, list)
+  local handler = setmetatable({ model = model, what = what, call = call, list = list }, handler_type)
+  if list then list[#list + 1] = handler end
+  return handler
+end
+
 core.made[#core.made + 1] = function(model, own)
   local by_event, clocks, steps, samples = {}, {}, {}, {}
   own.by_event, own.clocks, own.steps, own.samples = by_event, clocks, steps, samples
 
-  local function hand_to(list, event)
+  -- One that is off is left out at once, and taken out of the list where that is gone through from its end.
+  local function hand_to(list, value)
     if not list then return end
-    for i = 1, #list do list[i](event) end
+    local gone = false
+    for i = 1, #list do
+      local handler = list[i]
+      if handler.off then gone = true else handler.call(value) end
+    end
+    if not gone then return end
+    for i = #list, 1, -1 do
+      if list[i].off then table.remove(list, i) end
+    end
   end
 
   function own.dispatch(event)
@@ -24,35 +46,52 @@ core.made[#core.made + 1] = function(model, own)
     own.tell_stories(event)
   end
 
-  function own.tick(index) clocks[index](model) end
+  function own.tick(index)
+    local handler = clocks[index]
+    if not handler.off then handler.call(model) end
+  end
 
   function own.stepped()
-    for i = 1, #steps do steps[i](model) end
+    hand_to(steps, model)
+    if #steps == 0 then core.step_handler(model, false) end
   end
 
   function own.sample(index) return samples[index](model) end
 end
 
---- m:on("bearing.failed", f): f(event) at each such event; "*" for every event.
+--- m:on("bearing.failed", f): f(event) at each such event; "*" for every event. Gives the handler, for m:off.
 function model_methods.on(model, event, f)
   core.listen(model, event, "on")
   check_function(f, "on")
   local by_event = core.own(model).by_event
   by_event[event] = by_event[event] or {}
-  table.insert(by_event[event], core.timed(f, "on " .. event))
+  return new_handler(model, event, core.timed(f, "on " .. event), by_event[event])
 end
 
---- m:every(interval, f): f(model) each interval of simulated time.
+--- m:every(interval, f): f(model) each interval of simulated time. Gives the handler.
 function model_methods.every(model, interval, f)
   check_function(f, "every")
-  core.own(model).clocks[core.timer(model, interval)] = core.timed(f, "every")
+  local handler = new_handler(model, "every " .. tostring(interval) .. " s", core.timed(f, "every"))
+  core.own(model).clocks[core.timer(model, interval)] = handler
+  return handler
 end
 
---- m:on_step(f): f(model) after each step.
+--- m:on_step(f): f(model) after each step. Gives the handler.
 function model_methods.on_step(model, f)
   check_function(f, "on_step")
-  table.insert(core.own(model).steps, core.timed(f, "on_step"))
+  local handler = new_handler(model, "each step", core.timed(f, "on_step"), core.own(model).steps)
   core.step_handler(model, true)
+  return handler
+end
+
+--- m:off(handler): what m:on, m:every or m:on_step gave is not called any more.
+function model_methods.off(model, handler)
+  if getmetatable(handler) ~= handler_type then
+    core.fail(("off: takes the handler that m:on, m:every or m:on_step gave; this is a %s"):format(type(handler)))
+  end
+  if handler.model ~= model then core.fail "off: the handler belongs to another model" end
+  if handler.off then core.fail(("off: the handler of %s is off already"):format(handler.what)) end
+  handler.off = true
 end
 
 local follow = model_methods.history

@@ -26,10 +26,16 @@ count  integer = 400       at most so many
 bytes  number = 256e6      in at most so much memory
 on     flag = true         false: none are taken]], gives = "findings" },
   { "model:compare", "What changed between the run that rewind took back and the present one.", gives = "findings" },
-  { "model:change", "Another number from now on, between stages or where the model pauses.", keys = [[
+  { "model:change", "Another number from now on; in a handler, from the next step border on. The energy `added` has "
+    .. "what that puts in.", keys = [[
 law      text?   a contact law, with its numbers: mu = 0.4
 bearing  text?   or a bearing
-limit    table?  its limits { along = , axial = , turning = }]] },
+along    direction law?  its law along; one of another kind begins anew
+axial    direction law?  across
+turning  direction law?  for turning
+limit    table?  its limits { along = , axial = , turning = }
+angle    number rad?  of its direction along
+replaces_contact  flag?  it stands for the flat contact it sits in]] },
   { "model:lint", "What keeps a model from being built, and what of it is likely not meant, each with the next "
     .. "thing to try.", gives = "findings" },
 }

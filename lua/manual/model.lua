@@ -5,6 +5,7 @@ name             text = ""           what messages call it
 dim              integer = 2         2 in the plane, 3 in space: see "Models in space"
 thickness        number m = 1        out of the plane, of every contact
 gravity          number m/s2 = 9.81  downwards; or a vector {x, y}, in space {x, y, z}
+threads          integer?            that may share a step, 1 to 64; any number gives the same bits
 mass_damping     number 1/s = 0      damping force per momentum
 impact_speed     number m/s = 0.5    a contact made faster than this is an impact
 apart_time       number s = 0.02     a contact that has been open this long is lost
@@ -70,6 +71,11 @@ support  body    on what
 at_end   point   the body's end
 edge     point   the edge of the seat
 inward   point?  from the edge over the seat]], gives = "seat" },
+  { "model:remove", "Takes bodies, bearings or loads away: at once between stages, else at the next step border. What "
+    .. "leaned on them is free from the next step on.",
+    args = "what  bodies  a body, set, bearing, name of one, of a group or of a load, or a list of these" },
+  { "model:put_back", "Puts back bodies, at rest where they stood, and bearings, which begin anew.",
+    args = "what  bodies  what was removed: a body, set, bearing, name or a list of these" },
   shared = { body = [[
 material        text?            its material
 groups          names?           groups it belongs to
@@ -94,7 +100,7 @@ by_group        table?           what holds for a group alone]] },
       storeys = "trilith.storey[]", events = "trilith.event[]", hash = "string", notes = "string[]",
       worst = "trilith.findings", verdict = "table", dim = "integer" },
     body = { name = "string", material = "string", groups = "string[]", outline = "number[][]", kind = "string",
-      resting = "boolean", bearings = "table<string, trilith.bearing>?", seats = "table<string, trilith.seat>?" },
+      resting = "boolean", present = "boolean", removed_at = "number?", bearings = "table<string, trilith.bearing>?", seats = "table<string, trilith.seat>?" },
     ["set of bodies"] = { names = "string[]" },
     bearing = { name = "string", status = "string", bodies = "trilith.body[]", force = "table", displacement = "table",
       limited = "boolean" },

@@ -1,4 +1,8 @@
 local rest = "true, or { speed = [m/s], ratio = , hold = [s], from = [s] }"
+local until_keys = [[
+
+until_true       function?  end where f(model), asked after each step, is true
+until_collapse   flag?      end as something comes down: true, or { drop = [m], bodies = how many }]]
 local drive = [[
 body      bodies   what is moved
 x         motion?  along x
@@ -22,7 +26,7 @@ spectral_radius  number?             implicit, instead: generalised alpha, 0 to 
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest
 accuracy         number = 1e-3       implicit: share of energies and velocities a step may miss; 0: any
 watch       flag = true   speeds and energies that nothing gave end it as diverged
-until_rest  rest?         end at rest: ]] .. rest, gives = "report" },
+until_rest  rest?         end at rest: ]] .. rest .. until_keys, gives = "report" },
   { "model:consolidate", "To rest under dead load, with a damping of its own.", keys = [[
 duration  number s = 60           at most
 ratio     number = 1e-5           unbalanced force over the largest one at rest
@@ -38,7 +42,8 @@ tolerance  number = 1e-8          static: force left over, as a share of the lar
 name      text = "consolidation"  what results call it
 dt        number s?               fixed step
 safety    number = 0.5            share of the longest stable step, at most 0.9
-watch     flag = true             speeds and energies that nothing gave end it as diverged]], gives = "report" },
+watch     flag = true             speeds and energies that nothing gave end it as diverged]] .. until_keys,
+    gives = "report" },
   { "model:shake", "Bodies follow ground motions.", keys = drive .. [[
 
 duration  number s?       how long; to the end of the motions where left out
@@ -52,8 +57,8 @@ alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps 
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest
 accuracy         number = 1e-3       implicit: share of energies and velocities a step may miss; 0: any
-watch     flag = true     speeds and energies that nothing gave end it as diverged]], beside = { z = true },
-    gives = "report" },
+watch     flag = true     speeds and energies that nothing gave end it as diverged]] .. until_keys,
+    beside = { z = true }, gives = "report" },
   { "model:drive", "A body follows a motion from now on.", keys = drive, beside = { z = true } },
   { "model:fix", "Holds bodies, in some directions or all.", args = [[
 bodies      bodies  a body, set, name, group or list of these

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "assignment.hpp"
+#include "base/team.hpp"
 #include "live.hpp"
 #include "positive.hpp"
 #include "profile_text.hpp"
@@ -20,7 +21,7 @@ struct RunOptions {
   EventShow events = EventShow::important;
   double least_impact = slow_impact;
   bool quiet = false, list = false, profile = false;
-  int only = 0;
+  int only = 0, threads = 0;
 };
 
 int run_as_asked(const RunOptions& options) {
@@ -34,6 +35,7 @@ int run_as_asked(const RunOptions& options) {
   host.list_parameters = options.list;
   host.results_file = options.results;
   host.profile.wanted = options.profile;
+  host.threads = options.threads;
   host.records = script::record_folders();
   host.observer = options.list ? nullptr : &live;
   host.command_line = "trilith run " + options.script;
@@ -75,6 +77,11 @@ void add_run(CLI::App& app, int& code) {
   verb->add_option("--case", options->only, "run this case of the script's study alone, here")
       ->type_name("NUMBER")
       ->check(CLI::Validator(is_positive, "", ""));
+  verb->add_option("--threads", options->threads,
+                   "threads that may share a step, with the same bits; as many as the machine has where neither this, "
+                   "nor the script, nor TRILITH_THREADS says")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1, most_threads));
   verb->add_flag("--profile", options->profile,
                  "say where the time went: parts of the step, contact laws, Lua callbacks");
   verb->add_flag("--params", options->list, "list the script's parameters and end");

@@ -2,8 +2,8 @@
 
 const empty = { rows: 0, columns: 1, quantum: 1, values: new Int32Array(0) };
 export const isFree = (body) => body.support === "" || body.support.startsWith("free");
-export const stateNames = ["intact", "yielded", "failed", "changed", "waiting"];
-export const bearingStates = { intact: 0, yielded: 1, failed: 2, changed: 3, waiting: 4 };
+export const stateNames = ["intact", "yielded", "failed", "changed", "waiting", "removed"];
+export const bearingStates = { intact: 0, yielded: 1, failed: 2, changed: 3, waiting: 4, removed: 5 };
 
 function eventOf(row, index, types) {
   const [id, time, type, note, a, b, bearing, cause, x, y, text, figures, z] = row;
@@ -79,6 +79,8 @@ export class Run {
       broken: this.events[event].type === "bond.broken" }));
     for (const body of this.bodies) body.lost = [];
     for (const event of this.events) if (event.type === "body.left") this.bodies[event.a].leaves = event.time;
+    for (const body of this.bodies)
+      body.changes = this.events.filter((e) => e.a === body.index && (e.type === "body.added" || e.type === "body.removed"));
     const seen = new Set();
     for (const event of this.events) {
       // Of a joint that breaks half by half the first half counts.
@@ -87,6 +89,13 @@ export class Run {
       seen.add(pair);
       for (const index of [event.a, event.b]) this.bodies[index]?.lost.push(event.time);
     }
+  }
+
+  /** Whether a body is in the model at `time`: what is added first was not there before. */
+  isThere(body, time = this.now.time) {
+    let there = body.changes[0]?.type !== "body.added";
+    for (const change of body.changes) if (change.time <= time + 1e-9) there = change.type === "body.added";
+    return there;
   }
 
   get frames() { return this.times.length; }

@@ -38,7 +38,7 @@ export class Scene {
   /** The body under a place on the canvas, free ones first, or null. */
   bodyAt(px, py) {
     const [x, y] = this.camera.reach(px, py);
-    for (let i = this.order.length - 1; i >= 0; i--) if (inside(this.run, this.order[i], x, y)) return this.order[i];
+    for (let i = this.order.length - 1; i >= 0; i--) if (this.run.isThere(this.order[i]) && inside(this.run, this.order[i], x, y)) return this.order[i];
     return null;
   }
 
@@ -94,7 +94,7 @@ export class Scene {
     const { run, context: c, camera } = this;
     c.lineWidth = 0.7;
     run.elements.forEach((element, i) => {
-      if (!run.bodies[element.body].free) return;
+      if (!run.bodies[element.body].free || !run.isThere(run.bodies[element.body])) return;
       c.fillStyle = c.strokeStyle = fills[i];
       c.beginPath();
       for (const node of element.nodes) c.lineTo(...camera.place(run.nodeX[node], run.nodeY[node]));
@@ -109,7 +109,8 @@ export class Scene {
     c.lineJoin = "round";
     const small = this.camera.scale * this.usualSize < 14;
     const faint = (body) => (body.leaves <= this.run.now.time ? 0.25 : 1); // it has left the bounds
-    for (const body of this.order) {
+    const shown = this.order.filter((body) => this.run.isThere(body));
+    for (const body of shown) {
       c.globalAlpha = faint(body);
       c.fillStyle = fills[body.index];
       this.outline(body);
@@ -117,7 +118,7 @@ export class Scene {
     }
     c.globalAlpha = 1;
     if (cells) this.drawElements(cells);
-    for (const body of this.order) {
+    for (const body of shown) {
       c.globalAlpha = faint(body);
       this.outline(body);
       c.strokeStyle = body.free ? theme.outline : theme["ground-line"];
@@ -133,7 +134,7 @@ export class Scene {
     c.lineWidth = 1;
     c.setLineDash([4, 3]);
     for (const body of this.order) {
-      if (!body.free) continue;
+      if (!body.free || !this.run.isThere(body)) continue;
       this.outline(body, this.startX, this.startY);
       c.stroke();
     }
@@ -147,6 +148,7 @@ export class Scene {
     for (const joint of run.joints) {
       if (joint.event.time > time) continue;
       const body = run.bodies[joint.body];
+      if (!run.isThere(body)) continue;
       const v = body.vertex + joint.edge, w = body.vertex + ((joint.edge + 1) % body.vertices);
       const at = (s) => camera.place(run.pointX[v] + s * (run.pointX[w] - run.pointX[v]), run.pointY[v] + s * (run.pointY[w] - run.pointY[v]));
       const fresh = time - joint.event.time < 0.15;
@@ -203,11 +205,11 @@ export class Scene {
     c.fill();
   }
 
-  /** What is drawn of a bearing: its ends on the canvas and how it stands; null while it waits for another. */
+  /** What is drawn of a bearing: its ends on the canvas and how it stands; null while it waits for another, or is not there. */
   bearingMark(bearing) {
     const { run, camera } = this;
     const state = run.bearingState(bearing, run.now.frame, run.now.time);
-    if (state === bearingStates.waiting) return null;
+    if (state === bearingStates.waiting || state === bearingStates.removed) return null;
     const [a, b] = run.bearingEnds(bearing);
     const far = Math.hypot(...a.map((v, k) => v - b[k]));
     // What it changed to, sliding on a seat, ends where its bodies part.

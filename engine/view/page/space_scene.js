@@ -161,11 +161,11 @@ export class SpaceScene extends Scene {
     gl.bufferData(gl.ARRAY_BUFFER, this.fills, gl.DYNAMIC_DRAW);
   }
 
-  /** Bodies that have left the bounds shrink to nothing. */
+  /** Bodies that have left the bounds, or are not there, shrink to nothing. */
   upload(xs, ys, zs) {
     const { run, gl } = this;
     for (const body of run.bodies) {
-      const gone = body.leaves <= run.now.time;
+      const gone = body.leaves <= run.now.time || !run.isThere(body);
       for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
         const from = gone ? body.vertex : v;
         this.points[3 * v] = xs[from];
@@ -254,7 +254,7 @@ export class SpaceScene extends Scene {
   bodyAt(px, py) {
     const { run, camera } = this;
     let best = null, nearest = -Infinity;
-    for (const body of this.order)
+    for (const body of this.order.filter((b) => run.isThere(b)))
       for (const face of run.faces[body.index]) {
         const corners = face.map((v) => run.point(v)), flat = corners.map((p) => camera.place(...p));
         let hit = false;

@@ -1,0 +1,69 @@
+// Loops whose items several threads share.
+#pragma once
+
+#include <type_traits>
+
+namespace trilith {
+
+/// Most threads that a loop may be shared by.
+inline constexpr int most_threads = 64;
+
+/// How many threads the machine has for this process, at most most_threads.
+int threads_here();
+
+namespace detail {
+using StretchCall = void (*)(void* f, int first, int last, int thread);
+void share_stretches(int threads, int count, int stretch, StretchCall call, void* f);
+using SlotCall = void (*)(void* f, int first, int last, int thread, int slot);
+void share_in_order(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both);
+}  // namespace detail
+
+/// Calls f(first, last, thread) for stretches [first, last) that together are [0, count), each of `stretch` items but
+/// the last; `thread`, from 0 to threads - 1, is that of the calling thread, for room of its own. In any order and at
+/// the same time, so f writes only what belongs to its items, or to its thread and means nothing afterwards: then any
+/// number of threads gives the same bits. What is not worth two threads, up to one stretch, is one call here. What f
+/// throws is passed on once all others have ended.
+template <class F>
+void share(int threads, int count, int stretch, F&& f) {
+  if (count <= 0) return;
+  if (threads <= 1 || count <= stretch) return f(0, count, 0);
+  using Body = std::remove_reference_t<F>;
+  const auto call = [](void* body, int first, int last, int thread) {
+    (*static_cast<Body*>(body))(first, last, thread);
+  };
+  detail::share_stretches(threads, count, stretch, call, const_cast<void*>(static_cast<const void*>(&f)));
+}
+
+/// Stretches that are worked on, or wait for their turn, at the same time.
+constexpr int stretches_under_way(int threads) {
+  return threads <= 1 ? 1 : 4 * threads;
+}
+
+/// The same for what must be summed up in order: f(first, last, thread, slot) as with share(), in any order, and after
+/// it then(first, last, slot) for the same stretch, in the order of the stretches and never two at a time, while others
+/// go on with theirs. `slot`, below stretches_under_way(threads), is the stretch's own from the one to the end of the
+/// other: room for what f hands to `then`.
+template <class F, class G>
+void share_in_order(int threads, int count, int stretch, F&& f, G&& then) {
+  if (threads <= 1 || count <= stretch) {
+    for (int first = 0; first < count; first += stretch) {
+      const int last = count - first < stretch ? count : first + stretch;
+      f(first, last, 0, 0);
+      then(first, last, 0);
+    }
+    return;
+  }
+  struct Both {
+    std::remove_reference_t<F>* f;
+    std::remove_reference_t<G>* then;
+  } both{&f, &then};
+  detail::share_in_order(
+      threads, count, stretch,
+      [](void* b, int first, int last, int thread, int slot) {
+        (*static_cast<Both*>(b)->f)(first, last, thread, slot);
+      },
+      [](void* b, int first, int last, int /*thread*/, int slot) { (*static_cast<Both*>(b)->then)(first, last, slot); },
+      &both);
+}
+
+}  // namespace trilith

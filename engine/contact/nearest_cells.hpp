@@ -1,0 +1,153 @@
+// The cells of a pressed face: where which face of the other solid is nearest.
+//
+// Comes in: a convex part of a face, by points whose depths below all faces of the other solid are known
+// (shape/depth_table.hpp). Goes out: for each face f that is nearest somewhere, the polygon where depth_f <= depth_g
+// for all others g. All depths are linear over it, so each g cuts it along a line, and most cut nothing.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+#include "shape/depth_table.hpp"
+
+namespace trilith {
+
+/// A point of a pressed face: where it is from the point that moments are about, how deep in the other solid, and how
+/// fast the two close there.
+struct PressedPoint {
+  Vec3 arm;
+  double depth, closing;  // [m], [m/s]
+};
+
+/// A convex polygon with room for a triangle cut by many planes.
+struct PressedPolygon {
+  static constexpr std::size_t most = 128;
+  std::array<PressedPoint, most> corner;
+  std::size_t count = 0;
+
+  void add(const PressedPoint& p) {
+    if (count < most) corner[count++] = p;
+  }
+};
+
+/// Of a function at the corners of a polygon.
+using CornerHeights = std::array<double, PressedPolygon::most>;
+
+inline PressedPoint between(const PressedPoint& p, const PressedPoint& q, double share) {
+  return {p.arm + share * (q.arm - p.arm), p.depth + share * (q.depth - p.depth),
+          p.closing + share * (q.closing - p.closing)};
+}
+
+/// The part of a polygon where a function that is linear over it is not negative.
+inline void keep_above(const PressedPolygon& from, const CornerHeights& height, PressedPolygon& kept) {
+  kept.count = 0;
+  for (std::size_t i = 0; i < from.count; ++i) {
+    const std::size_t next = i + 1 == from.count ? 0 : i + 1;
+    const double hp = height[i], hq = height[next];
+    if (hp >= 0) kept.add(from.corner[i]);
+    if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) kept.add(between(from.corner[i], from.corner[next], hp / (hp - hq)));
+  }
+}
+
+/// A convex part of a face of the walker: points of the shared solid in their order, and the speeds at which the two
+/// close there.
+struct Rim {
+  static constexpr std::size_t most = 64;
+  std::array<int, most> point;
+  std::array<double, most> closing;
+  std::size_t count = 0;
+
+  void add(int p, double at) { point[count] = p, closing[count++] = at; }
+};
+
+/// What of a rim is nearest to one of the faces of the owner. `noise` is well above what rounding does to a depth [m]:
+/// of most other faces the corners tell that they cut nothing away, or all of it.
+class CellCutter {
+ public:
+  CellCutter(const DepthTable& owner, std::span<const Vec3> arms, const Rim& rim, double noise)
+      : owner_(owner), arms_(arms), rim_(rim), noise_(noise) {
+    for (std::size_t i = 0; i < rim.count; ++i) row_[i] = owner.row(rim.point[i]);
+    list_near_faces();
+  }
+
+  [[nodiscard]] std::size_t faces() const { return faces_; }
+
+  /// The cell of one of these faces; null where there is none.
+  const PressedPolygon* cell(std::size_t f) {
+    cell_ = &polygon_[0], spare_ = &polygon_[1];
+    cell_->count = 0;
+    for (std::size_t i = 0; i < rim_.count; ++i)
+      cell_->add({arms_[static_cast<std::size_t>(rim_.point[i])], std::max(0.0, row_[i][column_[f]]), rim_.closing[i]});
+    if (!list_cutters(f)) return nullptr;
+    for (std::size_t c = 0; c < cutters_ && cell_->count > 2; ++c) cut_by(cutter_[c], c == 0);
+    return cell_->count > 2 ? cell_ : nullptr;
+  }
+
+ private:
+  struct Range {
+    double low, high;
+  };
+  template <class Value>
+  [[nodiscard]] Range range_of(Value&& value) const {
+    Range range{value(0), value(0)};
+    for (std::size_t i = 1; i < rim_.count; ++i) {
+      const double at = value(i);
+      range.low = std::min(range.low, at), range.high = std::max(range.high, at);
+    }
+    return range;
+  }
+
+  /// A face that all of the rim is deeper below than below some other is nearest nowhere.
+  void list_near_faces() {
+    std::array<double, most> low;
+    double reach = std::numeric_limits<double>::infinity();
+    const int columns = std::min(owner_.columns(), static_cast<int>(most));
+    for (int k = 0; k < columns; ++k) {
+      const Range depth = range_of([&](std::size_t i) { return row_[i][k]; });
+      low[static_cast<std::size_t>(k)] = depth.low, reach = std::min(reach, std::max(0.0, depth.high));
+    }
+    for (int k = 0; k < columns; ++k)
+      if (low[static_cast<std::size_t>(k)] <= reach && !owner_.has_first_like(k)) column_[faces_++] = k;
+  }
+
+  /// Those that may cut something away; false where one takes all.
+  bool list_cutters(std::size_t f) {
+    cutters_ = 0;
+    for (std::size_t g = 0; g < faces_; ++g) {
+      if (g == f) continue;
+      const Range height = range_of([&](std::size_t i) { return row_[i][column_[g]] - cell_->corner[i].depth; });
+      if (height.high < -noise_) return false;
+      if (height.low <= noise_) cutter_[cutters_++] = column_[g];
+    }
+    return true;
+  }
+
+  /// Depths of the corners of a whole rim are those of its rows.
+  void cut_by(int column, bool whole) {
+    CornerHeights height;
+    bool all = true;
+    for (std::size_t i = 0; i < cell_->count; ++i) {
+      const PressedPoint& p = cell_->corner[i];
+      height[i] = (whole ? row_[i][column] : owner_.below(column, p.arm)) - p.depth;
+      all = all && height[i] >= 0;
+    }
+    if (all) return;
+    keep_above(*cell_, height, *spare_);
+    std::swap(cell_, spare_);
+  }
+
+  static constexpr std::size_t most = 256;  // faces of the owner
+  const DepthTable& owner_;
+  std::span<const Vec3> arms_;
+  const Rim& rim_;
+  double noise_;
+  std::array<const double*, Rim::most> row_;
+  std::array<int, most> column_, cutter_;
+  std::size_t faces_ = 0, cutters_ = 0;
+  std::array<PressedPolygon, 2> polygon_;
+  PressedPolygon *cell_ = nullptr, *spare_ = nullptr;
+};
+
+}  // namespace trilith

@@ -1,0 +1,61 @@
+// Bodies and bearings of a simulation that go, come back, or come new.
+#include <utility>
+
+#include "run/simulation.hpp"
+#include "run/watch.hpp"
+#include "step/take_out.hpp"
+#include "step/tangent.hpp"
+
+namespace trilith {
+
+/// change(options of the step to come) gives what is to be told; the step that follows is looked at anew.
+template <int D>
+template <class Change>
+void Simulation<D>::change_parts(Change&& change) {
+  refresh();
+  const std::vector<Event> events = change(StepOptions{swept_.dt, rest_});
+  leaving_.insert(leaving_.end(), events.begin(), events.end());
+  all_left_ = hold_left(model_, state_);
+  edited();
+}
+
+template <int D>
+void Simulation<D>::remove(const Parts& parts) {
+  change_parts([&](const StepOptions& options) { return trilith::remove(model_, state_, work_, options, parts); });
+}
+
+template <int D>
+void Simulation<D>::put_back(const Parts& parts) {
+  change_parts([&](const StepOptions& options) { return trilith::put_back(model_, state_, work_, options, parts); });
+  drop_step();
+}
+
+template <int D>
+void Simulation<D>::grow(Model<D> grown) {
+  constexpr double mortar_reach = 1e-3;  // of the smaller body's size: new mortar fills what settling has left open
+  causes_.grow(grown.bodies.size());
+  change_parts([&](const StepOptions& options) {
+    return trilith::grow(model_, state_, work_, options, std::move(grown), mortar_reach);
+  });
+  drop_step();
+}
+
+template <int D>
+void Simulation<D>::alter(const std::function<void(Model<D>&)>& change, std::span<const int> begun) {
+  change_parts([&](const StepOptions& options) {
+    trilith::alter(model_, state_, work_, options, change, begun);
+    return std::vector<Event>{};
+  });
+  drop_step();
+}
+
+template void Simulation<2>::alter(const std::function<void(Model<2>&)>&, std::span<const int>);
+template void Simulation<3>::alter(const std::function<void(Model<3>&)>&, std::span<const int>);
+template void Simulation<2>::remove(const Parts&);
+template void Simulation<2>::put_back(const Parts&);
+template void Simulation<2>::grow(Model<2>);
+template void Simulation<3>::remove(const Parts&);
+template void Simulation<3>::put_back(const Parts&);
+template void Simulation<3>::grow(Model<3>);
+
+}  // namespace trilith

@@ -1,0 +1,51 @@
+#include "shape/depth_table.hpp"
+
+namespace trilith {
+namespace {
+
+/// Normals and one corner of all surface faces, kind by kind.
+void list_planes(const PlacedSolid& solid, const Vec3& origin, DepthRoom& room) {
+  const FaceLoops& faces = solid.solid->shape.faces;
+  room.face.clear();
+  for (int f = 0; f < faces.count(); ++f)
+    if (solid.solid->is_surface(f)) room.face.push_back(f);
+  const std::size_t n = room.face.size();
+  room.plane.resize(6 * n);
+  double* to = room.plane.data();
+  for (const int f : room.face) {
+    const Vec3& normal = solid.normals[static_cast<std::size_t>(f)];
+    const Vec3 corner = solid.corners[static_cast<std::size_t>(faces[f][0])] - origin;
+    to[0] = normal.x(), to[n] = normal.y(), to[2 * n] = normal.z();
+    to[3 * n] = corner.x(), to[4 * n] = corner.y(), to[5 * n] = corner.z();
+    ++to;
+  }
+}
+
+/// One row; returns the column of the least depth.
+int fill_row(const Vec3& at, std::size_t n, const double* __restrict plane, double* __restrict depth) {
+  const double x = at.x(), y = at.y(), z = at.z();
+  const double *nx = plane, *ny = nx + n, *nz = ny + n, *px = nz + n, *py = px + n, *pz = py + n;
+  for (std::size_t k = 0; k < n; ++k) depth[k] = nx[k] * (px[k] - x) + ny[k] * (py[k] - y) + nz[k] * (pz[k] - z);
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool nearer = depth[k] < least;
+    least = nearer ? depth[k] : least, nearest = nearer ? static_cast<int>(k) : nearest;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+DepthTable::DepthTable(const PlacedSolid& solid, const Vec3& origin, std::span<const Vec3> arms, DepthRoom& room)
+    : solid_(solid) {
+  list_planes(solid, origin, room);
+  const std::size_t n = room.face.size();
+  room.depth.resize(n * arms.size()), room.nearest.resize(arms.size());
+  for (std::size_t i = 0; i < arms.size(); ++i)
+    room.nearest[i] = fill_row(arms[i], n, room.plane.data(), room.depth.data() + i * n);
+  columns_ = static_cast<int>(n);
+  plane_ = room.plane.data(), depth_ = room.depth.data(), nearest_ = room.nearest.data(), face_ = room.face.data();
+}
+
+}  // namespace trilith

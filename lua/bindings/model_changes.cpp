@@ -1,0 +1,177 @@
+// Bodies, bearings and histories that come to a model, go and come back after it has run.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/error.hpp"
+#include "simulated_model.hpp"
+
+namespace trilith::script {
+namespace {
+
+template <int D>
+bool is_bearing_removed(const State<D>& state, int bearing) {
+  return state.bearing[static_cast<std::size_t>(bearing)].status == BearingStatus::removed;
+}
+
+}  // namespace
+
+template <int D>
+void SimulatedModel<D>::catch_up() {
+  if (simulation_ && caught_up_ != additions_ && (!running_ || paused_)) extend();
+}
+
+template <int D>
+void SimulatedModel<D>::alter(std::function<void(Model<D>&)> what, std::vector<int> begun) {
+  change([this, what = std::move(what), begun = std::move(begun)](Model<D>&) { simulation_->alter(what, begun); });
+}
+
+/// What cannot be where it is put is forgotten, so that the model is as it was.
+template <int D>
+void SimulatedModel<D>::extend() {
+  caught_up_ = additions_;
+  try {
+    simulation_->grow(extended_model(simulation_->model(), simulation_->state()));
+  } catch (const InputError&) {
+    forget_added();
+    throw;
+  }
+  extend_recording();
+}
+
+/// Bodies, bearings and seats that the simulation does not have.
+template <int D>
+void SimulatedModel<D>::forget_added() {
+  const Model<D>& model = simulation_->model();
+  forget_beyond(model);
+  bearings.resize(std::min(bearings.size(), model.bearings.size()));
+  seats.resize(std::min(seats.size(), model.seats.size()));
+  caught_up_ = additions_;
+}
+
+template <int D>
+std::vector<double> SimulatedModel<D>::heights() const {
+  const Model<D>& model = simulation_->model();
+  std::vector<double> heights(model.bodies.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t b = 0; b < heights.size(); ++b)
+    if (model.body_moves(static_cast<int>(b)))
+      heights[b] = simulation_->state().position[static_cast<std::size_t>(model.bodies[b].first_node)][D - 1];
+  return heights;
+}
+
+template <int D>
+std::vector<RecordedHistory<D>> SimulatedModel<D>::recorded_histories() const {
+  std::vector<RecordedHistory<D>> all;
+  for (const History& h : histories) all.push_back({h.name, h.unit, h.sentence, {}});
+  return all;
+}
+
+template <int D>
+void SimulatedModel<D>::extend_recording() {
+  if (!recording_) return;
+  try {
+    recording_->extend(simulation_->model(), simulation_->state(), recorded_histories());
+  } catch (...) {
+    recording_.reset();  // what was written lies where the message says
+    throw;
+  }
+}
+
+template <int D>
+void SimulatedModel<D>::follow_more() {
+  extend_recording();
+}
+
+template <int D>
+std::optional<double> SimulatedModel<D>::removed_at(int body) const {
+  const auto row = static_cast<std::size_t>(body);
+  if (!simulation_ || !simulation_->state().is_removed(row)) return std::nullopt;
+  return simulation_->state().removed_at[row];
+}
+
+template <int D>
+std::string SimulatedModel<D>::why_absent(int body) const {
+  if (body >= body_count()) return "was never added, as the run went back to before that";
+  if (!simulation_) return "";
+  if (body >= static_cast<int>(simulation_->model().bodies.size())) return "is added at the next step border";
+  const std::optional<double> removed = removed_at(body);
+  return removed ? fmt::format("was removed at {:.6g} s", *removed) : "";
+}
+
+/// A push asks for forces that make a body go where it is to be.
+template <int D>
+void SimulatedModel<D>::require_unpushed(const std::vector<int>& which) const {
+  const Model<D>& model = simulation_->model();
+  for (const int b : which) {
+    const Body& body = model.bodies[static_cast<std::size_t>(b)];
+    for (const Push<D>& push : model.pushes)
+      for (const auto& row : push.rows)
+        if (row.node >= body.first_node && row.node < body.first_node + body.nodes)
+          throw InputError(
+              fmt::format("remove: body '{}' is pushed by '{}'; release that first", body.name, push.name));
+  }
+}
+
+template <int D>
+void SimulatedModel<D>::remove(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) {
+  simulation();
+  const bool waits = running_ && !paused_;
+  change([this, which, links, place = waits ? place : ""](Model<D>& model) {
+    for (const int b : which) require_present(b, "remove" + (place.empty() ? place : ": " + place));
+    require_unpushed(which);
+    for (const int i : links)
+      if (is_bearing_removed(simulation_->state(), i))
+        throw InputError(fmt::format("remove: {}bearing '{}' was removed already", place,
+                                     model.bearings[static_cast<std::size_t>(i)].name));
+    simulation_->remove({which, links});
+  });
+}
+
+template <int D>
+void SimulatedModel<D>::put_back(const std::vector<int>& which, const std::vector<int>& links,
+                                 const std::string& place) {
+  simulation();
+  const bool waits = running_ && !paused_;
+  change([this, which, links, place = waits ? place : ""](Model<D>& model) {
+    for (const int b : which)
+      if (!removed_at(b))
+        throw InputError(fmt::format("put_back: {}body '{}' is there; what was removed can be put back", place,
+                                     model.bodies[static_cast<std::size_t>(b)].name));
+    for (const int i : links)
+      if (!is_bearing_removed(simulation_->state(), i))
+        throw InputError(fmt::format("put_back: {}bearing '{}' is there; what was removed can be put back", place,
+                                     model.bearings[static_cast<std::size_t>(i)].name));
+    simulation_->put_back({which, links});
+  });
+}
+
+template void SimulatedModel<2>::alter(std::function<void(Model<2>&)>, std::vector<int>);
+template void SimulatedModel<2>::catch_up();
+template std::vector<double> SimulatedModel<2>::heights() const;
+template void SimulatedModel<2>::extend();
+template void SimulatedModel<2>::forget_added();
+template std::vector<RecordedHistory<2>> SimulatedModel<2>::recorded_histories() const;
+template void SimulatedModel<2>::extend_recording();
+template void SimulatedModel<2>::follow_more();
+template std::optional<double> SimulatedModel<2>::removed_at(int) const;
+template std::string SimulatedModel<2>::why_absent(int) const;
+template void SimulatedModel<2>::require_unpushed(const std::vector<int>&) const;
+template void SimulatedModel<2>::remove(const std::vector<int>&, const std::vector<int>&, const std::string&);
+template void SimulatedModel<2>::put_back(const std::vector<int>&, const std::vector<int>&, const std::string&);
+template void SimulatedModel<3>::alter(std::function<void(Model<3>&)>, std::vector<int>);
+template void SimulatedModel<3>::catch_up();
+template std::vector<double> SimulatedModel<3>::heights() const;
+template void SimulatedModel<3>::extend();
+template void SimulatedModel<3>::forget_added();
+template std::vector<RecordedHistory<3>> SimulatedModel<3>::recorded_histories() const;
+template void SimulatedModel<3>::extend_recording();
+template void SimulatedModel<3>::follow_more();
+template std::optional<double> SimulatedModel<3>::removed_at(int) const;
+template std::string SimulatedModel<3>::why_absent(int) const;
+template void SimulatedModel<3>::require_unpushed(const std::vector<int>&) const;
+template void SimulatedModel<3>::remove(const std::vector<int>&, const std::vector<int>&, const std::string&);
+template void SimulatedModel<3>::put_back(const std::vector<int>&, const std::vector<int>&, const std::string&);
+
+}  // namespace trilith::script

@@ -1,0 +1,113 @@
+-- Models that change from a script: parts go, come back and come new, between stages and from handlers.
+local trilith = require "trilith"
+local g = 9.80665
+local function near(a, b, share) assert(math.abs(a - b) <= share*math.abs(b), a .. " is not " .. b) end
+local function fails(f, text)
+  local ok, message = pcall(f)
+  assert(not ok, "should fail: " .. text)
+  assert(tostring(message):find(text, 1, true), tostring(message) .. " does not say: " .. text)
+end
+
+local function tower(out)
+  local m = trilith.model { name = "tower" }
+  m:material { name = "stone", density = 2000 }
+  m:contact { between = { "*", "*" }, name = "joint",
+    law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.6, beta = 2e-4 } }
+  m:block { name = "ground", width = 6, height = 1, at = { -3, -1 }, material = "stone", support = "fixed" }
+  m:block { name = "lower", width = 1, height = 0.5, at = { -0.5, 0 }, material = "stone" }
+  m:block { name = "upper", width = 1, height = 0.5, at = { -0.5, 0.5 }, material = "stone" }
+  if out then m:results { file = out, frames = 0.05 } end
+  return m
+end
+local function calm(m) return m:run { duration = 5, damping = 0.8, until_rest = { ratio = 1e-5, from = 0.1 } } end
+
+-- Removed from under another, which falls by its own height and comes to lie on the ground.
+local out = os.tmpname()
+os.remove(out)
+local m = tower(out .. ".h5")
+m:consolidate { ratio = 1e-6 }
+local lower, upper = m:body "lower", m:body "upper"
+m:remove(lower)
+assert(not lower.present and lower.removed_at == m.time)
+assert(#m:bodies { name = "*er" } == 1)
+fails(function() return lower.x end, "body 'lower' was removed at")
+fails(function() m:remove(lower) end, "remove: body 'lower' was removed at")
+fails(function() m:point_load { body = lower, force = { 0, 1 } } end, "was removed at")
+fails(function() m:remove "lowest" end, "there is no body or group 'lowest'")
+fails(function() m:remove {} end, "remove: there is nothing of it")
+fails(function() m:put_back(upper) end, "put_back: body 'upper' is there")
+calm(m)
+near(upper.y, 0.25, 1e-3)
+assert(m.energy.removed ~= 0)
+
+-- New bodies, laws, histories, a bearing; wrong ones leave the model as it was.
+fails(function() m:block { name = "inside", width = 1, height = 0.5, at = { -0.4, 0.1 }, material = "stone" } end,
+  "overlap by")
+fails(function() m:block { name = "high", width = 1, height = 0.5, at = { -0.4, 3 }, material = "stone" } end,
+  "stands on nothing")
+m:material { name = "lead", density = 11000 }
+m:contact { between = { "lead", "stone" }, law = trilith.frictional { kn = 2e9, ks = 1e9, mu = 0.1, beta = 1e-4 } }
+local weight = m:block { name = "weight", width = 0.5, height = 0.2, at = { -0.25, 0.5001 }, material = "lead" }
+local h = m:history { name = "sinking", body = weight, what = "uy" }
+calm(m)
+near(weight.y, 0.6, 1e-3)
+assert(h.values[1] ~= h.values[1] or #h.values > 0)
+local held = m:contacts { between = { weight, upper } }
+near(held[1].force[2], weight.mass*g, 1e-2)
+local tie = m:bearing { name = "tie", between = { upper, weight }, at = { 0, 0.5 },
+  along = trilith.linear { stiffness = 1e6 }, axial = trilith.linear { stiffness = 1e6 } }
+assert(tie.status == "intact" and math.abs(tie.force_along) < 1)
+m:change { bearing = "tie", along = trilith.linear { stiffness = 2e6 }, limit = { along = 0.1 } }
+m:run { duration = 0.05 }
+m:remove(tie)
+assert(tie.status == "removed" and tie.force_along == 0)
+fails(function() m:remove(tie) end, "bearing 'tie' was removed already")
+m:put_back(tie)
+assert(tie.status == "intact")
+fails(function() m:put_back(tie) end, "bearing 'tie' is there")
+
+-- From handlers: at the step border, told as events; a handler that goes off; a stage that ends by a function.
+local seen, calls = {}, 0
+m:on("body.removed", function(e) seen[#seen + 1] = e.body.name end)
+m:on("bearing.removed", function(e) seen[#seen + 1] = e.bearing.name end)
+local every
+every = m:every(0.01, function()
+  calls = calls + 1
+  if calls ~= 3 then return end
+  m:off(every)
+  m:remove(weight)
+  assert(weight.present) -- until the step border
+  local late = m:block { name = "late", width = 0.5, height = 0.2, at = { 1, 0.0001 }, material = "lead" }
+  assert(not late.present)
+  fails(function() return late.x end, "is added at the next step border")
+end)
+local report = m:run { duration = 1, until_true = function() return m.time > 1 and not weight.present end }
+assert(report.ending == "stopped" and report.reason == "until_true came true")
+-- The removal between the stages was told first; then the body's, which took its bearing along.
+assert(calls == 3 and table.concat(seen, " ") == "tie weight tie", table.concat(seen, " "))
+fails(function() m:off(every) end, "is off already")
+fails(function() m:off "x" end, "off: takes the handler")
+calm(m)
+near(m:body("late").y, 0.1, 1e-2)
+
+-- A body that takes itself away in its own event.
+local dropped = m:block { name = "dropped", width = 0.3, height = 0.3, at = { -2, 0.5 }, material = "stone",
+  floating = true }
+m:on("impact", function(e) if e.body == dropped or e.bodies[2] == dropped then m:remove(dropped) end end)
+m:run { duration = 0.6 }
+assert(dropped.removed_at and not dropped.present)
+m:close()
+
+os.remove(out .. ".h5")
+
+-- A stage ends as things come down.
+local t = tower()
+t:consolidate { ratio = 1e-6 }
+t:every(0.1, function(model) if model:body("lower").present then model:remove "lower" end end)
+local fall = t:run { duration = 5, until_collapse = { drop = 0.2 } }
+assert(fall.ending == "stopped" and fall.reason:find "collapsed", fall.reason)
+fails(function() t:run { duration = 1, until_collapse = 3 } end, "until_collapse")
+fails(function() t:run { duration = 1, until_true = 3 } end, "until_true")
+-- A removal asked for twice in one step is refused at the border.
+t:every(0.01, function(model) model:remove "upper"; model:remove "upper" end)
+fails(function() t:run { duration = 1 } end, "body 'upper' was removed at")
