@@ -15,6 +15,7 @@ local p = trilith.params {
   mu = { 0.1, "friction of seats" },
   limit = { 10, unit = "inch", "horizontal displacement that ends a fixed bearing" },
   side = { 15, unit = "inch", "seat beside the outer girder" },
+  overlap = { 0.005, unit = "inch", "of a girder and its seat under an 80 ft span; makes the stiffness of contact" },
   zeta = { 0.05, "damping of contact" },
   soil = { 60e6, unit = "Pa", "shear modulus of the ground" },
   duration = { 30, unit = "s", "of the shaking" },
@@ -24,10 +25,10 @@ local p = trilith.params {
 local m = trilith.model { name = "seven-span bridge in space", dim = 3 }
 m:material { name = "concrete", density = 2400 }
 
--- Contact: 0.02 in of overlap under a girder of an 80 ft span; damping zeta for what weighs on it.
+-- Contact: damping zeta for what weighs on a girder's seat.
 local dead_load, seat, girder = 5.6*kip, 15*inch, 2*ft -- of a foot of deck; length of a seat, width of a girder
 local reaction = 20*dead_load
-local kn = reaction/(seat*girder*0.02*inch)
+local kn = reaction/(seat*girder*p.overlap)
 local beta = 2*p.zeta/math.sqrt(kn*seat*girder*g/reaction)
 local function coulomb(mu) return trilith.frictional { kn = kn, ks = kn/2, mu = mu, beta = beta } end
 m:contact { between = { "decks", "*" }, law = coulomb(0.6), name = "concrete on concrete" }
@@ -112,7 +113,7 @@ for i, support in ipairs(supports) do
   end
 end
 
--- Decks: a slab of 9 in on two girders, and a diaphragm at each end. On supports that are fixed a bearing under each
+-- Decks: a slab of 1 ft on two girders, and a diaphragm at each end. On supports that are fixed a bearing under each
 -- girder, for a span of 80 ft 60 kip/in lengthwise and sideways and 3000 kip/in vertically, for others by weight.
 -- Each girder's end has two seats: how far it reaches over the edge lengthwise, and its middle over the edge sideways.
 local function set_on(span, side, support, x, way)
@@ -133,7 +134,7 @@ local function set_on(span, side, support, x, way)
   end
 end
 for i, span in ipairs(spans) do
-  local x0, x1, depth, slab = joint[i] + 0.5*p.gap, joint[i + 1] - 0.5*p.gap, span[3], 0.75
+  local x0, x1, depth, slab = joint[i] + 0.5*p.gap, joint[i + 1] - 0.5*p.gap, span[3], 1
   local under = depth - slab
   solid(span[1], { "decks" }, span[2]*dead_load, {
     { x0, x1, -half, half, under, depth },
