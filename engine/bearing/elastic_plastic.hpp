@@ -1,14 +1,17 @@
 // Bilinear spring: elastic to `yield`, then hardening with `hardening` times the stiffness (kinematic), and a dashpot.
 //
 // f = k (d - p), |f - h p| <= f_y, with h = k r/(1 - r) for r = hardening. Return mapping: Simo and Hughes,
-// "Computational Inelasticity", 1998, box 1.5.
+// "Computational Inelasticity", 1998, box 1.5. Of both horizontal directions the same with vectors f, d, p: the yield
+// surface is a circle that moves, and p flows along its normal (box 3.1, radial return).
 #pragma once
 
 #include <array>
 #include <cmath>
 
+#include "base/portable.hpp"
 #include "base/schema.hpp"
 #include "bearing/direction.hpp"
+#include "bearing/horizontal.hpp"
 
 namespace trilith {
 
@@ -50,6 +53,30 @@ struct ElasticPlastic {
     const double bent = m.displacement - out.memory.inner;
     out.stored = 0.5 * stiffness * (bent * bent) + 0.5 * h * out.memory.inner * out.memory.inner;
     add_dashpot(damping, m, before, out);
+    return out;
+  }
+
+  struct Horizontal {
+    Pair inner{}, force{};  ///< plastic displacement [m], force [N]
+    double travelled = 0;   ///< path of the plastic displacement [m]
+  };
+  [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
+                                                                  const Horizontal& before) const {
+    const double h = stiffness * hardening / (1 - hardening);
+    const Vec2 was = vector_of(before.inner), trial = stiffness * (m.displacement - was), over = trial - h * was;
+    const double size = portable::hypot(over.x(), over.y()), beyond = size - yield;
+    HorizontalResponse<Horizontal> out{before};
+    Vec2 inner = was;
+    if (beyond > 0) {
+      inner += beyond / (stiffness + h) * (over / size);
+      out.memory.travelled += beyond / (stiffness + h);
+      out.yielding = true;
+    }
+    out.force = stiffness * (m.displacement - inner);
+    const Vec2 moved = inner - was, middle = 0.5 * (inner + was), mean = 0.5 * (out.force + vector_of(before.force));
+    out.lost_inner = (mean - h * middle).dot(moved);
+    out.stored = 0.5 * stiffness * (m.displacement - inner).squaredNorm() + 0.5 * h * inner.squaredNorm();
+    out.memory.inner = pair_of(inner), out.memory.force = pair_of(out.force);
     return out;
   }
 };

@@ -4,7 +4,10 @@
 //     mu(v) = mu_fast - (mu_fast - mu) exp(-rate |v|)
 // (Constantinou, Mokha and Reinhorn, "Teflon bearings in base isolation II: modeling", J. Struct. Eng. ASCE 116(2),
 // 1990), and that goes with (N / reference_load)^(load_exponent - 1), as plastics have it (Bowden and Tabor, "The
-// Friction and Lubrication of Solids II", 1964).
+// Friction and Lubrication of Solids II", 1964). Of both horizontal directions |f| is the resultant and v the speed
+// along the path: the limit is a circle, and the slider follows along the force (Mosqueda, Whittaker and Fenves,
+// "Characterization and modeling of friction pendulum bearings subjected to multiple components of excitation",
+// J. Struct. Eng. ASCE 130(3), 2004).
 #pragma once
 
 #include <algorithm>
@@ -14,6 +17,7 @@
 #include "base/portable.hpp"
 #include "base/schema.hpp"
 #include "bearing/direction.hpp"
+#include "bearing/horizontal.hpp"
 
 namespace trilith {
 
@@ -91,6 +95,31 @@ struct Friction {
     out.lost_inner = 0.5 * (out.memory.force + before.force) * slid;
     out.stored = 0.5 * out.memory.force * out.memory.force / stiffness;
     add_dashpot(damping, m, before, out);
+    return out;
+  }
+
+  struct Horizontal {
+    Pair inner{}, force{};  ///< place of the slider [m], friction [N]
+    double travelled = 0;   ///< path of the slider [m]
+  };
+  [[nodiscard]] static Horizontal begin_horizontal_at(const Vec2& displacement) { return {pair_of(displacement)}; }
+  [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
+                                                                  const Horizontal& before) const {
+    const double limit = most(portable::hypot(m.rate.x(), m.rate.y()), m.compression);
+    const Vec2 was = vector_of(before.inner), trial = stiffness * (m.displacement - was);
+    const double size = portable::hypot(trial.x(), trial.y());
+    HorizontalResponse<Horizontal> out{before, trial};
+    Vec2 inner = was;
+    if (size > limit) {
+      out.force = limit / size * trial;
+      inner = m.displacement - out.force / stiffness;
+      out.yielding = true;
+    }
+    const Vec2 slid = inner - was;
+    out.memory.travelled += portable::hypot(slid.x(), slid.y());
+    out.lost_inner = 0.5 * (out.force + vector_of(before.force)).dot(slid);
+    out.stored = 0.5 * out.force.squaredNorm() / stiffness;
+    out.memory.inner = pair_of(inner), out.memory.force = pair_of(out.force);
     return out;
   }
 

@@ -47,11 +47,21 @@ struct LeadRubber {
   [[nodiscard]] double dashpot() const { return damping; }
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
-    const double first = tangent(), hardening = post_stiffness / first;
-    return ElasticPlastic{first, strength / (1 - hardening), hardening, damping}.respond(m, before);
+    return loop().respond(m, before);
+  }
+
+  /// A round bearing yields at the same resultant in every azimuth.
+  using Horizontal = ElasticPlastic::Horizontal;
+  [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
+                                                                  const Horizontal& before) const {
+    return loop().respond_horizontal(m, before);
   }
 
  private:
+  [[nodiscard]] ElasticPlastic loop() const {
+    const double first = tangent(), hardening = post_stiffness / first;
+    return {first, strength / (1 - hardening), hardening, damping};
+  }
   static constexpr double least_ratio = 1.01;  // below it there is no corner to speak of
 };
 

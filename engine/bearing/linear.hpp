@@ -5,6 +5,7 @@
 
 #include "base/schema.hpp"
 #include "bearing/direction.hpp"
+#include "bearing/horizontal.hpp"
 
 namespace trilith {
 
@@ -29,6 +30,15 @@ struct Linear {
     out.stored = 0.5 * stiffness * m.displacement * m.displacement;
     add_dashpot(damping, m, before, out);
     return out;
+  }
+
+  /// The same spring in every azimuth; it remembers nothing, but a memory has a number at least.
+  struct Horizontal {
+    double none = 0;
+  };
+  [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
+                                                                  const Horizontal& before) const {
+    return {before, stiffness * m.displacement, 0.5 * stiffness * m.displacement.squaredNorm()};
   }
 };
 

@@ -1,6 +1,7 @@
 // The laws a direction of a bearing can follow: a new one is its own file and a row here.
 #pragma once
 
+#include <algorithm>
 #include <variant>
 
 #include "bearing/bouc_wen.hpp"
@@ -8,6 +9,7 @@
 #include "bearing/elastic_plastic.hpp"
 #include "bearing/friction.hpp"
 #include "bearing/gap.hpp"
+#include "bearing/horizontal.hpp"
 #include "bearing/lead_rubber.hpp"
 #include "bearing/linear.hpp"
 #include "bearing/maxwell.hpp"
@@ -31,6 +33,20 @@ concept DirectionLawType = Declared<L> && requires(const L& law, const Direction
   { law.dashpot() } -> std::convertible_to<double>;
 };
 static_assert(DirectionLaws::all([]<class L>() { return DirectionLawType<L>; }));
+
+/// True for a law that both horizontal directions may follow at once.
+constexpr bool is_horizontal(const DirectionLaw& law) {
+  return std::visit([](const auto& l) { return HorizontalLaw<std::decay_t<decltype(l)>>; }, law);
+}
+
+/// Numbers that a bearing keeps for its law of both horizontal directions: as many as the one that wants the most.
+inline constexpr std::size_t most_horizontal_numbers = [] {
+  std::size_t most = 0;
+  DirectionLaws::for_each([&]<class L>() {
+    if constexpr (HorizontalLaw<L>) most = std::max(most, horizontal_numbers<L>);
+  });
+  return most;
+}();
 
 /// Given by points, beside its declared numbers.
 template <class L>

@@ -1,6 +1,7 @@
 // Friction pendulum: f = (N / R) d + friction mu N. Zayas, Low and Mahin, Report UCB/EERC-87/01, 1987.
 //
-// mu may depend on speed and load as that of the slider: bearing/friction.hpp.
+// mu may depend on speed and load as that of the slider: bearing/friction.hpp. Of both horizontal directions f and d
+// are vectors: on frictionless dishes the period is 2 pi sqrt(R/g) in every azimuth and round the dish.
 #pragma once
 
 #include <array>
@@ -53,6 +54,27 @@ struct Pendulum {
     out.stored += 0.5 * dish * m.displacement * m.displacement;
     // Where the compression changes, it does work on the rise of the dish, which the axial direction does not see.
     out.lost_inner += 0.5 * (dish_before - dish) * from * m.displacement;
+    return out;
+  }
+
+  /// A dish turned about its axis is the same dish. `slider`: without the dish's share.
+  struct Horizontal {
+    Friction::Horizontal slider;
+    double compression = 0;  ///< of the last step [N]
+  };
+  [[nodiscard]] static Horizontal begin_horizontal_at(const Vec2& displacement) {
+    return {Friction::begin_horizontal_at(displacement)};
+  }
+  [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
+                                                                  const Horizontal& before) const {
+    const auto slid = slider().respond_horizontal(m, before.slider);
+    const double dish_before = before.compression / radius, dish = m.compression / radius;
+    const Vec2 from = m.displacement - m.dt * m.rate;
+    HorizontalResponse<Horizontal> out{{slid.memory, m.compression}, slid.force + dish * m.displacement};
+    out.stored = slid.stored + 0.5 * dish * m.displacement.squaredNorm();
+    // As in one direction: a compression that changes does work on the rise of the dish.
+    out.lost_inner = slid.lost_inner + 0.5 * (dish_before - dish) * from.dot(m.displacement);
+    out.yielding = slid.yielding;
     return out;
   }
 

@@ -5,6 +5,7 @@
 
 #include "base/portable.hpp"
 #include "contact/face_overlap.hpp"
+#include "detect/bearing_rules.hpp"
 #include "detect/lookup.hpp"
 
 namespace trilith {
@@ -135,31 +136,7 @@ int contact_law(const Model<2>& model, int body_a, int body_b) {
   return model.law_of[model.bodies[body_a].surface * model.surfaces + model.bodies[body_b].surface];
 }
 
-void apply_bearings(const Model<2>& model, const PieceSearch<2>& search, std::span<const BearingMemory> bearings,
-                    NearPair& pair) {
-  if (search.bearing.empty()) return;
-  const ContactKey key = contact_key(std::min(pair.piece_a, pair.piece_b), std::max(pair.piece_a, pair.piece_b));
-  for (auto at = std::lower_bound(search.bearing.begin(), search.bearing.end(), std::pair(key, 0));
-       at != search.bearing.end() && at->first == key; ++at) {
-    const Bearing<2>& b = model.bearings[at->second];
-    if (is_live(bearings[at->second].status))
-      pair.replaced = pair.replaced || b.replaces_contact;
-    else if (b.contact_after >= 0)
-      pair.law = b.contact_after;
-  }
-}
-
 namespace {
-
-void list_bearings(const Model<2>& model, PieceSearch<2>& search) {
-  search.bearing.clear();
-  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    const Bearing<2>& b = model.bearings[i];
-    if (b.piece_a < 0 || b.piece_b < 0 || (!b.replaces_contact && b.contact_after < 0)) continue;
-    search.bearing.emplace_back(contact_key(std::min(b.piece_a, b.piece_b), std::max(b.piece_a, b.piece_b)), i);
-  }
-  std::sort(search.bearing.begin(), search.bearing.end());
-}
 
 /// Two pieces of bodies that are there, of which one may move, with a law between them.
 bool may_ever_touch(const Model<2>& model, const State<2>& state, const PieceSearch<2>& search, int p, int q) {
@@ -234,7 +211,7 @@ void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
   const auto add_new = [&](ContactKey key) {
     const int p = first_piece(key), q = second_piece(key);
     NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
-    apply_bearings(model, work.search, state.bearing, pair);
+    apply_bearings<2>(model, work.search, state.bearing, pair);
     find_facing(model, work, pair);
     add(pair, -1.0, 0.0);
   };

@@ -28,9 +28,4 @@ bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, N
 /// Law between two bodies' surfaces, -1 for none.
 int contact_law(const Model<2>& model, int body_a, int body_b);
 
-/// What the bearings between two pieces make of their contact: held off while one of them lives; after its failure, the
-/// law it became. `bearings`: [bearing] their memories; `search` has them by the pieces they sit between.
-void apply_bearings(const Model<2>& model, const PieceSearch<2>& search, std::span<const BearingMemory> bearings,
-                    NearPair& pair);
-
 }  // namespace trilith

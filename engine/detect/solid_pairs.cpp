@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "detect/bearing_rules.hpp"
+
 namespace trilith {
 
 FatBox<3> box_around(const PlacedSolid& solid) {
@@ -56,6 +58,7 @@ void look_up_all_solids(const Model<3>& model, Work<3>& work) {
   for (int p = 0; p < model.pieces(); ++p) search.due.push_back(p), search.is_due[static_cast<std::size_t>(p)] = 1;
   work.travel = work.look_again = work.clear_path = 0;
   work.pairs.clear(), work.asleep_until.clear(), work.solids.separation.clear();
+  list_bearings(model, search);
 }
 
 /// The law between two pieces, -1 where they are none of a pair.
@@ -89,6 +92,12 @@ void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
   search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
 }
 
+NearPair new_pair(const Model<3>& model, const State<3>& state, const PieceSearch<3>& search, int p, int q) {
+  NearPair pair{p, q, law_between(model, state, search, p, q), 0, 0, 0, 0, 0, 1.0, false};
+  apply_bearings<3>(model, search, state.bearing, pair);
+  return pair;
+}
+
 /// Moves a row of before to the list to come, or makes a new one.
 struct SolidList {
   Work<3>& work;
@@ -98,8 +107,8 @@ struct SolidList {
     work.spare_asleep.push_back(work.asleep_until[row]);
     work.solids.spare.push_back(work.solids.separation[row]);
   }
-  void add(int p, int q, int law) {
-    work.spare_pairs.push_back({p, q, law, 0, 0, 0, 0, 0, 1.0, false});
+  void add(const NearPair& pair) {
+    work.spare_pairs.push_back(pair);
     work.spare_asleep.push_back(-1);
     work.solids.spare.push_back({0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0});  // no axis parts them yet
   }
@@ -155,8 +164,7 @@ void find_solid_pairs(const Model<3>& model, const State<3>& state, Work<3>& wor
     if (row < work.pairs.size() && key_of(row) == key)
       list.keep(row++);
     else
-      list.add(first_piece(key), second_piece(key),
-               law_between(model, state, search, first_piece(key), second_piece(key)));
+      list.add(new_pair(model, state, search, first_piece(key), second_piece(key)));
   }
   keep_before(~ContactKey{0});
   list.end();

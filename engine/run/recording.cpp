@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "results/extended.hpp"
+#include "step/bearing_motion.hpp"
 #include "step/element_stress.hpp"
 #include "step/solid_resultants.hpp"
 #include "world/event_text.hpp"
@@ -49,9 +50,13 @@ results::BearingState state_of(BearingStatus status) {
 }
 
 /// Displacement of b's point against a's since the bearing was placed, in its axes; holds for failed ones too.
-Vec2 displacement_of(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+Vec2 displacement_of(const Model<2>& model, const State<2>& state, std::size_t i) {
+  const Bearing<2>& b = model.bearings[i];
   const Pose a = pose_at(model, state, b.end_a), at_b = pose_at(model, state, b.end_b);
   return Turn(a.rotation + b.angle).undo(Vec2(at_b.place - a.place)) - b.rest;
+}
+Vec3 displacement_of(const Model<3>& model, const State<3>& state, std::size_t i) {
+  return bearing_motion(model, state, i).translation();
 }
 
 /// Numbers, vectors and quaternions lie in a row, as the file wants them.
@@ -109,18 +114,18 @@ void Recording<2>::take_contacts(const Instant<2>& now) {
   }
 }
 
-template <>
-void Recording<2>::take_bearings(const Instant<2>& now) {
+template <int D>
+void Recording<D>::take_bearings(const Instant<D>& now) {
   bearing_state_.clear();
   bearing_force_.clear();
   bearing_displacement_.clear();
   for (std::size_t i = 0; i < now.model.bearings.size(); ++i) {
     const BearingStatus status = now.state.bearing[i].status;
-    const Vec2 force = is_live(status) ? now.work.bearing_force[i] : Vec2(Vec2::Zero());
-    const Vec2 displacement = displacement_of(now.model, now.state, now.model.bearings[i]);
+    const Vec<D> force = is_live(status) ? now.work.bearing_force[i] : Vec<D>(Vec<D>::Zero());
+    const Vec<D> displacement = displacement_of(now.model, now.state, i);
     bearing_state_.push_back(state_of(status));
-    bearing_force_.insert(bearing_force_.end(), {force.x(), force.y()});
-    bearing_displacement_.insert(bearing_displacement_.end(), {displacement.x(), displacement.y()});
+    bearing_force_.insert(bearing_force_.end(), force.data(), force.data() + D);
+    bearing_displacement_.insert(bearing_displacement_.end(), displacement.data(), displacement.data() + D);
   }
 }
 
@@ -136,9 +141,7 @@ void Recording<2>::take_stress(const Instant<2>& now) {
   }
 }
 
-/// There are no bearings and no elements in space yet.
-template <>
-void Recording<3>::take_bearings(const Instant<3>& /*now*/) {}
+/// There are no elements in space yet.
 template <>
 void Recording<3>::take_stress(const Instant<3>& /*now*/) {}
 

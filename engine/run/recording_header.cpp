@@ -54,6 +54,10 @@ Vec2 point_from_node(const Model<2>& model, int body, const Tie<2>& tie) {
   return pose_at(model, initial_state(model), tie).place - model.start_position[model.bodies[body].first_node];
 }
 
+Vec3 point_from_node(const Model<3>& /*model*/, int /*body*/, const Tie<3>& tie) {
+  return tie.arm[0];
+}
+
 void add_deformable(const Model<2>& model, const State<2>& state, const Body& body, results::Header& header) {
   results::BodyRow row;
   row.name = body.name;
@@ -179,14 +183,15 @@ std::string direction_text(const DirectionLaw& law) {
       law);
 }
 
-void add_bearings(const Model<2>& model, results::Header& header) {
-  for (const Bearing<2>& b : model.bearings) {
+template <int D>
+void add_bearings(const Model<D>& model, results::Header& header) {
+  for (const Bearing<D>& b : model.bearings) {
     results::BearingRow row;
     row.name = b.name;
     row.body_a = b.body_a;
     row.body_b = b.body_b;
-    const Vec2 a = point_from_node(model, b.body_a, b.end_a), at_b = point_from_node(model, b.body_b, b.end_b);
-    for (const int k : {0, 1}) row.point_a[k] = a[k], row.point_b[k] = at_b[k];
+    const Vec<D> a = point_from_node(model, b.body_a, b.end_a), at_b = point_from_node(model, b.body_b, b.end_b);
+    for (int k = 0; k < D; ++k) row.point_a[k] = a[k], row.point_b[k] = at_b[k];
     row.law = bearing_text(model, b);
     header.bearings.push_back(std::move(row));
   }
@@ -213,7 +218,7 @@ results::Header recording_header(const Model<D>& model, const State<D>& state, c
   complete(model, header.provenance);
   add_bodies(model, state, header);
   add_laws(model, options.materials, header);
-  if constexpr (D == 2) add_bearings(model, header);
+  add_bearings(model, header);
   for (const RecordedHistory<D>& h : options.histories) header.histories.push_back({h.name, h.unit, h.description});
   for (const EnergyTermInfo& term : energy_term_info)
     header.energy_terms.push_back({std::string(term.name), "J", std::string(term.sentence)});
@@ -273,14 +278,41 @@ std::string drive_text(const Model<D>& model, const Drive& drive) {
                      drive.start);
 }
 
-std::string bearing_text(const Model<2>& model, const Bearing<2>& bearing) {
-  constexpr std::array<const char*, 3> names{"along", "axial", "turning"}, units{"m", "m", "rad"};
+namespace {
+
+/// Of one direction, or of both horizontal ones: its law and its limit.
+void add_direction(std::string& out, const char* name, const DirectionLaw& law, double limit, const char* unit) {
+  out += fmt::format("{}{}: {}", out.empty() ? "" : "; ", name, direction_text(law));
+  if (limit < unbounded) out += fmt::format(", limit {:g} {}", limit, unit);
+}
+
+bool is_free(const DirectionLaw& law) {
+  return std::holds_alternative<std::monostate>(law);
+}
+
+std::string directions_text(const Bearing<2>& b) {
   std::string out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    out += fmt::format("{}{}: {}", k == 0 ? "" : "; ", names[k], direction_text(bearing.law[k]));
-    if (bearing.limit[k] < unbounded) out += fmt::format(", limit {:g} {}", bearing.limit[k], units[k]);
-  }
-  if (bearing.angle != 0) out += fmt::format("; axes turned by {:g} rad", bearing.angle);
+  for (std::size_t k = 0; k < 3; ++k)
+    add_direction(out, Directions<2>::names[k], b.law[k], b.limit[k], unit_of_direction<2>(static_cast<int>(k)));
+  if (b.angle != 0) out += fmt::format("; axes turned by {:g} rad", b.angle);
+  return out;
+}
+/// Those of the six that are neither held nor limited are left out.
+std::string directions_text(const Bearing<3>& b) {
+  std::string out;
+  if (!is_free(b.horizontal) || b.horizontal_limit < unbounded)
+    add_direction(out, "horizontal", b.horizontal, b.horizontal_limit, "m");
+  for (std::size_t k = 0; k < 6; ++k)
+    if (!is_free(b.law[k]) || b.limit[k] < unbounded)
+      add_direction(out, Directions<3>::names[k], b.law[k], b.limit[k], unit_of_direction<3>(static_cast<int>(k)));
+  return out;
+}
+
+}  // namespace
+
+template <int D>
+std::string bearing_text(const Model<D>& model, const Bearing<D>& bearing) {
+  std::string out = directions_text(bearing);
   if (bearing.starts_waiting) out += "; waits for another's failure";
   if (bearing.replaces_contact) out += "; its bodies do not touch while it holds";
   if (bearing.contact_after >= 0) out += fmt::format("; becomes contact {}", model.law_names[bearing.contact_after]);
@@ -291,6 +323,8 @@ std::string bearing_text(const Model<2>& model, const Bearing<2>& bearing) {
 
 template results::Header recording_header(const Model<2>&, const State<2>&, const RecordingOptions<2>&);
 template results::Header recording_header(const Model<3>&, const State<3>&, const RecordingOptions<3>&);
+template std::string bearing_text(const Model<2>&, const Bearing<2>&);
+template std::string bearing_text(const Model<3>&, const Bearing<3>&);
 template bool leads(const Model<2>&, const Drive&);
 template bool leads(const Model<3>&, const Drive&);
 template std::string drive_text(const Model<2>&, const Drive&);

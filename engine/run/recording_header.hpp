@@ -50,6 +50,7 @@ template <int D>
 std::string drive_text(const Model<D>& model, const Drive& drive);
 
 /// A bearing's laws by direction, its limits and what it becomes.
-std::string bearing_text(const Model<2>& model, const Bearing<2>& bearing);
+template <int D>
+std::string bearing_text(const Model<D>& model, const Bearing<D>& bearing);
 
 }  // namespace trilith

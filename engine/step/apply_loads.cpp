@@ -1,5 +1,6 @@
 // Loads of the present instant on the nodes.
 #include "load/forces.hpp"
+#include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
 #include "world/pose.hpp"
 
@@ -38,18 +39,44 @@ Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotio
   return load.follows ? Vec2(load.pressure * load.depth * left_of(Vec2(b.x - a.x, b.y - a.y))) : load.dead;
 }
 
-void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work) {
-  // Arrays that are empty mean no loads: then `sum` and the nodes read the model's own.
+namespace {
+
+/// The steady loads of the model; false where there are no others. Arrays that are empty mean no loads: then `sum` and
+/// the nodes read the model's own.
+template <int D>
+bool begin_loads(const Model<D>& model, Work<D>& work) {
   if (!model.loaded()) {
-    if (work.load.empty()) return;
+    if (work.load.empty()) return false;
     work.load.clear(), work.load_moment.clear(), work.correction.clear(), work.correction_moment.clear();
     work.push_force.clear();
-    return;
+    return false;
   }
   work.load.assign(model.load.begin(), model.load.end());
-  work.load_moment.assign(model.load.size(), 0);
+  work.load_moment.assign(model.load.size(), nothing<Moment<D>>());
   work.correction.clear(), work.correction_moment.clear();
   work.push_force.assign(model.pushes.size(), 0);
+  return true;
+}
+
+}  // namespace
+
+/// In space there are loads at points alone; a force that follows turns with the body, its moment does too.
+void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work) {
+  if (!begin_loads(model, work)) return;
+  for (const PointLoad<3>& p : model.point_loads) {
+    const double share = p.curve.at(state.time);
+    if (share == 0) continue;
+    const int n = p.at.node[0];
+    const Turn3 turn = turn_of(state.rotation[n]);
+    const Vec3 force = share * (p.follows ? turn.apply(p.force) : p.force),
+               moment = share * (p.follows ? turn.apply(p.moment) : p.moment);
+    work.load[n] += force;
+    work.load_moment[n] += moment + cross(Vec3(point_of(state, p.at) - state.position[n]), force);
+  }
+}
+
+void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  if (!begin_loads(model, work)) return;
   for (const PointLoad<2>& p : model.point_loads) add_point_load(model, state, p, work);
   for (const FaceLoad<2>& f : model.face_loads) add_face_load(model, state, f, work);
 }

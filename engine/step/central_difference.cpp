@@ -168,6 +168,7 @@ void add_stored(const Model<2>& model, const State<2>& state, const Work<2>& wor
 }
 void add_stored(const Model<3>& model, const State<3>& state, const Work<3>& work, Energy& energy) {
   energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
+  energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
 }
 
 }  // namespace

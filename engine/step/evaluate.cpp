@@ -44,6 +44,9 @@ void evaluate(const Model<3>& model, const State<3>& state, Work<3>& work, doubl
   clock.mark(StepPart::place);
   respond_general(model, state, work, dt);
   clock.mark(StepPart::general);
+  respond_bearings(model, state, work, dt);
+  clock.mark(StepPart::bearings);
+  apply_loads(model, state, work);
   sum(model, state, work);
   clock.mark(StepPart::sum);
 }

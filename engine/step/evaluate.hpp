@@ -11,7 +11,7 @@ namespace trilith {
 
 /// place -> find -> respond (contacts, bearings) -> resist -> apply loads -> spread -> sum, at the present pose and
 /// velocity, over a step `dt` [s] since the last commit. To evaluate again changes nothing. `times`: where the time
-/// goes is added to it. In space bodies are rigid, and there are no bearings yet: place -> find -> respond -> sum.
+/// goes is added to it. In space bodies are rigid: place -> find -> respond -> sum.
 template <int D>
 void evaluate(const Model<D>& model, const State<D>& state, Work<D>& work, double dt, StepTimes* times = nullptr);
 
@@ -23,15 +23,18 @@ void find(const Model<3>& model, const State<3>& state, Work<3>& work);
 void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times = nullptr);
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
 void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work, double dt);
-void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
+template <int D>
+void respond_bearings(const Model<D>& model, const State<D>& state, Work<D>& work, double dt);
 /// Makes the waiting bearing `i` live where it stands: sliders begin unstressed there, springs act from where the
 /// bearing was placed. Writes its trial memory. Returns the elastic energy it begins with [J].
-double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, int i);
+template <int D>
+double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i);
 /// Deformable bodies: forces and dampings of their elements on their nodes, trial plastic memory, energies.
 /// `dt`: as for evaluate; 0 where nothing has gone by since the last commit.
 void resist(const Model<2>& model, const State<2>& state, Work<2>& work, double dt = 0);
 /// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
 void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work);
+void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work);
 /// Force on the whole of a face that is loaded, at the full size of its load curve [N].
 Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotion<2>& b);
 template <int D>

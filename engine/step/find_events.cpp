@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "contact/face_resultant.hpp"
-#include "contact/overlap_energy.hpp"
 #include "detect/pairs.hpp"
 #include "step/beam_events.hpp"
+#include "step/bearing_events.hpp"
 #include "step/body_events.hpp"
 #include "step/contact_resultants.hpp"
 #include "step/contact_rows.hpp"
@@ -126,79 +126,6 @@ void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int r
   work.events.push_back(e);
 }
 
-void push_bearing_event(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i, EventType type) {
-  const Bearing<2>& b = model.bearings[i];
-  Event e = event_now(state, type, b.body_a, b.body_b);
-  e.bearing = static_cast<int>(i);
-  const std::uint32_t k = work.bearing[i].failed_direction;
-  e.value = k == turning ? 0 : work.bearing_displacement[i][k];
-  const Vec2 at = pose_at(model, state, b.end_a).place;
-  e.set_place(at);
-  work.events.push_back(e);
-}
-
-/// True where its failure changes the rule for the contact of the two pieces it sits between.
-bool alters_contact(const Bearing<2>& b) {
-  return b.replaces_contact || b.contact_after >= 0;
-}
-
-/// Elastic energy that the contact of two pieces has while their bearings are as given [J].
-/// Of overlap, whatever shape it has; 0 where it is still held off.
-double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>& work,
-                     std::span<const BearingMemory> bearings, int p, int q) {
-  NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
-  if (pair.law < 0) return 0;
-  apply_bearings(model, work.search, bearings, pair);
-  if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) return 0;
-  PieceCorners corners_p, corners_q;
-  return overlap_energy(placed_piece(model, state, work, p, corners_p), placed_piece(model, state, work, q, corners_q),
-                        law_in_use(model, pair.law));
-}
-
-/// Elastic energy that the contact beside bearing `i` has after its failure more than before [J].
-double released_contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t i) {
-  const Bearing<2>& b = model.bearings[i];
-  for (std::size_t j = 0; j < i; ++j)  // one that failed in the same step has counted it
-    if (is_live(state.bearing[j].status) && !is_live(work.bearing[j].status) && alters_contact(model.bearings[j]) &&
-        model.bearings[j].sits_between(b.piece_a, b.piece_b))
-      return 0;
-  return energy_beside(model, state, work, work.bearing, b.piece_a, b.piece_b) -
-         energy_beside(model, state, work, state.bearing, b.piece_a, b.piece_b);
-}
-
-/// Lets what follows a failed bearing begin. The elastic energy it begins with counts as not given off.
-void hand_on(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
-  const Bearing<2>& b = model.bearings[i];
-  double& given_off = work.given[EnergyTerm::bearing_failure];
-  if (b.becomes_bearing >= 0 && work.bearing[b.becomes_bearing].status == BearingStatus::waiting)
-    given_off -= begin_bearing(model, state, work, b.becomes_bearing);
-  if (!alters_contact(b)) return;
-  given_off -= released_contact_energy(model, state, work, i);
-  work.valid = false;  // another rule holds for the contact of its two pieces from now on
-}
-
-/// A bearing goes intact -> yielded -> failed, or -> changed where something follows it: another bearing that waited,
-/// or contact of the two pieces under a law of its own. A change is told after the failure that led to it.
-void bearing_events(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
-  const BearingStatus before = state.bearing[i].status;
-  BearingMemory& after = work.bearing[i];
-  if (before == after.status) return;
-  if (after.status == BearingStatus::yielded) push_bearing_event(model, state, work, i, EventType::bearing_yielded);
-  if (after.status != BearingStatus::failed) return;
-  push_bearing_event(model, state, work, i, EventType::bearing_failed);
-  const Bearing<2>& b = model.bearings[i];
-  if (b.becomes_bearing < 0 && !alters_contact(b)) return;
-  after.status = BearingStatus::changed;
-  push_bearing_event(model, state, work, i, EventType::bearing_changed);
-  hand_on(model, state, work, i);
-}
-
-/// A bearing that ends gives its elastic energy off at once.
-void account_failed(const State<2>& state, Work<2>& work, std::size_t i) {
-  if (!is_live(state.bearing[i].status) || is_live(work.bearing[i].status)) return;
-  work.given[EnergyTerm::bearing_failure] += work.bearing_energy[i];
-}
-
 /// Lost, once and for ever, where the end of the span has come to the seat's edge.
 void seat_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t i) {
   if (state.seat_lost[i] != 0) return;
@@ -228,10 +155,7 @@ void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   std::sort(work.changed_rows.begin(), work.changed_rows.end());
   for (const int row : work.changed_rows) contact_events(model, state, work, row);
   if (!state.parted.empty()) parted_events(model, state, work);
-  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    bearing_events(model, state, work, i);
-    account_failed(state, work, i);
-  }
+  bearing_events(model, state, work);
   beam_events(model, state, work);
   for (std::size_t i = 0; i < model.seats.size(); ++i) seat_event(model, state, work, i);
   body_events(model, state, work);

@@ -14,5 +14,6 @@ void find_events(const Model<3>& model, State<3>& state, Work<3>& work);
 
 /// Length the end still reaches over the edge of its seat [m]; not above 0: the seat is lost.
 double seat_length(const Model<2>& model, const State<2>& state, const Seat<2>& seat);
+double seat_length(const Model<3>& model, const State<3>& state, const Seat<3>& seat);
 
 }  // namespace trilith

@@ -1,62 +1,23 @@
-// Bearings: relative motion of two points in the axes of the first body, one law per direction.
+// Bearings: relative motion of two points in the axes of the first body, one law per direction, or one for both
+// horizontal ones.
 #include <algorithm>
 #include <cmath>
 
+#include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
 #include "step/turned_back.hpp"
-#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
 
-/// Displacement and rate of b's point against a's, in the bearing's axes.
-/// In axes fixed to a, so that both may turn as one rigid piece: with p the point of a and q that of b
-///
-///     axes = turn_p + b.angle            displacement = axes' (q - p) - rest
-///     angle = turn_q - turn_p - rest     rate = axes' (v_q - v_p - spin_p x (q - p))
-struct RelativeMotion {
-  Turn axes;
-  Vec2 displacement, rate;
-  double angle, spin;
-};
-
-/// Of ends with these poses, which turn by less than half a circle against each other.
-RelativeMotion motion_of_poses(const Bearing<2>& b, const Pose& p, const Pose& q) {
-  const Turn axes(p.rotation + b.angle);
-  const Vec2 between = q.place - p.place, rate = q.velocity - p.velocity - cross(p.spin, between);
-  return {axes, axes.undo(between) - b.rest, axes.undo(rate),
-          std::remainder(q.rotation - p.rotation - b.rest_angle, 2 * M_PI), q.spin - p.spin};
-}
-
-RelativeMotion motion_of_ties(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
-  return motion_of_poses(b, pose_at(model, state, b.end_a), pose_at(model, state, b.end_b));
-}
-
-RelativeMotion relative_motion(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
-  // Ties to one node each, as nearly always, need no poses, and count whole turns too.
-  if (!b.end_a.is_rigid() || !b.end_b.is_rigid()) return motion_of_ties(model, state, b);
-  const int na = b.end_a.node[0], nb = b.end_b.node[0];
-  const Turn axes(state.rotation[na] + b.angle);
-  const Vec2 arm_b = Turn(state.rotation[nb]).apply(b.end_b.arm[0]);
-  const Vec2 from_a = state.position[nb] + arm_b - state.position[na];
-  const Vec2 anchor = Turn(state.rotation[na]).apply(b.end_a.arm[0]);
-  const Vec2 rate =
-      state.velocity[nb] + cross(state.spin[nb], arm_b) - state.velocity[na] - cross(state.spin[na], from_a);
-  return {axes, axes.undo(Vec2(from_a - anchor)) - b.rest, axes.undo(rate),
-          state.rotation[nb] - state.rotation[na] - b.rest_angle, state.spin[nb] - state.spin[na]};
-}
-
-/// Mean rates over the step behind, by direction: those of now, but where an implicit scheme took it.
-std::array<double, 3> mean_rates(const Model<2>& model, const State<2>& state, const Bearing<2>& b,
-                                 const RelativeMotion& now, double dt) {
-  if (!state.implicit()) return {now.rate.x(), now.rate.y(), now.spin};
-  // The first evaluation under a scheme has no step behind it.
-  if (!(dt > 0)) return {};
-  const RelativeMotion before =
-      motion_of_poses(b, pose_before(model, state, b.end_a), pose_before(model, state, b.end_b));
-  const Vec2 moved = now.displacement - before.displacement;
-  return {moved.x() / dt, moved.y() / dt, std::remainder(now.angle - before.angle, 2 * M_PI) / dt};
-}
+/// Friction along the seat needs the axial force first.
+template <int D>
+constexpr auto direction_order = [] {
+  if constexpr (D == 2)
+    return std::array{axial, along, turning};
+  else
+    return std::array{2, 0, 1, 3, 4, 5};
+}();
 
 DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion, const DirectionMemory& before) {
   return std::visit(
@@ -69,41 +30,91 @@ DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion
       law);
 }
 
+/// What the law of both horizontal directions gives. Its forces and dashpots go to the memories of along and across,
+/// where those of two laws would be. `begins`: its memory is that of a law that goes live where it stands.
+DirectionResponse respond_horizontal(const Bearing<3>& b, const BearingMemory<3>& before, const HorizontalMotion& m,
+                                     bool begins, BearingMemory<3>& after) {
+  return std::visit(
+      [&](const auto& l) {
+        using L = std::decay_t<decltype(l)>;
+        DirectionResponse out;
+        if constexpr (HorizontalLaw<L>) {
+          auto memory = horizontal_memory<L>(before.horizontal);
+          if constexpr (requires { l.begin_horizontal_at(m.displacement); })
+            if (begins) memory = l.begin_horizontal_at(m.displacement);
+          const auto r = l.respond_horizontal(m, memory);
+          keep_horizontal(r.memory, after.horizontal);
+          for (const int k : {0, 1}) {
+            DirectionMemory& own = after.direction[static_cast<std::size_t>(k)];
+            const double last = before.direction[static_cast<std::size_t>(k)].damping;
+            own.force = r.force[k], own.damping = l.damping * m.rate[k];
+            out.lost_damping += 0.5 * (own.damping + last) * m.rate[k] * m.dt;
+          }
+          out.stored = r.stored, out.lost_inner = r.lost_inner, out.yielding = r.yielding;
+        }
+        return out;
+      },
+      b.horizontal);
+}
+
+bool has_horizontal(const Bearing<3>& b) {
+  return !std::holds_alternative<std::monostate>(b.horizontal);
+}
+
+HorizontalMotion horizontal_motion(const BearingMotion<3>& m, double dt, double compression) {
+  return {{m.displacement[0], m.displacement[1]}, {m.rate[0], m.rate[1]}, dt, compression};
+}
+
 /// The first direction beyond its limit, or -1.
-int direction_beyond(const Bearing<2>& b, const std::array<double, 3>& displacement) {
-  for (int k = 0; k < 3; ++k)
-    if (std::abs(displacement[k]) > b.limit[k]) return k;
+template <int D>
+int direction_beyond(const Bearing<D>& b, const std::array<double, Space<D>::dofs>& displacement) {
+  for (std::size_t k = 0; k < displacement.size(); ++k)
+    if (std::abs(displacement[k]) > b.limit[k]) return static_cast<int>(k);
+  if constexpr (D == 3)
+    if (portable::hypot(displacement[0], displacement[1]) > b.horizontal_limit) return Directions<3>::horizontal;
   return -1;
 }
 
-void respond_live(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i, double dt) {
-  const Bearing<2>& b = model.bearings[i];
-  const BearingMemory& before = state.bearing[i];
-  BearingMemory& after = work.bearing[i];
-  const RelativeMotion m = relative_motion(model, state, b);
-  const std::array<double, 3> displacement{m.displacement.x(), m.displacement.y(), m.angle};
-  const std::array<double, 3> rate{m.rate.x(), m.rate.y(), m.spin};
-  const std::array<double, 3> mean = mean_rates(model, state, b, m, dt);
-  std::array<double, 3> force{};
+template <int D>
+void take_up(const DirectionResponse& r, std::size_t i, BearingStatus& status, Work<D>& work) {
+  if (r.yielding && status == BearingStatus::intact) status = BearingStatus::yielded;
+  work.bearing_energy[i] += r.stored;
+  work.given[EnergyTerm::bearing_inner] += r.lost_inner;
+  work.given[EnergyTerm::bearing_damping] += r.lost_damping;
+}
+
+/// The law of one direction gives force, energies and memory of the trial; nothing of State is written.
+template <int D>
+void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, double dt) {
+  const Bearing<D>& b = model.bearings[i];
+  const BearingMemory<D>& before = state.bearing[i];
+  BearingMemory<D>& after = work.bearing[i];
+  const BearingMotion<D> m = bearing_motion(model, state, i);
+  const auto mean = mean_rates(model, state, b, m, dt);
+  std::array<double, Space<D>::dofs> force{};
   double compression = 0;
-  for (const int k : {axial, along, turning}) {  // friction along the seat needs the axial force first
-    // The law gives force, energies and memory of the trial; nothing of State is written.
-    const DirectionMotion motion{displacement[k], rate[k], dt, compression, mean[k]};
+  for (const int k : direction_order<D>) {
+    const DirectionMotion motion{m.displacement[k], m.rate[k], dt, compression, mean[k]};
     const DirectionResponse r = respond(b.law[k], motion, before.direction[k]);
     after.direction[k] = r.memory;
     force[k] = r.force();
-    if (k == axial) compression = std::max(0.0, -r.memory.force);
-    if (r.yielding && after.status == BearingStatus::intact) after.status = BearingStatus::yielded;
-    work.bearing_energy[i] += r.stored;
-    work.given[EnergyTerm::bearing_inner] += r.lost_inner;
-    work.given[EnergyTerm::bearing_damping] += r.lost_damping;
+    if (k == Directions<D>::axial) compression = std::max(0.0, -r.memory.force);
+    take_up(r, i, after.status, work);
+  }
+  if constexpr (D == 3) {
+    for (const std::size_t k : {0, 1, 2}) after.turned[k] = m.displacement[3 + k];
+    if (has_horizontal(b)) {
+      take_up(respond_horizontal(b, before, horizontal_motion(m, dt, compression), false, after), i, after.status,
+              work);
+      for (const std::size_t k : {0, 1}) force[k] = after.direction[k].force + after.direction[k].damping;
+    }
   }
   work.bearing_stored += work.bearing_energy[i];
   // On b, against its displacement; a gets the opposite through b's point, so that nothing turns both together.
-  work.bearing_force[i] = -m.axes.apply(Vec2(force[along], force[axial]));
-  work.bearing_moment[i] = -force[turning];
-  work.bearing_displacement[i] = m.displacement;
-  const int beyond = direction_beyond(b, displacement);
+  work.bearing_force[i] = m.force(force);
+  work.bearing_moment[i] = m.moment(force);
+  work.bearing_displacement[i] = m.translation();
+  const int beyond = direction_beyond(b, m.displacement);
   if (beyond < 0) return;
   after.status = BearingStatus::failed;
   after.failed_direction = static_cast<std::uint32_t>(beyond);
@@ -112,18 +123,16 @@ void respond_live(const Model<2>& model, const State<2>& state, Work<2>& work, s
 /// Of a live one: its laws are asked again for both ways.
 double turned_back(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t i, double dt) {
   const Bearing<2>& b = model.bearings[i];
-  const RelativeMotion m = relative_motion(model, state, b);
-  const std::array<double, 3> displacement{m.displacement.x(), m.displacement.y(), m.angle};
-  const std::array<double, 3> rate{m.rate.x(), m.rate.y(), m.spin};
+  const BearingMotion<2> m = bearing_motion(model, state, i);
   const std::array<double, 3> mean = mean_rates(model, state, b, m, dt);
   const double compression = std::max(0.0, -work.bearing[i].direction[axial].force);
   double sum = 0;
   for (const int k : {axial, along, turning}) {
-    const Ways way(rate[k], mean[k], dt);
+    const Ways way(m.rate[k], mean[k], dt);
     if (way.back == 0) continue;
     const double time_on = dt - way.time_back;
-    const DirectionMotion on{displacement[k] - way.back, 0, time_on, compression, way.on / time_on};
-    const DirectionMotion back{displacement[k], rate[k], way.time_back, compression, way.back / way.time_back};
+    const DirectionMotion on{m.displacement[k] - way.back, 0, time_on, compression, way.on / time_on};
+    const DirectionMotion back{m.displacement[k], m.rate[k], way.time_back, compression, way.back / way.time_back};
     const DirectionResponse r = respond(b.law[k], back, respond(b.law[k], on, state.bearing[i].direction[k]).memory);
     const DirectionMemory& now = work.bearing[i].direction[k];
     sum += 0.5 * std::abs((now.force + now.damping - r.force()) * way.back);
@@ -145,29 +154,36 @@ DirectionMemory memory_at(const DirectionLaw& law, double displacement) {
 }  // namespace
 
 /// Sliders and dashpots begin where they are, springs with what their displacement asks: that energy is new.
-double begin_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, int i) {
-  const Bearing<2>& b = model.bearings[i];
-  BearingMemory& begun = work.bearing[i];
+template <int D>
+double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i) {
+  const Bearing<D>& b = model.bearings[i];
+  BearingMemory<D>& begun = work.bearing[i];
   begun = {};
-  const RelativeMotion m = relative_motion(model, state, b);
-  const std::array<double, 3> displacement{m.displacement.x(), m.displacement.y(), m.angle};
+  const BearingMotion<D> m = bearing_motion(model, state, static_cast<std::size_t>(i));
   double stored = 0, compression = 0;
-  for (const int k : {axial, along, turning}) {
-    const DirectionMotion at_rest{displacement[k], 0, 0, compression};
-    const DirectionResponse r = respond(b.law[k], at_rest, memory_at(b.law[k], displacement[k]));
+  for (const int k : direction_order<D>) {
+    const DirectionMotion at_rest{m.displacement[k], 0, 0, compression};
+    const DirectionResponse r = respond(b.law[k], at_rest, memory_at(b.law[k], m.displacement[k]));
     begun.direction[k] = r.memory;
     stored += r.stored;
-    if (k == axial) compression = std::max(0.0, -r.memory.force);
+    if (k == Directions<D>::axial) compression = std::max(0.0, -r.memory.force);
+  }
+  if constexpr (D == 3) {
+    for (const std::size_t k : {0, 1, 2}) begun.turned[k] = m.displacement[3 + k];
+    HorizontalMotion at_rest = horizontal_motion(m, 0, compression);
+    at_rest.rate = Vec2::Zero();
+    stored += respond_horizontal(b, BearingMemory<3>{}, at_rest, true, begun).stored;
   }
   return stored;
 }
 
-void respond_bearings(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
+template <int D>
+void respond_bearings(const Model<D>& model, const State<D>& state, Work<D>& work, double dt) {
   const std::size_t count = model.bearings.size();
   work.bearing.resize(count);
-  work.bearing_force.assign(count, Vec2::Zero());
-  work.bearing_moment.assign(count, 0.0);
-  work.bearing_displacement.resize(count, Vec2::Zero());
+  work.bearing_force.assign(count, Vec<D>::Zero());
+  work.bearing_moment.assign(count, nothing<Moment<D>>());
+  work.bearing_displacement.resize(count, Vec<D>::Zero());
   work.bearing_energy.assign(count, 0.0);
   work.bearing_stored = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -182,5 +198,10 @@ double bearings_turned_back(const Model<2>& model, const State<2>& state, const 
     if (is_live(state.bearing[i].status)) sum += turned_back(model, state, work, i, dt);
   return sum;
 }
+
+template double begin_bearing(const Model<2>&, const State<2>&, Work<2>&, int);
+template double begin_bearing(const Model<3>&, const State<3>&, Work<3>&, int);
+template void respond_bearings(const Model<2>&, const State<2>&, Work<2>&, double);
+template void respond_bearings(const Model<3>&, const State<3>&, Work<3>&, double);
 
 }  // namespace trilith

@@ -4,6 +4,7 @@
 #include "base/team.hpp"
 #include "contact/joint.hpp"
 #include "contact/sphere_contact.hpp"
+#include "detect/bearing_rules.hpp"
 #include "step/evaluate.hpp"
 #include "step/solid_joints.hpp"
 
@@ -120,7 +121,9 @@ bool SolidPass::respond(int row, SolidOverlapBuffer& room, SolidAnswer& answer) 
                     b = moving_solid(model, state, work, pair.piece_b);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
   const SolidPressure pressed = pressure_between(a, b, law, work.solids.separation[r], room);
-  answer = {row, was, false, respond_solids(a, b, before, law, pressed)};
+  // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
+  const bool held_off = pair.replaced && presses_flat(model, state, work.search, state.bearing, pair, pressed.force);
+  answer = {row, was, false, held_off ? SolidResponse{} : respond_solids(a, b, before, law, pressed)};
   return true;
 }
 

@@ -376,9 +376,8 @@ std::string explain_step(const Model<D>& model, const State<D>& state, const Wor
     text += fmt::format(" '{}' ({})", model.bodies[a == s.body ? b : a].name, model.law_names[p.law]);
     ++named;
   }
-  if constexpr (D == 2)
-    for (const Bearing<2>& b : model.bearings)
-      if (b.body_a == s.body || b.body_b == s.body) text += fmt::format(" bearing '{}'", b.name), ++named;
+  for (const Bearing<D>& b : model.bearings)
+    if (b.body_a == s.body || b.body_b == s.body) text += fmt::format(" bearing '{}'", b.name), ++named;
   if (named == 0) text += " none now; as if lying on its stiffest face";
   return text;
 }

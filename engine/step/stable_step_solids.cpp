@@ -3,13 +3,14 @@
 // Comes in: for each contact its area A, middle, normal n, arms and radius (see SolidPressure) and the tangent of its
 // law. Each body then has springs along n and two lines across, b = (e, arm x e), and turns against kn A (a x n)(a x
 // n)' for the two arms a of its second moments, and ks A radius^2 about n. Goes out: the bound of lambda over all
-// bodies.
+// bodies. Bearings are springs and dashpots along their axes and about them.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "contact/solid_pressure.hpp"
 #include "shape/polyhedron.hpp"
+#include "step/bearing_motion.hpp"
 #include "step/stable_step.hpp"
 
 namespace trilith {
@@ -119,6 +120,47 @@ AreaSprings cap_springs(const ConvexSolid& solid, const ContactTangent& law) {
   return {lowest, n, area, 8.0 / 15 * std::sqrt(area / std::numbers::pi), {Vec3::Zero(), Vec3::Zero()}, law};
 }
 
+/// What displacement and velocity of one direction can do to its force.
+struct DirectionStiffness {
+  double tangent = 0, dashpot = 0;
+};
+DirectionStiffness stiffness_of(const DirectionLaw& law) {
+  return std::visit(
+      [](const auto& l) -> DirectionStiffness {
+        if constexpr (std::is_same_v<std::decay_t<decltype(l)>, std::monostate>)
+          return {};
+        else
+          return {l.tangent(), l.dashpot()};
+      },
+      law);
+}
+
+/// A spring and a dashpot along each axis of every bearing through b's point, and about it. One that waits counts
+/// already: it may go live between two estimates.
+void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& work, std::vector<LocalSolid>& locals) {
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    if (!is_live(work.bearing[i].status) && work.bearing[i].status != BearingStatus::waiting) continue;
+    const Bearing<3>& b = model.bearings[i];
+    const Vec3 at = point_of(state, b.end_b);
+    const Turn3 turn = turn_of(state.rotation[b.end_a.node[0]] * b.angle);
+    const std::array axes{turn.x(), turn.y(), turn.z()};
+    const DirectionStiffness both = stiffness_of(b.horizontal);
+    for (std::size_t k = 0; k < 6; ++k) {
+      DirectionStiffness s = stiffness_of(b.law[k]);
+      if (k < 2) s.tangent += both.tangent, s.dashpot += both.dashpot;
+      for (const auto& [body, other] : {std::pair(b.body_a, b.body_b), std::pair(b.body_b, b.body_a)}) {
+        if (!model.body_moves(body)) continue;
+        const double weight = model.body_moves(other) ? 2 : 1;
+        const int n = model.bodies[body].first_node;
+        const ScaledNode node = scaled_node(model, n, state.rotation[n]);
+        const Vector6 v = k < 3 ? node.along(axes[k], at - state.position[n]) : node.about(axes[k - 3]);
+        locals[body].k += weight * s.tangent * v * v.transpose();
+        locals[body].c += weight * s.dashpot * v * v.transpose();
+      }
+    }
+  }
+}
+
 /// The stiffest law that a body's surface has with any other.
 ContactTangent stiffest_law(const Model<3>& model, const Body& body) {
   ContactTangent most{0, 0, 0};
@@ -180,6 +222,7 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
                scaled_node(model, n, state.rotation[n]), model.body_moves(body[1 - side]) ? 2 : 1, locals[body[side]]);
     }
   }
+  add_bearings(model, state, work, locals);
   StableStep found;
   found.dt = longest_step;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {

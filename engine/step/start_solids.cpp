@@ -58,9 +58,9 @@ void set_bonds(const Model<3>& model, State<3>& state, double reach, int first_b
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     const NearPair& pair = work.pairs[row];
     if (std::max(model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]) < first_body) continue;
-    // A joint that holds all over is left as it is, so this may be called again.
     if (model.piece_solid[pair.piece_a].is_sphere() || model.piece_solid[pair.piece_b].is_sphere()) continue;
-    if (!may_bond(model.laws[pair.law]) || holds_all_over(state.contacts.joint_at(row))) continue;
+    // A joint that holds all over is left as it is, so this may be called again. A bearing stands for flat faces.
+    if (pair.replaced || !may_bond(model.laws[pair.law]) || holds_all_over(state.contacts.joint_at(row))) continue;
     const double size = size_of_smaller(model, pair);
     FaceOverlap3 faces;
     if (!meeting_faces(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b], reach * size,

@@ -5,6 +5,7 @@
 
 #include "base/lanes.hpp"
 #include "body/rigid.hpp"
+#include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
 #include "world/pose.hpp"
 
@@ -84,6 +85,16 @@ void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
   work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
 }
 
+/// In space bodies are rigid: at one node each.
+void spread_bearing(const Model<3>& model, const State<3>& state, Work<3>& work, std::size_t i) {
+  const Bearing<3>& b = model.bearings[i];
+  const int na = b.end_a.node[0], nb = b.end_b.node[0];
+  const Vec3 &f = work.bearing_force[i], &m = work.bearing_moment[i], point = point_of(state, b.end_b);
+  work.force[nb] += f, work.force[na] -= f;
+  work.moment[nb] += cross(Vec3(point - state.position[nb]), f) + m;
+  work.moment[na] -= cross(Vec3(point - state.position[na]), f) + m;
+}
+
 double squared_size(const LanePair& v) {
   const LanePair squares = v * v;
   return squares[0] + squares[1];
@@ -138,8 +149,7 @@ void sum(const Model<D>& model, const State<D>& state, Work<D>& work) {
   work.force.resize(model.mass.size());
   work.moment.resize(model.mass.size());
   for (const BodyRow& body : work.body) spread_body(model, state, body, work);
-  if constexpr (D == 2)
-    for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
   add_outside(model, model.gravity.at(state.time), work);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "step/bearing_motion.hpp"
 #include "step/displacement_control.hpp"
 #include "step/evaluate.hpp"
 #include "step/start.hpp"
@@ -35,25 +36,34 @@ Event body_event(const Model<3>& model, const State<3>& state, EventType type, i
   return e;
 }
 
-Event bearing_event(const Model<2>& model, const State<2>& state, EventType type, std::size_t row) {
-  const Bearing<2>& b = model.bearings[row];
+Vec2 first_point_of(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  return pose_at(model, state, b.end_a).place;
+}
+Vec3 first_point_of(const Model<3>& /*model*/, const State<3>& state, const Bearing<3>& b) {
+  return point_of(state, b.end_a);
+}
+
+template <int D>
+Event bearing_event_of(const Model<D>& model, const State<D>& state, EventType type, std::size_t row) {
+  const Bearing<D>& b = model.bearings[row];
   Event e = event_of(state, type, b.body_a);
   e.body_b = b.body_b, e.bearing = static_cast<int>(row);
-  e.set_place(pose_at(model, state, b.end_a).place);
+  e.set_place(first_point_of(model, state, b));
   return e;
 }
 
 /// Ends the bearings of bodies that are out: they fail as the bodies leave the bounds, else they are removed.
-void end_bearings(const Model<2>& model, State<2>& state, const Work<2>& work, BearingStatus as,
+template <int D>
+void end_bearings(const Model<D>& model, State<D>& state, const Work<D>& work, BearingStatus as,
                   std::vector<Event>& events) {
   const bool removed = as == BearingStatus::removed;
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    const Bearing<2>& b = model.bearings[i];
-    BearingMemory& memory = state.bearing[i];
+    const Bearing<D>& b = model.bearings[i];
+    BearingMemory<D>& memory = state.bearing[i];
     if (state.left[b.body_a] == 0 && state.left[b.body_b] == 0) continue;
     if (is_live(memory.status)) {
       events.push_back(
-          bearing_event(model, state, removed ? EventType::bearing_removed : EventType::bearing_failed, i));
+          bearing_event_of(model, state, removed ? EventType::bearing_removed : EventType::bearing_failed, i));
       if (!removed) events.back().value = work.bearing_displacement[i].norm();
     }
     if (is_live(memory.status) || memory.status == BearingStatus::waiting) memory.status = as;
@@ -128,7 +138,7 @@ std::vector<Event> take_out(Model<D>& model, State<D>& state, Work<D>& work, con
     events.push_back(body_event(model, state, EventType::body_left, b));
     state.left[b] = 1;
   }
-  if constexpr (D == 2) end_bearings(model, state, work, BearingStatus::failed, events);
+  end_bearings(model, state, work, BearingStatus::failed, events);
   for (const int b : bodies) stop(model, state, b);
   forget_parting(model, state);
   book(state, work, EnergyTerm::left_bounds, before - balance_anew(model, state, work, options));
@@ -146,13 +156,11 @@ std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const
     state.left[b] = 1;
     state.removed_at[b] = state.time;
   }
-  if constexpr (D == 2) {
-    end_bearings(model, state, work, BearingStatus::removed, events);
-    for (const int i : parts.bearings) {
-      if (state.bearing[i].status == BearingStatus::removed) continue;  // it went with a body
-      state.bearing[i].status = BearingStatus::removed;
-      events.push_back(bearing_event(model, state, EventType::bearing_removed, static_cast<std::size_t>(i)));
-    }
+  end_bearings(model, state, work, BearingStatus::removed, events);
+  for (const int i : parts.bearings) {
+    if (state.bearing[i].status == BearingStatus::removed) continue;  // it went with a body
+    state.bearing[i].status = BearingStatus::removed;
+    events.push_back(bearing_event_of(model, state, EventType::bearing_removed, static_cast<std::size_t>(i)));
   }
   for (const int b : parts.bodies) stop(model, state, b);
   forget_parting(model, state);
@@ -169,13 +177,12 @@ std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, con
     bring_back(model, state, b);
     events.push_back(body_event(model, state, EventType::body_added, b));
   }
-  if constexpr (D == 2)
-    for (const int i : parts.bearings) {
-      begin_bearing(model, state, work, i);
-      state.bearing[i] = work.bearing[i];
-      if (model.bearings[i].starts_waiting) state.bearing[i].status = BearingStatus::waiting;
-      events.push_back(bearing_event(model, state, EventType::bearing_added, static_cast<std::size_t>(i)));
-    }
+  for (const int i : parts.bearings) {
+    begin_bearing(model, state, work, i);
+    state.bearing[i] = work.bearing[i];
+    if (model.bearings[i].starts_waiting) state.bearing[i].status = BearingStatus::waiting;
+    events.push_back(bearing_event_of(model, state, EventType::bearing_added, static_cast<std::size_t>(i)));
+  }
   book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
   return events;
 }
@@ -185,12 +192,11 @@ void alter(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& o
            const std::function<void(Model<D>&)>& change, std::span<const int> begun) {
   const double before = energy_now(model, state, work, options).balance();
   change(model);
-  if constexpr (D == 2)
-    for (const int i : begun) {
-      if (!is_live(state.bearing[i].status)) continue;
-      begin_bearing(model, state, work, i);
-      state.bearing[i] = work.bearing[i];
-    }
+  for (const int i : begun) {
+    if (!is_live(state.bearing[i].status)) continue;
+    begin_bearing(model, state, work, i);
+    state.bearing[i] = work.bearing[i];
+  }
   book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
 }
 
@@ -206,9 +212,8 @@ std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const S
   std::vector<Event> events;
   for (std::size_t b = bodies; b < model.bodies.size(); ++b)
     events.push_back(body_event(model, state, EventType::body_added, static_cast<int>(b)));
-  if constexpr (D == 2)
-    for (std::size_t i = bearings; i < model.bearings.size(); ++i)
-      events.push_back(bearing_event(model, state, EventType::bearing_added, i));
+  for (std::size_t i = bearings; i < model.bearings.size(); ++i)
+    events.push_back(bearing_event_of(model, state, EventType::bearing_added, i));
   book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
   return events;
 }

@@ -10,6 +10,7 @@
 #include "load/motion.hpp"
 #include "shape/mesh.hpp"
 #include "shape/polygon.hpp"
+#include "world/bearing_spec.hpp"
 #include "world/contact_rules.hpp"
 #include "world/frame.hpp"
 #include "world/material.hpp"
@@ -48,29 +49,6 @@ struct BodySpec {
   double spin = 0;                   ///< at the start [rad/s]
   Vec2 load = Vec2::Zero();          ///< steady force at the centroid, spread like the mass [N]
   bool floating = false;             ///< may start with nothing that holds it up
-};
-
-/// A bearing to be; points in world coordinates where the bodies stand at the start.
-struct BearingSpec {
-  std::string name;
-  std::string body_a, body_b;
-  Vec2 point_a = Vec2::Zero(), point_b = Vec2::Zero();  ///< [m]
-  double angle = 0;                                     ///< of direction `along` to the x axis [rad]
-  std::array<DirectionLaw, 3> law;
-  std::array<double, 3> limit{unbounded, unbounded, unbounded};
-  bool replaces_contact = false;  ///< while live, stands for the flat contact of the pieces whose faces are nearest
-                                  ///< to its points; their corners still touch
-  std::string contact_after;      ///< name of the contact law after failure; "": the one of the surfaces
-  std::string becomes_bearing;    ///< name of the bearing that follows; "": none
-  bool starts_waiting = false;
-};
-
-/// A seat to be; points in world coordinates at the start.
-struct SeatSpec {
-  std::string name;
-  std::string body, support;
-  Vec2 end = Vec2::Zero(), edge = Vec2::Zero();  ///< [m]
-  Vec2 inward = Vec2::UnitX();                   ///< from the edge over the seat; made a unit vector
 };
 
 class ModelBuilder {
@@ -125,7 +103,6 @@ class ModelBuilder {
   Model<2> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
   Model<2> assemble_bodies(std::vector<std::string>& faults) const;
   void append_links(const Model<2>& model, const State<2>& state, Model<2>& grown) const;
-  void check_links(const BearingSpec& spec, const std::string& owner) const;
   void require_near(const std::string& body, const Vec2& point, const std::string& what) const;
   void check_deformable(BodySpec& spec, const std::string& owner);
   void check_frame(BodySpec& spec, const std::string& owner) const;

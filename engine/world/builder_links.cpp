@@ -41,53 +41,16 @@ void ModelBuilder::add_bearing(const BearingSpec& spec) {
   const std::string owner = fmt::format("bearing '{}'", spec.name);
   if (require_body(spec.body_a, owner) == require_body(spec.body_b, owner))
     throw InputError(fmt::format("{}: links body '{}' to itself; name two bodies", owner, spec.body_a));
-  for (const double v : {spec.point_a.x(), spec.point_a.y(), spec.point_b.x(), spec.point_b.y(), spec.angle})
-    require_finite(v, owner + ": point or angle");
-  for (const double limit : spec.limit)
-    if (!(limit > 0)) throw InputError(fmt::format("{}: limit displacement is {:g}, must be above 0", owner, limit));
-  for (const DirectionLaw& law : spec.law)
-    std::visit(
-        [](const auto& l) {
-          if constexpr (!std::is_same_v<std::decay_t<decltype(l)>, std::monostate>) check_parameters(l);
-          if constexpr (requires { l.check(); }) l.check();
-        },
-        law);
-  check_links(spec, owner);
-  for (const DirectionLaw& law : spec.law)
-    std::visit(
-        [&](const auto& l) {
-          if constexpr (Declared<std::decay_t<decltype(l)>>) add_doubts(notes_, owner, l);
-        },
-        law);
+  check_bearing(spec, owner);
+  require_near(spec.body_a, spec.point_a, owner);
+  require_near(spec.body_b, spec.point_b, owner);
+  add_bearing_doubts(spec, owner, notes_);
   bearings_.push_back(spec);
 }
 
-/// Whether a bearing does anything, and is where its bodies are.
-void ModelBuilder::check_links(const BearingSpec& spec, const std::string& owner) const {
-  const auto is_none = [](const DirectionLaw& law) { return std::holds_alternative<std::monostate>(law); };
-  if (std::all_of(spec.law.begin(), spec.law.end(), is_none))
-    throw InputError(
-        fmt::format("{}: has no law, so it carries nothing; give along, axial or turning a law such as "
-                    "trilith.linear{{...}}",
-                    owner));
-  const std::string& next = spec.contact_after.empty() ? spec.becomes_bearing : spec.contact_after;
-  const auto is_endless = [](double limit) { return limit == unbounded; };
-  if (!next.empty() && std::all_of(spec.limit.begin(), spec.limit.end(), is_endless))
-    throw InputError(fmt::format(
-        "{}: becomes '{}' at its limit, but has none; give limit = {{ along = }}, axial or turning", owner, next));
-  require_near(spec.body_a, spec.point_a, owner);
-  require_near(spec.body_b, spec.point_b, owner);
-}
-
-/// A point that is farther from a body than the body is large was meant for another place.
 void ModelBuilder::require_near(const std::string& body, const Vec2& point, const std::string& what) const {
   const Polygon& outline = bodies_[require_body(body, what)].outline;
-  const double size = polygon_size(outline), distance = boundary_point(outline, point).distance;
-  if (distance <= size) return;
-  throw InputError(
-      fmt::format("{}: its point ({:g}, {:g}) is {:.3g} m away from body '{}', which is {:.3g} m large; give "
-                  "a point in it or near it, in m",
-                  what, point.x(), point.y(), distance, body, size));
+  trilith::require_near<2>(point, boundary_point(outline, point).distance, polygon_size(outline), body, what);
 }
 
 void ModelBuilder::add_seat(const SeatSpec& spec) {
@@ -104,42 +67,19 @@ void ModelBuilder::add_seat(const SeatSpec& spec) {
 }
 
 void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) const {
-  Bearing<2> b;
-  b.name = spec.name;
+  Bearing<2> b = bearing_of(spec, law_names(), bearings_);
   b.body_a = require_body(spec.body_a, spec.name);
   b.body_b = require_body(spec.body_b, spec.name);
   const std::string owner = fmt::format("bearing '{}'", spec.name);
   b.end_a = tie_point(model, b.body_a, spec.point_a, owner);
   b.end_b = tie_point(model, b.body_b, spec.point_b, owner);
-  b.angle = spec.angle;
-  b.law = spec.law;
-  b.limit = spec.limit;
   const bool deforms = !b.end_a.is_rigid() || !b.end_b.is_rigid();
   const State<2> start = deforms ? initial_state(model) : State<2>{};
   b.rest = Turn(spec.angle)
                .undo(deforms ? Vec2(pose_at(model, start, b.end_b).place - pose_at(model, start, b.end_a).place)
                              : Vec2(spec.point_b - spec.point_a));
-  b.replaces_contact = spec.replaces_contact;
-  b.starts_waiting = spec.starts_waiting;
-  if (!spec.contact_after.empty()) {
-    const std::vector<std::string> known = law_names();
-    const auto it = std::find(known.begin(), known.end(), spec.contact_after);
-    if (it == known.end())
-      throw InputError(fmt::format("bearing '{}': becomes contact law '{}', which is not there{}", spec.name,
-                                   spec.contact_after, name_hint(spec.contact_after, known)));
-    b.contact_after = static_cast<int>(it - known.begin());
-  }
   b.piece_a = piece_at(model, b.body_a, spec.point_a);
   b.piece_b = piece_at(model, b.body_b, spec.point_b);
-  if (!spec.becomes_bearing.empty()) {
-    std::vector<std::string> known;
-    for (const BearingSpec& other : bearings_) known.push_back(other.name);
-    const auto it = std::find(known.begin(), known.end(), spec.becomes_bearing);
-    if (it == known.end())
-      throw InputError(fmt::format("bearing '{}': becomes bearing '{}', which is not there{}", spec.name,
-                                   spec.becomes_bearing, name_hint(spec.becomes_bearing, known)));
-    b.becomes_bearing = static_cast<int>(it - known.begin());
-  }
   model.bearings.push_back(std::move(b));
 }
 

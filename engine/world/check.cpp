@@ -150,8 +150,7 @@ void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& float
         join(b, bodies);
     }
   }
-  if constexpr (D == 2)
-    for (const Bearing<2>& link : model.bearings) join(link.body_a, link.body_b);
+  for (const Bearing<D>& link : model.bearings) join(link.body_a, link.body_b);
   for_near_pieces(model, 1e-3 * size, [&](int p, int q, double separation) {
     const int a = model.piece_body[p], b = model.piece_body[q];
     const double near = 0.02 * std::min(model.body_radius[a], model.body_radius[b]);

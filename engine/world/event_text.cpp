@@ -41,15 +41,11 @@ std::string failed_text(const Event& e, const Model<D>& model, std::string_view 
 template <int D>
 std::string changed_text(const Event& e, const Model<D>& model) {
   const Bearing<D>& b = model.bearings[e.bearing];
-  if constexpr (D == 3)
-    return fmt::format("bearing {} gave way", b.name);
-  else {
-    if (b.becomes_bearing >= 0)
-      return fmt::format("bearing {} became {}", b.name, model.bearings[b.becomes_bearing].name);
-    const std::string how = b.contact_after >= 0 ? " by " + model.law_names[b.contact_after] : "";
-    return fmt::format("bearing {} gave way: {} and {} touch{}", b.name, body_name(model, b.body_a),
-                       body_name(model, b.body_b), how);
-  }
+  if (b.becomes_bearing >= 0)
+    return fmt::format("bearing {} became {}", b.name, model.bearings[b.becomes_bearing].name);
+  const std::string how = b.contact_after >= 0 ? " by " + model.law_names[b.contact_after] : "";
+  return fmt::format("bearing {} gave way: {} and {} touch{}", b.name, body_name(model, b.body_a),
+                     body_name(model, b.body_b), how);
 }
 
 /// The squeezing of an element that has no area left is 1.

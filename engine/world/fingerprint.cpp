@@ -37,8 +37,8 @@ void add(Hash& hash, const UnitQuaternion& v) {
 void add(Hash& hash, const ContactLaw& law);
 void add(Hash& hash, const DirectionLaw& law);
 void add(Hash& hash, const Body& b);
-void add(Hash& hash, const Bearing<2>& b);
-void add(Hash& hash, const Bearing<3>& b);
+template <int D>
+void add(Hash& hash, const Bearing<D>& b);
 void add(Hash& hash, const ConvexSolid& s);
 template <int D>
 void add(Hash& hash, const Seat<D>& s);
@@ -111,17 +111,15 @@ void add(Hash& hash, const ConvexSolid& s) {
   if (s.is_sphere()) add(hash, s.radius);
 }
 
-void add(Hash& hash, const Bearing<3>& b) {
-  add(hash, b.name), add(hash, b.starts_waiting);
-}
-
-void add(Hash& hash, const Bearing<2>& b) {
+template <int D>
+void add(Hash& hash, const Bearing<D>& b) {
   add(hash, b.name);
   for (const int v : {b.body_a, b.body_b, b.piece_a, b.piece_b, b.contact_after, b.becomes_bearing}) add(hash, v);
   add(hash, b.end_a), add(hash, b.end_b), add(hash, b.rest);
   add(hash, b.angle), add(hash, b.rest_angle);
   add(hash, b.law), add(hash, b.limit);
   add(hash, b.replaces_contact), add(hash, b.starts_waiting);
+  if constexpr (D == 3) add(hash, b.horizontal), add(hash, b.horizontal_limit);
 }
 
 template <int D>

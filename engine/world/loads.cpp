@@ -57,6 +57,22 @@ std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const
   return spread_load(model, body, load);
 }
 
+PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
+  const std::string owner = fmt::format("load '{}' on '{}'", spec.name, model.bodies[body].name);
+  if (!spec.force.allFinite() || !spec.moment.allFinite() || (spec.at && !spec.at->allFinite()))
+    throw InputError(owner + ": force, moment or place is not finite");
+  check_load_curve(spec.curve, owner);
+  const int n = model.bodies[body].first_node;
+  const Turn3 start = turn_of(model.start_rotation[n]);
+  PointLoad<3> load;
+  load.name = spec.name, load.body = body, load.curve = spec.curve, load.follows = spec.follows;
+  load.force = spec.follows ? start.undo(spec.force) : spec.force;
+  load.moment = spec.follows ? start.undo(spec.moment) : spec.moment;
+  const Vec3 from_node = spec.at ? Vec3(*spec.at - model.start_position[n]) : Vec3(Vec3::Zero());
+  load.at = Tie<3>::to_node(n, start.undo(from_node));
+  return load;
+}
+
 std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
                                        const PressureSpec& spec) {
   const std::string owner = owner_of("pressure", spec.name, model, body);
@@ -97,7 +113,8 @@ int drop_loads(Model<2>& model, const std::string& name) {
                           std::erase_if(model.face_loads, [&](const FaceLoad<2>& l) { return l.name == name; }));
 }
 
-int change_loads(Model<2>& model, const std::string& name, double now, double share, double duration) {
+template <int D>
+int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration) {
   int count = 0;
   const auto change = [&](auto& loads) {
     for (auto& load : loads) {
@@ -125,7 +142,8 @@ int scale_loads(Model<2>& model, const std::string& name, double factor) {
   return count;
 }
 
-std::vector<std::string> load_names(const Model<2>& model) {
+template <int D>
+std::vector<std::string> load_names(const Model<D>& model) {
   std::vector<std::string> names;
   const auto add = [&](const auto& list) {
     for (const auto& l : list)
@@ -136,6 +154,11 @@ std::vector<std::string> load_names(const Model<2>& model) {
   add(model.pushes);
   return names;
 }
+
+template int change_loads(Model<2>&, const std::string&, double, double, double);
+template int change_loads(Model<3>&, const std::string&, double, double, double);
+template std::vector<std::string> load_names(const Model<2>&);
+template std::vector<std::string> load_names(const Model<3>&);
 
 /// Its force goes on as loads at the points it pushed and fades, so that nothing is set off.
 bool release_push(Model<2>& model, const State<2>& state, const Work<2>& work, const std::string& name, double fade) {

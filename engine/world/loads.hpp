@@ -26,6 +26,16 @@ struct PointLoadSpec {
   LoadCurve curve;
 };
 
+/// A force on a rigid body in space to be.
+struct SolidLoadSpec {
+  std::string name;
+  std::optional<Vec3> at;      ///< where the body stands at the start [m]; without it the centroid
+  Vec3 force = Vec3::Zero();   ///< [N]
+  Vec3 moment = Vec3::Zero();  ///< [N m]
+  bool follows = false;        ///< both turn with the body
+  LoadCurve curve;
+};
+
 /// A pressure to be.
 struct PressureSpec {
   std::string name;
@@ -59,6 +69,8 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
 /// The load as the model holds it, work-consistent: in the element that `at` lies in. Throws InputError for numbers
 /// that are not finite, a load curve that makes no sense, a point that is not in a deformable body.
 std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec);
+/// Throws InputError for numbers that are not finite, and a load curve that makes no sense.
+PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec);
 std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
                                        const PressureSpec& spec);
 
@@ -66,13 +78,15 @@ std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const st
 void drop_faded(Model<2>& model, double now);
 /// From `now` [s] on the loads called `name` go to `share` of their full size within `duration` [s], smoothly, from
 /// the share they have. Gives how many.
-int change_loads(Model<2>& model, const std::string& name, double now, double share, double duration);
+template <int D>
+int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration);
 /// Scales the point and face loads called `name`, or all where it is empty. Gives how many.
 int scale_loads(Model<2>& model, const std::string& name, double factor);
 /// Takes the loads called `name` away at once. Gives how many.
 int drop_loads(Model<2>& model, const std::string& name);
 /// Names of all loads and pushes, each once.
-std::vector<std::string> load_names(const Model<2>& model);
+template <int D>
+std::vector<std::string> load_names(const Model<D>& model);
 
 /// How forces of a push are shared among bodies.
 enum class PushPattern { uniform, mass, triangle };  ///< triangle: mass times height above the lowest of all bodies

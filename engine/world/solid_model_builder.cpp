@@ -79,6 +79,8 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
 Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
   Model<3> model = assemble_bodies(faults);
   if (model.bodies.empty()) return model;  // some body is at fault
+  for (const BearingSpecOf<3>& spec : bearings_) attempt(faults, [&] { append_bearing(spec, model); });
+  for (const SeatSpecOf<3>& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
   check_overlaps(model, overlap_allowed, faults, notes);
   check_held_up(model, floating_bodies(bodies_), faults);
   attempt(faults, [&] { set_bounds(model, bounds); });
@@ -90,6 +92,7 @@ Model<3> SolidModelBuilder::extended(const Model<3>& model, const State<3>& stat
   Model<3> grown = assemble_bodies(faults);
   if (!faults.empty()) throw InputError(faults.front());
   carry_conditions(model, grown);
+  append_links(model, state, grown);
   const Model<3> standing = as_it_stands(grown, state);
   check_newcomers(standing, state, overlap_allowed, floating_bodies(bodies_), faults, notes);
   if (!faults.empty()) throw InputError(faults.front());
@@ -98,8 +101,10 @@ Model<3> SolidModelBuilder::extended(const Model<3>& model, const State<3>& stat
   return grown;
 }
 
-void SolidModelBuilder::shorten(std::size_t bodies) {
+void SolidModelBuilder::shorten(std::size_t bodies, std::size_t bearings, std::size_t seats) {
   bodies_.resize(std::min(bodies, bodies_.size()));
+  bearings_.resize(std::min(bearings, bearings_.size()));
+  seats_.resize(std::min(seats, seats_.size()));
 }
 
 Model<3> SolidModelBuilder::build() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shape/polyhedron.hpp"
+#include "world/bearing_spec.hpp"
 #include "world/contact_rules.hpp"
 #include "world/material.hpp"
 #include "world/model.hpp"
@@ -49,6 +50,8 @@ class SolidModelBuilder {
   void set_contact(const std::string& a, const std::string& b, const std::string& law) {
     rules_.set_contact(a, b, law);
   }
+  void add_bearing(const BearingSpecOf<3>& spec);
+  void add_seat(const SeatSpecOf<3>& spec);
   /// Adds a line to notes(): what was repaired or chosen before bodies came here.
   void note(const std::string& line) { notes_.push_back(line); }
 
@@ -56,20 +59,28 @@ class SolidModelBuilder {
   Model<3> build();
   /// As ModelBuilder::extended and ModelBuilder::shorten.
   Model<3> extended(const Model<3>& model, const State<3>& state);
-  void shorten(std::size_t bodies);
+  void shorten(std::size_t bodies, std::size_t bearings, std::size_t seats);
   /// All that keeps build() from making the model, a line for each. Empty where nothing does.
   [[nodiscard]] std::vector<std::string> faults() const;
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] const std::vector<SolidSpec>& bodies() const { return bodies_; }
+  [[nodiscard]] const std::vector<BearingSpecOf<3>>& bearings() const { return bearings_; }
   [[nodiscard]] std::vector<std::string> law_names() const { return rules_.law_names(); }
 
  private:
   Model<3> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
   Model<3> assemble_bodies(std::vector<std::string>& faults) const;
   [[nodiscard]] double density_of(const SolidSpec& spec) const;
+  [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;
+  void require_near(const std::string& body, const Vec3& point, const std::string& owner) const;
+  void append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const;
+  void append_seat(const SeatSpecOf<3>& spec, Model<3>& model) const;
+  void append_links(const Model<3>& model, const State<3>& state, Model<3>& grown) const;
 
   std::vector<Material> materials_;
   std::vector<SolidSpec> bodies_;
+  std::vector<BearingSpecOf<3>> bearings_;
+  std::vector<SeatSpecOf<3>> seats_;
   ContactRules rules_;
   std::vector<std::string> notes_;
 };

@@ -55,18 +55,18 @@ struct State {
   std::shared_ptr<const KeptTangent> tangent;  ///< the last one; none in explicit stages
 
   Contacts<D> contacts;
-  std::vector<Parted> parted;           ///< in the order of parting, then by key
-  std::vector<ContactKey> passed;       ///< of bodies, not pieces: one has been seen too deep in the other; sorted
-  std::vector<BearingMemory> bearing;   ///< [bearing]
-  std::vector<PlasticMemory> plastic;   ///< [plastic point] of inelastic elements
-  std::vector<double> beam_memory;      ///< of beams that yield, see Beam::first_memory
-  std::vector<std::uint8_t> seat_lost;  ///< [seat]
-  std::vector<double> moved_at;         ///< [body] when it was last faster than Model::still_speed s
-  std::vector<std::uint8_t> resting;    ///< [body] 1: has been still for Model::still_time
-  std::vector<std::uint8_t> left;       ///< [body] 1: has left Model::bounds, or was removed; it stands still there and
-                                        ///< touches nothing
-  std::vector<double> removed_at;       ///< [body] when it was removed [s], never_removed where it was not, or is back;
-                                        ///< empty where nothing was ever removed
+  std::vector<Parted> parted;             ///< in the order of parting, then by key
+  std::vector<ContactKey> passed;         ///< of bodies, not pieces: one has been seen too deep in the other; sorted
+  std::vector<BearingMemory<D>> bearing;  ///< [bearing]
+  std::vector<PlasticMemory> plastic;     ///< [plastic point] of inelastic elements
+  std::vector<double> beam_memory;        ///< of beams that yield, see Beam::first_memory
+  std::vector<std::uint8_t> seat_lost;    ///< [seat]
+  std::vector<double> moved_at;           ///< [body] when it was last faster than Model::still_speed s
+  std::vector<std::uint8_t> resting;      ///< [body] 1: has been still for Model::still_time
+  std::vector<std::uint8_t> left;  ///< [body] 1: has left Model::bounds, or was removed; it stands still there and
+                                   ///< touches nothing
+  std::vector<double> removed_at;  ///< [body] when it was removed [s], never_removed where it was not, or is back;
+                                   ///< empty where nothing was ever removed
 
   Energy given;  ///< running sums of the ledger (the terms that are not found from the state)
 

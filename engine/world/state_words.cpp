@@ -296,6 +296,10 @@ void walk(File& file, S& s) {
     file.pair(s.bearing[i].status, s.bearing[i].failed_direction);
     for (auto& d : s.bearing[i].direction)
       for (auto* v : {&d.inner, &d.force, &d.damping, &d.travelled, &d.compression}) file.number(*v);
+    if constexpr (requires { s.bearing[i].turned; }) {
+      for (auto& v : s.bearing[i].turned) file.number(v);
+      for (auto& v : s.bearing[i].horizontal) file.number(v);
+    }
   }
   for (std::size_t i = 0, n = file.count(s.plastic); i < n; ++i) {
     auto& p = s.plastic[i];
@@ -369,8 +373,9 @@ void check_tangent(const Reader& file, const State<D>& s) {
 
 template <int D>
 void check_bearings(const Reader& file, const State<D>& s) {
-  for (const BearingMemory& m : s.bearing)
-    if (m.status > BearingStatus::removed || m.failed_direction > 2) file.fail("has a bearing in no known state");
+  constexpr std::uint32_t last = D == 2 ? 2 : 6;  // in space the horizontal resultant comes last
+  for (const BearingMemory<D>& m : s.bearing)
+    if (m.status > BearingStatus::removed || m.failed_direction > last) file.fail("has a bearing in no known state");
 }
 
 template <int D>

@@ -139,7 +139,7 @@ struct Work {
 
   // Writer: respond
   Contacts<D> contacts;                       ///< [contact] trial
-  std::vector<BearingMemory> bearing;         ///< [bearing] trial
+  std::vector<BearingMemory<D>> bearing;      ///< [bearing] trial
   std::vector<int> face_rows, fresh_rows;     ///< of a batch: rows that touched or may touch now; the latter alone
   std::vector<int> general_now;               ///< rows that were to be faces and are of general shape now
   std::vector<int> general_rows;              ///< those and `general`, in the order of rows

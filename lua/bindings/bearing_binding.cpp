@@ -1,31 +1,57 @@
-// Bearings and seats.
+// Bearings.
 #include <algorithm>
 #include <cmath>
 
 #include "bearing_reading.hpp"
 #include "bindings.hpp"
-#include "step/find_events.hpp"
+#include "solid_makers.hpp"
+#include "step/bearing_motion.hpp"
 #include "world/pose.hpp"
 
 namespace trilith::script {
 namespace {
 
-constexpr std::array<const char*, 3> direction_names{"along", "axial", "turning"};
+// The table of m:bearing, whatever the dimension.
 
-void read_points(Keys& keys, BearingSpec& spec) {
-  const auto at = keys.maybe_point("at"), from = keys.maybe_point("from"), to = keys.maybe_point("to");
-  if (at && (from || to)) keys.problem("both at and from, to are given; at is for zero length");
-  if (!at && !(from && to)) keys.problem("its place is missing; give at = {x, y}, or from = {x, y} and to = {x, y}");
-  spec.point_a = at ? *at : from.value_or(Vec2::Zero());
-  spec.point_b = at ? *at : to.value_or(Vec2::Zero());
+std::optional<Vec2> maybe_place(Keys& keys, std::string_view key, const BearingSpecOf<2>& /*spec*/) {
+  return keys.maybe_point(key);
+}
+std::optional<Vec3> maybe_place(Keys& keys, std::string_view key, const BearingSpecOf<3>& /*spec*/) {
+  return keys.has(key) ? std::optional(keys.vector(key)) : std::nullopt;
 }
 
-void read_successor(Keys& keys, PlaneModel& m, BearingSpec& spec) {
+template <int D>
+void read_points(Keys& keys, BearingSpecOf<D>& spec) {
+  const auto at = maybe_place(keys, "at", spec), from = maybe_place(keys, "from", spec),
+             to = maybe_place(keys, "to", spec);
+  const std::string place = D == 2 ? "{x, y}" : "{x, y, z}";
+  if (at && (from || to)) keys.problem("both at and from, to are given; at is for zero length");
+  if (!at && !(from && to))
+    keys.problem(fmt::format("its place is missing; give at = {0}, or from = {0} and to = {0}", place));
+  spec.point_a = at ? *at : from.value_or(Vec<D>::Zero());
+  spec.point_b = at ? *at : to.value_or(Vec<D>::Zero());
+}
+
+void read_axes(Keys& keys, BearingSpecOf<2>& spec) {
+  spec.angle = keys.number("angle", "rad", 0);
+}
+/// An azimuth of along, counted from x to y, or any turn.
+void read_axes(Keys& keys, BearingSpecOf<3>& spec) {
+  const double azimuth = keys.number("angle", "rad", 0);
+  const bool turned = keys.has("turn");
+  const SolidTurn turn = read_turn(keys);
+  if (turned && azimuth != 0) keys.problem("both angle and turn are given; angle is for a turn about z");
+  if (turned && !(turn.axis.norm() > 0)) return keys.problem("'turn': axis has no length");
+  spec.angle = turned ? checked_turn(turn, keys.owner()) : rotation_by(Vec3(0, 0, azimuth));
+}
+
+template <int D>
+void read_successor(Keys& keys, ScriptModel& m, BearingSpecOf<D>& spec) {
   lua_State* L = keys.lua();
   const int type = keys.push("becomes");
   if (type == LUA_TSTRING) {
     const std::string name = text_at(L, -1);
-    const auto laws = m.builder.law_names();
+    const auto laws = m.law_names();
     (std::find(laws.begin(), laws.end(), name) != laws.end() ? spec.contact_after : spec.becomes_bearing) = name;
   } else if (const auto* law = type == LUA_TNIL ? nullptr : test_handle<ContactLawValue>(L, -1)) {
     keys.finish();
@@ -43,18 +69,18 @@ void read_successor(Keys& keys, PlaneModel& m, BearingSpec& spec) {
 }
 
 /// The two bodies under `between`: handles or names.
-void read_between(Keys& keys, const PlaneModel& m, BearingSpec& spec) {
+void read_between(Keys& keys, const ScriptModel& m, std::string& body_a, std::string& body_b) {
   lua_State* L = keys.lua();
   const int type = keys.push("between");
   if (type == LUA_TTABLE && lua_rawlen(L, -1) == 2) {
     for (int i = 1; i <= 2; ++i) {
       lua_rawgeti(L, -1, i);
-      std::string& body = i == 1 ? spec.body_a : spec.body_b;
+      std::string& body = i == 1 ? body_a : body_b;
       if (lua_type(L, -1) != LUA_TSTRING && test_handle<BodyHandle>(L, -1) == nullptr) {
         keys.problem(fmt::format("entry {} of 'between' is {}, must be a body or its name", i, what_is(L, -1)));
       } else {
         try {
-          body = m.builder.bodies()[static_cast<std::size_t>(row_at<BodyHandle>(L, -1, m, ""))].name;
+          body = m.body_name(row_at<BodyHandle>(L, -1, m, ""));
         } catch (const InputError& e) {
           keys.problem(e.what());
         }
@@ -69,16 +95,16 @@ void read_between(Keys& keys, const PlaneModel& m, BearingSpec& spec) {
   lua_pop(L, 1);
 }
 
-int add_bearing(lua_State* L) {
-  PlaneModel& m = this_plane(L);
+template <int D, class M>
+void add_bearing_to(lua_State* L, M& m) {
   m.adding();
   Keys keys(L, 2, "bearing");
-  BearingSpec spec;
+  BearingSpecOf<D> spec;
   spec.name = keys.text("name");
   keys.name_owner(spec.name);
-  read_between(keys, m, spec);
+  read_between(keys, m, spec.body_a, spec.body_b);
   read_points(keys, spec);
-  spec.angle = keys.number("angle", "rad", 0);
+  read_axes(keys, spec);
   read_directions(keys, spec);
   spec.starts_waiting = keys.flag("waiting", false);
   spec.replaces_contact = keys.flag("replaces_contact", false);
@@ -87,27 +113,15 @@ int add_bearing(lua_State* L) {
   m.builder.add_bearing(spec);
   m.bearings.push_back(spec.name);
   m.catch_up();
-  push_bearing(L, 1, static_cast<int>(m.bearings.size()) - 1);
-  return 1;
 }
 
-int add_seat(lua_State* L) {
-  PlaneModel& m = this_plane(L);
-  m.adding();
-  Keys keys(L, 2, "seat");
-  SeatSpec spec;
-  spec.name = keys.text("name");
-  keys.name_owner(spec.name);
-  spec.body = body_name(keys, "body", m);
-  spec.support = body_name(keys, "support", m);
-  spec.end = keys.point("at_end");
-  spec.edge = keys.point("edge");
-  spec.inward = keys.point("inward", spec.inward);
-  keys.finish();
-  m.builder.add_seat(spec);
-  m.seats.push_back(spec.name);
-  m.catch_up();
-  push_seat(L, 1, static_cast<int>(m.seats.size()) - 1);
+int add_bearing(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  if (SpaceModel* space = as_space(m))
+    add_bearing_to<3>(L, *space);
+  else
+    add_bearing_to<2>(L, *as_plane(m));
+  push_bearing(L, 1, static_cast<int>(m.bearings.size()) - 1);
   return 1;
 }
 
@@ -116,61 +130,103 @@ void require_there(std::size_t count, std::size_t row, const std::string& title)
   if (row >= count) throw InputError(title + " is added at the next step border");
 }
 
+/// A bearing as it is now, in a model of D dimensions.
+template <int D>
 struct LiveBearing {
-  const Model<2>& model;
-  const State<2>& state;
-  const Work<2>& work;
-  const Bearing<2>& bearing;
-  const BearingMemory& memory;
+  const Model<D>& model;
+  const State<D>& state;
+  const Work<D>& work;
   std::size_t row;
+
+  [[nodiscard]] const Bearing<D>& bearing() const { return model.bearings[row]; }
+  [[nodiscard]] bool carries() const { return is_live(state.bearing[row].status); }
+  [[nodiscard]] double force(std::size_t k) const {
+    const DirectionMemory& memory = work.bearing[row].direction[k];
+    return carries() ? memory.force + memory.damping : 0;
+  }
 };
 
-LiveBearing live(const BearingHandle& b) {
-  const Simulation<2>& s = b.plane().evaluated();
-  const auto row = static_cast<std::size_t>(b.index);
-  require_there(s.model().bearings.size(), row, Kind<BearingHandle>::title(b));
-  return {s.model(), s.state(), s.work(), s.model().bearings[row], s.work().bearing[row], row};
+template <int D>
+LiveBearing<D> live_in(SimulatedModel<D>& m, const BearingHandle& b) {
+  const Simulation<D>& s = m.evaluated();
+  require_there(s.model().bearings.size(), static_cast<std::size_t>(b.index), Kind<BearingHandle>::title(b));
+  return {s.model(), s.state(), s.work(), static_cast<std::size_t>(b.index)};
 }
 
-double force_of(const BearingHandle& b, std::size_t k) {
-  const LiveBearing l = live(b);
-  if (!is_live(l.state.bearing[l.row].status)) return 0;
-  return l.memory.direction[k].force + l.memory.direction[k].damping;
+/// f(LiveBearing) for the dimension of its model.
+template <class F>
+auto with_live(const BearingHandle& b, F&& f) {
+  if (SpaceModel* space = as_space(b.model())) return f(live_in<3>(*space, b));
+  return f(live_in<2>(b.plane(), b));
 }
 
-double displacement_of(const BearingHandle& b, std::size_t k) {
-  const LiveBearing l = live(b);
-  const Pose a = pose_at(l.model, l.state, l.bearing.end_a), b_end = pose_at(l.model, l.state, l.bearing.end_b);
-  if (k == turning) return b_end.rotation - a.rotation - l.bearing.rest_angle;
-  const Vec2 d = Turn(a.rotation + l.bearing.angle).undo(Vec2(b_end.place - a.place)) - l.bearing.rest;
-  return d[static_cast<Eigen::Index>(k)];
+std::array<double, 3> displacements(const LiveBearing<2>& l) {
+  const Bearing<2>& b = l.bearing();
+  const Pose p = pose_at(l.model, l.state, b.end_a), q = pose_at(l.model, l.state, b.end_b);
+  const Vec2 d = Turn(p.rotation + b.angle).undo(Vec2(q.place - p.place)) - b.rest;
+  return {d.x(), d.y(), q.rotation - p.rotation - b.rest_angle};
+}
+std::array<double, 6> displacements(const LiveBearing<3>& l) {
+  return bearing_motion(l.model, l.state, l.row).displacement;
 }
 
-/// Largest displacement over its limit, of the three directions.
+/// Largest displacement over its limit, of all directions.
 double share_of(const BearingHandle& b) {
-  const LiveBearing l = live(b);
-  double most = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (std::isfinite(l.bearing.limit[k])) most = std::max(most, std::abs(displacement_of(b, k)) / l.bearing.limit[k]);
-  return most;
+  return with_live(b, []<int D>(const LiveBearing<D>& l) {
+    const auto d = displacements(l);
+    const auto share = [](double size, double limit) { return std::isfinite(limit) ? std::abs(size) / limit : 0.0; };
+    double most = 0;
+    for (std::size_t k = 0; k < d.size(); ++k) most = std::max(most, share(d[k], l.bearing().limit[k]));
+    if constexpr (D == 3) most = std::max(most, share(portable::hypot(d[0], d[1]), l.bearing().horizontal_limit));
+    return most;
+  });
 }
 
-template <std::size_t k>
+bool is_limited(const BearingHandle& b) {
+  return with_live(b, []<int D>(const LiveBearing<D>& l) {
+    const auto& limit = l.bearing().limit;
+    bool any = std::any_of(limit.begin(), limit.end(), [](double v) { return std::isfinite(v); });
+    if constexpr (D == 3) any = any || std::isfinite(l.bearing().horizontal_limit);
+    return any;
+  });
+}
+
+// Of a direction by its place in the plane and in space.
+
+template <std::size_t in_plane, std::size_t in_space>
 double force(const BearingHandle& b) {
-  return force_of(b, k);
+  return with_live(b, []<int D>(const LiveBearing<D>& l) { return l.force(D == 2 ? in_plane : in_space); });
+}
+template <std::size_t in_plane, std::size_t in_space>
+double displacement(const BearingHandle& b) {
+  return with_live(b, []<int D>(const LiveBearing<D>& l) { return displacements(l)[D == 2 ? in_plane : in_space]; });
+}
+/// Of one that models in space alone have.
+template <std::size_t k>
+double force_in_space(const BearingHandle& b) {
+  return force<0, k>(b);
 }
 template <std::size_t k>
-double displacement(const BearingHandle& b) {
-  return displacement_of(b, k);
+double displacement_in_space(const BearingHandle& b) {
+  return displacement<0, k>(b);
+}
+double resultant_force(const BearingHandle& b) {
+  return portable::hypot(force_in_space<0>(b), force_in_space<1>(b));
+}
+double resultant_displacement(const BearingHandle& b) {
+  return portable::hypot(displacement_in_space<0>(b), displacement_in_space<1>(b));
 }
 
-template <double (*of)(const BearingHandle&, std::size_t)>
+template <bool forces>
 void push_directions(lua_State* L, const BearingHandle& b) {
-  lua_createtable(L, 0, 3);
-  for (std::size_t k = 0; k < 3; ++k) {
-    lua_pushnumber(L, of(b, k));
-    lua_setfield(L, -2, direction_names[k]);
-  }
+  with_live(b, [&]<int D>(const LiveBearing<D>& l) {
+    const auto d = displacements(l);
+    lua_createtable(L, 0, static_cast<int>(d.size()));
+    for (std::size_t k = 0; k < d.size(); ++k) {
+      lua_pushnumber(L, forces ? l.force(k) : d[k]);
+      lua_setfield(L, -2, Directions<D>::names[k]);
+    }
+  });
 }
 
 const std::string& name_of_row(const BearingHandle& b) {
@@ -178,91 +234,96 @@ const std::string& name_of_row(const BearingHandle& b) {
 }
 
 void push_bodies(lua_State* L, const BearingHandle& b) {
-  const LiveBearing l = live(b);
+  const auto [first, second] =
+      with_live(b, [](const auto& l) { return std::pair(l.bearing().body_a, l.bearing().body_b); });
   lua_getiuservalue(L, 1, 1);
   const int model = lua_gettop(L);
   lua_createtable(L, 2, 0);
-  push_body(L, model, l.bearing.body_a);
+  push_body(L, model, first);
   lua_rawseti(L, -2, 1);
-  push_body(L, model, l.bearing.body_b);
+  push_body(L, model, second);
   lua_rawseti(L, -2, 2);
 }
 
+void push_status(lua_State* L, const BearingHandle& b) {
+  lua_pushstring(L, name_of(with_live(b, [](const auto& l) { return l.state.bearing[l.row].status; })));
+}
+
 using BearingProperty = Property<BearingHandle>;
+constexpr BearingProperty in_dimension(int dim, BearingProperty p) {
+  p.dim = dim;
+  return p;
+}
 const std::array bearing_properties{
     BearingProperty{"name", "", "its name", nullptr,
                     [](lua_State* L, const BearingHandle& b) { lua_pushstring(L, name_of_row(b).c_str()); }},
-    BearingProperty{"status", "", "waiting, intact, yielded, failed, changed or removed", nullptr,
-                    [](lua_State* L, const BearingHandle& b) {
-                      const LiveBearing l = live(b);
-                      lua_pushstring(L, name_of(l.state.bearing[l.row].status));
-                    }},
+    BearingProperty{"status", "", "waiting, intact, yielded, failed, changed or removed", nullptr, push_status},
     BearingProperty{"bodies", "", "the two bodies it links", nullptr, push_bodies},
-    BearingProperty{"force", "", "forces of its laws { along, axial, turning } [N, N, N m]", nullptr,
-                    push_directions<force_of>},
-    BearingProperty{"displacement", "", "{ along, axial, turning } since it was placed [m, m, rad]", nullptr,
-                    push_directions<displacement_of>},
-    BearingProperty{"force_along", "N", "force of the law along", force<along>},
-    BearingProperty{"force_axial", "N", "force of the axial law", force<axial>},
-    BearingProperty{"moment", "N m", "moment of the law of turning", force<turning>},
-    BearingProperty{"displacement_along", "m", "displacement along", displacement<along>},
-    BearingProperty{"displacement_axial", "m", "axial displacement", displacement<axial>},
-    BearingProperty{"turning", "rad", "rotation of the second body against the first", displacement<turning>},
+    BearingProperty{"force", "",
+                    "forces and moments of its laws [N, N m]: { along, axial, turning }, in space { along, across, "
+                    "axial, turning_along, turning_across, turning_axial }",
+                    nullptr, push_directions<true>},
+    BearingProperty{"displacement", "", "likewise since it was placed [m, rad]", nullptr, push_directions<false>},
+    BearingProperty{"force_along", "N", "force of the law along", force<along, 0>},
+    in_dimension(3, {"force_across", "N", "force of the law across", force_in_space<1>}),
+    BearingProperty{"force_axial", "N", "force of the axial law", force<axial, 2>},
+    in_dimension(3, {"force_horizontal", "N", "resultant of the forces along and across", resultant_force}),
+    in_dimension(2, {"moment", "N m", "moment of the law of turning", force<turning, 0>}),
+    in_dimension(3, {"moment_along", "N m", "moment of the law of turning about along", force_in_space<3>}),
+    in_dimension(3, {"moment_across", "N m", "moment of the law of turning about across", force_in_space<4>}),
+    in_dimension(3, {"moment_axial", "N m", "moment of the law of turning about axial", force_in_space<5>}),
+    BearingProperty{"displacement_along", "m", "displacement along", displacement<along, 0>},
+    in_dimension(3, {"displacement_across", "m", "displacement across", displacement_in_space<1>}),
+    BearingProperty{"displacement_axial", "m", "axial displacement", displacement<axial, 2>},
+    in_dimension(
+        3, {"displacement_horizontal", "m", "resultant of the displacements along and across", resultant_displacement}),
+    in_dimension(2, {"turning", "rad", "rotation of the second body against the first", displacement<turning, 0>}),
+    in_dimension(
+        3, {"turning_along", "rad", "turn of the second body against the first about along", displacement_in_space<3>}),
+    in_dimension(3, {"turning_across", "rad", "... about across", displacement_in_space<4>}),
+    in_dimension(3, {"turning_axial", "rad", "... about axial", displacement_in_space<5>}),
     BearingProperty{"limited", "", "true where some displacement ends it", nullptr,
-                    [](lua_State* L, const BearingHandle& b) {
-                      const auto& limit = live(b).bearing.limit;
-                      lua_pushboolean(
-                          L, std::any_of(limit.begin(), limit.end(), [](double l) { return std::isfinite(l); }));
-                    }},
+                    [](lua_State* L, const BearingHandle& b) { lua_pushboolean(L, is_limited(b) ? 1 : 0); }},
     BearingProperty{"share", "1", "largest displacement over its limit", share_of},
-};
-
-const std::string& name_of_seat(const SeatHandle& s) {
-  return s.model().seats[static_cast<std::size_t>(s.index)];
-}
-
-using SeatProperty = Property<SeatHandle>;
-const std::array seat_properties{
-    SeatProperty{"name", "", "its name", nullptr,
-                 [](lua_State* L, const SeatHandle& s) { lua_pushstring(L, name_of_seat(s).c_str()); }},
-    SeatProperty{"length", "m", "how far the end still reaches over the edge",
-                 [](const SeatHandle& s) {
-                   const Simulation<2>& sim = s.plane().simulation();
-                   return seat_length(sim.model(), sim.state(), sim.model().seats[static_cast<std::size_t>(s.index)]);
-                 }},
-    SeatProperty{"lost", "", "true once the end has left its seat", nullptr,
-                 [](lua_State* L, const SeatHandle& s) {
-                   lua_pushboolean(L, s.plane().simulation().state().seat_lost[static_cast<std::size_t>(s.index)]);
-                 }},
 };
 
 const std::array bearing_method_list{
     Method{"bearing", guarded<add_bearing>,
-           "bearing{name=, between=, at= | from=, to=, along=, axial=, turning=, limit=, becomes=, waiting=}"},
+           "bearing{name=, between=, at= | from=, to=, along=, axial=, turning=, limit=, becomes=, waiting=}; in space "
+           "across=, horizontal=, turning_along=, ... too"},
     Method{"seat", guarded<add_seat>, "seat{name=, body=, support=, at_end=, edge=, inward=}"},
 };
 
 }  // namespace
 
-void read_directions(Keys& keys, BearingSpec& spec) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (const auto* law = keys.maybe_handle<DirectionLawValue>(direction_names[k])) spec.law[k] = law->law;
+template <int D>
+void read_directions(Keys& keys, BearingSpecOf<D>& spec) {
+  const auto& names = Directions<D>::names;
+  const auto read_law = [&](const char* key, DirectionLaw& law) {
+    if (const auto* given = keys.maybe_handle<DirectionLawValue>(key)) law = given->law;
+  };
+  for (std::size_t k = 0; k < names.size(); ++k) read_law(names[k], spec.law[k]);
+  if constexpr (D == 3) read_law("horizontal", spec.horizontal);
   lua_State* L = keys.lua();
   const int type = keys.push("limit");
   if (type == LUA_TTABLE) {
     Keys own(L, -1, "limit");
-    for (std::size_t k = 0; k < 3; ++k)
-      spec.limit[k] = own.number(direction_names[k], k == turning ? "rad" : "m", unbounded);
+    for (std::size_t k = 0; k < names.size(); ++k)
+      spec.limit[k] = own.number(names[k], unit_of_direction<D>(static_cast<int>(k)), unbounded);
+    if constexpr (D == 3) spec.horizontal_limit = own.number("horizontal", "m", unbounded);
     try {
       own.finish();
     } catch (const InputError& e) {
       keys.problem(e.what());
     }
   } else if (type != LUA_TNIL) {
-    keys.wrong("limit", "a table { along = , axial = , turning = }");
+    keys.wrong("limit", D == 2 ? "a table { along = , axial = , turning = }"
+                               : "a table { along = , across = , horizontal = , axial = , turning_along = , ... }");
   }
   lua_pop(L, 1);
 }
+template void read_directions(Keys&, BearingSpecOf<2>&);
+template void read_directions(Keys&, BearingSpecOf<3>&);
 
 std::span<const Method> bearing_methods() {
   return bearing_method_list;
@@ -281,22 +342,6 @@ std::span<const std::pair<const char*, lua_CFunction>> Kind<BearingHandle>::meta
   return {};
 }
 bool Kind<BearingHandle>::read_item(lua_State*, const BearingHandle&) {
-  return false;
-}
-
-std::span<const Property<SeatHandle>> Kind<SeatHandle>::properties() {
-  return seat_properties;
-}
-std::span<const Method> Kind<SeatHandle>::methods() {
-  return {};
-}
-std::string Kind<SeatHandle>::title(const SeatHandle& s) {
-  return s.open() ? fmt::format("seat '{}'", name_of_seat(s)) : "seat of a closed model";
-}
-std::span<const std::pair<const char*, lua_CFunction>> Kind<SeatHandle>::metamethods() {
-  return {};
-}
-bool Kind<SeatHandle>::read_item(lua_State*, const SeatHandle&) {
   return false;
 }
 

@@ -185,6 +185,9 @@ inline int dimension_of(const ModelBox& m) {
 inline int dimension_of(const BodyHandle& b) {
   return b.model().dim();
 }
+inline int dimension_of(const BearingHandle& b) {
+  return b.model().dim();
+}
 
 /// A handle for C++: of a body, bearing, seat or storey of `model`.
 template <class H>

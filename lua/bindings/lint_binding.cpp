@@ -32,12 +32,16 @@ void add_doubts_of(std::vector<std::string>& list, const std::string& owner, con
       law);
 }
 
+template <int D>
+void add_bearing_doubts_of(std::vector<std::string>& list, const std::vector<BearingSpecOf<D>>& bearings) {
+  for (const BearingSpecOf<D>& b : bearings) add_bearing_doubts(b, fmt::format("bearing '{}'", b.name), list);
+}
+
 /// Of bodies, bearings and the tilt of models in the plane.
 void add_plane_doubts(std::vector<std::string>& list, const PlaneModel& m) {
   for (const BodySpec& body : m.builder.bodies())
     if (body.density) add_doubt(list, fmt::format("body '{}'", body.name), "density", "kg/m3", *body.density);
-  for (const BearingSpec& bearing : m.builder.bearings())
-    for (const DirectionLaw& law : bearing.law) add_doubts_of(list, fmt::format("bearing '{}'", bearing.name), law);
+  add_bearing_doubts_of(list, m.builder.bearings());
   if (m.if_built() != nullptr) add_doubt(list, "tilt", "rate", "rad/s", m.if_built()->model().gravity.tilt_rate);
 }
 
@@ -50,7 +54,10 @@ int doubts(lua_State* L) {
     add_doubt(list, owner, "density", "kg/m3", material.density);
     if (material.solid) add_doubts_of(list, owner, material.solid->law);
   }
-  if (const PlaneModel* plane = as_plane(m)) add_plane_doubts(list, *plane);
+  if (const PlaneModel* plane = as_plane(m))
+    add_plane_doubts(list, *plane);
+  else
+    add_bearing_doubts_of(list, static_cast<const SpaceModel&>(m).builder.bearings());
   for (const auto& [name, law] : m.laws) add_doubts_of(list, fmt::format("contact law '{}'", name), law);
   push_texts(L, list);
   return 1;

@@ -9,7 +9,7 @@
 namespace trilith::script {
 namespace {
 
-std::vector<int> read_bodies(Keys& keys, const PlaneModel& m) {
+std::vector<int> read_bodies(Keys& keys, const ScriptModel& m) {
   std::vector<int> bodies;
   if (keys.push("body") == LUA_TNIL) {
     keys.missing("body", "a body, a set or a name");
@@ -82,8 +82,14 @@ LoadCurve read_load_curve(Keys& keys, double now) {
   return curve;
 }
 
-std::string free_name(PlaneModel& m, const char* kind) {
-  const std::vector<std::string> names = load_names(m.simulation().model());
+/// Names of the loads of a model; builds it.
+std::vector<std::string> names_of_loads(ScriptModel& m) {
+  if (SpaceModel* space = as_space(m)) return load_names(space->simulation().model());
+  return load_names(as_plane(m)->simulation().model());
+}
+
+std::string free_name(ScriptModel& m, const char* kind) {
+  const std::vector<std::string> names = names_of_loads(m);
   for (std::size_t i = 1;; ++i) {
     std::string name = fmt::format("{} {}", kind, i);
     if (std::find(names.begin(), names.end(), name) == names.end()) return name;
@@ -113,8 +119,32 @@ std::vector<std::optional<Vec2>> read_places(Keys& keys, const Model<2>& model, 
   return places;
 }
 
+int solid_point_load(lua_State* L, SpaceModel& m) {
+  Keys keys(L, 2, "point_load");
+  SolidLoadSpec spec;
+  spec.name = keys.text("name", "");
+  if (!spec.name.empty()) keys.name_owner(spec.name);
+  const std::vector<int> bodies = read_bodies(keys, m);
+  spec.force = keys.vector("force", Vec3::Zero());
+  spec.moment = keys.vector("moment", Vec3::Zero());
+  if (spec.force.isZero() && spec.moment.isZero()) keys.problem("gives neither a force nor a moment");
+  if (keys.has("at")) spec.at = keys.vector("at");
+  if (spec.at && bodies.size() > 1) keys.problem("'at' is a point of one body; several are given: leave it out");
+  spec.follows = keys.flag("follow", false);
+  spec.curve = read_load_curve(keys, m.time());
+  keys.finish();
+  if (spec.name.empty()) spec.name = free_name(m, "load");
+  std::vector<PointLoad<3>> loads;
+  for (const int body : bodies) loads.push_back(make_solid_load(m.simulation().model(), body, spec));
+  m.change([loads](Model<3>& changed) {
+    changed.point_loads.insert(changed.point_loads.end(), loads.begin(), loads.end());
+  });
+  return push_name(L, spec.name);
+}
+
 /// m:point_load{ body =, force =, moment =, at =, follow =, course =, name = }: its name.
 int point_load(lua_State* L) {
+  if (SpaceModel* space = as_space(this_model(L))) return solid_point_load(L, *space);
   PlaneModel& m = this_plane(L);
   Keys keys(L, 2, "point_load");
   PointLoadSpec spec;
@@ -204,8 +234,8 @@ int pressure(lua_State* L) {
   return push_name(L, spec.name);
 }
 
-void require_load(PlaneModel& m, const std::string& name, const char* owner) {
-  const std::vector<std::string> names = load_names(m.simulation().model());
+void require_load(ScriptModel& m, const std::string& name, const char* owner) {
+  const std::vector<std::string> names = names_of_loads(m);
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw InputError(fmt::format("{}: there is no load '{}'{}", owner, name, name_hint(name, names)));
 }
@@ -217,14 +247,19 @@ double read_span(Keys& keys, const char* key, double preset) {
 }
 
 /// From the step border on.
-void change_share(PlaneModel& m, const std::string& name, double share, double duration) {
-  m.change(
-      [name, share, duration, box = &m](Model<2>& model) { change_loads(model, name, box->time(), share, duration); });
+void change_share(ScriptModel& m, const std::string& name, double share, double duration) {
+  const auto change = [name, share, duration, box = &m](auto& model) {
+    change_loads(model, name, box->time(), share, duration);
+  };
+  if (SpaceModel* space = as_space(m))
+    space->change(change);
+  else
+    as_plane(m)->change(change);
 }
 
 /// m:set_load{ name =, factor =, duration = }: its share from now on, reached smoothly.
 int set_load(lua_State* L) {
-  PlaneModel& m = this_plane(L);
+  ScriptModel& m = this_model(L);
   Keys keys(L, 2, "set_load");
   const std::string name = keys.text("name");
   const double share = keys.number("factor", "1"), duration = read_span(keys, "duration", 0);
@@ -261,8 +296,20 @@ void release_bodies(PlaneModel& m, const std::vector<int>& bodies, const std::ar
   });
 }
 
+/// m:release{ load =, fade = } in space.
+int release_solid_load(lua_State* L, SpaceModel& m) {
+  Keys keys(L, 2, "release");
+  const std::string load = keys.text("load");
+  const double fade = read_span(keys, "fade", 1);
+  keys.finish();
+  require_load(m, load, "release");
+  change_share(m, load, 0, fade);
+  return 0;
+}
+
 /// m:release{ body =, x =, y =, rotation =, fade = } or { load =, fade = } or { push =, fade = }
 int release(lua_State* L) {
+  if (SpaceModel* space = as_space(this_model(L))) return release_solid_load(L, *space);
   PlaneModel& m = this_plane(L);
   Keys keys(L, 2, "release");
   const bool of_load = keys.has("load"), of_push = keys.has("push"), of_body = keys.has("body");

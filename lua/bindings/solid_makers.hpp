@@ -23,6 +23,9 @@ struct SolidMaker {
 };
 std::span<const SolidMaker> solid_makers();
 
+/// turn = { axis = {x, y, z}, angle = }; none where it is not there.
+SolidTurn read_turn(Keys& k);
+
 // Readers that lie in solid_masonry_makers.cpp.
 MakeSolids read_solid_wall(Keys& k);
 MakeSolids read_building(Keys& k);

@@ -35,7 +35,9 @@ class SpaceModel final : public SimulatedModel<3> {
   [[nodiscard]] Model<3> extended_model(const Model<3>& model, const State<3>& state) override {
     return builder.extended(model, state);
   }
-  void forget_beyond(const Model<3>& model) override { builder.shorten(model.bodies.size()); }
+  void forget_beyond(const Model<3>& model) override {
+    builder.shorten(model.bodies.size(), model.bearings.size(), model.seats.size());
+  }
   [[nodiscard]] Model<3> lone_body(int body) const override;
 };
 

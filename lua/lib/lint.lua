@@ -56,8 +56,7 @@ function checks.laws(model, add)
   end
 end
 
-function checks.bodies(model, add)
-  local lightest, heaviest
+function checks.edges(model, add)
   for body in model:bodies {} do
     local outline, size = body.outline, math.sqrt(body.area)
     for i = 1, #outline do
@@ -69,6 +68,12 @@ function checks.bodies(model, add)
         break
       end
     end
+  end
+end
+
+function checks.masses(model, add)
+  local lightest, heaviest
+  for body in model:bodies {} do
     if not lightest or body.mass < lightest.mass then lightest = body end
     if not heaviest or body.mass > heaviest.mass then heaviest = body end
   end
@@ -121,7 +126,10 @@ function checks.recording(model, add)
   end
 end
 
-local of_any, of_whole = { "doubts", "laws", "damping" }, { "bodies", "sinking", "bearings", "rest", "recording" }
+local of_any = { "doubts", "laws", "damping" }
+-- Of outlines, areas and unbalanced bodies models in the plane alone tell.
+local of_whole = { [2] = { "edges", "masses", "sinking", "bearings", "rest", "recording" },
+  [3] = { "masses", "bearings", "recording" } }
 
 --- m:lint(): a list of findings, and the same in words. Faults that keep the model from being built are findings too.
 function model_methods.lint(model)
@@ -130,7 +138,7 @@ function model_methods.lint(model)
   local whole = checks.faults(model, add)
   for _, name in ipairs(of_any) do checks[name](model, add, whole) end
   if whole then
-    for _, name in ipairs(of_whole) do checks[name](model, add) end
+    for _, name in ipairs(of_whole[model.dim]) do checks[name](model, add) end
   end
   found.text = #found == 0 and "nothing found" or "- " .. table.concat(found, "\n- ")
   return setmetatable(found, core.findings)

@@ -4,9 +4,9 @@ return {
   name = "loads", title = "Loads over time, pushes and quiet release",
   { "model:point_load", "A force or moment on a body from now on. Gives its name.", keys = [[
 body    bodies          on what
-force   point?          the force [N]
-moment  number N m = 0  the moment
-at      place?          a point {x, y} of the body, or the name of a place; the centroid where left out
+force   point?          the force [N]; in space {x, y, z}
+moment  number N m = 0  the moment; in space a vector {x, y, z}
+at      place?          a point {x, y} of the body, or the name of a place; the centroid where left out; in space {x, y, z}
 follow  flag = false    it turns with the body
 course  course?         its share over time: ]] .. course .. [[
 

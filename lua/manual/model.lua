@@ -41,17 +41,27 @@ mesh     table?   or a mesh: { file = } or { nodes = , elements = }]], with = "b
   { "model:add", "Parts as from trilith.build become bodies.", args = [[
 parts    table   list of { name, outline, groups }
 options  table?  what bodies take, and fixed = , by_group = ]], gives = "set" },
-  { "model:bearing", "A bearing between two bodies: laws along, across and for turning.", keys = [[
+  { "model:bearing", "A bearing between two bodies: a law for each direction, in its own axes, which turn with the "
+    .. "first body. In the plane along, axial and turning; in space along (lengthwise), across (sideways), axial "
+    .. "(vertical), and turning_along, turning_across, turning_axial about them. There horizontal is one law of along "
+    .. "and across at once, with a circle for its limit: linear, elastic_plastic, lead_rubber, bouc_wen, friction or "
+    .. "pendulum.", keys = [[
 name               text           its name
 between            two bodies     or their names
 at                 point?         where it is; or from and to
 from               point?         its point on the first body
 to                 point?         its point on the second
-angle              number rad = 0  of its direction along
+angle              number rad = 0  of its direction along, counted from x to y
+turn               table?         in space: { axis = , angle = } instead, of all its axes
 along              direction law?  force along
-axial              direction law?  force across
-turning            direction law?  moment
-limit              table?         { along = , axial = , turning = }: displacements that end it
+across             direction law?  in space: force across
+horizontal         direction law?  in space: force along and across, instead of these
+axial              direction law?  force in the axial direction
+turning            direction law?  in the plane: moment
+turning_along      direction law?  in space: moment about along
+turning_across     direction law?  in space: moment about across
+turning_axial      direction law?  in space: moment about axial
+limit              table?         displacement that ends it, by direction: { along = , axial = }; horizontal: of the resultant
 becomes            bearing or law?  what is there after it failed: another bearing, or a contact law
 waiting            flag = false   it goes live only as another's successor
 replaces_contact  flag = false   it stands for the flat contact it sits in]], gives = "bearing" },

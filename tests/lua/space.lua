@@ -95,6 +95,29 @@ do
   near(b.ux, 0.1, 1e-3)
 end
 
+-- Loads at points: one that grows, off the centroid; one that goes with the body; let go again.
+do
+  local m = model { gravity = 0 }
+  local function free(name, y)
+    return m:block { name = name, size = { 1, 1, 1 }, at = { 0, y, 2 }, material = "stone", floating = true }
+  end
+  local b, c = free("b", 0), free("c", 3)
+  local inertia = b.mass/6
+  local push = m:point_load { body = b, force = { 0, 0, 300 }, at = { 1, 0.5, 2.5 }, course = { ramp = 0.2 } }
+  m:point_load { name = "screw", body = c, force = { 300, 0, 0 }, moment = { 0, 0, 200 }, follow = true }
+  m:run { duration = 0.2, dt = 1e-4 }
+  near(b.vz, 0.5*300*0.2/b.mass, 2e-3)
+  near(b.spin_y, -0.5*0.5*300*0.2/inertia, 2e-3) -- (0.5, 0, 0) x (0, 0, 300)
+  near(c.spin_z, 200*0.2/inertia, 2e-3)
+  near(m.energy.load, m.energy.kinetic, 1e-3)
+  m:set_load { name = push, factor = 0 }
+  m:release { load = "screw", fade = 0 }
+  m:run { duration = 0.1, dt = 1e-4 }
+  local v = b.vz
+  m:run { duration = 0.1, dt = 1e-4 }
+  near(b.vz, v, 1e-12)
+end
+
 -- Messages.
 local function says(text, f)
   local good, message = pcall(f)
@@ -106,7 +129,7 @@ says("model 'house': 'dim' is 4, must be 2 (in the plane) or 3 (in space)",
 says("'thickness' is of models in the plane, and dim is 3", function() trilith.model { dim = 3, thickness = 1 } end)
 says("stack: is of models in the plane, and model 'house' has dim = 3; give its parts a depth by "
   .. "m:add(trilith.build.stack{...}, { depth = })", function() m:stack { blocks = {} } end)
-says("bearing: is of models in the plane, and model 'house' has dim = 3", function() m:bearing {} end)
+says("span: is of models in the plane, and model 'house' has dim = 3", function() m:span {} end)
 says("dome: is of models in space; model is in the plane, give it dim = 3", function() trilith.model():dome {} end)
 says("block 'b': 'size' is missing", function() m:block { name = "b" } end)
 says("block 'b': 'size' is 1, must be {x, y, z}, three finite numbers", function() m:block { name = "b", size = 1 } end)

@@ -74,7 +74,7 @@ export class SelectionPanel {
       make("p", { class: "chips" }, "between ", body(bearing.a), body(bearing.b)),
       facts([["law", bearing.law]]),
       this.plot("force", "N", ["x", "y", "z"].slice(0, run.dim).map((name, k) => line(name, "bearing_force", k))),
-      this.plot("displacement", "m", (run.dim === 3 ? ["x", "y", "z"] : ["along", "across"]).map((name, k) => line(name, "bearing_displacement", k))),
+      this.plot("displacement", "m", (run.dim === 3 ? ["along", "across", "axial"] : ["along", "across"]).map((name, k) => line(name, "bearing_displacement", k))),
       this.events((e) => e.bearing === bearing.index));
     this.tell = (frame, time) => {
       const state = run.bearingState(bearing, frame, time), mark = this.app.scene.bearingMark(bearing);

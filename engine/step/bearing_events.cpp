@@ -1,0 +1,151 @@
+#include "step/bearing_events.hpp"
+
+#include "contact/overlap_energy.hpp"
+#include "contact/solid_contact.hpp"
+#include "detect/bearing_rules.hpp"
+#include "detect/pairs.hpp"
+#include "step/bearing_motion.hpp"
+#include "step/body_events.hpp"
+#include "step/contact_rows.hpp"
+#include "step/evaluate.hpp"
+#include "world/pose.hpp"
+
+namespace trilith {
+
+double failed_displacement(const Vec2& displacement, std::uint32_t direction) {
+  return direction == turning ? 0 : displacement[direction];
+}
+double failed_displacement(const Vec3& displacement, std::uint32_t direction) {
+  if (direction == Directions<3>::horizontal) return portable::hypot(displacement.x(), displacement.y());
+  return direction < 3 ? displacement[direction] : 0;
+}
+
+namespace {
+
+Vec2 first_point(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  return pose_at(model, state, b.end_a).place;
+}
+Vec3 first_point(const Model<3>& /*model*/, const State<3>& state, const Bearing<3>& b) {
+  return point_of(state, b.end_a);
+}
+
+template <int D>
+void push_bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, EventType type) {
+  const Bearing<D>& b = model.bearings[i];
+  Event e = event_now(state, type, b.body_a, b.body_b);
+  e.bearing = static_cast<int>(i);
+  e.value = failed_displacement(work.bearing_displacement[i], work.bearing[i].failed_direction);
+  e.set_place(first_point(model, state, b));
+  work.events.push_back(e);
+}
+
+/// Elastic energy that the contact of two pieces has while their bearings are as given [J].
+/// Of overlap, whatever shape it has; 0 where it is still held off.
+double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                     std::span<const BearingMemory<2>> bearings, int p, int q) {
+  NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
+  if (pair.law < 0) return 0;
+  apply_bearings<2>(model, work.search, bearings, pair);
+  if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) return 0;
+  PieceCorners corners_p, corners_q;
+  return overlap_energy(placed_piece(model, state, work, p, corners_p), placed_piece(model, state, work, q, corners_q),
+                        law_in_use(model, pair.law));
+}
+
+/// In space with the shear that the contact remembers.
+double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>& work,
+                     std::span<const BearingMemory<3>> bearings, int p, int q) {
+  const int a = model.piece_body[p], b = model.piece_body[q];
+  NearPair pair{std::min(p, q),
+                std::max(p, q),
+                model.law_of[model.bodies[a].surface * model.surfaces + model.bodies[b].surface],
+                0,
+                0,
+                0,
+                0,
+                0,
+                1.0,
+                false};
+  if (pair.law < 0) return 0;
+  apply_bearings<3>(model, work.search, bearings, pair);
+  SolidOverlapBuffer shared, scratch;  // room; bearings end once
+  const PlacedSolid &first = work.solids.placed[pair.piece_a], &second = work.solids.placed[pair.piece_b];
+  const LawInUse law{model.laws[pair.law], model.thickness, 0};
+  SolidMemory memory;
+  const ContactKey key = contact_key(pair.piece_a, pair.piece_b);
+  const auto row = std::lower_bound(work.contacts.key.begin(), work.contacts.key.end(), key);
+  if (row != work.contacts.key.end() && *row == key)
+    memory = work.contacts.memory[static_cast<std::size_t>(row - work.contacts.key.begin())];
+  const auto at_rest = [&](const PlacedSolid& solid, int piece) {
+    return MovingSolid{solid, state.position[model.bodies[model.piece_body[piece]].first_node], Vec3::Zero(),
+                       Vec3::Zero()};
+  };
+  if (pair.replaced) {
+    Separation3 apart{0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0};
+    const SolidPressure pressed =
+        pressure_between(at_rest(first, pair.piece_a), at_rest(second, pair.piece_b), law, apart, shared);
+    if (presses_flat(model, state, work.search, bearings, pair, pressed.force)) return 0;
+  }
+  return solid_contact_energy(first, second, memory, law, shared, scratch);
+}
+
+/// Elastic energy that the contact beside bearing `i` has after its failure more than before [J].
+template <int D>
+double released_contact_energy(const Model<D>& model, const State<D>& state, const Work<D>& work, std::size_t i) {
+  const Bearing<D>& b = model.bearings[i];
+  for (std::size_t j = 0; j < i; ++j)  // one that failed in the same step has counted it
+    if (is_live(state.bearing[j].status) && !is_live(work.bearing[j].status) && model.bearings[j].alters_contact() &&
+        model.bearings[j].sits_between(b.piece_a, b.piece_b))
+      return 0;
+  return energy_beside(model, state, work, work.bearing, b.piece_a, b.piece_b) -
+         energy_beside(model, state, work, state.bearing, b.piece_a, b.piece_b);
+}
+
+/// Lets what follows a failed bearing begin. The elastic energy it begins with counts as not given off.
+template <int D>
+void hand_on(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i) {
+  const Bearing<D>& b = model.bearings[i];
+  double& given_off = work.given[EnergyTerm::bearing_failure];
+  if (b.becomes_bearing >= 0 && work.bearing[b.becomes_bearing].status == BearingStatus::waiting)
+    given_off -= begin_bearing(model, state, work, b.becomes_bearing);
+  if (!b.alters_contact()) return;
+  given_off -= released_contact_energy(model, state, work, i);
+  work.valid = false;  // another rule holds for the contact of its two pieces from now on
+}
+
+template <int D>
+void bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i) {
+  const BearingStatus before = state.bearing[i].status;
+  BearingMemory<D>& after = work.bearing[i];
+  if (before == after.status) return;
+  if (after.status == BearingStatus::yielded) push_bearing_event(model, state, work, i, EventType::bearing_yielded);
+  if (after.status != BearingStatus::failed) return;
+  push_bearing_event(model, state, work, i, EventType::bearing_failed);
+  const Bearing<D>& b = model.bearings[i];
+  if (b.becomes_bearing < 0 && !b.alters_contact()) return;
+  after.status = BearingStatus::changed;
+  push_bearing_event(model, state, work, i, EventType::bearing_changed);
+  hand_on(model, state, work, i);
+}
+
+/// A bearing that ends gives its elastic energy off at once.
+template <int D>
+void account_failed(const State<D>& state, Work<D>& work, std::size_t i) {
+  if (!is_live(state.bearing[i].status) || is_live(work.bearing[i].status)) return;
+  work.given[EnergyTerm::bearing_failure] += work.bearing_energy[i];
+}
+
+}  // namespace
+
+template <int D>
+void bearing_events(const Model<D>& model, const State<D>& state, Work<D>& work) {
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    bearing_event(model, state, work, i);
+    account_failed(state, work, i);
+  }
+}
+
+template void bearing_events(const Model<2>&, const State<2>&, Work<2>&);
+template void bearing_events(const Model<3>&, const State<3>&, Work<3>&);
+
+}  // namespace trilith

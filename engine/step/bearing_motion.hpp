@@ -1,0 +1,42 @@
+// How the second point of a bearing moves against the first, in the bearing's axes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/rotation_3d.hpp"
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+template <int D>
+struct BearingMotion {
+  decltype(turn_of(Rotation<D>{})) axes;                      ///< of the bearing, as they go with body a
+  std::array<double, Space<D>::dofs> displacement{}, rate{};  ///< see Directions [m] or [rad], and per s
+  Vec<D> point = Vec<D>::Zero();                              ///< of b, in the world [m]
+
+  [[nodiscard]] Vec<D> translation() const;
+  /// What forces and couples by direction, which resist displacement, are on body b, in the axes of the world. The
+  /// opposite acts on a, through the same point.
+  [[nodiscard]] Vec<D> force(const std::array<double, Space<D>::dofs>& resisting) const;
+  [[nodiscard]] Moment<D> moment(const std::array<double, Space<D>::dofs>& resisting) const;
+};
+
+/// Of bearing `i`. Between ends tied to one node each, whole turns count; else turns stay below half a circle.
+BearingMotion<2> bearing_motion(const Model<2>& model, const State<2>& state, std::size_t i);
+BearingMotion<3> bearing_motion(const Model<3>& model, const State<3>& state, std::size_t i);
+
+/// Mean rates over the step of length `dt` behind, by direction: those of now, but where an implicit scheme took it.
+std::array<double, 3> mean_rates(const Model<2>& model, const State<2>& state, const Bearing<2>& b,
+                                 const BearingMotion<2>& now, double dt);
+std::array<double, 6> mean_rates(const Model<3>& model, const State<3>& state, const Bearing<3>& b,
+                                 const BearingMotion<3>& now, double dt);
+
+/// A point tied to one node in space, where it stands [m].
+inline Vec3 point_of(const State<3>& state, const Tie<3>& tie) {
+  const int n = tie.node[0];
+  return state.position[n] + turn_of(state.rotation[n]).apply(tie.arm[0]);
+}
+
+}  // namespace trilith

@@ -1,0 +1,118 @@
+// Bearings and seats of models in space: what a builder's solids have to do with each other.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/nearest.hpp"
+#include "shape/face_distance.hpp"
+#include "world/extend.hpp"
+#include "world/names.hpp"
+#include "world/solid_model_builder.hpp"
+
+namespace trilith {
+namespace {
+
+/// The piece of a body whose surface faces come nearest to a point that goes with it, in its axes.
+int piece_near(const Model<3>& model, int body, const Vec3& point) {
+  const Body& b = model.bodies[body];
+  int best = b.first_piece;
+  double least = unbounded;
+  for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p) {
+    const ConvexSolid& solid = model.piece_solid[p];
+    for (int f = 0; f < solid.shape.faces.count(); ++f) {
+      if (!solid.is_surface(f)) continue;
+      const double distance = face_distance(solid.shape.corners, solid.shape.faces[f], point);
+      if (distance < least) least = distance, best = p;
+    }
+  }
+  return best;
+}
+
+/// A point of the world at the start, tied to the one node of a body.
+Tie<3> tie_to(const Model<3>& model, int body, const Vec3& at) {
+  const int n = model.bodies[body].first_node;
+  return Tie<3>::to_node(n, turn_of(model.start_rotation[n]).undo(Vec3(at - model.start_position[n])));
+}
+
+}  // namespace
+
+int SolidModelBuilder::require_body(const std::string& name, const std::string& owner) const {
+  std::vector<std::string> known;
+  for (const SolidSpec& b : bodies_) known.push_back(b.name);
+  const auto it = std::find(known.begin(), known.end(), name);
+  if (it == known.end())
+    throw InputError(fmt::format("{}: there is no body '{}'{}", owner, name, name_hint(name, known)));
+  return static_cast<int>(it - known.begin());
+}
+
+void SolidModelBuilder::require_near(const std::string& body, const Vec3& point, const std::string& owner) const {
+  double distance = unbounded;
+  Vec3 low = Vec3::Constant(unbounded), high = -low;
+  for (const Polyhedron& piece : bodies_[static_cast<std::size_t>(require_body(body, owner))].pieces) {
+    for (const Vec3& x : piece.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    for (int f = 0; f < piece.faces.count(); ++f)
+      distance = std::min(distance, face_distance(piece.corners, piece.faces[f], point));
+  }
+  trilith::require_near<3>(point, distance, (high - low).norm(), body, owner);
+}
+
+void SolidModelBuilder::add_bearing(const BearingSpecOf<3>& spec) {
+  require_name(spec.name, "bearing");
+  require_new(bearings_, spec.name, "bearing", [](const BearingSpecOf<3>& b) { return b.name; });
+  const std::string owner = fmt::format("bearing '{}'", spec.name);
+  if (require_body(spec.body_a, owner) == require_body(spec.body_b, owner))
+    throw InputError(fmt::format("{}: links body '{}' to itself; name two bodies", owner, spec.body_a));
+  check_bearing(spec, owner);
+  require_near(spec.body_a, spec.point_a, owner);
+  require_near(spec.body_b, spec.point_b, owner);
+  add_bearing_doubts(spec, owner, notes_);
+  bearings_.push_back(spec);
+}
+
+/// Of spec.angle, which turns the world's axes to the bearing's, each body keeps its own view.
+void SolidModelBuilder::append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const {
+  Bearing<3> b = bearing_of(spec, law_names(), bearings_);
+  b.body_a = require_body(spec.body_a, spec.name);
+  b.body_b = require_body(spec.body_b, spec.name);
+  b.end_a = tie_to(model, b.body_a, spec.point_a);
+  b.end_b = tie_to(model, b.body_b, spec.point_b);
+  b.angle = inverse(model.start_rotation[b.end_a.node[0]]) * spec.angle;
+  b.rest_angle = inverse(model.start_rotation[b.end_b.node[0]]) * spec.angle;
+  b.rest = turn_of(spec.angle).undo(Vec3(spec.point_b - spec.point_a));
+  b.piece_a = piece_near(model, b.body_a, b.end_a.arm[0]);
+  b.piece_b = piece_near(model, b.body_b, b.end_b.arm[0]);
+  model.bearings.push_back(std::move(b));
+}
+
+/// Bearings and seats that come later are tied to bodies as these stand; a bearing is unstressed there.
+void SolidModelBuilder::append_links(const Model<3>& model, const State<3>& state, Model<3>& grown) const {
+  if (bearings_.size() == model.bearings.size() && seats_.size() == model.seats.size()) return;
+  Model<3> standing = as_it_stands(grown, state);
+  for (std::size_t i = model.bearings.size(); i < bearings_.size(); ++i) append_bearing(bearings_[i], standing);
+  for (std::size_t i = model.seats.size(); i < seats_.size(); ++i) append_seat(seats_[i], standing);
+  grown.bearings = standing.bearings;
+  grown.seats = standing.seats;
+}
+
+void SolidModelBuilder::add_seat(const SeatSpecOf<3>& spec) {
+  const std::string owner = fmt::format("seat '{}'", spec.name);
+  require_name(spec.name, "seat");
+  (void)require_body(spec.body, owner), (void)require_body(spec.support, owner);
+  if (!spec.end.allFinite() || !spec.edge.allFinite() || !spec.inward.allFinite())
+    throw InputError(owner + ": end, edge or inward is not finite");
+  require_positive(spec.inward.norm(), owner + ": length of the inward direction", "");
+  require_near(spec.body, spec.end, owner);
+  require_near(spec.support, spec.edge, owner);
+  seats_.push_back(spec);
+}
+
+void SolidModelBuilder::append_seat(const SeatSpecOf<3>& spec, Model<3>& model) const {
+  Seat<3> seat;
+  seat.name = spec.name;
+  seat.body = require_body(spec.body, spec.name), seat.support = require_body(spec.support, spec.name);
+  seat.end = tie_to(model, seat.body, spec.end), seat.edge = tie_to(model, seat.support, spec.edge);
+  seat.inward = turn_of(model.start_rotation[seat.edge.node[0]]).undo(Vec3(spec.inward.normalized()));
+  model.seats.push_back(std::move(seat));
+}
+
+}  // namespace trilith
