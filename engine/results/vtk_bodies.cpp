@@ -50,7 +50,8 @@ VtkBodies::VtkBodies(const Header& header, const std::vector<bool>& left_out) : 
     else
       add_outline(header.bodies[i], index);
   }
-  for (std::size_t i = 0; i < header.bodies.size(); ++i) add_spheres(header.bodies[i], static_cast<std::int32_t>(i));
+  for (std::size_t i = 0; i < header.bodies.size(); ++i)
+    if (!left_out[i]) add_spheres(header.bodies[i], static_cast<std::int32_t>(i));
   const Frame first = start_frame(header);
   const Placement at(header, first);
   for (const Point& p : points_) start_.push_back(at.at(p.node, p.local));
@@ -82,14 +83,14 @@ void VtkBodies::add_solid(const BodyRow& body, std::int32_t index) {
 
 /// A point with its radius for each: ParaView shows points as spheres of a radius that an array says.
 void VtkBodies::add_spheres(const BodyRow& body, std::int32_t index) {
-  const auto end = header_.sphere_vertex.end();
-  auto at = std::lower_bound(header_.sphere_vertex.begin(), end, body.first_vertex);
+  const auto end = header_->sphere_vertex.end();
+  auto at = std::lower_bound(header_->sphere_vertex.begin(), end, body.first_vertex);
   for (; at != end && *at < body.first_vertex + body.vertex_count; ++at) {
     radius_.resize(points_.size());
-    radius_.push_back(header_.sphere_radius[static_cast<std::size_t>(at - header_.sphere_vertex.begin())]);
+    radius_.push_back(header_->sphere_radius[static_cast<std::size_t>(at - header_->sphere_vertex.begin())]);
     cells_.corners.push_back(static_cast<std::int32_t>(points_.size()));
-    const double* local = header_.vertices.data() + 3 * static_cast<std::size_t>(*at);
-    points_.push_back({header_.vertex_node[static_cast<std::size_t>(*at)], {local[0], local[1], local[2]}});
+    const double* local = header_->vertices.data() + 3 * static_cast<std::size_t>(*at);
+    points_.push_back({header_->vertex_node[static_cast<std::size_t>(*at)], {local[0], local[1], local[2]}});
     cells_.close(vertex, index, -1);
   }
 }
