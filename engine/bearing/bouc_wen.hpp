@@ -90,7 +90,7 @@ struct BoucWen {
   }
 
   struct Horizontal {
-    Pair inner{};                         ///< z [m]
+    AlongAcross inner{};                  ///< z [m]
     double given_off = 0, travelled = 0;  ///< [J] where it wears, path of d - z [m]
   };
   [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
@@ -103,7 +103,7 @@ struct BoucWen {
     HorizontalResponse<Horizontal> out{before, straight * m.displacement + smooth * z};
     const double softer = 0.5 * smooth * z.squaredNorm() * stiffness_loss / (yield * last);
     out.lost_inner = 0.5 * smooth * (z + was).dot(slid) / (1 + softer);
-    out.memory.inner = pair_of(z), out.memory.travelled += portable::hypot(slid.x(), slid.y());
+    out.memory.inner = along_across(z), out.memory.travelled += portable::hypot(slid.x(), slid.y());
     if (wears()) out.memory.given_off += out.lost_inner;
     const double eta = worn(out.memory.given_off).eta, size = portable::hypot(z.x(), z.y()) / last;
     out.stored = 0.5 * straight * m.displacement.squaredNorm() + 0.5 * smooth * eta * z.squaredNorm();

@@ -57,8 +57,8 @@ struct ElasticPlastic {
   }
 
   struct Horizontal {
-    Pair inner{}, force{};  ///< plastic displacement [m], force [N]
-    double travelled = 0;   ///< path of the plastic displacement [m]
+    AlongAcross inner{}, force{};  ///< plastic displacement [m], force [N]
+    double travelled = 0;          ///< path of the plastic displacement [m]
   };
   [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
                                                                   const Horizontal& before) const {
@@ -76,7 +76,7 @@ struct ElasticPlastic {
     const Vec2 moved = inner - was, middle = 0.5 * (inner + was), mean = 0.5 * (out.force + vector_of(before.force));
     out.lost_inner = (mean - h * middle).dot(moved);
     out.stored = 0.5 * stiffness * (m.displacement - inner).squaredNorm() + 0.5 * h * inner.squaredNorm();
-    out.memory.inner = pair_of(inner), out.memory.force = pair_of(out.force);
+    out.memory.inner = along_across(inner), out.memory.force = along_across(out.force);
     return out;
   }
 };

@@ -99,10 +99,10 @@ struct Friction {
   }
 
   struct Horizontal {
-    Pair inner{}, force{};  ///< place of the slider [m], friction [N]
-    double travelled = 0;   ///< path of the slider [m]
+    AlongAcross inner{}, force{};  ///< place of the slider [m], friction [N]
+    double travelled = 0;          ///< path of the slider [m]
   };
-  [[nodiscard]] static Horizontal begin_horizontal_at(const Vec2& displacement) { return {pair_of(displacement)}; }
+  [[nodiscard]] static Horizontal begin_horizontal_at(const Vec2& displacement) { return {along_across(displacement)}; }
   [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
                                                                   const Horizontal& before) const {
     const double limit = most(portable::hypot(m.rate.x(), m.rate.y()), m.compression);
@@ -119,7 +119,7 @@ struct Friction {
     out.memory.travelled += portable::hypot(slid.x(), slid.y());
     out.lost_inner = 0.5 * (out.force + vector_of(before.force)).dot(slid);
     out.stored = 0.5 * out.force.squaredNorm() / stiffness;
-    out.memory.inner = pair_of(inner), out.memory.force = pair_of(out.force);
+    out.memory.inner = along_across(inner), out.memory.force = along_across(out.force);
     return out;
   }
 

@@ -20,11 +20,11 @@
 namespace trilith {
 
 /// The two numbers of a vector as they lie in a memory.
-using Pair = std::array<double, 2>;
-inline Vec2 vector_of(const Pair& p) {
+using AlongAcross = std::array<double, 2>;
+inline Vec2 vector_of(const AlongAcross& p) {
   return {p[0], p[1]};
 }
-inline Pair pair_of(const Vec2& v) {
+inline AlongAcross along_across(const Vec2& v) {
   return {v.x(), v.y()};
 }
 

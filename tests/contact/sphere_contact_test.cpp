@@ -15,7 +15,7 @@ using trilith::testing::near;
 
 namespace {
 
-ContactLaw linear_law(double mu = 0, double beta = 0) {
+ContactLaw sphere_law(double mu = 0, double beta = 0) {
   Frictional law;
   law.kn = 1e6, law.ks = 5e5, law.mu = mu, law.beta = beta;
   return law;
@@ -59,7 +59,7 @@ double energy(const Placed& a, const Placed& b, const ContactLaw& law) {
 
 TEST_CASE("two spheres press each other by the stiffness times the volume they share") {
   const Placed a(convex_sphere({Vec3::Zero(), 0.3})), b(convex_sphere({Vec3::Zero(), 0.2}), {}, Vec3(0, 0, 0.48));
-  const SolidResponse r = response(a, b, linear_law());
+  const SolidResponse r = response(a, b, sphere_law());
   const double d = 0.48, e = 0.02, sum = 0.5, difference = 0.1;
   const double lens = std::numbers::pi * e * e * (d * d + 2 * d * sum - 3 * difference * difference) / (12 * d);
   CHECK(r.touching);
@@ -68,11 +68,11 @@ TEST_CASE("two spheres press each other by the stiffness times the volume they s
   CHECK(near(r.depth, e, 1e-12));
   // Shallow: kn pi R e^2 with 1/R the sum of the curvatures.
   const Placed near_b(convex_sphere({Vec3::Zero(), 0.2}), {}, Vec3(0, 0, 0.4999));
-  CHECK(near(response(a, near_b, linear_law()).force.z(), 1e6 * std::numbers::pi * 0.12 * 1e-8, 2e-3));
+  CHECK(near(response(a, near_b, sphere_law()).force.z(), 1e6 * std::numbers::pi * 0.12 * 1e-8, 2e-3));
 }
 
 TEST_CASE("the force between spheres is the slope of the energy that the ledger has") {
-  for (const ContactLaw& law : {linear_law(), power_law()})
+  for (const ContactLaw& law : {sphere_law(), power_law()})
     for (const double apart : {0.499, 0.47, 0.4, 0.25}) {
       const Placed a(convex_sphere({Vec3::Zero(), 0.3}));
       const double step = 1e-5;
@@ -88,7 +88,7 @@ TEST_CASE("the force between spheres is the slope of the energy that the ledger 
 TEST_CASE("on a plane a sphere of radius R is pressed by kn pi e^2 (3R - 2e) / 3") {
   const Placed floor(convex_solid(box_solid(Vec3(-1, -1, -1), Vec3(1, 1, 0)), "floor")),
       ball(convex_sphere({Vec3::Zero(), 0.1}), {}, Vec3(0.2, 0.1, 0.095));
-  const SolidResponse r = response(floor, ball, linear_law());
+  const SolidResponse r = response(floor, ball, sphere_law());
   CHECK(near(r.force.z(), 1e6 * std::numbers::pi * 25e-6 * (0.3 - 0.01) / 3, 1e-9));
   CHECK(near(r.area, std::numbers::pi * (0.01 - 0.095 * 0.095), 1e-12));
   CHECK((r.middle - Vec3(0.2, 0.1, 0)).norm() < 1e-12);
@@ -107,7 +107,7 @@ TEST_CASE("over faces, edges and corners the force of a polyhedron on a sphere i
     Placed b(convex_sphere({Vec3::Zero(), radius}), {}, at);
     const double depth = -sphere_distance(a.placed, b.placed);
     if (depth < 0.02 * radius || depth > 0.2 * radius) continue;
-    for (const ContactLaw& law : {linear_law(), power_law()}) {
+    for (const ContactLaw& law : {sphere_law(), power_law()}) {
       b.put({}, at);
       const SolidResponse r = response(a, b, law);
       Vec3 slope;
@@ -128,7 +128,7 @@ TEST_CASE("over faces, edges and corners the force of a polyhedron on a sphere i
 }
 
 TEST_CASE("a sphere over the joint of two flush blocks is pressed as by one block") {
-  const ContactLaw law = linear_law();
+  const ContactLaw law = sphere_law();
   const Placed whole(convex_solid(box_solid(Vec3(-1, -1, -1), Vec3(1, 1, 0)), "whole")),
       left(convex_solid(box_solid(Vec3(-1, -1, -1), Vec3(0, 1, 0)), "left")),
       right(convex_solid(box_solid(Vec3(0, -1, -1), Vec3(1, 1, 0)), "right"));
@@ -141,7 +141,7 @@ TEST_CASE("a sphere over the joint of two flush blocks is pressed as by one bloc
 }
 
 TEST_CASE("damping presses more as spheres close and never pulls as they part") {
-  const ContactLaw law = linear_law(0, 1e-3);
+  const ContactLaw law = sphere_law(0, 1e-3);
   const Placed a(convex_sphere({Vec3::Zero(), 0.3}));
   Placed b(convex_sphere({Vec3::Zero(), 0.3}), {}, Vec3(0, 0, 0.59));
   const double still = response(a, b, law).force.z();
@@ -157,7 +157,7 @@ TEST_CASE("damping presses more as spheres close and never pulls as they part") 
 }
 
 TEST_CASE("friction of spheres ends at its limit exactly and turns with the pair") {
-  const ContactLaw law = linear_law(0.4);
+  const ContactLaw law = sphere_law(0.4);
   const Placed floor(convex_solid(box_solid(Vec3(-1, -1, -1), Vec3(1, 1, 0)), "floor"));
   Placed ball(convex_sphere({Vec3::Zero(), 0.1}), {}, Vec3(0, 0, 0.098));
   SolidMemory memory = response(floor, ball, law).memory;
@@ -167,7 +167,7 @@ TEST_CASE("friction of spheres ends at its limit exactly and turns with the pair
   CHECK(near(r.force.x(), -0.4 * r.force.z(), 1e-12));
   // It turns about the normal with the mean of both spins: here by a tenth.
   ball.velocity = Vec3::Zero(), ball.spin = Vec3(0, 0, 2000);
-  r = response(floor, ball, linear_law(1e9), memory, 1e-4);
+  r = response(floor, ball, sphere_law(1e9), memory, 1e-4);
   r.memory.shear.elastic.z() = 0;  // what the turn itself has wound up
   CHECK(r.memory.shear.elastic.normalized().dot(Vec3(std::cos(0.1), std::sin(0.1), 0)) > 1 - 1e-6);
   // Turning alone carries mu N 8/15 of the radius of the area.

@@ -145,7 +145,8 @@ TEST_CASE("damping over a band: the tangent is that of central differences") {
   steel.band = BandDamping{0.1, 1, 50};
   const Model<2> model = of_frames(steel, {beam_body("beam", {0, 0}, {2, 1}, rectangle_section(0.1, 0.2), "steel", 1)});
   State<2> state = start_state(model);
-  for (std::size_t i = 0; i < state.beam_memory.size(); ++i) state.beam_memory[i] = 1e4 * std::sin(1.0 + i);
+  for (std::size_t i = 0; i < state.beam_memory.size(); ++i)
+    state.beam_memory[i] = 1e4 * std::sin(1.0 + static_cast<double>(i));
   state.position[1] += Vec2(1e-3, -2e-3), state.rotation[0] = 1e-3, state.rotation[1] = -2e-3;
   for (const double dt : {1e-4, 1e-2, 1.0}) {
     const BeamBlock block = beam_block(model, state, model.beams[0], 0, dt);

@@ -46,7 +46,7 @@ Model<3> linked_pair(const BearingSpecOf<3>& spec) {
 }
 
 /// Of many kinds, with horizontal laws of both directions among them.
-std::vector<BearingSpecOf<3>> many_links() {
+std::vector<BearingSpecOf<3>> many_space_links() {
   const UnitQuaternion axes = rotation_by({0.3, -0.5, 1.1});
   std::vector<BearingSpecOf<3>> links{link({0.5, 0.1, 0}, {1.6, 0, 0}, axes), link({1, 0.2, 0}, {1, 0.2, 0}),
                                       link({-0.6, 0.4, 0.3}, {2.4, -0.3, 0.5}, axes)};
@@ -84,7 +84,7 @@ struct Isolated {
 
 TEST_CASE("bearings in space: forces and couples on both bodies cancel, about any point") {
   std::mt19937_64 bits(7);
-  for (const BearingSpecOf<3>& spec : many_links()) {
+  for (const BearingSpecOf<3>& spec : many_space_links()) {
     SolidRun run(linked_pair(spec), 1e-3);
     run.run(0.3);
     double size = 0;
@@ -101,7 +101,7 @@ TEST_CASE("bearings in space: forces and couples on both bodies cancel, about an
 }
 
 TEST_CASE("bearings in space: momentum and angular momentum are kept, of any length and with any laws") {
-  for (const BearingSpecOf<3>& spec : many_links()) {
+  for (const BearingSpecOf<3>& spec : many_space_links()) {
     SolidRun run(linked_pair(spec), 1e-3);
     run.step();
     const Vec3 momentum = run.momentum(), turning = run.angular_momentum();
@@ -132,7 +132,7 @@ TEST_CASE("bearings in space: an elastic link keeps energy through large turns, 
 }
 
 TEST_CASE("bearings in space: a piece turned as one gives no force") {
-  for (const BearingSpecOf<3>& spec : many_links()) {
+  for (const BearingSpecOf<3>& spec : many_space_links()) {
     const Model<3> model = linked_pair(spec);
     State<3> state = initial_state(model);
     Work<3> work;
@@ -292,7 +292,7 @@ TEST_CASE("bearings in space: one holds flat contact off while it lives, and the
 }
 
 TEST_CASE("bearings in space: states are saved and taken up whole, and dropping the work changes no bit") {
-  const Model<3> model = linked_pair(many_links()[2]);
+  const Model<3> model = linked_pair(many_space_links()[2]);
   SolidRun run(model, 1e-3), dropped(model, 1e-3);
   run.run(0.5);
   for (int i = 0; i < 500; ++i) dropped.drop_work(), dropped.step();
