@@ -35,9 +35,8 @@ local pier = m:body "pier"
 m:history { name = "tilt of the pier", body = pier, what = "rotation" }
 m:consolidate { ratio = 1e-4 }
 local force = { 0, -p.traffic*15 }
-local traffic = {}
 for i, span in ipairs { left, right } do
-  traffic[i] = m:point_load { body = span, force = force, course = { smooth = 1 }, name = "traffic " .. i }
+  m:point_load { body = span, force = force, course = { smooth = 1 }, name = "traffic " .. i }
 end
 m:run { name = "traffic", duration = 10*s, damping = 0.8, until_rest = { from = 1, ratio = 1e-4 } }
 print(("%.2f s: under traffic; the footing has sunk by %.2f mm"):format(m.time, -1e3*m:body("footing").uy))

@@ -26,9 +26,9 @@ template <class F>
 void share(int threads, int count, int stretch, F&& f) {
   if (count <= 0) return;
   if (threads <= 1 || count <= stretch) return f(0, count, 0);
-  using Body = std::remove_reference_t<F>;
+  using Item = std::remove_reference_t<F>;
   const auto call = [](void* body, int first, int last, int thread) {
-    (*static_cast<Body*>(body))(first, last, thread);
+    (*static_cast<Item*>(body))(first, last, thread);
   };
   share_stretches(threads, count, stretch, call, const_cast<void*>(static_cast<const void*>(&f)));
 }

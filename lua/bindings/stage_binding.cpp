@@ -4,8 +4,7 @@
 
 #include "base/portable.hpp"
 #include "bindings.hpp"
-#include "load/motion_check.hpp"
-#include "load/motion_measures.hpp"
+#include "drive_reading.hpp"
 #include "stage_run.hpp"
 #include "step/equilibrium.hpp"
 #include "world/bounds.hpp"
@@ -187,138 +186,6 @@ int consolidate(lua_State* L) {
   if (fresh && report.end != StageEnd::diverged) m.set_bonds();
   push_report(L, report);
   return 1;
-}
-
-/// What is to follow which motion.
-struct DriveOrder {
-  std::vector<int> bodies;
-  std::array<std::shared_ptr<const GroundMotion>, 3> motion;  ///< along what drive_names says
-};
-
-/// What can follow a motion: in the plane x, y and the turn, in space x, y and z.
-std::array<const char*, 3> drive_names(int dim) {
-  if (dim == 2) return {"x", "y", "rotation"};
-  return {"x", "y", "z"};
-}
-
-DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
-  lua_State* L = keys.lua();
-  DriveOrder order;
-  if (keys.push("body") == LUA_TNIL) {
-    keys.missing("body", "a body, a set or a name");
-  } else {
-    try {
-      order.bodies = some_bodies_at(L, -1, m, "body");
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-  }
-  lua_pop(L, 1);
-  const auto names = drive_names(m.dim());
-  const PlaneModel* plane = as_plane(m);
-  bool any = false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto* motion = keys.maybe_handle<MotionValue>(names[k]);
-    if (motion == nullptr) continue;
-    any = true;
-    order.motion[k] = motion->motion;
-    for (const int body : order.bodies)
-      if (k == 2 && plane != nullptr && plane->spec(body).kind != BodyKind::rigid)
-        keys.problem(fmt::format("body '{}' deforms and has no rotation to drive", m.body_name(body)));
-    const std::string why = motion->steady ? "" : why_not_usable(*motion->motion);
-    if (!why.empty()) keys.problem(fmt::format("'{}': {}", names[k], why));
-  }
-  if (!any) keys.problem(fmt::format("no motion is given; give x, y or {} = trilith.motion ...", names[2]));
-  return order;
-}
-
-/// Where a body is now along the directions of drive_names.
-std::array<double, 3> place_of(const State<2>& state, int node) {
-  return {state.position[node].x(), state.position[node].y(), state.rotation[node]};
-}
-std::array<double, 3> place_of(const State<3>& state, int node) {
-  return {state.position[node].x(), state.position[node].y(), state.position[node].z()};
-}
-
-template <int D>
-void apply_drive(SimulatedModel<D>& m, const DriveOrder& order) {
-  const SimulatedModel<D>* const self_model = &m;
-  m.change([order, self_model](Model<D>& model) {
-    const State<D>& state = self_model->if_built()->state();
-    for (const int body : order.bodies) {
-      const auto now = place_of(state, model.bodies[static_cast<std::size_t>(body)].first_node);
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!order.motion[k]) continue;
-        if constexpr (D == 2)
-          set_drive(model, body, static_cast<int>(k), order.motion[k], state.time, now[k], &state);
-        else
-          set_drive(model, body, static_cast<int>(k), order.motion[k], state.time, now[k]);
-      }
-    }
-  });
-}
-
-void apply_drive(ScriptModel& m, const DriveOrder& order) {
-  const auto names = drive_names(m.dim());
-  for (const int body : order.bodies)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (order.motion[k])
-        m.motions.push_back(fmt::format("{} {}: {}", m.body_name(body), names[k], order.motion[k]->description()));
-  if (SpaceModel* space = as_space(m))
-    apply_drive<3>(*space, order);
-  else
-    apply_drive<2>(require_plane(m, "drive"), order);
-}
-
-/// Says what the ground does, each motion once: "shake: 'base' x: elcentro.csv, x 0.1: PGA 0.0349 g, 53.8 s".
-void tell_motions(const ScriptModel& m, const std::vector<DriveOrder>& orders, RunObserver* observer) {
-  if (observer == nullptr) return;
-  const auto names = drive_names(m.dim());
-  for (const DriveOrder& order : orders)
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!order.motion[k] || order.bodies.empty()) continue;
-      const double peak = std::abs(motion_peaks(*order.motion[k]).acceleration.value);
-      const std::string others = order.bodies.size() == 1 ? "" : fmt::format(" and {} more", order.bodies.size() - 1);
-      const std::string size = std::string(names[k]) == "rotation" ? fmt::format("{:.3g} rad/s2", peak)
-                                                                   : fmt::format("{:.3g} g", peak / standard_gravity);
-      observer->note(fmt::format("shake: '{}'{} {}: {}: peak {}, {:.4g} s", m.body_name(order.bodies.front()), others,
-                                 names[k], order.motion[k]->description(), size, order.motion[k]->end_time()));
-    }
-}
-
-double last_end(const std::vector<DriveOrder>& orders) {
-  double end = 0;
-  for (const DriveOrder& o : orders)
-    for (const auto& motion : o.motion)
-      if (motion) end = std::max(end, motion->end_time());
-  return end;
-}
-
-std::vector<DriveOrder> read_drives(Keys& keys, const ScriptModel& m) {
-  lua_State* L = keys.lua();
-  std::vector<DriveOrder> orders;
-  const int type = keys.push("motions");
-  if (type == LUA_TTABLE) {
-    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-    if (count == 0) keys.problem("'motions' is empty; give { {body = , x = }, ... }");
-    for (lua_Integer i = 1; i <= count; ++i) {
-      lua_rawgeti(L, -1, i);
-      try {
-        Keys own(L, -1, fmt::format("motion {}", i));
-        orders.push_back(read_drive(own, m));
-        own.finish();
-      } catch (const InputError& e) {
-        keys.problem(e.what());
-      }
-      lua_pop(L, 1);
-    }
-  } else if (type == LUA_TNIL) {
-    orders.push_back(read_drive(keys, m));
-  } else {
-    keys.wrong("motions", "a list { {body = , x = , y = }, ... }");
-  }
-  lua_pop(L, 1);
-  return orders;
 }
 
 int shake(lua_State* L) {

@@ -11,6 +11,7 @@ bearing.failed      a bearing reached its limit and carries nothing more, or wha
 bearing.changed     a bearing became what its `becomes` says
 member.yielded      a member of a frame yielded at an end for the first time
 member.failed       a member of a frame parted or lost its moment
+member.removed      a member of a frame is gone, as its hinge says; value: the energy it held
 contact.made        two bodies came to touch
 contact.lost        two bodies parted
 seat.lost           the end of a span left its seat; seat: which one

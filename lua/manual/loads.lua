@@ -6,7 +6,7 @@ return {
 body    bodies          on what
 force   point?          the force [N]; in space {x, y, z}
 moment  number N m = 0  the moment; in space a vector {x, y, z}
-at      place?          a point {x, y} of the body, or the name of a place; the centroid where left out; in space {x, y, z}
+at      place?          a point {x, y} of the body, or a place's name; else the centroid; {x, y, z} in space
 follow  flag = false    it turns with the body
 course  course?         its share over time: ]] .. course .. [[
 

@@ -61,7 +61,7 @@ turning            direction law?  in the plane: moment
 turning_along      direction law?  in space: moment about along
 turning_across     direction law?  in space: moment about across
 turning_axial      direction law?  in space: moment about axial
-limit              table?         displacement that ends it, by direction: { along = , axial = }; horizontal: of the resultant
+limit              table?         displacement at its end: { along = , axial = }; horizontal: of both
 becomes            bearing or law?  what is there after it failed: another bearing, or a contact law
 waiting            flag = false   it goes live only as another's successor
 replaces_contact  flag = false   it stands for the flat contact it sits in]], gives = "bearing" },
