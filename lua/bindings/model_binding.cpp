@@ -140,7 +140,7 @@ int close_model(lua_State* L) {
   return 0;
 }
 
-std::vector<Method> all_methods() {
+std::vector<Method> model_methods() {
   std::vector<Method> methods{
       {"explain_dt", guarded<explain_dt>, "explain_dt(): which body and contacts govern the step"},
       {"close", guarded<close_model>, "close(): ends the recording and frees the model"},
@@ -256,7 +256,7 @@ std::span<const Property<ModelBox>> Kind<ModelBox>::properties() {
   return all;
 }
 std::span<const Method> Kind<ModelBox>::methods() {
-  static const std::vector<Method> methods = all_methods();
+  static const std::vector<Method> methods = model_methods();
   return methods;
 }
 std::string Kind<ModelBox>::title(const ModelBox& m) {

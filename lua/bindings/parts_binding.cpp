@@ -325,7 +325,7 @@ constexpr std::array<MakerFunctions, part_maker_count> functions_of(std::index_s
 }
 constexpr auto maker_functions = functions_of(std::make_index_sequence<part_maker_count>{});
 
-std::vector<Method> all_methods() {
+std::vector<Method> part_methods() {
   std::vector<Method> methods{
       {"material", guarded<add_material>,
        "material{name=, density= | unit_weight=, E=, nu=, damping=, solid=, plane=, form=}"},
@@ -346,7 +346,7 @@ std::vector<Method> all_methods() {
 }  // namespace
 
 std::span<const Method> parts_methods() {
-  static const std::vector<Method> methods = all_methods();
+  static const std::vector<Method> methods = part_methods();
   return methods;
 }
 
