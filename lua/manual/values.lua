@@ -25,7 +25,7 @@ exponent  number  to which power]], gives = "number" },
   { "trilith.rayleigh", "Damping of mass and of stiffness that gives two ratios at two frequencies: { mass_damping, "
     .. "beta }, for the model, and for its laws (beta) and materials (damping).", keys = [[
 ratios       numbers     two shares of critical damping
-frequencies  numbers Hz  at which they are]], gives = "table" },
+frequencies  numbers     at which they are, Hz]], gives = "table" },
   { "trilith.params", "Parameters of the script, set by trilith run model.lua name=value.",
     args = "declared  table  name = { default, unit = , choices = , \"sentence\" }", gives = "table" },
   { "trilith.version", "Version of the program.", type = "string" },
