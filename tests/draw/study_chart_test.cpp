@@ -119,7 +119,7 @@ TEST_CASE("a fragility chart goes through probabilities, an incremental one leve
   CHECK_FALSE(chart_canvas({ida}, Arrangement::below).bytes(PictureFormat::svg).empty());
 }
 
-TEST_CASE("a study over texts or flags has an axis of words; shares of a flag stay between 0 and 1") {
+TEST_CASE("a study over texts or flags has an axis of words, and shares of a flag stay between 0 and 1") {
   const Chart chart = study_chart(incremental_study(), "record", {"collapsed", "drift"});
   CHECK(chart.x.words == std::vector<std::string>{"a", "b", "c"});
   CHECK(chart.panels.size() == 2);

@@ -96,7 +96,7 @@ TEST_CASE("a filtered record that is played backward is the backward record filt
   CHECK(worst < 1e-9);
 }
 
-TEST_CASE("a pad lets a high-pass end at rest; corners that cannot be are refused") {
+TEST_CASE("a pad lets a high-pass end at rest, and corners that cannot be are refused") {
   const GroundMotion motion = noise(5, 1000);
   const GroundMotion padded = filtered(motion, {0.5, 0, 4, 12});
   CHECK(padded.samples().size() == 1000 + 2400);

@@ -116,20 +116,6 @@ TEST_CASE("a spinning body that is thrown up falls along its parabola and its le
   CHECK(near(energy[EnergyTerm::gravity], 5 * standard_gravity * x.z(), 1e-9));
 }
 
-TEST_CASE("skin points of a body in space are where its node takes them") {
-  Model<3> model = free_body(5, t4_inertia, askew, t4_spin);
-  model.start_position = {Vec3(1, 2, 3)}, model.start_velocity = {Vec3(-1, 0, 2)};
-  FreeRun run(model, 1e-3);
-  run.steps(10);
-  const State<3>& s = run.state();
-  for (int i = 0; i < 3; ++i) {
-    const SkinMotion<3>& skin = run.work().skin[static_cast<std::size_t>(i)];
-    const Vec3 arm = Turn3(s.rotation[0]).apply(Vec3::Unit(i));
-    CHECK((Vec3(skin.x, skin.y, skin.z) - s.position[0] - arm).norm() < 1e-14);
-    CHECK((Vec3(skin.u, skin.v, skin.w) - s.velocity[0] - cross(s.spin[0], arm)).norm() < 1e-14);
-  }
-}
-
 TEST_CASE("a body held against roll turns about its free axis alone") {
   Model<3> model = free_body(5, t4_inertia, askew, Vec3(0, 0, 2));
   model.support[0][3] = model.support[0][4] = Support::fixed;

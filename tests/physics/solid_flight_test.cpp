@@ -1,6 +1,7 @@
 // VALIDATION T27 to T30, and solids by chance that fly at each other: impacts keep energy and momenta.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -27,6 +28,27 @@ SolidRun collision(std::mt19937_64& bits, double dt) {
 }
 
 }  // namespace
+
+TEST_CASE("corners of a solid are where its node takes them, and the fastest of them is known") {
+  SpaceBuilder builder;
+  SolidBody body = stone("box", box_at({0.4, 0.6, 1}, {1, 2, 3}));
+  body.velocity = {-1, 0, 2}, body.spin = {0.5, -2, 1};
+  builder.add(body);
+  builder.gravity(Vec3::Zero());
+  SolidRun run(builder.build(), 1e-3);
+  run.run(0.01);
+  const PlacedSolid& placed = run.work().solids.placed[0];
+  const Turn3 turn(run.state().rotation[0]);
+  double fastest = 0;
+  for (std::size_t c = 0; c < placed.corners.size(); ++c) {
+    const Vec3 arm = turn.apply(run.model().piece_solid[0].shape.corners[c]);
+    CHECK((placed.corners[c] - run.place(0) - arm).norm() < 1e-14);
+    fastest = std::max(fastest, (run.velocity(0) + cross(run.spin(0), arm)).norm());
+  }
+  CHECK(placed.corners.size() == 8);
+  CHECK(near(run.work().fastest, fastest, 1e-13));
+  CHECK(near(run.work().fastest_moving, fastest, 1e-13));
+}
 
 TEST_CASE("two solids by chance that strike each other keep energy and momenta, and do not pass") {
   std::mt19937_64 bits(2026);
