@@ -35,7 +35,8 @@ axial    direction law?  across
 turning  direction law?  for turning
 limit    table?  its limits { along = , axial = , turning = }
 angle    number rad?  of its direction along
-replaces_contact  flag?  it stands for the flat contact it sits in]] },
+replaces_contact  flag?  it stands for the flat contact it sits in]],
+    beside = { along = true, axial = true, turning = true, angle = true, replaces_contact = true } },
   { "model:lint", "What keeps a model from being built, and what of it is likely not meant, each with the next "
     .. "thing to try.", gives = "findings" },
 }

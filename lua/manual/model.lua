@@ -64,7 +64,9 @@ turning_axial      direction law?  in space: moment about axial
 limit              table?         displacement at its end: { along = , axial = }; horizontal: of both
 becomes            bearing or law?  what is there after it failed: another bearing, or a contact law
 waiting            flag = false   it goes live only as another's successor
-replaces_contact  flag = false   it stands for the flat contact it sits in]], gives = "bearing" },
+replaces_contact  flag = false   it stands for the flat contact it sits in]],
+    beside = { across = true, horizontal = true, turn = true, turning_across = true, turning_along = true,
+               turning_axial = true }, gives = "bearing" },
   { "model:seat", "A body's end on the edge of a support: how much is left is followed.", keys = [[
 name     text    its name
 body     body    what sits

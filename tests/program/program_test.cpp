@@ -206,7 +206,8 @@ TEST_CASE("trilith motion prints the figures of a record and draws it") {
   const Said scaled = ask(here, "motion " + record + " --peak 0.8 --reverse --no-picture");
   CHECK(scaled.says("PGA                  -0.80000 g"));
   check_refused(ask(here, "motion nowhere.csv"), "nowhere.csv");
-  check_refused(ask(here, "motion " + record + " --scale 0 -o x.png"), "0");
+  CHECK(ask(here, "motion " + record + " --scale 0 --no-picture").says("PGA                  0.00000 g"));
+  check_refused(ask(here, "motion " + record + " --scale inf -o x.png"), "inf");
 }
 
 namespace {
