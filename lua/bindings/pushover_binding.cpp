@@ -9,6 +9,7 @@
 #include "step/equilibrium.hpp"
 #include "step/load_path.hpp"
 #include "world/loads.hpp"
+#include "world/pose.hpp"
 
 namespace trilith::script {
 namespace {

@@ -171,8 +171,9 @@ function console.told(message)
       or lines[#lines] == "stack traceback:") do
     lines[#lines] = nil
   end
+  lines[1] = lines[1]:gsub("^console:1: ", "")
   if lines[1] == "interrupted" and terminal.interactive then lines[1] = "\ninterrupted" end
-  return (table.concat(lines, "\n"):gsub("^console:1: ", ""))
+  return table.concat(lines, "\n")
 end
 local told = console.told
 
