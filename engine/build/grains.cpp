@@ -120,8 +120,8 @@ class Pouring {
 
   SolidPart grain(int index) {
     const std::int64_t i = index, nx = cells_[0], ny = cells_[1];
-    const Vec3 corner(static_cast<double>(i % nx), static_cast<double>(i / nx % ny),
-                      static_cast<double>(i / (nx * ny)));
+    const std::int64_t column = i % nx, row = i / nx % ny, layer = i / (nx * ny);
+    const Vec3 corner(static_cast<double>(column), static_cast<double>(row), static_cast<double>(layer));
     const double r = radius();
     Vec3 at;
     for (int k = 0; k < 3; ++k) {

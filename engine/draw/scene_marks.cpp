@@ -1,5 +1,7 @@
 #include "draw/scene_marks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
