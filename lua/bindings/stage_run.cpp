@@ -129,7 +129,7 @@ class Handlers {
     } catch (const ScriptError& e) {
       // Somebody is there to look: nothing of the run is lost, which goes on without that call. An interrupt is no
       // failure, and ends what hangs.
-      if (host_.console != nullptr && !host_.console->was_interrupted()) {
+      if (host_.console != nullptr && !interrupted()) {
         const std::string said = e.what(), first = said.substr(0, said.find('\n'));
         model_.pause_reason += fmt::format("{}a handler failed: {}", model_.pause_reason.empty() ? "" : "; ", first);
         return false;
