@@ -156,7 +156,7 @@ class Handlers {
   std::exception_ptr broken_off_;  ///< what an interrupt raised in a handler; it goes on where the stage has ended
 };
 
-/// Calls go(listener) with the script's handlers listening.
+/// Calls go(handlers, listener) with the script's handlers listening.
 template <class Go>
 StageReport listen(lua_State* L, ScriptModel& model, Host& h, Go&& go) {
   struct Running {
@@ -167,7 +167,7 @@ StageReport listen(lua_State* L, ScriptModel& model, Host& h, Go&& go) {
     ~Running() { --count; }
   } running(h.running);
   Handlers handlers(L, model, h);
-  const StageReport report = go(handlers.listener(false));
+  const StageReport report = go(handlers, handlers.listener(false));
   handlers.end();
   return report;
 }
@@ -183,10 +183,6 @@ void refuse_unread_arguments(const Host& h) {
       throw InputError(
           fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", word));
 }
-
-}  // namespace
-
-namespace {
 
 /// Whether bodies have come down since a stage began; looked at now and then.
 class Fallen {
@@ -213,41 +209,36 @@ class Fallen {
 StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const StageUntil& until) {
   Host& h = host(L);
   refuse_unread_arguments(h);
-  struct Running {
-    int& count;
-    explicit Running(int& c) : count(c) { ++count; }
-    Running(const Running&) = delete;
-    Running& operator=(const Running&) = delete;
-    ~Running() { --count; }
-  } running(h.running);
-  Handlers handlers(L, model, h);
-  ScriptListener listener = handlers.listener(false);
-  model.build();
-  Fallen fallen(model, until);
-  std::string met;
-  std::int64_t taken = 0;
-  if (until.steps > 0 || until.function != 0 || until.drop > 0)
-    listener.on_step = [&, inner = std::move(listener.on_step)](double time, double dt) {
-      inner(time, dt);
-      if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true came true";
-      if (met.empty() && fallen.look()) met = "it has collapsed, by until_collapse";
-      if (!met.empty() || (until.steps > 0 && ++taken >= until.steps)) model.stop();
-    };
-  StageReport report = model.run(options, listener, h);
-  handlers.end();
-  if (report.end == StageEnd::stopped && !met.empty()) report.reason = met;
-  return report;
+  return listen(L, model, h, [&](Handlers& handlers, ScriptListener listener) {
+    model.build();
+    Fallen fallen(model, until);
+    std::string met;
+    std::int64_t taken = 0;
+    if (until.steps > 0 || until.function != 0 || until.drop > 0)
+      listener.on_step = [&, inner = std::move(listener.on_step)](double time, double dt) {
+        inner(time, dt);
+        if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true came true";
+        if (met.empty() && fallen.look()) met = "it has collapsed, by until_collapse";
+        if (!met.empty() || (until.steps > 0 && ++taken >= until.steps)) model.stop();
+      };
+    StageReport report = model.run(options, listener, h);
+    if (report.end == StageEnd::stopped && !met.empty()) report.reason = met;
+    return report;
+  });
 }
 
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how) {
   Host& h = host(L);
   refuse_unread_arguments(h);
-  return listen(L, model, h, [&](const ScriptListener& listener) { return model.run(options, listener, h, &how); });
+  return listen(L, model, h, [&](Handlers& /*handlers*/, const ScriptListener& listener) {
+    return model.run(options, listener, h, &how);
+  });
 }
 
 StageReport resume_stage(lua_State* L, ScriptModel& model) {
   Host& h = host(L);
-  return listen(L, model, h, [&](const ScriptListener& listener) { return model.resume(listener, h); });
+  return listen(L, model, h,
+                [&](Handlers& /*handlers*/, const ScriptListener& listener) { return model.resume(listener, h); });
 }
 
 void run_on(lua_State* L, ScriptModel& model, RunLimit limit) {
