@@ -104,7 +104,7 @@ TEST_CASE("fine steps of an incremental analysis give mean and deviation of the 
   CHECK(near(f.dispersion, std::sqrt(squares / 7 - mean * mean), 1e-7));  // of the largest likelihood: with n
 }
 
-TEST_CASE("the band of 95 % holds the true curve in 95 of 100 studies") {
+TEST_CASE("the band of 95 % holds the true curve in 95 of 100 studies" * doctest::test_suite("long")) {
   std::mt19937_64 random(7);
   constexpr double median = 0.55, dispersion = 0.4;
   int held[3] = {0, 0, 0}, median_held = 0, studies = 0;
