@@ -125,6 +125,25 @@ TEST_CASE("sliding gives no energy, and takes the most that friction can") {
   }
 }
 
+TEST_CASE("the nearest point is one however little friction holds, and however far beyond it a force is") {
+  std::mt19937 random(13);
+  for (int i = 0; i < 300; ++i) {
+    const auto [limit, beyond] = draw_limit(random, 3);
+    const Vec3 far = limit.nearest_to(1e7 * beyond) / limit.force;
+    for (const double held : {1e2, 1e-40, 1e-120, 1e-139}) {
+      const FrictionLimit less = limit_at(held, limit.offset, limit.radius, limit.arm);
+      const Vec3 force = 1e12 * beyond;
+      REQUIRE(less.is_below(force));
+      const Vec3 nearest = less.nearest_to(force);
+      CHECK(near(measure(less, nearest), 1, 1e-12));
+      CHECK((nearest / held - far).norm() < 1e-4);
+    }
+    const FrictionLimit none = limit_at(1e-300, limit.offset, limit.radius, limit.arm);
+    CHECK(none.is_below(beyond));
+    CHECK(none.nearest_to(beyond).norm() == 0);
+  }
+}
+
 TEST_CASE("with its pressure off the middle, what slides straight has no couple about its pressure") {
   const Vec3 offset(0.1, -0.3, 0);
   const FrictionLimit limit = limit_at(100, offset, 0.4, 0.2);
