@@ -205,7 +205,12 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
     const int body = worst_bodies(now.model, now.work).fastest;
     return fmt::format("{} is fastest, at {:.3g} m/s", body >= 0 ? now.model.bodies[body].name : "?", now.speed);
   };
-  if (!(made <= most + trifle))
+  if (!std::isfinite(made))
+    return Divergence{fmt::format("the energy is no longer a finite number; {}", fastest()),
+                      "take a smaller safety or less load",
+                      sound_until_,
+                      {}};
+  if (made > most + trifle)
     return Divergence{fmt::format("{} more energy is there than the {} that were put in; {}", quantity_text(made, "J"),
                                   quantity_text(most, "J"), fastest()),
                       "take a smaller safety, or see what is stiff and near it with explain_dt",
