@@ -305,7 +305,8 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
   scene.time = frame.time - choice.zero;
   add_stage(reader, frame, scene);
   scene.event = event_before(reader, frame.time, choice.zero);
-  scene.verdict = results::results_verdict(reader.events()).text();
+  const Verdict verdict = results::results_verdict(reader.events());
+  if (frame.time > verdict.sound_until()) scene.verdict = verdict.text(choice.zero);
   add_bodies(header, frame, scene);
   if (!choice.colour.empty()) colour_bodies(reader, frame, choice.colour, scene);
   if (!header.bearings.empty()) add_bearings(header, frame, flat, scene);

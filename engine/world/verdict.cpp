@@ -38,12 +38,12 @@ double Verdict::sound_until() const {
   return until;
 }
 
-std::string Verdict::text() const {
+std::string Verdict::text(double zero) const {
   if (sound()) return "";
   std::vector<std::string> parts;
   for (const Fault type : {Fault::diverged, Fault::passed, Fault::not_at_rest})
     if (has(type)) parts.push_back(words_of(fault(type), type));
-  return fmt::format("not to be trusted after {:.4g} s: {}", sound_until(), fmt::join(parts, "; "));
+  return fmt::format("not to be trusted after {:.4g} s: {}", sound_until() - zero, fmt::join(parts, "; "));
 }
 
 }  // namespace trilith

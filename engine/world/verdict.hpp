@@ -32,8 +32,9 @@ class Verdict {
   [[nodiscard]] bool sound() const;
   /// Until when the run may be trusted [s]; 0 where it is sound throughout.
   [[nodiscard]] double sound_until() const;
-  /// "not to be trusted after 3.2 s: element 1 of q was squeezed by 51 %"; "" where it is sound.
-  [[nodiscard]] std::string text() const;
+  /// "not to be trusted after 3.2 s: element 1 of q was squeezed by 51 %"; "" where it is sound. `zero`: from when
+  /// times are counted [s].
+  [[nodiscard]] std::string text(double zero = 0) const;
   /// Bodies that left the bounds.
   [[nodiscard]] std::int64_t left() const { return left_; }
 
