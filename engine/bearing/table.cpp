@@ -40,6 +40,7 @@ double Table::force_at(double d) const {
   return force[i - 1] + share * (force[i] - force[i - 1]);
 }
 
+/// Integral of the force from 0 to d [J]: what is stored, as the curve is the same on the way back.
 double Table::energy_at(double d) const {
   // Trapezoids between 0 and d, at the points that lie between them: exact, as the force is linear there.
   const double from = std::min(0.0, d), to = std::max(0.0, d);

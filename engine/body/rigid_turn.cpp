@@ -23,6 +23,8 @@ void turn_about(int k, const Vec3& inertia, double dt, UnitQuaternion& rotation,
 
 }  // namespace
 
+// In the body's own axes the tensor of inertia is the diagonal J, so that turning there, multiplying and turning back
+// is all: L = R J R^T w, and w = R J^-1 R^T L.
 Vec3 momentum_of(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& spin) {
   const Turn3 turn(rotation);
   return turn.apply(inertia.cwiseProduct(turn.undo(spin)));
@@ -33,6 +35,11 @@ Vec3 spin_of(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& mo
   return turn.apply(turn.undo(momentum).cwiseQuotient(inertia));
 }
 
+// Comes in: spin w, moment M, which axes of the world are free. Goes out: the spin after `span`.
+//
+// Free about all axes: L grows by span M, and w follows from it exactly. Held about some, L is no longer the body's own
+// to keep, as supports take part of it; there Euler's equation in the axes of the world, R J R^T w' = M - w x L, is
+// solved for the free components alone, the rows and columns of the held ones being those of w' = 0.
 Vec3 spin_ahead(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& spin, const Vec3& moment, double span,
                 const std::array<bool, 3>& free) {
   if (free[0] && free[1] && free[2])
@@ -54,6 +61,7 @@ Vec3 spin_ahead(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3&
   return next;
 }
 
+// Five turns, the same read backwards: that is what keeps the energy near its own for ever.
 UnitQuaternion turned_freely(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& momentum, double dt) {
   UnitQuaternion out = rotation;
   Vec3 own = Turn3(rotation).undo(momentum);

@@ -163,4 +163,8 @@ Part build_span(const Span& span) {
   return {span.name, rectangle({left, soffit}, {right, soffit + span.depth}), {"spans"}};
 }
 
+std::vector<Part> Span::parts() const {
+  return {build_span(*this)};
+}
+
 }  // namespace trilith

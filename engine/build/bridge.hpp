@@ -1,10 +1,13 @@
 // The rigid pieces of a simple-span bridge seen from the side: piers, abutments and spans.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/schema.hpp"
 #include "build/part.hpp"
 
 namespace trilith {
@@ -67,6 +70,21 @@ struct Span {
   double end_gap = 0;       ///< kept free at each of the two ends, m: half the joint between two decks
   double soffit_level = 0;  ///< y of the underside, m
   double depth = 0;         ///< m
+
+  static constexpr std::string_view kind = "span";
+  static constexpr std::string_view sentence = "a deck between two places";
+  static constexpr bool is_single = true;
+  static constexpr auto parameters() {
+    using P = Parameter<Span>;
+    return std::array{
+        P{&Span::x0, "x0", "m", no_default, -unbounded, unbounded, false, "axis of the left support"},
+        P{&Span::x1, "x1", "m", no_default, -unbounded, unbounded, false, "axis of the right support"},
+        P{&Span::end_gap, "end_gap", "m", 0, 0, unbounded, true, "from the axis to its end"},
+        P{&Span::soffit_level, "soffit_level", "m", no_default, -unbounded, unbounded, false, "its underside"},
+        P{&Span::depth, "depth", "m", no_default, 0, unbounded, false, "its height"}};
+  }
+  /// The one part of build_span.
+  [[nodiscard]] std::vector<Part> parts() const;
 };
 
 /// One rectangle, group "spans", from x0 + end_gap to x1 - end_gap. Throws InputError where no length is left or the

@@ -89,12 +89,17 @@ double deepest_overlap(const JointPlan& plan, const JointMotion& motion) {
   return most;
 }
 
+/// Whether the faces lie so far from how they lay that its patches no longer say what they share: slid, tilted or
+/// pressed together beyond what counts as flat. Only a joint without a bond is asked.
 bool has_left(const JointPlan& plan, const JointMotion& motion, double depth) {
   const double slid = motion.aside.norm() + std::abs(motion.turn.z()) * plan.width;
   return slid > longest_slide * plan.width || motion.turn.head<2>().norm() > flat_faces_max_tilt ||
          depth > flat_faces_max_depth * plan.width;
 }
 
+/// What is stored in a joint [J]. Sound, its stress is linear over the whole face, and the energy is a closed form of
+/// three displacements; else it is summed over patches, each with the bonds and the opening that are left to it. Shear
+/// stores tau^2 / (2 ks) for each unit of area, of which a patch stands for `active` at each of its points.
 template <class K>
 double energy_of(const JointMemory& joint, const K& law) {
   if (joint.sound)
@@ -122,6 +127,14 @@ bool is_damaged(const JointMemory& m) {
 
 }  // namespace
 
+// Comes in: where both bodies stand and move, and what contact and joint remember. Goes out: force, moment and memories
+// of the trial, and what the step has given off.
+//
+//   sound  --- a limit is passed --->  patch by patch  --- no bond, no touch or slid away --->  ended
+//
+// A sound joint is a stress that is linear over the face, which costs as much as one patch; only once a corner of it
+// comes to a limit is it divided. `step_sound` refuses where that is so, and nothing of the step is then lost, as the
+// step by patches begins from the memory of before.
 JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before,
                             const JointMemory& joint, const LawInUse& use, JointMemory& after) {
   const JointPlan& plan = *joint.plan;
@@ -161,6 +174,8 @@ JointChange joint_change(const JointMemory& before, const JointMemory& now) {
   return change;
 }
 
+// The shear that a contact has carried so far goes over to the joint, in its own axes, so that mortar that sets sets
+// off nothing.
 JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b, const SolidMemory& before) {
   const auto plan = std::make_shared<JointPlan>(plan_joint(faces, a, b));
   const JointMotion motion(*plan, a, b);

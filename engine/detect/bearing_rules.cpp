@@ -24,6 +24,9 @@ void for_bearings_beside(const PieceSearch<D>& search, const NearPair& pair, F&&
 
 }  // namespace
 
+// A bearing may stand for the contact between its two pieces (it then carries what the contact would) or leave another
+// law in its place once it has failed. Pairs ask for theirs by key, so that the list is sorted by key, then by number:
+// the order of bearings decides where several lie beside one pair.
 template <int D>
 void list_bearings(const Model<D>& model, PieceSearch<D>& search) {
   search.bearing.clear();
@@ -47,6 +50,9 @@ void apply_bearings(const Model<D>& model, const PieceSearch<D>& search, std::sp
   });
 }
 
+// Whether a bearing that stands for the contact answers for this force in space. Its faces, square to the axis z that
+// each body keeps of it, must still lie flat on each other, and the force must be nearer to that axis than 45 degrees:
+// (z . f)^2 >= f . f / 2. Solids that meet by another face, or tilted, touch as if there were no bearing.
 bool presses_flat(const Model<3>& model, const State<3>& state, const PieceSearch<3>& search,
                   std::span<const BearingMemory<3>> bearings, const NearPair& pair, const Vec3& force) {
   bool flat = false;

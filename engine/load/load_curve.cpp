@@ -17,6 +17,7 @@ double LoadCurve::between(double t) const {
   return (1 - part) * share[after - 1] + part * share[after];
 }
 
+// Without a duration the share is `to` from the start on, also before it: one point holds on both sides.
 LoadCurve ramp_curve(double start, double from, double to, double duration, bool smooth) {
   return duration > 0 ? LoadCurve{{start, start + duration}, {from, to}, smooth} : LoadCurve{{start}, {to}, smooth};
 }

@@ -40,6 +40,10 @@ double largest_acceleration(std::span<const MotionAt> samples) {
 
 }  // namespace
 
+// Comes in: acceleration at equal steps [m/s2], and velocity and displacement of the ground at the first sample. Goes
+// out: all three at each sample, belonging to each other exactly where the acceleration is linear between samples. A
+// support that follows the displacement then has the very acceleration of the record, and no baseline is corrected
+// silently.
 GroundMotion::GroundMotion(std::span<const double> acceleration, double step, MotionStart start, MotionSource source)
     : step_(step), source_(std::move(source)), description_(name_of(source_)) {
   const auto about = [this](const char* what) { return fmt::format("motion '{}': {}", description_, what); };

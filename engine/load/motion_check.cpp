@@ -11,6 +11,8 @@ namespace trilith {
 
 namespace {
 
+// The limits of drift. They are shares of the record's own peak velocity, so that they hold for a strong record and a
+// weak one; a corrected record ends well below all of them, one with an offset in its acceleration far above.
 constexpr double end_velocity_limit = 0.10;       // of PGV, whatever the ground did before
 constexpr double end_velocity_negligible = 0.01;  // of PGV: the ground has come to rest
 constexpr double last_quarter_limit = 0.05;       // of PGV, for the mean velocity over the last quarter

@@ -36,6 +36,8 @@ double offset_at_rest(const GroundMotion& right, const GroundMotion& left) {
 
 }  // namespace
 
+// What two supports of a structure do to each other where the ground does not move as one (asynchronous motion, as from
+// a wave that passes): the right one's motion less the left one's.
 MotionAt relative_at(const GroundMotion& right, const GroundMotion& left, double t) noexcept {
   const MotionAt r = right.at(t);
   const MotionAt l = left.at(t);
@@ -57,6 +59,7 @@ RelativePeaks relative_peaks(const GroundMotion& right, const GroundMotion& left
   return peaks;
 }
 
+/// The first time at which the supports have come `level` nearer or farther than they were at rest.
 std::optional<double> relative_passage(const GroundMotion& right, const GroundMotion& left, double level, double grid) {
   require_positive(level, "level of the relative displacement", "m");
   const Grid times = grid_over(right, left, grid);

@@ -132,6 +132,8 @@ OscillatorPeak oscillator_peak(const GroundMotion& motion, double period, double
   return {period, damping, peak.value, peak.time, peak.value * omega, peak.value * omega * omega};
 }
 
+// Pseudo-velocity w d and pseudo-acceleration w^2 d go with the largest displacement d, as codes draw them: w^2 d is
+// the largest elastic force over the mass, which without damping is the largest acceleration.
 std::vector<OscillatorPeak> response_spectrum(const GroundMotion& motion, std::span<const double> periods,
                                               double damping) {
   std::vector<OscillatorPeak> spectrum;

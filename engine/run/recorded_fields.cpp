@@ -1,11 +1,10 @@
 #include "run/recorded_fields.hpp"
 
+#include "run/recorded_field_list.hpp"
 #include "run/storeys.hpp"
 
 namespace trilith {
 namespace {
-
-enum FieldPlace : std::size_t { opening, slip, damage, stress };
 
 results::JointRow row_of(const Model<2>& model, const Joint& joint) {
   results::JointRow row;
@@ -27,39 +26,34 @@ int storey_of(const Model<2>& model, const Joint& joint) {
 }
 
 RecordedFields::RecordedFields(const Model<2>& model)
-    : joints_(find_joints(model)), bodies_(model.bodies.size()), values_(joints_.empty() ? 0 : 4) {}
+    : joints_(find_joints(model)),
+      bodies_(model.bodies.size()),
+      values_(joints_.empty() ? 0 : RecordedFieldTypes::size) {}
 
 void RecordedFields::extend(const Model<2>& model, const State<2>& state, int first_body) {
   for (Joint& joint : find_joints(model, state, first_body)) joints_.push_back(joint);
   bodies_ = model.bodies.size();
-  if (!joints_.empty()) values_.resize(4);
+  if (!joints_.empty()) values_.resize(RecordedFieldTypes::size);
 }
 
 void RecordedFields::describe(const Model<2>& model, results::Header& header) const {
   if (joints_.empty()) return;
   for (const Joint& joint : joints_) header.joints.push_back(row_of(model, joint));
-  const std::size_t n = joints_.size();
-  header.fields = {
-      {"joint_opening", "m", "opening of each joint since the start, at its farther end", n, 1},
-      {"joint_slip", "m", "slip of each joint since the start, at its middle", n, 1},
-      {"joint_damage", "1", "part of each joint's bond that is lost", n, 1},
-      {"body_stress", "Pa", "mean stress of each body from contacts and bearings: xx, yy, xy; tension positive",
-       bodies_, 3},
-  };
+  header.fields.clear();
+  RecordedFieldTypes::for_each([&]<class F>() {
+    header.fields.push_back({std::string(F::name), std::string(F::unit), std::string(F::sentence),
+                             F::rows == RowsOf::joints ? joints_.size() : bodies_, F::width});
+  });
 }
 
 const std::vector<std::vector<double>>& RecordedFields::take(const Instant<2>& now,
                                                              std::span<const TouchingContact> touching) {
   if (joints_.empty()) return values_;
-  for (std::vector<double>& v : values_) v.clear();
-  for (const Joint& joint : joints_) {
-    const JointMotion motion = joint_motion(joint, now.work);
-    values_[opening].push_back(motion.opening);
-    values_[slip].push_back(motion.slip);
-    values_[damage].push_back(joint_damage(joint, now.state));
-  }
-  for (const MeanStress& s : mean_stress(now.model, now.state, now.work, touching))
-    values_[stress].insert(values_[stress].end(), {s.xx, s.yy, s.xy});
+  auto values = values_.begin();
+  RecordedFieldTypes::for_each([&]<class F>() {
+    values->clear();
+    F::take({now, joints_, touching}, *values++);
+  });
   return values_;
 }
 

@@ -18,6 +18,16 @@ struct HullTriangle {
   bool sees = false;  ///< the point that is taken in
 };
 
+// The hull grows point by point (the quickhull of Barber, Dobkin and Huhdanpaa, ACM Trans. Math. Softw. 22, 1996, with
+// all points asked each time, as these solids have some dozen). It begins with a tetrahedron; then the point farthest
+// above any triangle is taken in:
+//
+//            * p                 * p
+//           . .                 /|\        the triangles that see p go, as one patch without holes,
+//        __.___.__           __/ | \__     and each edge of its rim makes a triangle with p
+//       /  sees   \         /         \    (seen from the side)
+//
+// Points within `tolerance` of the hull are in it, and no triangle sees one of those: rounding makes no slivers.
 class HullBuilder {
  public:
   HullBuilder(std::span<const Vec3> points, double tolerance) : points_(points), tolerance_(tolerance) {}
@@ -197,6 +207,8 @@ Polyhedron with_corners_used(std::span<const Vec3> points, const FaceLoops& face
 
 }  // namespace
 
+// Points are judged by the size of the whole, `flat` of it being nothing; the check at the end is four times as wide,
+// as the faces that were joined may each lie up to the tolerance from their plane.
 Polyhedron convex_hull(std::span<const Vec3> points, std::string_view owner, double flat) {
   if (points.size() < 4)
     throw InputError(fmt::format("{}: has {} points, a solid has at least 4", owner, points.size()));

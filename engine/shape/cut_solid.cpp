@@ -10,6 +10,14 @@
 namespace trilith {
 namespace {
 
+// A solid is cut by a plane by its corners' heights over it. Corners within `same` of the plane are in it (0), others
+// above (1) or below (-1), and each answer is asked for once, so that the two faces of an edge agree on it:
+//
+//          +1 o-------o +1            o : left out
+//            /       /
+//       ----x-------x----  plane      x : new corner, the same for both faces of its edge
+//          /       /
+//      -1 *-------* -1                * : kept; a new face (the lid) closes what is open
 /// One cut of one solid.
 class SolidCut {
  public:
@@ -122,6 +130,9 @@ std::optional<Polyhedron> cut_solid(Polyhedron around, std::span<const CuttingPl
   return around;
 }
 
+// A face of more than three corners that were read or rounded lies in no plane. Each is replaced by the plane through
+// its middle along its area vector, and the solid is what all these planes leave of a box around it. Goes out too: how
+// far a corner of before is from the nearest of now, at the most.
 PlanarSolid with_plane_faces(const Polyhedron& solid) {
   std::vector<CuttingPlane> planes;
   for (int f = 0; f < solid.faces.count(); ++f) {

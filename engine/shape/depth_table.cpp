@@ -21,6 +21,9 @@ void list_planes(const PlacedSolid& solid, const Vec3& origin, DepthRoom& room) 
   }
 }
 
+// Depths n . (p - x) of many points x under all planes of a solid, one row for each point. Planes lie component by
+// component (all n_x, then all n_y, ...), so that the first loop is one of lanes; the least is looked for afterwards,
+// without a branch, the first of equals.
 /// One row; returns the column of the least depth.
 int fill_row(const Vec3& at, std::size_t n, const double* __restrict plane, double* __restrict depth) {
   const double x = at.x(), y = at.y(), z = at.z();

@@ -15,6 +15,16 @@ double arc_sinh(double s, double d, double root) {
 
 }  // namespace
 
+// Integrals over a polygon of the distance from c and of the direction from it, edge by edge: with d the distance of
+// the edge's line from c, s along it from the foot of the perpendicular, and r = sqrt(d^2 + s^2), the triangle between
+// c and the edge gives
+//
+//        from . . . . to           int |x| dA     = d/6 [s r + d^2 asinh(s/d)]
+//           .   | d .              int x/|x| dA   = d/2 ([r] along + d [asinh(s/d)] across)
+//             . | .
+//               c                  [.]: at `to` less at `from`
+//
+// by R^3/3 and R^2/2 d(angle), with d(angle) = d ds / r^2. Signs of d make triangles outside of the polygon count less.
 DistanceIntegrals distance_integrals(std::span<const Vec2> outline, const Vec2& c) {
   DistanceIntegrals sum;
   for (std::size_t i = 0; i < outline.size(); ++i) {

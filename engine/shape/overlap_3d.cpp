@@ -7,6 +7,10 @@ namespace {
 
 using Buffer3 = SolidOverlapBuffer;
 
+// The part that two convex solids share is a, cut by the half-spaces of b one after the other (Sutherland and Hodgman
+// 1974, in three dimensions). A solid in the making is its points, and of each face a run of directed edges; nothing
+// else is needed, as volumes and areas are sums over edges. Faces of a keep their numbers (0, 1, ...), those from b are
+// -1, -2, ...; so that what each body is pressed on can be told apart afterwards.
 void begin_with(const PlacedSolid& solid, Buffer3& s) {
   s.points.assign(solid.corners.begin(), solid.corners.end());
   s.edges.clear(), s.faces.clear();
@@ -90,6 +94,13 @@ void cut_face(int first, int end, Buffer3& s) {
   }
 }
 
+// Sums over triangles (base, p, q) of all faces, seen from one point of the solid, d = base . (p - base) x (q - base):
+//
+//   V = sum d / 6        centroid = sum d (base + p + q) / (4 sum d)
+//   A = sum (p - base) x (q - base) / 2        moment = sum (base + p + q) x ((p - base) x (q - base)) / 6
+//
+// Each is a surface integral by Gauss's theorem, exact, and independent of the point but for rounding, which is why
+// it is one of the solid's own: the overlap is small beside its distance from the origin of the world.
 /// Six times the volume, as sum_up has it.
 double six_volumes(const Buffer3& s) {
   const auto point = [&](int p) -> const Vec3& { return s.points[static_cast<std::size_t>(p)]; };
@@ -137,6 +148,8 @@ SolidOverlap sum_up(const Buffer3& s) {
 
 }  // namespace
 
+// Comes in: a solid in the buffer. Goes out: what of it is not above the plane, closed by a lid that has the number of
+// the half-space. False where nothing is left; a solid that is not touched is left as it is, without a copy.
 bool cut(const HalfSpace& half, Buffer3& s) {
   const HeightRange range = heights_over(half, s);
   if (range.highest <= 0) return true;

@@ -102,6 +102,10 @@ Vec3 axis_of(const Separation3& last, const PlacedSolid& a, const PlacedSolid& b
 
 }  // namespace
 
+// The axis along which two convex solids are farthest apart, or least deep in each other, is a face normal of either or
+// square to an edge of each (the theorem of separating axes). Of edges only those pairs count that make a face of the
+// Minkowski difference, whose arcs of normals cross (Gregorius, "The separating axis test between convex polyhedra",
+// GDC 2013). `enough` ends the search: who asks whether solids are apart needs no best axis.
 Separation3 separation(const PlacedSolid& a, const PlacedSolid& b, double enough) {
   const Separation3 from_a = best_solid_face(a, b, enough);
   if (from_a.distance > enough) return from_a;

@@ -26,6 +26,8 @@ Vec3 nearest_of_face(const PlacedSolid& solid, int face, const Vec3& x) {
   return inside ? Vec3(x + depth_below(solid, face, x) * n) : nearest;
 }
 
+/// Of a point from a convex solid: within it minus the least depth below a face, else how far the nearest point of its
+/// skin is. The highest of the heights over all faces tells which, as it is below 0 within alone.
 double point_distance(const PlacedSolid& solid, const Vec3& x) {
   double highest = -unbounded;
   for (int f = 0; f < solid.solid->shape.faces.count(); ++f) highest = std::max(highest, -depth_below(solid, f, x));

@@ -137,4 +137,11 @@ std::array<double, 6> mean_rates(const Model<3>& /*model*/, const State<3>& /*st
   return now.rate;
 }
 
+void push_ends(const Model<2>& model, const State<2>& state, const Bearing<2>& bearing, const Vec2& force,
+               double moment, std::vector<Vec2>& node_force, std::vector<double>& node_moment) {
+  const Vec2 between = pose_at(model, state, bearing.end_b).place - pose_at(model, state, bearing.end_a).place;
+  push_at(model, state, bearing.end_b, force, moment, node_force, node_moment);
+  push_at(model, state, bearing.end_a, -force, -cross(between, force) - moment, node_force, node_moment);
+}
+
 }  // namespace trilith

@@ -33,6 +33,11 @@ std::array<double, 3> mean_rates(const Model<2>& model, const State<2>& state, c
 std::array<double, 6> mean_rates(const Model<3>& model, const State<3>& state, const Bearing<3>& b,
                                  const BearingMotion<3>& now, double dt);
 
+/// Adds the force [N] and moment [N m] of a bearing on body b to the nodes of its ends, and the opposite to a's. Both
+/// bodies are pushed along one line, through b's point, so that no couple is made between them.
+void push_ends(const Model<2>& model, const State<2>& state, const Bearing<2>& bearing, const Vec2& force,
+               double moment, std::vector<Vec2>& node_force, std::vector<double>& node_moment);
+
 /// A point tied to one node in space, where it stands [m].
 inline Vec3 point_of(const State<3>& state, const Tie<3>& tie) {
   const int n = tie.node[0];

@@ -12,6 +12,7 @@
 #include "step/contact_resultants.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
+#include "step/seat_events.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
@@ -126,28 +127,7 @@ void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int r
   work.events.push_back(e);
 }
 
-/// Lost, once and for ever, where the end of the span has come to the seat's edge.
-void seat_event(const Model<2>& model, State<2>& state, Work<2>& work, std::size_t i) {
-  if (state.seat_lost[i] != 0) return;
-  const Seat<2>& seat = model.seats[i];
-  if (seat_length(model, state, seat) > 0) return;
-  state.seat_lost[i] = 1;
-  Event e = event_now(state, EventType::seat_lost, seat.body, seat.support);
-  const Vec2 end = pose_at(model, state, seat.end).place;
-  e.value = body_pose(model, state, seat.body).velocity.norm();
-  e.set_place(end);
-  e.text = seat.name;
-  work.events.push_back(e);
-}
-
 }  // namespace
-
-/// How far the end of the span lies behind the edge of its seat, along `inward` of the support [m].
-double seat_length(const Model<2>& model, const State<2>& state, const Seat<2>& seat) {
-  const Pose edge = pose_at(model, state, seat.edge);
-  const Vec2 end = pose_at(model, state, seat.end).place;
-  return Turn(edge.rotation).apply(seat.inward).dot(end - edge.place);
-}
 
 void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   work.events.clear();
@@ -157,7 +137,7 @@ void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   if (!state.parted.empty()) parted_events(model, state, work);
   bearing_events(model, state, work);
   beam_events(model, state, work);
-  for (std::size_t i = 0; i < model.seats.size(); ++i) seat_event(model, state, work, i);
+  seat_events(model, state, work);
   body_events(model, state, work);
 }
 

@@ -4,9 +4,9 @@
 #include "contact/joint.hpp"
 #include "contact/joint_plan.hpp"
 #include "step/bearing_events.hpp"
-#include "step/bearing_motion.hpp"
 #include "step/body_events.hpp"
 #include "step/find_events.hpp"
+#include "step/seat_events.hpp"
 
 namespace trilith {
 namespace {
@@ -86,31 +86,14 @@ void contact_events(const Model<3>& model, State<3>& state, Work<3>& work, int r
     state.parted.push_back({work.contacts.key[row], state.time});
 }
 
-/// As in the plane: once and for ever.
-void solid_seat_event(const Model<3>& model, State<3>& state, Work<3>& work, std::size_t i) {
-  const Seat<3>& seat = model.seats[i];
-  if (state.seat_lost[i] != 0 || seat_length(model, state, seat) > 0) return;
-  state.seat_lost[i] = 1;
-  Event e = event_now(state, EventType::seat_lost, seat.body, seat.support);
-  e.value = state.velocity[seat.end.node[0]].norm();
-  e.set_place(point_of(state, seat.end));
-  e.text = seat.name;
-  work.events.push_back(e);
-}
-
 }  // namespace
-
-double seat_length(const Model<3>& /*model*/, const State<3>& state, const Seat<3>& seat) {
-  const Vec3 inward = turn_of(state.rotation[seat.edge.node[0]]).apply(seat.inward);
-  return inward.dot(point_of(state, seat.end) - point_of(state, seat.edge));
-}
 
 void find_events(const Model<3>& model, State<3>& state, Work<3>& work) {
   work.events.clear();
   for (const int row : work.changed_rows) contact_events(model, state, work, row);
   if (!state.parted.empty()) parted_events(model, state, work);
   bearing_events(model, state, work);
-  for (std::size_t i = 0; i < model.seats.size(); ++i) solid_seat_event(model, state, work, i);
+  seat_events(model, state, work);
   body_events(model, state, work);
 }
 

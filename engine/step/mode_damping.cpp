@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "step/beam_motion.hpp"
+#include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
 #include "step/resist_beams.hpp"
 #include "world/pose.hpp"
@@ -30,13 +31,8 @@ double work_along(const Mode& mode, const std::vector<Vec2>& force, const std::v
 double bearings_along(const Model<2>& model, const State<2>& state, const Work<2>& work, const Mode& mode) {
   std::vector<Vec2> force(model.mass.size(), Vec2::Zero());
   std::vector<double> moment(model.mass.size(), 0);
-  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    const Bearing<2>& b = model.bearings[i];
-    const Vec2 f = work.bearing_force[i];
-    const Vec2 between = pose_at(model, state, b.end_b).place - pose_at(model, state, b.end_a).place;
-    push_at(model, state, b.end_b, f, work.bearing_moment[i], force, moment);
-    push_at(model, state, b.end_a, -f, -cross(between, f) - work.bearing_moment[i], force, moment);
-  }
+  for (std::size_t i = 0; i < model.bearings.size(); ++i)
+    push_ends(model, state, model.bearings[i], work.bearing_force[i], work.bearing_moment[i], force, moment);
   return work_along(mode, force, moment);
 }
 

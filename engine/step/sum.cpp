@@ -7,20 +7,9 @@
 #include "body/rigid.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
-#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
-
-/// A bearing with an end tied to several nodes. Its force acts on both bodies along one line, through b's point.
-void add_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
-  const Bearing<2>& b = model.bearings[i];
-  const Vec2 f = work.bearing_force[i];
-  const Vec2 between = pose_at(model, state, b.end_b).place - pose_at(model, state, b.end_a).place;
-  const double moment = work.bearing_moment[i];
-  push_at(model, state, b.end_b, f, moment, work.force, work.moment);
-  push_at(model, state, b.end_a, -f, -cross(between, f) - moment, work.force, work.moment);
-}
 
 /// spread of a body whose skin points are its nodes, and what its elements give.
 void spread_nodes(const BodyRow& body, Work<2>& work) {
@@ -75,7 +64,8 @@ void spread_body(const Model<2>& model, const State<2>& state, const BodyRow& bo
 /// A bearing between two rigid bodies, or with an end on one that deforms.
 void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
   const Bearing<2>& b = model.bearings[i];
-  if (!b.end_a.is_rigid() || !b.end_b.is_rigid()) return add_bearing(model, state, work, i);
+  if (!b.end_a.is_rigid() || !b.end_b.is_rigid())
+    return push_ends(model, state, b, work.bearing_force[i], work.bearing_moment[i], work.force, work.moment);
   const int na = b.end_a.node[0], nb = b.end_b.node[0];
   const Vec2 point = state.position[nb] + Turn(state.rotation[nb]).apply(b.end_b.arm[0]);
   const Vec2& f = work.bearing_force[i];

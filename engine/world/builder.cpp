@@ -67,7 +67,7 @@ void ModelBuilder::add_body(BodySpec spec) {
   if (!spec.material.empty()) require_material(materials_, spec.material, owner);
   if (spec.frame)
     check_frame(spec, owner);
-  else if (spec.kind != BodyKind::rigid)
+  else if (info_of(spec.kind).resistance == Resistance::elements)
     check_deformable(spec, owner);
   mass_of(spec, 1.0, thickness, materials_);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
@@ -93,7 +93,7 @@ void ModelBuilder::check_deformable(BodySpec& spec, const std::string& owner) {
   if (s[2] != Support::free && (s[0] == Support::free || s[1] == Support::free))
     throw InputError(kind + " has no rotation to hold; hold x and y of some of its nodes");
   if (!spec.mesh) {
-    if (spec.kind == BodyKind::quad) spec.divisions = {1, 1};
+    if (info_of(spec.kind).nodes == 4) spec.divisions = {1, 1};
     if (spec.outline.size() != 4)
       throw InputError(
           fmt::format("{} takes an outline of four corners, this one has {}; make it rigid, or give a mesh "
@@ -116,7 +116,9 @@ Model<2> ModelBuilder::build() {
   if (!faults.empty()) throw InputError(faults.front());
   notes_.insert(notes_.end(), notes.begin(), notes.end());
   for (const Material& m : materials_) {
-    const auto is_idle = [&](const BodySpec& b) { return b.material == m.name && b.kind != BodyKind::frame; };
+    const auto is_idle = [&](const BodySpec& b) {
+      return b.material == m.name && info_of(b.kind).resistance != Resistance::beams;
+    };
     if (m.band && std::any_of(bodies_.begin(), bodies_.end(), is_idle))
       notes_.push_back(fmt::format(
           "material '{}': its band_damping acts in members of frames alone; its other bodies have none of it", m.name));
@@ -268,7 +270,7 @@ void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
     append_frame(spec, model);
     return;
   }
-  if (spec.kind != BodyKind::rigid) {
+  if (info_of(spec.kind).resistance == Resistance::elements) {
     append_deformable(spec, model);
     return;
   }

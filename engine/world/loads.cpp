@@ -104,13 +104,15 @@ std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const st
 }
 
 /// Loads without a name are those that stand for something released.
-void drop_faded(Model<2>& model, double now) {
-  std::erase_if(model.point_loads, [now](const PointLoad<2>& l) { return l.name.empty() && l.curve.spent(now); });
+template <int D>
+void drop_faded(Model<D>& model, double now) {
+  std::erase_if(model.point_loads, [now](const PointLoad<D>& l) { return l.name.empty() && l.curve.spent(now); });
 }
 
-int drop_loads(Model<2>& model, const std::string& name) {
-  return static_cast<int>(std::erase_if(model.point_loads, [&](const PointLoad<2>& l) { return l.name == name; }) +
-                          std::erase_if(model.face_loads, [&](const FaceLoad<2>& l) { return l.name == name; }));
+template <int D>
+int drop_loads(Model<D>& model, const std::string& name) {
+  const auto called = [&](const auto& load) { return load.name == name; };
+  return static_cast<int>(std::erase_if(model.point_loads, called) + std::erase_if(model.face_loads, called));
 }
 
 template <int D>
@@ -129,13 +131,14 @@ int change_loads(Model<D>& model, const std::string& name, double now, double sh
   return count;
 }
 
-int scale_loads(Model<2>& model, const std::string& name, double factor) {
+template <int D>
+int scale_loads(Model<D>& model, const std::string& name, double factor) {
   int count = 0;
-  for (PointLoad<2>& p : model.point_loads) {
+  for (PointLoad<D>& p : model.point_loads) {
     if (!name.empty() && p.name != name) continue;
     p.force *= factor, p.moment *= factor, ++count;
   }
-  for (FaceLoad<2>& f : model.face_loads) {
+  for (FaceLoad<D>& f : model.face_loads) {
     if (!name.empty() && f.name != name) continue;
     f.pressure *= factor, f.dead *= factor, ++count;
   }
@@ -155,6 +158,12 @@ std::vector<std::string> load_names(const Model<D>& model) {
   return names;
 }
 
+template void drop_faded(Model<2>&, double);
+template void drop_faded(Model<3>&, double);
+template int drop_loads(Model<2>&, const std::string&);
+template int drop_loads(Model<3>&, const std::string&);
+template int scale_loads(Model<2>&, const std::string&, double);
+template int scale_loads(Model<3>&, const std::string&, double);
 template int change_loads(Model<2>&, const std::string&, double, double, double);
 template int change_loads(Model<3>&, const std::string&, double, double, double);
 template std::vector<std::string> load_names(const Model<2>&);

@@ -75,15 +75,18 @@ std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const st
                                        const PressureSpec& spec);
 
 /// Drops the loads of supports released before `now` [s] that have faded; they have no name.
-void drop_faded(Model<2>& model, double now);
+template <int D>
+void drop_faded(Model<D>& model, double now);
 /// From `now` [s] on the loads called `name` go to `share` of their full size within `duration` [s], smoothly, from
 /// the share they have. Gives how many.
 template <int D>
 int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration);
 /// Scales the point and face loads called `name`, or all where it is empty. Gives how many.
-int scale_loads(Model<2>& model, const std::string& name, double factor);
+template <int D>
+int scale_loads(Model<D>& model, const std::string& name, double factor);
 /// Takes the loads called `name` away at once. Gives how many.
-int drop_loads(Model<2>& model, const std::string& name);
+template <int D>
+int drop_loads(Model<D>& model, const std::string& name);
 /// Names of all loads and pushes, each once.
 template <int D>
 std::vector<std::string> load_names(const Model<D>& model);

@@ -1,6 +1,7 @@
 // What is declared of the kinds of handles and of the laws, for the library: console, manual, completion. Not for
 // scripts.
 #include "bindings.hpp"
+#include "build/list.hpp"
 #include "open.hpp"
 #include "table_fields.hpp"
 #include "world/usual.hpp"
@@ -93,6 +94,31 @@ int laws(lua_State* L) {
   return 6;
 }
 
+/// A builder's keys as pages of the manual say them: a line each of name, kind and sentence.
+template <DeclaredBuilder B>
+std::string builder_keys() {
+  const std::string name = B{}.name;
+  std::string text = name.empty() ? "name  text?  its name" : fmt::format("name  text = \"{}\"  its name", name);
+  for (const Parameter<B>& p : B::parameters())
+    text += fmt::format("\n{}  number{}{}{}  {}", p.name, p.unit == "1" ? "" : " ", p.unit == "1" ? "" : p.unit,
+                        p.required() ? "" : fmt::format(" = {:g}", p.preset), p.sentence);
+  return text;
+}
+
+/// core.builders(): rows of the manual's `makers` for the builders that declared numbers describe.
+int builders(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer row = 0;
+  DeclaredBuilders::for_each([&]<class B>() {
+    lua_newtable(L);
+    set_text(L, "name", B::kind);
+    set_text(L, "doc", B::sentence);
+    set_text(L, "keys", builder_keys<B>());
+    lua_rawseti(L, -2, ++row);
+  });
+  return 1;
+}
+
 /// core.manual_pages(): the pages of the manual, each a function that gives its table.
 int manual_pages(lua_State* L) {
   lua_newtable(L);
@@ -171,6 +197,7 @@ int is_built(lua_State* L) {
 void open_declarations(lua_State* L) {
   set_function(L, "properties", guarded<properties>);
   set_function(L, "laws", guarded<laws>);
+  set_function(L, "builders", guarded<builders>);
   set_function(L, "kind_of", guarded<kind_of>);
   set_function(L, "manual_pages", guarded<manual_pages>);
   set_function(L, "event_names", guarded<event_names>);

@@ -39,7 +39,7 @@ DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
     any = true;
     order.motion[k] = motion->motion;
     for (const int body : order.bodies)
-      if (k == 2 && plane != nullptr && plane->spec(body).kind != BodyKind::rigid)
+      if (k == 2 && plane != nullptr && info_of(plane->spec(body).kind).nodes != 1)
         keys.problem(fmt::format("body '{}' deforms and has no rotation to drive", m.body_name(body)));
     const std::string why = motion->steady ? "" : why_not_usable(*motion->motion);
     if (!why.empty()) keys.problem(fmt::format("'{}': {}", names[k], why));

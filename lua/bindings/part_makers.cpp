@@ -1,5 +1,8 @@
 #include "part_makers.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "build/block.hpp"
 #include "build/bridge.hpp"
 #include "build/ground.hpp"
@@ -84,18 +87,16 @@ MakeParts read_abutment(Keys& k) {
   return [a] { return MadeParts{.parts = {build_abutment(a)}, .tops = {top_of(a)}}; };
 }
 
-MakeParts read_span(Keys& k) {
-  Span s;
-  s.name = read_name(k, s.name);
-  s.x0 = k.number("x0", "m");
-  s.x1 = k.number("x1", "m");
-  s.end_gap = k.number("end_gap", "m", s.end_gap);
-  s.soffit_level = k.number("soffit_level", "m");
-  s.depth = k.number("depth", "m");
-  return [s] { return MadeParts{{build_span(s)}}; };
+/// Of a builder that its declared numbers and a name describe.
+template <DeclaredBuilder B>
+MakeParts read_declared(Keys& k) {
+  B builder;
+  builder.name = read_name(k, builder.name);
+  k.declared(builder);
+  return [builder] { return MadeParts{builder.parts()}; };
 }
 
-constexpr std::array<PartMaker, part_maker_count> makers{
+constexpr std::array read_by_hand{
     PartMaker{"block", true, read_block, "a rectangle in any pose"},
     PartMaker{"polygon", true, read_polygon, "a polygon of given points"},
     PartMaker{"stack", false, read_stack, "blocks on top of each other"},
@@ -108,8 +109,18 @@ constexpr std::array<PartMaker, part_maker_count> makers{
     PartMaker{"ground", true, read_ground, "ground under a surface line"},
     PartMaker{"pier", true, read_pier, "a pier of footing, stem and cap"},
     PartMaker{"abutment", true, read_abutment, "a stub abutment"},
-    PartMaker{"span", true, read_span, "a deck between two supports"},
 };
+
+/// All rows, in the order of their functions.
+constexpr auto makers = [] {
+  std::array<PartMaker, part_maker_count> all{};
+  auto* next = std::copy(read_by_hand.begin(), read_by_hand.end(), all.begin());
+  DeclaredBuilders::for_each([&]<class B>() {
+    *next++ = PartMaker{B::kind, B::is_single, read_declared<B>, B::sentence};
+  });
+  return all;
+}();
+static_assert(read_by_hand.size() + DeclaredBuilders::size == part_maker_count);
 
 }  // namespace
 

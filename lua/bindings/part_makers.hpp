@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "build/bridge_layout.hpp"
+#include "build/list.hpp"
 #include "build/part.hpp"
 #include "handles.hpp"
 
@@ -29,7 +30,8 @@ struct PartMaker {
   std::string_view doc;
 };
 
-inline constexpr std::size_t part_maker_count = 13;
+/// Those with a reader of their own come first, then the rows of build/list.hpp.
+inline constexpr std::size_t part_maker_count = 12 + DeclaredBuilders::size;
 std::span<const PartMaker, part_maker_count> part_makers();
 /// m:span takes more than the part; bridge_binding.cpp adds it.
 inline constexpr std::string_view span_maker = "span";

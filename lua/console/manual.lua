@@ -45,8 +45,15 @@ local function read_entry(row, page, shared)
   return entry
 end
 
+-- Makers that the page tells of, then those that are declared in engine/build. What a page says of a model's own
+-- function (`model:span`) stands instead of what a maker would say of it.
 local function add_makers(manual, page, shared)
-  for _, row in ipairs(page.makers) do
+  local makers = table.move(page.makers, 1, #page.makers, 1, {})
+  for _, builder in ipairs(core.builders()) do
+    makers[#makers + 1] = { builder.name, builder.doc:gsub("^%l", string.upper) .. ".", keys = builder.keys,
+      parts_only = manual.by_name["model:" .. builder.name] ~= nil }
+  end
+  for _, row in ipairs(makers) do
     for _, owner in ipairs { "model:", "trilith.build." } do
       local single = rawget(manual.module, row[1]) ~= nil
       local of_model = owner == "model:"

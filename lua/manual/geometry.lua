@@ -120,13 +120,6 @@ back_wall_height  number m?      above the seat
 back_wall_width   number m?      of the back wall; or seat and gap
 seat              number m?      length of the seat under the deck
 gap               number m?      joint between deck and back wall]] },
-    { "span", "A deck between two places.", parts_only = true, keys = [[
-name          text = "span"  its name
-x0            number m       axis of the left support
-x1            number m       axis of the right support
-end_gap       number m = 0   from the axis to its end
-soffit_level  number m       its underside
-depth         number m       its height]] },
   },
   { "model:span", "A deck on two supports made before: where it lies, its seats and its bearings follow from them; or "
     .. "a deck alone, between x0 and x1. Seats, and bearings of types with a law, are named such as \"S1.left\": "

@@ -1,0 +1,29 @@
+// What a recording adds to each frame of joints and bodies: a new one is its own file and a row here.
+#pragma once
+
+#include <concepts>
+#include <string_view>
+#include <vector>
+
+#include "base/schema.hpp"
+#include "run/body_stress_field.hpp"
+#include "run/field_source.hpp"
+#include "run/joint_fields.hpp"
+
+namespace trilith {
+
+using RecordedFieldTypes = TypeList<JointOpening, JointSlip, JointDamage, BodyStress>;
+
+/// What each is asked: /frames/`name` has `width` numbers [`unit`] for each joint or body, which `take` appends.
+template <class F>
+concept RecordedFieldType = requires(const FieldSource& from, std::vector<double>& out) {
+  { F::name } -> std::convertible_to<std::string_view>;
+  { F::unit } -> std::convertible_to<std::string_view>;
+  { F::sentence } -> std::convertible_to<std::string_view>;
+  { F::rows } -> std::convertible_to<RowsOf>;
+  { F::width } -> std::convertible_to<int>;
+  F::take(from, out);
+};
+static_assert(RecordedFieldTypes::all([]<class F>() { return RecordedFieldType<F>; }));
+
+}  // namespace trilith
