@@ -192,7 +192,7 @@ end
 local text = #events > 0 and table.concat(events, "; ") or "nothing"
 print(("%d of 9 links (%s), times %.1f s off: %s"):format(score, table.concat(told, " "), off/count, text))
 local figures = { score = score, off = { off/count, unit = "s" }, others = others, fails = #fails,
-                  first = fails[1] or "none", first_at = { fails[1] and when[fails[1] .. " fails"] or -1, unit = "s" },
+                  failed_first = fails[1] or "none", first_at = { fails[1] and when[fails[1] .. " fails"] or -1, unit = "s" },
                   chain = text, steps = m.steps, last = { m.time - start, unit = "s" } }
 for name, holds in pairs(links) do figures[name] = holds end
 return figures

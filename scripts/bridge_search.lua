@@ -21,7 +21,8 @@ local rows, firsts, scores, holds = {}, {}, {}, {}
 for _, row in ipairs(study.rows) do
   if row.status == "finished" then
     rows[#rows + 1] = row
-    firsts[row.first] = (firsts[row.first] or 0) + 1
+    local first = row.chain:match "(S%d%.%a+) fails" or "none"
+    firsts[first] = (firsts[first] or 0) + 1
     scores[row.score] = (scores[row.score] or 0) + 1
     for _, name in ipairs(names) do holds[name] = (holds[name] or 0) + (row[name] and 1 or 0) end
   end

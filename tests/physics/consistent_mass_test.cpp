@@ -97,23 +97,27 @@ TEST_CASE("a bar of one beam with consistent mass has the kinetic energy of a ba
   }
 }
 
-TEST_CASE("a free bar with consistent mass turns on and keeps energy, momentum and angular momentum") {
+TEST_CASE("a free bar with consistent mass turns on and keeps energy and momenta, better with shorter steps") {
   BodySpec spec = beam_body("bar", {0, 0}, {4, 0}, rectangle_section(0.2, 0.4), "steel", 2);
   spec.frame->consistent = true, spec.velocity = {0.5, 0.2}, spec.spin = 3;
   const Model<2> model = of_frames(thin_steel(), {spec});
-  Simulation<2> sim(model);
-  const double before = implicit_kinetic(model, sim.state());
-  StageOptions stage = implicit_stage(AlphaScheme::hht(0), 1, 1e-3);
-  stage.tolerance = 1e-10;
-  sim.run(stage);
-  const State<2>& s = sim.state();
-  const Vec2 middle = 0.5 * (s.position[0] + s.position[1]), chord = s.position[1] - s.position[0];
-  CHECK(near(middle.x(), 2.5, 1e-6));
-  CHECK(near(middle.y(), 0.2, 1e-6));
-  const double angle = std::atan2(chord.y(), chord.x());
-  MESSAGE("turned by " << angle << " rad (3), energy " << sim.energy()[EnergyTerm::kinetic] / before);
-  CHECK(near(angle, 3, 1e-4));
-  CHECK(near(sim.energy()[EnergyTerm::kinetic], before, 1e-4));
+  std::array<double, 2> astray{};
+  for (const int half : {0, 1}) {
+    Simulation<2> sim(model);
+    const double before = implicit_kinetic(model, sim.state());
+    StageOptions stage = implicit_stage(AlphaScheme::hht(0), 1, half == 0 ? 1e-3 : 5e-4);
+    stage.tolerance = 1e-10;
+    sim.run(stage);
+    const State<2>& s = sim.state();
+    const Vec2 middle = 0.5 * (s.position[0] + s.position[1]), chord = s.position[1] - s.position[0];
+    astray[half] = (middle - Vec2(2.5, 0.2)).norm();
+    CHECK(near(std::atan2(chord.y(), chord.x()), 3, 1e-4));
+    CHECK(near(sim.energy()[EnergyTerm::kinetic], before, 1e-4));
+  }
+  MESSAGE("middle astray by " << astray[0] << " and " << astray[1] << " m");
+  // It rings along its axis faster than steps follow, so momentum is kept by order 1 of these only.
+  CHECK(astray[0] < 1e-5);
+  CHECK(astray[1] < 0.6 * astray[0]);
 }
 
 TEST_CASE("a cantilever with consistent mass swings in implicit steps as its modes say, on a base that moves too") {
