@@ -69,7 +69,8 @@ local function abutment(name, outline)
 end
 local left, right = p.gap + seat, to[7] - seat
 local supports = {
-  [0] = abutment("A0", { { -12*ft, -19*ft }, { left, -19*ft }, { left, top(0) }, { 0, top(0) }, { 0, wall }, { -12*ft, wall } }),
+  [0] = abutment("A0", { { -12*ft, -19*ft }, { left, -19*ft }, { left, top(0) },
+                         { 0, top(0) }, { 0, wall }, { -12*ft, wall } }),
   [7] = abutment("A7", { { right, -19*ft }, { to[7] + 12*ft, -19*ft }, { to[7] + 12*ft, wall }, { to[7] + p.gap, wall },
                          { to[7] + p.gap, 0 }, { right, 0 } }) }
 
@@ -192,7 +193,8 @@ end
 local text = #events > 0 and table.concat(events, "; ") or "nothing"
 print(("%d of 9 links (%s), times %.1f s off: %s"):format(score, table.concat(told, " "), off/count, text))
 local figures = { score = score, off = { off/count, unit = "s" }, others = others, fails = #fails,
-                  failed_first = fails[1] or "none", first_at = { fails[1] and when[fails[1] .. " fails"] or -1, unit = "s" },
+                  failed_first = fails[1] or "none", first_at = { fails[1] and when[fails[1] .. " fails"] or -1,
+                  unit = "s" },
                   chain = text, steps = m.steps, last = { m.time - start, unit = "s" } }
 for name, holds in pairs(links) do figures[name] = holds end
 return figures

@@ -4,7 +4,8 @@
 -- distribution is printed, and the runs that come nearest. `trilith study scripts/bridge_search.lua -j 1`
 -- takes some half an hour; a study that was stopped goes on.
 local trilith = require "trilith"
-local p = trilith.params { out = { "out/bridge_search.h5", "the table" }, count = { 500, "runs" }, seed = { 1, "of the sample" } }
+local p = trilith.params { out = { "out/bridge_search.h5", "the table" }, count = { 500, "runs" },
+                           seed = { 1, "of the sample" } }
 local study = trilith.study {
   file = p.out, script = "bridge_chain.lua", count = p.count, seed = p.seed,
   samples = {

@@ -18,7 +18,7 @@ from_support  text?               "fixed", "free" or directions { x = "fixed", r
 to_support    text?               the same of its end]], with = "beam", gives = "body" },
   { "model:frame", "Beams that meet at joints, as one body: a bent, a portal, a truss.", keys = [[
 name     text   its name
-joints   table  { A = {x, y}, B = { at = {x, y}, support = , mass = , inertia = }, C = { outline = , density = , thickness = }, ... }
+joints   table  { A = {x, y}, B = { at = {x, y}, support = , mass = , inertia = }, C = { outline = , density = }, ... }
 members  list   { { from = , to = , section = , name = , from_at = , to_at = , divisions = , hinge = , ... }, ... }]],
     with = "beam", gives = "body" },
   { "trilith.polygon_section", "A section of any simple polygon, in its own axes.", keys = [[
