@@ -33,6 +33,7 @@ struct Beam {
   int first_memory = -1;  ///< of State::beam_memory
   int band = -1;          ///< of Model::bands; -1: no damping over a band
   int first_branch = -1;  ///< of State::beam_memory, for that
+  int inertia = -1;       ///< of Model::beam_inertias; -1: its mass is lumped at its nodes
 };
 
 /// A straight member of a frame: beams one after the other.

@@ -1,5 +1,7 @@
 #include "body/fibre_beam.hpp"
 
+#include "body/fibre_places.hpp"
+
 #include <cmath>
 
 namespace trilith {
@@ -88,6 +90,12 @@ FibreBeam make_fibre_beam(const FibreSection& section, double length, const std:
       s.curvature[end] = (bends(1, end) - bends(0, end)) / length + beam.slant[end] * slanted;
   }
   return beam;
+}
+
+/// Both rules have weights of their own for each number of points.
+double place_of_station(const FibreBeam& beam, int station) {
+  const bool lobatto = beam.stations >= 3 && 0.5 * lobatto_points(beam.stations)[0].weight == beam.station[0].weight;
+  return (lobatto ? lobatto_points(beam.stations) : gauss_points(beam.stations))[station].place;
 }
 
 /// The same integral as `respond` has, with the stiffest that section can be at each station.

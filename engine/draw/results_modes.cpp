@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "results/presence.hpp"
 
 namespace trilith::draw {
 
@@ -73,17 +74,39 @@ double mode_scale(const Header& header, const ModeRow& mode) {
   return turn * by_way > most_shown_turn ? most_shown_turn / turn : by_way;
 }
 
-Scene mode_scene(const Header& header, const ModeRow& mode, double magnify) {
+namespace {
+
+/// `gone`, by body, is left out; empty: none.
+Scene scene_of_mode(const Header& header, const ModeRow& mode, double magnify, const std::vector<bool>& gone) {
   const Scene stood = plain_scene(header, moved(header, mode, 0));
   const double scale = magnify * mode_scale(header, mode);
   Scene scene = plain_scene(header, moved(header, mode, scale));
   scene.title = fmt::format("mode {}", mode.number);
   scene.time = mode.time;
   scene.stage = mode_text(mode);
-  for (const SceneBody& body : stood.bodies)
-    if (body.role == BodyRole::free) scene.ghosts.push_back(body.outline);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < stood.bodies.size(); ++i) {
+    if (i < gone.size() && gone[i]) continue;
+    if (stood.bodies[i].role == BodyRole::free) scene.ghosts.push_back(stood.bodies[i].outline);
+    std::swap(scene.bodies[kept++], scene.bodies[i]);
+  }
+  scene.bodies.resize(kept);
   scene.ghost_label = "as it stood";
   return scene;
+}
+
+}  // namespace
+
+Scene mode_scene(const Header& header, const ModeRow& mode, double magnify) {
+  return scene_of_mode(header, mode, magnify, {});
+}
+
+Scene mode_scene(const results::ResultsReader& reader, const ModeRow& mode, double magnify) {
+  const Header& header = reader.header();
+  const results::Presence presence(reader.events(), header.bodies.size());
+  std::vector<bool> gone(header.bodies.size());
+  for (std::size_t i = 0; i < gone.size(); ++i) gone[i] = !presence.is_followed(i, mode.time);
+  return scene_of_mode(header, mode, magnify, gone);
 }
 
 }  // namespace trilith::draw

@@ -18,4 +18,7 @@ double mode_scale(const results::Header& header, const results::ModeRow& mode);
 /// The structure in a mode, `magnify` times mode_scale(), over its outline as it stood when the mode was found.
 Scene mode_scene(const results::Header& header, const results::ModeRow& mode, double magnify = 1);
 
+/// The same without bodies that were not there when the mode was found: removed, not added yet, or out of bounds.
+Scene mode_scene(const results::ResultsReader& reader, const results::ModeRow& mode, double magnify = 1);
+
 }  // namespace trilith::draw

@@ -1,4 +1,5 @@
 // Into an implicit scheme and out of it, and the ledger under it.
+#include "step/consistent_mass.hpp"
 #include "step/implicit_step.hpp"
 #include "step/node_forces.hpp"
 #include "step/stored_energy.hpp"
@@ -17,6 +18,26 @@ void add_half_behind(const Model<2>& model, const State<2>& state, const Work<2>
   const Outside outside(model, state, work);
   for (int n = 0; n < model.nodes(); ++n)
     add_work(node_forces(model, state, work, n, velocity_of(state, n), outside, {}), half_behind(state, n), given);
+  std::vector<Dofs<2>> added;
+  added_inertia(model, state, true, added);
+  for (std::size_t n = 0; n < added.size(); ++n) {
+    const int node = static_cast<int>(n);
+    given[EnergyTerm::support] += work_on_support(model, node, added[n], half_behind(state, node));
+  }
+}
+
+/// Accelerations as the scheme begins, of consistent mass: what lumped one gives would make them ring.
+void begin_consistent(const Model<2>& model, State<2>& state, std::vector<Dofs<2>> force) {
+  std::vector<Dofs<2>> added;
+  added_inertia(model, state, false, added);
+  for (std::size_t n = 0; n < force.size(); ++n)
+    for (const int k : {0, 1, 2}) force[n][k] -= added[n][k];
+  const std::vector<Dofs<2>> a = accelerations(model, state, force);
+  for (std::size_t n = 0; n < a.size(); ++n) {
+    for (const int k : {0, 1})
+      if (model.support[n][k] == Support::free) state.acceleration[n][k] = a[n][k];
+    if (model.support[n][2] == Support::free) state.spin_rate[n] = a[n][2];
+  }
 }
 
 }  // namespace
@@ -28,7 +49,7 @@ double implicit_kinetic(const Model<2>& model, const State<2>& state) {
     for (const int k : {0, 1, 2})
       if (model.support[n][k] == Support::free) sum += 0.5 * mass[k] * v[k] * v[k];
   }
-  return sum;
+  return model.beam_inertias.empty() ? sum : sum + added_kinetic(model, state);
 }
 
 void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work) {
@@ -37,6 +58,7 @@ void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work)
   const auto nodes = static_cast<std::size_t>(model.nodes());
   state.acceleration.assign(nodes, Vec2::Zero());
   state.spin_rate.assign(nodes, 0);
+  std::vector<Dofs<2>> force;
   for (int n = 0; n < model.nodes(); ++n) {
     const Dofs<2> v = velocity_of(state, n), mass = mass_of(model, n);
     const NodeForces<2> f = node_forces(model, state, work, n, v, outside, {});
@@ -48,6 +70,11 @@ void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work)
       (k == 2 ? state.spin_rate[n] : state.acceleration[n][k]) = a;
       (k == 2 ? state.spin[n] : state.velocity[n][k]) += half * a;
     }
+    if (!model.beam_inertias.empty()) force.push_back(f.force);
+  }
+  if (!force.empty()) {
+    begin_consistent(model, state, std::move(force));
+    state.given[EnergyTerm::numerical] -= added_kinetic(model, state);
   }
   state.position_before = state.position;
   state.rotation_before = state.rotation;
@@ -57,6 +84,7 @@ void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work)
 void begin_explicit(const Model<2>& model, State<2>& state, const Work<2>& work) {
   if (!state.implicit()) return;
   add_half_behind(model, state, work, state.given);
+  state.given[EnergyTerm::numerical] += added_kinetic(model, state);
   state.position_before.clear(), state.rotation_before.clear();
   state.acceleration.clear(), state.spin_rate.clear();
   state.most_energy = 0;

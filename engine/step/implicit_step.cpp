@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "step/consistent_mass.hpp"
 #include "step/evaluate.hpp"
 #include "step/node_forces.hpp"
 #include "step/turned_back.hpp"
@@ -75,6 +76,7 @@ class Trial {
       forces_.push_back(node_forces(model, state, work, n, velocity_of(state, n), outside, {}));
     path_.resize(forces_.size());
     carried_ = work.carried;
+    added_inertia(model, state, true, added_before_);
   }
 
   /// Tries a step of length dt. False where it does not converge.
@@ -109,8 +111,9 @@ class Trial {
   const std::shared_ptr<const KeptTangent> kept_;  // as the step begins
   std::vector<Vec2> position_before_;
   std::vector<double> rotation_before_;
-  std::vector<NodeForces<2>> forces_;  // as the step begins
-  std::vector<Dofs<2>> path_;          // [node] along the step
+  std::vector<NodeForces<2>> forces_;          // as the step begins
+  std::vector<Dofs<2>> path_;                  // [node] along the step
+  std::vector<Dofs<2>> added_before_, added_;  // [node] of consistent mass: as the step begins, and now; mostly empty
   double carried_ = 0, dt_ = 0;
   double merit_ = 0, share_left_ = 0;
   int worst_ = -1;
@@ -170,13 +173,15 @@ double Trial::left_over() {
   left_.resize(coupling.size());
   double sum = 0, most = 0, carried = std::max(carried_, work_.carried);
   const double m = scheme_.alpha_m, f = scheme_.alpha_f;
+  added_inertia(model_, state_, true, added_);
   for (int i = 0; i < coupling.size(); ++i) {
     const auto [n, k] = coupling.freedom[i];
     const double mass = mass_of(model_, n)[k];
     const double a0 = k == 2 ? start_.spin_rate[n] : start_.acceleration[n][k];
     const double a = k == 2 ? state_.spin_rate[n] : state_.acceleration[n][k];
     const double now = net_force(model_, state_, work_, coupling.freedom[i]);
-    const double inertia = mass * ((1 - m) * a + m * a0);
+    double inertia = mass * ((1 - m) * a + m * a0);
+    if (!added_.empty()) inertia += (1 - m) * added_[n][k] + m * added_before_[n][k];
     // r = (1 - alpha_f) F' + alpha_f F - M ((1 - alpha_m) a' + alpha_m a), [N] or [N m].
     left_[i] = (1 - f) * now + f * forces_[n].force[k] - inertia;
     sum += left_[i] * left_[i] / mass;
@@ -274,7 +279,10 @@ void Trial::give_up() {
   state_.spin = start_.spin, state_.spin_rate = start_.spin_rate;
   for (int n = 0; n < model_.nodes(); ++n) {
     const Vec2 path = 0.5 * (start_.position[n] - position_before_[n]);
-    add_work(forces_[n], {path.x(), path.y(), 0.5 * (start_.rotation[n] - rotation_before_[n])}, state_.given);
+    const Dofs<2> behind{path.x(), path.y(), 0.5 * (start_.rotation[n] - rotation_before_[n])};
+    add_work(forces_[n], behind, state_.given);
+    if (!added_before_.empty())
+      state_.given[EnergyTerm::support] += work_on_support(model_, n, added_before_[n], behind);
   }
 }
 
@@ -290,6 +298,10 @@ Energy Trial::booked() const {
     Dofs<2> path, ahead;
     for (const int k : {0, 1, 2}) path[k] = 0.5 * (now[k] - before[k]), ahead[k] = 0.5 * (now[k] - begin[k]);
     add_work(forces_[n], path, given);
+    if (!added_before_.empty()) {
+      given[EnergyTerm::support] += work_on_support(model_, n, added_before_[n], path);
+      work += work_on_support(model_, n, added_before_[n], ahead) + work_on_support(model_, n, added_[n], ahead);
+    }
     const NodeForces<2> end = node_forces(model_, state_, work_, n, velocity_of(state_, n), outside, {});
     work += dot(forces_[n].force, ahead) + dot(end.force, ahead);
   }

@@ -1,5 +1,6 @@
 #include "step/member_forces.hpp"
 
+#include "body/fibre_places.hpp"
 #include "step/beam_motion.hpp"
 #include "step/resist_beams.hpp"
 
@@ -22,6 +23,58 @@ std::vector<SectionForces> member_forces(const Model<2>& model, const State<2>& 
     rows.push_back({along, from.place, stress[0], shear, -stress[1]});
     along += beam.length;
     rows.push_back({along, to.place, stress[0], shear, stress[2]});
+  }
+  return rows;
+}
+
+namespace {
+
+/// Each fibre by itself, at the strain of its section: its stress is what a section of it alone carries, over its area.
+std::vector<FibreReading::Fibre> read_fibres(const FibreSection& section, const SectionStrain& strain,
+                                             std::span<const double> before) {
+  std::vector<FibreReading::Fibre> out;
+  std::size_t place = 0;
+  for (const FibrePart& part : section.parts)
+    for (int i = part.first; i < part.first + part.count; ++i) {
+      const Fibre& fibre = section.fibres[i];
+      const FibreSection one{{fibre}, {{part.law, 0, 1}}};
+      const auto size = static_cast<std::size_t>(one.memory_size());
+      std::vector<double> after(size);
+      const SectionResponse r = respond(one, strain, before.subspan(place, size), after);
+      out.push_back({fibre.height, fibre.area, strain.axial - fibre.height * strain.curvature, r.normal / fibre.area});
+      place += size;
+    }
+  return out;
+}
+
+}  // namespace
+
+/// What is remembered is of the last commit; what is read is of the present place.
+std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& state, int member) {
+  const Member& m = model.members[member];
+  std::vector<FibreReading> rows;
+  double start = 0;
+  for (int i = m.first_beam; i < m.first_beam + m.beams; ++i) {
+    const Beam& beam = model.beams[i];
+    if (beam.yield == BeamYield::in_fibres) {
+      const FibreBeamRow& row = model.yields.fibre_beams[beam.yield_row];
+      const FibreSection& section = model.yields.sections[row.section];
+      const BeamStrain d = now_of(state, beam).strain;
+      const double bowed = (row.beam.bow[0] * d[1] + row.beam.bow[1] * d[2]) * d[1] + row.beam.bow[2] * d[2] * d[2];
+      // The first number of a beam of fibres tells whether it has yielded.
+      const std::span<const double> memory = memory_of(model, beam, std::span(state.beam_memory)).subspan(1);
+      const auto size = static_cast<std::size_t>(section.memory_size());
+      std::vector<double> after(size);
+      for (int s = 0; s < row.beam.stations; ++s) {
+        const FibreStation& at = row.beam.station[s];
+        const SectionStrain strain{(d[0] + bowed) / row.beam.length, at.curvature[0] * d[1] + at.curvature[1] * d[2]};
+        const auto before = memory.subspan(static_cast<std::size_t>(s) * size, size);
+        const SectionResponse r = respond(section, strain, before, after);
+        rows.push_back({start + 0.5 * (1 + place_of_station(row.beam, s)) * beam.length, strain.axial, strain.curvature,
+                        r.normal, r.moment, read_fibres(section, strain, before)});
+      }
+    }
+    start += beam.length;
   }
   return rows;
 }

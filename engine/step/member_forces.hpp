@@ -36,4 +36,20 @@ struct HingeReading {
 /// Those that a member has, at most two.
 std::vector<HingeReading> member_hinges(const Model<2>& model, const State<2>& state, int member);
 
+/// A section of a member of fibres, at a station along one of its beams.
+struct FibreReading {
+  double along = 0;      ///< from the member's start, as it was at the start of the run [m]
+  double axial = 0;      ///< strain of the centroid, tension above 0 [1]
+  double curvature = 0;  ///< above 0 where the bottom is in tension [1/m]
+  double normal = 0;     ///< tension above 0 [N]
+  double moment = 0;     ///< above 0 where the bottom is in tension [N m]
+  struct Fibre {
+    double height, area, strain, stress;  ///< above the centroid [m], [m2], [1], [Pa]
+  };
+  std::vector<Fibre> fibres;
+};
+
+/// Those of a member, beam by beam from its start; none where it is not of fibres.
+std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& state, int member);
+
 }  // namespace trilith

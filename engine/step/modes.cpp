@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "step/consistent_mass.hpp"
 #include "step/evaluate.hpp"
 #include "step/tangent.hpp"
 
@@ -28,7 +29,21 @@ struct Pencil {
   Eigen::SparseMatrix<double> stiffness, mass;
 };
 
-/// K = -dF/dx about the state at rest, by the tangent with no inertia and no rates; M, a diagonal.
+/// What consistent mass of frames adds to M.
+void add_consistent(const Model<2>& model, const State<2>& state, const Coupling& coupling,
+                    Eigen::SparseMatrix<double>& mass) {
+  for (const Beam& beam : model.beams) {
+    if (beam.inertia < 0) continue;
+    const BeamMatrix m = added_mass(model, state, beam);
+    const auto unknown = [&](int i) { return coupling.unknown[beam.node[i / 3]][i % 3]; };
+    for (int column = 0; column < 6; ++column)
+      for (int row = 0; row < 6 && unknown(column) >= 0; ++row)
+        if (unknown(row) >= 0) mass.coeffRef(unknown(row), unknown(column)) += m(row, column);
+  }
+}
+
+/// K = -dF/dx about the state at rest, by the tangent with no inertia and no rates; M, a diagonal but for frames with
+/// consistent mass.
 Pencil pencil_of(const Model<2>& model, const State<2>& now, Tangent& tangent) {
   State<2> state = at_rest(now);
   Work<2> work;
@@ -41,6 +56,7 @@ Pencil pencil_of(const Model<2>& model, const State<2>& now, Tangent& tangent) {
   out.mass.resize(k.rows(), k.cols());
   for (int i = 0; i < tangent.coupling().size(); ++i)
     out.mass.insert(i, i) = freedom[i].k == 2 ? model.inertia[freedom[i].node] : model.mass[freedom[i].node];
+  add_consistent(model, state, tangent.coupling(), out.mass);
   out.mass.makeCompressed();
   return out;
 }
@@ -83,17 +99,19 @@ Pairs lowest_pairs(const Pencil& p, int count) {
 }
 
 /// Scaled to phi' M phi = 1; factor = phi' M r for r = 1 along x or y, effective mass = factor^2.
-Mode mode_of(const Model<2>& model, const Coupling& coupling, double square, const Eigen::VectorXd& shape) {
+Mode mode_of(const Model<2>& model, const Coupling& coupling, const Eigen::SparseMatrix<double>& mass, double square,
+             const Eigen::VectorXd& shape) {
   Mode mode;
   mode.square = square;
   mode.displacement.assign(model.mass.size(), Vec2::Zero());
   mode.rotation.assign(model.mass.size(), 0);
+  const Eigen::VectorXd momentum = mass * shape;
   double generalised = 0;
   for (int i = 0; i < coupling.size(); ++i) {
     const auto [n, k] = coupling.freedom[i];
     (k == 2 ? mode.rotation[n] : mode.displacement[n][k]) = shape[i];
-    generalised += (k == 2 ? model.inertia[n] : model.mass[n]) * shape[i] * shape[i];
-    if (k < 2) mode.factor[k] += model.mass[n] * shape[i];
+    generalised += momentum[i] * shape[i];
+    if (k < 2) mode.factor[k] += momentum[i];
   }
   const double scale = 1 / std::sqrt(generalised);
   for (Vec2& v : mode.displacement) v *= scale;
@@ -138,7 +156,7 @@ std::vector<Mode> modes(const Model<2>& model, const State<2>& state, int count)
   const Pairs pairs = all ? all_pairs(pencil) : lowest_pairs(pencil, count);
   std::vector<Mode> out;
   for (Eigen::Index i = 0; i < std::min<Eigen::Index>(count, pairs.square.size()); ++i)
-    out.push_back(mode_of(model, tangent.coupling(), pairs.square[i], pairs.shape.col(i)));
+    out.push_back(mode_of(model, tangent.coupling(), pencil.mass, pairs.square[i], pairs.shape.col(i)));
   return out;
 }
 

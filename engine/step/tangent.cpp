@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "step/beam_tangent.hpp"
+#include "step/consistent_mass.hpp"
 #include "step/evaluate.hpp"
 #include "step/node_forces.hpp"
 
@@ -95,8 +96,8 @@ void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, co
 
 void Tangent::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
   for (const Beam& beam : model.beams) {
-    const BeamBlock block =
-        -options.force * beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0);
+    BeamBlock block = -options.force * beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0);
+    if (beam.inertia >= 0 && options.inertia > 0) block += options.inertia * added_mass(model, state, beam);
     const auto unknown = [&](int i) { return coupling_.unknown[beam.node[i / 3]][i % 3]; };
     for (int column = 0; column < 6; ++column)
       for (int row = 0; row < 6 && unknown(column) >= 0; ++row)

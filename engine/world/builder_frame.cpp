@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "body/beam_element.hpp"
 #include "world/builder.hpp"
@@ -21,6 +22,7 @@ struct FrameRows {
   Model<2>& model;
   int body, first_node, first_skin;
   std::vector<std::vector<std::array<int, 2>>> skin = {};  ///< [member][station] of its bottom and top
+  std::vector<std::vector<int>> block_skin = {};           ///< [joint][corner] of its block
 };
 
 /// The nodes that stand in a box of spec.supports are held as it says.
@@ -33,13 +35,24 @@ std::array<Support, 3> support_of(const BodySpec& spec, const Vec2& place, std::
   return own;
 }
 
-void append_nodes(const FrameRows& rows, const Vec2& centre) {
+/// Of a joint's block: mass [kg] and inertia about the joint, its centroid [kg m2].
+std::array<double, 2> mass_of_block(const FrameJoint& joint, double density, double thickness) {
+  if (joint.block.empty()) return {};
+  const PolygonMoments moments = polygon_moments(joint.block);
+  const double plate = joint.density.value_or(density) * joint.thickness.value_or(thickness);
+  return {plate * moments.area, plate * moments.second_moment};
+}
+
+/// `density` [kg/m3] of blocks.
+void append_nodes(const FrameRows& rows, const Vec2& centre, double density) {
   Model<2>& model = rows.model;
   for (std::size_t n = 0; n < rows.plan.node.size(); ++n) {
     const Vec2& place = rows.plan.node[n];
     const FrameJoint* const joint = n < rows.frame.joints.size() ? &rows.frame.joints[n] : nullptr;
-    model.mass.push_back(joint != nullptr ? joint->mass : 0);
-    model.inertia.push_back(joint != nullptr ? joint->inertia : 0);
+    const auto [mass, inertia] =
+        joint != nullptr ? mass_of_block(*joint, density, model.thickness) : std::array<double, 2>{};
+    model.mass.push_back(joint != nullptr ? joint->mass + mass : 0);
+    model.inertia.push_back(joint != nullptr ? joint->inertia + inertia : 0);
     model.support.push_back(support_of(rows.spec, place, joint != nullptr ? joint->support : std::array<Support, 3>{}));
     model.start_position.push_back(place);
     model.start_rotation.push_back(0);
@@ -173,7 +186,14 @@ void append_beams(const FrameRows& rows, std::size_t m, const MemberMaterial& ma
     beam.stiffness = beam_stiffness(made.elastic, member.section, beam.length, pinned);
     yields.add(beam, i == 0, i + 2 == stations.size(), pinned);
     add_branches(beam, made.band, rows.model);
-    add_masses(rows, beam, end_mass(beam, made.mass * beam.length, member.section));
+    const EndMass end = end_mass(beam, made.mass * beam.length, member.section);
+    add_masses(rows, beam, end);
+    if (rows.frame.consistent) {
+      BeamInertia inertia = beam_inertia(made.mass * beam.length, beam.length, member.section, pinned);
+      inertia.lumped = end.mass, inertia.turning = end.inertia;
+      beam.inertia = static_cast<int>(rows.model.beam_inertias.size());
+      rows.model.beam_inertias.push_back(inertia);
+    }
     rows.model.beams.push_back(beam);
   }
 }
@@ -181,7 +201,15 @@ void append_beams(const FrameRows& rows, std::size_t m, const MemberMaterial& ma
 /// Skin in the order of the way round. An arm stands in the axes of the node that it turns with.
 void append_skin(FrameRows& rows) {
   for (const auto& stations : rows.plan.stations) rows.skin.emplace_back(stations.size());
-  for (const auto& [m, i, side] : rows.plan.outline) {
+  for (const FrameJoint& joint : rows.frame.joints) rows.block_skin.emplace_back(joint.block.size());
+  for (const auto& [m, i, side, joint] : rows.plan.outline) {
+    if (joint >= 0) {
+      rows.block_skin[joint][side] = static_cast<int>(rows.model.skin_place.size());
+      rows.model.skin_place.emplace_back(rows.frame.joints[joint].block[side] - rows.frame.joints[joint].place);
+      rows.model.skin_node.push_back(rows.first_node + joint);
+      rows.model.skin_turn.push_back(rows.first_node + joint);
+      continue;
+    }
     const Station& station = rows.plan.stations[m][i];
     rows.skin[m][i][side] = static_cast<int>(rows.model.skin_place.size());
     rows.model.skin_place.emplace_back(station.arm + section_edge(rows.frame, rows.plan, m, side));
@@ -195,33 +223,47 @@ Vec2 start_of(const FrameRows& rows, int skin) {
   return rows.model.start_position[rows.model.skin_node[skin]] + rows.model.skin_place[skin];
 }
 
-/// A piece for each beam: its two long sides are faces, its ends where nothing joins on there.
-void append_frame_pieces(const FrameRows& rows) {
+void append_piece(const FrameRows& rows, const std::vector<int>& skin, const ConvexPiece& piece) {
   Model<2>& model = rows.model;
+  Polygon outline;
+  for (const int s : skin) outline.push_back(start_of(rows, s));
+  const PieceEdges edges = piece_edges(outline, piece);
+  model.piece_body.push_back(rows.body);
+  model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
+  for (std::size_t c = 0; c < edges.corner.size(); ++c) {
+    model.corner_skin.push_back(skin[edges.corner[c]]);
+    model.edge_is_face.push_back(edges.is_face[c]);
+    model.edge_corner.push_back(edges.flatness[c]);
+  }
+}
+
+/// A piece for each block and for each beam: its two long sides are faces, its ends where nothing joins on there.
+void append_frame_pieces(const FrameRows& rows) {
   for (std::size_t m = 0; m < rows.skin.size(); ++m)
     for (std::size_t i = 0; i + 1 < rows.skin[m].size(); ++i) {
       const auto& near = rows.skin[m][i];
       const auto& far = rows.skin[m][i + 1];
-      const std::array<int, 4> skin{near[0], far[0], far[1], near[1]};
       const bool begins = i == 0 && rows.plan.is_tip[m][0],
                  ends = i + 2 == rows.skin[m].size() && rows.plan.is_tip[m][1];
-      Polygon outline;
-      for (const int s : skin) outline.push_back(start_of(rows, s));
-      const PieceEdges edges = piece_edges(outline, {{0, 1, 2, 3}, {0, ends ? 1 : -1, 2, begins ? 3 : -1}});
-      model.piece_body.push_back(rows.body);
-      model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
-      for (std::size_t c = 0; c < edges.corner.size(); ++c) {
-        model.corner_skin.push_back(skin[edges.corner[c]]);
-        model.edge_is_face.push_back(edges.is_face[c]);
-        model.edge_corner.push_back(edges.flatness[c]);
-      }
+      append_piece(rows, {near[0], far[0], far[1], near[1]}, {{0, 1, 2, 3}, {0, ends ? 1 : -1, 2, begins ? 3 : -1}});
     }
+  for (const std::vector<int>& block : rows.block_skin) {
+    if (block.empty()) continue;
+    std::vector<int> all(block.size());
+    std::iota(all.begin(), all.end(), 0);
+    append_piece(rows, block, {all, all});
+  }
 }
 
 const Material* find_material(const std::vector<Material>& materials, const std::string& name) {
   const auto found =
       std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
   return found == materials.end() ? nullptr : &*found;
+}
+
+double density_of(const std::vector<Material>& materials, const std::string& name) {
+  const Material* const material = find_material(materials, name);
+  return material == nullptr ? 0 : material->density;
 }
 
 double length_of(const FramePlan& plan, std::size_t member) {
@@ -251,7 +293,8 @@ std::vector<MemberMaterial> member_materials(const FrameRows& rows, const std::v
 }
 
 /// Throws InputError, with `what` in front, where a member of `length` [m] cannot yield as it says.
-void check_yields(const FrameMember& member, const Material& material, const std::string& what, double length) {
+void check_yields(const FrameMember& member, const Material& material, const std::string& what, double length,
+                  bool consistent) {
   const auto* const hinges = std::get_if<MemberHinges>(&member.yields);
   const double young = std::visit([](const auto& l) { return l.young; }, material.solid->law);
   try {
@@ -261,6 +304,9 @@ void check_yields(const FrameMember& member, const Material& material, const std
       if (hinges == nullptr || !hinges->end[end]) continue;
       const HingeLaw& law = *hinges->end[end];
       check_parameters(law), law.check();
+      if (law.removes && consistent)
+        throw InputError(
+            "end_hinge: what is removed keeps its mass at its nodes; leave out mass_matrix = \"consistent\"");
       check_softening(law, 2 * young * member.section.second_moment * member.divisions / length);
       if (member.pinned[end])
         throw InputError(fmt::format("end_hinge: its {} is pinned already", end == 0 ? "start" : "end"));
@@ -273,6 +319,10 @@ void check_yields(const FrameMember& member, const Material& material, const std
 }  // namespace
 
 void ModelBuilder::check_frame(BodySpec& spec, const std::string& owner) const {
+  for (FrameJoint& joint : spec.frame->joints)
+    if (!joint.block.empty())
+      joint.block = check_polygon(std::move(joint.block), fmt::format("{}: joint '{}'", owner, joint.name)).outline;
+  begin_at_blocks(*spec.frame);
   const FramePlan plan = plan_frame(*spec.frame, owner);
   if (spec.inertia)
     throw InputError(owner + ": a frame takes no inertia, as that follows from its members; leave it out");
@@ -290,11 +340,13 @@ void ModelBuilder::check_frame(BodySpec& spec, const std::string& owner) const {
           "members yield by a fibre_section or an end_hinge",
           owner, name, describe(*material->solid)));
     check_yields(m, *material, fmt::format("{}: member '{}'", owner, name_of(*spec.frame, m)),
-                 length_of(plan, static_cast<std::size_t>(&m - spec.frame->members.data())));
+                 length_of(plan, static_cast<std::size_t>(&m - spec.frame->members.data())), spec.frame->consistent);
   }
   spec.outline.clear();
-  for (const auto& [m, i, side] : plan.outline)
-    spec.outline.emplace_back(plan.place_of(plan.stations[m][i]) + section_edge(*spec.frame, plan, m, side));
+  for (const auto& [m, i, side, joint] : plan.outline)
+    spec.outline.emplace_back(joint >= 0
+                                  ? spec.frame->joints[joint].block[side]
+                                  : plan.place_of(plan.stations[m][i]) + section_edge(*spec.frame, plan, m, side));
 }
 
 void ModelBuilder::append_frame(const BodySpec& spec, Model<2>& model) const {
@@ -314,13 +366,15 @@ void ModelBuilder::append_frame(const BodySpec& spec, Model<2>& model) const {
   body.first_node = rows.first_node, body.nodes = static_cast<int>(plan.node.size());
   body.first_skin = rows.first_skin, body.skins = body.outline = static_cast<int>(plan.outline.size());
   body.first_piece = model.pieces();
-  append_nodes(rows, centre);
+  append_nodes(rows, centre, spec.density.value_or(density_of(materials_, spec.material)));
   model.element_bound.emplace_back();
   const std::vector<MemberMaterial> made = member_materials(rows, materials_);
   for (std::size_t m = 0; m < made.size(); ++m) {
     append_beams(rows, m, made[m]);
     body.area += frame.members[m].section.depth() * length_of(plan, m);
   }
+  for (const FrameJoint& joint : frame.joints)
+    if (!joint.block.empty()) body.area += polygon_moments(joint.block).area;
   append_skin(rows);
   double radius = 0;
   for (int s = rows.first_skin; s < rows.first_skin + body.skins; ++s)

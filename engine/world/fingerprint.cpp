@@ -146,6 +146,7 @@ void add(Hash& hash, const Beam& b) {
   add(hash, b.stiffness.axial), add(hash, b.stiffness.bend), add(hash, b.stiffness.bow);
   hash.add(static_cast<std::uint64_t>(b.yield)), add(hash, b.yield_row), add(hash, b.first_memory);
   if (b.band >= 0) add(hash, b.band), add(hash, b.first_branch);
+  if (b.inertia >= 0) hash.add(std::string_view("consistent"));
 }
 
 void add(Hash& hash, const FibreSection& s) {

@@ -23,11 +23,41 @@ double size_of(const FrameSpec& spec) {
   return polygon_size(places);
 }
 
+/// A block turns about its centroid, and the way round the frame goes round its corners by their angle.
+void check_block(const FrameJoint& joint, const std::string& what) {
+  const Polygon& p = joint.block;
+  const std::size_t n = p.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (!(cross(Vec2(p[(i + 1) % n] - p[i]), Vec2(p[(i + 2) % n] - p[(i + 1) % n])) > 0))
+      throw InputError(what + ": its block must be convex, without corners in line; put the rest onto another joint");
+  const Vec2 centroid = polygon_moments(p).centroid;
+  if ((centroid - joint.place).norm() > 1e-9 * polygon_size(p))
+    throw InputError(fmt::format(
+        "{}: 'at' is not the centroid of its block, ({:g}, {:g}); leave it out, and say by from_at and to_at where "
+        "members begin",
+        what, centroid.x(), centroid.y()));
+  if (joint.density) require_positive(*joint.density, what + ": density", "kg/m3");
+  if (joint.thickness) require_positive(*joint.thickness, what + ": thickness", "m");
+}
+
+/// Where the way from the block's centroid to `to` leaves it.
+Vec2 way_out(const FrameJoint& joint, const Vec2& to) {
+  const Vec2 way = to - joint.place;
+  double least = 1;
+  for (std::size_t i = 0; i < joint.block.size(); ++i) {
+    const Vec2 &a = joint.block[i], &b = joint.block[(i + 1) % joint.block.size()];
+    const double along = cross(Vec2(b - a), way);
+    if (along < 0) least = std::min(least, cross(Vec2(b - a), Vec2(a - joint.place)) / along);
+  }
+  return joint.place + least * way;
+}
+
 void check_joint(const FrameSpec& spec, const FrameJoint& joint, const std::string& owner) {
   const std::string what = fmt::format("{}: joint '{}'", owner, joint.name);
   for (const double v : {joint.place.x(), joint.place.y(), joint.mass, joint.inertia}) require_finite(v, what);
   require_not_negative(joint.mass, what + ": mass", "kg");
   require_not_negative(joint.inertia, what + ": inertia", "kg m2");
+  if (!joint.block.empty()) check_block(joint, what);
   const auto same =
       std::count_if(spec.joints.begin(), spec.joints.end(), [&](const FrameJoint& j) { return j.name == joint.name; });
   if (same > 1) throw InputError(what + " is given twice; give each its own name");
@@ -104,8 +134,13 @@ class Tour {
       if (m != by && (spec_.members[m].from == joint || spec_.members[m].to == joint))
         next.emplace_back(angle_past(arrival, heading(m, joint)), m);
     std::sort(next.begin(), next.end());
-    for (const auto& [angle, m] : next)
+    double last = 0;
+    for (const auto& [angle, m] : next) {
+      add_corners(joint, arrival, last, angle);
+      last = angle;
       if (been_[m] == 0) visit(m, joint);
+    }
+    add_corners(joint, arrival, last, 8);
   }
 
  private:
@@ -120,6 +155,18 @@ class Tour {
     // One that lies where the way came from comes last, after a full turn.
     const double turn = std::fmod(to - from, 2 * M_PI);
     return turn > 1e-9 ? turn : turn + 2 * M_PI;
+  }
+  /// Corners of the joint's block, from one angle past the arrival to another.
+  void add_corners(int joint, double arrival, double from, double to) {
+    const FrameJoint& block = spec_.joints[joint];
+    std::vector<std::pair<double, int>> there;
+    for (int c = 0; c < static_cast<int>(block.block.size()); ++c) {
+      const Vec2 arm = block.block[c] - block.place;
+      const double angle = angle_past(arrival, portable::atan2(arm.y(), arm.x()));
+      if (angle > from && angle <= to) there.emplace_back(angle, c);
+    }
+    std::sort(there.begin(), there.end());
+    for (const auto& [angle, c] : there) plan_.outline.push_back({-1, -1, c, joint});
   }
   /// Stations there on one side and back on the other; what hangs on the far joint comes in between, once.
   void visit(int m, int joint) {
@@ -156,11 +203,25 @@ FramePlan plan_frame(const FrameSpec& spec, const std::string& owner) {
   std::vector<int> meet(spec.joints.size());
   for (const FrameJoint& joint : spec.joints) plan.node.push_back(joint.place);
   for (const FrameMember& m : spec.members) add_stations(spec, m, plan), ++meet[m.from], ++meet[m.to];
-  for (const FrameMember& m : spec.members) plan.is_tip.push_back({meet[m.from] == 1, meet[m.to] == 1});
+  for (const FrameMember& m : spec.members)
+    plan.is_tip.push_back(
+        {meet[m.from] == 1 && spec.joints[m.from].block.empty(), meet[m.to] == 1 && spec.joints[m.to].block.empty()});
   const auto tip = std::find(meet.begin(), meet.end(), 1);
   const auto root = static_cast<int>(tip == meet.end() ? 0 : tip - meet.begin());
   Tour(spec, plan).go_round(root, 0, -1);
   return plan;
+}
+
+void begin_at_blocks(FrameSpec& spec) {
+  for (FrameMember& m : spec.members) {
+    const int joints = static_cast<int>(spec.joints.size());
+    if (m.from < 0 || m.from >= joints || m.to < 0 || m.to >= joints) continue;
+    const std::array joint{m.from, m.to};
+    const std::array wanted{end_of(spec, m, 0), end_of(spec, m, 1)};
+    for (const int side : {0, 1})
+      if (!m.ends[side] && !spec.joints[joint[side]].block.empty())
+        m.ends[side] = way_out(spec.joints[joint[side]], wanted[1 - side]);
+  }
 }
 
 Vec2 section_edge(const FrameSpec& spec, const FramePlan& plan, int member, int side) {

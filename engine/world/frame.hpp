@@ -17,11 +17,14 @@ namespace trilith {
 
 /// A node that members meet at, rigidly but where they are pinned.
 struct FrameJoint {
-  std::string name;                  ///< unique in the frame
-  Vec2 place = Vec2::Zero();         ///< [m]
-  double mass = 0;                   ///< beside that of the members [kg]
-  double inertia = 0;                ///< ... [kg m2]
-  std::array<Support, 3> support{};  ///< x, y, rotation
+  std::string name;           ///< unique in the frame
+  Vec2 place = Vec2::Zero();  ///< [m]
+  double mass = 0;            ///< beside that of the members [kg]
+  double inertia = 0;         ///< ... [kg m2]
+  Polygon block = {};         ///< a rigid block that is the joint, convex, with its centroid in `place`; or none [m]
+  std::optional<double> density = {};    ///< of the block; else of the body [kg/m3]
+  std::optional<double> thickness = {};  ///< of the block, for its mass; else the model's [m]
+  std::array<Support, 3> support{};      ///< x, y, rotation
 };
 
 /// A member of fibres, followed at stations along each of its beams.
@@ -53,6 +56,7 @@ struct FrameMember {
 struct FrameSpec {
   std::vector<FrameJoint> joints;
   std::vector<FrameMember> members;
+  bool consistent = false;  ///< mass of members under implicit steps and in modes; else lumped at nodes
 };
 
 /// A place on a member at which a beam ends: its node, and the arm from there [m].
@@ -68,6 +72,7 @@ struct FramePlan {
   std::vector<std::vector<Station>> stations;  ///< [member]
   struct Side {
     int member, station, side;  ///< side 0: right of its direction (bottom), 1: left (top)
+    int joint = -1;             ///< instead: `side` is a corner of this joint's block
   };
   std::vector<Side> outline;                ///< counter-clockwise round the frame
   std::vector<std::array<bool, 2>> is_tip;  ///< [member] its end is the only one at the joint
@@ -78,6 +83,9 @@ struct FramePlan {
 /// Throws InputError, with `owner` in front, where the frame is none: no member, members without length, joints that
 /// nothing connects.
 FramePlan plan_frame(const FrameSpec& spec, const std::string& owner);
+
+/// Members that say nothing else begin where their way leaves the block of their joint.
+void begin_at_blocks(FrameSpec& spec);
 
 /// Its name, or "A-B" after its joints.
 std::string name_of(const FrameSpec& spec, const FrameMember& member);

@@ -13,6 +13,7 @@
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
 #include "body/band_damping.hpp"
+#include "body/beam_inertia.hpp"
 #include "body/beam_yield.hpp"
 #include "body/list.hpp"
 #include "contact/list.hpp"
@@ -172,6 +173,7 @@ struct Model {
   std::vector<Beam> beams;                    ///< [beam] of frames, body by body
   BeamYields yields;                          ///< of those that yield
   std::vector<DampingBranches> bands;         ///< of beams that are damped over a band
+  std::vector<BeamInertia> beam_inertias;     ///< of beams with consistent mass, which implicit steps and modes know
   std::vector<RateBound> element_bound;       ///< [body] of its elements or beams; 0 where it is rigid
   int plastic_points = 0;                     ///< rows of State::plastic
   int beam_memory = 0;                        ///< rows of State::beam_memory

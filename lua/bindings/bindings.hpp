@@ -36,6 +36,7 @@ std::span<const Method> reading_methods();   ///< bodies, contacts, history, res
 /// body:forces and body:hinges, of beams and frames.
 int push_member_forces(lua_State* L);
 int push_member_hinges(lua_State* L);
+int push_member_fibres(lua_State* L);
 
 /// Highest number of a storey ("storey 3") among the groups of the bodies so far.
 int storey_count(const ScriptModel& model);

@@ -245,6 +245,7 @@ int body_point(lua_State* L) {
 const std::array body_methods{
     Method{"point", guarded<body_point>, "point{x, y}: x and y now of the point that was there at the start"},
     Method{"hinges", guarded<push_member_hinges>, "hinges(member): plastic hinges at the ends of a member of a frame"},
+    Method{"fibres", guarded<push_member_fibres>, "fibres(member): strains and stresses of a member of fibres"},
     Method{"forces", guarded<push_member_forces>,
            "forces \"member\": normal force, shear and moment along a member of a beam or frame"},
 };

@@ -79,6 +79,10 @@ void read_member(Keys& keys, FrameMember& member) {
   }
 }
 
+void read_mass_matrix(Keys& keys, FrameSpec& frame) {
+  frame.consistent = keys.choice("mass_matrix", {"lumped", "consistent"}, 0) == 1;
+}
+
 /// Adds the frame as a body and pushes it.
 void add_frame(lua_State* L, PlaneModel& m, const std::string& name, BodyOptions& options, FrameSpec frame) {
   options.spec.name = name;
@@ -104,6 +108,7 @@ int add_beam(lua_State* L) {
     read_support(keys, joint.name + "_support", joint.support);
   }
   read_member(keys, member);
+  read_mass_matrix(keys, frame);
   BodyOptions options = read_body_options(keys, false, {BodyKind::frame, {1, 1}});
   keys.finish();
   frame.members = {member};
@@ -123,7 +128,15 @@ FrameJoint joint_at(lua_State* L, const std::string& name) {
     throw InputError(fmt::format("joint '{}' is {}, must be {{x, y}} or {{ at = {{x, y}}, support = \"fixed\" }}", name,
                                  what_is(L, -1)));
   Keys keys(L, -1, fmt::format("joint '{}'", name));
-  joint.place = keys.point("at");
+  if (keys.has("outline")) {
+    joint.block = keys.points("outline");
+    if (joint.block.size() >= 3) joint.place = polygon_moments(joint.block).centroid;
+    if (const auto place = keys.maybe_point("at")) joint.place = *place;
+    joint.density = keys.maybe_number("density", "kg/m3");
+    joint.thickness = keys.maybe_number("thickness", "m");
+  } else {
+    joint.place = keys.point("at");
+  }
   read_support(keys, "support", joint.support);
   joint.mass = keys.number("mass", "kg", 0);
   joint.inertia = keys.number("inertia", "kg m2", 0);
@@ -192,6 +205,7 @@ int frame(lua_State* L) {
   FrameSpec spec;
   read_joints(keys, spec);
   read_members(keys, spec);
+  read_mass_matrix(keys, spec);
   BodyOptions options = read_body_options(keys, false, {BodyKind::frame, {1, 1}});
   keys.finish();
   add_frame(L, m, name, options, std::move(spec));
@@ -281,6 +295,41 @@ int push_member_hinges(lua_State* L) {
     set_number(L, "given_off", row.given_off);
     set_number(L, "x", row.place.x());
     set_number(L, "y", row.place.y());
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// body:fibres "member": a list of { along, axial, curvature, normal, moment, fibres = { { height, area, strain, stress
+/// } } }.
+int push_member_fibres(lua_State* L) {
+  const AskedMember asked = asked_member(L, "fibres");
+  const Model<2>& model = asked.run.model();
+  const std::vector<FibreReading> sections = member_fibres(model, asked.run.state(), asked.member);
+  if (sections.empty())
+    throw InputError(
+        fmt::format("fibres: member '{}' is not of fibres; give it section = trilith.fibre_section{{shape =, law =}}",
+                    model.members[asked.member].name));
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const FibreReading& row : sections) {
+    lua_createtable(L, 0, 6);
+    set_number(L, "along", row.along);
+    set_number(L, "axial", row.axial);
+    set_number(L, "curvature", row.curvature);
+    set_number(L, "normal", row.normal);
+    set_number(L, "moment", row.moment);
+    lua_createtable(L, static_cast<int>(row.fibres.size()), 0);
+    lua_Integer j = 0;
+    for (const FibreReading::Fibre& fibre : row.fibres) {
+      lua_createtable(L, 0, 4);
+      set_number(L, "height", fibre.height);
+      set_number(L, "area", fibre.area);
+      set_number(L, "strain", fibre.strain);
+      set_number(L, "stress", fibre.stress);
+      lua_rawseti(L, -2, ++j);
+    }
+    lua_setfield(L, -2, "fibres");
     lua_rawseti(L, -2, ++i);
   }
   return 1;

@@ -18,7 +18,7 @@ from_support  text?               "fixed", "free" or directions { x = "fixed", r
 to_support    text?               the same of its end]], with = "beam", gives = "body" },
   { "model:frame", "Beams that meet at joints, as one body: a bent, a portal, a truss.", keys = [[
 name     text   its name
-joints   table  { A = {x, y}, B = { at = {x, y}, support = , mass = , inertia = }, ... }
+joints   table  { A = {x, y}, B = { at = {x, y}, support = , mass = , inertia = }, C = { outline = , density = }, ... }
 members  list   { { from = , to = , section = , name = , from_at = , to_at = , divisions = , hinge = , ... }, ... }]],
     with = "beam", gives = "body" },
   { "trilith.polygon_section", "A section of any simple polygon, in its own axes.", keys = [[
@@ -34,6 +34,8 @@ bars       list?           { { area = , height = }, ... }: of all at a height ab
 bar_law    fibre law?      of the bars, such as trilith.menegotto_pinto{...}]], gives = "section" },
   { "body:hinges", "Plastic hinges of a member: joint, state, rotation, stretch, moment, normal, given_off, x, y.",
     args = "member  text?  its name", gives = "table[]" },
+  { "body:fibres", "Sections along a member of fibres: along, axial, curvature, normal, moment, and fibres, each with "
+    .. "height, area, strain, stress.", args = "member  text?  its name", gives = "table[]" },
   { "body:forces", "Inner forces along a member of a beam or frame: a row for both ends of each of its beams.",
     args = "member  text?  its name; joints of one without a name are joined, as in \"A-B\"", gives = "table[]" },
   shared = { beam = [[
@@ -44,6 +46,7 @@ unit_weight     number N/m3?     or this
 mass            number kg?       of all members, or this
 weight          number N?        or this
 support         text?            of all its nodes: "fixed", "free" or directions { x = "fixed" }
+mass_matrix     text = "lumped"  or "consistent", which implicit steps and modes take; explicit ones lump
 velocity        point?           at the start [m/s]
 spin            number rad/s = 0  at the start
 load            point?           steady force [N], spread like the mass

@@ -96,3 +96,30 @@ near(math.abs(body:forces "right"[16].moment) + 1, 1, 1e-6) -- the pin carries n
 refused("name one", body.forces, body)
 refused("no member 'lift'; did you mean 'left'", body.forces, body, "lift")
 p:close()
+
+-- Blocks as joints, from their outline; consistent mass; a history of a fibre's stress.
+local b = trilith.model { name = "blocks", thickness = 1, gravity = 0 }
+b:material { name = "concrete", density = 2500, E = 30e9, nu = 0.2 }
+local square = trilith.rectangle_section { width = 0.4, depth = 0.4 }
+local function post(change)
+  local t = { name = "post", material = "concrete", floating = true, mass_matrix = "consistent",
+              joints = { foot = { at = { 0, 0 }, support = "fixed" },
+                         head = { outline = { { -1, 4 }, { 1, 4 }, { 1, 5 }, { -1, 5 } }, density = 1000 } },
+              members = { { from = "foot", to = "head", section = square, divisions = 2 } } }
+  for k, v in pairs(change) do t[k] = v end
+  return t
+end
+refused("'mass_matrix' is 'full'", b.frame, b, post { mass_matrix = "full" })
+refused("is not the centroid of its block, (0, 4.5)", b.frame, b, post {
+  joints = { foot = { 0, 0 }, head = { at = { 0, 4 }, outline = { { -1, 4 }, { 1, 4 }, { 1, 5 }, { -1, 5 } } } } })
+refused("must be convex", b.frame, b, post {
+  joints = { foot = { 0, 0 }, head = { outline = { { -1, 4 }, { 1, 4 }, { 0, 4.1 }, { 0, 5 } } } } })
+refused("what is removed keeps its mass at its nodes", b.frame, b, post {
+  members = { { from = "foot", to = "head", section = square,
+                hinge = trilith.end_hinge { sagging = 1e5, ultimate = 0.01, becomes = "removed" } } } })
+local made = b:frame(post {})
+local first = b:modes { count = 1 }[1].frequency
+-- A cantilever of 4 m with a body of 2 t whose centre is .5 m beyond, and the mass of the post itself.
+assert(first > 3 and first < 8, first)
+near(made.mass, 2000 + 2500*0.16*4*0.75, 0.3)
+b:close()

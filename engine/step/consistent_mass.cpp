@@ -1,0 +1,161 @@
+#include "step/consistent_mass.hpp"
+
+#include <cmath>
+
+#include "step/beam_motion.hpp"
+
+namespace trilith {
+namespace {
+
+/// The beam's ends from its nodes: each is carried by its node, `arm` away.
+BeamMatrix carried_by(const std::array<Vec2, 2>& arm) {
+  BeamMatrix g = BeamMatrix::Identity();
+  for (const int end : {0, 1}) g(3 * end, 3 * end + 2) = -arm[end].y(), g(3 * end + 1, 3 * end + 2) = arm[end].x();
+  return g;
+}
+
+/// Where the beam lies: its chord and arms.
+struct Lie {
+  std::array<Vec2, 2> arm;
+  Vec2 along;
+  double length;
+
+  Lie(const State<2>& state, const Beam& beam) {
+    const Vec2 from = end_of(state, beam, 0, arm[0]).place, to = end_of(state, beam, 1, arm[1]).place;
+    length = (to - from).norm();
+    along = (to - from) / length;
+  }
+};
+
+BeamVector of_nodes(const Beam& beam, const std::vector<Vec2>& along, const std::vector<double>& about) {
+  BeamVector out;
+  for (const int end : {0, 1}) {
+    const int n = beam.node[end];
+    out.segment<2>(3 * end) = along[n], out[3 * end + 2] = about[n];
+  }
+  return out;
+}
+
+BeamVector lumped_of(const BeamInertia& inertia) {
+  BeamVector out;
+  out << inertia.lumped, inertia.lumped, inertia.turning[0], inertia.lumped, inertia.lumped, inertia.turning[1];
+  return out;
+}
+
+double dot_free(const Model<2>& model, const std::vector<Dofs<2>>& a, const std::vector<Dofs<2>>& b) {
+  double sum = 0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+    for (const int k : {0, 1, 2})
+      if (model.support[n][k] == Support::free) sum += a[n][k] * b[n][k];
+  return sum;
+}
+
+/// M of all beams as they lie, for products with it.
+class MassMatrix {
+ public:
+  MassMatrix(const Model<2>& model, const State<2>& state) : model_(model) {
+    for (const Beam& beam : model.beams)
+      if (beam.inertia >= 0) added_.push_back({&beam, added_mass(model, state, beam)});
+  }
+  [[nodiscard]] std::vector<Dofs<2>> times(const std::vector<Dofs<2>>& v) const {
+    std::vector<Dofs<2>> out(v.size());
+    for (std::size_t n = 0; n < v.size(); ++n) {
+      const Dofs<2> mass = mass_of(model_, static_cast<int>(n));
+      for (const int k : {0, 1, 2}) out[n][k] = mass[k] * v[n][k];
+    }
+    for (const auto& [beam, m] : added_)
+      for (int row = 0; row < 6; ++row)
+        for (int column = 0; column < 6; ++column)
+          out[beam->node[row / 3]][row % 3] += m(row, column) * v[beam->node[column / 3]][column % 3];
+    return out;
+  }
+  /// Of M on its diagonal.
+  [[nodiscard]] std::vector<Dofs<2>> diagonal() const {
+    std::vector<Dofs<2>> out;
+    for (int n = 0; n < model_.nodes(); ++n) out.push_back(mass_of(model_, n));
+    for (const auto& [beam, m] : added_)
+      for (int i = 0; i < 6; ++i) out[beam->node[i / 3]][i % 3] += m(i, i);
+    return out;
+  }
+
+ private:
+  const Model<2>& model_;
+  std::vector<std::pair<const Beam*, BeamMatrix>> added_;
+};
+
+}  // namespace
+
+BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& beam) {
+  const BeamInertia& inertia = model.beam_inertias[beam.inertia];
+  const Lie lie(state, beam);
+  const BeamMatrix g = carried_by(lie.arm);
+  BeamMatrix out = g.transpose() * turned(inertia.consistent, lie.along) * g;
+  out.diagonal() -= lumped_of(inertia);
+  return out;
+}
+
+void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out) {
+  out.clear();
+  if (model.beam_inertias.empty()) return;
+  out.resize(static_cast<std::size_t>(model.nodes()));
+  for (const Beam& beam : model.beams) {
+    if (beam.inertia < 0) continue;
+    const BeamInertia& inertia = model.beam_inertias[beam.inertia];
+    const Lie lie(state, beam);
+    const BeamMatrix g = carried_by(lie.arm);
+    const BeamVector v = of_nodes(beam, state.velocity, state.spin);
+    const BeamVector a = rising ? of_nodes(beam, state.acceleration, state.spin_rate) : BeamVector(BeamVector::Zero());
+    BeamMotion motion{lie.along, lie.length, g * v, g * a};
+    for (const int end : {0, 1}) motion.rise.segment<2>(3 * end) -= v[3 * end + 2] * v[3 * end + 2] * lie.arm[end];
+    const BeamVector force =
+        g.transpose() * inertia_forces(inertia.consistent, motion) - lumped_of(inertia).cwiseProduct(a);
+    for (int i = 0; i < 6; ++i) out[beam.node[i / 3]][i % 3] += force[i];
+  }
+}
+
+double added_kinetic(const Model<2>& model, const State<2>& state) {
+  double sum = 0;
+  for (const Beam& beam : model.beams) {
+    if (beam.inertia < 0) continue;
+    const BeamVector v = of_nodes(beam, state.velocity, state.spin);
+    sum += 0.5 * v.dot(added_mass(model, state, beam) * v);
+  }
+  return sum;
+}
+
+double work_on_support(const Model<2>& model, int node, const Dofs<2>& force, const Dofs<2>& path) {
+  double sum = 0;
+  for (const int k : {0, 1, 2})
+    if (model.support[node][k] != Support::free) sum += force[k] * path[k];
+  return sum;
+}
+
+/// Scaled by the diagonal, M is so well-conditioned that some twenty products reach its last digits.
+std::vector<Dofs<2>> accelerations(const Model<2>& model, const State<2>& state, const std::vector<Dofs<2>>& force) {
+  const MassMatrix mass(model, state);
+  const std::vector<Dofs<2>> diagonal = mass.diagonal();
+  std::vector<Dofs<2>> a(force.size()), left = force, scaled(force.size()), way;
+  const auto each_free = [&](auto&& f) {
+    for (std::size_t n = 0; n < force.size(); ++n)
+      for (const int k : {0, 1, 2})
+        if (model.support[n][k] == Support::free) f(n, k);
+  };
+  each_free([&](std::size_t n, int k) { scaled[n][k] = left[n][k] / diagonal[n][k]; });
+  way = scaled;
+  double merit = dot_free(model, left, scaled);
+  const double enough = 1e-28 * merit;
+  for (int turn = 0; turn < 500 && merit > enough; ++turn) {
+    const std::vector<Dofs<2>> moved = mass.times(way);
+    const double step = merit / dot_free(model, way, moved);
+    each_free([&](std::size_t n, int k) {
+      a[n][k] += step * way[n][k], left[n][k] -= step * moved[n][k];
+      scaled[n][k] = left[n][k] / diagonal[n][k];
+    });
+    const double next = dot_free(model, left, scaled), share = next / merit;
+    each_free([&](std::size_t n, int k) { way[n][k] = scaled[n][k] + share * way[n][k]; });
+    merit = next;
+  }
+  return a;
+}
+
+}  // namespace trilith

@@ -1,0 +1,35 @@
+// Consistent mass of frames under implicit steps and in modes: what it adds to that lumped at the nodes, which explicit
+// steps keep, as they want a mass that they can divide by.
+//
+//   E = G' f(y, dy/dt) - M_lumped dv/dt,   y = G v: the ends of the beam, which rigid arms carry with its nodes
+//
+// with f of body/beam_inertia.hpp. E stands for all directions of a beam's nodes, those that a support moves included:
+// there the support does its work.
+#pragma once
+
+#include <vector>
+
+#include "body/beam_inertia.hpp"
+#include "step/node_forces.hpp"
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+/// What consistent mass adds to the lumped one of the beam's two nodes, in the world, as the beam lies.
+BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& beam);
+
+/// E of all nodes [N], [N m]; empty where no beam has a consistent mass. With `rising` false: of velocities alone.
+void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out);
+
+/// What it adds to the kinetic energy [J].
+double added_kinetic(const Model<2>& model, const State<2>& state);
+
+/// Work that supports do on it along `path` of a node [J].
+double work_on_support(const Model<2>& model, int node, const Dofs<2>& force, const Dofs<2>& path);
+
+/// Accelerations of the free directions [m/s2, rad/s2] from the forces on them, by conjugate gradients; the others are
+/// 0.
+std::vector<Dofs<2>> accelerations(const Model<2>& model, const State<2>& state, const std::vector<Dofs<2>>& force);
+
+}  // namespace trilith
