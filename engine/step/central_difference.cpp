@@ -164,7 +164,7 @@ void advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, 
 
 /// Nodes that threads take at a time: some ten microseconds.
 template <int D>
-constexpr int node_stretch = D == 2 ? 256 : 64;
+constexpr int node_stretch = D == 2 ? 128 : 64;
 
 /// Nodes do not ask each other; their works are added in their order.
 template <int D>

@@ -60,7 +60,7 @@ TRILITH_INLINE LaneMask clearly_apart(const SkinMotion<2>* skin, const NearPair*
 namespace {
 
 /// Rows that threads take at a time: some five microseconds.
-constexpr int sorted_stretch = 1024;
+constexpr int sorted_stretch = 512;
 
 /// `count` facing rows: those that touched go to `rows`, of the rest those that may touch now to `fresh`; both lists
 /// have room for all of them and for the padding.

@@ -152,8 +152,8 @@ void keep_larger(const LargestForces& of, LargestForces& largest) {
   largest.carried = std::max(largest.carried, of.carried);
 }
 
-/// Bodies and nodes that threads take at a time: some ten microseconds.
-constexpr int summed_stretch = 512;
+/// Bodies and nodes that threads take at a time: some microseconds.
+constexpr int summed_stretch = 128;
 
 /// Of the largest each thread keeps its own: the largest of these is the same in any order. Where there are no bearings
 /// the nodes of a body have all their forces as soon as it is spread.
