@@ -1,28 +1,141 @@
 #include "base/team.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
-#include <memory>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <exception>
 #include <mutex>
+#include <thread>
 
 namespace trilith {
 namespace {
 
-/// One arena for each number of threads that was asked for: making one costs more than a loop.
-tbb::task_arena& arena_of(int threads) {
-  static std::mutex guard;
-  static std::array<std::unique_ptr<tbb::task_arena>, most_threads + 1> arena;
-  const std::lock_guard lock(guard);
-  auto& one = arena[static_cast<std::size_t>(threads)];
-  if (one == nullptr) one = std::make_unique<tbb::task_arena>(threads);
+/// A thread that waits for another looks so many times before it lets others have its processor.
+constexpr int spins_before_yielding = 1000;
+
+void rest_a_moment() {
+#ifdef __x86_64__
+  __builtin_ia32_pause();
+#endif
+}
+
+/// Threads that wait for work: for a while awake, as the next loop of a step follows the last one in some
+/// microseconds, then asleep. Whoever asks works too and waits for none that has not come: where the machine is busy
+/// with other things the one who asked does it all. One asks at a time; who asks meanwhile works alone.
+class Crew {
+ public:
+  /// Runs call(f, thread) in the calling thread, as thread 0, and in up to `threads` - 1 others that come before it is
+  /// through. What it throws is passed on once all have ended.
+  void run(int threads, void (*call)(void*, int), void* f) {
+    if (threads <= 1 || busy_.exchange(true)) return call(f, 0);
+    call_ = call, f_ = f, thrown_ = nullptr;
+    hire(threads - 1);
+    const std::uint64_t epoch = (gate_.load() >> epoch_shift) + 1;
+    gate_ = epoch << epoch_shift | open_bit | static_cast<std::uint64_t>(threads - 1) << seats_shift;
+    ++bell_;
+    bell_.notify_all();
+    guarded(0);
+    gate_.fetch_and(~open_bit);
+    for (int waits = 0; (gate_.load() & count_mask) != 0; ++waits)
+      waits < spins_before_yielding ? rest_a_moment() : std::this_thread::yield();
+    const std::exception_ptr thrown = thrown_;
+    busy_ = false;
+    if (thrown) std::rethrow_exception(thrown);
+  }
+
+ private:
+  // The gate holds, from the lowest bits: how many are inside, how many have come in, how many may, whether it is open,
+  // and the number of the loop.
+  static constexpr std::uint64_t count_mask = 0xff, open_bit = std::uint64_t{1} << 24;
+  static constexpr int entered_shift = 8, seats_shift = 16, epoch_shift = 25;
+  static constexpr auto awake = std::chrono::microseconds(300);
+
+  alignas(64) std::atomic<std::uint64_t> gate_ = 0;
+  alignas(64) std::atomic<std::uint32_t> bell_ = 0;
+  std::atomic<bool> busy_ = false;
+  void (*call_)(void*, int) = nullptr;
+  void* f_ = nullptr;
+  std::mutex throwing_;
+  std::exception_ptr thrown_;
+  int hired_ = 0;
+
+  void hire(int count) {
+    for (; hired_ < count; ++hired_) std::thread([this] { serve(); }).detach();
+  }
+  void guarded(int thread) {
+    try {
+      call_(f_, thread);
+    } catch (...) {
+      const std::lock_guard lock(throwing_);
+      if (!thrown_) thrown_ = std::current_exception();
+    }
+  }
+  /// Comes in, works and leaves, if the gate is open, there is a seat, and this thread has not been in for this loop.
+  bool enter(std::uint64_t& last_epoch) {
+    std::uint64_t gate = gate_;
+    while ((gate & open_bit) != 0 && gate >> epoch_shift != last_epoch) {
+      const std::uint64_t entered = gate >> entered_shift & count_mask;
+      if (entered >= (gate >> seats_shift & count_mask)) return false;
+      if (!gate_.compare_exchange_weak(gate, gate + 1 + (std::uint64_t{1} << entered_shift))) continue;
+      last_epoch = gate >> epoch_shift;
+      guarded(static_cast<int>(entered) + 1);
+      --gate_;
+      return true;
+    }
+    return false;
+  }
+  [[noreturn]] void serve() {
+    using Clock = std::chrono::steady_clock;
+    std::uint64_t last_epoch = 0;
+    Clock::time_point until = Clock::now() + awake;
+    for (;;) {
+      const std::uint32_t rung = bell_;
+      for (int i = 0; i < 200; ++i) {
+        if (enter(last_epoch)) until = Clock::now() + awake;
+        rest_a_moment();
+      }
+      if (Clock::now() > until) {
+        bell_.wait(rung);
+        until = Clock::now() + awake;
+      } else {
+        std::this_thread::yield();
+      }
+    }
+  }
+};
+
+/// Never taken down: threads may still wait when the process ends, and one that parts from it has none of them.
+Crew& crew() {
+  static Crew* const one = new Crew;
   return *one;
 }
+
+/// Runs f(thread) in up to `threads` threads at the same time.
+template <class F>
+void together(int threads, F&& f) {
+  using Body = std::remove_reference_t<F>;
+  crew().run(
+      std::min(threads, most_threads), [](void* body, int thread) { (*static_cast<Body*>(body))(thread); }, &f);
+}
+
+/// Tells the others where a thread leaves by an exception, as they may wait for what it was at.
+class Failing {
+ public:
+  explicit Failing(std::atomic<bool>& failed) : failed_(failed) {}
+  Failing(const Failing&) = delete;
+  Failing& operator=(const Failing&) = delete;
+  ~Failing() {
+    if (std::uncaught_exceptions() > before_) failed_ = true;
+  }
+
+ private:
+  std::atomic<bool>& failed_;
+  const int before_ = std::uncaught_exceptions();
+};
 
 }  // namespace
 
@@ -34,37 +147,75 @@ int threads_here() {
 /// stretch it is at, where a fixed share for each would make all others wait.
 void share_stretches(int threads, int count, int stretch, StretchCall call, void* f) {
   const int stretches = (count + stretch - 1) / stretch;
-  arena_of(std::min(threads, most_threads)).execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<int>(0, stretches, 1),
-        [&](const tbb::blocked_range<int>& range) {
-          const int thread = tbb::this_task_arena::current_thread_index();
-          for (int s = range.begin(); s < range.end(); ++s)
-            call(f, s * stretch, std::min(count, (s + 1) * stretch), thread);
-        },
-        tbb::simple_partitioner());
+  std::atomic<int> next = 0;
+  std::atomic<bool> failed = false;
+  together(std::min(threads, stretches), [&](int thread) {
+    const Failing failing(failed);
+    for (int s = next++; s < stretches && !failed; s = next++)
+      call(f, s * stretch, std::min(count, (s + 1) * stretch), thread);
   });
 }
 
-/// A pipeline of three: the next stretch, what is done to it, and what comes after that in order. A stretch that is
-/// done before its turn waits in its slot; who comes to its turn takes up those that wait.
+namespace {
+
+/// Stretches under way. Their numbers run on, and slot s % slots holds what stretch s is at.
+struct Line {
+  Line(int stretches, int slots) : stretches(stretches), slots(slots) {}
+
+  const int stretches, slots;
+  alignas(64) std::atomic<int> next = 0;                                     ///< to be worked on
+  alignas(64) std::atomic<int> taken = 0;                                    ///< taken up, all before it included
+  std::atomic<bool> taking = false;                                          ///< some thread takes up
+  std::array<std::atomic<int>, stretches_under_way(most_threads)> worked{};  ///< [slot] 1 + the stretch last done
+
+  /// A stretch whose slot is free; -1 where all slots are in use, `stretches` where there are no more.
+  int claim() {
+    int s = next;
+    while (s < stretches && s - taken < slots)
+      if (next.compare_exchange_weak(s, s + 1)) return s;
+    return s < stretches ? -1 : stretches;
+  }
+  [[nodiscard]] bool has_turn() const {
+    const int turn = taken;
+    return turn < stretches && worked[static_cast<std::size_t>(turn % slots)] == turn + 1;
+  }
+  /// Takes up what is done and has its turn, if no other thread is at that. One that comes while another is leaving is
+  /// not lost: who leaves looks once more.
+  template <class TakeUp>
+  void take_up(TakeUp&& one) {
+    while (has_turn() && !taking.exchange(true)) {
+      while (has_turn()) {
+        one(taken.load());
+        ++taken;
+      }
+      taking = false;
+    }
+  }
+};
+
+}  // namespace
+
+/// Each thread takes the next stretch, works on it, and then takes up all that have come to their turn. One that
+/// waits for its turn stays in its slot; where all slots wait for one that is held up, the others wait too.
 void share_slots(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both) {
-  const int stretches = (count + stretch - 1) / stretch, slots = stretches_under_way(std::min(threads, most_threads));
-  const auto pass = [&](SlotCall to, int s) {
-    to(both, s * stretch, std::min(count, (s + 1) * stretch), tbb::this_task_arena::current_thread_index(), s % slots);
-  };
-  int next = 0;
-  const auto give = [&](tbb::flow_control& flow) {
-    if (next == stretches) flow.stop();
-    return next < stretches ? next++ : 0;
-  };
-  const auto work = [&](int s) { return pass(call, s), s; };
-  const auto take_up = [&](int s) { pass(then, s); };
-  arena_of(std::min(threads, most_threads)).execute([&] {
-    tbb::parallel_pipeline(static_cast<std::size_t>(slots),
-                           tbb::make_filter<void, int>(tbb::filter_mode::serial_in_order, give) &
-                               tbb::make_filter<int, int>(tbb::filter_mode::parallel, work) &
-                               tbb::make_filter<int, void>(tbb::filter_mode::serial_in_order, take_up));
+  const int stretches = (count + stretch - 1) / stretch;
+  Line line(stretches, stretches_under_way(std::min(threads, most_threads)));
+  std::atomic<bool> failed = false;
+  together(std::min(threads, stretches), [&](int thread) {
+    const Failing failing(failed);
+    const auto pass = [&](SlotCall to, int s) {
+      to(both, s * stretch, std::min(count, (s + 1) * stretch), thread, s % line.slots);
+    };
+    int waits = 0;
+    for (int s = line.claim(); s < stretches && !failed; s = line.claim()) {
+      if (s >= 0) {
+        pass(call, s);
+        line.worked[static_cast<std::size_t>(s % line.slots)] = s + 1;
+      }
+      line.take_up([&](int turn) { pass(then, turn); });
+      waits = s >= 0 ? 0 : waits + 1;
+      if (waits > 0) waits < spins_before_yielding ? rest_a_moment() : std::this_thread::yield();
+    }
   });
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/team.hpp"
 #include "shape/polygon.hpp"
 
 namespace trilith {
@@ -169,13 +170,22 @@ void look_up_all(const Model<2>& model, const State<2>& /*state*/, Work<2>& work
   take_sample(model, work, search);
 }
 
+/// Pieces that threads take at a time: some five microseconds.
+static constexpr int looked_stretch = 512;
+
+/// Each thread keeps the least of what it looks at: the least of these is the same in any order.
 bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (work.travel < work.look_again) return false;
   PieceSearch<2>& search = work.search;
   follow(work, search);
   const int pieces = model.pieces();
-  double left = unbounded;
-  for (int p = 0; p < pieces; ++p) left = std::min(left, left_to(model, work, p, 0, Vec2::Zero()));
+  std::array<double, most_threads> by;
+  by.fill(unbounded);
+  share(work.threads, pieces, looked_stretch, [&](int first, int last, int thread) {
+    double& least = by[static_cast<std::size_t>(thread)];
+    for (int p = first; p < last; ++p) least = std::min(least, left_to(model, work, p, 0, Vec2::Zero()));
+  });
+  double left = *std::min_element(by.begin(), by.end());
   work.look_again = put_off(work, left);
   if (left >= 0) return false;
   const Vec2 common = common_velocity(work, search);

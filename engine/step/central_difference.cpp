@@ -86,78 +86,118 @@ template <bool turns>
   return turns ? s[2] == Support::free : s[2] == Support::fixed && state.spin[n] == 0;
 }
 
-/// advance_node for a run of free nodes that go plainly: the same sums without the terms that are 0, kept in registers.
-/// Returns the first node after the run.
-template <bool turns>
-int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside<2>& outside,
-                 const StepSpan& span, int n) {
-  const Vec2* damping = work.element_damping.empty() ? nullptr : work.element_damping.data();
-  const double* couple = work.element_damping_moment.empty() ? nullptr : work.element_damping_moment.data();
+/// The works of nodes are added to the ledger as they come ...
+struct AddedWork {
+  State<2>& state;
   double gravity = state.given[EnergyTerm::gravity], load = state.given[EnergyTerm::load],
          element_damping = state.given[EnergyTerm::element_damping];
-  for (; n < model.nodes() && is_free<turns>(model, state, n); ++n) {
+
+  void take(int /*n*/, const NodeWork& w) { gravity -= w.weight, load += w.load, element_damping -= w.element_damping; }
+  /// Of a turn alone, after the rest.
+  void take_turn(int /*n*/, double damping) { element_damping -= damping; }
+  void end() const {
+    state.given[EnergyTerm::gravity] = gravity;
+    state.given[EnergyTerm::load] = load;
+    state.given[EnergyTerm::element_damping] = element_damping;
+  }
+};
+
+/// ... or kept, where threads share them.
+struct KeptWork {
+  NodeWork* room;
+  int first;  ///< the node that the room begins with
+
+  void take(int n, const NodeWork& w) const { room[n - first] = w; }
+  void take_turn(int n, double damping) const { room[n - first].turn_damping = damping; }
+  void end() const {}
+};
+
+/// advance_node for a run of free nodes before `last` that go plainly: the same sums without the terms that are 0, kept
+/// in registers. Returns the first node after the run.
+template <bool turns, class Taken>
+int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside<2>& outside,
+                 const StepSpan& span, int n, int last, Taken taken) {
+  const Vec2* damping = work.element_damping.empty() ? nullptr : work.element_damping.data();
+  const double* couple = work.element_damping_moment.empty() ? nullptr : work.element_damping_moment.data();
+  for (; n < last && is_free<turns>(model, state, n); ++n) {
     const double mass = model.mass[n];
     const Vec2 &force = work.force[n], &steady = outside.load[n];
     Vec2 &v = state.velocity[n], &place = state.position[n];
     const double u = v.x() + force.x() / mass * span.between, w = v.y() + force.y() / mass * span.between;
     const double x = 0.5 * (span.last * v.x() + span.next * u), y = 0.5 * (span.last * v.y() + span.next * w);
-    gravity -= mass * outside.field.x() * x + mass * outside.field.y() * y;
-    load += steady.x() * x + steady.y() * y;
-    if (damping != nullptr) element_damping -= damping[n].x() * x + damping[n].y() * y;
+    NodeWork done;
+    done.weight = mass * outside.field.x() * x + mass * outside.field.y() * y;
+    done.load = steady.x() * x + steady.y() * y;
+    if (damping != nullptr) done.element_damping = damping[n].x() * x + damping[n].y() * y;
+    taken.take(n, done);
     v = {u, w};
     place = {place.x() + span.next * u, place.y() + span.next * w};
     if constexpr (turns) {
       double& spin = state.spin[n];
       const double before = spin;
       spin += work.moment[n] / model.inertia[n] * span.between;
-      if (couple != nullptr) element_damping -= couple[n] * 0.5 * (span.last * before + span.next * spin);
+      if (couple != nullptr) taken.take_turn(n, couple[n] * 0.5 * (span.last * before + span.next * spin));
       state.rotation[n] += span.next * spin;
     }
   }
-  state.given[EnergyTerm::gravity] = gravity;
-  state.given[EnergyTerm::load] = load;
-  state.given[EnergyTerm::element_damping] = element_damping;
+  taken.end();
   return n;
 }
 
-/// Nodes that threads take at a time: some ten microseconds.
-constexpr int node_stretch = 64;
-
-/// Nodes do not ask each other; their works are added in their order.
-void advance_shared(const Model<3>& model, State<3>& state, Work<3>& work, const StepOptions& options,
-                    const StepSpan& span, const Outside<3>& outside) {
-  std::vector<NodeWork>& done = work.node_work;
-  done.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * node_stretch);
-  share_in_order(
-      work.threads, model.nodes(), node_stretch,
-      [&](int first, int last, int /*thread*/, int slot) {
-        for (int n = first; n < last; ++n)
-          done[static_cast<std::size_t>(slot * node_stretch + n - first)] =
-              advance_node(model, state, work, outside, options, span, n);
-      },
-      [&](int first, int last, int slot) {
-        for (int n = first; n < last; ++n)
-          add(done[static_cast<std::size_t>(slot * node_stretch + n - first)], state.given);
-      });
+/// Nodes from `first` to before `last` in the plane. `run()`: what takes the works of nodes that go plainly;
+/// `add(n, work)` takes those of the others.
+template <class Run, class Add>
+void advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
+                   const StepSpan& span, const Outside<2>& outside, int first, int last, Run&& run, Add&& add) {
+  const bool plain = goes_plainly(model, outside, options);
+  for (int n = first; n < last;) {
+    if (plain && is_free<true>(model, state, n)) {
+      n = advance_free<true>(model, state, work, outside, span, n, last, run());
+    } else if (plain && is_free<false>(model, state, n)) {
+      n = advance_free<false>(model, state, work, outside, span, n, last, run());
+    } else {
+      add(n, advance_node(model, state, work, outside, options, span, n));
+      ++n;
+    }
+  }
 }
 
+/// Nodes that threads take at a time: some ten microseconds.
+template <int D>
+constexpr int node_stretch = D == 2 ? 128 : 64;
+
+/// Nodes do not ask each other; their works are added in their order.
 template <int D>
 void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                    const StepSpan& span) {
   const Outside outside(model, state, work);
-  if constexpr (D == 2) {
-    const bool plain = goes_plainly(model, outside, options);
-    for (int n = 0; n < model.nodes();) {
-      if (plain && is_free<true>(model, state, n))
-        n = advance_free<true>(model, state, work, outside, span, n);
-      else if (plain && is_free<false>(model, state, n))
-        n = advance_free<false>(model, state, work, outside, span, n);
-      else
-        add(advance_node(model, state, work, outside, options, span, n++), state.given);
-    }
-  } else {
-    advance_shared(model, state, work, options, span, outside);
-  }
+  constexpr int stretch = node_stretch<D>;
+  if constexpr (D == 2)
+    if (work.threads <= 1 || model.nodes() <= stretch)
+      return advance_range(
+          model, state, work, options, span, outside, 0, model.nodes(), [&] { return AddedWork{state}; },
+          [&](int /*n*/, const NodeWork& w) { add(w, state.given); });
+  std::vector<NodeWork>& done = work.node_work;
+  done.resize(static_cast<std::size_t>(stretches_under_way(work.threads) * stretch));
+  share_in_order(
+      work.threads, model.nodes(), stretch,
+      [&](int first, int last, int /*thread*/, int slot) {
+        NodeWork* const room = &done[static_cast<std::size_t>(slot * stretch)];
+        if constexpr (D == 2) {
+          advance_range(
+              model, state, work, options, span, outside, first, last,
+              [&] {
+                return KeptWork{room, first};
+              },
+              [&](int n, const NodeWork& w) { room[n - first] = w; });
+        } else {
+          for (int n = first; n < last; ++n)
+            room[n - first] = advance_node(model, state, work, outside, options, span, n);
+        }
+      },
+      [&](int first, int last, int slot) {
+        for (int i = 0; i < last - first; ++i) add(done[static_cast<std::size_t>(slot * stretch + i)], state.given);
+      });
 }
 
 /// Elastic energies that are found from the state [J].

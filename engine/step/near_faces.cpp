@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "base/team.hpp"
 #include "step/face_columns.hpp"
 
 namespace trilith {
 namespace {
 
 /// Makes the last rows of a list good to be read by fours.
-void pad(std::vector<int>& rows, std::size_t count) {
+template <class List>
+void pad(List&& rows, std::size_t count) {
   if (count == 0) return;
   for (std::size_t i = 0; i + 1 < lane_count; ++i) rows[count + i] = rows[count - 1];
 }
@@ -55,24 +57,57 @@ TRILITH_INLINE LaneMask clearly_apart(const SkinMotion<2>* skin, const NearPair*
 
 }  // namespace
 
-/// Rows that touched, or keep something, go first and are always worked on; of the rest only what may touch now. Both
-/// in their order. What comes out is padded to be read by fours.
-std::size_t sort_out(const ContactHistory& before, const Work<2>& work, const std::vector<int>& facing,
-                     std::vector<int>& rows, std::vector<int>& fresh) {
-  rows.resize(facing.size() + lane_count);
-  fresh.resize(facing.size() + lane_count);
+namespace {
+
+/// Rows that threads take at a time: some five microseconds.
+constexpr int sorted_stretch = 512;
+
+/// `count` facing rows: those that touched go to `rows`, of the rest those that may touch now to `fresh`; both lists
+/// have room for all of them and for the padding.
+SortedRows sort_stretch(const ContactHistory& before, const Work<2>& work, const int* facing, std::size_t count,
+                        int* rows, int* fresh) {
   std::size_t touched = 0, rest = 0;
-  for (const int row : facing) {  // without branches: which rows touch is hard to guess
+  for (std::size_t i = 0; i < count; ++i) {  // without branches: which rows touch is hard to guess
+    const int row = facing[i];
     const bool was = (before.memory[row].state & (contact_touching | contact_kept)) != 0;
     rows[touched] = fresh[rest] = row;
     touched += was ? 1 : 0;
     rest += was ? 0 : 1;
   }
   pad(fresh, rest);
-  const std::size_t near = keep_near(work.skin.data(), work.pairs.data(), fresh.data(), rest);
-  std::copy_n(fresh.begin(), near, rows.begin() + static_cast<std::ptrdiff_t>(touched));
-  pad(rows, touched + near);
-  return touched + near;
+  return {touched, keep_near(work.skin.data(), work.pairs.data(), fresh, rest)};
+}
+
+}  // namespace
+
+/// Rows that touched, or keep something, go first and are always worked on; of the rest only what may touch now. Both
+/// in their order, whatever stretches threads take them by. What comes out is padded to be read by fours.
+std::size_t sort_out(const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
+                     std::vector<int>& rows, std::vector<int>& fresh) {
+  const std::size_t stretches = (facing.size() + sorted_stretch - 1) / sorted_stretch;
+  constexpr std::size_t room = sorted_stretch + lane_count;  // of a stretch, with what its padding takes
+  rows.resize(stretches * room), fresh.resize(stretches * room);
+  work.sorted_rows.resize(stretches);
+  share(work.threads, static_cast<int>(stretches), 1, [&](int first, int last, int /*thread*/) {
+    for (int s = first; s < last; ++s) {
+      const std::size_t from = static_cast<std::size_t>(s) * sorted_stretch, to = static_cast<std::size_t>(s) * room;
+      work.sorted_rows[static_cast<std::size_t>(s)] =
+          sort_stretch(before, work, facing.data() + from, std::min<std::size_t>(sorted_stretch, facing.size() - from),
+                       rows.data() + to, fresh.data() + to);
+    }
+  });
+  std::size_t count = 0;
+  const auto append = [&](std::size_t stretch, const std::vector<int>& from, std::size_t many) {
+    // In `rows` to the left of where it is.
+    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(stretch * room), many,
+                rows.begin() + static_cast<std::ptrdiff_t>(count));
+    count += many;
+  };
+  count = stretches == 0 ? 0 : work.sorted_rows[0].touched;  // they are where they belong
+  for (std::size_t s = 1; s < stretches; ++s) append(s, rows, work.sorted_rows[s].touched);
+  for (std::size_t s = 0; s < stretches; ++s) append(s, fresh, work.sorted_rows[s].fresh);
+  pad(rows, count);
+  return count;
 }
 
 }  // namespace trilith

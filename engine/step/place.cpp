@@ -54,6 +54,26 @@ void list_bodies(const Model<D>& model, Work<D>& work) {
     work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, info_of(b.kind).skin});
 }
 
+/// Elements that threads take at a time: some ten microseconds.
+constexpr int least_elements = 64;
+
+/// Cuts the elements between bodies, which have no nodes in common, so that threads can take the parts. Bodies come one
+/// after the other in the list of elements; where they did not, it would not be cut.
+void list_element_stretches(const Model<2>& model, Work<2>& work) {
+  work.element_stretches.clear();
+  const auto& all = model.elements;
+  const int count = static_cast<int>(all.size());
+  const bool in_order =
+      std::is_sorted(all.begin(), all.end(), [](const Element& a, const Element& b) { return a.body < b.body; });
+  for (int first = 0, i = 1; i <= count; ++i) {
+    if (i < count && (!in_order || i - first < least_elements || all[i].body == all[i - 1].body)) continue;
+    work.element_stretches.push_back({first, i - first});
+    first = i;
+  }
+}
+/// In space there are rigid bodies alone.
+void list_element_stretches(const Model<3>& /*model*/, Work<3>& /*work*/) {}
+
 SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
   switch (body.layout) {
     case SkinLayout::one_node:
@@ -104,16 +124,38 @@ struct PlacedReach {
     all.add(of.speed2, of.path2);
     if (moves) moving = std::max(moving, of.speed2);
   }
+  void add(const PlacedReach& other) {
+    all.add(other.all.speed2, other.all.path2);
+    moving = std::max(moving, other.moving);
+  }
 };
+
+/// What threads take at a time: in the plane some two microseconds, in space some ten.
+constexpr int body_stretch = 64, piece_stretch = 128;
+
+/// Each thread keeps the largest of what it places: the largest of these is the same in any order.
+template <int D, class Place>
+PlacedReach place_shared(const Work<D>& work, int count, int stretch, Place&& place) {
+  std::array<PlacedReach, most_threads> by{};
+  share(work.threads, count, stretch, [&](int first, int last, int thread) {
+    PlacedReach reach;
+    for (int i = first; i < last; ++i) place(i, reach);
+    by[static_cast<std::size_t>(thread)].add(reach);
+  });
+  PlacedReach reach;
+  for (const PlacedReach& one : by) reach.add(one);
+  return reach;
+}
 
 PlacedReach place_all(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.skin.resize(model.skin_place.size());
   work.skin_force.resize(model.skin_place.size());
-  PlacedReach reach;
-  for (const BodyRow& body : work.body) {
-    const SkinReach of = place_body(model, state, body, work);
-    reach.add(of, of.speed2 > reach.moving && moves(model, body));
-  }
+  const PlacedReach reach =
+      place_shared(work, static_cast<int>(work.body.size()), body_stretch, [&](int b, PlacedReach& to) {
+        const BodyRow& body = work.body[static_cast<std::size_t>(b)];
+        const SkinReach of = place_body(model, state, body, work);
+        to.add(of, of.speed2 > to.moving && moves(model, body));
+      });
   work.skin_mean.clear();
   if (state.implicit()) place_means(model, state, work);
   return reach;
@@ -145,33 +187,21 @@ SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, S
   return reach;
 }
 
-/// Pieces that threads take at a time: some ten microseconds.
-constexpr int piece_stretch = 128;
-
-/// Each thread keeps the largest of what it places: the largest of these is the same in any order.
 PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
   const std::size_t pieces = model.piece_solid.size();
   work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces);
   if (!work.valid) list_spheres(model, work.solids.sphere);
-  std::array<PlacedReach, most_threads> by{};
-  share(work.threads, static_cast<int>(pieces), piece_stretch, [&](int first, int last, int thread) {
-    PlacedReach& reach = by[static_cast<std::size_t>(thread)];
-    for (int p = first; p < last; ++p) {
-      const SkinReach of = place_piece(model, state, p, work.solids);
-      reach.add(of, model.moves(model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node));
-    }
+  return place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int p, PlacedReach& to) {
+    const SkinReach of = place_piece(model, state, p, work.solids);
+    to.add(of, model.moves(model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node));
   });
-  PlacedReach reach;
-  for (const PlacedReach& one : by)
-    reach.all.add(one.all.speed2, one.all.path2), reach.moving = std::max(reach.moving, one.moving);
-  return reach;
 }
 
 }  // namespace
 
 template <int D>
 void place(const Model<D>& model, const State<D>& state, Work<D>& work) {
-  if (!work.valid) list_bodies(model, work);
+  if (!work.valid) list_bodies(model, work), list_element_stretches(model, work);
   const PlacedReach reach = place_all(model, state, work);
   work.fastest = std::sqrt(reach.all.speed2);
   work.fastest_moving = std::sqrt(reach.moving);

@@ -1,6 +1,8 @@
 // Deformable bodies: what the motion of their nodes makes of them, element by element.
 #include <algorithm>
+#include <array>
 
+#include "base/team.hpp"
 #include "body/corotation.hpp"
 #include "step/element_stress.hpp"
 #include "step/evaluate.hpp"
@@ -9,6 +11,22 @@
 
 namespace trilith {
 namespace {
+
+/// Room for what one element adds to the energies: once for each of its points.
+constexpr std::size_t most_energies = 4;
+
+/// Takes the energies of elements in their order: adds them up, or keeps them to be added later.
+struct EnergySink {
+  ResistSums* sums;
+  std::array<double, 2>* kept = nullptr;  ///< the place of the next; nullptr: they are added up
+
+  void add(double stored, double plastic) {
+    if (kept != nullptr)
+      *kept++ = {stored, plastic};
+    else
+      sums->stored += stored, sums->plastic += plastic;
+  }
+};
 
 struct ElementPass {
   const Model<2>& model;
@@ -43,7 +61,7 @@ TRILITH_INLINE void add_damping(const Deformation<N>& now, const double* shape, 
 /// h = k d in the element's own axes, energy d . k d / 2; Deformation turns h to forces on the nodes (see
 /// body/corotation.hpp). Loops are over fixed counts, so that one copy for wide registers has the same bits.
 template <int N>
-TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, ResistSums& sums) {
+TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, EnergySink& energies) {
   const double beta = pass.model.solids[batch.solid].damping();
   for (int i = batch.first; i < batch.first + batch.count; ++i) {
     const Element& e = pass.model.elements[i];
@@ -55,19 +73,19 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
     multiply(k, now.d, 2 * N, g);
     double twice = 0;
     for (int j = 0; j < 2 * N; ++j) twice += g[j] * now.d[j];
-    sums.stored += 0.5 * twice;
+    energies.add(0.5 * twice, 0);
     now.subtract(shape, g, nodes.force);
     if (beta > 0) add_damping<N>(now, shape, k, beta, nodes);
   }
 }
 
 [[gnu::target_clones("avx2", "default")]] void resist_quads(const ElementPass& pass, const ElementBatch& batch,
-                                                            ResistSums& sums) {
-  resist_elastic<4>(pass, batch, sums);
+                                                            EnergySink& energies) {
+  resist_elastic<4>(pass, batch, energies);
 }
 [[gnu::target_clones("avx2", "default")]] void resist_triangles(const ElementPass& pass, const ElementBatch& batch,
-                                                                ResistSums& sums) {
-  resist_elastic<3>(pass, batch, sums);
+                                                                EnergySink& energies) {
+  resist_elastic<3>(pass, batch, energies);
 }
 
 /// Strain of the deformation `d` at a point: its rows of Model::element_number.
@@ -81,7 +99,7 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
 /// h = sum over the points of B' s V: strain e = B d in, stress s and the memory of the trial out. Damping goes by the
 /// elastic stiffness whatever has yielded.
 template <int N, class Law>
-void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const Law& law, ResistSums& sums) {
+void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const Law& law, EnergySink& energies) {
   const Plane plane = pass.model.solids[batch.solid].plane;
   constexpr int points = N == 4 ? 4 : 1;
   for (int i = batch.first; i < batch.first + batch.count; ++i) {
@@ -98,8 +116,7 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
       const PointResponse r = law.respond(plane, strain_at(point, now.d), pass.state.plastic[e.first_point + p]);
       pass.work.plastic[e.first_point + p] = r.memory;
       // Each point stands for `volume` of the element.
-      sums.stored += volume * r.stored;
-      sums.plastic += volume * r.dissipated;
+      energies.add(volume * r.stored, volume * r.dissipated);
       const PlaneVector s = volume * r.stress.in_plane();
       for (int j = 0; j < 2 * N; ++j) g[j] += point[3 * j] * s[0] + point[3 * j + 1] * s[1] + point[3 * j + 2] * s[2];
     }
@@ -108,15 +125,55 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
   }
 }
 
-void resist_batch(const ElementPass& pass, const ElementBatch& batch, ResistSums& sums) {
+void resist_batch(const ElementPass& pass, const ElementBatch& batch, EnergySink& energies) {
   std::visit(
       [&](const auto& law) {
         if constexpr (std::decay_t<decltype(law)>::is_elastic)
-          batch.nodes == 4 ? resist_quads(pass, batch, sums) : resist_triangles(pass, batch, sums);
+          batch.nodes == 4 ? resist_quads(pass, batch, energies) : resist_triangles(pass, batch, energies);
         else
-          batch.nodes == 4 ? resist_inelastic<4>(pass, batch, law, sums) : resist_inelastic<3>(pass, batch, law, sums);
+          batch.nodes == 4 ? resist_inelastic<4>(pass, batch, law, energies)
+                           : resist_inelastic<3>(pass, batch, law, energies);
       },
       pass.model.solids[batch.solid].law);
+}
+
+/// The elements of a stretch, which may lie in several batches.
+void resist_stretch(const ElementPass& pass, const ElementRange& stretch, EnergySink& energies) {
+  const int end = stretch.first + stretch.count;
+  for (const ElementBatch& batch : pass.model.element_batches) {
+    const int from = std::max(batch.first, stretch.first), to = std::min(batch.first + batch.count, end);
+    if (from < to) resist_batch(pass, {from, to - from, batch.nodes, batch.solid}, energies);
+  }
+}
+
+/// Threads take stretches of elements, whose forces meet at no node; their energies are added in the order of elements.
+void resist_elements(const ElementPass& pass, ResistSums& sums) {
+  Work<2>& work = pass.work;
+  const int count = static_cast<int>(work.element_stretches.size());
+  if (work.threads <= 1 || count < 2) {
+    EnergySink energies{&sums};
+    for (const ElementBatch& batch : pass.model.element_batches) resist_batch(pass, batch, energies);
+    return;
+  }
+  std::size_t most = 0;
+  for (const ElementRange& stretch : work.element_stretches)
+    most = std::max(most, most_energies * static_cast<std::size_t>(stretch.count));
+  const auto slots = static_cast<std::size_t>(stretches_under_way(work.threads));
+  work.element_energy.resize(slots * (most + 1));
+  // The first entry of a slot is how many there are.
+  const auto room_of = [&](int slot) { return &work.element_energy[static_cast<std::size_t>(slot) * (most + 1)]; };
+  share_in_order(
+      work.threads, count, 1,
+      [&](int first, int /*last*/, int /*thread*/, int slot) {
+        std::array<double, 2>* const room = room_of(slot);
+        EnergySink energies{nullptr, room + 1};
+        resist_stretch(pass, work.element_stretches[static_cast<std::size_t>(first)], energies);
+        (*room)[0] = static_cast<double>(energies.kept - room - 1);
+      },
+      [&](int /*first*/, int /*last*/, int slot) {
+        const std::array<double, 2>* const room = room_of(slot);
+        for (int i = 1; i <= static_cast<int>((*room)[0]); ++i) sums.stored += room[i][0], sums.plastic += room[i][1];
+      });
 }
 
 }  // namespace
@@ -131,7 +188,7 @@ void resist(const Model<2>& model, const State<2>& state, Work<2>& work, double 
   work.element_damping.assign(nodes, Vec2::Zero());
   work.plastic.resize(state.plastic.size());
   ResistSums sums;
-  for (const ElementBatch& batch : model.element_batches) resist_batch({model, state, work}, batch, sums);
+  resist_elements({model, state, work}, sums);
   if (!model.beams.empty()) {
     work.element_moment.assign(nodes, 0);
     work.element_damping_moment.assign(nodes, 0);

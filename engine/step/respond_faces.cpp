@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 
+#include "base/team.hpp"
 #include "contact/face_pair.hpp"
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
@@ -77,6 +78,7 @@ struct Pass {
   double* law_after;
   Vec2* skin_force;
   Work<2>& work;
+  FourFaces* kept = nullptr;  // where threads share the rows: forces, energies and lists are kept, to be added in order
 };
 
 /// Four rows of a list at once. Beyond its end the list holds its last row again, which is not `valid` there.
@@ -188,8 +190,23 @@ struct RowResponse {
   }
 };
 
+/// One row after the other: two of four may have a skin point in common.
+TRILITH_INLINE void add_forces(const Pass& pass, int row, const LanePair& a0, const LanePair& a1, const LanePair& b0,
+                               const LanePair& b1) {
+  const NearPair& p = pass.pairs[row];
+  const auto add = [&](int skin, const LanePair& force) {
+    double* on = pass.skin_force[skin].data();
+    store_pair(on, load_pair(on) + force);
+  };
+  add(p.a0, a0);
+  add(p.a1, a1);
+  add(p.b0, b0);
+  add(p.b1, b1);
+}
+
+/// Lane i of a response to the row it belongs to. `kept`: see Pass.
 template <std::size_t pairs>
-TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse<pairs>& r, int i) {
+TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse<pairs>& r, int i, FourFaces* kept) {
   ContactMemory& after = pass.after[row];
   store_pair(after.shear_elastic, r.elastic.of(i));
   store_pair(after.shear_total, r.total.of(i));
@@ -201,16 +218,14 @@ TRILITH_INLINE void write_row(const Pass& pass, int row, const RowResponse<pairs
     double* own = pass.law_after + pass.law_row[row].first;
     for (std::size_t k = 0; k < pairs; ++k) store_pair(own + 2 * k, r.own[k].of(i));
   }
-  const NearPair& p = pass.pairs[row];
-  // One row after the other: two of the four may have a skin point in common.
-  const auto add = [&](int skin, const LanePair& force) {
-    double* on = pass.skin_force[skin].data();
-    store_pair(on, load_pair(on) + force);
-  };
-  add(p.a0, r.a0.of(i));
-  add(p.a1, r.a1.of(i));
-  add(p.b0, r.b0.of(i));
-  add(p.b1, r.b1.of(i));
+  if (kept != nullptr) {
+    std::array<Vec2, 4>& force = kept->force[static_cast<std::size_t>(i)];
+    store_pair(force[0].data(), r.a0.of(i)), store_pair(force[1].data(), r.a1.of(i));
+    store_pair(force[2].data(), r.b0.of(i)), store_pair(force[3].data(), r.b1.of(i));
+    kept->touches[static_cast<std::size_t>(i)] = true;
+  } else {
+    add_forces(pass, row, r.a0.of(i), r.a1.of(i), r.b0.of(i), r.b1.of(i));
+  }
 }
 
 /// What stays where the faces of a row part.
@@ -233,22 +248,43 @@ TRILITH_INLINE void add_lanes(double& sum, const LaneMask& counts, const Lanes& 
   for (int i = 0; i < lane_count; ++i) sum += v[i];
 }
 
+/// Energies as they are added later.
+TRILITH_INLINE void keep_lanes(std::array<double, 4>& kept, const LaneMask& counts, const Lanes& lost) {
+  const Lanes v = select(counts, lost, Lanes{});
+  for (int i = 0; i < lane_count; ++i) kept[static_cast<std::size_t>(i)] = v[i];
+}
+
+template <class K, class R>
+TRILITH_INLINE void give_off(const LaneMask& counts, const R& r, GivenOff& given, FourFaces* kept) {
+  if (kept != nullptr) {
+    keep_lanes(kept->damping, counts, r.lost_damping);
+    keep_lanes(kept->friction, counts, r.lost_friction);
+    if constexpr (K::bonds) keep_lanes(kept->fracture, counts, r.lost_fracture);
+    return;
+  }
+  add_lanes(given.damping, counts, r.lost_damping);
+  add_lanes(given.friction, counts, r.lost_friction);
+  if constexpr (K::bonds) add_lanes(given.fracture, counts, r.lost_fracture);
+}
+
 template <class K>
 TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& rows, const FaceMotion<Lanes>& motion,
-                                 GivenOff& given) {
+                                 GivenOff& given, FourFaces* kept) {
   using M = typename K::template Memory<Lanes>;
   const LaneMemory<M> memory = load_memory<M>(pass, rows);
   FaceResponse<Lanes, M> r = respond_face_motion<K>(motion, memory.face, memory.own, law);
   // A contact that has just parted still gives off what it held.
   const LaneMask found = rows.valid & r.is_face_pair, counts = found & (r.touching | memory.touching);
-  add_lanes(given.damping, counts, r.lost_damping);
-  add_lanes(given.friction, counts, r.lost_friction);
-  if constexpr (K::bonds) add_lanes(given.fracture, counts, r.lost_fracture);
+  give_off<K>(counts, r, given, kept);
   // What may be an event or needs care, row by row: a contact made or lost, a bond or the mortar that changes.
   const LaneMask turns = (r.touching ^ memory.touching) | K::changes(memory.face, memory.own, r.memory, r.own);
   const RowResponse<law_numbers<K> / 2> out(r, K::template keeps<Lanes>(r.own));
+  if (kept != nullptr) {
+    kept->touches = kept->turns = kept->is_general = {};
+    for (int i = 0; i < lane_count; ++i) kept->row[static_cast<std::size_t>(i)] = rows.row[i];
+  }
   if (!any(flip(found & r.touching) | turns)) {  // as nearly always
-    for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i);
+    for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i, kept);
     return;
   }
   for (int i = 0; i < lane_count; ++i) {
@@ -256,23 +292,43 @@ TRILITH_INLINE void respond_rows(const Pass& pass, const K& law, const Rows& row
     const int row = rows.row[i];
     // Too tilted or too deep for faces: it is found by overlap in this same evaluation.
     if (r.is_face_pair[i] == 0) {
-      pass.work.general_now.push_back(row);
+      kept != nullptr ? void(kept->is_general[static_cast<std::size_t>(i)] = true)
+                      : pass.work.general_now.push_back(row);
       continue;
     }
     if (r.touching[i] != 0)
-      write_row(pass, row, out, i);
+      write_row(pass, row, out, i, kept);
     else
       part_row<K>(pass, row);
-    if (turns[i] != 0) pass.work.changed_rows.push_back(row);
+    if (turns[i] == 0) continue;
+    kept != nullptr ? void(kept->turns[static_cast<std::size_t>(i)] = true) : pass.work.changed_rows.push_back(row);
   }
 }
 
+/// Adds what four rows came to, as it would have been added at once.
 template <class K>
-TRILITH_INLINE void respond_batch(const Pass& pass, const K& kernel, std::span<const int> rows) {
-  // A copy of its own: nothing that the loops write can change it.
+void take_up(const Pass& pass, const FourFaces& four, GivenOff& given) {
+  for (std::size_t i = 0; i < four.row.size(); ++i) {
+    given.damping += four.damping[i];
+    given.friction += four.friction[i];
+    if constexpr (K::bonds) given.fracture += four.fracture[i];
+    const int row = four.row[i];
+    const std::array<Vec2, 4>& f = four.force[i];
+    if (four.touches[i])
+      add_forces(pass, row, load_pair(f[0].data()), load_pair(f[1].data()), load_pair(f[2].data()),
+                 load_pair(f[3].data()));
+    if (four.turns[i]) pass.work.changed_rows.push_back(row);
+    if (four.is_general[i]) pass.work.general_now.push_back(row);
+  }
+}
+
+/// In blocks, motions first: two short loops leave the processor more to do at once than one long one.
+template <class K>
+TRILITH_INLINE void respond_batch(const Pass& pass, const K& kernel, std::span<const int> rows, GivenOff& sums) {
+  // Copies of its own: nothing that the loops write can change them.
   const K law = kernel;
-  GivenOff given;
-  // In blocks, motions first: two short loops leave the processor more to do at once than one long one.
+  GivenOff given = sums;
+  FourFaces* kept = pass.kept;
   constexpr std::size_t block = 16;
   std::array<FaceMotion<Lanes>, block> motion;
   for (std::size_t from = 0; from < rows.size(); from += block * lane_count) {
@@ -280,28 +336,27 @@ TRILITH_INLINE void respond_batch(const Pass& pass, const K& kernel, std::span<c
     const auto rows_at = [&](std::size_t i) { return Rows(rows.data() + i, rows.size() - i); };
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) motion[k] = load_motion(pass, rows_at(i));
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k)
-      respond_rows<K>(pass, law, rows_at(i), motion[k], given);
+      respond_rows<K>(pass, law, rows_at(i), motion[k], given, kept == nullptr ? nullptr : kept++);
   }
-  pass.work.given[EnergyTerm::contact_damping] += given.damping;
-  pass.work.given[EnergyTerm::contact_friction] += given.friction;
-  pass.work.given[EnergyTerm::contact_fracture] += given.fracture;
+  sums = given;
 }
 
 // For each law one copy for wide registers and one for any machine: the same operations, so the same bits.
 
 template <class K>
-void respond_narrow(const Pass& pass, const K& law, std::span<const int> rows) {
-  respond_batch<K>(pass, law, rows);
+void respond_narrow(const Pass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
+  respond_batch<K>(pass, law, rows, given);
 }
 
 #ifdef __x86_64__
 template <class K>
-[[gnu::target("avx2")]] void respond_wide(const Pass& pass, const K& law, std::span<const int> rows) {
-  respond_batch<K>(pass, law, rows);
+[[gnu::target("avx2")]] void respond_wide(const Pass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
+  respond_batch<K>(pass, law, rows, given);
 }
 template <class K>
-[[gnu::target("arch=x86-64-v4")]] void respond_widest(const Pass& pass, const K& law, std::span<const int> rows) {
-  respond_batch<K>(pass, law, rows);
+[[gnu::target("arch=x86-64-v4")]] void respond_widest(const Pass& pass, const K& law, std::span<const int> rows,
+                                                      GivenOff& given) {
+  respond_batch<K>(pass, law, rows, given);
 }
 
 enum class Registers { narrow, wide, widest };
@@ -316,13 +371,48 @@ Registers registers_here() {
 #endif
 
 template <class K>
-void respond_as_here(const Pass& pass, const K& law, std::span<const int> rows) {
+void respond_as_here(const Pass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
 #ifdef __x86_64__
   static const Registers here = registers_here();
-  if (here == Registers::widest) return respond_widest<K>(pass, law, rows);
-  if (here == Registers::wide) return respond_wide<K>(pass, law, rows);
+  if (here == Registers::widest) return respond_widest<K>(pass, law, rows, given);
+  if (here == Registers::wide) return respond_wide<K>(pass, law, rows, given);
 #endif
-  respond_narrow<K>(pass, law, rows);
+  respond_narrow<K>(pass, law, rows, given);
+}
+
+/// Rows that threads take at a time: some five microseconds.
+constexpr int face_stretch = 128;
+
+/// Each stretch of rows as single rows would be answered; what they come to is added in the order of rows.
+template <class K>
+void respond_all(const Pass& pass, const K& law, std::span<const int> rows) {
+  Work<2>& work = pass.work;
+  GivenOff given;
+  if (work.threads <= 1 || rows.size() <= face_stretch) {
+    respond_as_here<K>(pass, law, rows, given);
+  } else {
+    constexpr int fours = face_stretch / lane_count;
+    work.four_faces.resize(static_cast<std::size_t>(stretches_under_way(work.threads) * fours));
+    const auto part = [&](int first, int last) {
+      // One that ends within the list reads beyond its end what is not its own, and leaves it out.
+      return rows.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
+    };
+    share_in_order(
+        work.threads, static_cast<int>(rows.size()), face_stretch,
+        [&](int first, int last, int /*thread*/, int slot) {
+          Pass own = pass;
+          own.kept = &work.four_faces[static_cast<std::size_t>(slot * fours)];
+          GivenOff none;
+          respond_as_here<K>(own, law, part(first, last), none);
+        },
+        [&](int first, int last, int slot) {
+          const FourFaces* four = &work.four_faces[static_cast<std::size_t>(slot * fours)];
+          for (int i = first; i < last; i += lane_count) take_up<K>(pass, *four++, given);
+        });
+  }
+  work.given[EnergyTerm::contact_damping] += given.damping;
+  work.given[EnergyTerm::contact_friction] += given.friction;
+  work.given[EnergyTerm::contact_fracture] += given.fracture;
 }
 
 /// Rows of a batch: those with one pair of facing faces, and those of several of which one is chosen now. In the order
@@ -362,7 +452,7 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
                     work.contacts.law_memory.data(),
                     work.skin_force.data(),
                     work};
-    with_kernel(law_in_use(model, batch.law, dt), [&]<class K>(const K& law) { respond_as_here<K>(pass, law, rows); });
+    with_kernel(law_in_use(model, batch.law, dt), [&]<class K>(const K& law) { respond_all<K>(pass, law, rows); });
     clock.mark_law(batch.law);
   }
 }

@@ -202,7 +202,7 @@ void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
 }
 
 /// Rows and pieces that threads take at a time: some ten microseconds.
-constexpr int general_stretch = 32, awake_stretch = 128;
+constexpr int general_stretch = 32, awake_stretch = 128, waking_stretch = 1024;
 
 /// Rows of general shape, and those that were to be faces and are not now, in the order of rows; of these `awake_rows`
 /// are worked on.
@@ -215,8 +215,18 @@ void list_rows(const GeneralPass& pass, Work<2>& work) {
   work.apart_by.resize(work.pairs.size(), -1);
   work.awake_rows.reserve(work.pairs.size());
   work.awake_rows.clear();
-  for (const int row : work.general_rows)
-    if (pass.wakes(row)) work.awake_rows.push_back(row);
+  const std::size_t count = work.general_rows.size();
+  if (work.threads <= 1 || count <= waking_stretch) {
+    for (const int row : work.general_rows)
+      if (pass.wakes(row)) work.awake_rows.push_back(row);
+    return;
+  }
+  work.is_awake.resize(count);
+  share(work.threads, static_cast<int>(count), waking_stretch, [&](int first, int last, int /*thread*/) {
+    for (int i = first; i < last; ++i) work.is_awake[i] = pass.wakes(work.general_rows[i]) ? 1 : 0;
+  });
+  for (std::size_t i = 0; i < count; ++i)
+    if (work.is_awake[i] != 0) work.awake_rows.push_back(work.general_rows[i]);
 }
 
 /// All pieces of the rows to come: where several threads respond, none may place what another reads.

@@ -1,9 +1,11 @@
 // Forces at skin points, of bearings and from outside, summed at the nodes.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
 #include "base/lanes.hpp"
+#include "base/team.hpp"
 #include "body/rigid.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
@@ -90,14 +92,19 @@ double squared_size(const LanePair& v) {
   return squares[0] + squares[1];
 }
 
-/// Adds what acts on the nodes from outside, and finds the largest forces carried and left over. Sizes are compared
-/// squared; the root keeps their order.
-void add_outside(const Model<2>& model, const Vec2& field, Work<2>& work) {
+/// The largest forces carried and left over, squared.
+struct LargestForces {
+  double unbalanced = 0, carried = 0;  ///< [N2]
+};
+
+/// Adds what acts from outside on the nodes from `first` to before `last`, and finds the largest forces carried and
+/// left over. Sizes are compared squared; the root keeps their order.
+void add_outside(const Model<2>& model, const Vec2& field, int first, int last, Work<2>& work, LargestForces& largest) {
   const bool loaded = !work.load.empty();
   const Vec2* load = loaded ? work.load.data() : model.load.data();
   const LanePair pull{field.x(), field.y()};
-  double unbalanced = 0, carried = 0;
-  for (int n = 0; n < model.nodes(); ++n) {
+  double unbalanced = largest.unbalanced, carried = largest.carried;
+  for (int n = first; n < last; ++n) {
     const LanePair reacts = load_pair(work.force[n].data()), steady = model.mass[n] * pull + load_pair(load[n].data());
     LanePair left = reacts + steady;
     store_pair(work.force[n].data(), left);
@@ -108,16 +115,15 @@ void add_outside(const Model<2>& model, const Vec2& field, Work<2>& work) {
       if (model.support[n][k] != Support::free) left[k] = 0;
     unbalanced = std::max(unbalanced, squared_size(left));
   }
-  work.unbalanced = std::sqrt(unbalanced);
-  work.carried = std::sqrt(carried);
+  largest = {unbalanced, carried};
 }
 
 /// The same in space.
-void add_outside(const Model<3>& model, const Vec3& field, Work<3>& work) {
+void add_outside(const Model<3>& model, const Vec3& field, int first, int last, Work<3>& work, LargestForces& largest) {
   const bool loaded = !work.load.empty();
   const Vec3* load = loaded ? work.load.data() : model.load.data();
-  double unbalanced = 0, carried = 0;
-  for (int n = 0; n < model.nodes(); ++n) {
+  double unbalanced = largest.unbalanced, carried = largest.carried;
+  for (int n = first; n < last; ++n) {
     const Vec3 reacts = work.force[n], steady = model.mass[n] * field + load[n];
     Vec3 left = reacts + steady;
     work.force[n] = left;
@@ -128,8 +134,39 @@ void add_outside(const Model<3>& model, const Vec3& field, Work<3>& work) {
       if (model.support[n][k] != Support::free) left[k] = 0;
     unbalanced = std::max(unbalanced, left.squaredNorm());
   }
-  work.unbalanced = std::sqrt(unbalanced);
-  work.carried = std::sqrt(carried);
+  largest = {unbalanced, carried};
+}
+
+void keep_larger(const LargestForces& of, LargestForces& largest) {
+  largest.unbalanced = std::max(largest.unbalanced, of.unbalanced);
+  largest.carried = std::max(largest.carried, of.carried);
+}
+
+/// Bodies and nodes that threads take at a time: some microseconds.
+constexpr int summed_stretch = 128;
+
+/// Of the largest each thread keeps its own: the largest of these is the same in any order. Where there are no bearings
+/// the nodes of a body have all their forces as soon as it is spread.
+template <int D>
+LargestForces sum_all(const Model<D>& model, const State<D>& state, Work<D>& work) {
+  const Vec<D> field = model.gravity.at(state.time);
+  const bool at_once = model.bearings.empty();
+  std::array<LargestForces, most_threads> by{};
+  share(work.threads, static_cast<int>(work.body.size()), summed_stretch, [&](int first, int last, int thread) {
+    LargestForces largest;
+    for (int b = first; b < last; ++b) {
+      const BodyRow& body = work.body[static_cast<std::size_t>(b)];
+      spread_body(model, state, body, work);
+      if (at_once) add_outside(model, field, body.node, body.node + body.nodes, work, largest);
+    }
+    keep_larger(largest, by[static_cast<std::size_t>(thread)]);
+  });
+  LargestForces largest;
+  for (const LargestForces& one : by) keep_larger(one, largest);
+  if (at_once) return largest;
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
+  add_outside(model, field, 0, model.nodes(), work, largest);
+  return largest;
 }
 
 }  // namespace
@@ -138,9 +175,9 @@ template <int D>
 void sum(const Model<D>& model, const State<D>& state, Work<D>& work) {
   work.force.resize(model.mass.size());
   work.moment.resize(model.mass.size());
-  for (const BodyRow& body : work.body) spread_body(model, state, body, work);
-  for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
-  add_outside(model, model.gravity.at(state.time), work);
+  const LargestForces largest = sum_all(model, state, work);
+  work.unbalanced = std::sqrt(largest.unbalanced);
+  work.carried = std::sqrt(largest.carried);
 }
 
 template void sum(const Model<2>&, const State<2>&, Work<2>&);

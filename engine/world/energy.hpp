@@ -82,6 +82,7 @@ struct Energy {
 /// Work done on one node along a path [J].
 struct NodeWork {
   double weight = 0, load = 0, support = 0, element_damping = 0, rest = 0, mass = 0;
+  double turn_damping = 0;  ///< of elements, where what they do to a turn is added apart
 };
 
 /// Adds it to the ledger's sums.
@@ -90,6 +91,7 @@ inline void add(const NodeWork& w, Energy& given) {
   given[EnergyTerm::load] += w.load;
   given[EnergyTerm::support] -= w.support;
   given[EnergyTerm::element_damping] -= w.element_damping;
+  given[EnergyTerm::element_damping] -= w.turn_damping;
   given[EnergyTerm::rest_damping] -= w.rest;
   given[EnergyTerm::mass_damping] -= w.mass;
 }

@@ -1,6 +1,8 @@
 // Everything computed from Model and State. Dropping it between two steps changes no bit of the result.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "base/space.hpp"
@@ -88,6 +90,24 @@ struct OverlapAnswer {
   std::array<Vec2, max_piece_corners> on_a, on_b;  ///< [N]
 };
 
+/// What the contacts of faces of four rows came to, where threads take them, before it is added to anything.
+struct FourFaces {
+  std::array<int, 4> row;
+  std::array<bool, 4> touches, turns, is_general;     ///< forces are those of rows that touch; see Work::changed_rows
+  std::array<std::array<Vec2, 4>, 4> force;           ///< [row] on a0, a1, b0, b1 [N]
+  std::array<double, 4> damping, friction, fracture;  ///< given off [J]
+};
+
+/// Facing rows of a stretch that go on to the kernel: those that touched, and of the others those that may now.
+struct SortedRows {
+  std::size_t touched, fresh;
+};
+
+/// Elements in a row, all of some bodies.
+struct ElementRange {
+  int first, count;
+};
+
 /// Solids in space where they stand, and what their contacts give.
 template <int D>
 struct SolidWork {};
@@ -118,6 +138,8 @@ struct Work {
   double fastest = 0;               ///< largest speed of any skin point, in space of any corner m/s
   double fastest_moving = 0;        ///< ... of a body that is free to move m/s
 
+  std::vector<ElementRange> element_stretches;  ///< anew with `body`
+
   // Writer: detect
   std::vector<NearPair> pairs;        ///< [contact]
   std::vector<FaceBatch> batches;     ///< by law
@@ -141,10 +163,13 @@ struct Work {
   Contacts<D> contacts;                       ///< [contact] trial
   std::vector<BearingMemory<D>> bearing;      ///< [bearing] trial
   std::vector<int> face_rows, fresh_rows;     ///< of a batch: rows that touched or may touch now; the latter alone
+  std::vector<SortedRows> sorted_rows;        ///< room, by stretch
+  std::vector<FourFaces> four_faces;          ///< room for what threads take
   std::vector<int> general_now;               ///< rows that were to be faces and are of general shape now
   std::vector<int> general_rows;              ///< those and `general`, in the order of rows
   std::vector<std::int16_t> apart_by;         ///< [contact] the edge that kept the two apart last, see
                                               ///< OverlapResponse; -1: none. A hint: any value gives the same bits
+  std::vector<std::uint8_t> is_awake;         ///< room, by row of them
   std::vector<int> awake_rows, awake_pieces;  ///< those of them that are worked on, and their pieces
   std::vector<OverlapAnswer> answer;          ///< of rows that threads take
   PlacedPieces placed;                        ///< the pieces of these rows
@@ -165,7 +190,8 @@ struct Work {
   std::vector<Vec<D>> element_damping;            ///< [node] of the dampings of elements N
   std::vector<Moment<D>> element_moment;          ///< [node] of beams N m; empty without them
   std::vector<Moment<D>> element_damping_moment;  ///< [node] N m
-  double element_stored = 0;                      ///< elastic energy of elements J
+  std::vector<std::array<double, 2>> element_energy;  ///< room: stored and given off, by element that threads take J
+  double element_stored = 0;                          ///< elastic energy of elements J
 
   // Writer: apply_loads. All empty where Model::loaded() is false.
   std::vector<Vec<D>> load;            ///< [node] all forces from outside but weight, steady ones included N

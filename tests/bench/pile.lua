@@ -31,4 +31,4 @@ for i = 0, p.boxes - 1 do
               velocity = { 2 * random() - 1, -1 } }
 end
 local report = m:run { duration = p.seconds }
-print(("%d boxes, %g s: %d steps, hash %s"):format(p.boxes, p.seconds, report.steps, m.hash))
+print(("%d boxes, %d contacts, %g s: %d steps, hash %s"):format(p.boxes, #m:contacts(), p.seconds, report.steps, m.hash))

@@ -32,4 +32,4 @@ local samples = {}
 for i = 0, 400 do samples[i + 1] = 0.5 * 9.81 * math.sin(4 * math.pi * 0.005 * i) end
 local motion = trilith.motion { acceleration = samples, dt = 0.005 }
 local report = m:shake { body = "base", x = motion, y = motion, duration = p.seconds, dt = p.step }
-print(("%d steps, hash %s"):format(report.steps, m.hash))
+print(("%d contacts, %d steps, hash %s"):format(#m:contacts(), report.steps, m.hash))

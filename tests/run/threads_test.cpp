@@ -64,6 +64,29 @@ Model<2> pour() {
   return scene.builder.build();
 }
 
+/// A wall in running bond whose ground leans, so that it comes apart and slides down: more rows, bodies and elements
+/// than one thread would take at a time.
+Model<2> leaning_wall(const ContactLaw& law, BodyKind kind, int divisions) {
+  ModelBuilder builder;
+  builder.add_material({"stone", 2000, Solid{LinearElastic{1e9, 0.2, 1e-5}}});
+  builder.add_law("joint", law);
+  builder.set_contact("*", "*", "joint");
+  builder.gravity = standard_gravity * Vec2(std::sin(0.6), -std::cos(0.6));
+  const auto add = [&](const std::string& name, double x, double y, double width, double height, bool moves) {
+    BodySpec spec;
+    spec.name = name, spec.material = "stone", spec.outline = box(x, y, x + width, y + height);
+    if (moves) spec.kind = kind, spec.divisions = {divisions, divisions};
+    if (!moves) spec.support = held;
+    builder.add_body(std::move(spec));
+  };
+  add("ground", -1, -1, 12, 1, false);
+  for (int course = 0; course < 18; ++course)
+    for (int i = 0; i < 18; ++i)
+      add("u" + std::to_string(course) + "." + std::to_string(i), 0.4 * i + (course % 2) * 0.2, 0.2 * course, 0.4, 0.2,
+          true);
+  return builder.build();
+}
+
 template <int D>
 void expect_same_bits(const Model<D>& model, double first, double second) {
   Simulation<D> alone(model);
@@ -101,6 +124,24 @@ TEST_CASE("a facade in space comes down with the same bits on one and more threa
     farthest = std::max(farthest, (seen.state().position[n] - model.start_position[n]).norm());
   CHECK(farthest > 0.3);  // it does come down
   expect_same_bits(model, 0.8, 0.4);
+}
+
+TEST_CASE("a dry wall in the plane slides down with the same bits on one and more threads") {
+  const Model<2> model = leaning_wall(Frictional{1e9, 4e8, 0.4, 2e-5}, BodyKind::rigid, 1);
+  Simulation<2> seen(model);
+  seen.run(shaking(0.15));
+  CHECK(seen.state().position.back().x() - model.start_position.back().x() > 0.01);  // it does slide
+  expect_same_bits(model, 0.1, 0.05);
+}
+
+TEST_CASE("mortar that breaks between quads has the same bits on one and more threads") {
+  Bonded mortar{1e9, 4e8, 0.4, 2e-5};
+  mortar.cohesion = 4e3, mortar.tension = 4e3;
+  expect_same_bits(leaning_wall(mortar, BodyKind::quad, 1), 0.05, 0.02);
+}
+
+TEST_CASE("a wall of meshed units has the same bits on one and more threads") {
+  expect_same_bits(leaning_wall(Frictional{1e9, 4e8, 0.4, 2e-5}, BodyKind::mesh, 2), 0.01, 0.005);
 }
 
 TEST_CASE("blocks that are poured in the plane have the same bits on one and more threads") {
