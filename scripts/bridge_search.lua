@@ -2,7 +2,7 @@
 -- the source leaves open? A Latin hypercube of 500 runs of bridge_chain.lua, both signs, three versions
 -- of the record; each run is scored by nine links of the chain (and by how far off its times are), the
 -- distribution is printed, and the runs that come nearest. `trilith study scripts/bridge_search.lua -j 1`
--- takes some half an hour; a study that was stopped goes on.
+-- takes some three quarters of an hour on one core; a study that was stopped goes on.
 local trilith = require "trilith"
 local p = trilith.params { out = { "out/bridge_search.h5", "the table" }, count = { 500, "runs" },
                            seed = { 1, "of the sample" } }

@@ -5,6 +5,7 @@
 #include "physics/frames.hpp"
 #include "physics/implicit.hpp"
 #include "step/modes.hpp"
+#include "step/start.hpp"
 
 namespace trilith::testing {
 namespace {

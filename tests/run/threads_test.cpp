@@ -1,5 +1,6 @@
 // Steps that several threads share: the bits of one.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <numbers>
@@ -82,8 +83,7 @@ Model<2> leaning_wall(const ContactLaw& law, BodyKind kind, int divisions) {
   add("ground", -1, -1, 12, 1, false);
   for (int course = 0; course < 18; ++course)
     for (int i = 0; i < 18; ++i)
-      add("u" + std::to_string(course) + "." + std::to_string(i), 0.4 * i + (course % 2) * 0.2, 0.2 * course, 0.4, 0.2,
-          true);
+      add(fmt::format("u{}.{}", course, i), 0.4 * i + (course % 2) * 0.2, 0.2 * course, 0.4, 0.2, true);
   return builder.build();
 }
 
