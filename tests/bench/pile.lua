@@ -31,4 +31,5 @@ for i = 0, p.boxes - 1 do
               velocity = { 2 * random() - 1, -1 } }
 end
 local report = m:run { duration = p.seconds }
-print(("%d boxes, %d contacts, %g s: %d steps, hash %s"):format(p.boxes, #m:contacts(), p.seconds, report.steps, m.hash))
+local told = "%d boxes, %d contacts, %g s: %d steps, hash %s"
+print(told:format(p.boxes, #m:contacts(), p.seconds, report.steps, m.hash))
