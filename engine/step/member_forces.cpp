@@ -1,5 +1,7 @@
 #include "step/member_forces.hpp"
 
+#include <algorithm>
+
 #include "body/fibre_places.hpp"
 #include "step/beam_motion.hpp"
 #include "step/resist_beams.hpp"
@@ -76,6 +78,8 @@ std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& s
     }
     start += beam.length;
   }
+  // Rules of stations name their ends first.
+  std::ranges::stable_sort(rows, {}, &FibreReading::along);
   return rows;
 }
 

@@ -66,6 +66,26 @@ assert(seen[1] and seen[1].text:find("at from yielded under", 1, true), seen[1] 
 assert(seen[1].body == body and seen[1].y < 0.01 and m.energy.plastic > 0)
 assert(math.abs(m.energy.residual) < 0.01*m.energy.plastic)
 refused("has no hinges", body.hinges, body)
+
+-- what the fibres say: sections stay plane, their stresses sum up to the forces, bars in tension yield at the foot
+local sections = body:fibres()
+assert(sections[1].along < 0.2 and sections[#sections].along > 2.8)
+for _, at in ipairs(sections) do
+  local normal, moment, middle = 0, 0, nil
+  for _, f in ipairs(at.fibres) do
+    middle = middle or f.height + (f.strain - at.axial)/at.curvature
+    assert(math.abs(f.strain - (at.axial - at.curvature*(f.height - middle))) < 1e-12)
+    normal, moment = normal + f.stress*f.area, moment - f.stress*f.area*(f.height - middle)
+  end
+  near(normal, at.normal, 1e-9)
+  near(moment, at.moment, 1e-9)
+end
+-- a beam carries the weight in the mean of its four stations (Lobatto's rule), as its axis takes one strain
+near((sections[1].normal + 5*sections[2].normal + 5*sections[3].normal + sections[4].normal)/12,
+  -weight - 2500*0.16*3*9.80665, 0.01)
+local most = -math.huge
+for _, f in ipairs(sections[1].fibres) do most = math.max(most, f.stress) end
+near(most, 420e6, 1e-3)
 m:close()
 
 -- the same with a hinge at its foot, which is lost at last
