@@ -164,9 +164,9 @@ local cases = {
   { function() return m.bodys end, "model 'wrong' has no 'bodys'; did you mean 'body'?" },
   { function() m.time = 3 end, "'time' of model 'wrong' can be read, not set" },
   { function() return b:body("block").hight end,
-    "body 'block' has no 'hight'; known: area, bearings, fibres, forces, groups, hinges, inertia, kind, mass, material, name, "
-      .. "outline, plastic, point, present, removed_at, resting, rotation, seats, speed, spin, sxx, sxy, "
-      .. "syy, ux, uy, vx, vy, x, y" },
+    "body 'block' has no 'hight'; known: area, bearings, fibres, forces, groups, hinges, inertia, kind, mass, "
+      .. "material, name, outline, plastic, point, present, removed_at, resting, rotation, seats, speed, spin, "
+      .. "sxx, sxy, syy, ux, uy, vx, vy, x, y" },
   { function() return m:bodies { grup = "x" } end, "bodies: unknown key 'grup'; did you mean 'group'?" },
   -- bearings and seats
   { function() m:bearing { name = "B", between = { "base", "nobody" }, at = { 0, 0 } } end,
