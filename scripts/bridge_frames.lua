@@ -19,6 +19,7 @@ local p = trilith.params {
   columns = { "hinges", choices = { "elastic", "hinges", "fibres" }, "how piers yield" },
   integrator = { "explicit", choices = { "explicit", "implicit", "auto" }, "how time is stepped" },
   dt = { 0.01, unit = "s", "longest step of the implicit integrator" },
+  accuracy = { 1e-3, "share of energies and velocities that an implicit step may miss" },
   duration = { 30, unit = "s", "of the shaking" },
   gap = { 4, unit = "inch", "joints" },
   mu = { 0.1, "friction of seats" },
@@ -129,7 +130,8 @@ local function firm(motion) return motion:time_scale(0.8):delay(0.204*s) end
 local t = m.time
 m:shake {
   motions = { { body = "right ground", x = along, y = up }, { body = "left ground", x = firm(along), y = firm(up) } },
-  duration = p.duration, integrator = p.integrator, dt = p.integrator == "implicit" and p.dt or nil }
+  duration = p.duration, integrator = p.integrator, accuracy = p.integrator ~= "explicit" and p.accuracy or nil,
+  tolerance = p.integrator ~= "explicit" and 1e-5*p.accuracy or nil, dt = p.integrator == "implicit" and p.dt or nil }
 print(first and ("first bearing to fail: %s, %.3f s into the shaking"):format(first.bearing.name, first.time - t)
       or "no bearing failed")
 print(("piers: largest drift %.1f mm"):format(1000*drift))

@@ -67,6 +67,8 @@ int above_standard(int descriptor) {
   return higher;
 }
 
+/// A file of a name of its own beside the target. Nothing that is there is touched before take_place, so that a full
+/// disk or a killed program leaves the old file whole.
 FreshFile::FreshFile(const std::filesystem::path& target) : target_(past_links(target)) {
   std::error_code ignored;
   const std::filesystem::file_status there = std::filesystem::status(target_, ignored);
@@ -95,6 +97,7 @@ void FreshFile::write(std::string_view bytes) {
   }
 }
 
+/// First the bytes reach the disk, then the name is moved, which is done whole or not at all, then the folder.
 void FreshFile::take_place() {
   sync(descriptor_, target_);
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(target_);

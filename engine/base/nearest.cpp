@@ -7,6 +7,8 @@
 
 namespace trilith {
 
+/// By rows of the table of all beginnings of a against all of b (Damerau, "A technique for computer detection and
+/// correction of spelling errors", Comm. ACM 7, 1964): a letter more, less, changed, or two neighbours swapped cost 1.
 int edit_distance(std::string_view a, std::string_view b) {
   const std::size_t n = b.size() + 1;
   std::vector<int> before(n), last(n), row(n);
@@ -25,6 +27,7 @@ int edit_distance(std::string_view a, std::string_view b) {
   return last[n - 1];
 }
 
+/// A name is meant where at most a third of its letters differ, one of them in short words.
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known) {
   std::string best;
   int least = std::max(1, static_cast<int>(given.size()) / 3) + 1;

@@ -79,6 +79,8 @@ std::string superscript(int power) {
   return out;
 }
 
+/// The largest prefix that a magnitude reaches, so that figures stand between 1 and 1000; powers of ten where a unit
+/// takes no prefix or none is enough.
 ShownUnit engineering_unit(double largest, std::string_view unit) {
   const std::string name = spelled(unit);
   const double magnitude = std::abs(largest);

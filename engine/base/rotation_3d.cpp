@@ -8,6 +8,7 @@
 
 namespace trilith {
 
+/// (cos(t/2), sin(t/2) a / t) for a rotation vector a of length t.
 UnitQuaternion rotation_by(const Vec3& angle) {
   const double size = std::sqrt(angle.dot(angle));
   if (!(size > 0)) return {};
@@ -40,6 +41,7 @@ UnitQuaternion rotation_of(const Eigen::Matrix3d& m) {
   return renormalised(q);
 }
 
+/// The columns of the rotation matrix: where the axes go.
 Turn3::Turn3(const UnitQuaternion& q)
     : x_(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)),
       y_(2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)),

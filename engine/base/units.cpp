@@ -69,12 +69,14 @@ const Unit& find_unit(std::string_view name, std::string_view expression) {
   throw InputError(fmt::format("there is no unit '{}'{}{}", name, where, name_hint(name, unit_names())));
 }
 
+/// By multiplication, so that a unit's factor has the same bits on every machine.
 double whole_power(double base, int exponent) {
   double result = 1;
   for (int i = 0; i < std::abs(exponent); ++i) result *= base;
   return exponent < 0 ? 1 / result : result;
 }
 
+/// A product of units multiplies their factors and adds the exponents of length, time and mass.
 void multiply(UnitProduct& product, const Unit& unit, int exponent) {
   product.factor *= whole_power(unit.factor, exponent);
   product.dimension.length += exponent * unit.dimension.length;
@@ -117,6 +119,8 @@ std::vector<std::string> unit_names(const Dimension& dimension) {
   return names;
 }
 
+/// From left to right: names with an exponent behind them, after a stroke all of them below it, so that kN/m s2 is
+/// kN/(m s2).
 UnitProduct parse_unit(std::string_view expression) {
   const std::string_view text = trimmed(expression);
   if (text.empty()) throw InputError("an empty unit; say 1 for a pure number");
@@ -143,6 +147,7 @@ UnitProduct parse_unit(std::string_view expression) {
   return product;
 }
 
+/// A number in `unit`, or one with a unit of its own of the same dimension.
 double parse_quantity(std::string_view text, std::string_view unit, std::string_view what) {
   const std::string_view given = trimmed(text);
   const char* const begin = given.data();
@@ -162,6 +167,7 @@ double parse_quantity(std::string_view text, std::string_view unit, std::string_
   return value * product.factor;
 }
 
+/// By a name of its own where there is one, else as a product of kg, m and s.
 std::string si_unit(const Dimension& d) {
   for (const std::string_view named : {"N", "Pa", "J"})
     if (find_unit(named, named).dimension == d) return std::string(named);

@@ -30,6 +30,7 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
   refuse(path, error.code());
 }
 
+/// Read block by block with a limit: a pipe or a file that grows has no size to ask for.
 std::string text_of_file(const std::filesystem::path& path, std::string_view what, std::size_t most) {
   const auto fail = [&](const std::string& why) {
     return InputError(fmt::format("cannot read {} '{}': {}", what, path.string(), why));

@@ -4,6 +4,7 @@
 
 namespace trilith {
 
+/// Points in rising order over 0: a force for every displacement, and one at rest.
 void Table::check() const {
   if (displacement.size() < 2 || displacement.size() != force.size())
     throw InputError(
@@ -31,6 +32,7 @@ double Table::tangent() const {
 }
 
 /// Beyond either end the last force holds.
+/// Straight between the two points around d.
 double Table::force_at(double d) const {
   if (d <= displacement.front()) return force.front();
   if (d >= displacement.back()) return force.back();

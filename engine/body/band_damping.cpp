@@ -40,12 +40,16 @@ void BandDamping::check() const {
                                  apart * (DampingBranches::most - 1)));
 }
 
+/// What the branches add where they have no time to relax: 1 + sum of shares.
 double DampingBranches::stiffening() const {
   double sum = 1;
   for (int j = 0; j < count; ++j) sum += share[j];
   return sum;
 }
 
+/// Real and imaginary part of the stiffness over its value at rest: branch j of share a_j and relaxation time t_j gives
+///
+///     a_j (x^2 + i x) / (1 + x^2),   x = w t_j
 double DampingBranches::loss(double w) const {
   double sum = 0;
   for (int j = 0; j < count; ++j) sum += share[j] * w * time[j] / (1 + w * time[j] * w * time[j]);
@@ -72,6 +76,8 @@ DampingBranches damping_branches(const BandDamping& band) {
   }
   const int points = points_each * out.count;
   Eigen::MatrixXd rows(points, out.count);
+  // A ratio zeta all over the band means loss = 2 zeta stiffness: one equation for each frequency, linear in the
+  // shares.
   for (int i = 0; i < points; ++i) {
     const double w = 2 * M_PI * at_share(band, static_cast<double>(i) / (points - 1));
     for (int j = 0; j < out.count; ++j) {
@@ -102,6 +108,7 @@ BranchStep::BranchStep(const DampingBranches& branches, double dt) {
   }
 }
 
+/// Each branch keeps what is left of its force and takes its part of the change of stress over the step.
 BeamStress relax(const DampingBranches& branches, const BranchStep& step, const BeamStress& stress,
                  std::span<const double> before, std::span<double> after) {
   BeamStress out{};

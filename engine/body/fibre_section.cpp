@@ -32,6 +32,7 @@ void add_layer(const StripMoments& layer, double below, double least_area, std::
   for (const double way : {-1.0, 1.0}) out.push_back({layer.area / 2, centroid - below + way * gyration});
 }
 
+/// Fibres of one law lie together, so that they are worked on in one loop.
 void add_part(const UniaxialLaw& law, const std::vector<Fibre>& fibres, FibreSection& section) {
   if (fibres.empty()) return;
   section.parts.push_back({law, static_cast<int>(section.fibres.size()), static_cast<int>(fibres.size())});

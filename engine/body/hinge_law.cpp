@@ -25,6 +25,7 @@ void check_points(const std::vector<double>& force, const std::vector<double>& s
 
 }  // namespace
 
+/// What no single parameter can say: limits in their order, and forces that belong together.
 void HingeLaw::check() const {
   if (capping > 0 && !(softening > 0))
     throw InputError("end_hinge: with a capping rotation, softening must be above 0 rad");

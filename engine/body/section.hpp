@@ -173,6 +173,7 @@ struct BoxSection {
 
 struct GivenSection {
   double area = 0, second_moment = 0, depth = 0, below = 0, shear_area = 0;
+  double inertia_across = 0, torsion = 0, width = 0, shear_area_across = 0;  ///< of members in space
 
   static constexpr std::string_view name = "section";
   static constexpr std::string_view sentence = "a section of any shape, by its numbers";
@@ -186,7 +187,13 @@ struct GivenSection {
         P{&GivenSection::below, "below", "m", 0, 0, unbounded, true,
           "from the bottom fibre to the centroid; 0: in the middle"},
         P{&GivenSection::shear_area, "shear_area", "m2", 0, 0, unbounded, true,
-          "area times shear coefficient; 0: 5/6 of the area"}};
+          "area times shear coefficient; 0: 5/6 of the area"},
+        P{&GivenSection::inertia_across, "inertia_across", "m4", 0, 0, unbounded, true,
+          "second moment of area for bending across; needed in space"},
+        P{&GivenSection::torsion, "torsion", "m4", 0, 0, unbounded, true, "torsion constant; needed in space"},
+        P{&GivenSection::width, "width", "m", 0, 0, unbounded, true, "across, of its profile; needed in space"},
+        P{&GivenSection::shear_area_across, "shear_area_across", "m2", 0, 0, unbounded, true,
+          "... across; 0: 5/6 of the area"}};
   }
   void check() const {
     if (!(below < depth))

@@ -64,6 +64,7 @@ std::vector<Vec2> left_part(const std::vector<Vec2>& polygon, const Vec2& from, 
   return kept;
 }
 
+/// What of a convex polygon lies in a rectangle: cut by its four sides, one after the other.
 std::vector<Vec2> in_cell(const std::vector<Vec2>& polygon, const Vec2& low, const Vec2& high) {
   std::vector<Vec2> cut = left_part(polygon, low, Vec2::UnitX());
   cut = left_part(cut, Vec2(high.x(), low.y()), Vec2::UnitY());
@@ -102,6 +103,7 @@ void complete(JointPlan& plan, JointPatch& patch, const OutlineMoments& m) {
   for (const Vec2& p : corners) plan.least_laid = std::min(plan.least_laid, patch.laid(p));
 }
 
+/// Where the plane of the joint lies in the axes of a body, so that it goes with it.
 JointSeat seat_in(const BodyMotion& body, const Vec3& origin, const UnitQuaternion& axes) {
   const UnitQuaternion back = inverse(body.rotation);
   return {Turn3(back).apply(origin - body.place), back * axes};
@@ -109,6 +111,13 @@ JointSeat seat_in(const BodyMotion& body, const Vec3& origin, const UnitQuaterni
 
 }  // namespace
 
+/// A grid over the box of the outline:
+///
+///      +----+----+----+----+   Each cell that has a part of the outline in it is a patch, with its own area,
+///      |    |    |    |    |   middle and second moments. Four points at one radius of gyration along its
+///      +----+----+----+----+   principal axes stand for it, which gives its axial and bending stiffness
+///      |    |  . | .  |    |   exactly.
+///      +----+----+----+----+
 void divide_joint(JointPlan& plan) {
   plan.corner.clear(), plan.patch.clear();
   const OutlineMoments all(plan.outline);
@@ -137,6 +146,8 @@ void divide_joint(JointPlan& plan) {
     }
 }
 
+/// The axes of a joint: origin in the middle of the shared polygon, x along its larger principal axis (the longest side
+/// where there is none), z along the normal out of a.
 JointPlan plan_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b) {
   const std::span<const Vec2> shared(faces.shared.corner.data(), static_cast<std::size_t>(faces.shared.count));
   const OutlineMoments moments(shared);

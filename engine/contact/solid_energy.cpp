@@ -74,6 +74,11 @@ double energy_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffe
 
 }  // namespace
 
+/// Energy of a pair of solids of any shape [J], the potential whose gradient their force is:
+///
+///     E = kn / 2 (integral over the shared volume of e(phi_a) + the same of e(phi_b)),
+///
+/// phi the depth below the nearest face of a solid, e the law's energy by depth over kn (e = phi where it is linear).
 double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
                     SolidOverlapBuffer& scratch) {
   if (!(solid_overlap(a, b, shared).volume > 0)) return 0;

@@ -119,6 +119,7 @@ double friction_arm(const FaceMoments& of, const Vec2& centre) {
 
 }  // namespace
 
+/// Whether the pressure of a law is kn times the overlap, so that integrals over polygons are exact.
 bool is_linear(const ContactLaw& law) {
   return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::linear; }, law);
 }
@@ -142,6 +143,7 @@ bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
   return found == 1;
 }
 
+/// The pair of opposed faces that share the largest area, among those near enough and wide enough for mortar.
 bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, double width, FaceOverlap3& out) {
   double most = 0;
   FaceRoom room_a, room_b;
@@ -158,6 +160,8 @@ bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, dou
   return most > 0;
 }
 
+/// Faces that lie flat. Over the shared polygon the pressure is kn (c + beta dc/dt) where that is above 0 and there is
+/// overlap; force, centre, damping and its power are exact integrals of it, see shape/face_overlap_3d.
 SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces) {
   const bool is_damped = law.beta > 0;
   const FaceMoments undamped = is_damped ? FaceMoments{integrals_in_contact(faces)} : moments_in_contact(faces);
@@ -188,6 +192,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
   return out;
 }
 
+/// kn / 2 times the integral of the overlap squared over the part in contact [J].
 double face_energy(const Coulomb& law, const FaceOverlap3& faces) {
   return law.kn * integrals_in_contact(faces).energy;
 }

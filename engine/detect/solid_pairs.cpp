@@ -33,8 +33,8 @@ double room_left(const FatBox<3>& inner, const FatBox<3>& outer) {
 }
 
 /// Free along some axis, or driven: a base that a motion lifts comes to what stands above it.
-bool goes_places(const Model<3>& model, int body) {
-  const auto& support = model.support[model.bodies[body].first_node];
+bool goes_places(const Model<3>& model, int piece) {
+  const auto& support = model.support[model.node_of_piece(piece)];
   return std::any_of(support.begin(), support.end(), [](Support s) { return s != Support::fixed; });
 }
 
@@ -46,7 +46,7 @@ void find_solid_margins(const Model<3>& model, PieceSearch<3>& search) {
     Vec3 low = Vec3::Constant(unbounded), high = -low;
     for (const Vec3& x : model.piece_solid[p].shape.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
     search.margin[p] = 0.05 * ((high - low).minCoeff() + 2 * model.piece_solid[p].radius);
-    search.may_move[p] = goes_places(model, model.piece_body[p]) ? 1 : 0;
+    search.may_move[p] = goes_places(model, static_cast<int>(p)) ? 1 : 0;
   }
 }
 

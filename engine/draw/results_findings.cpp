@@ -107,15 +107,16 @@ void colour_by_stress(const Header& header, const Frame& frame, std::string_view
   scene.value_unit = "Pa";
 }
 
-/// Joints that have lost some of their bonds, drawn where the first body has taken their ends; a joint that is farther
-/// open than it is long is none any more.
+/// Joints that have lost some of their bonds, and dry ones that are open or have slid, drawn where the first body has
+/// taken their ends; a joint that is farther open than it is long is none any more.
 void add_cracks(const Header& header, const Frame& frame, const std::vector<bool>& left_out, Scene& scene) {
   const std::vector<double>&damage = frame.fields[find_field(header, "joint_damage")],
         &opening = frame.fields[find_field(header, "joint_opening")],
         &slip = frame.fields[find_field(header, "joint_slip")];
   for (std::size_t j = 0; j < header.joints.size(); ++j) {
-    if (!(damage[j] > 0)) continue;
     const results::JointRow& joint = header.joints[j];
+    const bool dry = joint.bonded == 0;
+    if (dry ? !(std::max(opening[j], std::abs(slip[j])) > least_crack) : !(damage[j] > 0)) continue;
     if (left_out[joint.body_a] || left_out[joint.body_b]) continue;
     const auto end = [&](const double* at) {
       return follow(header, header.bodies[joint.body_a], scene.bodies[joint.body_a].outline, {at[0], at[1]});

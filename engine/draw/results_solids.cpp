@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "draw/paint_order.hpp"
@@ -74,15 +75,35 @@ std::optional<Box> box_of_free(const std::vector<SolidPiece>& pieces, const std:
   return Box{all.low.cwiseMax(bulk.low - around), all.high.cwiseMin(bulk.high + around)};
 }
 
+bool is_held(const SolidPiece& piece, const Scene& scene) {
+  return scene.bodies[static_cast<std::size_t>(piece.body)].role != BodyRole::free;
+}
+
+/// Down to the ground that bodies in the air will fall on: the highest that lies below the box.
+void reach_ground(const std::vector<SolidPiece>& pieces, const Scene& scene, Box& box) {
+  double ground = -std::numeric_limits<double>::infinity();
+  for (const SolidPiece& piece : pieces) {
+    if (!is_held(piece, scene)) continue;
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const PieceFace& face : piece.faces)
+      for (const Vec3& p : face.corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    const bool beneath = low.x() < box.high.x() && high.x() > box.low.x() && low.y() < box.high.y() &&
+                         high.y() > box.low.y() && high.z() < box.low.z();
+    if (beneath) ground = std::max(ground, high.z());
+  }
+  if (std::isfinite(ground)) box.low.z() = ground;
+}
+
 /// Ground that reaches beyond the box by more than a border ends there; that depth is the least of what matters.
 void trim_ground(std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres, const Scene& scene) {
-  const std::optional<Box> box = box_of_free(pieces, spheres, scene);
+  std::optional<Box> box = box_of_free(pieces, spheres, scene);
   if (!box) return;
+  reach_ground(pieces, scene, *box);
   const double size = (box->high - box->low).norm(), beside = 0.16 * size, below = 0.05 * size;
   std::vector<SolidPiece> kept;
   for (SolidPiece& piece : pieces) {
     std::optional<SolidPiece> left = std::move(piece);
-    if (scene.bodies[static_cast<std::size_t>(left->body)].role != BodyRole::free)
+    if (is_held(*left, scene))
       for (int k = 0; k < 6 && left; ++k) {
         const Vec3 normal = (k % 2 == 0 ? 1 : -1) * Vec3(Vec3::Unit(k / 2));
         const double border = k / 2 == 2 ? below : beside;

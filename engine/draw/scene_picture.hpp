@@ -68,6 +68,7 @@ struct SceneBearing {
 /// it slid.
 enum class CrackMark { fine, opened, wide, slid };
 inline constexpr double fine_crack = 1e-3, wide_crack = 5e-3;  ///< ends of the class between them [m]
+inline constexpr double least_crack = 1e-4;  ///< from which a dry joint is drawn; one with a bond from its loss on [m]
 
 /// A broken joint, from end to end [m].
 struct SceneCrack {

@@ -118,6 +118,7 @@ void read_header_line(std::string_view line, CsvHeader& header, const TextLines&
   refuse_misspelt(key, lines);
 }
 
+/// What the samples cannot be read without: their unit, their step and how many there must be.
 void require_complete(const CsvHeader& header, const TextLines& lines) {
   const auto missing = [&lines](std::string_view line) {
     lines.fail_whole(fmt::format("header lacks the line '# {}'", line));
@@ -148,6 +149,7 @@ void require_announced_peak(const GroundMotion& motion, double announced, const 
 
 }  // namespace
 
+/// The header line by line, then sample by sample; the peak that the header announces is compared at the end.
 GroundMotion parse_csv_motion(std::string_view text, const std::string& name) {
   TextLines lines(text, name);
   CsvHeader header;

@@ -62,6 +62,7 @@ PeerHeader read_header(TextLines& lines) {
 
 }  // namespace
 
+/// Four lines of header, then samples, several in a line.
 GroundMotion parse_peer_motion(std::string_view text, const std::string& name) {
   TextLines lines(text, name);
   PeerHeader header = read_header(lines);

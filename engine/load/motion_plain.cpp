@@ -39,6 +39,7 @@ struct Columns {
   std::string title;
 };
 
+/// The first line of numbers decides: two columns are time and acceleration, anything else is accelerations in a row.
 void read_line(TextLines& lines, std::string_view line, const PlainForm& form, Columns& columns) {
   const std::vector<std::string_view> words = words_of(line, ",;");
   if (columns.values.empty() && !number_in(words.empty() ? line : words[0])) {

@@ -13,11 +13,19 @@
 namespace trilith {
 namespace {
 
+/// Steps of processing work on samples; a motion that only looks scaled or delayed would lose that.
 void require_as_read(const GroundMotion& motion, const char* what) {
   if (motion.amplitude_factor() == 1 && motion.start_time() == 0) return;
   throw InputError(fmt::format("{}: motion '{}' is {} already; do this to the record as it was read, then {} it", what,
                                motion.description(), motion.start_time() == 0 ? "scaled" : "delayed",
                                motion.start_time() == 0 ? "scale" : "delay"));
+}
+
+/// Refuses more samples than memory should be spent on: a step or a pad typed in other units asks for billions.
+void require_samples(double count, const GroundMotion& motion, const std::string& asked) {
+  if (count <= most_samples) return;
+  throw InputError(fmt::format("{} makes {:.3g} samples of '{}' ({:g} s every {:g} s), at most {:.3g} are made", asked,
+                               count, motion.description(), motion.duration(), motion.step(), most_samples));
 }
 
 std::vector<double> accelerations(const GroundMotion& motion) {
@@ -154,9 +162,12 @@ GroundMotion baseline_corrected(const GroundMotion& motion, int degree) {
   return processed(motion, a, motion.step(), fmt::format("baseline of degree {} out", degree));
 }
 
+/// Both ways through the filter, so that no frequency is delayed; the pads take what rings beyond the record.
 GroundMotion filtered(const GroundMotion& motion, const FilterBand& band) {
   require_as_read(motion, "filter");
   check_band(band, motion.step());
+  require_samples((motion.duration() + 2 * band.pad) / motion.step(), motion,
+                  fmt::format("filter: pad {:g} s", band.pad));
   std::vector<double> a = accelerations(motion);
   const auto pad = static_cast<std::size_t>(std::llround(band.pad / motion.step()));
   a.insert(a.begin(), pad, 0.0);
@@ -164,11 +175,14 @@ GroundMotion filtered(const GroundMotion& motion, const FilterBand& band) {
   return processed(motion, through(std::move(a), band, motion.step()), motion.step(), band_text(band));
 }
 
+/// Straight between samples. A longer step than the record's first takes out what it could not show, above 0.8 of half
+/// its rate.
 GroundMotion resampled(const GroundMotion& motion, double step) {
   require_as_read(motion, "resample");
   require_positive(step, "resample: step", "s");
   if (!(step <= motion.duration()))
     throw InputError(fmt::format("resample: a step of {:g} s, the motion lasts {:g} s", step, motion.duration()));
+  require_samples(motion.duration() / step, motion, fmt::format("resample: a step of {:g} s", step));
   constexpr double slack = 1e-9;  // a step that divides the duration but for rounding reaches its end
   std::vector<double> from = accelerations(motion);
   if (step > motion.step() * (1 + slack)) from = through(std::move(from), {0, 0.4 / step, 8, 0}, motion.step());

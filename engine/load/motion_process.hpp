@@ -10,6 +10,9 @@
 
 namespace trilith {
 
+/// A pad or a step that would make more samples of a record than this is refused (InputError).
+inline constexpr double most_samples = 1e7;
+
 /// Takes the polynomial of `degree` (0 to 10) that fits the acceleration best (least squares over the samples) out of
 /// it. Needs more than `degree` + 1 samples.
 GroundMotion baseline_corrected(const GroundMotion& motion, int degree);

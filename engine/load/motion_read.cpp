@@ -34,6 +34,7 @@ std::string text_of(const std::filesystem::path& path) {
   return std::move(text).str();
 }
 
+/// By its fourth line, which names the number of samples.
 bool looks_like_peer(std::string_view text) {
   TextLines lines(text, "");
   for (int i = 0; i < 3; ++i)
@@ -48,6 +49,7 @@ GroundMotion read_motion(const std::filesystem::path& path) {
   return parse_motion(text_of(path), path.string());
 }
 
+/// What a file is shows from its first bytes, its name or its fourth line; nothing is guessed beyond that.
 GroundMotion parse_motion(std::string_view text, const std::string& name) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
   TextLines lines(text, name);

@@ -8,6 +8,8 @@
 
 namespace trilith {
 
+/// Samples that came out as announced, of a size that ground can have: a record in cm/s2 read as g would be a thousand
+/// times too strong.
 GroundMotion motion_from_g(std::vector<double> acceleration, std::size_t announced, double step, MotionStart start,
                            MotionSource source, const TextLines& lines) {
   if (acceleration.size() < announced)

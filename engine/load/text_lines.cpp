@@ -37,6 +37,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+/// All of the text must be the number, and a finite one.
 std::optional<double> number_in(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
@@ -77,6 +78,7 @@ std::size_t TextLines::require_count(std::string_view text, std::string_view wha
   return value;
 }
 
+/// For messages: no control characters, and not the whole of a long line.
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string clean(text.substr(0, longest));

@@ -1,5 +1,5 @@
-// Ground motions in a report. The results file holds what was done to each record; where the record is still to be
-// found, the same is done to it again, so that its figures and its spectrum can be told.
+// Ground motions in a report, from the samples in the results file. Files of earlier programs hold only what was done
+// to each record; where the record is still to be found, the same is done to it again, so that its figures can be told.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "draw/motion_chart.hpp"
+#include "draw/stored_motion.hpp"
 #include "load/motion_measures.hpp"
 #include "load/motion_read.hpp"
 #include "report/sections.hpp"
@@ -75,15 +76,65 @@ std::optional<GroundMotion> found_motion(const ToldMotion& told, const std::vect
   return std::nullopt;
 }
 
-std::vector<std::string> row_of(const ToldMotion& told, const GroundMotion& motion) {
+/// Peaks, intensity and duration; of a turning body in radians.
+std::vector<std::string> row_of(const std::string& name, const GroundMotion& motion, bool turns = false) {
   const MotionPeaks peaks = motion_peaks(motion);
-  return {fmt::format("{}: {}{}", told.where, told.file, told.steps.empty() ? "" : ", ") +
-              fmt::format("{}", fmt::join(told.steps, ", ")),
-          fmt::format("{:.3f} g", std::abs(peaks.acceleration.value) / standard_gravity),
-          fmt::format("{:.3f} m/s", std::abs(peaks.velocity.value)),
-          fmt::format("{:.3f} m", std::abs(peaks.displacement.value)),
+  const auto size = [](const Peak& peak) { return std::abs(peak.value); };
+  if (turns)
+    return {name,
+            fmt::format("{:.3f} rad/s2", size(peaks.acceleration)),
+            fmt::format("{:.3f} rad/s", size(peaks.velocity)),
+            fmt::format("{:.3f} rad", size(peaks.displacement)),
+            "–",
+            "–"};
+  return {name,
+          fmt::format("{:.3f} g", size(peaks.acceleration) / standard_gravity),
+          fmt::format("{:.3f} m/s", size(peaks.velocity)),
+          fmt::format("{:.3f} m", size(peaks.displacement)),
           fmt::format("{:.2f} m/s", arias_intensity(motion)),
           fmt::format("{:.1f} s", significant_duration(motion, 0.05, 0.95).length())};
+}
+
+std::string told_name(const ToldMotion& told) {
+  return fmt::format("{}: {}{}", told.where, told.file, told.steps.empty() ? "" : ", ") +
+         fmt::format("{}", fmt::join(told.steps, ", "));
+}
+
+/// The first over time, all as spectra. `names` of the lines.
+void write_motion_figure(HtmlText& html, const std::vector<GroundMotion>& motions,
+                         const std::vector<std::string>& names) {
+  write_figure(html, "motion", fmt::format("The motion of {}; spectra of all motions, 5 % damped.", names.front()),
+               [&] {
+                 draw::Chart spectrum = draw::spectrum_chart(motions);
+                 for (std::size_t i = 0; i < names.size(); ++i) spectrum.panels[0].series[i].name = names[i];
+                 return draw::chart_canvas({draw::motion_chart(motions.front()), spectrum}, draw::Arrangement::beside);
+               });
+}
+
+/// From the samples that the file holds, each against where the frames have the body.
+void write_stored(const ReportSource& source, const std::vector<results::MotionRow>& stored, HtmlText& html) {
+  const std::vector<double> miss = draw::motion_misses(source.reader, stored);
+  std::vector<std::vector<std::string>> rows;
+  std::vector<GroundMotion> motions;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    const results::MotionRow& row = stored[i];
+    const bool turns = row.direction == "rotation";
+    const GroundMotion motion = draw::stored_motion(row);
+    const std::string where =
+        fmt::format("'{}' ({})", source.header.bodies[static_cast<std::size_t>(row.body)].name, row.direction);
+    rows.push_back(row_of(fmt::format("{} from t = {:g} s: {}", where, row.begin, row.text), motion, turns));
+    rows.back().push_back(std::isnan(miss[i]) ? "–" : fmt::format("{:.1e} {}", miss[i], turns ? "rad" : "m"));
+    if (turns) continue;
+    names.push_back(where);
+    motions.push_back(motion);
+  }
+  html.table({"Motion", "PGA", "PGV", "PGD", "Arias", "Duration", "Missed by"}, rows, 1);
+  html.element("p",
+               "From the samples in the results file. Duration: from 5 to 95 % of the Arias intensity. Missed by: the "
+               "largest distance, over all frames, between where the body was and where its motion has it.",
+               R"(class="note")");
+  if (!motions.empty()) write_motion_figure(html, motions, names);
 }
 
 void write_missing(const std::vector<std::string>& texts, bool some_found, HtmlText& html) {
@@ -103,6 +154,8 @@ void write_missing(const std::vector<std::string>& texts, bool some_found, HtmlT
 
 void write_motions(const ReportSource& source, HtmlText& html) {
   html.element("h2", "Ground motion");
+  const std::vector<results::MotionRow> stored = source.reader.motions();
+  if (!stored.empty()) return write_stored(source, stored, html);
   std::vector<std::string> missing;
   std::vector<std::vector<std::string>> rows;
   std::vector<GroundMotion> motions;
@@ -115,7 +168,7 @@ void write_motions(const ReportSource& source, HtmlText& html) {
       missing.push_back(text);
       continue;
     }
-    rows.push_back(row_of(told, *motion));
+    rows.push_back(row_of(told_name(told), *motion));
     names.push_back(told.where);
     motions.push_back(*motion);
   }
@@ -127,12 +180,7 @@ void write_motions(const ReportSource& source, HtmlText& html) {
                  "records, not their samples: for these figures the records "
                  "were read again and the same was done to them.",
                  R"(class="note")");
-    write_figure(
-        html, "motion", fmt::format("The motion of {}; spectra of all motions, 5 % damped.", names.front()), [&] {
-          draw::Chart spectrum = draw::spectrum_chart(motions);
-          for (std::size_t i = 0; i < names.size(); ++i) spectrum.panels[0].series[i].name = names[i];
-          return draw::chart_canvas({draw::motion_chart(motions.front()), spectrum}, draw::Arrangement::beside);
-        });
+    write_motion_figure(html, motions, names);
   }
   write_missing(missing, !motions.empty(), html);
 }

@@ -13,7 +13,7 @@ std::string report_page(const results::ResultsReader& reader, const std::vector<
   html.raw("<!DOCTYPE html>\n").open("html", R"(lang="en")").open("head");
   html.raw(R"(<meta charset="utf-8"/>)")
       .raw(R"(<meta name="viewport" content="width=device-width, initial-scale=1"/>)");
-  html.element("title", "Report: " + reader.path().stem().string()).open("style").raw(report_style()).close().close();
+  html.element("title", "Report: " + reader.title()).open("style").raw(report_style()).close().close();
   html.open("body").open("main");
   write_head(source, html);
   write_model(source, html);

@@ -213,8 +213,10 @@ std::string verdict(const ReportSource& source) {
 void write_head(const ReportSource& source, HtmlText& html) {
   const results::Provenance& from = source.header.provenance;
   html.open("header").element("p", "Report of a run", R"(class="kind")");
-  html.element("h1", source.reader.path().stem().stem().string());
-  html.open("p", R"(class="by")").text(from.script_path.empty() ? "no script" : from.script_path);
+  html.element("h1", source.reader.title());
+  html.open("p", R"(class="by")");
+  if (!from.model.empty()) html.text(source.reader.path().filename().string() + " · ");
+  html.text(from.script_path.empty() ? "no script" : from.script_path);
   if (!from.start_time.empty()) html.text(" · run on " + plain_date(from.start_time));
   if (!from.program_version.empty()) html.text(" · Trilith " + from.program_version);
   html.close().close();

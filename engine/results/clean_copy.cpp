@@ -149,8 +149,9 @@ Committed read_committed(hid_t file) {
   h5::check(H5Dread(dataset.get(), compound.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, record.data()),
             "cannot read the row counters");
   const auto committed = unpack<Committed>(type, 2, record.data());
-  for (const std::int64_t rows : {committed.frames, committed.contacts, committed.histories, committed.events,
-                                  committed.energy, committed.stages, committed.notes, committed.modes})
+  for (const std::int64_t rows :
+       {committed.frames, committed.contacts, committed.histories, committed.events, committed.energy, committed.stages,
+        committed.notes, committed.modes, committed.motions, committed.motion_samples})
     if (rows < 0) throw h5::Failure("a row counter is negative");
   return committed;
 }

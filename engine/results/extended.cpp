@@ -102,6 +102,7 @@ void copy_all(const ResultsReader& from, const Header& header, ResultsWriter& to
   copy_histories(from, header, to);
   copy_tables(from, to);
   copy_modes(from, header, to);
+  for (MotionRow& motion : from.motions()) to.append_motion(std::move(motion));
 }
 
 }  // namespace

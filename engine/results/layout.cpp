@@ -134,6 +134,7 @@ hid_t with_groups(hid_t file) {
   make_group(file, "/frames", "motion, contact forces and bearings at an interval");
   make_group(file, "/histories", "named quantities over time, all sampled at /histories/time");
   make_group(file, "/energy", "energy ledger");
+  make_group(file, "/motions", "ground motions that bodies followed");
   make_group(file, "/modes", "natural modes, as they were found");
   return file;
 }
@@ -288,7 +289,11 @@ Layout::Layout(hid_t file, const Header& h)
       mode_displacement(file, {"/modes/displacement", "1/sqrt(kg)", "of each node; phi' M phi = 1"}, "modes",
                         Kind::real, per_node(h, h.dim)),
       mode_turn(file, {"/modes/rotation", "1/(m sqrt(kg))", "of each node, to the same scale"}, "modes", Kind::real,
-                per_node(h, spin_width(h.dim))) {
+                per_node(h, spin_width(h.dim))),
+      motions(file, {"/motions/list", "", "each body and direction that a motion moved"}, "motions",
+              plain_type<MotionRow>(h.dim)),
+      motion_acceleration(file, {"/motions/acceleration", "m/s2", "samples of all motions, one after the other"},
+                          "motion_samples", Kind::real, {}) {
   if (h.with_velocity) {
     velocity.emplace(file, SetText{"/frames/velocity", "m/s", "velocity of each node"}, "frames", Kind::real,
                      per_node(h, h.dim));
@@ -327,7 +332,7 @@ std::vector<GrowingSet*> Layout::sets() {
   all.push_back(&energy_time);
   for (GrowingSet& set : energy_terms) all.push_back(&set);
   for (GrowingSet* set : {&energy_residual, &events.set, &stages.set, &notes.set, &modes.set, &mode_position,
-                          &mode_rotation, &mode_displacement, &mode_turn})
+                          &mode_rotation, &mode_displacement, &mode_turn, &motions.set, &motion_acceleration})
     all.push_back(set);
   return all;
 }

@@ -16,10 +16,10 @@ struct ProvenanceText {
   std::string Provenance::*member;
 };
 inline constexpr ProvenanceText provenance_texts[] = {
-    {"script_path", &Provenance::script_path},  {"program_version", &Provenance::program_version},
-    {"git_commit", &Provenance::git_commit},    {"compiler", &Provenance::compiler},
-    {"platform", &Provenance::platform},        {"start_time", &Provenance::start_time},
-    {"command_line", &Provenance::command_line}};
+    {"script_path", &Provenance::script_path},   {"program_version", &Provenance::program_version},
+    {"git_commit", &Provenance::git_commit},     {"compiler", &Provenance::compiler},
+    {"platform", &Provenance::platform},         {"start_time", &Provenance::start_time},
+    {"command_line", &Provenance::command_line}, {"model", &Provenance::model}};
 
 /// Throws ResultsError where arrays of the header do not fit each other or hold a number that is not finite, InputError
 /// where a history or energy term has a name that cannot be used.
@@ -59,6 +59,8 @@ struct Layout {
   GrowingSet energy_residual;
   GrowingTable events, stages, notes, modes;
   GrowingSet mode_position, mode_rotation, mode_displacement, mode_turn;
+  GrowingTable motions;
+  GrowingSet motion_acceleration;
 };
 
 }  // namespace trilith::results

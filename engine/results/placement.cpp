@@ -67,6 +67,11 @@ Vec3 Placement::end_of(const BodyRow& body, const double* point) const {
   if (body.node_count == 1) return at(body.first_node, from_first);
   const Vec3 start = start_of(body.first_node) + from_first;
   int node = body.first_node;
+  if (header_.dim == 3) {  // of a frame: with the node that was nearest
+    for (int n = node + 1; n < body.first_node + body.node_count; ++n)
+      if ((start_of(n) - start).squaredNorm() < (start_of(node) - start).squaredNorm()) node = n;
+    return at(node, turn_of(quaternion_of(header_.node_rotation, node)).undo(Vec3(start - start_of(node))));
+  }
   double least = std::numeric_limits<double>::infinity();
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
     const int n = header_.vertex_node[v];

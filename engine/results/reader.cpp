@@ -250,6 +250,26 @@ std::vector<ModeRow> ResultsReader::modes() const {
   });
 }
 
+std::string ResultsReader::title() const {
+  const std::string& name = header().provenance.model;
+  return name.empty() ? (finished() ? path() : path().stem()).stem().string() : name;
+}
+
+std::vector<MotionRow> ResultsReader::motions() const {
+  return body_->guarded([&]() -> std::vector<MotionRow> {
+    const hid_t file = body_->file.get();
+    if (H5Lexists(file, "/motions", H5P_DEFAULT) <= 0) return {};
+    const Committed& safe = body_->committed;
+    auto rows = read_table<MotionRow>(file, "/motions/list", 0, safe.motions, header().dim);
+    for (MotionRow& row : rows) {
+      if (row.first_sample < 0 || row.sample_count < 0 || row.sample_count > safe.motion_samples - row.first_sample)
+        throw h5::Failure("a motion has samples that are not there");
+      row.acceleration = read_rows<double>(file, "/motions/acceleration", row.first_sample, row.sample_count, {});
+    }
+    return rows;
+  });
+}
+
 void repair(const std::filesystem::path& from, const std::filesystem::path& to) {
   const ResultsReader reader(from);
   require_writable(to);

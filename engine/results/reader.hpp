@@ -38,6 +38,8 @@ class ResultsReader {
   void refresh();
 
   const Header& header() const;
+  /// What pictures and pages are titled: the model's name, or where it has none the file's, without its ending.
+  std::string title() const;
 
   std::size_t frame_count() const;
   const std::vector<double>& frame_times() const;  ///< s
@@ -60,6 +62,8 @@ class ResultsReader {
   std::vector<Note> notes() const;
   /// In the order they were found; none in a file of an earlier program.
   std::vector<ModeRow> modes() const;
+  /// In the order they began, with their samples; none in a file of an earlier program.
+  std::vector<MotionRow> motions() const;
 
  private:
   friend void repair(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -55,6 +55,7 @@ struct Provenance {
   std::string command_line;  ///< arguments, separated by blanks
   std::vector<ParameterRow> parameters;
   std::vector<std::string> motions;  ///< one line per ground motion used
+  std::string model;                 ///< its name; may be empty
 };
 
 /// One body. Its nodes, outline points and faces are slices of the arrays in Header.
@@ -234,6 +235,25 @@ struct ModeRow {
   std::vector<double> rotation;      ///< [N][rotation_width]
   std::vector<double> displacement;  ///< [N][dim] 1/sqrt(kg)
   std::vector<double> turn;          ///< [N][spin_width] 1/(m sqrt(kg))
+};
+
+/// A ground motion as a body was moved by it, along one of its directions. The ground is where GroundMotion of these
+/// samples has it: the node is at origin + displacement(t - begin).
+struct MotionRow {
+  std::int32_t body = -1;         ///< row of the bodies
+  std::int32_t node = -1;         ///< the node of that body that follows it; the others keep their distance
+  std::string direction;          ///< "x", "y", "z" or "rotation"
+  double begin = 0;               ///< s, time of the run at which the motion's clock is 0
+  double origin = 0;              ///< m or rad, where the node is when the displacement is 0
+  double step = 0;                ///< s
+  double start_time = 0;          ///< s, of the first sample, on the motion's clock
+  double start_velocity = 0;      ///< m/s, at the first sample
+  double start_displacement = 0;  ///< m
+  std::int64_t first_sample = 0, sample_count = 0;  ///< its samples in the file; the writer's own
+  std::string record;                               ///< file it was read from; may be empty, as the next
+  std::string title;                                ///< event and station
+  std::string text;                                 ///< what was done to it; longer than 240 bytes is cut
+  std::vector<double> acceleration;                 ///< [sample] m/s2, or rad/s2 of a rotation
 };
 
 /// The energy ledger: one column per term of Header::energy_terms, J.

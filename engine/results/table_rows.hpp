@@ -21,6 +21,7 @@ struct ContactRow {
 /// How many rows of each growing table are safe to read. Written last at each flush.
 struct Committed {
   std::int64_t frames = 0, contacts = 0, histories = 0, events = 0, energy = 0, stages = 0, notes = 0, modes = 0;
+  std::int64_t motions = 0, motion_samples = 0;
 };
 
 template <class A>
@@ -33,6 +34,8 @@ void describe(A& a, typename A::template Of<Committed>& row) {
   a.number("stages", row.stages, "1", "rows of /stages");
   a.number("notes", row.notes, "1", "rows of /provenance/notes");
   a.number("modes", row.modes, "1", "rows of every data set in /modes");
+  a.number("motions", row.motions, "1", "rows of /motions/list");
+  a.number("motion_samples", row.motion_samples, "1", "rows of /motions/acceleration");
 }
 
 template <class A>
@@ -135,6 +138,24 @@ void describe(A& a, typename A::template Of<ModeRow>& row) {
   a.number("frequency", row.frequency, "Hz", "natural frequency; 0 where it does not swing");
   a.number("damping", row.damping, "1", "ratio to critical damping");
   a.vector("mass_", row.mass, "kg", "effective mass along each axis");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<MotionRow>& row) {
+  a.number("body", row.body, "1", "row of /model/bodies");
+  a.number("node", row.node, "1", "node of the body that follows it; the others keep their distance");
+  a.text("direction", row.direction, 8, "along which it moves the body: x, y, z or rotation");
+  a.number("begin", row.begin, "s", "time of the run at which its clock is 0");
+  a.number("origin", row.origin, "m", "where the node is along that direction when the displacement is 0");
+  a.number("step", row.step, "s", "between samples");
+  a.number("start_time", row.start_time, "s", "of the first sample, on its clock");
+  a.number("start_velocity", row.start_velocity, "m/s", "at the first sample");
+  a.number("start_displacement", row.start_displacement, "m", "at the first sample");
+  a.number("first_sample", row.first_sample, "1", "first of its rows in /motions/acceleration");
+  a.number("sample_count", row.sample_count, "1", "how many");
+  a.text("record", row.record, 120, "file it was read from");
+  a.text("title", row.title, 120, "event and station");
+  a.text("text", row.text, 240, "record and what was done to it");
 }
 
 template <class A>

@@ -10,6 +10,7 @@
 #include "results/clean_copy.hpp"
 #include "results/layout.hpp"
 #include "results/part_file.hpp"
+#include "results/row_checks.hpp"
 
 namespace trilith::results {
 namespace {
@@ -45,6 +46,7 @@ class ResultsWriter::Body {
   void add_energy(double time, std::span<const double> terms, double residual);
   void add(const NoteRow& note);
   void add(const ModeRow& mode);
+  void add(MotionRow motion);
   std::int32_t begin_stage(const StageRow& row);
   void end_stage(double time, std::string_view why);
   void flush();
@@ -59,11 +61,8 @@ class ResultsWriter::Body {
   void guarded(Action action);
   void create(const Header& header);
   void discard();  // closes everything
-  void check_sizes(const FrameRow& frame) const;
-  void check_numbers(const FrameRow& frame) const;
   void flush_if_full();
   void write_rows();
-  std::string name_of(const std::vector<std::string>& names, std::int32_t index, const char* what) const;
   Committed counts() const;
 
   WriterOptions options_;
@@ -73,7 +72,9 @@ class ResultsWriter::Body {
   std::vector<std::string> bodies_, bearings_;
   std::vector<std::size_t> field_size_;  // numbers in a row of each field
   std::vector<Quantity> history_names_, term_names_;
-  std::vector<bool> followed_;  // [history] it has begun
+  std::vector<bool> followed_;                      // [history] it has begun
+  std::vector<std::vector<double>> accelerations_;  // of motions, each once
+  std::vector<std::int64_t> first_sample_;          // of each of those
   std::optional<PartFile> file_;
   std::optional<Layout> layout_;
   std::vector<GrowingSet*> sets_;
@@ -159,56 +160,9 @@ void ResultsWriter::Body::require_open() const {
   if (finished_) throw ResultsError(fmt::format("results file '{}': is finished, nothing can be added", path.string()));
 }
 
-void ResultsWriter::Body::check_sizes(const FrameRow& frame) const {
-  const auto require = [&](std::size_t given, std::size_t needed, const char* what) {
-    if (given != needed)
-      throw ResultsError(
-          fmt::format("results frame at t = {:g} s: {} has {} numbers, needs {}", frame.time, what, given, needed));
-  };
-  const auto dim = static_cast<std::size_t>(dim_);
-  const std::size_t moving = with_velocity_ ? nodes_ : 0, bearings = bearings_.size();
-  require(frame.position.size(), nodes_ * dim, "position");
-  require(frame.rotation.size(), nodes_ * static_cast<std::size_t>(rotation_width(dim_)), "rotation");
-  require(frame.velocity.size(), moving * dim, "velocity");
-  require(frame.spin.size(), moving * static_cast<std::size_t>(spin_width(dim_)), "spin");
-  require(frame.stress.size(), 3 * elements_, "stress");
-  require(frame.plastic.size(), elements_, "plastic");
-  require(frame.bearing_state.size(), bearings, "bearing_state");
-  require(frame.bearing_force.size(), bearings * dim, "bearing_force");
-  require(frame.bearing_displacement.size(), bearings * dim, "bearing_displacement");
-  require(frame.fields.size(), field_size_.size(), "fields");
-  for (std::size_t i = 0; i < field_size_.size(); ++i) require(frame.fields[i].size(), field_size_[i], "a field");
-}
-
-void ResultsWriter::Body::check_numbers(const FrameRow& frame) const {
-  const auto require = [&](std::span<const double> values, const char* what) {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (!std::isfinite(values[i]))
-        throw ResultsError(
-            fmt::format("results frame at t = {:g} s: number {} of {} is {}", frame.time, i, what, values[i]));
-  };
-  require({&frame.time, 1}, "time");
-  require(frame.position, "position");
-  require(frame.rotation, "rotation");
-  require(frame.velocity, "velocity");
-  require(frame.spin, "spin");
-  require(frame.stress, "stress");
-  require(frame.plastic, "plastic");
-  require(frame.bearing_force, "bearing_force");
-  require(frame.bearing_displacement, "bearing_displacement");
-  for (const std::vector<double>& field : frame.fields) require(field, "a field");
-  for (const ContactForce& contact : frame.contacts) {
-    require(contact.point, "a contact's point");
-    require(contact.force, "a contact's force");
-    require({&contact.area, 1}, "a contact's area");
-    require(contact.normal, "a contact's normal");
-  }
-}
-
 void ResultsWriter::Body::add(const FrameRow& frame) {
   require_open();
-  check_sizes(frame);
-  check_numbers(frame);
+  check_frame(frame, {dim_, nodes_, elements_, bearings_.size(), with_velocity_, field_size_});
   Layout& to = *layout_;
   const auto row = static_cast<std::int32_t>(to.time.rows());
   const std::int64_t first = to.contacts.set.rows();
@@ -274,19 +228,11 @@ void ResultsWriter::Body::add_energy(double time, std::span<const double> terms,
   flush_if_full();
 }
 
-std::string ResultsWriter::Body::name_of(const std::vector<std::string>& names, std::int32_t index,
-                                         const char* what) const {
-  if (index == -1) return "";
-  if (index < 0 || static_cast<std::size_t>(index) >= names.size())
-    throw ResultsError(fmt::format("results event: {} {} of {}", what, index, names.size()));
-  return names[static_cast<std::size_t>(index)];
-}
-
 void ResultsWriter::Body::add(EventRow event) {
   require_open();
-  event.body_a_name = name_of(bodies_, event.body_a, "body");
-  event.body_b_name = name_of(bodies_, event.body_b, "body");
-  event.bearing_name = name_of(bearings_, event.bearing, "bearing");
+  event.body_a_name = row_name(bodies_, event.body_a, "body");
+  event.body_b_name = row_name(bodies_, event.body_b, "body");
+  event.bearing_name = row_name(bearings_, event.bearing, "bearing");
   for (const double value :
        {event.time, event.place[0], event.place[1], event.place[2], event.first.value, event.second.value})
     if (!std::isfinite(value))
@@ -302,21 +248,32 @@ void ResultsWriter::Body::add(const NoteRow& note) {
 
 void ResultsWriter::Body::add(const ModeRow& mode) {
   require_open();
-  const std::size_t dim = static_cast<std::size_t>(dim_), turns = static_cast<std::size_t>(rotation_width(dim_)),
-                    spins = static_cast<std::size_t>(spin_width(dim_));
+  check_mode(mode, dim_, nodes_);
   Layout& to = *layout_;
-  for (const auto& [values, width] : {std::pair{&mode.position, dim}, std::pair{&mode.rotation, turns},
-                                      std::pair{&mode.displacement, dim}, std::pair{&mode.turn, spins}}) {
-    if (values->size() != width * nodes_)
-      throw ResultsError(fmt::format("results mode {}: {} numbers for {} nodes", mode.number, values->size(), nodes_));
-    if (!std::all_of(values->begin(), values->end(), [](double v) { return std::isfinite(v); }))
-      throw ResultsError(fmt::format("results mode {}: holds a number that is not finite", mode.number));
-  }
   to.modes.append(mode, dim_);
   copy(to.mode_position, std::span<const double>(mode.position));
   copy(to.mode_rotation, std::span<const double>(mode.rotation));
   copy(to.mode_displacement, std::span<const double>(mode.displacement));
   copy(to.mode_turn, std::span<const double>(mode.turn));
+  flush();
+}
+
+// Samples that an earlier row has to the bit are not stored again: delayed copies, and one motion of many bodies.
+void ResultsWriter::Body::add(MotionRow motion) {
+  require_open();
+  check_motion(motion, bodies_.size(), nodes_);
+  const auto same = std::find(accelerations_.begin(), accelerations_.end(), motion.acceleration);
+  motion.sample_count = static_cast<std::int64_t>(motion.acceleration.size());
+  motion.first_sample = layout_->motion_acceleration.rows();
+  if (same != accelerations_.end())
+    motion.first_sample = first_sample_[static_cast<std::size_t>(same - accelerations_.begin())];
+  layout_->motions.append(motion, dim_);
+  if (same == accelerations_.end()) {
+    const std::span<const double> values = motion.acceleration;
+    std::memcpy(layout_->motion_acceleration.add(values.size()), values.data(), values.size_bytes());
+    first_sample_.push_back(motion.first_sample);
+    accelerations_.push_back(std::move(motion.acceleration));
+  }
   flush();
 }
 
@@ -350,8 +307,9 @@ void ResultsWriter::Body::flush_if_full() {
 
 Committed ResultsWriter::Body::counts() const {
   const Layout& from = *layout_;
-  return {from.time.rows(),        from.contacts.set.rows(), from.history_time.rows(), from.events.set.rows(),
-          from.energy_time.rows(), from.stages.set.rows(),   from.notes.set.rows(),    from.modes.set.rows()};
+  return {from.time.rows(),        from.contacts.set.rows(),       from.history_time.rows(), from.events.set.rows(),
+          from.energy_time.rows(), from.stages.set.rows(),         from.notes.set.rows(),    from.modes.set.rows(),
+          from.motions.set.rows(), from.motion_acceleration.rows()};
 }
 
 void ResultsWriter::Body::flush() {
@@ -406,6 +364,9 @@ void ResultsWriter::append_note(double time, std::string_view text) {
 }
 void ResultsWriter::append_mode(const ModeRow& mode) {
   body_->add(mode);
+}
+void ResultsWriter::append_motion(MotionRow motion) {
+  body_->add(std::move(motion));
 }
 std::int32_t ResultsWriter::begin_stage(std::string_view name, std::string_view kind, double time) {
   return body_->begin_stage({std::string(name), std::string(kind), time, time, false, ""});

@@ -46,6 +46,8 @@ class ResultsWriter {
   void append_note(double time, std::string_view text);
   /// A mode, and flushes.
   void append_mode(const ModeRow& mode);
+  /// A motion of a body, and flushes. Samples that are in the file already are not stored again.
+  void append_motion(MotionRow motion);
   /// Opens a stage and flushes; gives its row, which frames and events name. Text beyond 64 bytes is cut.
   std::int32_t begin_stage(std::string_view name, std::string_view kind, double time);
   /// Ends the last stage and flushes.

@@ -30,6 +30,7 @@ Vec2 centre_of(const Model<2>& model, const State<2>& state, const Body& body) {
   return mass > 0 ? Vec2(sum / mass) : state.position[body.first_node];
 }
 
+/// Loads act at their places as they are now; a pressure at both ends of its face by shares.
 void add_loads(const Model<2>& model, const State<2>& state, const Work<2>& work, const std::vector<Vec2>& centre,
                std::vector<Virial>& virial) {
   for (const PointLoad<2>& p : model.point_loads) {
@@ -54,6 +55,7 @@ bool is_free(const Model<2>& model, const Body& body) {
 
 }  // namespace
 
+/// Contacts, by the skin points that they push, and bearings; weight and loads are not counted.
 Vec2 force_on(const Model<2>& model, const Work<2>& work, std::span<const int> bodies) {
   Vec2 force = Vec2::Zero();
   for (const int i : bodies) {
@@ -124,6 +126,7 @@ double speed_of(const Body& body, const Work<3>& work) {
 
 }  // namespace
 
+/// The body with the largest force left over along what it is free in, and the one with the fastest point.
 template <int D>
 WorstBodies worst_bodies(const Model<D>& model, const Work<D>& work) {
   WorstBodies worst;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 namespace trilith {
+/// Numbers an event and names its cause: the latest event that touched one of its bodies and can cause others, else the
+/// beginning of the stage. So each event hangs on one before it, and the whole is a tree.
 void Causes::name(Event& event) {
   event.id = next_++;
   if (event.type == EventType::stage_begun) {

@@ -132,7 +132,7 @@ bool Simulation<2>::step_implicitly(double dt, const Energy& energy) {
   how.scheme = *options.implicit, how.dt = dt, how.tolerance = options.tolerance, how.accuracy = options.accuracy;
   how.shortest = shortest_for_energy * longest_implicit(options);
   how.give_up = options.may_change ? least_gain * options.safety * next_.longest : 0;
-  const ImplicitStep step = advance_implicitly(model_, state_, work_, energy, *tangent_, how);
+  const ImplicitStep step = advance_implicitly(model_, state_, work_, energy, *tangent_, how, times_);
   stage_->report.shortest_dt = std::min(stage_->report.shortest_dt, step.dt);
   if (step.converged) return true;
   if (!options.may_change) {

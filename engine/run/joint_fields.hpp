@@ -11,7 +11,7 @@ struct JointOpening {
   static constexpr RowsOf rows = RowsOf::joints;
   static constexpr int width = 1;
   static void take(const FieldSource& from, std::vector<double>& out) {
-    for (const Joint& joint : from.joints) out.push_back(joint_motion(joint, from.now.work).opening);
+    for (const JointMotion& motion : from.joint_motions) out.push_back(motion.opening);
   }
 };
 
@@ -21,7 +21,7 @@ struct JointSlip {
   static constexpr RowsOf rows = RowsOf::joints;
   static constexpr int width = 1;
   static void take(const FieldSource& from, std::vector<double>& out) {
-    for (const Joint& joint : from.joints) out.push_back(joint_motion(joint, from.now.work).slip);
+    for (const JointMotion& motion : from.joint_motions) out.push_back(motion.slip);
   }
 };
 

@@ -12,6 +12,8 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <numeric>
+#include <optional>
 #include <thread>
 
 namespace trilith {
@@ -132,23 +134,47 @@ int processors() {
   return ::sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
 }
 
+namespace {
+
+/// The first of those that wait whose turn it is, taken out, with those before it that never come.
+std::optional<std::size_t> next_of(std::vector<std::size_t>& waiting, const ProcessWatch& watch) {
+  for (auto it = waiting.begin(); it != waiting.end();) {
+    const OrderTurn turn = watch.turn ? watch.turn(*it) : OrderTurn::now;
+    const std::size_t order = *it;
+    if (turn == OrderTurn::later) {
+      ++it;
+      continue;
+    }
+    it = waiting.erase(it);
+    if (turn == OrderTurn::now) return order;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 bool run_processes(std::span<const ProcessOrder> orders, int at_once, const ProcessWatch& watch) {
   const auto most = static_cast<std::size_t>(std::max(1, at_once));
   Crew crew;
-  for (std::size_t next = 0; next < orders.size() || !crew.running.empty();) {
+  std::vector<std::size_t> waiting(orders.size());
+  std::iota(waiting.begin(), waiting.end(), std::size_t{0});
+  for (bool changed = true; !waiting.empty() || !crew.running.empty();) {
     if (!watch.goes_on()) return false;
-    while (next < orders.size() && crew.running.size() < most) {
-      watch.begun(next);
-      const pid_t id = begin(orders[next]);
+    while (changed && crew.running.size() < most) {
+      const std::optional<std::size_t> next = next_of(waiting, watch);
+      if (!next) break;
+      watch.begun(*next);
+      const pid_t id = begin(orders[*next]);
       if (id > 0)
-        crew.running.push_back({next, id, Clock::now()});
+        crew.running.push_back({*next, id, Clock::now()});
       else
-        watch.ended(next, {.exit = cannot_begin, .signal = 0, .seconds = 0});
-      ++next;
+        watch.ended(*next, {.exit = cannot_begin, .signal = 0, .seconds = 0});
     }
+    if (crew.running.empty()) return true;
+    const std::size_t before = crew.running.size();
     collect(crew.running, &watch);
-    if (!crew.running.empty() && (crew.running.size() == most || next == orders.size()))
-      std::this_thread::sleep_for(look_interval);
+    changed = crew.running.size() < before;
+    if (!changed) std::this_thread::sleep_for(look_interval);
   }
   return true;
 }

@@ -25,11 +25,17 @@ struct ProcessEnd {
   [[nodiscard]] std::string trouble() const;
 };
 
+/// Whether an order that waits begins now, once others have ended, or not at all.
+enum class OrderTurn { now, later, never };
+
 struct ProcessWatch {
   std::function<void(std::size_t)> begun;  ///< order number
   std::function<void(std::size_t, const ProcessEnd&)>
       ended;                      /**< order number; not called for those that were stopped */
   std::function<bool()> goes_on;  ///< some hundred times a second; false: stop all
+  /// Asked of what waits, in order, whenever one has ended; empty: always now. One that says later when nothing runs is
+  /// left out.
+  std::function<OrderTurn(std::size_t)> turn = nullptr;
 };
 
 /// Runs all `orders`, at most `at_once` (at least 1) at a time, in their order. Each has a process group of its own, so

@@ -20,6 +20,7 @@ PushoverRecorder::PushoverRecorder(std::string name, double interval, const Push
                                    std::function<double(const Instant<2>&)> drift)
     : name_(std::move(name)), interval_(interval), limits_(limits), drift_(std::move(drift)) {}
 
+/// Adds the step to the mean of the running sample. True where a limit is reached.
 bool PushoverRecorder::step(const Instant<2>& now) {
   const auto& pushes = now.model.pushes;
   const auto at = std::find_if(pushes.begin(), pushes.end(), [&](const Push<2>& p) { return p.name == name_; });

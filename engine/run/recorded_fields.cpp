@@ -49,10 +49,12 @@ void RecordedFields::describe(const Model<2>& model, results::Header& header) co
 const std::vector<std::vector<double>>& RecordedFields::take(const Instant<2>& now,
                                                              std::span<const TouchingContact> touching) {
   if (joints_.empty()) return values_;
+  motions_.clear();
+  for (const Joint& joint : joints_) motions_.push_back(joint_motion(joint, now.work));
   auto values = values_.begin();
   RecordedFieldTypes::for_each([&]<class F>() {
     values->clear();
-    F::take({now, joints_, touching}, *values++);
+    F::take({now, joints_, touching, motions_}, *values++);
   });
   return values_;
 }

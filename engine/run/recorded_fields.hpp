@@ -24,6 +24,7 @@ class RecordedFields {
 
  private:
   std::vector<Joint> joints_;
+  std::vector<JointMotion> motions_;  // of the joints, for all fields of an instant
   std::size_t bodies_;
   std::vector<std::vector<double>> values_;
 };

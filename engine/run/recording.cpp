@@ -323,6 +323,9 @@ void Recording<D>::note_drives(const Model<D>& model) {
   for (; drives_known_ < model.drives.size(); ++drives_known_)
     if (leads(model, model.drives[drives_known_]))
       note("ground motion: " + drive_text(model, model.drives[drives_known_]));
+  for (; motions_kept_ < model.drives.size(); ++motions_kept_)
+    if (leads(model, model.drives[motions_kept_]))
+      writer_.append_motion(motion_row(model, model.drives[motions_kept_]));
 }
 
 template <int D>

@@ -70,6 +70,7 @@ class Recording {
  private:
   void begin_stage(const Event& event, const Instant<D>& now);
   void end_stage(double time, std::string_view why);
+  /// Those that came since the last look: a note for each, where the header does not name it, and its samples.
   void note_drives(const Model<D>& model);
   void take_contacts(const Instant<D>& now);
   void take_bearings(const Instant<D>& now);
@@ -89,7 +90,7 @@ class Recording {
   bool has_frame_ = false, rows_wait_ = false;
   std::int32_t stage_ = -1, analyses_ = 0;
   bool stage_open_ = false;
-  std::size_t drives_known_;
+  std::size_t drives_known_, motions_kept_ = 0;
   double time_;
   bool has_balance_ = false;
   double first_balance_ = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <set>
 #include <tuple>
 
@@ -35,12 +36,14 @@ std::vector<double> outline_of(const Model<2>& model, const Body& body) {
 }
 
 /// "free", "fixed", "moved" where all nodes are alike, else "free (2 of 9 nodes held)".
-std::string nodes_support_text(const Model<2>& model, const Body& body) {
+template <int D>
+std::string nodes_support_text(const Model<D>& model, const Body& body) {
   int free = 0, driven = 0;
   for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
     const auto& s = model.support[n];
-    free += s[0] == Support::free && s[1] == Support::free ? 1 : 0;
-    driven += s[0] == Support::driven || s[1] == Support::driven ? 1 : 0;
+    const auto end = s.begin() + D;
+    free += std::all_of(s.begin(), end, [](Support k) { return k == Support::free; }) ? 1 : 0;
+    driven += std::any_of(s.begin(), end, [](Support k) { return k == Support::driven; }) ? 1 : 0;
   }
   if (free == body.nodes) return "free";
   if (driven == body.nodes) return "moved";
@@ -54,8 +57,13 @@ Vec2 point_from_node(const Model<2>& model, int body, const Tie<2>& tie) {
   return pose_at(model, initial_state(model), tie).place - model.start_position[model.bodies[body].first_node];
 }
 
-Vec3 point_from_node(const Model<3>& /*model*/, int /*body*/, const Tie<3>& tie) {
-  return tie.arm[0];
+/// The same in space; of a frame from where its first node is at the start, in the axes of the world.
+Vec3 point_from_node(const Model<3>& model, int body, const Tie<3>& tie) {
+  const Body& b = model.bodies[body];
+  if (b.is_rigid()) return tie.arm[0];
+  const int n = tie.node[0];
+  return model.start_position[n] + turn_of(model.start_rotation[n]).apply(tie.arm[0]) -
+         model.start_position[b.first_node];
 }
 
 void add_deformable(const Model<2>& model, const State<2>& state, const Body& body, results::Header& header) {
@@ -110,6 +118,54 @@ void add_bodies(const Model<2>& model, const State<2>& state, results::Header& h
   }
 }
 
+/// The outer faces of a body's pieces, and all of their corners in the axes of the nodes they go with.
+struct BodySkin {
+  std::vector<double> corners;  ///< [corner][3] m
+  FaceLoops faces;
+};
+BodySkin skin_of(const Model<3>& model, const Body& body) {
+  BodySkin skin;
+  for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
+    const ConvexSolid& piece = model.piece_solid[p];
+    const int first = static_cast<int>(skin.corners.size() / 3);
+    for (const Vec3& x : piece.shape.corners) skin.corners.insert(skin.corners.end(), {x.x(), x.y(), x.z()});
+    for (int f = 0; f < piece.shape.faces.count(); ++f) {
+      if (!piece.is_surface(f)) continue;
+      std::vector<int> loop;
+      for (const int corner : piece.shape.faces[f]) loop.push_back(first + corner);
+      skin.faces.add(loop);
+    }
+  }
+  return skin;
+}
+
+/// A frame in space: the first of its nodes as of a rigid body, then the others, and each corner on its own node.
+void add_space_frame(const Model<3>& model, const State<3>& state, const Body& body, results::BodyRow row,
+                     results::Header& header) {
+  const BodySkin skin = skin_of(model, body);
+  const std::size_t first_vertex = header.vertex_node.size();
+  row.support = nodes_support_text(model, body);
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+    const UnitQuaternion& q = state.rotation[n];
+    const std::array rotation{q.w, q.x, q.y, q.z};
+    if (n == body.first_node) {
+      header.add_solid_body(row, std::span(state.position[n].data(), 3), rotation, model.mass[n],
+                            std::span(model.inertia[n].data(), 3), skin.corners, skin.faces);
+      continue;
+    }
+    header.node_position.insert(header.node_position.end(), state.position[n].data(), state.position[n].data() + 3);
+    header.node_rotation.insert(header.node_rotation.end(), rotation.begin(), rotation.end());
+    header.node_mass.push_back(model.mass[n]);
+    header.node_inertia.insert(header.node_inertia.end(), model.inertia[n].data(), model.inertia[n].data() + 3);
+  }
+  header.bodies.back().node_count = body.nodes;
+  const std::int32_t base = header.bodies.back().first_node;
+  std::size_t vertex = first_vertex;
+  for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p)
+    for (std::size_t c = 0; c < model.piece_solid[p].shape.corners.size(); ++c)
+      header.vertex_node[vertex++] = base + model.node_of_piece(p) - body.first_node;
+}
+
 /// A solid's pieces with their outer faces, in the principal axes of the body.
 void add_bodies(const Model<3>& model, const State<3>& state, results::Header& header) {
   for (const Body& body : model.bodies) {
@@ -117,19 +173,11 @@ void add_bodies(const Model<3>& model, const State<3>& state, results::Header& h
     results::BodyRow row;
     row.name = body.name, row.kind = name_of(body.kind), row.material = body.material;
     row.groups = joined(body.groups), row.support = support_text(model.support[n]);
-    std::vector<double> corners;
-    FaceLoops faces;
-    for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
-      const ConvexSolid& piece = model.piece_solid[p];
-      const int first = static_cast<int>(corners.size() / 3);
-      for (const Vec3& x : piece.shape.corners) corners.insert(corners.end(), {x.x(), x.y(), x.z()});
-      for (int f = 0; f < piece.shape.faces.count(); ++f) {
-        if (!piece.is_surface(f)) continue;
-        std::vector<int> loop;
-        for (const int corner : piece.shape.faces[f]) loop.push_back(first + corner);
-        faces.add(loop);
-      }
+    if (!body.is_rigid()) {
+      add_space_frame(model, state, body, std::move(row), header);
+      continue;
     }
+    const auto [corners, faces] = skin_of(model, body);
     const UnitQuaternion& q = state.rotation[n];
     header.add_solid_body(std::move(row), std::span(state.position[n].data(), 3), std::array{q.w, q.x, q.y, q.z},
                           model.mass[n], std::span(model.inertia[n].data(), 3), corners, faces);
@@ -278,6 +326,22 @@ std::string drive_text(const Model<D>& model, const Drive& drive) {
                      drive.start);
 }
 
+template <int D>
+results::MotionRow motion_row(const Model<D>& model, const Drive& drive) {
+  const GroundMotion& motion = *drive.motion;
+  results::MotionRow row;
+  row.body = body_of_node(model, drive.node), row.node = drive.node;
+  row.direction = dof_names<D>[static_cast<std::size_t>(drive.dof)];
+  row.begin = drive.start, row.origin = drive.origin;
+  row.step = motion.step(), row.start_time = motion.start_time();
+  row.start_velocity = motion.start().velocity, row.start_displacement = motion.start().displacement;
+  row.record = std::filesystem::path(motion.source().file).filename().string();
+  row.title = motion.source().title, row.text = motion.description();
+  row.acceleration.reserve(motion.samples().size());
+  for (const MotionAt& sample : motion.samples()) row.acceleration.push_back(sample.acceleration);
+  return row;
+}
+
 namespace {
 
 /// Of one direction, or of both horizontal ones: its law and its limit.
@@ -329,5 +393,7 @@ template bool leads(const Model<2>&, const Drive&);
 template bool leads(const Model<3>&, const Drive&);
 template std::string drive_text(const Model<2>&, const Drive&);
 template std::string drive_text(const Model<3>&, const Drive&);
+template results::MotionRow motion_row(const Model<2>&, const Drive&);
+template results::MotionRow motion_row(const Model<3>&, const Drive&);
 
 }  // namespace trilith

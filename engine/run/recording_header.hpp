@@ -49,6 +49,10 @@ bool leads(const Model<D>& model, const Drive& drive);
 template <int D>
 std::string drive_text(const Model<D>& model, const Drive& drive);
 
+/// The same with its samples, for the results file.
+template <int D>
+results::MotionRow motion_row(const Model<D>& model, const Drive& drive);
+
 /// A bearing's laws by direction, its limits and what it becomes.
 template <int D>
 std::string bearing_text(const Model<D>& model, const Bearing<D>& bearing);

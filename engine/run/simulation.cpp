@@ -25,42 +25,10 @@
 namespace trilith {
 namespace {
 
-/// The largest share of the longest stable step: above it impacts miss their energy by a fifth.
-constexpr double longest_safety = 0.9;
 /// A step below this [s], or below this share of its stage, is no step: time would stand still.
 constexpr double shortest_step = 1e-12, shortest_share = 1e-9;
 /// A stage of so long [s] is meant to end by something else: rest, a number of steps, the person at the console.
 constexpr double open_ended = 1e8;
-
-void check(const StageOptions& o, bool in_space) {
-  const std::string owner = fmt::format("stage '{}'", o.name);
-  require_positive(o.duration, owner + ": duration", "s");
-  require_not_negative(o.dt, owner + ": dt", "s");
-  if (!(o.safety > 0 && o.safety <= longest_safety))
-    throw InputError(
-        fmt::format("{}: safety is {:g}, must be above 0 and at most {:g}: close to 1 a step is stable and yet "
-                    "too coarse to keep energy",
-                    owner, o.safety, longest_safety));
-  if (!(o.rest_share >= 0 && o.rest_share < 1))
-    throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
-  if (o.implicit && in_space)
-    throw InputError(
-        fmt::format("{}: integrator is implicit, which models in space have not yet; leave it out, or take "
-                    "integrator = \"explicit\"",
-                    owner));
-  if (o.implicit && o.rest_share > 0)
-    throw InputError(
-        fmt::format("{}: damping is {:g}, which only explicit steps have; leave it out, or take "
-                    "integrator = \"explicit\"",
-                    owner, o.rest_share));
-  for (const double v : {o.frame_interval, o.history_interval, o.energy_interval})
-    require_not_negative(v, owner + ": interval", "s");
-  if (o.until_rest) {
-    require_positive(o.still_speed, owner + ": speed at rest", "m/s");
-    require_positive(o.still_ratio, owner + ": unbalanced ratio at rest", "1");
-    require_not_negative(o.still_hold, owner + ": hold", "s");
-  }
-}
 
 }  // namespace
 
@@ -109,6 +77,7 @@ void Simulation<D>::edit(const std::function<void(Model<D>&)>& change) {
   if (model_.free_dofs() > before) drop_step();
 }
 
+/// Bonds are part of State; pairs and their rows are found anew afterwards.
 template <int D>
 void Simulation<D>::lift_bonds() {
   assert(!running_);
@@ -208,7 +177,7 @@ void Simulation<D>::tell_end(const RunListener<D>& listener, const Instant<D>& n
 
 template <int D>
 void Simulation<D>::begin_stage(const StageOptions& options) {
-  check(options, D == 3);
+  require_valid(options, D == 3);
   assert(!running_);
   if (verdict_.has(Fault::diverged))
     throw InputError(
@@ -233,6 +202,8 @@ StageReport Simulation<D>::resume(const RunListener<D>& listener) {
   return go_on(listener);
 }
 
+/// Step after step until the stage is over. A handler that throws ends the stage, and the state is that of the last
+/// instant.
 template <int D>
 StageReport Simulation<D>::go_on(const RunListener<D>& listener) {
   const Flagged running(running_);
@@ -248,6 +219,7 @@ StageReport Simulation<D>::go_on(const RunListener<D>& listener) {
   return report;
 }
 
+/// Called from within a handler at the step border: some steps more, then back to it.
 template <int D>
 void Simulation<D>::run_on(const RunListener<D>& listener, const RunLimit& limit) {
   assert(running_ && at_border_ && stage_);
@@ -265,6 +237,7 @@ void Simulation<D>::run_on(const RunListener<D>& listener, const RunLimit& limit
   }
 }
 
+/// All that the run depends on. The model is kept once for as long as it does not change.
 template <int D>
 Snapshot<D> Simulation<D>::snapshot() {
   if (!kept_model_) kept_model_ = std::make_shared<const Model<D>>(model_);

@@ -53,6 +53,7 @@ struct NextStep {
 class Watch;
 class Tangent;
 struct EquilibriumOptions;
+struct LoadWay;
 
 template <int D>
 class Simulation {
@@ -71,8 +72,10 @@ class Simulation {
   StageReport run(const StageOptions& options, const RunListener<D>& listener = {});
   /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Throws
   /// InputError in space. Where none is found the state is as it was, and the report says what fails. Of `options`
-  /// name, must_rest and intervals count.
-  StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener = {});
+  /// name, must_rest and intervals count. `way`: what has led here, each of its points a frame and a sample, all of
+  /// them at the present time.
+  StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener = {},
+                     const LoadWay* way = nullptr);
   /// Runs a stage that restore() has brought back to its end.
   StageReport resume(const RunListener<D>& listener = {});
   /// Within at_border of a running stage: takes further steps of that stage, up to `limit` or its end.
@@ -130,6 +133,7 @@ class Simulation {
   void pass(const RunListener<D>& listener);
   void see_off();
   bool ends(const RunListener<D>& listener, const Instant<D>& now);
+  void tell_way(const LoadWay& way, const RunListener<D>& listener);
   void tell_samples(const RunListener<D>& listener, const Instant<D>& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;
   [[nodiscard]] bool wants_implicit() const;

@@ -46,6 +46,10 @@ struct StageOptions {
   double energy_interval = 0;   ///< [s]; 0: none
 };
 
+/// Throws InputError where an option is out of its range or does not go with another. `in_space`: the model's dimension
+/// is three.
+void require_valid(const StageOptions& options, bool in_space);
+
 struct StageReport {
   std::string name;
   StageEnd end = StageEnd::time;

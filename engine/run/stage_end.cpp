@@ -35,6 +35,7 @@ std::string unsettled_text(const Instant<D>& now, const WorstBodies& worst) {
 
 }  // namespace
 
+/// Events of a stage have no bodies and no place: their text says what there is to say.
 template <int D>
 Event stage_event(EventType type, const Instant<D>& now, const std::string& text) {
   Event e;
@@ -52,6 +53,7 @@ Event integrator_event(const Instant<D>& now, const std::string& text) {
   return e;
 }
 
+/// Divergence goes before all other ends: what was found, since when, and what to do about it.
 template <int D>
 void set_end(StageReport& report, const Instant<D>& now, const std::optional<Divergence>& diverged, StageEnd end) {
   report.end = diverged ? StageEnd::diverged : end;
@@ -82,6 +84,7 @@ std::string unsettled_reason(const Instant<D>& now) {
   return what + "; give more duration, or look at how it moves: it may be unable to stand";
 }
 
+/// Of a step that did not converge at any length: when, how far it came, and the body with the most left over.
 std::string stuck_reason(const Model<2>& model, const State<2>& state, const ImplicitStep& step) {
   const std::string where = step.worst < 0 ? "nowhere" : model.bodies[body_of_node(model, step.worst)].name;
   return fmt::format(
@@ -91,6 +94,7 @@ std::string stuck_reason(const Model<2>& model, const State<2>& state, const Imp
       state.time, step.dt, step.left, where);
 }
 
+/// Either something is not held at all, which no number of iterations mends, or the last forces do not vanish.
 std::string no_rest_reason(const Model<2>& model, const Equilibrium& found) {
   const std::string where = found.worst < 0 ? "nothing" : model.bodies[body_of_node(model, found.worst)].name;
   if (found.end == EquilibriumEnd::goes_off)

@@ -17,6 +17,7 @@ bool is_unit(const Body& body) {
   return std::find(body.groups.begin(), body.groups.end(), "units") != body.groups.end();
 }
 
+/// Joints between two bodies of the set that belong to the storey: apart where they opened or slipped beyond the limit.
 void count_joints(const Model<2>& model, const Work<2>& work, const std::vector<int>& bodies,
                   const std::vector<Joint>& joints, double limit, StoreyDamage& damage) {
   for (const Joint& joint : joints) {

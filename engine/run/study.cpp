@@ -6,9 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
@@ -16,43 +14,12 @@
 #include "results/study_table.hpp"
 #include "run/processes.hpp"
 #include "run/progress.hpp"
+#include "run/slurm_job.hpp"
 #include "run/study_columns.hpp"
+#include "run/study_records.hpp"
 
 namespace trilith {
 namespace {
-
-constexpr const char* record_file = "case.txt";  // of a finished case: its digest, wall clock and figures
-
-std::string digest_of(const StudyOrder& order, std::size_t index) {
-  Hash hash;
-  hash.add(order.source);
-  for (std::size_t k = 0; k < order.plan.names.size(); ++k) hash.add(order.plan.argument(index, k));
-  for (const StudyHistory& h : order.histories) hash.add(h.column());
-  return fmt::format("{:016x}", hash.value());
-}
-
-std::string text_in(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  return text.str();
-}
-
-/// What an earlier call has left of a case, where it still holds.
-bool take_earlier(const std::string& digest, StudyOutcome& outcome) {
-  std::istringstream in(text_in(outcome.folder / record_file));
-  std::string first, number;
-  if (!std::getline(in, first) || first != digest || !std::getline(in, number)) return false;
-  try {
-    outcome.figures = figures_from(in.str().substr(static_cast<std::size_t>(in.tellg())));
-    outcome.seconds = std::stod(number);
-  } catch (const std::exception&) {
-    return false;  // damaged: run again
-  }
-  outcome.status = StudyStatus::finished;
-  outcome.earlier = true;
-  return true;
-}
 
 void require_distinct(const StudyOrder& order) {
   std::map<std::string, std::size_t> seen;
@@ -95,62 +62,166 @@ void make_folders(const std::filesystem::path& folder) {
 class StudyRun {
  public:
   StudyRun(const StudyOrder& order, const StudyWatch& watch)
-      : order_(order), watch_(watch), outcomes_(order.plan.cases.size()) {}
+      : order_(order), watch_(watch), outcomes_(order.plan.cases.size()), below_(outcomes_.size()) {}
 
   std::vector<StudyOutcome> go() {
     require_distinct(order_);
     if (order_.rise) require_rising(order_.plan, order_.rise->over);
+    find_chains();
     make_folders(folder_of_cases(order_));
+    if (!order_.only.empty()) return run_some();
     const Lock lock(folder_of_cases(order_));
     results::require_study_path(order_.file);
     results::Provenance provenance = order_.provenance;  // before the first case: its time is the study's begin
     sort_out();
-    const bool whole = run_due();
+    const bool whole = order_.on_slurm.empty() ? run_due() : run_on_slurm();
     results::write_study_table(order_.file, study_table_columns(order_.plan, outcomes_), provenance, whole);
     watch_.line(summary(whole), false);
     return std::move(outcomes_);
   }
 
  private:
+  /// Of a study that rises, which cases lie below each.
+  void find_chains() {
+    if (!order_.rise) return;
+    chains_ = rising_chains(order_.plan, order_.rise->over);
+    for (const std::vector<std::size_t>& chain : chains_)
+      for (std::size_t k = 0; k < chain.size(); ++k)
+        below_[chain[k]].assign(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+
   void sort_out() {
     for (std::size_t i = 0; i < outcomes_.size(); ++i) {
       outcomes_[i].folder = case_folder(order_, i);
-      if (order_.fresh || !take_earlier(digest_of(order_, i), outcomes_[i])) due_.push_back(i);
+      if (order_.fresh || !take_finished_case(case_digest(order_, i), outcomes_[i])) due_.push_back(i);
     }
+    // Of a study that rises, the lowest of each chain come first.
+    std::stable_sort(due_.begin(), due_.end(),
+                     [this](std::size_t a, std::size_t b) { return below_[a].size() < below_[b].size(); });
     const std::size_t kept = outcomes_.size() - due_.size();
-    watch_.line(fmt::format("study of {} case{}, {} at a time{}", outcomes_.size(), outcomes_.size() == 1 ? "" : "s",
-                            jobs(), kept == 0 ? "" : fmt::format("; {} finished before", kept)),
+    watch_.line(fmt::format("study of {} case{}, {}{}", outcomes_.size(), outcomes_.size() == 1 ? "" : "s",
+                            order_.on_slurm.empty() ? fmt::format("{} at a time", jobs()) : "by Slurm",
+                            kept == 0 ? "" : fmt::format("; {} finished before", kept)),
                 false);
   }
 
   [[nodiscard]] int jobs() const { return order_.jobs > 0 ? order_.jobs : processors(); }
 
-  /// All at once or, where the study rises, level by level: what is passed over depends on the level before.
   bool run_due() {
     if (order_.prepare && !due_.empty()) order_.prepare();
-    if (!order_.rise) return run_these(due_);
-    const std::vector<std::vector<std::size_t>> levels = rising_levels(order_.plan, order_.rise->over);
-    for (const std::vector<std::size_t>& level : levels) {
-      std::vector<std::size_t> wanted;
-      for (const std::size_t i : level) {
-        if (outcomes_[i].status == StudyStatus::finished) continue;
-        if (is_passed_over(i))
-          outcomes_[i].status = StudyStatus::passed_over, ++passed_;
-        else
-          wanted.push_back(i);
-      }
-      if (!run_these(wanted)) return false;
+    return run_these(due_);
+  }
+
+  /// A task of a cluster: some cases, each of which is left finished or failed in its folder.
+  std::vector<StudyOutcome> run_some() {
+    sort_out();
+    const auto is_other = [this](std::size_t i) {
+      return std::find(order_.only.begin(), order_.only.end(), i) == order_.only.end();
+    };
+    std::erase_if(due_, is_other);
+    run_due();
+    return std::move(outcomes_);
+  }
+
+  /// The cases in a job of Slurm, or in that which an earlier call has begun; then what they left.
+  bool run_on_slurm() {
+    SlurmJob job(folder_of_cases(order_), order_.on_slurm, std::max(1, order_.jobs));
+    if (!job.goes_on()) {
+      if (due_.empty()) return true;
+      if (order_.per_task == 0 && mean_seconds() == 0 && !time_one()) return false;
+      for (const std::size_t i : due_) std::filesystem::remove_all(outcomes_[i].folder);
+      watch_.line(job.submit(slurm_tasks(chains_of_due(), mean_seconds(), order_.per_task)), false);
+    } else {
+      watch_.line(fmt::format("job {} of an earlier call goes on", job.number()), false);
     }
+    const bool ended = job.wait([this] {
+      gather();
+      return look();
+    });
+    gather();
+    for (const std::size_t i : due_)
+      if (outcomes_[i].status == StudyStatus::not_run) take_failed_case(case_digest(order_, i), outcomes_[i]);
+    failed_ = count_of(StudyStatus::failed);
+    for (const std::size_t i : due_)
+      if (outcomes_[i].status == StudyStatus::failed)
+        watch_.line(fmt::format("case {} of {}  {}: failed: {}", i + 1, outcomes_.size(), order_.plan.label(i),
+                                outcomes_[i].message),
+                    true);
+    if (!ended)
+      watch_.line(
+          fmt::format("job {} goes on; the same command follows it (scancel {} ends it)", job.number(), job.number()),
+          true);
+    if (count_of(StudyStatus::not_run) > 0 && ended)
+      watch_.line("some cases were not run: the same command runs what is missing", true);
+    return count_of(StudyStatus::not_run) == 0;
+  }
+
+  /// One case here, so that tasks are known to be long enough.
+  bool time_one() {
+    if (order_.prepare) order_.prepare();
+    const std::size_t first = due_.front();
+    if (!run_these({first})) return false;
+    due_.erase(due_.begin());
     return true;
+  }
+
+  [[nodiscard]] double mean_seconds() const {
+    double sum = 0, count = 0;
+    for (const StudyOutcome& o : outcomes_)
+      if (o.status == StudyStatus::finished) sum += o.seconds, ++count;
+    return count == 0 ? 0 : sum / count;
+  }
+
+  [[nodiscard]] std::size_t count_of(StudyStatus status) const {
+    return static_cast<std::size_t>(
+        std::count_if(outcomes_.begin(), outcomes_.end(), [&](const auto& o) { return o.status == status; }));
+  }
+
+  /// Cases that hang on one another go to one task.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> chains_of_due() const {
+    std::vector<std::vector<std::size_t>> out = rising_chains(order_.plan, order_.rise ? order_.rise->over : "");
+    for (std::vector<std::size_t>& chain : out)
+      std::erase_if(chain, [this](std::size_t i) { return std::find(due_.begin(), due_.end(), i) == due_.end(); });
+    std::erase_if(out, [](const auto& chain) { return chain.empty(); });
+    return out;
+  }
+
+  /// What the tasks have finished so far.
+  void gather() {
+    for (const std::size_t i : due_) {
+      StudyOutcome& o = outcomes_[i];
+      if (o.status != StudyStatus::not_run) continue;
+      if (take_finished_case(case_digest(order_, i), o)) {
+        o.earlier = false;
+        ++finished_;
+        spent_ += o.seconds;
+        last_ = order_.plan.label(i);
+      } else if (order_.rise && is_passed_over(i)) {
+        o.status = StudyStatus::passed_over, ++passed_;
+      }
+    }
   }
 
   /// Whether a case that differs in the rising parameter alone, and lies lower, has come to where the study stops.
   [[nodiscard]] bool is_passed_over(std::size_t i) const {
-    for (std::size_t k = 0; k < outcomes_.size(); ++k)
-      if (outcomes_[k].status == StudyStatus::finished && is_below(order_.plan, order_.rise->over, k, i))
+    for (const std::size_t k : below_[i])
+      if (outcomes_[k].status == StudyStatus::finished)
         for (const StudyFigure& f : outcomes_[k].figures)
           if (f.name == order_.rise->stop && f.value == decltype(f.value)(true)) return true;
     return false;
+  }
+
+  /// Of a study that rises: once those below have ended, without having come to where it stops.
+  OrderTurn turn_of(std::size_t i) {
+    if (is_passed_over(i)) {
+      outcomes_[i].status = StudyStatus::passed_over, ++passed_;
+      return OrderTurn::never;
+    }
+    const auto waits = [this](std::size_t k) {
+      return outcomes_[k].status == StudyStatus::not_run &&
+             (order_.only.empty() || std::find(due_.begin(), due_.end(), k) != due_.end());
+    };
+    return std::any_of(below_[i].begin(), below_[i].end(), waits) ? OrderTurn::later : OrderTurn::now;
   }
 
   bool run_these(const std::vector<std::size_t>& wanted) {
@@ -163,9 +234,9 @@ class StudyRun {
       else
         orders.back().command = order_.command(i, folder);
     }
-    const ProcessWatch watch{[&](std::size_t n) { begin(wanted[n]); },
-                             [&](std::size_t n, const ProcessEnd& end) { finish(wanted[n], end); },
-                             [this] { return look(); }};
+    const ProcessWatch watch{
+        [&](std::size_t n) { begin(wanted[n]); }, [&](std::size_t n, const ProcessEnd& end) { finish(wanted[n], end); },
+        [this] { return look(); }, [&](std::size_t n) { return order_.rise ? turn_of(wanted[n]) : OrderTurn::now; }};
     return run_processes(orders, jobs(), watch);
   }
 
@@ -181,7 +252,10 @@ class StudyRun {
     o.exit = end.exit;
     o.seconds = end.seconds;
     o.message = why_failed(o, end);
-    if (o.message.empty()) keep(i);
+    if (o.message.empty())
+      keep_finished_case(case_digest(order_, i), o);
+    else if (!order_.only.empty())
+      keep_failed_case(case_digest(order_, i), o);
     o.status = o.message.empty() ? StudyStatus::finished : StudyStatus::failed;
     --running_;
     ++(o.status == StudyStatus::failed ? failed_ : finished_);
@@ -195,12 +269,12 @@ class StudyRun {
   /// Reads the figures; "" where all is well.
   std::string why_failed(StudyOutcome& o, const ProcessEnd& end) const {
     if (!end.trouble().empty()) {
-      const std::string said = text_in(o.folder / "errors.txt");
+      const std::string said = case_text(o.folder / "errors.txt");
       const std::string line = said.substr(0, said.find('\n'));
       return line.empty() ? end.trouble() : line;
     }
     try {
-      o.figures = figures_from(text_in(o.folder / figures_file));
+      o.figures = figures_from(case_text(o.folder / figures_file));
       for (const StudyHistory& h : order_.histories) o.figures.push_back(figure_from_results(o.folder, h));
       check_figure_names(order_.plan, o.figures);
     } catch (const std::exception& e) {
@@ -210,20 +284,14 @@ class StudyRun {
     return "";
   }
 
-  void keep(std::size_t i) const {
-    const StudyOutcome& o = outcomes_[i];
-    write_whole_file(o.folder / record_file,
-                     fmt::format("{}\n{}\n{}", digest_of(order_, i), o.seconds, figures_text(o.figures)));
-  }
-
   bool look() {
     const std::size_t done = finished_ + failed_, gone = std::min(done + passed_, due_.size()),
                       left = due_.size() - gone;
     std::string text = fmt::format("study: {} of {} done", outcomes_.size() - left, outcomes_.size());
     if (failed_ > 0) text += fmt::format(", {} failed", failed_);
     if (passed_ > 0) text += fmt::format(", {} passed over", passed_);
-    text += fmt::format(", {} running", running_);
-    if (done > 0) {
+    if (order_.on_slurm.empty()) text += fmt::format(", {} running", running_);
+    if (done > 0 && order_.on_slurm.empty()) {
       // Half of what runs is taken as done.
       const double cases = static_cast<double>(left) - 0.5 * static_cast<double>(running_);
       text += fmt::format(", {} left", duration_text(spent_ / static_cast<double>(done) * cases / jobs()));
@@ -244,8 +312,9 @@ class StudyRun {
 
   const StudyOrder& order_;
   const StudyWatch& watch_;
-  std::vector<StudyOutcome> outcomes_;  // [case]
-  std::vector<std::size_t> due_;        // cases to run
+  std::vector<StudyOutcome> outcomes_;                    // [case]
+  std::vector<std::size_t> due_;                          // cases to run
+  std::vector<std::vector<std::size_t>> chains_, below_;  // of a study that rises; [case] those below it
   std::size_t finished_ = 0, failed_ = 0, running_ = 0, passed_ = 0;
   std::string last_;  // the case that ended last
   double spent_ = 0;  // wall clock of all that ended [s]

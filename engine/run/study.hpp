@@ -36,6 +36,11 @@ struct StudyOrder {
   results::Provenance provenance;  ///< for the table
   int jobs = 0;                    ///< cases at a time; 0: as many as there are processors
   bool fresh = false;              ///< run also those again that are finished
+  /// Cases, from 0, that are run alone, without a table, while others may run others: a task of a cluster. Empty: all.
+  std::vector<std::size_t> only;
+  /// Where not empty, the cases are run by Slurm: program and arguments of this study, to which `--cases` is added.
+  std::vector<std::string> on_slurm;
+  int per_task = 0;  ///< cases of a task of Slurm; 0: as many as take some minutes
 };
 
 /// `passed_over`: a case of lower intensity has already given what the study rises to.

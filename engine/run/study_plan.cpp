@@ -130,26 +130,25 @@ void require_rising(const StudyPlan& plan, const std::string& parameter) {
           fmt::format("study: '{}' is to rise, but its value '{}' is no number", parameter, text_of(row[k])));
 }
 
-std::vector<std::vector<std::size_t>> rising_levels(const StudyPlan& plan, const std::string& parameter) {
-  const auto k =
+std::vector<std::vector<std::size_t>> rising_chains(const StudyPlan& plan, const std::string& parameter) {
+  const auto rising =
       static_cast<std::size_t>(std::find(plan.names.begin(), plan.names.end(), parameter) - plan.names.begin());
-  std::map<double, std::vector<std::size_t>> levels;
-  for (std::size_t i = 0; i < plan.cases.size(); ++i) levels[std::get<double>(plan.cases[i][k])].push_back(i);
-  std::vector<std::vector<std::size_t>> out;
-  for (auto& [value, cases] : levels) out.push_back(std::move(cases));
-  return out;
-}
-
-bool is_below(const StudyPlan& plan, const std::string& parameter, std::size_t low, std::size_t high) {
-  bool below = false;
-  for (std::size_t k = 0; k < plan.names.size(); ++k) {
-    const StudyValue &a = plan.cases[low][k], &b = plan.cases[high][k];
-    if (plan.names[k] == parameter)
-      below = std::get<double>(a) < std::get<double>(b);
-    else if (a != b)
-      return false;
+  std::map<std::string, std::size_t> chain_of;  // by the other parameters
+  std::vector<std::vector<std::size_t>> chains;
+  for (std::size_t i = 0; i < plan.cases.size(); ++i) {
+    std::string others;
+    for (std::size_t k = 0; k < plan.names.size(); ++k)
+      if (k != rising) others += plan.argument(i, k) + '\n';
+    const auto [at, added] = chain_of.emplace(others, chains.size());
+    if (added) chains.emplace_back();
+    chains[at->second].push_back(i);
   }
-  return below;
+  if (rising < plan.names.size())
+    for (std::vector<std::size_t>& chain : chains)
+      std::stable_sort(chain.begin(), chain.end(), [&](std::size_t a, std::size_t b) {
+        return std::get<double>(plan.cases[a][rising]) < std::get<double>(plan.cases[b][rising]);
+      });
+  return chains;
 }
 
 StudyPlan product_plan(const std::vector<StudyParameter>& parameters) {

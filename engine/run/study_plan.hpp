@@ -55,11 +55,9 @@ StudyPlan sampled_plan(const std::vector<StudySpread>& spreads, int count, std::
 /// Throws InputError where `parameter` is none of the plan's, or has a value that is no number.
 void require_rising(const StudyPlan& plan, const std::string& parameter);
 
-/// The cases by the values of the numbers of `parameter`, lowest first.
-std::vector<std::vector<std::size_t>> rising_levels(const StudyPlan& plan, const std::string& parameter);
-
-/// Whether cases `low` and `high` differ in `parameter` alone, with the lower value in `low`.
-bool is_below(const StudyPlan& plan, const std::string& parameter, std::size_t low, std::size_t high);
+/// The cases by those that differ in `parameter` alone, of each the lowest value first; "" : each for itself. In the
+/// order of their first cases.
+std::vector<std::vector<std::size_t>> rising_chains(const StudyPlan& plan, const std::string& parameter);
 
 /// Names that parameters and figures cannot have: columns of the table of a study.
 const std::vector<std::string>& study_columns();

@@ -176,6 +176,7 @@ std::optional<Divergence> Watch::look_at_elements(const Instant<2>& now) {
                     now.state.time - now.state.last_dt, event};
 }
 
+/// The ledger from which energy made is counted, and the speed that motions and start may give.
 template <int D>
 void Watch::count_from(const Instant<D>& now, const Energy& energy) {
   counts_ = true;

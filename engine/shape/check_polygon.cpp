@@ -81,6 +81,7 @@ void refuse_spikes(const NumberedPoints& points, std::string_view owner) {
   }
 }
 
+/// What crosses itself has no inside; the message names both edges by the numbers that the user gave.
 void refuse_crossing(const NumberedPoints& points, double tolerance, std::string_view owner) {
   const auto crossing = find_self_crossing(points.at, tolerance);
   if (!crossing) return;

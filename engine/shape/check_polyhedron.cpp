@@ -13,6 +13,7 @@ const Vec3& corner_of_loop(const Polyhedron& solid, int i) {
   return solid.corners[static_cast<std::size_t>(i)];
 }
 
+/// Coordinates that sums and products can be made of.
 void require_finite_corners(const Polyhedron& solid, std::string_view owner) {
   for (std::size_t i = 0; i < solid.corners.size(); ++i) {
     const Vec3& p = solid.corners[i];
@@ -22,6 +23,7 @@ void require_finite_corners(const Polyhedron& solid, std::string_view owner) {
   }
 }
 
+/// A face is a loop of at least three of the corners that there are, each once.
 void require_loop(const Polyhedron& solid, int face, std::string_view owner) {
   const auto loop = solid.faces[face];
   const int corners = static_cast<int>(solid.corners.size());
@@ -37,6 +39,7 @@ void require_loop(const Polyhedron& solid, int face, std::string_view owner) {
   }
 }
 
+/// A corner of no face would count in sizes and boxes, and nowhere else.
 void refuse_unused(const Polyhedron& solid, std::string_view owner) {
   std::vector<std::uint8_t> used(solid.corners.size(), 0);
   for (const int i : solid.faces.corner) used[static_cast<std::size_t>(i)] = 1;
@@ -65,6 +68,8 @@ void require_closed(const Polyhedron& solid, std::string_view owner) {
                       owner, e.from + 1, e.to + 1, e.left + 1));
 }
 
+/// Face f has an area, and all its corners lie within `flat` times the solid's size of the plane through their middle
+/// across its area vector.
 void require_plane(const Polyhedron& solid, int face, double size, double flat, std::string_view owner) {
   const auto loop = solid.faces[face];
   const Vec3 area = area_vector(solid.corners, loop);
@@ -92,6 +97,7 @@ struct Outlier {
   int corner = 0, face = 0;
 };
 
+/// Convex means that no corner lies above the highest corner of any face, seen along that face's normal.
 Outlier farthest_outlier(const Polyhedron& solid) {
   Outlier worst;
   for (int f = 0; f < solid.faces.count(); ++f) {
@@ -109,6 +115,8 @@ Outlier farthest_outlier(const Polyhedron& solid) {
 
 }  // namespace
 
+/// From the cheap to the dear, so that each check may rely on those before it: corners, loops, planes, closed surface,
+/// and last the sign of the volume, which is below 0 where all faces are turned round.
 void check_polyhedron(const Polyhedron& solid, std::string_view owner, double flat) {
   if (solid.faces.count() < 4)
     throw InputError(fmt::format("{}: has {} faces, a solid has at least 4", owner, solid.faces.count()));

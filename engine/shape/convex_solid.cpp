@@ -16,6 +16,8 @@ bool some_alike(const std::vector<Vec3>& normals) {
 
 }  // namespace
 
+/// All that contact asks of a shape again and again, found once: normals, edges, size, and whether any two faces lie in
+/// one plane.
 ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double flat) {
   check_convex(shape, owner, flat);
   std::vector<Vec3> normals = face_normals(shape);
@@ -36,6 +38,7 @@ void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSo
   place_faces(solid, turn, out);
 }
 
+/// Normals and edges follow the corners that were placed.
 void place_faces(const ConvexSolid& solid, const Turn3& turn, PlacedSolid& out) {
   out.solid = &solid;
   out.normals.clear(), out.along.clear();

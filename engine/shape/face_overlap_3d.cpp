@@ -22,6 +22,13 @@ void add_corner(SharedPolygon& polygon, const Vec2& p, int edge) {
   polygon.edge[static_cast<std::size_t>(polygon.count++)] = edge;
 }
 
+// Two convex faces that look at each other are cut in the plane midway between theirs:
+//
+//         \  face b  /             corners of a projected to the mean plane,
+//      ----\--------/----  c < 0   then cut by the edges of b (Sutherland and Hodgman 1974);
+//        ---\------/---            over what is left the overlap c is linear
+//      ------\----/------  c > 0
+//           face a
 /// Keeps of `polygon` what is on the left of the line; `spare` is overwritten.
 void clip_shared(SharedPolygon& polygon, const PlaneLine& line, SharedPolygon& spare) {
   std::array<double, most_shared> side;
@@ -132,6 +139,7 @@ void add_triangle(const OverlapCorner& u, const OverlapCorner& v, const OverlapC
   to.first_xx += product(0, 0), to.first_xy += product(0, 1), to.first_yy += product(1, 1);
 }
 
+/// Corner i of the shared polygon with the overlap of the two planes there.
 OverlapCorner corner_of(const FaceOverlap3& faces, int i) {
   const Vec2& p = faces.shared.corner[static_cast<std::size_t>(i)];
   return {p, faces.plane.overlap_at(p)};
@@ -212,6 +220,8 @@ FaceIntegrals integrals_in_contact(std::span<const Vec2> corners, double overlap
   return in_contact<FaceIntegrals>({corners, overlap, slope});
 }
 
+/// The derivative of the energy of the overlap, by kn, as b is moved in the mean plane: edges of b carry c^2 / 2 with
+/// them, integrated exactly over the part of each that is in contact, and the slope of c does the rest.
 Vec2 energy_by_sliding(const FaceOverlap3& faces) {
   Vec2 along_edges = Vec2::Zero();
   const int n = faces.shared.count;

@@ -5,6 +5,7 @@
 namespace trilith {
 namespace {
 
+/// The face whose normal has the largest product with the axis; of equal ones the first.
 int nearest_normal(const std::vector<Vec3>& normals, const Vec3& axis) {
   std::size_t best = 0;
   double most = axis.dot(normals[0]);

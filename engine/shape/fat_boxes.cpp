@@ -18,6 +18,7 @@ constexpr int least_exponent = -40;
 
 }  // namespace
 
+/// Cells are found by hashing; twice as many chains as boxes keep them short.
 template <int D>
 void FatBoxes<D>::reset(int count) {
   Entry none;
@@ -29,6 +30,9 @@ void FatBoxes<D>::reset(int count) {
   level_.clear();
 }
 
+/// Boxes of one power of two in size share a level, whose cells are at least twice as wide as any of them: a box
+/// reaches into its own cell and its neighbours at most, and one large body does not coarsen the grid of the small
+/// ones.
 template <int D>
 int FatBoxes<D>::level_of(double side) {
   int exponent = least_exponent;
@@ -45,6 +49,7 @@ int FatBoxes<D>::level_of(double side) {
   return level;
 }
 
+/// A box goes to the cell of its lowest corner, at the head of the chain of that cell.
 template <int D>
 void FatBoxes<D>::put(int i, const FatBox<D>& box) {
   take(i);
@@ -64,6 +69,7 @@ void FatBoxes<D>::put(int i, const FatBox<D>& box) {
   head = i;
 }
 
+/// Out of its chain, and out of its level's list by putting the last one in its place.
 template <int D>
 void FatBoxes<D>::take(int i) {
   Entry& e = entry_[i];

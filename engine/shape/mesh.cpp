@@ -21,6 +21,7 @@ struct MeshEdge {
 /// By its two nodes, in the direction the element runs.
 using EdgeMap = std::map<std::pair<int, int>, MeshEdge>;
 
+/// Nodes that are numbers, and elements of different nodes that there are.
 void check_indices(const Mesh& mesh, std::string_view owner) {
   if (mesh.element.empty()) throw InputError(fmt::format("{}: the mesh has no element; give one at least", owner));
   for (std::size_t n = 0; n < mesh.node.size(); ++n)
@@ -41,6 +42,7 @@ void check_indices(const Mesh& mesh, std::string_view owner) {
   }
 }
 
+/// Elements are read in either sense and kept counter-clockwise; how many were turned is noted.
 void turn_counter_clockwise(Mesh& mesh, std::string_view owner, std::vector<std::string>& notes) {
   int reversed = 0;
   for (std::size_t e = 0; e < mesh.element.size(); ++e) {
@@ -53,6 +55,7 @@ void turn_counter_clockwise(Mesh& mesh, std::string_view owner, std::vector<std:
     notes.push_back(fmt::format("{}: {} clockwise elements of the mesh are turned round", owner, reversed));
 }
 
+/// A corner of 180 degrees or more has no mapping from the square: its Jacobian is 0 or negative there.
 void check_shapes(const Mesh& mesh, std::string_view owner) {
   for (std::size_t e = 0; e < mesh.element.size(); ++e) {
     const std::vector<Vec2> c = corners_of(mesh, e);
@@ -82,6 +85,7 @@ EdgeMap edges_of(const Mesh& mesh, std::string_view owner) {
   return edges;
 }
 
+/// The set's representative, with the path to it halved as it is gone.
 int root_of(std::vector<int>& parent, int i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
@@ -151,6 +155,8 @@ std::vector<int> new_numbers(const Mesh& mesh, const std::vector<std::vector<int
 
 }  // namespace
 
+/// Checks from the cheap to the dear, then numbers anew: what comes out has its boundary first, which is the body's
+/// skin, and no unused node.
 CheckedMesh check_mesh(Mesh mesh, std::string_view owner) {
   CheckedMesh out;
   check_indices(mesh, owner);

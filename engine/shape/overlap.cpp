@@ -30,6 +30,8 @@ void clip_left(const std::vector<Vec2>& from, const Vec2& a, const Vec2& b, std:
 
 }  // namespace
 
+/// Polygon a cut by the edges of b one after the other (Sutherland and Hodgman, "Reentrant polygon clipping", Comm. ACM
+/// 17, 1974): what is left is the part they share.
 Overlap convex_overlap(std::span<const Vec2> a, std::span<const Vec2> b, OverlapBuffer& buffer) {
   buffer.corners.assign(a.begin(), a.end());
   for (std::size_t i = 0; i < b.size() && !buffer.corners.empty(); ++i) {
@@ -80,6 +82,7 @@ Penetration penetration(std::span<const Vec2> a, std::span<const Vec2> b) {
   return from_b;
 }
 
+/// Even and odd: a ray to the left meets the outline an odd number of times from within.
 bool contains(std::span<const Vec2> outline, const Vec2& point) {
   bool inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {

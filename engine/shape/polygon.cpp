@@ -9,6 +9,7 @@
 
 namespace trilith {
 
+/// A fan of triangles from the first point: less is lost by rounding than about the origin, which may be far away.
 double signed_area(std::span<const Vec2> outline) {
   double twice = 0;
   for (std::size_t i = 2; i < outline.size(); ++i) twice += cross(outline[i - 1] - outline[0], outline[i] - outline[0]);
@@ -77,6 +78,7 @@ int orientation(std::span<const Vec2> outline) {
   return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
+/// Above 0 for a left turn, 0 where an edge has no length.
 double turn_sine(const Vec2& before, const Vec2& corner, const Vec2& after) {
   const Vec2 in = corner - before, out = after - corner;
   const double lengths = in.norm() * out.norm();
@@ -129,6 +131,7 @@ std::optional<Vec2> meeting_point(const Vec2& a, const Vec2& b, const Vec2& c, c
   return std::nullopt;
 }
 
+/// Every edge against every later one that is not its neighbour: outlines have tens of edges, not thousands.
 std::optional<Crossing> find_self_crossing(std::span<const Vec2> outline, double tolerance) {
   const std::size_t n = outline.size();
   for (std::size_t i = 0; i + 2 < n; ++i)

@@ -28,6 +28,8 @@ SolidEdge* unpaired(std::vector<SolidEdge>& edges, int from, int to) {
 
 }  // namespace
 
+/// Each edge once, from the first face that runs through it; the face that runs through it the other way is on its
+/// right.
 std::vector<SolidEdge> solid_edges(const FaceLoops& faces) {
   std::vector<SolidEdge> edges;
   for (int f = 0; f < faces.count(); ++f) {
@@ -43,6 +45,8 @@ std::vector<SolidEdge> solid_edges(const FaceLoops& faces) {
   return edges;
 }
 
+/// Half the sum of the cross products of a fan of triangles: along the normal, as long as the area is large, and the
+/// mean of all planes where the corners do not quite lie in one.
 Vec3 area_vector(std::span<const Vec3> corners, std::span<const int> loop) {
   Vec3 twice = Vec3::Zero();
   const Vec3 origin = corner_at(corners, loop[0]);
@@ -141,6 +145,8 @@ AxisChoice nearest_axes(const Eigen::Matrix3d& axes) {
 
 }  // namespace
 
+/// Jacobi's method: plane rotations until nothing is left off the diagonal. Of the 24 ways to name the axes the one
+/// nearest to the body's own is taken, so that a box keeps x, y and z.
 PrincipalInertia principal_inertia(const Eigen::Matrix3d& inertia) {
   Eigen::Matrix3d m = inertia, axes = Eigen::Matrix3d::Identity();
   const double nothing_left = 1e-14 * m.diagonal().cwiseAbs().maxCoeff();
@@ -166,6 +172,7 @@ Polyhedron box_solid(const Vec3& low, const Vec3& high) {
   return extrusion(floor, Vec3(0, 0, high.z() - low.z()));
 }
 
+/// Two copies of the polygon, the near one turned round, and a quadrilateral between each pair of their edges.
 Polyhedron extrusion(std::span<const Vec3> polygon, const Vec3& along) {
   const int n = static_cast<int>(polygon.size());
   Polyhedron solid;
@@ -191,6 +198,7 @@ Polyhedron prism(std::span<const Vec2> outline, double low, double high) {
   return extrusion(floor, Vec3(0, 0, high - low));
 }
 
+/// Turned about the origin, then shifted.
 Polyhedron placed(const Polyhedron& solid, const UnitQuaternion& rotation, const Vec3& shift) {
   const Turn3 turn = turn_of(rotation);
   Polyhedron moved = solid;

@@ -28,6 +28,7 @@ Vec2 random_direction(std::mt19937_64& bits) {
   return on_circle(random_between(bits, 0, 4));
 }
 
+/// Corners in order round an ellipse, which makes the polygon convex, about its centroid and turned at random.
 Polygon random_convex(std::mt19937_64& bits, const RandomConvex& wanted) {
   const int n = random_count(bits, wanted.fewest_corners, wanted.most_corners);
   const double size = random_between(bits, wanted.smallest, wanted.largest);
@@ -45,6 +46,7 @@ Polygon random_convex(std::mt19937_64& bits, const RandomConvex& wanted) {
   return placed(outline, random_direction(bits), Vec2::Zero());
 }
 
+/// Turned so that its x axis lies along `direction`, then shifted.
 Polygon placed(const Polygon& outline, const Vec2& direction, const Vec2& shift) {
   Polygon moved;
   moved.reserve(outline.size());

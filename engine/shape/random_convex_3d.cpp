@@ -7,6 +7,7 @@
 
 namespace trilith {
 
+/// By throwing away what lies outside: even over the volume, and the same on every machine.
 Vec3 random_in_ball(std::mt19937_64& bits) {
   while (true) {
     const double x = random_between(bits, -1, 1), y = random_between(bits, -1, 1), z = random_between(bits, -1, 1);
@@ -49,6 +50,7 @@ constexpr double least_of_sphere = 0.1;
 
 }  // namespace
 
+/// The hull of points spread over a sphere, stretched to an ellipsoid and turned.
 Polyhedron random_convex_solid(std::mt19937_64& bits, const RandomSolid& wanted) {
   const int n = random_count(bits, wanted.fewest_corners, wanted.most_corners);
   const double size = random_between(bits, wanted.smallest, wanted.largest) / 2;

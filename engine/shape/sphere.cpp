@@ -82,6 +82,7 @@ bool covered_arcs(const std::vector<Disc>& discs, std::size_t i, std::vector<Arc
 }
 
 /// Of the union of discs.
+/// Around the rim of the union, of each disc the arcs that no other covers.
 PlaneMoments union_of_discs(const std::vector<Disc>& discs, std::vector<Arc>& arcs) {
   PlaneMoments out;
   for (std::size_t i = 0; i < discs.size(); ++i) {

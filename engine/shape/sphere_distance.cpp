@@ -46,6 +46,7 @@ Vec3 nearest_point(const PlacedSolid& solid, const Vec3& x) {
   return nearest;
 }
 
+/// Above 0 where the two are apart, below where they overlap; one of them at least is a sphere.
 double sphere_distance(const PlacedSolid& a, const PlacedSolid& b) {
   if (!a.solid->is_sphere()) return point_distance(a, b.corners[0]) - b.solid->radius;
   if (!b.solid->is_sphere()) return point_distance(b, a.corners[0]) - a.solid->radius;

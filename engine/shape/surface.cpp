@@ -28,6 +28,8 @@ struct LoopPlaces {
 
 }  // namespace
 
+/// All sides of faces sorted by their two corners, the lower first: sides of one edge then stand next to each other and
+/// are paired two by two, whichever way they run.
 std::vector<int> edges_across(const FaceLoops& faces) {
   struct Side {
     int low, high, place;
@@ -90,6 +92,8 @@ class PointGrid {
 
 }  // namespace
 
+/// Points within `within` of one that came before become that one, and faces that are left with fewer than three
+/// different corners are dropped: STL files give each triangle its own corners.
 Polyhedron with_joined_corners(const Polyhedron& surface, double within) {
   Polyhedron made;
   PointGrid grid(std::max(within, 1e-300), surface.corners.size());
@@ -182,6 +186,9 @@ class ShellWalk {
 
 }  // namespace
 
+/// Faces that hang together over edges are one shell. A face whose neighbour runs along their edge the same way is
+/// turned round against it; a shell that cannot be turned to one orientation, or has an edge without a neighbour, is
+/// not whole.
 Shells shells_of(const Polyhedron& surface, std::span<const int> across) {
   return ShellWalk(surface, across).run();
 }
@@ -314,10 +321,13 @@ class FaceJoiner {
 
 }  // namespace
 
+/// Triangles of one plane become one face, the largest ones first, as theirs are the best planes.
 Polyhedron with_joined_faces(const Polyhedron& solid, double flat) {
   return FaceJoiner(solid, flat).run();
 }
 
+/// Over each edge, how far the face on one side reaches above the plane of the other: where it does so for both, the
+/// edge is a dent, by the smaller of the two.
 HollowEdge hollow_edge(const Polyhedron& solid, std::span<const int> across) {
   const LoopPlaces places(solid.faces);
   const std::vector<Vec3> normals = face_normals(solid);

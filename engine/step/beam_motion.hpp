@@ -2,6 +2,7 @@
 #pragma once
 
 #include "body/beam_element.hpp"
+#include "body/beam_element_3d.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
 
@@ -20,6 +21,15 @@ inline BeamEnd end_of(const State<2>& state, const Beam& beam, std::size_t side,
 inline BeamNow now_of(const State<2>& state, const Beam& beam) {
   Vec2 arm;
   return {end_of(state, beam, 0, arm), end_of(state, beam, 1, arm), beam.length, beam.angle};
+}
+
+/// An end of a beam in space, and the beam itself.
+inline BeamEnd3 end_of(const State<3>& state, const Beam3& beam, std::size_t side) {
+  const auto n = static_cast<std::size_t>(beam.node[side]);
+  return {state.position[n], turn_of(state.rotation[n] * beam.axes[side]), state.velocity[n], state.spin[n]};
+}
+inline BeamNow3 now_of(const State<3>& state, const Beam3& beam) {
+  return {end_of(state, beam, 0), end_of(state, beam, 1), beam.length};
 }
 
 }  // namespace trilith

@@ -29,6 +29,7 @@ Vec3 first_point(const Model<3>& /*model*/, const State<3>& state, const Bearing
   return point_of(state, b.end_a);
 }
 
+/// What the device was, where it is, and by how much it was displaced in the direction that failed.
 template <int D>
 void push_bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, EventType type) {
   const Bearing<D>& b = model.bearings[i];
@@ -53,6 +54,7 @@ double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>
 }
 
 /// In space with the shear that the contact remembers.
+/// Elastic energy of a pair that bearings have stood for, as it is without them.
 double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>& work,
                      std::span<const BearingMemory<3>> bearings, int p, int q) {
   const int a = model.piece_body[p], b = model.piece_body[q];
@@ -77,8 +79,7 @@ double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>
   if (row != work.contacts.key.end() && *row == key)
     memory = work.contacts.memory[static_cast<std::size_t>(row - work.contacts.key.begin())];
   const auto at_rest = [&](const PlacedSolid& solid, int piece) {
-    return MovingSolid{solid, state.position[model.bodies[model.piece_body[piece]].first_node], Vec3::Zero(),
-                       Vec3::Zero()};
+    return MovingSolid{solid, state.position[model.node_of_piece(piece)], Vec3::Zero(), Vec3::Zero()};
   };
   if (pair.replaced) {
     Separation3 apart{0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0};

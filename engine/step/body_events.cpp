@@ -38,6 +38,7 @@ void rest_event(const Model<D>& model, State<D>& state, Work<D>& work, std::size
 
 }  // namespace
 
+/// When and between whom: every event of a step begins with these.
 template <int D>
 Event event_now(const State<D>& state, EventType type, int body_a, int body_b) {
   Event e;
@@ -49,6 +50,7 @@ Event event_now(const State<D>& state, EventType type, int body_a, int body_b) {
   return e;
 }
 
+/// A contact that closes again within apart_time has not been lost: the parting is forgotten.
 template <int D>
 bool take_back(State<D>& state, ContactKey contact) {
   const auto found =
@@ -58,6 +60,7 @@ bool take_back(State<D>& state, ContactKey contact) {
   return true;
 }
 
+/// Partings that have lasted become events, at the time at which that is sure and not before.
 template <int D>
 void parted_events(const Model<D>& model, State<D>& state, Work<D>& work) {
   const auto lasting = [&](const Parted& p) { return state.time - p.time >= model.apart_time; };
@@ -69,6 +72,7 @@ void parted_events(const Model<D>& model, State<D>& state, Work<D>& work) {
   state.parted.erase(state.parted.begin(), end);
 }
 
+/// One look at each body at each step, so the quick answer comes first: nearly all that move at all move plainly.
 template <int D>
 void body_events(const Model<D>& model, State<D>& state, Work<D>& work) {
   for (std::size_t b = 0; b < work.body.size(); ++b) {

@@ -207,6 +207,7 @@ void add_stored(const Model<2>& model, const State<2>& state, const Work<2>& wor
   energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
 }
 void add_stored(const Model<3>& model, const State<3>& state, const Work<3>& work, Energy& energy) {
+  energy[EnergyTerm::strain] = work.element_stored;
   energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
   energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
 }

@@ -27,6 +27,7 @@ struct Lie {
   }
 };
 
+/// Translations and turns of the two nodes as one vector of six.
 BeamVector of_nodes(const Beam& beam, const std::vector<Vec2>& along, const std::vector<double>& about) {
   BeamVector out;
   for (const int end : {0, 1}) {
@@ -36,6 +37,7 @@ BeamVector of_nodes(const Beam& beam, const std::vector<Vec2>& along, const std:
   return out;
 }
 
+/// What the nodes' own masses and inertias hold of the beam already, and is taken off what is added.
 BeamVector lumped_of(const BeamInertia& inertia) {
   BeamVector out;
   out << inertia.lumped, inertia.lumped, inertia.turning[0], inertia.lumped, inertia.lumped, inertia.turning[1];
@@ -85,6 +87,7 @@ class MassMatrix {
 
 }  // namespace
 
+/// G' R' M R G - diag(lumped): M in the axes of the chord, turned to the world, carried to the nodes by their arms.
 BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& beam) {
   const BeamInertia& inertia = model.beam_inertias[beam.inertia];
   const Lie lie(state, beam);
@@ -94,6 +97,8 @@ BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& 
   return out;
 }
 
+/// Forces that the added mass puts on the nodes, by its acceleration and by its own change as the chord turns: the
+/// Lagrange equation of its kinetic energy, d/dt (dT/dv) - dT/dx. An arm that turns with its node brings -w^2 arm.
 void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out) {
   out.clear();
   if (model.beam_inertias.empty()) return;
@@ -113,6 +118,33 @@ void added_inertia(const Model<2>& model, const State<2>& state, bool rising, st
   }
 }
 
+void added_damping(const Model<2>& model, const State<2>& state, std::vector<Dofs<2>>& out) {
+  out.clear();
+  if (model.beam_inertias.empty() || !(model.mass_damping > 0)) return;
+  out.resize(static_cast<std::size_t>(model.nodes()));
+  for (const Beam& beam : model.beams) {
+    if (beam.inertia < 0) continue;
+    const BeamVector momentum = added_mass(model, state, beam) * of_nodes(beam, state.velocity, state.spin);
+    for (int i = 0; i < 6; ++i)
+      if (const int n = beam.node[i / 3]; model.support[n][i % 3] == Support::free)
+        out[n][i % 3] -= model.mass_damping * momentum[i];
+  }
+}
+
+std::vector<NodeForces<2>> implicit_forces(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+  const Outside outside(model, state, work);
+  std::vector<NodeForces<2>> out;
+  out.reserve(static_cast<std::size_t>(model.nodes()));
+  for (int n = 0; n < model.nodes(); ++n)
+    out.push_back(node_forces(model, state, work, n, velocity_of(state, n), outside, {}));
+  std::vector<Dofs<2>> added;
+  added_damping(model, state, added);
+  for (std::size_t n = 0; n < added.size(); ++n)
+    for (const int k : {0, 1, 2}) out[n].force[k] += added[n][k], out[n].mass[k] += added[n][k];
+  return out;
+}
+
+/// v' (M - lumped) v / 2, beside the sum of m v^2 / 2 over the nodes.
 double added_kinetic(const Model<2>& model, const State<2>& state) {
   double sum = 0;
   for (const Beam& beam : model.beams) {

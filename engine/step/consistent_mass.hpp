@@ -22,6 +22,13 @@ BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& 
 /// E of all nodes [N], [N m]; empty where no beam has a consistent mass. With `rising` false: of velocities alone.
 void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out);
 
+/// Forces of all nodes at the evaluated state, as implicit steps have them: damping of the mass that was chosen.
+std::vector<NodeForces<2>> implicit_forces(const Model<2>& model, const State<2>& state, const Work<2>& work);
+
+/// What it adds to the damping by mass, -mass_damping (M - M_lumped) v, of free directions [N], [N m]; empty where it
+/// adds nothing.
+void added_damping(const Model<2>& model, const State<2>& state, std::vector<Dofs<2>>& out);
+
 /// What it adds to the kinetic energy [J].
 double added_kinetic(const Model<2>& model, const State<2>& state);
 

@@ -17,6 +17,7 @@ ContactHold hold_of(const ContactMemory& memory, const ContactResultant& r, doub
 
 }  // namespace
 
+/// Normal force, shear and the place they act at, by the law's own equations of the stresses over the common length.
 ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, const NearPair& pair,
                                 const ContactMemory& memory, const double* law_numbers) {
   return with_kernel(law_in_use(model, pair.law), [&]<class K>(const K& law) {

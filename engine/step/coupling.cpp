@@ -5,6 +5,7 @@
 namespace trilith {
 namespace {
 
+/// Unknowns are numbered by node, then by direction; what is held or driven has none.
 void list_freedoms(const Model<2>& model, Coupling& out) {
   out.unknown.assign(model.mass.size(), {-1, -1, -1});
   for (int n = 0; n < model.nodes(); ++n)
@@ -45,6 +46,7 @@ class Groups {
   std::vector<int> group_;
 };
 
+/// Each node with itself, and the nodes of an element among each other.
 void add_bodies(const Model<2>& model, Groups& groups) {
   for (int n = 0; n < model.nodes(); ++n) groups.add(n), groups.end();
   for (const Element& e : model.elements) {
@@ -57,6 +59,8 @@ void add_beams(const Model<2>& model, Groups& groups) {
   for (const Beam& beam : model.beams) groups.add(beam.node[0]), groups.add(beam.node[1]), groups.end();
 }
 
+/// Bearings join the nodes that their ends hang on, loads that follow those of their place, and each near pair of
+/// pieces all nodes of both: which of them press can change within a step.
 void add_links(const Model<2>& model, const Work<2>& work, Groups& groups) {
   for (const Bearing<2>& b : model.bearings) groups.add(b.end_a), groups.add(b.end_b), groups.end();
   for (const PointLoad<2>& load : model.point_loads) groups.add(load.at), groups.end();

@@ -4,6 +4,15 @@
 
 namespace trilith {
 
+/// The stages of a step in the plane, each writing the parts of Work that the next ones read:
+///
+///     place    State          -> skin points and their velocities, how far anything has moved
+///     find     skin points    -> near pairs, where something has left its box
+///     respond  pairs          -> forces on skin points; bearings: forces on their ends
+///     resist   nodes          -> forces of elements and beams on nodes
+///     sum      all forces     -> force and moment on each node
+///
+/// and in space the same by solids in place of skin points, without elements.
 /// State is not touched: losses are added to a copy of the ledger's sums, trial memories lie in Work.
 template <>
 void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {
@@ -46,6 +55,8 @@ void evaluate(const Model<3>& model, const State<3>& state, Work<3>& work, doubl
   clock.mark(StepPart::general);
   respond_bearings(model, state, work, dt);
   clock.mark(StepPart::bearings);
+  resist(model, state, work, dt);
+  clock.mark(StepPart::resist);
   apply_loads(model, state, work);
   sum(model, state, work);
   clock.mark(StepPart::sum);

@@ -32,6 +32,7 @@ double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work
 /// Deformable bodies: forces and dampings of their elements on their nodes, trial plastic memory, energies.
 /// `dt`: as for evaluate; 0 where nothing has gone by since the last commit.
 void resist(const Model<2>& model, const State<2>& state, Work<2>& work, double dt = 0);
+void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double dt = 0);
 /// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
 void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work);
 void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work);

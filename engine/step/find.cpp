@@ -8,9 +8,16 @@
 namespace trilith {
 namespace {
 
+/// Pairs come and go: a list that has just room for them would move at every other search.
+template <class T>
+void make_room(std::vector<T>& list, std::size_t count) {
+  if (list.capacity() < count) list.reserve(count + count / 4);
+}
+
 /// Where the laws of the pairs keep what they remember: one after the other in one array, each as long as its law asks.
 /// Returns how long that is.
 std::uint32_t lay_law_rows(const Model<2>& model, const Work<2>& work, std::vector<LawRow>& rows) {
+  make_room(rows, work.pairs.size());
   rows.resize(work.pairs.size());
   std::uint32_t numbers = 0;
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -25,6 +32,7 @@ std::uint32_t lay_law_rows(const Model<2>& model, const Work<2>& work, std::vect
 /// What a law remembers is of no use to one of another kind.
 void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>& work) {
   ContactHistory& now = work.matched;
+  make_room(now.key, work.pairs.size()), make_room(now.memory, work.pairs.size());
   now.key.resize(work.pairs.size());
   now.memory.assign(work.pairs.size(), {});
   now.law_memory.assign(lay_law_rows(model, work, now.law_row), 0.0);
@@ -43,6 +51,7 @@ void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>&
 
 /// As many rows, and all empty.
 void copy_emptied(const ContactHistory& rows, ContactHistory& out) {
+  make_room(out.key, rows.size()), make_room(out.memory, rows.size()), make_room(out.law_row, rows.size());
   out.key = rows.key;
   out.memory.assign(rows.size(), {});
   out.law_row = rows.law_row;

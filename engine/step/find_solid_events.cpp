@@ -15,7 +15,7 @@ namespace {
 double closing_speed(const Model<3>& model, const State<3>& state, const Work<3>& work, const GeneralContact<3>& c) {
   const NearPair& pair = work.pairs[c.row];
   const auto velocity = [&](int piece) {
-    const int n = model.bodies[model.piece_body[piece]].first_node;
+    const int n = model.node_of_piece(piece);
     return Vec3(state.velocity[n] + cross(state.spin[n], Vec3(c.centre - state.position[n])));
   };
   return -c.force.normalized().dot(velocity(pair.piece_b) - velocity(pair.piece_a));
@@ -26,6 +26,7 @@ bool are_grains(const Model<3>& model, const NearPair& pair) {
   return model.piece_solid[pair.piece_a].is_sphere() && model.piece_solid[pair.piece_b].is_sphere();
 }
 
+/// A contact that begins: an impact where the bodies close faster than the model's impact_speed, else a contact made.
 void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) {
   // A contact that closes again is told only where it strikes. The list rises with the row.
   const bool again = take_back(state, work.contacts.key[row]);
@@ -68,7 +69,7 @@ void joint_events(const Model<3>& model, const State<3>& state, Work<3>& work, i
     e.set_place(contact->centre);
     e.value = (contact->force - work.contacts.memory[r].shear.total).norm();
   } else {
-    const int n = model.bodies[e.body_a].first_node, m = model.bodies[e.body_b].first_node;
+    const int n = model.node_of_piece(pair.piece_a), m = model.node_of_piece(pair.piece_b);
     e.set_place(Vec3(0.5 * (state.position[n] + state.position[m])));
   }
   e.mode = mode_of(model, pair, *before, contacts.memory[r]);

@@ -7,6 +7,13 @@
 namespace trilith {
 namespace {
 
+// The ledger of an implicit scheme takes the work of outside forces by the trapezoidal rule,
+//
+//     W = sum over steps of (F_n + F_n+1) / 2 . (x_n+1 - x_n),
+//
+// so at any instant the half that belongs to the force of now, F . (x_n - x_n-1) / 2, is still to be added: it is added
+// to what is shown, and to the sums themselves as the scheme ends.
+
 /// Half of the step behind of a node.
 Dofs<2> half_behind(const State<2>& s, int n) {
   const Vec2 path = s.position[n] - s.position_before[n];
@@ -15,9 +22,8 @@ Dofs<2> half_behind(const State<2>& s, int n) {
 
 /// Work of all nodes along half of the step behind, at the instant of the last evaluation.
 void add_half_behind(const Model<2>& model, const State<2>& state, const Work<2>& work, Energy& given) {
-  const Outside outside(model, state, work);
-  for (int n = 0; n < model.nodes(); ++n)
-    add_work(node_forces(model, state, work, n, velocity_of(state, n), outside, {}), half_behind(state, n), given);
+  const std::vector<NodeForces<2>> forces = implicit_forces(model, state, work);
+  for (int n = 0; n < model.nodes(); ++n) add_work(forces[n], half_behind(state, n), given);
   std::vector<Dofs<2>> added;
   added_inertia(model, state, true, added);
   for (std::size_t n = 0; n < added.size(); ++n) {
@@ -28,10 +34,11 @@ void add_half_behind(const Model<2>& model, const State<2>& state, const Work<2>
 
 /// Accelerations as the scheme begins, of consistent mass: what lumped one gives would make them ring.
 void begin_consistent(const Model<2>& model, State<2>& state, std::vector<Dofs<2>> force) {
-  std::vector<Dofs<2>> added;
+  std::vector<Dofs<2>> added, damped;
   added_inertia(model, state, false, added);
+  added_damping(model, state, damped);
   for (std::size_t n = 0; n < force.size(); ++n)
-    for (const int k : {0, 1, 2}) force[n][k] -= added[n][k];
+    for (const int k : {0, 1, 2}) force[n][k] -= added[n][k] - (damped.empty() ? 0 : damped[n][k]);
   const std::vector<Dofs<2>> a = accelerations(model, state, force);
   for (std::size_t n = 0; n < a.size(); ++n) {
     for (const int k : {0, 1})
@@ -42,6 +49,7 @@ void begin_consistent(const Model<2>& model, State<2>& state, std::vector<Dofs<2
 
 }  // namespace
 
+/// m v^2 / 2 of the whole instant: velocities of an implicit scheme stand at the same time as places.
 double implicit_kinetic(const Model<2>& model, const State<2>& state) {
   double sum = 0;
   for (int n = 0; n < model.nodes(); ++n) {
@@ -52,6 +60,8 @@ double implicit_kinetic(const Model<2>& model, const State<2>& state) {
   return model.beam_inertias.empty() ? sum : sum + added_kinetic(model, state);
 }
 
+/// From leapfrog, whose velocities stand half a step behind: they are brought up by a dt / 2, the half step of work is
+/// booked, and a = F / m starts the scheme. The step that was is then of length 0: nothing is half behind.
 void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work) {
   if (state.implicit()) return;
   const Outside outside(model, state, work);
@@ -81,6 +91,7 @@ void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work)
   state.last_dt = 0;
 }
 
+/// The velocities of now serve as those of a half step of length 0, which is how leapfrog begins.
 void begin_explicit(const Model<2>& model, State<2>& state, const Work<2>& work) {
   if (!state.implicit()) return;
   add_half_behind(model, state, work, state.given);

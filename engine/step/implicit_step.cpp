@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/portable.hpp"
 #include "step/consistent_mass.hpp"
 #include "step/evaluate.hpp"
 #include "step/node_forces.hpp"
@@ -26,8 +27,10 @@ constexpr int easy_iterations = 8;
 constexpr double growth = 2;
 /// Rounding of a place, as a share of it.
 constexpr double digits = std::numeric_limits<double>::epsilon();
-/// The tangent is found anew where an iteration has left more than this share of the forces.
+/// The tangent is found anew where an iteration has left more than this share of the forces, and more of them lie ahead
+/// at that rate than it costs: about one for each colour, of which it is no use to count on many.
 constexpr double slow_share = 0.1;
+constexpr std::size_t most_worth = 12;
 
 /// Motion of the nodes as the step begins.
 struct NodesAtStart {
@@ -58,7 +61,7 @@ double held(const Energy& e) {
 class Trial {
  public:
   Trial(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy, Tangent& tangent,
-        const ImplicitOptions& options)
+        const ImplicitOptions& options, StepTimes* times)
       : model_(model),
         state_(state),
         work_(work),
@@ -70,10 +73,10 @@ class Trial {
         time_(state.time),
         kept_(state.tangent),
         position_before_(state.position_before),
-        rotation_before_(state.rotation_before) {
-    const Outside outside(model, state, work);
-    for (int n = 0; n < model.nodes(); ++n)
-      forces_.push_back(node_forces(model, state, work, n, velocity_of(state, n), outside, {}));
+        rotation_before_(state.rotation_before),
+        times_(times),
+        clock_(times) {
+    forces_ = implicit_forces(model, state, work);
     path_.resize(forces_.size());
     carried_ = work.carried;
     added_inertia(model, state, true, added_before_);
@@ -81,6 +84,8 @@ class Trial {
 
   /// Tries a step of length dt. False where it does not converge.
   bool attempt(double dt, ImplicitStep& out);
+  /// What went by since the last mark is the step's own.
+  void mark_advance() { clock_.mark(StepPart::advance); }
   void give_up();
   /// The step's work, where it has converged.
   [[nodiscard]] Energy booked() const;
@@ -96,6 +101,7 @@ class Trial {
   void find_rounding();
   [[nodiscard]] double rounding_of(int i) const;
   void improve(const Eigen::VectorXd& full);
+  [[nodiscard]] bool serves_on(double merit_before) const;
   void move(const Eigen::VectorXd& by, double share);
   [[nodiscard]] double per_place() const { return scheme_.g / (scheme_.b * dt_); }
 
@@ -114,17 +120,19 @@ class Trial {
   std::vector<NodeForces<2>> forces_;          // as the step begins
   std::vector<Dofs<2>> path_;                  // [node] along the step
   std::vector<Dofs<2>> added_before_, added_;  // [node] of consistent mass: as the step begins, and now; mostly empty
+  std::vector<Dofs<2>> damped_;                // [node] of its damping, now; mostly empty
   double carried_ = 0, dt_ = 0;
   double merit_ = 0, share_left_ = 0;
   int worst_ = -1;
   Eigen::VectorXd left_;      // of the equation of motion, by unknown
   Eigen::VectorXd rounding_;  // of the forces by that of the places, by unknown
+  StepTimes* const times_;
+  StepClock clock_;
 };
 
 /// Free nodes go on at their velocity; driven ones to where their motion has them.
 void Trial::predict() {
-  state_.time = time_ + dt_;
-  state_.last_dt = dt_;
+  state_.time = time_ + dt_, state_.last_dt = dt_;
   state_.position_before = start_.position;
   state_.rotation_before = start_.rotation;
   for (int n = 0; n < model_.nodes(); ++n) {
@@ -164,7 +172,9 @@ void Trial::correct(int n) {
 }
 
 void Trial::evaluate_trial() {
-  evaluate(model_, state_, work_, dt_);
+  clock_.mark(StepPart::advance);
+  evaluate(model_, state_, work_, dt_, times_);
+  clock_.skip();
 }
 
 /// What is left of the equation of motion at the evaluated trial state. Returns its square, each part over its inertia.
@@ -174,12 +184,13 @@ double Trial::left_over() {
   double sum = 0, most = 0, carried = std::max(carried_, work_.carried);
   const double m = scheme_.alpha_m, f = scheme_.alpha_f;
   added_inertia(model_, state_, true, added_);
+  added_damping(model_, state_, damped_);
   for (int i = 0; i < coupling.size(); ++i) {
     const auto [n, k] = coupling.freedom[i];
     const double mass = mass_of(model_, n)[k];
     const double a0 = k == 2 ? start_.spin_rate[n] : start_.acceleration[n][k];
     const double a = k == 2 ? state_.spin_rate[n] : state_.acceleration[n][k];
-    const double now = net_force(model_, state_, work_, coupling.freedom[i]);
+    const double now = net_force(model_, state_, work_, coupling.freedom[i]) + (damped_.empty() ? 0 : damped_[n][k]);
     double inertia = mass * ((1 - m) * a + m * a0);
     if (!added_.empty()) inertia += (1 - m) * added_[n][k] + m * added_before_[n][k];
     // r = (1 - alpha_f) F' + alpha_f F - M ((1 - alpha_m) a' + alpha_m a), [N] or [N m].
@@ -195,7 +206,7 @@ double Trial::left_over() {
 }
 
 /// Forces know of a place no more than its digits: those times the last tangent. Moments on next to no inertia, on a
-/// stiff member that has turned, get no nearer to balance.
+/// stiff member that has turned, get no nearer.
 void Trial::find_rounding() {
   rounding_.setZero(tangent_.coupling().size());
   const KeptTangent* const kept = state_.tangent.get();
@@ -233,13 +244,25 @@ void Trial::improve(const Eigen::VectorXd& full) {
   const double before = merit_;
   double share = 1;
   move(full, 1);
-  for (int halvings = 0;; ++halvings) {
-    evaluate_trial();
-    merit_ = left_over();
-    if (merit_ < before || halvings == 6) return;
+  evaluate_trial();
+  merit_ = left_over();
+  for (int halvings = 0; !(merit_ < before) && halvings < 6; ++halvings) {
+    clock_.mark(StepPart::advance);
     move(full, -0.5 * share);
     share *= 0.5;
+    evaluate(model_, state_, work_, dt_);
+    merit_ = left_over();
+    clock_.mark(StepPart::search);
   }
+}
+
+/// Whether the tangent is still good enough, by what the last iteration with it has left.
+bool Trial::serves_on(double merit_before) const {
+  const double rate = std::sqrt(merit_ / merit_before);
+  if (rate <= slow_share || share_left_ <= options_.tolerance) return true;
+  if (!(rate < 1)) return false;
+  const double ahead = portable::log(options_.tolerance / share_left_) / portable::log(rate);
+  return ahead <= static_cast<double>(std::min(tangent_.coupling().colour.size(), most_worth));
 }
 
 bool Trial::attempt(double dt, ImplicitStep& out) {
@@ -250,7 +273,9 @@ bool Trial::attempt(double dt, ImplicitStep& out) {
   find_rounding();
   merit_ = left_over();
   const TangentOptions wanted{dt_, per_place(), 1 - scheme_.alpha_f, (1 - scheme_.alpha_m) / (scheme_.b * dt_ * dt_)};
+  clock_.mark(StepPart::advance);
   bool serves = tangent_.take(state_, wanted);
+  clock_.mark(StepPart::factorise);
   for (int i = 0; i < options_.most_iterations; ++i) {
     out.left = share_left_, out.worst = worst_;
     if (share_left_ <= options_.tolerance) return true;
@@ -259,11 +284,16 @@ bool Trial::attempt(double dt, ImplicitStep& out) {
     const double before = merit_;
     // Found anew only where the last one does not serve: it costs many evaluations, a solve with it none.
     if (!serves) {
-      if (!tangent_.find(model_, state_, work_, wanted)) return false;
+      clock_.mark(StepPart::advance);
+      if (!tangent_.find(model_, state_, work_, wanted, times_)) return false;
+      clock_.skip();
       find_rounding();
     }
-    improve(tangent_.solve(left_));
-    serves = merit_ <= slow_share * slow_share * before;
+    clock_.mark(StepPart::advance);
+    const Eigen::VectorXd way = tangent_.solve(left_);
+    clock_.mark(StepPart::solve);
+    improve(way);
+    serves = serves_on(before);
   }
   return false;
 }
@@ -290,7 +320,7 @@ void Trial::give_up() {
 /// takes or brings is what the net force does, by the mean of its values at both ends, beyond the kinetic energy.
 Energy Trial::booked() const {
   Energy given;
-  const Outside outside(model_, state_, work_);
+  const std::vector<NodeForces<2>> end = implicit_forces(model_, state_, work_);
   double work = 0;
   for (int n = 0; n < model_.nodes(); ++n) {
     const Dofs<2> now = place_at(state_, n), begin{start_.position[n].x(), start_.position[n].y(), start_.rotation[n]},
@@ -302,8 +332,7 @@ Energy Trial::booked() const {
       given[EnergyTerm::support] += work_on_support(model_, n, added_before_[n], path);
       work += work_on_support(model_, n, added_before_[n], ahead) + work_on_support(model_, n, added_[n], ahead);
     }
-    const NodeForces<2> end = node_forces(model_, state_, work_, n, velocity_of(state_, n), outside, {});
-    work += dot(forces_[n].force, ahead) + dot(end.force, ahead);
+    work += dot(forces_[n].force, ahead) + dot(end[n].force, ahead);
   }
   given[EnergyTerm::numerical] = work - (implicit_kinetic(model_, state_) - energy_[EnergyTerm::kinetic]);
   return given;
@@ -340,8 +369,8 @@ double Trial::wavering() const {
 }  // namespace
 
 ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy,
-                                Tangent& tangent, const ImplicitOptions& options) {
-  Trial trial(model, state, work, energy, tangent, options);
+                                Tangent& tangent, const ImplicitOptions& options, StepTimes* times) {
+  Trial trial(model, state, work, energy, tangent, options, times);
   ImplicitStep out;
   out.dt = options.dt;
   for (; out.cuts <= most_cuts && (out.cuts == 0 || out.dt >= options.give_up); ++out.cuts, out.dt *= 0.5) {
@@ -360,6 +389,7 @@ ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>&
     const bool easy =
         out.cuts == 0 && out.iterations - before <= easy_iterations && out.missed <= well_kept * options.accuracy;
     state.dt = easy ? growth * out.dt : out.dt;
+    trial.mark_advance();
     return out;
   }
   trial.give_up();

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "step/alpha_scheme.hpp"
+#include "step/step_times.hpp"
 #include "step/tangent.hpp"
 
 namespace trilith {
@@ -41,7 +42,7 @@ void begin_explicit(const Model<2>& model, State<2>& state, const Work<2>& work)
 /// not converge. Where it fails, State is as it was. `work` is then evaluated at the end of the step, which is not
 /// committed. State::dt: the step to try next, at most options.dt.
 ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy,
-                                Tangent& tangent, const ImplicitOptions& options);
+                                Tangent& tangent, const ImplicitOptions& options, StepTimes* times = nullptr);
 
 /// Kinetic energy of a state that is implicit: its velocities are those of the instant [J].
 double implicit_kinetic(const Model<2>& model, const State<2>& state);

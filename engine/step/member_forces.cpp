@@ -29,6 +29,24 @@ std::vector<SectionForces> member_forces(const Model<2>& model, const State<2>& 
   return rows;
 }
 
+/// Bends about y turn the other way round than those about z: what bends the side to z out pulls the part behind it
+/// back along z.
+std::vector<SectionForces3> member_forces(const Model<3>& model, const State<3>& state, int member) {
+  const Member& m = model.members[member];
+  std::vector<SectionForces3> rows;
+  double along = 0;
+  for (int i = m.first_beam; i < m.first_beam + m.beams; ++i) {
+    const Beam3& beam = model.beams_3d[i];
+    const BeamNow3 now = now_of(state, beam);
+    const BeamStress3 s = stress_of(beam.stiffness, now.strain());
+    const std::array shear{(s[2] + s[4]) / now.length(), -(s[1] + s[3]) / now.length()};
+    rows.push_back({along, state.position[beam.node[0]], s[0], shear, s[5], {-s[1], -s[2]}});
+    along += beam.length;
+    rows.push_back({along, state.position[beam.node[1]], s[0], shear, s[5], {s[3], s[4]}});
+  }
+  return rows;
+}
+
 namespace {
 
 /// Each fibre by itself, at the strain of its section: its stress is what a section of it alone carries, over its area.
@@ -83,6 +101,7 @@ std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& s
   return rows;
 }
 
+/// The turns, moments and energy of the plastic hinges at the two ends of a member, where it has them.
 std::vector<HingeReading> member_hinges(const Model<2>& model, const State<2>& state, int member) {
   const Member& m = model.members[member];
   std::vector<HingeReading> rows;

@@ -1,6 +1,7 @@
 // Inner forces of the members of frames: what an engineer reads off a beam.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "body/end_hinge.hpp"
@@ -20,6 +21,17 @@ struct SectionForces {
 
 /// At both ends of each of its beams, one after the other: two rows for each.
 std::vector<SectionForces> member_forces(const Model<2>& model, const State<2>& state, int member);
+
+/// The same in space, in the axes of the section: y up, z across.
+struct SectionForces3 {
+  double along = 0;                ///< from the member's start, as it was at the start of the run [m]
+  Vec3 place = Vec3::Zero();       ///< now [m]
+  double normal = 0;               ///< tension above 0 [N]
+  std::array<double, 2> shear{};   ///< above 0 where the part before pushes the part behind along y, along z [N]
+  double torque = 0;               ///< above 0 where the part behind is twisted about the axis [N m]
+  std::array<double, 2> moment{};  ///< about y, above 0 where the side to z is in tension; about z, the bottom [N m]
+};
+std::vector<SectionForces3> member_forces(const Model<3>& model, const State<3>& state, int member);
 
 /// A plastic hinge of a member.
 struct HingeReading {

@@ -20,6 +20,7 @@ struct Along {
   double all = 0, bearings = 0, elements = 0;
 };
 
+/// phi . F, with the moments times the turns of the mode.
 double work_along(const Mode& mode, const std::vector<Vec2>& force, const std::vector<double>& moment) {
   double sum = 0;
   for (std::size_t n = 0; n < force.size(); ++n)
@@ -70,6 +71,10 @@ double band_ratio(const Model<2>& model, const State<2>& rest, const Mode& mode,
   return lost / (2 * (mode.square + stiffer));
 }
 
+/// The share of critical damping of one mode, by source. The model at rest is moved along the mode with a small
+/// velocity s, there and back; half the difference of the forces is what depends on the velocity, to first order:
+///
+///     zeta = -phi . (F(s phi) - F(-s phi)) / (2 s) / (2 w),   phi' M phi = 1
 ModeDamping damping_of(const Model<2>& model, State<2>& rest, const Mode& mode) {
   if (!(mode.square > 0)) return {};
   double most = 0, most_turn = 0;
@@ -84,6 +89,7 @@ ModeDamping damping_of(const Model<2>& model, State<2>& rest, const Mode& mode) 
   out.elements = ratio(ahead.elements, back.elements);
   out.contacts = ratio(ahead.all, back.all) - out.bearings - out.elements;
   if (!model.bands.empty()) out.bands = band_ratio(model, rest, mode, scale);
+  // alpha M v on M phi: alpha / (2 w).
   out.mass = model.mass_damping / critical;
   return out;
 }

@@ -66,6 +66,7 @@ struct Pairs {
   Eigen::MatrixXd shape;
 };
 
+/// K phi = w^2 M phi for a small model, by dense algebra.
 Pairs all_pairs(const Pencil& p) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(p.stiffness),
                                                                          Eigen::MatrixXd(p.mass));
@@ -82,6 +83,8 @@ double shift_of(const Pencil& p) {
   return -1e-4 * (least > 0 ? least : 1);
 }
 
+/// ... and for a large one the few lowest, by Lanczos' method on the inverse of K - s M (Ericsson and Ruhe, "The
+/// spectral transformation Lanczos method", Math. Comp. 35, 1980): those nearest to the shift s converge first.
 Pairs lowest_pairs(const Pencil& p, int count) {
   using Invert = Spectra::SymShiftInvert<double, Eigen::Sparse, Eigen::Sparse>;
   using Product = Spectra::SparseSymMatProd<double>;
@@ -137,11 +140,20 @@ double Mode::frequency() const {
   return square > 0 ? std::sqrt(square) / (2 * M_PI) : 0;
 }
 
-std::array<double, 2> free_mass(const Model<2>& model) {
+std::array<double, 2> free_mass(const Model<2>& model, const State<2>& state) {
   std::array<double, 2> sum{};
   for (int n = 0; n < model.nodes(); ++n)
     for (const int k : {0, 1})
       if (model.support[n][k] == Support::free) sum[k] += model.mass[n];
+  for (const Beam& beam : model.beams) {
+    if (beam.inertia < 0) continue;
+    const BeamMatrix m = added_mass(model, state, beam);
+    const auto is_free = [&](int i) { return model.support[beam.node[i / 3]][i % 3] == Support::free; };
+    for (const int k : {0, 1})
+      for (const int i : {k, k + 3})
+        for (const int j : {k, k + 3})
+          if (is_free(i) && is_free(j)) sum[k] += m(i, j);
+  }
   return sum;
 }
 

@@ -35,6 +35,6 @@ State<2> at_rest(const State<2>& from);
 std::vector<Mode> modes(const Model<2>& model, const State<2>& state, int count);
 
 /// Mass that is free to move along x and y [kg].
-std::array<double, 2> free_mass(const Model<2>& model);
+std::array<double, 2> free_mass(const Model<2>& model, const State<2>& state);
 
 }  // namespace trilith

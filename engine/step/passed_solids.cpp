@@ -9,9 +9,9 @@
 namespace trilith {
 namespace {
 
-/// 1 / mass of what may move, 0 of what may not [1/kg].
-double mobility_of(const Model<3>& model, int body) {
-  return model.body_moves(body) ? 1 / model.mass[model.bodies[body].first_node] : 0;
+/// 1 / mass of what may move, 0 of what may not; of a frame of one node of it [1/kg].
+double mobility_of(const Model<3>& model, int piece) {
+  return model.body_moves(model.piece_body[piece]) ? 1 / model.mass[model.node_of_piece(piece)] : 0;
 }
 
 /// The stiffness that would keep the two half as deep as is told [Pa/m], as in the plane:
@@ -20,8 +20,7 @@ double needed_stiffness(const Model<3>& model, const State<3>& state, const Work
                         double allowed, double speed) {
   const NearPair& pair = work.pairs[c.row];
   const double most = 0.5 * allowed;
-  const double mass =
-      1 / (mobility_of(model, model.piece_body[pair.piece_a]) + mobility_of(model, model.piece_body[pair.piece_b]));
+  const double mass = 1 / (mobility_of(model, pair.piece_a) + mobility_of(model, pair.piece_b));
   const double kn = std::visit([](const auto& l) { return l.kn; }, model.laws[pair.law]);
   const double weight = model.gravity.at(state.time).norm();
   return (mass * (speed * speed + 2 * weight * most) + kn * c.size * c.depth * c.depth) / (c.size * most * most);
@@ -32,7 +31,8 @@ Event passed_event(const Model<3>& model, const State<3>& state, const Work<3>& 
                    double thickness) {
   const NearPair& pair = work.pairs[c.row];
   const int a = model.piece_body[pair.piece_a], b = model.piece_body[pair.piece_b];
-  const Vec3 &va = state.velocity[model.bodies[a].first_node], &vb = state.velocity[model.bodies[b].first_node];
+  const Vec3 &va = state.velocity[model.node_of_piece(pair.piece_a)],
+             &vb = state.velocity[model.node_of_piece(pair.piece_b)];
   const bool turned = vb.norm() > va.norm();
   Event e = event_now(state, EventType::body_passed, turned ? b : a, turned ? a : b);
   e.value = c.depth;

@@ -71,7 +71,7 @@ void list_element_stretches(const Model<2>& model, Work<2>& work) {
     first = i;
   }
 }
-/// In space there are rigid bodies alone.
+/// In space there are none.
 void list_element_stretches(const Model<3>& /*model*/, Work<3>& /*work*/) {}
 
 SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
@@ -174,10 +174,10 @@ SkinReach place_corners(const ConvexSolid& solid, const NodeMotion<3>& node, con
   return reach;
 }
 
-/// In space there are rigid bodies alone: corners, normals and edges of a piece.
+/// Corners, normals and edges of a piece, which goes with one node: of a frame too, see world/space_frame.hpp.
 SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
   const auto p = static_cast<std::size_t>(piece);
-  const int n = model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node;
+  const int n = model.node_of_piece(piece);
   const NodeMotion<3> node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
   const Turn3 turn(node.rotation);
   const SkinReach reach = place_corners(model.piece_solid[p], node, turn, solids.placed[p]);
@@ -193,7 +193,7 @@ PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& wor
   if (!work.valid) list_spheres(model, work.solids.sphere);
   return place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int p, PlacedReach& to) {
     const SkinReach of = place_piece(model, state, p, work.solids);
-    to.add(of, model.moves(model.bodies[static_cast<std::size_t>(model.piece_body[p])].first_node));
+    to.add(of, model.moves(model.node_of_piece(p)));
   });
 }
 

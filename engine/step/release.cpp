@@ -30,6 +30,8 @@ std::vector<Freed> free_nodes(Model<2>& model, double time, int body, const std:
 
 }  // namespace
 
+/// A support that goes at once would strike: what it carried is found by one evaluation, R = m a - F, put on the nodes
+/// as a load, and faded out over `fade`. Where a node is driven, a is the acceleration of its motion.
 int release_supports(Model<2>& model, const State<2>& state, int body, const std::array<bool, 3>& on, double fade) {
   drop_faded(model, state.time);
   const std::vector<Freed> freed = free_nodes(model, state.time, body, on);

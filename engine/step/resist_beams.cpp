@@ -16,6 +16,7 @@ BeamResponse respond_elastic(const Beam& beam, const BeamNow& now) {
   return out;
 }
 
+/// Hinges and fibres read what they remember of the last commit and write what they come to into Work.
 BeamResponse respond_yielding(const Model<2>& model, const State<2>& state, Work<2>& work, const Beam& beam,
                               const BeamNow& now) {
   return respond(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)),

@@ -18,6 +18,9 @@ struct ResistSums {
 /// band, of a step of `dt` [s].
 void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ResistSums& sums);
 
+/// The same of a frame in space, whose beams are elastic; `work` has its arrays.
+void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, ResistSums& sums);
+
 /// True where the beam is gone for good.
 bool is_removed(const Model<2>& model, const Beam& beam, std::span<const double> memories);
 

@@ -19,6 +19,7 @@ constexpr auto direction_order = [] {
     return std::array{2, 0, 1, 3, 4, 5};
 }();
 
+/// A direction without a law gives nothing; any other is asked for its force by the motion in its own direction alone.
 DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion, const DirectionMemory& before) {
   return std::visit(
       [&](const auto& l) {
@@ -57,6 +58,7 @@ DirectionResponse respond_horizontal(const Bearing<3>& b, const BearingMemory<3>
       b.horizontal);
 }
 
+/// Whether along and across answer together, as in a circular yield or friction surface.
 bool has_horizontal(const Bearing<3>& b) {
   return !std::holds_alternative<std::monostate>(b.horizontal);
 }
@@ -154,6 +156,7 @@ DirectionMemory memory_at(const DirectionLaw& law, double displacement) {
 }  // namespace
 
 /// Sliders and dashpots begin where they are, springs with what their displacement asks: that energy is new.
+/// A law that can begin elsewhere than at 0 says so by begin_at; every other starts from an empty memory.
 template <int D>
 double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i) {
   const Bearing<D>& b = model.bearings[i];

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <span>
 
 #include "base/team.hpp"
 #include "detect/pairs.hpp"
@@ -139,7 +140,7 @@ struct GeneralPass {
   }
   /// The distance at which the edge that kept two pieces apart last still does; else 0 [m].
   [[nodiscard]] double still_apart(const PlacedPiece& a, const PlacedPiece& b, int row) const {
-    const int by = work.apart_by[row], e = by % max_piece_corners;
+    const int by = work.pairs[row].apart_by, e = by % max_piece_corners;
     const PlacedPiece &owner = by < max_piece_corners ? a : b, &other = by < max_piece_corners ? b : a;
     if (by < 0 || e >= static_cast<int>(owner.corner.size())) return 0;
     return distance_outside(owner.sides.row[e], other.corner);
@@ -148,18 +149,91 @@ struct GeneralPass {
     // Each of the two may come nearer by the path of the fastest point.
     work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * distance;
   }
+  /// Whether one corner under one face has an answer of its own under the law of a pair, which remembers `memory`.
+  [[nodiscard]] bool knows_corners(const NearPair& pair, const ContactMemory& memory) const {
+    return is_plain_friction(model.laws[pair.law]) && !pair.replaced &&
+           (memory.empty() || (memory.state & contact_general) != 0);
+  }
+  [[nodiscard]] Coulomb friction_of(int law) const {
+    return with_kernel(law_in_use(model, law, dt), [](const Coulomb& kernel) { return kernel; });
+  }
+  void respond_rows(std::span<const int> rows, OverlapAnswer* answers) const;
   void respond(int row, OverlapAnswer& answer) const;
+  void finish(int row, OverlapAnswer& answer) const;
   void take_up(int row, const OverlapAnswer& answer) const;
 };
+
+/// Rows of one law in which a corner was below a face last, to be answered together.
+struct CornerRows {
+  std::array<CornerCase, lane_count> pair;
+  std::array<int, lane_count> row;
+  std::array<OverlapAnswer*, lane_count> answer;
+  std::size_t count = 0;
+  int law = -1;
+
+  void add(int r, int l, const CornerCase& of, OverlapAnswer& to) {
+    pair[count] = of, row[count] = r, answer[count] = &to;
+    law = l;
+    ++count;
+  }
+};
+
+/// One corner of a pair under one face of it, as it was last; there may be no such corner or face.
+bool there_is(const CornerOnFace& at, const PlacedPiece& a, const PlacedPiece& b) {
+  const PlacedPiece &wedge = at.wedge_is_b ? b : a, &owner = at.wedge_is_b ? a : b;
+  return at.corner < wedge.corner.size() && at.face < owner.corner.size();
+}
+
+/// Makes an answer ready to be written.
+void clear(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece& b) {
+  answer.changed = answer.touching = false;
+  answer.let_go = {};
+  std::fill_n(answer.on_a.begin(), a.corner.size(), Vec2::Zero());
+  std::fill_n(answer.on_b.begin(), b.corner.size(), Vec2::Zero());
+}
+
+/// The corner that a row had last is tried first, with those of the next rows, four at once; what it does not hold for
+/// is looked at by itself. `answers`: one for each row.
+void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers) const {
+  CornerRows waiting;
+  const auto answer_waiting = [&] {
+    if (waiting.count == 0) return;
+    const std::uint32_t done = respond_corners(std::span(waiting.pair).first(waiting.count), friction_of(waiting.law));
+    for (std::size_t k = 0; k < waiting.count; ++k)
+      (done >> k & 1U) != 0 ? finish(waiting.row[k], *waiting.answer[k]) : respond(waiting.row[k], *waiting.answer[k]);
+    waiting.count = 0;
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int row = rows[i];
+    const NearPair& pair = work.pairs[row];
+    const ContactMemory& memory = before.memory[row];
+    if (!pair.corner_at.is_there() || !knows_corners(pair, memory)) {
+      respond(row, answers[i]);
+      continue;
+    }
+    const PlacedPiece &a = place_once(model, state, work, pair.piece_a),
+                      &b = place_once(model, state, work, pair.piece_b);
+    if (!there_is(pair.corner_at, a, b) || !has_plain_corners(a) || !has_plain_corners(b)) {
+      respond(row, answers[i]);
+      continue;
+    }
+    if (waiting.count > 0 && waiting.law != pair.law) answer_waiting();
+    clear(answers[i], a, b);
+    waiting.add(row, pair.law,
+                {&a, &b, pair.corner_at, &memory, &answers[i].response, answers[i].on_a, answers[i].on_b}, answers[i]);
+    if (waiting.count == waiting.pair.size()) answer_waiting();
+  }
+  answer_waiting();
+}
 
 /// A row that wakes. Its pieces are placed by now, or are by this.
 void GeneralPass::respond(int row, OverlapAnswer& answer) const {
   answer.changed = answer.touching = false;
+  answer.let_go = {};
   const ContactMemory& memory = before.memory[row];
   const bool was = (memory.state & contact_touching) != 0;
-  const NearPair& pair = work.pairs[row];
+  NearPair& pair = work.pairs[row];
   OverlapResponse& r = answer.response;
-  answer.let_go = {};
   // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
   if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) {
     if (was) part_row(before, work.contacts, row);
@@ -171,18 +245,31 @@ void GeneralPass::respond(int row, OverlapAnswer& answer) const {
                     &b = place_once(model, state, work, pair.piece_b);
   if (memory.empty())
     if (const double distance = still_apart(a, b, row); distance > 0) return r = {}, sleep(row, distance);
-  std::fill_n(answer.on_a.begin(), a.corner.size(), Vec2::Zero());
-  std::fill_n(answer.on_b.begin(), b.corner.size(), Vec2::Zero());
+  clear(answer, a, b);
+  // What one corner comes to is found in one way, remembered or not, or bits would depend on it.
+  if (knows_corners(pair, memory) && has_plain_corners(a) && has_plain_corners(b)) {
+    pair.corner_at = corner_within(a, b);
+    const CornerCase one{&a, &b, pair.corner_at, &memory, &r, answer.on_a, answer.on_b};
+    if (pair.corner_at.is_there() && respond_corners({&one, 1}, friction_of(pair.law)) != 0) return finish(row, answer);
+  }
   const LawInUse law = law_in_use(model, pair.law, dt);
   const Remembered remembered{memory, before.law_numbers(row)};
   r = respond_overlap(a, b, remembered, law, answer.on_a, answer.on_b, work.contacts.law_numbers(row));
   if (was && (memory.state & contact_general) == 0) answer.let_go = change_of_shape(work, pair, remembered, law);
+  finish(row, answer);
+}
+
+/// What a response means for its row: whether anything changed, what is remembered, how long it may sleep.
+void GeneralPass::finish(int row, OverlapAnswer& answer) const {
+  const ContactMemory& memory = before.memory[row];
+  const OverlapResponse& r = answer.response;
+  const bool was = (memory.state & contact_touching) != 0;
   answer.changed =
       was != r.touching || memory.bonds != 0 || (memory.state & contact_kept) != (r.memory.state & contact_kept);
   if (was || r.touching) work.contacts.memory[row] = r.memory;
   answer.touching = r.touching;
   if (r.touching) return;
-  work.apart_by[row] = static_cast<std::int16_t>(r.apart_by);
+  work.pairs[row].apart_by = static_cast<std::int16_t>(r.apart_by);
   sleep(row, r.separation);
 }
 
@@ -212,7 +299,6 @@ void list_rows(const GeneralPass& pass, Work<2>& work) {
   work.general_rows.resize(work.general.size() + work.general_now.size());
   std::merge(work.general.begin(), work.general.end(), work.general_now.begin(), work.general_now.end(),
              work.general_rows.begin());
-  work.apart_by.resize(work.pairs.size(), -1);
   work.awake_rows.reserve(work.pairs.size());
   work.awake_rows.clear();
   const std::size_t count = work.general_rows.size();
@@ -263,7 +349,9 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
   share_in_order(
       work.threads, static_cast<int>(work.awake_rows.size()), general_stretch,
       [&](int first, int last, int /*thread*/, int slot) {
-        for (int i = first; i < last; ++i) pass.respond(work.awake_rows[i], answer_of(slot, i - first));
+        const auto count = static_cast<std::size_t>(last - first);
+        pass.respond_rows(std::span(work.awake_rows).subspan(static_cast<std::size_t>(first), count),
+                          &answer_of(slot, 0));
       },
       [&](int first, int last, int slot) {
         for (int i = first; i < last; ++i) pass.take_up(work.awake_rows[i], answer_of(slot, i - first));

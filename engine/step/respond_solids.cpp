@@ -11,16 +11,16 @@
 namespace trilith {
 namespace {
 
+/// A piece where its body is now, with the velocity and spin of the body's one node.
 MovingSolid moving_solid(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
-  const int n = model.bodies[model.piece_body[piece]].first_node;
+  const int n = model.node_of_piece(piece);
   return {work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n]};
 }
 
 /// The force of a contact on both bodies, about their nodes.
 void add_to_bodies(const Model<3>& model, const State<3>& state, const NearPair& pair, const SolidResponse& r,
                    Work<3>& work) {
-  const int a = model.bodies[model.piece_body[pair.piece_a]].first_node,
-            b = model.bodies[model.piece_body[pair.piece_b]].first_node;
+  const int a = model.node_of_piece(pair.piece_a), b = model.node_of_piece(pair.piece_b);
   work.solids.force[a] -= r.force, work.solids.force[b] += r.force;
   work.solids.moment[a] -= r.moment + cross(Vec3(r.centre - state.position[a]), r.force);
   work.solids.moment[b] += r.moment + cross(Vec3(r.centre - state.position[b]), r.force);
@@ -91,8 +91,9 @@ bool has_sphere(const Work<3>& work, const NearPair& pair) {
   return !sphere.empty() && (sphere[pair.piece_a].radius > 0 || sphere[pair.piece_b].radius > 0);
 }
 
+/// The same of a piece that may be a sphere: its centre and radius beside its corners, of which a sphere has one.
 SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
-  const int n = model.bodies[model.piece_body[piece]].first_node;
+  const int n = model.node_of_piece(piece);
   return {work.solids.sphere[piece], work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n]};
 }
 

@@ -7,9 +7,9 @@
 
 namespace trilith {
 
-/// Pose and motion of the body that a piece belongs to.
+/// Pose and motion of the node that a piece goes with.
 inline BodyMotion body_motion(const Model<3>& model, const State<3>& state, int piece) {
-  const int n = model.bodies[model.piece_body[piece]].first_node;
+  const int n = model.node_of_piece(piece);
   return {state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
 }
 

@@ -8,6 +8,9 @@
 namespace trilith {
 
 /// Sliding force stands at its limit, up to rounding.
+/// The force of a contact in space, split along its normal: f = N n + T with T the shear of the sliding element. It
+/// slides where T stands on the limit of its whole area, shear and couple about the normal together
+/// (contact/friction_limit.hpp).
 SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::size_t place) {
   const GeneralContact<3>& contact = work.general_touching[place];
   const NearPair& pair = work.pairs[contact.row];

@@ -151,11 +151,11 @@ void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& w
       for (const auto& [body, other] : {std::pair(b.body_a, b.body_b), std::pair(b.body_b, b.body_a)}) {
         if (!model.body_moves(body)) continue;
         const double weight = model.body_moves(other) ? 2 : 1;
-        const int n = model.bodies[body].first_node;
+        const int n = body == b.body_a ? b.end_a.node[0] : b.end_b.node[0];
         const ScaledNode node = scaled_node(model, n, state.rotation[n]);
         const Vector6 v = k < 3 ? node.along(axes[k], at - state.position[n]) : node.about(axes[k - 3]);
-        locals[body].k += weight * s.tangent * v * v.transpose();
-        locals[body].c += weight * s.dashpot * v * v.transpose();
+        locals[n].k += weight * s.tangent * v * v.transpose();
+        locals[n].c += weight * s.dashpot * v * v.transpose();
       }
     }
   }
@@ -176,11 +176,11 @@ ContactTangent stiffest_law(const Model<3>& model, const Body& body) {
 /// On its stiffest face, against a body that moves as well.
 RateBound on_stiffest_face(const Model<3>& model, const Body& body) {
   const ContactTangent law = stiffest_law(model, body);
-  ScaledNode node = scaled_node(model, body.first_node, UnitQuaternion{});
   RateBound most;
   if (!(law.normal > 0)) return most;
   for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
     const ConvexSolid& solid = model.piece_solid[p];
+    const ScaledNode node = scaled_node(model, model.node_of_piece(p), UnitQuaternion{});
     if (solid.is_sphere()) {
       LocalSolid local;
       add_area(cap_springs(solid, law), node, 2, local);
@@ -208,18 +208,19 @@ void bound_faces(const Model<3>& model, Work<3>& work) {
 
 /// What holds a body about some axes alone makes no eigenvalue larger, so it is not asked for.
 StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<3>& work) {
-  std::vector<LocalSolid> locals(model.bodies.size());
+  std::vector<LocalSolid> locals(model.mass.size());
   for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
     const GeneralContact<3>& contact = work.general_touching[i];
     const ContactArea& area = work.solids.areas[i];
     const NearPair& pair = work.pairs[contact.row];
     const int body[2] = {model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]};
+    const int node[2] = {model.node_of_piece(pair.piece_a), model.node_of_piece(pair.piece_b)};
     const ContactTangent law = solid_tangent(model, pair.law, contact.depth);
     for (const int side : {0, 1}) {
       if (!model.body_moves(body[side])) continue;
-      const int n = model.bodies[body[side]].first_node;
+      const int n = node[side];
       add_area({area.middle - state.position[n], area.normal, area.area, area.radius, area.arm, law},
-               scaled_node(model, n, state.rotation[n]), model.body_moves(body[1 - side]) ? 2 : 1, locals[body[side]]);
+               scaled_node(model, n, state.rotation[n]), model.body_moves(body[1 - side]) ? 2 : 1, locals[n]);
     }
   }
   add_bearings(model, state, work, locals);
@@ -227,10 +228,16 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
   found.dt = longest_step;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (!model.body_moves(static_cast<int>(b))) continue;
-    const double k = std::max(work.face_bound[b].stiffness, largest_bound(locals[b].k)),
-                 c = std::max(work.face_bound[b].damping, largest_bound(locals[b].c)) + model.mass_damping;
-    const double dt = step_for(k, c);
-    if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
+    // What contacts and bearings add to the frequencies of a frame's beams is at most what they make of its nodes
+    // alone.
+    const RateBound beams = model.element_bound.empty() ? RateBound{} : model.element_bound[b];
+    for (int n = model.bodies[b].first_node; n < model.bodies[b].first_node + model.bodies[b].nodes; ++n) {
+      const double k = beams.stiffness + std::max(work.face_bound[b].stiffness, largest_bound(locals[n].k)),
+                   c = beams.damping + std::max(work.face_bound[b].damping, largest_bound(locals[n].c)) +
+                       model.mass_damping;
+      const double dt = step_for(k, c);
+      if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
+    }
   }
   return found;
 }

@@ -21,9 +21,13 @@ enum class StepPart : int {
   record,
   events,
   advance,
+  tangent,
+  factorise,
+  solve,
+  search,
   listen
 };
-inline constexpr int step_parts = 12;
+inline constexpr int step_parts = 16;
 inline constexpr std::array<const char*, step_parts> step_part_names{"place",
                                                                      "find",
                                                                      "respond: faces",
@@ -35,6 +39,10 @@ inline constexpr std::array<const char*, step_parts> step_part_names{"place",
                                                                      "record",
                                                                      "events",
                                                                      "advance",
+                                                                     "implicit: tangent",
+                                                                     "implicit: factors of it",
+                                                                     "implicit: solving with them",
+                                                                     "implicit: shorter tries",
                                                                      "handlers and listeners"};
 
 /// Wall clock spent in each part [s].

@@ -44,6 +44,8 @@ double general_energy(const Model<2>& model, const State<2>& state, const Work<2
 }  // namespace
 
 /// Faces by row, then contacts of general shape, which this evaluation has listed.
+/// Sum of the elastic energies of all that touches: normal overlap and elastic slip; of faces by their closed form, of
+/// general contacts by the integral over the shared area.
 double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   double sum = 0;
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
@@ -55,6 +57,7 @@ double contact_energy(const Model<2>& model, const State<2>& state, const Work<2
   return sum;
 }
 
+/// The same in space: of a bonded joint by its patches, of all else by the volume that is shared and the shear held.
 double contact_energy(const Model<3>& model, const State<3>& /*state*/, const Work<3>& work) {
   SolidOverlapBuffer shared, cell;
   double sum = 0;

@@ -47,9 +47,14 @@ void spread_one_node(const State<2>& state, const BodyRow& body, Work<2>& work) 
   work.moment[body.node] = load.moment;
 }
 
-/// In space there are rigid bodies alone, and all forces on them come by their nodes.
+/// In space all forces of contacts come by nodes; a frame has those of its beams beside them.
 void spread_body(const Model<3>& /*model*/, const State<3>& /*state*/, const BodyRow& body, Work<3>& work) {
   work.force[body.node] = work.solids.force[body.node], work.moment[body.node] = work.solids.moment[body.node];
+  if (body.layout == SkinLayout::one_node) return;
+  for (int n = body.node; n < body.node + body.nodes; ++n) {
+    work.force[n] = work.solids.force[n] + work.element_force[n] + work.element_damping[n];
+    work.moment[n] = work.solids.moment[n] + work.element_moment[n] + work.element_damping_moment[n];
+  }
 }
 
 void spread_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
@@ -77,7 +82,7 @@ void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
   work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
 }
 
-/// In space bodies are rigid: at one node each.
+/// In space: at one node each.
 void spread_bearing(const Model<3>& model, const State<3>& state, Work<3>& work, std::size_t i) {
   const Bearing<3>& b = model.bearings[i];
   const int na = b.end_a.node[0], nb = b.end_b.node[0];

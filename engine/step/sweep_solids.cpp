@@ -1,5 +1,6 @@
 // The step in time for solids in space that fly fast and thin.
 #include <algorithm>
+#include <cmath>
 
 #include "detect/solid_pairs.hpp"
 #include "step/stable_step.hpp"
@@ -8,17 +9,26 @@
 namespace trilith {
 namespace {
 
-/// How fast some point of a body may go [m/s].
-double fastest_point(const Model<3>& model, const State<3>& state, int body) {
-  const int n = model.bodies[body].first_node;
-  return state.velocity[n].norm() + state.spin[n].norm() * model.body_radius[body];
+/// Farthest point from the node of a rigid body; of a frame, of one piece from its node [m].
+double reach_of(const Model<3>& model, int piece) {
+  const int body = model.piece_body[piece];
+  if (model.bodies[body].is_rigid()) return model.body_radius[body];
+  double most = 0;
+  for (const Vec3& x : model.piece_solid[piece].shape.corners) most = std::max(most, x.squaredNorm());
+  return std::sqrt(most);
+}
+
+/// How fast some point of what a piece belongs to may go [m/s].
+double fastest_point(const Model<3>& model, const State<3>& state, int piece) {
+  const int n = model.node_of_piece(piece);
+  return state.velocity[n].norm() + state.spin[n].norm() * reach_of(model, piece);
 }
 
 /// ... against any point of another.
 double closing_bound(const Model<3>& model, const State<3>& state, int a, int b) {
-  const int n = model.bodies[a].first_node, m = model.bodies[b].first_node;
-  return (state.velocity[n] - state.velocity[m]).norm() + state.spin[n].norm() * model.body_radius[a] +
-         state.spin[m].norm() * model.body_radius[b];
+  const int n = model.node_of_piece(a), m = model.node_of_piece(b);
+  return (state.velocity[n] - state.velocity[m]).norm() + state.spin[n].norm() * reach_of(model, a) +
+         state.spin[m].norm() * reach_of(model, b);
 }
 
 /// How far two boxes are apart along the axis that parts them best; 0 where none does [m].
@@ -39,14 +49,14 @@ SweptStep swept_step(const Model<3>& model, const State<3>& state, const Work<3>
   for (int p = 0; p < model.pieces(); ++p) {
     const int body = model.piece_body[p];
     if (state.left[body] != 0 || !model.body_moves(body)) continue;
-    const double reach = (fastest_point(model, state, body) + work.fastest) * step.dt;
+    const double reach = (fastest_point(model, state, p) + work.fastest) * step.dt;
     if (reach <= share * model.least_thickness) continue;
     const FatBox<3> box = box_around(work.solids.placed[p]);
     work.search.boxes.for_meeting(widened(box, reach), [&](int q) {
       const int other = model.piece_body[q];
       if (other == body || state.left[other] != 0) return;
       if (model.law_of[model.bodies[body].surface * model.surfaces + model.bodies[other].surface] < 0) return;
-      const double speed = closing_bound(model, state, body, other),
+      const double speed = closing_bound(model, state, p, q),
                    thickness = std::min(model.piece_thickness[p], model.piece_thickness[q]);
       const double path = gap_of(box, box_around(work.solids.placed[q])) + share * thickness;
       if (speed * step.dt > path) step = {path / speed, p, q, speed, thickness};

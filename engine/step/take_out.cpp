@@ -21,6 +21,7 @@ Event event_of(const State<D>& state, EventType type, int body) {
   return e;
 }
 
+/// Where the body is and how fast it was as it went; one that is added has no speed to tell.
 Event body_event(const Model<2>& model, const State<2>& state, EventType type, int body) {
   const Pose pose = body_pose(model, state, body);
   Event e = event_of(state, type, body);
@@ -29,10 +30,10 @@ Event body_event(const Model<2>& model, const State<2>& state, EventType type, i
   return e;
 }
 Event body_event(const Model<3>& model, const State<3>& state, EventType type, int body) {
-  const int node = model.bodies[body].first_node;
+  const Pose3 pose = body_pose(model, state, body);
   Event e = event_of(state, type, body);
-  if (type != EventType::body_added) e.value = state.velocity[node].norm();
-  e.set_place(state.position[node]);
+  if (type != EventType::body_added) e.value = pose.velocity.norm();
+  e.set_place(pose.place);
   return e;
 }
 
@@ -145,6 +146,8 @@ std::vector<Event> take_out(Model<D>& model, State<D>& state, Work<D>& work, con
   return events;
 }
 
+/// As take_out, but by order and not by the bounds: bodies and bearings are marked as removed with their time, so that
+/// they can be put back, and the ledger has a term of its own for them.
 template <int D>
 std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                           const Parts& parts) {
@@ -168,6 +171,8 @@ std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const
   return events;
 }
 
+/// Bodies come back where they were left, at rest, and may overlap what has moved there meanwhile: the energy of that
+/// is found by the same two balances. Bearings begin anew at the displacement they have now.
 template <int D>
 std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                             const Parts& parts) {
@@ -187,6 +192,8 @@ std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, con
   return events;
 }
 
+/// Any other change of parameters: what is stored under the new ones less what was under the old is put in or taken
+/// out.
 template <int D>
 void alter(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
            const std::function<void(Model<D>&)>& change, std::span<const int> begun) {
@@ -200,6 +207,8 @@ void alter(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& o
   book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
 }
 
+/// The grown model holds all that was there under the same numbers, so the state is only made longer. Contacts within
+/// `reach` of a new body are bonded as they would be at the start.
 template <int D>
 std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, Model<D> grown,
                         double reach) {

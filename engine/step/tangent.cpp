@@ -22,6 +22,7 @@ double disturbance_of(const Model<2>& model, const Freedom& f, const TangentOpti
   return move / (radius > 0 ? radius : 1);
 }
 
+/// The number of State that an unknown stands for, and its rate.
 double& place_of(State<2>& state, const Freedom& f) {
   return f.k == 2 ? state.rotation[f.node] : state.position[f.node][f.k];
 }
@@ -37,6 +38,8 @@ double net_force(const Model<2>& model, const State<2>& state, const Work<2>& wo
   return force - model.mass_damping * mass[f.k] * v[f.k];
 }
 
+/// The pattern holds as long as the pairs do; entries of pairs that do not touch are 0 and there all the same, so that
+/// a contact made within a step needs no new pattern.
 void Tangent::shape(const Model<2>& model, const Work<2>& work) {
   std::vector<std::pair<int, int>> pairs;
   for (const NearPair& p : work.pairs) pairs.emplace_back(p.piece_a, p.piece_b);
@@ -73,6 +76,13 @@ void Tangent::disturbed(const Model<2>& model, State<2>& state, Work<2>& work, c
     if (coupling_.unknown[n][k] >= 0) std::tie(place_of(state, {n, k}), rate_of(state, {n, k})) = *at++;
 }
 
+/// Column by column, but all nodes of a colour at once:
+///
+///     A e_j = -phi_f (F(x + h e_j, v + c h e_j) - F(x - h e_j, v - c h e_j)) / (2 h) + a_m M e_j
+///
+/// with phi_f the share of forces in the scheme's equation, a_m its coefficient of the mass and c its change of
+/// velocity per change of place. Central differences leave out the second derivative; what is left is h^2 of the third,
+/// and rounding of F over h. Two evaluations for each colour and direction: some 20 to 60 in all, however many nodes.
 void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
   Eigen::VectorXd more(coupling_.size()), less(coupling_.size());
   work.leave_out_beams = true;
@@ -94,10 +104,12 @@ void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, co
   add_beams(model, state, options);
 }
 
+/// Beams have their 6 x 6 block by hand, in the order of unknowns u0 v0 r0 u1 v1 r1; consistent mass adds its own.
 void Tangent::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
   for (const Beam& beam : model.beams) {
     BeamBlock block = -options.force * beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0);
-    if (beam.inertia >= 0 && options.inertia > 0) block += options.inertia * added_mass(model, state, beam);
+    const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
+    if (beam.inertia >= 0 && inertia > 0) block += inertia * added_mass(model, state, beam);
     const auto unknown = [&](int i) { return coupling_.unknown[beam.node[i / 3]][i % 3]; };
     for (int column = 0; column < 6; ++column)
       for (int row = 0; row < 6 && unknown(column) >= 0; ++row)
@@ -106,7 +118,9 @@ void Tangent::add_beams(const Model<2>& model, const State<2>& state, const Tang
 }
 
 /// Without entries of 0, which are there for pairs that do not touch: so that it is the same whenever these were found.
-bool Tangent::find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
+bool Tangent::find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options,
+                   StepTimes* times) {
+  StepClock clock(times);
   assemble(model, state, work, options);
   const auto kept = std::make_shared<KeptTangent>();
   kept->dt = options.dt, kept->rate = options.rate, kept->force = options.force, kept->inertia = options.inertia;
@@ -116,11 +130,16 @@ bool Tangent::find(const Model<2>& model, State<2>& state, Work<2>& work, const 
       if (at.value() != 0) kept->row.push_back(static_cast<int>(at.row())), kept->value.push_back(at.value());
     kept->column.push_back(static_cast<int>(kept->row.size()));
   }
-  if (!factorise(kept)) return false;
+  clock.mark(StepPart::tangent);
+  const bool regular = factorise(kept);
+  clock.mark(StepPart::factorise);
+  if (!regular) return false;
   state.tangent = kept;
   return true;
 }
 
+/// Modified Newton: a tangent is good for as long as steps converge by it. It is part of State, so that a run that is
+/// saved and continued takes the same steps.
 bool Tangent::take(const State<2>& state, const TangentOptions& options) {
   const KeptTangent* const kept = state.tangent.get();
   if (kept == nullptr || kept->size() != coupling_.size() || kept->dt != options.dt || kept->rate != options.rate ||
@@ -129,6 +148,7 @@ bool Tangent::take(const State<2>& state, const TangentOptions& options) {
   return ready_ == state.tangent || factorise(state.tangent);
 }
 
+/// LU and not Cholesky: friction and following loads make the matrix unsymmetric.
 bool Tangent::factorise(const std::shared_ptr<const KeptTangent>& kept) {
   ready_.reset();
   const Eigen::Map<const Eigen::SparseMatrix<double>> matrix(kept->size(), kept->size(),

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "step/coupling.hpp"
+#include "step/step_times.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
@@ -45,7 +46,8 @@ class Tangent {
   /// At a trial state. `state` and `work` are disturbed meanwhile; evaluate anew afterwards.
   void assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
   /// The same, made ready to solve with and kept in the state. False where it is singular.
-  bool find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
+  bool find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options,
+            StepTimes* times = nullptr);
   /// Makes that of the state ready to solve with. False where it has none that was taken for the same step.
   bool take(const State<2>& state, const TangentOptions& options);
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factors_.solve(right); }

@@ -8,6 +8,8 @@
 namespace trilith {
 namespace {
 
+/// Places and rates of two faces at the end of the step, with the mean rates over it, as the kernel for four rows reads
+/// them (step/four_rows.hpp), here of one row.
 FaceMotion<double> motion_of(const Work<2>& work, const NearPair& p) {
   FaceEnds<double> a = face_ends(work, p.a0, p.a1), b = face_ends(work, p.b0, p.b1);
   FaceMotion<double> motion(a, b, p.corner);
@@ -26,6 +28,7 @@ FaceMotion<double> slid(FaceMotion<double> motion, double first, double second, 
   return motion;
 }
 
+/// What the two halves remembered before the step, out of the row of State.
 FaceMemory<double> face_memory(const ContactMemory& m) {
   FaceMemory<double> out;
   for (const int h : {0, 1}) {
@@ -38,6 +41,12 @@ FaceMemory<double> face_memory(const ContactMemory& m) {
   return out;
 }
 
+/// One pair of faces. By linear rates a half went `on` by one way and then `back` by another, see Ways. The law is
+/// asked once more for each of the two, the second with the memory of the first; what it then holds, S2, is compared
+/// with S1, which it held for the whole way at once. Along the way back the mean of both is out by (S1 - S2) / 2, and
+/// its work by that times the way:
+///
+///     w = sum over the halves of |S1 - S2| |back| / 2                                                             [J]
 double of_faces(const Model<2>& model, const ContactHistory& before, const Work<2>& work, int row, double dt) {
   const NearPair& p = work.pairs[row];
   const FaceMotion<double> motion = motion_of(work, p);
@@ -58,6 +67,8 @@ double of_faces(const Model<2>& model, const ContactHistory& before, const Work<
   });
 }
 
+/// The same of a contact of any shape, where one friction element stands at the centre of pressure: the normal force
+/// and the length of contact are those of the step's end, the way is that of the two bodies along t, across the force.
 double of_general(const Model<2>& model, const State<2>& state, const ContactHistory& before, const Work<2>& work,
                   const GeneralContact<2>& g, double dt) {
   const NearPair& p = work.pairs[g.row];

@@ -57,7 +57,7 @@ std::string state_of(const results::ResultsReader& reader) {
 void write_run(const results::ResultsReader& reader, const ViewFrames& frames, std::size_t left_out, JsonText& json) {
   const results::Provenance& from = reader.header().provenance;
   json.key("run").begin_object();
-  json.text("name", reader.path().stem().stem().string()).text("state", state_of(reader));
+  json.text("name", reader.title()).text("state", state_of(reader));
   json.text("script", from.script).text("script_path", from.script_path).text("program", from.program_version);
   json.text("commit", from.git_commit).text("platform", from.platform).text("command", from.command_line);
   json.text("verdict", results::results_verdict(reader.events()).text());

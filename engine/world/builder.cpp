@@ -54,7 +54,7 @@ void ModelBuilder::add_material(const Material& material) {
 
 void ModelBuilder::add_body(BodySpec spec) {
   require_name(spec.name, "body");
-  require_new(bodies_, spec.name, "body", [](const BodySpec& b) { return b.name; });
+  body_names_known_.require_new(bodies_, spec.name, "body");
   const std::string owner = fmt::format("body '{}'", spec.name);
   CheckedPolygon checked;
   if (!spec.mesh && !spec.frame) {

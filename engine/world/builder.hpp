@@ -15,6 +15,7 @@
 #include "world/frame.hpp"
 #include "world/material.hpp"
 #include "world/model.hpp"
+#include "world/names.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
@@ -116,6 +117,7 @@ class ModelBuilder {
 
   std::vector<Material> materials_;
   std::vector<BodySpec> bodies_;
+  RowNames body_names_known_;
   ContactRules rules_;
   std::vector<BearingSpec> bearings_;
   std::vector<SeatSpec> seats_;

@@ -48,6 +48,7 @@ void ModelBuilder::add_bearing(const BearingSpec& spec) {
   bearings_.push_back(spec);
 }
 
+/// A point far from the body it names is a slip of the pen.
 void ModelBuilder::require_near(const std::string& body, const Vec2& point, const std::string& what) const {
   const Polygon& outline = bodies_[require_body(body, what)].outline;
   trilith::require_near<2>(point, boundary_point(outline, point).distance, polygon_size(outline), body, what);
@@ -66,6 +67,8 @@ void ModelBuilder::add_seat(const SeatSpec& spec) {
   seats_.push_back(spec);
 }
 
+/// Both ends are tied to the nodes of their bodies; the displacement at the start, in the axes of the bearing, is where
+/// its laws begin.
 void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) const {
   Bearing<2> b = bearing_of(spec, law_names(), bearings_);
   b.body_a = require_body(spec.body_a, spec.name);

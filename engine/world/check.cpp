@@ -61,7 +61,7 @@ void for_near_pieces(const Model<3>& model, double reach, Visit&& visit) {
   FatBoxes<3> boxes;
   boxes.reset(model.pieces());
   for (int p = 0; p < model.pieces(); ++p) {
-    const int node = model.bodies[model.piece_body[p]].first_node;
+    const int node = model.node_of_piece(p);
     place(model.piece_solid[p], turn_of(model.start_rotation[node]), model.start_position[node], placed[p]);
     FatBox<3> box;
     box.low.fill(unbounded), box.high.fill(-unbounded);

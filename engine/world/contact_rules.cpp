@@ -17,6 +17,7 @@ std::vector<std::string> ContactRules::law_names() const {
   return names;
 }
 
+/// Its parameters are checked one by one, then together, and what is possible and yet unlikely is noted.
 void ContactRules::add_law(const std::string& name, const ContactLaw& law, std::vector<std::string>& notes) {
   require_name(name, "contact law");
   require_new(laws_, name, "contact law", [](const auto& l) { return l.first; });
@@ -41,6 +42,8 @@ void ContactRules::set_contact(const std::string& a, const std::string& b, const
   statements_.push_back({a, b, law});
 }
 
+/// Statements become a table: bodies that no statement tells apart share a surface, and of each pair of surfaces the
+/// last statement that fits both gives the law.
 template <int D>
 void ContactRules::fill(Model<D>& model) const {
   for (const auto& [name, law] : laws_) {

@@ -16,6 +16,7 @@ void carry(const std::vector<T>& from, std::vector<T>& to) {
 
 }  // namespace
 
+/// What was set or changed since the model was built goes over to the grown one, whose first rows are the same bodies.
 template <int D>
 void carry_conditions(const Model<D>& model, Model<D>& grown) {
   grown.gravity = model.gravity;
@@ -44,6 +45,7 @@ Model<D> as_it_stands(const Model<D>& grown, const State<D>& state) {
   return standing;
 }
 
+/// New bodies are checked where all others stand now, not where they began.
 template <int D>
 void check_newcomers(const Model<D>& standing, const State<D>& state, double allowed,
                      const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,

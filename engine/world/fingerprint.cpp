@@ -177,6 +177,12 @@ void add(Hash& hash, const Member& m) {
   for (const std::string& joint : m.joint) add(hash, joint);
 }
 
+void add(Hash& hash, const Beam3& b) {
+  add(hash, b.body), add(hash, b.node), add(hash, b.axes), add(hash, b.length), add(hash, b.damping);
+  add(hash, b.stiffness.axial), add(hash, b.stiffness.torsion);
+  for (const BeamStiffness& k : b.stiffness.bend) add(hash, k.bend), add(hash, k.bow);
+}
+
 void add(Hash& hash, const GroundMotion& m) {
   add(hash, m.step()), add(hash, m.start_time());
   add(hash, m.start().velocity), add(hash, m.start().displacement);
@@ -232,6 +238,7 @@ std::uint64_t structure_of(const Model<D>& m) {
   add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, m.law_of);
   add(hash, m.bearings), add(hash, m.seats);
   if constexpr (D == 3) add(hash, m.piece_solid);
+  for (const Beam3& beam : m.beams_3d) add(hash, beam);
   return hash.value();
 }
 

@@ -8,6 +8,7 @@
 namespace trilith {
 namespace {
 
+/// Counter-clockwise turn from one direction to another [rad].
 double turn_between(const Vec2& in, const Vec2& out) {
   return portable::atan2(cross(in, out), in.dot(out));
 }
@@ -19,6 +20,8 @@ double flatness_of(double turn) {
 
 }  // namespace
 
+/// Corners between two edges in line, both of the skin or both inner, are dropped, so that a face that the division cut
+/// is one again; then each edge gets the flatter of its two corners, where its neighbour there is a face.
 PieceEdges piece_edges(const Polygon& outline, const ConvexPiece& piece) {
   const std::size_t count = piece.corners.size();
   const auto point = [&](std::size_t c) -> const Vec2& { return outline[piece.corners[c % count]]; };

@@ -12,6 +12,7 @@
 namespace trilith {
 namespace {
 
+/// Where a member begins or ends: at its joint, or beside it where it has an offset.
 Vec2 end_of(const FrameSpec& spec, const FrameMember& m, int side) {
   return m.ends[side].value_or(spec.joints[side == 0 ? m.from : m.to].place);
 }

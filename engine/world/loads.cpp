@@ -35,6 +35,7 @@ std::vector<PointLoad<2>> spread_load(const Model<2>& model, int body, const Poi
 
 }  // namespace
 
+/// At a point: one load, tied there. On the whole of a body that deforms: shares at all its nodes.
 std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec) {
   const std::string owner = owner_of("load", spec.name, model, body);
   check_finite(spec.force, owner + ": force");
@@ -57,12 +58,16 @@ std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const
   return spread_load(model, body, load);
 }
 
+/// In the axes of the body where it follows, in those of the world where it does not; at the centroid by default.
+/// On a frame a load acts at the node that is nearest, and goes with it.
 PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
   const std::string owner = fmt::format("load '{}' on '{}'", spec.name, model.bodies[body].name);
+  if (!model.bodies[body].is_rigid() && !spec.at)
+    throw InputError(fmt::format("{}: the body deforms; say with 'at' where the load acts", owner));
   if (!spec.force.allFinite() || !spec.moment.allFinite() || (spec.at && !spec.at->allFinite()))
     throw InputError(owner + ": force, moment or place is not finite");
   check_load_curve(spec.curve, owner);
-  const int n = model.bodies[body].first_node;
+  const int n = spec.at ? nearest_node(model, body, *spec.at) : model.bodies[body].first_node;
   const Turn3 start = turn_of(model.start_rotation[n]);
   PointLoad<3> load;
   load.name = spec.name, load.body = body, load.curve = spec.curve, load.follows = spec.follows;

@@ -13,6 +13,7 @@
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
 #include "body/band_damping.hpp"
+#include "body/beam_3d.hpp"
 #include "body/beam_inertia.hpp"
 #include "body/beam_yield.hpp"
 #include "body/list.hpp"
@@ -171,6 +172,7 @@ struct Model {
   std::vector<double> element_number;         ///< see world/element_rows.hpp
   std::vector<Member> members;                ///< of frames, body by body
   std::vector<Beam> beams;                    ///< [beam] of frames, body by body
+  std::vector<Beam3> beams_3d;                ///< [beam] of frames in space, body by body
   BeamYields yields;                          ///< of those that yield
   std::vector<DampingBranches> bands;         ///< of beams that are damped over a band
   std::vector<BeamInertia> beam_inertias;     ///< of beams with consistent mass, which implicit steps and modes know
@@ -201,6 +203,8 @@ struct Model {
   [[nodiscard]] bool loaded() const { return !(point_loads.empty() && face_loads.empty() && pushes.empty()); }
   [[nodiscard]] int nodes() const { return static_cast<int>(mass.size()); }
   [[nodiscard]] int pieces() const { return static_cast<int>(piece_body.size()); }
+  /// In space: the node that a piece goes with, of a frame one of several.
+  [[nodiscard]] int node_of_piece(int piece) const { return skin_node[corner_skin[piece_first[piece]]]; }
   [[nodiscard]] int corners_of(int piece) const { return piece_first[piece + 1] - piece_first[piece]; }
   [[nodiscard]] bool moves(int node) const {
     for (const Support s : support[node])

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <unordered_set>
 
 #include "base/error.hpp"
 #include "base/terminal_text.hpp"
@@ -24,5 +25,22 @@ void require_new(const Rows& rows, const std::string& name, std::string_view kin
     if (name_of(row) == name)
       throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
 }
+
+/// The same for very many rows that are added one by one: names of rows are looked up, not compared with each. Rows may
+/// be taken off the end in between.
+class RowNames {
+ public:
+  template <class Rows>
+  void require_new(const Rows& rows, const std::string& name, std::string_view kind) {
+    if (rows.size() < known_) names_.clear(), known_ = 0;
+    for (; known_ < rows.size(); ++known_) names_.insert(rows[known_].name);
+    if (names_.contains(name))
+      throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
+  }
+
+ private:
+  std::unordered_set<std::string> names_;  // of the first `known_` rows
+  std::size_t known_ = 0;
+};
 
 }  // namespace trilith

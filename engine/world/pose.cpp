@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/portable.hpp"
+#include "base/rotation_3d.hpp"
 #include "body/solid_element.hpp"
 
 namespace trilith {
@@ -196,6 +197,32 @@ Pose body_pose(const Model<2>& model, const State<2>& state, int body) {
   for (std::size_t i = 0; i < nodes.node.size(); ++i) pose.velocity += nodes.weight[i] * state.velocity[nodes.node[i]];
   set_turn(model, state, nodes.view(), pose);
   return pose;
+}
+
+Pose3 body_pose(const Model<3>& model, const State<3>& state, int body) {
+  const Body& b = model.bodies[body];
+  const int first = b.first_node;
+  const UnitQuaternion turned = state.rotation[first] * inverse(model.start_rotation[first]);
+  if (b.is_rigid())
+    return {state.position[first], state.position[first] - model.start_position[first], turned, state.velocity[first],
+            state.spin[first]};
+  const double mass = body_mass(model, body);
+  Pose3 pose;
+  for (int n = first; n < first + b.nodes; ++n) {
+    const double share = model.mass[n] / mass;
+    pose.place += share * state.position[n], pose.velocity += share * state.velocity[n];
+    pose.moved += share * (state.position[n] - model.start_position[n]);
+  }
+  pose.turned = turned, pose.spin = state.spin[first];
+  return pose;
+}
+
+int nearest_node(const Model<3>& model, int body, const Vec3& at) {
+  const Body& b = model.bodies[body];
+  int best = b.first_node;
+  for (int n = b.first_node + 1; n < b.first_node + b.nodes; ++n)
+    if ((model.start_position[n] - at).squaredNorm() < (model.start_position[best] - at).squaredNorm()) best = n;
+  return best;
 }
 
 /// Nodes of bodies lie one body after the other.

@@ -24,6 +24,18 @@ template <int D>
 double body_mass(const Model<D>& model, int body);
 double body_inertia(const Model<2>& model, int body);
 
+/// Place, turn and motion of a body in space: of a rigid one its node; of a frame its centre of mass and that one's
+/// velocity, with the turn and spin of its first joint.
+struct Pose3 {
+  Vec3 place = Vec3::Zero(), moved = Vec3::Zero();  ///< now and since the start [m]
+  UnitQuaternion turned;                            ///< since the start
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
+};
+Pose3 body_pose(const Model<3>& model, const State<3>& state, int body);
+
+/// The node of a body that a place at the start [m] is nearest to.
+int nearest_node(const Model<3>& model, int body, const Vec3& at);
+
 /// The body that a node belongs to.
 template <int D>
 int body_of_node(const Model<D>& model, int node);

@@ -7,18 +7,21 @@
 #include "shape/face_distance.hpp"
 #include "world/extend.hpp"
 #include "world/names.hpp"
+#include "world/pose.hpp"
 #include "world/solid_model_builder.hpp"
 
 namespace trilith {
 namespace {
 
-/// The piece of a body whose surface faces come nearest to a point that goes with it, in its axes.
-int piece_near(const Model<3>& model, int body, const Vec3& point) {
+/// The piece of a body whose surface faces come nearest to a point that goes with a node of it, in its axes.
+int piece_near(const Model<3>& model, int body, const Tie<3>& tie) {
+  const Vec3& point = tie.arm[0];
   const Body& b = model.bodies[body];
   int best = b.first_piece;
   double least = unbounded;
   for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p) {
     const ConvexSolid& solid = model.piece_solid[p];
+    if (model.node_of_piece(p) != tie.node[0]) continue;
     for (int f = 0; f < solid.shape.faces.count(); ++f) {
       if (!solid.is_surface(f)) continue;
       const double distance = face_distance(solid.shape.corners, solid.shape.faces[f], point);
@@ -28,9 +31,9 @@ int piece_near(const Model<3>& model, int body, const Vec3& point) {
   return best;
 }
 
-/// A point of the world at the start, tied to the one node of a body.
+/// A point of the world at the start, tied to the one node of a body; of a frame to the nearest one.
 Tie<3> tie_to(const Model<3>& model, int body, const Vec3& at) {
-  const int n = model.bodies[body].first_node;
+  const int n = nearest_node(model, body, at);
   return Tie<3>::to_node(n, turn_of(model.start_rotation[n]).undo(Vec3(at - model.start_position[n])));
 }
 
@@ -79,8 +82,8 @@ void SolidModelBuilder::append_bearing(const BearingSpecOf<3>& spec, Model<3>& m
   b.angle = inverse(model.start_rotation[b.end_a.node[0]]) * spec.angle;
   b.rest_angle = inverse(model.start_rotation[b.end_b.node[0]]) * spec.angle;
   b.rest = turn_of(spec.angle).undo(Vec3(spec.point_b - spec.point_a));
-  b.piece_a = piece_near(model, b.body_a, b.end_a.arm[0]);
-  b.piece_b = piece_near(model, b.body_b, b.end_b.arm[0]);
+  b.piece_a = piece_near(model, b.body_a, b.end_a);
+  b.piece_b = piece_near(model, b.body_b, b.end_b);
   model.bearings.push_back(std::move(b));
 }
 

@@ -37,20 +37,38 @@ double SolidModelBuilder::density_of(const SolidSpec& spec) const {
 
 void SolidModelBuilder::add_body(SolidSpec spec) {
   require_name(spec.name, "body");
-  require_new(bodies_, spec.name, "body", [](const SolidSpec& b) { return b.name; });
+  body_names_known_.require_new(bodies_, spec.name, "body");
   const std::string owner = fmt::format("body '{}'", spec.name);
+  if (spec.frame) check_frame(spec, owner);
   if (spec.pieces.empty() && spec.spheres.empty()) throw InputError(owner + " has no piece; it needs at least one");
   for (std::size_t s = 0; s < spec.spheres.size(); ++s)
     check_sphere(spec.spheres[s], spec.spheres.size() == 1 ? owner : fmt::format("{}, sphere {}", owner, s + 1));
-  for (std::size_t p = 0; p < spec.pieces.size(); ++p)
+  for (std::size_t p = 0; p < spec.pieces.size() && !spec.frame; ++p)
     check_convex(spec.pieces[p], spec.pieces.size() == 1 ? owner : fmt::format("{}, piece {}", owner, p + 1));
   for (const Vec3* v : {&spec.velocity, &spec.spin, &spec.load})
     if (!v->allFinite()) throw InputError(owner + ": velocity, spin or load is not finite");
   if (!spec.material.empty()) require_material(materials_, spec.material, owner);
-  (void)density_of(spec);
+  (void)(spec.frame ? frame_body(spec).material.front().mass : density_of(spec));
   if (spec.density) add_doubt(notes_, owner, "density", "kg/m3", *spec.density);
   bodies_.push_back(std::move(spec));
 }
+
+namespace {
+
+/// Of a rigid body its support and steady load; of a frame the load alone, by the masses of its nodes, as its joints
+/// have their supports.
+void set_up(const SolidSpec& spec, Model<3>& model, const Body& body) {
+  if (body.is_rigid()) {
+    model.support[body.first_node] = spec.support, model.load[body.first_node] = spec.load;
+    return;
+  }
+  double mass = 0;
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) mass += model.mass[n];
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+    model.load[n] = spec.load * (model.mass[n] / mass);
+}
+
+}  // namespace
 
 /// Faults come in the order in which a model is made, so that the first one is the cause of others.
 Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
@@ -59,14 +77,18 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
   if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
   for (const SolidSpec& spec : bodies_)
     attempt(faults, [&] {
-      space.add({spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0, spec.spheres});
+      if (spec.frame)
+        space.add(frame_body(spec));
+      else
+        space.add(
+            SolidBody{spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0, spec.spheres});
     });
   rules_.check(bodies_, materials_, faults);
   if (!faults.empty()) return {};
   Model<3> model = space.build();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     model.bodies[b].material = bodies_[b].material, model.bodies[b].groups = bodies_[b].groups;
-    model.support[b] = bodies_[b].support, model.load[b] = bodies_[b].load;
+    set_up(bodies_[b], model, model.bodies[b]);
   }
   rules_.fill(model);
   complete_space(model);
@@ -121,19 +143,36 @@ std::vector<std::string> SolidModelBuilder::faults() const {
   return faults;
 }
 
+/// Of a frame all nodes.
 void set_support(Model<3>& model, int body, int dof, Support support) {
-  const int node = model.bodies[body].first_node;
-  model.support[node][dof] = support;
-  if (support != Support::driven) model.drive_of[node][dof] = -1;
+  const Body& b = model.bodies[body];
+  for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
+    model.support[node][dof] = support;
+    if (support != Support::driven) model.drive_of[node][dof] = -1;
+  }
 }
 
-/// The motion's own start displacement is not a jump of the ground.
+/// The motion's own start displacement is not a jump of the ground. Of a frame the nodes follow that are held along it.
 void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
-               double origin) {
-  const int node = model.bodies[body].first_node;
-  model.support[node][dof] = Support::driven;
-  model.drive_of[node][dof] = static_cast<int>(model.drives.size());
-  model.drives.push_back({node, dof, origin - motion->displacement(0), start, motion});
+               double origin, const State<3>* state) {
+  const Body& b = model.bodies[body];
+  const std::vector<Vec3>& place = state != nullptr ? state->position : model.start_position;
+  const auto held = [&](int node) { return b.is_rigid() || model.support[node][dof] != Support::free; };
+  const double from = origin - motion->displacement(0);
+  bool follows = false;
+  for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
+    if (!held(node)) continue;
+    const double beside = node == b.first_node ? 0 : place[node][dof] - place[b.first_node][dof];
+    model.support[node][dof] = Support::driven;
+    model.drive_of[node][dof] = static_cast<int>(model.drives.size());
+    model.drives.push_back({node, dof, from + beside, start, motion});
+    follows = true;
+  }
+  if (!follows)
+    throw InputError(fmt::format(
+        "body '{}' is a frame and none of its joints is held along {}, so nothing follows the motion; give a joint "
+        "support = \"fixed\"",
+        b.name, "xyz"[dof]));
 }
 
 }  // namespace trilith

@@ -11,24 +11,28 @@
 #include "world/contact_rules.hpp"
 #include "world/material.hpp"
 #include "world/model.hpp"
+#include "world/names.hpp"
+#include "world/space_frame.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
 
-/// A rigid body in space to be. Give at most one of density and mass; without any, the material's density counts.
+/// A body in space to be, rigid or a frame. Give at most one of density and mass; without any, the material's density
+/// counts.
 struct SolidSpec {
   std::string name;                ///< unique
   std::vector<Polyhedron> pieces;  ///< convex, where they stand; they share faces or nothing [m]
   std::string material;
   std::vector<std::string> groups;
-  std::optional<double> density;     ///< [kg/m3]
-  std::optional<double> mass;        ///< [kg]
-  std::array<Support, 6> support{};  ///< x, y, z, and turns about them
-  Vec3 velocity = Vec3::Zero();      ///< of the centroid at the start [m/s]
-  Vec3 spin = Vec3::Zero();          ///< at the start [rad/s]
-  Vec3 load = Vec3::Zero();          ///< steady force at the centroid [N]
-  bool floating = false;             ///< may start with nothing that holds it up
-  std::vector<Sphere> spheres = {};  ///< beside the pieces, where they stand; they may overlap each other
+  std::optional<double> density;             ///< [kg/m3]
+  std::optional<double> mass;                ///< [kg]
+  std::array<Support, 6> support{};          ///< x, y, z, and turns about them
+  Vec3 velocity = Vec3::Zero();              ///< of the centroid at the start [m/s]
+  Vec3 spin = Vec3::Zero();                  ///< at the start [rad/s]
+  Vec3 load = Vec3::Zero();                  ///< steady force at the centroid [N]
+  bool floating = false;                     ///< may start with nothing that holds it up
+  std::vector<Sphere> spheres = {};          ///< beside the pieces, where they stand; they may overlap each other
+  std::optional<SpaceFrameSpec> frame = {};  ///< instead of both: `pieces` become its skin where it stands
 };
 
 class SolidModelBuilder {
@@ -71,6 +75,8 @@ class SolidModelBuilder {
   Model<3> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
   Model<3> assemble_bodies(std::vector<std::string>& faults) const;
   [[nodiscard]] double density_of(const SolidSpec& spec) const;
+  void check_frame(SolidSpec& spec, const std::string& owner) const;
+  [[nodiscard]] SpaceFrameBody frame_body(const SolidSpec& spec) const;
   [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;
   void require_near(const std::string& body, const Vec3& point, const std::string& owner) const;
   void append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const;
@@ -79,6 +85,7 @@ class SolidModelBuilder {
 
   std::vector<Material> materials_;
   std::vector<SolidSpec> bodies_;
+  RowNames body_names_known_;
   std::vector<BearingSpecOf<3>> bearings_;
   std::vector<SeatSpecOf<3>> seats_;
   ContactRules rules_;
@@ -88,8 +95,9 @@ class SolidModelBuilder {
 /// Fixes or frees one degree of freedom of a body (0 to 2 along x, y, z, 3 to 5 about them), for the next stage.
 void set_support(Model<3>& model, int body, int dof, Support support);
 
-/// Lets one degree of freedom of a body along x, y or z follow `motion` from time `start` [s] and position `origin` on.
+/// Lets one degree of freedom of a body along x, y or z follow `motion` from time `start` [s] and position `origin` on;
+/// of a frame that of the nodes that are held along it, `origin` being its first node's, from where `state` has them.
 void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
-               double origin);
+               double origin, const State<3>* state = nullptr);
 
 }  // namespace trilith

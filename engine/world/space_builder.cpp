@@ -14,20 +14,10 @@ namespace {
 /// Two faces count as lying on each other up to this share of the size of their solids.
 constexpr double same_plane = 1e-7;
 
+/// Height of a point above the plane of a face [m].
 double plane_distance(const ConvexSolid& solid, int face, const Vec3& x) {
   const Vec3& on = solid.shape.corners[static_cast<std::size_t>(solid.shape.faces[face][0])];
   return solid.normals[static_cast<std::size_t>(face)].dot(x - on);
-}
-
-/// Between a face and the corner farthest behind it, where that is least [m].
-double solid_width(const ConvexSolid& solid) {
-  double least = unbounded;
-  for (int f = 0; f < solid.shape.faces.count(); ++f) {
-    double behind = 0;
-    for (const Vec3& x : solid.shape.corners) behind = std::max(behind, -plane_distance(solid, f, x));
-    least = std::min(least, behind);
-  }
-  return least;
 }
 
 /// Whether a face of one piece lies on the surface of another, within it.
@@ -44,19 +34,6 @@ bool is_covered(const ConvexSolid& piece, int face, const ConvexSolid& by, doubl
     if (covered) return true;
   }
   return false;
-}
-
-/// Faces by which pieces of one body hang together are no surface.
-void mark_inner_faces(std::vector<ConvexSolid>& pieces) {
-  if (pieces.size() < 2) return;
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    ConvexSolid& piece = pieces[p];
-    const double within = same_plane * solid_size(piece.shape.corners);
-    piece.surface.assign(static_cast<std::size_t>(piece.shape.faces.count()), 1);
-    for (int f = 0; f < piece.shape.faces.count(); ++f)
-      for (std::size_t q = 0; q < pieces.size(); ++q)
-        if (q != p && is_covered(piece, f, pieces[q], within)) piece.surface[static_cast<std::size_t>(f)] = 0;
-  }
 }
 
 /// True where a law holds between a surface and any.
@@ -80,6 +57,29 @@ void check_solid_body(const Model<3>& model, const SolidBody& body) {
 
 }  // namespace
 
+/// Between a face and the corner farthest behind it, where that is least.
+double solid_width(const ConvexSolid& solid) {
+  double least = unbounded;
+  for (int f = 0; f < solid.shape.faces.count(); ++f) {
+    double behind = 0;
+    for (const Vec3& x : solid.shape.corners) behind = std::max(behind, -plane_distance(solid, f, x));
+    least = std::min(least, behind);
+  }
+  return least;
+}
+
+void mark_inner_faces(std::vector<ConvexSolid>& pieces) {
+  if (pieces.size() < 2) return;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    ConvexSolid& piece = pieces[p];
+    const double within = same_plane * solid_size(piece.shape.corners);
+    piece.surface.assign(static_cast<std::size_t>(piece.shape.faces.count()), 1);
+    for (int f = 0; f < piece.shape.faces.count(); ++f)
+      for (std::size_t q = 0; q < pieces.size(); ++q)
+        if (q != p && is_covered(piece, f, pieces[q], within)) piece.surface[static_cast<std::size_t>(f)] = 0;
+  }
+}
+
 SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density, const std::vector<Sphere>& spheres) {
   std::vector<SolidMoments> parts;
   for (const Polyhedron& piece : pieces) parts.push_back(solid_moments(piece));
@@ -96,6 +96,7 @@ SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density, const s
   return {density * volume, centroid, principal_inertia(density * inertia)};
 }
 
+/// A solid becomes one node in its centroid, with its principal axes, and its pieces about it.
 int SpaceBuilder::add(const SolidBody& body) {
   check_solid_body(model_, body);
   for (std::size_t p = 0; p < body.pieces.size(); ++p)
@@ -135,17 +136,22 @@ void SpaceBuilder::add_pieces(const SolidBody& body, const SolidMass& mass) {
   if (model_.piece_first.empty()) model_.piece_first.push_back(0);
   double radius = 0;
   for (const ConvexSolid& piece : pieces) {
-    for (const Vec3& x : piece.shape.corners) {
-      model_.corner_skin.push_back(static_cast<int>(model_.skin_place.size()));
-      model_.skin_place.push_back(x), model_.skin_node.push_back(node), model_.skin_turn.push_back(node);
-      radius = std::max(radius, x.norm() + piece.radius);
-    }
-    model_.piece_body.push_back(index);
-    model_.piece_first.push_back(static_cast<int>(model_.corner_skin.size()));
-    model_.piece_thickness.push_back(piece.is_sphere() ? 2 * piece.radius : solid_width(piece));
-    model_.piece_solid.push_back(piece);
+    for (const Vec3& x : piece.shape.corners) radius = std::max(radius, x.norm() + piece.radius);
+    add_piece(piece, node, index);
   }
   model_.body_radius.push_back(radius);
+}
+
+/// In the axes of its node.
+void SpaceBuilder::add_piece(const ConvexSolid& piece, int node, int body) {
+  for (const Vec3& x : piece.shape.corners) {
+    model_.corner_skin.push_back(static_cast<int>(model_.skin_place.size()));
+    model_.skin_place.push_back(x), model_.skin_node.push_back(node), model_.skin_turn.push_back(node);
+  }
+  model_.piece_body.push_back(body);
+  model_.piece_first.push_back(static_cast<int>(model_.corner_skin.size()));
+  model_.piece_thickness.push_back(piece.is_sphere() ? 2 * piece.radius : solid_width(piece));
+  model_.piece_solid.push_back(piece);
 }
 
 /// Laws whose joints lose depth for good, which solids do not remember.
@@ -168,6 +174,8 @@ void SpaceBuilder::contact(int surface_a, int surface_b, const ContactLaw& law, 
   model_.laws.push_back(law), model_.law_names.push_back(name);
 }
 
+/// What follows from all bodies together: the least thickness that something touches, which limits how far a step may
+/// go, and the bounds.
 void complete_space(Model<3>& model) {
   model.least_thickness = unbounded;
   for (int p = 0; p < model.pieces(); ++p)
@@ -176,8 +184,10 @@ void complete_space(Model<3>& model) {
   model.bounds = default_bounds(model);
 }
 
+/// Pairings become the table of laws by surface and surface; the last one said holds.
 Model<3> SpaceBuilder::build() const {
   Model<3> model = model_;
+  if (!model.beams_3d.empty()) model.element_bound.resize(model.bodies.size());
   for (const Pairing& p : pairings_) model.surfaces = std::max({model.surfaces, p.a + 1, p.b + 1});
   model.law_of.assign(static_cast<std::size_t>(model.surfaces) * static_cast<std::size_t>(model.surfaces), -1);
   const auto row = [&](int a, int b) { return static_cast<std::size_t>(a * model.surfaces + b); };

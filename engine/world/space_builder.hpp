@@ -6,6 +6,7 @@
 
 #include "shape/polyhedron.hpp"
 #include "world/model.hpp"
+#include "world/space_frame.hpp"
 
 namespace trilith {
 
@@ -35,6 +36,12 @@ void require_law_for_solids(const std::string& name, const ContactLaw& law);
 /// Writes thicknesses and the usual bounds of a model in space whose bodies and table of laws are there.
 void complete_space(Model<3>& model);
 
+/// Faces by which pieces of one body hang together are no surface.
+void mark_inner_faces(std::vector<ConvexSolid>& pieces);
+
+/// The width of a solid where it is least [m].
+double solid_width(const ConvexSolid& solid);
+
 /// Collects bodies and laws, then makes the model. Refuses with an InputError what is no body, with its name.
 class SpaceBuilder {
  public:
@@ -43,6 +50,8 @@ class SpaceBuilder {
   /// Returns its index. Throws InputError: a name taken, no piece, a piece that is not convex or is open (see
   /// check_convex), a density that is not above 0, numbers that are not finite.
   int add(const SolidBody& body);
+  /// The same of a frame, which has been planned and so is one.
+  int add(const SpaceFrameBody& body);
   /// The law between two surfaces, which are numbered from 0. Without one, bodies pass through each other. Throws
   /// InputError: a law that crushes, which solids in space do not do yet; a surface below 0.
   void contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name);
@@ -54,6 +63,7 @@ class SpaceBuilder {
   };
   void add_node(const SolidBody& body, const SolidMass& mass);
   void add_pieces(const SolidBody& body, const SolidMass& mass);
+  void add_piece(const ConvexSolid& piece, int node, int body);
 
   Model<3> model_;
   std::vector<Pairing> pairings_;

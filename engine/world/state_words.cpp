@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "contact/joint_plan.hpp"
+#include "world/check_state.hpp"
 
 namespace trilith {
 namespace {
@@ -116,9 +117,7 @@ class Reader {
   void done() const {
     if (at_ != words_.size()) fail("is longer than its contents");
   }
-  [[noreturn]] void fail(std::string_view what) const {
-    throw InputError(fmt::format("{} {}; it is damaged, take an earlier one", owner_, what));
-  }
+  [[noreturn]] void fail(std::string_view what) const { throw InputError(damaged_state(owner_, what)); }
 
  private:
   std::uint64_t next() {
@@ -316,76 +315,6 @@ void walk(File& file, S& s) {
   for (std::size_t i = 0, n = file.open_count(s.removed_at, 1); i < n; ++i) file.number(s.removed_at[i]);
 }
 
-// What a state that was read must be beside whole: of this model.
-
-template <int D>
-bool is_contact_of(const Model<D>& model, ContactKey key) {
-  return first_piece(key) >= 0 && first_piece(key) < second_piece(key) && second_piece(key) < model.pieces();
-}
-
-bool in_known_state(const ContactMemory& m) {
-  return !m.empty() && m.bonds <= 3 && m.state <= contact_states;
-}
-bool in_known_state(const SolidMemory& m) {
-  return !m.empty() && m.state <= contact_states;
-}
-
-template <int D>
-void check_contacts(const Reader& file, const Model<D>& model, const State<D>& s) {
-  const Contacts<D>& c = s.contacts;
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    if (!is_contact_of(model, c.key[i]) || (i > 0 && c.key[i - 1] >= c.key[i]))
-      file.fail("has a contact of pieces that are not there, or out of order");
-    if (!in_known_state(c.memory[i])) file.fail("has a contact in no known state");
-  }
-  for (const Parted& p : s.parted)
-    if (!is_contact_of(model, p.contact)) file.fail("has a parted contact of pieces that are not there");
-}
-
-template <int D>
-void check_passed(const Reader& file, const Model<D>& model, const State<D>& s) {
-  const int bodies = static_cast<int>(model.bodies.size());
-  for (std::size_t i = 0; i < s.passed.size(); ++i) {
-    const int a = first_piece(s.passed[i]), b = second_piece(s.passed[i]);
-    if (a < 0 || a >= b || b >= bodies || (i > 0 && s.passed[i - 1] >= s.passed[i]))
-      file.fail("has bodies that passed that are not there, or out of order");
-  }
-}
-
-template <int D>
-void check_accelerations(const Reader& file, const State<D>& s) {
-  if (s.implicit() && s.acceleration.size() != s.position.size())
-    file.fail("has accelerations for other numbers of nodes than the model");
-}
-
-/// A matrix in compressed columns, square, its rows in order.
-template <int D>
-void check_tangent(const Reader& file, const State<D>& s) {
-  if (!s.tangent) return;
-  const KeptTangent& t = *s.tangent;
-  bool sound = !t.column.empty() && t.column.front() == 0 && t.row.size() == t.value.size() &&
-               t.column.back() == static_cast<int>(t.row.size()) && std::is_sorted(t.column.begin(), t.column.end());
-  for (int c = 0; sound && c < t.size(); ++c)
-    for (int i = t.column[c]; i < t.column[c + 1]; ++i)
-      sound = sound && t.row[i] < t.size() && (i == t.column[c] || t.row[i - 1] < t.row[i]);
-  if (!sound) file.fail("has a tangent that is no matrix");
-}
-
-template <int D>
-void check_bearings(const Reader& file, const State<D>& s) {
-  constexpr std::uint32_t last = D == 2 ? 2 : 6;  // in space the horizontal resultant comes last
-  for (const BearingMemory<D>& m : s.bearing)
-    if (m.status > BearingStatus::removed || m.failed_direction > last) file.fail("has a bearing in no known state");
-}
-
-template <int D>
-void check_removed(const Reader& file, const State<D>& s) {
-  if (!s.removed_at.empty() && s.removed_at.size() != s.left.size())
-    file.fail("has times of removal for other numbers of bodies than the model");
-  for (std::size_t b = 0; b < s.removed_at.size(); ++b)
-    if (s.is_removed(b) && (s.removed_at[b] < 0 || s.left[b] == 0)) file.fail("has a body removed that is there");
-}
-
 }  // namespace
 
 template <int D>
@@ -401,10 +330,7 @@ State<D> state_from_words(const Model<D>& model, std::span<const std::uint64_t> 
   Reader file(words, owner);
   walk(file, state);
   file.done();
-  check_accelerations(file, state), check_tangent(file, state);
-  check_contacts(file, model, state);
-  check_passed(file, model, state);
-  check_bearings(file, state), check_removed(file, state);
+  check_state(model, state, owner);
   return state;
 }
 

@@ -6,6 +6,7 @@
 
 namespace trilith {
 
+/// All nodes of a body along one direction; what is no longer driven loses its drive.
 void set_support(Model<2>& model, int body, int dof, Support support) {
   const Body& b = model.bodies[body];
   if (!b.nodes_turn() && dof == 2) {
@@ -18,6 +19,8 @@ void set_support(Model<2>& model, int body, int dof, Support support) {
   }
 }
 
+/// The body's first node goes by the motion from `origin` on, the others keep their distances to it. Of a frame those
+/// joints are driven that are held.
 void set_drive(Model<2>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<2>* state) {
   const Body& b = model.bodies[body];

@@ -7,6 +7,7 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
+#include "contact/corner_overlap.hpp"
 #include "contact/placed_pieces.hpp"
 #include "shape/overlap_3d.hpp"
 #include "shape/separation_3d.hpp"
@@ -25,6 +26,9 @@ struct NearPair {
   int a0, a1, b0, b1;  ///< skin points of the two faces, where facing > 0
   double corner;       ///< see FaceOverlap::is_flat, where facing > 0
   bool replaced;       ///< a live bearing stands for the flat contact of these pieces; corners still touch
+  // What was found last, tried first: of general contact. No result depends on it. Writer: respond
+  CornerOnFace corner_at = {};  ///< the one corner that lies in the other piece
+  std::int16_t apart_by = -1;   ///< the edge that kept the two apart, see OverlapResponse::apart_by
 };
 
 /// Rows of `pairs` that are handled alike: one contact law, faces that look at each other.
@@ -167,8 +171,6 @@ struct Work {
   std::vector<FourFaces> four_faces;          ///< room for what threads take
   std::vector<int> general_now;               ///< rows that were to be faces and are of general shape now
   std::vector<int> general_rows;              ///< those and `general`, in the order of rows
-  std::vector<std::int16_t> apart_by;         ///< [contact] the edge that kept the two apart last, see
-                                              ///< OverlapResponse; -1: none. A hint: any value gives the same bits
   std::vector<std::uint8_t> is_awake;         ///< room, by row of them
   std::vector<int> awake_rows, awake_pieces;  ///< those of them that are worked on, and their pieces
   std::vector<OverlapAnswer> answer;          ///< of rows that threads take

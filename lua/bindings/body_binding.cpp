@@ -1,16 +1,16 @@
-// Bodies: their properties, and sets of them.
+// Bodies and their properties.
 #include <algorithm>
 #include <cmath>
 
 #include "bindings.hpp"
+#include "body_motion.hpp"
 #include "body_reading.hpp"
 #include "bridge_book.hpp"
 #include "handles.hpp"
-#include "run/storey_damage.hpp"
+#include "space_frame_binding.hpp"
 #include "step/element_stress.hpp"
 #include "table_fields.hpp"
 #include "world/pose.hpp"
-#include "world/space_builder.hpp"
 
 namespace trilith::script {
 namespace {
@@ -22,58 +22,22 @@ const BodySpec& spec(const BodyHandle& b) {
   return b.plane().spec(b.index);
 }
 
-/// Where a body is and how it moves, in the plane with z = 0 and turning about z.
-struct BodyMotion {
-  Vec3 place = Vec3::Zero(), moved = Vec3::Zero();  ///< of its centroid, and since the start [m]
-  Vec3 turned = Vec3::Zero();                       ///< rotation vector since the start [rad]
-  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
-};
-
-Vec3 lifted(const Vec2& v) {
-  return {v.x(), v.y(), 0};
-}
-
-BodyMotion motion_in_plane(const PlaneModel& m, int body) {
-  const BodySpec& spec = m.spec(body);
-  const Simulation<2>* s = m.has_body(body) ? m.if_built() : nullptr;
-  const Pose pose = s != nullptr ? body_pose(s->model(), s->state(), body)
-                                 : Pose{polygon_moments(spec.outline).centroid, 0, spec.velocity, spec.spin};
-  const Vec2 moved = s != nullptr ? Vec2(pose.place - body_start(s->model(), body)) : Vec2(Vec2::Zero());
-  return {lifted(pose.place), lifted(moved), {0, 0, pose.rotation}, lifted(pose.velocity), {0, 0, pose.spin}};
-}
-
-BodyMotion motion_in_space(const SpaceModel& m, int body) {
-  const Simulation<3>* s = m.has_body(body) ? m.if_built() : nullptr;
-  if (s == nullptr) {
-    const SolidSpec& spec = m.spec(body);
-    return {mass_of(spec.pieces, 1, spec.spheres).centroid, Vec3::Zero(), Vec3::Zero(), spec.velocity, spec.spin};
-  }
-  const auto n = static_cast<std::size_t>(s->model().bodies[static_cast<std::size_t>(body)].first_node);
-  const State<3>& state = s->state();
-  return {state.position[n], state.position[n] - s->model().start_position[n],
-          angle_of(state.rotation[n] * inverse(s->model().start_rotation[n])), state.velocity[n], state.spin[n]};
-}
-
-BodyMotion motion(const BodyHandle& b) {
-  if (const PlaneModel* plane = as_plane(b.model())) return motion_in_plane(*plane, b.index);
-  return motion_in_space(static_cast<const SpaceModel&>(b.model()), b.index);
-}
 Vec2 start_place(const BodyHandle& b) {
   return polygon_moments(spec(b).outline).centroid;
 }
 Vec2 place(const BodyHandle& b) {
-  return motion(b).place.head<2>();
+  return motion_of(b).place.head<2>();
 }
 double rotation(const BodyHandle& b) {
-  return motion_in_plane(b.plane(), b.index).turned.z();
+  return motion_of(b).turned.z();
 }
 double spin(const BodyHandle& b) {
-  return motion_in_plane(b.plane(), b.index).spin.z();
+  return motion_of(b).spin.z();
 }
 
 template <Vec3 BodyMotion::*vector, int axis>
 double along_axis(const BodyHandle& b) {
-  return (motion(b).*vector)[axis];
+  return (motion_of(b).*vector)[axis];
 }
 
 void push_text(lua_State* L, const std::string& text) {
@@ -192,7 +156,7 @@ const std::array body_properties{
     in_space(
         BodyProperty{"uz", "m", "displacement along z since the start, in space", along_axis<&BodyMotion::moved, 2>}),
     BodyProperty{"speed", "m/s", "speed of the centroid",
-                 [](const BodyHandle& b) { return motion(b).velocity.norm(); }},
+                 [](const BodyHandle& b) { return motion_of(b).velocity.norm(); }},
     BodyProperty{"mass", "kg", "mass", [](const BodyHandle& b) { return b.model().mass_of(b.index); }},
     in_plane(BodyProperty{"inertia", "kg m2", "moment of inertia about the centroid",
                           [](const BodyHandle& b) { return b.plane().inertia_of(b.index); }}),
@@ -201,7 +165,10 @@ const std::array body_properties{
     BodyProperty{"kind", "", "\"rigid\", \"quad\" or \"mesh\"", nullptr,
                  [](lua_State* L, const BodyHandle& b) {
                    const PlaneModel* plane = as_plane(b.model());
-                   push_text(L, std::string(name_of(plane != nullptr ? plane->spec(b.index).kind : BodyKind::rigid)));
+                   const bool frame = plane == nullptr && as_space(b.model())->spec(b.index).frame.has_value();
+                   push_text(L, std::string(name_of(plane != nullptr ? plane->spec(b.index).kind
+                                                    : frame          ? BodyKind::frame
+                                                                     : BodyKind::rigid)));
                  }},
     in_plane(BodyProperty{
         "sxx", "Pa", "mean stress along x of a deformable body",
@@ -228,7 +195,8 @@ const std::array body_properties{
 int body_point(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
   b.model().require_present(b.index, "point");
-  const PlaneModel& plane = b.plane();  // in space that is what is wrong first
+  if (SpaceModel* space = as_space(b.model())) return push_space_point(L, *space, b.index);
+  const PlaneModel& plane = b.plane();
   const auto at = point_at(L, 2);
   if (!at) throw InputError(fmt::format("point: takes {{x, y}}, two finite numbers; this is {}", what_is(L, 2)));
   const Simulation<2>* s = plane.if_built();
@@ -243,168 +211,14 @@ int body_point(lua_State* L) {
 }
 
 const std::array body_methods{
-    Method{"point", guarded<body_point>, "point{x, y}: x and y now of the point that was there at the start"},
-    Method{"hinges", guarded<push_member_hinges>, "hinges(member): plastic hinges at the ends of a member of a frame"},
-    Method{"fibres", guarded<push_member_fibres>, "fibres(member): strains and stresses of a member of fibres"},
+    Method{"point", guarded<body_point>,
+           "point{x, y}: x and y now of the point that was there at the start; in space z too, and of joints by name"},
+    Method{"hinges", guarded<push_member_hinges>, "hinges(member): plastic hinges at the ends of a member of a frame",
+           2},
+    Method{"fibres", guarded<push_member_fibres>, "fibres(member): strains and stresses of a member of fibres", 2},
     Method{"forces", guarded<push_member_forces>,
            "forces \"member\": normal force, shear and moment along a member of a beam or frame"},
 };
-
-BodyHandle member(const BodySet& set, std::size_t i) {
-  BodyHandle b;
-  b.owner = set.owner;
-  b.index = set.bodies[i];
-  return b;
-}
-
-template <class Value>
-double largest(const BodySet& set, Value&& value) {
-  double most = 0;
-  for (std::size_t i = 0; i < set.bodies.size(); ++i) most = std::max(most, value(member(set, i)));
-  return most;
-}
-
-void push_names(lua_State* L, const BodySet& set) {
-  lua_newtable(L);
-  for (std::size_t i = 0; i < set.bodies.size(); ++i) {
-    push_text(L, name_of_body(member(set, i)));
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
-  }
-}
-
-using SetProperty = Property<BodySet>;
-const std::array set_properties{
-    SetProperty{"count", "1", "number of bodies",
-                [](const BodySet& s) { return static_cast<double>(s.bodies.size()); }},
-    SetProperty{"names", "", "their names", nullptr, push_names},
-    SetProperty{"mass", "kg", "sum of the masses",
-                [](const BodySet& s) {
-                  double sum = 0;
-                  for (const int b : s.bodies) sum += s.model().mass_of(b);
-                  return sum;
-                }},
-    SetProperty{
-        "speed", "m/s", "of the fastest centroid",
-        [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return motion(b).velocity.norm(); }); }},
-    SetProperty{
-        "drift", "m", "largest displacement since the start",
-        [](const BodySet& s) { return largest(s, [](const BodyHandle& b) { return motion(b).moved.norm(); }); }},
-};
-
-std::vector<int> other_side(lua_State* L, const BodySet& set) {
-  return bodies_at(L, 2, set.model(), "set");
-}
-
-/// The two operands of an operator as lists of one model; leaves the model on the stack.
-std::pair<std::vector<int>, std::vector<int>> operands(lua_State* L) {
-  const int owner = test_handle<BodySet>(L, 1) != nullptr || test_handle<BodyHandle>(L, 1) != nullptr ? 1 : 2;
-  push_model_of(L, owner);
-  const ScriptModel& model = handle<ModelBox>(L, -1).get();
-  return {bodies_at(L, 1, model, "set"), bodies_at(L, 2, model, "set")};
-}
-
-int join_sets(lua_State* L) {
-  auto [a, b] = operands(L);
-  a.insert(a.end(), b.begin(), b.end());
-  push_set(L, -1, std::move(a));
-  return 1;
-}
-int subtract_sets(lua_State* L) {
-  const auto [a, b] = operands(L);
-  std::vector<int> rest;
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
-  push_set(L, -1, std::move(rest));
-  return 1;
-}
-int intersect_sets(lua_State* L) {
-  const auto [a, b] = operands(L);
-  std::vector<int> both;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  push_set(L, -1, std::move(both));
-  return 1;
-}
-int set_length(lua_State* L) {
-  const auto& set = handle<BodySet>(L, 1);
-  require_open(set);
-  lua_pushinteger(L, static_cast<lua_Integer>(set.bodies.size()));
-  return 1;
-}
-int sets_equal(lua_State* L) {
-  const auto *a = test_handle<BodySet>(L, 1), *b = test_handle<BodySet>(L, 2);
-  lua_pushboolean(L, a != nullptr && b != nullptr && a->owner.same(b->owner) && a->bodies == b->bodies ? 1 : 0);
-  return 1;
-}
-/// Called by a generic for: `for body in set do`. The control value is the body before.
-int next_of_set(lua_State* L) {
-  const auto& set = handle<BodySet>(L, 1);
-  const auto* before = test_handle<BodyHandle>(L, 3);
-  const auto it = before == nullptr ? set.bodies.begin()
-                                    : std::upper_bound(set.bodies.begin(), set.bodies.end(),
-                                                       require_own(*before, set.model(), "set").index);
-  if (it == set.bodies.end()) return 0;
-  lua_getiuservalue(L, 1, 1);
-  push_body(L, -1, *it);
-  return 1;
-}
-/// set:has(body)
-int set_has(lua_State* L) {
-  const auto& set = handle<BodySet>(L, 1);
-  const std::vector<int> other = other_side(L, set);
-  lua_pushboolean(L, std::includes(set.bodies.begin(), set.bodies.end(), other.begin(), other.end()) ? 1 : 0);
-  return 1;
-}
-
-/// wall:damage_by_storey{ apart =, out_of_place = }: a row for each storey the set belongs to, lowest first.
-int set_damage(lua_State* L) {
-  const auto& set = handle<BodySet>(L, 1);
-  require_open(set);
-  lua_settop(L, 2);
-  if (lua_isnil(L, 2)) {
-    lua_newtable(L);
-    lua_replace(L, 2);
-  }
-  Keys keys(L, 2, "damage_by_storey");
-  DamageLimits limits;
-  limits.apart = keys.number("apart", "m", limits.apart);
-  limits.out_of_place = keys.number("out_of_place", "m", limits.out_of_place);
-  for (const auto& [key, value] : {std::pair{"apart", limits.apart}, {"out_of_place", limits.out_of_place}})
-    if (!(value >= 0)) keys.problem(fmt::format("'{}' is {:g} m, must not be below 0", key, value));
-  keys.finish();
-  const Simulation<2>& sim = set.plane().evaluated();
-  const Findings& findings = set.plane().findings();
-  const std::vector<StoreyDamage> rows = damage_by_storey(sim.model(), sim.state(), sim.work(), set.bodies,
-                                                          findings.storeys, findings.base, findings.joints, limits);
-  if (rows.empty())
-    throw InputError(
-        fmt::format("damage_by_storey: none of these {} bodies is in a group \"storey 1\", \"storey 2\", "
-                    "...; ask it of what m:wall gives, or give the bodies such groups",
-                    set.bodies.size()));
-  lua_createtable(L, static_cast<int>(rows.size()), 0);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    lua_createtable(L, 0, 5);
-    set_integer(L, "storey", rows[i].storey);
-    set_integer(L, "joints", rows[i].joints);
-    set_integer(L, "joints_apart", rows[i].joints_apart);
-    set_integer(L, "units", rows[i].units);
-    set_integer(L, "units_out_of_place", rows[i].units_out_of_place);
-    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
-  }
-  return 1;
-}
-
-const std::array set_methods{
-    Method{"has", guarded<set_has>, "has(body or set): true where all of it is in this set"},
-    Method{"damage_by_storey", guarded<set_damage>,
-           "damage_by_storey{apart=, out_of_place=}: joints apart and units out of place, storey by storey"},
-};
-
-using NamedFunction = std::pair<const char*, lua_CFunction>;
-constexpr std::array set_operators{
-    NamedFunction{"__add", guarded<join_sets>},      NamedFunction{"__sub", guarded<subtract_sets>},
-    NamedFunction{"__mul", guarded<intersect_sets>}, NamedFunction{"__len", guarded<set_length>},
-    NamedFunction{"__eq", guarded<sets_equal>},      NamedFunction{"__call", guarded<next_of_set>},
-};
-constexpr std::array body_operators{NamedFunction{"__add", guarded<join_sets>}};
 
 }  // namespace
 
@@ -425,35 +239,8 @@ std::span<const Method> Kind<BodyHandle>::methods() {
 std::string Kind<BodyHandle>::title(const BodyHandle& b) {
   return b.open() ? fmt::format("body '{}'", name_of_body(b)) : "body of a closed model";
 }
-std::span<const std::pair<const char*, lua_CFunction>> Kind<BodyHandle>::metamethods() {
-  return body_operators;
-}
 bool Kind<BodyHandle>::read_item(lua_State*, const BodyHandle&) {
   return false;
-}
-
-std::span<const Property<BodySet>> Kind<BodySet>::properties() {
-  return set_properties;
-}
-std::span<const Method> Kind<BodySet>::methods() {
-  return set_methods;
-}
-std::string Kind<BodySet>::title(const BodySet& s) {
-  return s.open() ? fmt::format("set of {} bodies", s.bodies.size()) : "set of bodies of a closed model";
-}
-std::span<const std::pair<const char*, lua_CFunction>> Kind<BodySet>::metamethods() {
-  return set_operators;
-}
-bool Kind<BodySet>::read_item(lua_State* L, const BodySet& s) {
-  if (lua_isinteger(L, 2) == 0) return false;
-  const lua_Integer i = lua_tointeger(L, 2);
-  if (i < 1 || i > static_cast<lua_Integer>(s.bodies.size())) {
-    lua_pushnil(L);  // so that ipairs ends
-    return true;
-  }
-  lua_getiuservalue(L, 1, 1);
-  push_body(L, -1, s.bodies[static_cast<std::size_t>(i - 1)]);
-  return true;
 }
 
 }  // namespace trilith::script

@@ -74,6 +74,36 @@ bool begins_anew(const Bearing<2>& before, const Bearing<2>& after) {
   return false;
 }
 
+/// What follows a bearing under `becomes`: a contact law by its name, a bearing that waits, or false for nothing.
+void change_successor(Keys& keys, const PlaneModel& m, const Model<2>& model, Bearing<2>& changed) {
+  lua_State* L = keys.lua();
+  const int type = keys.push("becomes");
+  const auto* handle = type == LUA_TUSERDATA ? test_handle<BearingHandle>(L, -1) : nullptr;
+  const std::string name = type == LUA_TSTRING ? text_at(L, -1)
+                           : handle != nullptr
+                               ? m.bearings[static_cast<std::size_t>(require_own(*handle, m, "change: becomes").index)]
+                               : "";
+  if (type == LUA_TBOOLEAN && lua_toboolean(L, -1) == 0) {
+    changed.contact_after = changed.becomes_bearing = -1;
+  } else if (!name.empty()) {
+    const auto law = std::find(model.law_names.begin(), model.law_names.end(), name);
+    const auto next =
+        std::find_if(model.bearings.begin(), model.bearings.end(), [&](const auto& b) { return b.name == name; });
+    changed.contact_after = law == model.law_names.end() ? -1 : static_cast<int>(law - model.law_names.begin());
+    changed.becomes_bearing = changed.contact_after >= 0 || next == model.bearings.end()
+                                  ? -1
+                                  : static_cast<int>(next - model.bearings.begin());
+    if (changed.contact_after < 0 && changed.becomes_bearing < 0)
+      keys.problem(fmt::format("'becomes': there is no contact law and no bearing '{}'{}", name,
+                               name_hint(name, model.law_names)));
+    else if (changed.becomes_bearing >= 0 && !next->starts_waiting)
+      keys.problem(fmt::format("'becomes': bearing '{}' does not wait; it was made without waiting = true", name));
+  } else if (type != LUA_TNIL) {
+    keys.wrong("becomes", "the name of a contact law, a bearing that waits, or false");
+  }
+  lua_pop(L, 1);
+}
+
 std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
   const auto& bearings = m.simulation().model().bearings;
   const auto it = std::find_if(bearings.begin(), bearings.end(), [&](const auto& b) { return b.name == name; });
@@ -88,6 +118,7 @@ std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
   changed.limit = changed_limits(keys, it->limit);
   changed.angle = keys.number("angle", "rad", changed.angle);
   changed.replaces_contact = keys.flag("replaces_contact", changed.replaces_contact);
+  change_successor(keys, m, m.simulation().model(), changed);
   keys.finish();
   const std::vector<int> begun = begins_anew(*it, changed) ? std::vector{static_cast<int>(row)} : std::vector<int>{};
   m.alter([row, changed](Model<2>& model) { model.bearings[row] = changed; }, begun);

@@ -1,5 +1,7 @@
 // What is declared of the kinds of handles and of the laws, for the library: console, manual, completion. Not for
 // scripts.
+#include <filesystem>
+
 #include "bindings.hpp"
 #include "build/list.hpp"
 #include "open.hpp"
@@ -131,6 +133,20 @@ int manual_pages(lua_State* L) {
   return 1;
 }
 
+/// core.files_in(folder): what is in it, folders with a slash behind; nothing where it cannot be read.
+int files_in(lua_State* L) {
+  std::error_code error;
+  lua_newtable(L);
+  lua_Integer count = 0;
+  for (std::filesystem::directory_iterator at(text_at(L, 1), error), end; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    const std::string name = at->path().filename().string() + (at->is_directory(ignored) ? "/" : "");
+    lua_pushlstring(L, name.data(), name.size());
+    lua_rawseti(L, -2, ++count);
+  }
+  return 1;
+}
+
 /// core.event_names(): names of all kinds of events.
 int event_names(lua_State* L) {
   lua_newtable(L);
@@ -201,6 +217,7 @@ void open_declarations(lua_State* L) {
   set_function(L, "kind_of", guarded<kind_of>);
   set_function(L, "manual_pages", guarded<manual_pages>);
   set_function(L, "event_names", guarded<event_names>);
+  set_function(L, "files_in", guarded<files_in>);
   set_function(L, "event_types", guarded<event_types>);
   set_function(L, "history_names", guarded<history_names>);
   set_function(L, "is_built", guarded<is_built>);

@@ -65,10 +65,7 @@ void apply_drive(SimulatedModel<D>& m, const DriveOrder& order) {
       const auto now = place_of(state, model.bodies[static_cast<std::size_t>(body)].first_node);
       for (std::size_t k = 0; k < 3; ++k) {
         if (!order.motion[k]) continue;
-        if constexpr (D == 2)
-          set_drive(model, body, static_cast<int>(k), order.motion[k], state.time, now[k], &state);
-        else
-          set_drive(model, body, static_cast<int>(k), order.motion[k], state.time, now[k]);
+        set_drive(model, body, static_cast<int>(k), order.motion[k], state.time, now[k], &state);
       }
     }
   });

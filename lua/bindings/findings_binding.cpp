@@ -172,9 +172,9 @@ int stresses(lua_State* L) {
 }
 
 const std::array finding_method_list{
-    Method{"joints", guarded<joints>, "joints(): list of {a, b, opening, slip, damage, storey, x, y}"},
-    Method{"thrust_line", guarded<thrust>, "thrust_line(bodies): list of {a, b, x, y, fx, fy} through a chain"},
-    Method{"stresses", guarded<stresses>, "stresses(): mean stress {xx, yy, xy, major, minor} by body's name [Pa]"},
+    Method{"joints", guarded<joints>, "joints(): list of {a, b, opening, slip, damage, storey, x, y}", 2},
+    Method{"thrust_line", guarded<thrust>, "thrust_line(bodies): list of {a, b, x, y, fx, fy} through a chain", 2},
+    Method{"stresses", guarded<stresses>, "stresses(): mean stress {xx, yy, xy, major, minor} by body's name [Pa]", 2},
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "body_reading.hpp"
 #include "part_reading.hpp"
+#include "space_frame_binding.hpp"
 #include "step/member_forces.hpp"
 #include "table_fields.hpp"
 
@@ -19,6 +20,7 @@ int make_section(lua_State* L) {
   keys.finish();
   if constexpr (requires { shape.check(); }) shape.check();
   SectionValue value{shape.numbers(), describe(shape), std::nullopt, std::nullopt};
+  value.in_space = section_in_space(shape);
   if constexpr (std::is_constructible_v<FibreShape, Shape>) value.shape = shape;
   push_handle(L, std::move(value));
   return 1;
@@ -38,8 +40,14 @@ int make_polygon_section(lua_State* L) {
   Polygon outline = keys.points("outline");
   keys.finish();
   outline = check_polygon(std::move(outline), "polygon_section").outline;
-  push_handle(L, SectionValue{polygon_section(outline), fmt::format("polygon_section of {} corners", outline.size()),
-                              SectionOutline{outline}, std::nullopt});
+  SectionValue value{polygon_section(outline), fmt::format("polygon_section of {} corners", outline.size()),
+                     SectionOutline{outline}, std::nullopt};
+  try {
+    value.in_space = polygon_section_in_space(outline);
+  } catch (const InputError& e) {
+    value.not_in_space = e.what();
+  }
+  push_handle(L, std::move(value));
   return 1;
 }
 
@@ -94,6 +102,7 @@ void add_frame(lua_State* L, PlaneModel& m, const std::string& name, BodyOptions
 
 /// m:beam{ name =, from =, to =, section =, ... }
 int add_beam(lua_State* L) {
+  if (as_space(this_model(L)) != nullptr) return add_space_beam(L);
   PlaneModel& m = this_plane(L);
   m.adding();
   Keys keys(L, 2, "beam");
@@ -197,6 +206,7 @@ void read_members(Keys& keys, FrameSpec& frame) {
 
 /// m:frame{ name =, joints =, members =, ... }
 int frame(lua_State* L) {
+  if (as_space(this_model(L)) != nullptr) return add_frame_in_space(L);
   PlaneModel& m = this_plane(L);
   m.adding();
   Keys keys(L, 2, "frame");
@@ -257,6 +267,8 @@ constexpr std::array<const char*, 4> hinge_states{"elastic", "yielded", "failed"
 
 /// body:forces "member": a list of { along, x, y, normal, shear, moment }, two for each beam.
 int push_member_forces(lua_State* L) {
+  const auto& b = handle<BodyHandle>(L, 1);
+  if (SpaceModel* space = as_space(b.model())) return push_space_forces(L, *space, b.index);
   const AskedMember asked = asked_member(L, "forces");
   lua_newtable(L);
   lua_Integer i = 0;

@@ -102,6 +102,8 @@ struct SectionValue {
   std::string text;                 ///< how it was made
   std::optional<FibreShape> shape;  ///< where it can be cut into fibres
   std::optional<FibreSpec> fibres;  ///< where it is made of them
+  Section3 in_space = {};           ///< the same of members in space
+  std::string not_in_space = {};    ///< why it cannot be one there
 };
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type as a template argument takes none.

@@ -58,13 +58,16 @@ class Console {
 
 /// What the command line says of a script's study.
 struct StudyChoice {
-  std::string program;            ///< runs the cases; "": there is none, so that no study can be begun
-  int jobs = 0;                   ///< cases at a time; 0: as the script says
-  int only = 0;                   ///< run this case alone, here; 0: run the study
-  bool fresh = false;             ///< run finished cases again
-  bool list = false;              ///< list the cases and end
-  bool begun = false;             ///< the script has called trilith.study
-  std::optional<StudyRise> rise;  ///< an incremental analysis; else as the script says
+  std::string program;                ///< runs the cases; "": there is none, so that no study can be begun
+  int jobs = 0;                       ///< cases at a time; 0: as the script says
+  int only = 0;                       ///< run this case alone, here; 0: run the study
+  bool fresh = false;                 ///< run finished cases again
+  bool list = false;                  ///< list the cases and end
+  bool begun = false;                 ///< the script has called trilith.study
+  std::optional<StudyRise> rise;      ///< an incremental analysis; else as the script says
+  std::vector<int> some;              ///< run these cases alone, from 1, as a task of a cluster does; empty: all
+  std::vector<std::string> on_slurm;  ///< where Slurm runs the cases: the command of this study, without where it runs
+  int per_task = 0;                   ///< cases of a task of Slurm; 0: as many as take some minutes
 };
 
 /// What a Lua callback cost.

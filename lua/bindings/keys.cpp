@@ -115,6 +115,15 @@ bool Keys::has(std::string_view key) {
   return is;
 }
 
+void Keys::refuse(std::string_view key, const std::string& why) {
+  lua_pushlstring(L_, key.data(), key.size());
+  const bool is = lua_rawget(L_, index_) != LUA_TNIL;
+  lua_pop(L_, 1);
+  if (!is) return;
+  know({key});
+  problem(why);
+}
+
 double Keys::read_number(std::string_view key, std::string_view unit) {
   double value = 0;
   if (lua_type(L_, -1) == LUA_TNUMBER) {

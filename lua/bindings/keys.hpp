@@ -28,6 +28,8 @@ class Keys {
   void name_owner(const std::string& name);
 
   [[nodiscard]] bool has(std::string_view key);  ///< names the key as known too
+  /// A key that is of no use here and has a message of its own: named as known only where it is given.
+  void refuse(std::string_view key, const std::string& why);
 
   double number(std::string_view key, std::string_view unit);  ///< must be there
   double number(std::string_view key, std::string_view unit, double preset);

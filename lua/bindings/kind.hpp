@@ -33,6 +33,7 @@ struct Method {
   std::string_view name;
   lua_CFunction call;  ///< guarded<...>
   std::string_view doc;
+  int dim = 0;  ///< of models with so many dimensions alone; 0: of all
 };
 
 /// Specialised for each kind of handle: name (for messages), key (of the metatable), properties(), methods(),
@@ -90,12 +91,22 @@ bool has_property(const Property<H>& p, const H& h) {
     return true;
 }
 
+/// The same of methods; those that the library adds are of all.
+template <class H>
+bool has_method(std::string_view name, const H& h) {
+  if constexpr (requires { dimension_of(h); })
+    for (const Method& m : Kind<H>::methods())
+      if (m.name == name) return m.dim == 0 || m.dim == dimension_of(h);
+  return true;
+}
+
 template <class H>
 std::vector<std::string> member_names(lua_State* L, int lookup, const H& h) {
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, lookup) != 0; lua_pop(L, 1)) {
-    const Property<H>* p = find_property<H>(lua_tostring(L, -2));
-    if (p == nullptr || has_property(*p, h)) names.emplace_back(lua_tostring(L, -2));
+    const std::string name = lua_tostring(L, -2);
+    const Property<H>* p = find_property<H>(name);
+    if (p != nullptr ? has_property(*p, h) : has_method(name, h)) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -101,6 +101,20 @@ int damping(lua_State* L) {
   return 1;
 }
 
+/// core.is_held(body): whether both its displacements are fixed or moved; the model is built for that.
+int is_held(lua_State* L) {
+  const auto& b = handle<BodyHandle>(L, 1);
+  PlaneModel& m = b.plane();
+  const Model<2>& model = m.simulation().model();
+  bool held = false;
+  if (m.has_body(b.index)) {
+    const auto& support = model.support[model.bodies[static_cast<std::size_t>(b.index)].first_node];
+    held = support[0] != Support::free && support[1] != Support::free;
+  }
+  lua_pushboolean(L, held ? 1 : 0);
+  return 1;
+}
+
 /// core.usual(name, unit): what is usual for such a number, in words; "" where all that is allowed is.
 int usual(lua_State* L) {
   const std::string name = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "",
@@ -116,6 +130,7 @@ void open_lint(lua_State* L) {
   set_function(L, "doubts", guarded<doubts>);
   set_function(L, "damping", guarded<damping>);
   set_function(L, "usual", guarded<usual>);
+  set_function(L, "is_held", guarded<is_held>);
 }
 
 }  // namespace trilith::script

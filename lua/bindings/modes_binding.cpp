@@ -65,7 +65,7 @@ int push_modes(lua_State* L, PlaneModel& m, int count, bool records) {
   const Simulation<2>& sim = m.evaluated();
   const std::vector<Mode> found = modes(sim.model(), sim.state(), count);
   const std::vector<ModeDamping> damping = mode_damping(sim.model(), sim.state(), found);
-  const std::array<double, 2> all = free_mass(sim.model());
+  const std::array<double, 2> all = free_mass(sim.model(), sim.state());
   if (records) m.record_modes(recorded_modes(sim.state(), found, damping), host(L));
   lua_createtable(L, static_cast<int>(found.size()), 1);
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "load/ramp.hpp"
+#include "run/load_way.hpp"
 #include "run/pushover.hpp"
 #include "stage_run.hpp"
 #include "step/equilibrium.hpp"
@@ -200,6 +201,7 @@ class ArcRecorder {
     curve_.force.push_back(point.factor);
     curve_.displacement.push_back(place - first_place_);
     curve_.drift.push_back(drift - first_drift_);
+    way_.push_back({state, point.factor});
     const double most = curve_.force[curve_.peak()];
     if (std::abs(curve_.drift.back()) >= order_.limits.drift) limit_ = "drift";
     if (order_.limits.drop > 0 && most > 0 && point.factor < order_.limits.drop * most) limit_ = "drop";
@@ -208,6 +210,7 @@ class ArcRecorder {
   }
   [[nodiscard]] const PushCurve& curve() const { return curve_; }
   [[nodiscard]] const std::string& limit() const { return limit_; }
+  [[nodiscard]] std::vector<Waypoint> take_way() { return std::move(way_); }
 
  private:
   const Push<2>& push_;
@@ -215,6 +218,7 @@ class ArcRecorder {
   std::function<double(const State<2>&)> drift_;
   double first_place_ = 0, first_drift_ = 0;
   PushCurve curve_;
+  std::vector<Waypoint> way_;
   std::string limit_;
 };
 
@@ -284,9 +288,9 @@ int push_by_arc(lua_State* L, PlaneModel& m, PushOrder& o) {
     throw InputError(fmt::format("pushover: there is a load or push '{}'; give another name", o.stage.name));
   Push<2> push;
   push.rows = push_rows(sim.model(), o.bodies, o.at, o.pattern, o.direction), push.direction = o.direction;
-  const std::vector<PointLoad<2>> loads = unit_loads(sim.model(), o.stage.name, push);
+  LoadWay way{unit_loads(sim.model(), o.stage.name, push), {}};
   Model<2> model = sim.model();
-  model.point_loads.insert(model.point_loads.end(), loads.begin(), loads.end());
+  model.point_loads.insert(model.point_loads.end(), way.loads.begin(), way.loads.end());
   ArcRecorder recorder(push, o, arc_drift(m, o, push));
   LoadPathOptions how;
   how.loads = o.stage.name;
@@ -302,10 +306,11 @@ int push_by_arc(lua_State* L, PlaneModel& m, PushOrder& o) {
     throw InputError(
         "pushover: there is no rest to begin from; find it by m:consolidate{ integrator = \"static\" }, "
         "which tells what fails");
-  take_over(m, std::move(state), loads, path.points.back().factor);
+  take_over(m, std::move(state), way.loads, path.points.back().factor);
+  way.points = recorder.take_way();
   EquilibriumOptions rest;
   o.stage.duration = 1;  // none goes by
-  push_report(L, settle_stage(L, m, o.stage, rest));
+  push_report(L, settle_stage(L, m, o.stage, rest, &way));
   add_curve(L, recorder.curve(), recorder.limit().empty() ? arc_limit(path.end) : recorder.limit());
   set_limits(L, path), set_happened(L, m, path);
   return 1;

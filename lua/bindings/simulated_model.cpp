@@ -76,8 +76,8 @@ void SimulatedModel<D>::grow_weight(double end) {
 
 namespace {
 
-/// A script names its results as "out/run.h5" wherever it is run from. What was typed on the command line may be
-/// mistyped, and makes no folder. Where it cannot be made, the writer of the results says what is wrong.
+/// A script names its results as "out/run.h5" wherever it is run from. Where it cannot be made, the writer of the
+/// results says what is wrong.
 void make_folder_of(const std::filesystem::path& file) {
   std::error_code error;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
@@ -105,10 +105,9 @@ void SimulatedModel<D>::begin_recording(Host& host) {
   if (!host.results_file.empty()) {
     if (!results) results.emplace();
     results->file = std::exchange(host.results_file, "");
-  } else if (results) {
-    make_folder_of(results->file);
   }
   if (!results) return;
+  make_folder_of(results->file);
   recording_begun_ = true;
   if (!host.case_folder.empty())
     results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
@@ -137,6 +136,7 @@ template <int D>
 void SimulatedModel<D>::open_recording(Host& host) {
   RecordingOptions<D> options;
   options.provenance = host.provenance(motions);
+  options.provenance.model = name;
   options.materials = materials;
   options.histories = recorded_histories();
   options.with_velocity = results->with_velocity;
@@ -222,7 +222,7 @@ bool SimulatedModel<D>::apply_changes(Model<D>& model) {
 
 template <int D>
 StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListener& listener, Host& host,
-                                   const EquilibriumOptions* statics) {
+                                   const EquilibriumOptions* statics, const LoadWay* way) {
   if (running_)
     throw InputError(fmt::format("{}: a stage runs already; begin the next one when it has ended", title()));
   Simulation<D>& s = simulation();
@@ -249,7 +249,7 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
   }
   const auto go = [&] {
     const RunListener<D> all = listen_with(listener, host.observer);
-    return statics != nullptr ? s.settle(options, *statics, all) : s.run(options, all);
+    return statics != nullptr ? s.settle(options, *statics, all, way) : s.run(options, all);
   };
   return guarded_run(go, host);
 }

@@ -8,41 +8,31 @@
 #include "solid_makers.hpp"
 
 namespace trilith::script {
-namespace {
 
-/// Everything a constructor says of a solid besides name and shape.
-struct SolidOptions {
-  SolidSpec spec;
-  std::vector<std::string> fixed;                           ///< names or groups of the parts that are fixed
-  std::vector<std::pair<std::string, SolidSpec>> by_group;  ///< what holds instead for parts of that name or group
-};
-
-/// "fixed", "free" or { x =, y =, z =, turn_x =, turn_y =, turn_z = }.
-void read_solid_support(Keys& keys, std::array<Support, 6>& support) {
+void read_solid_support(Keys& keys, std::string_view key, std::array<Support, 6>& support) {
   const std::array<std::string_view, 6> names{"x", "y", "z", "turn_x", "turn_y", "turn_z"};
-  const auto word = [&](Keys& from, std::string_view key, const std::string& text) {
+  const auto word = [&](Keys& from, std::string_view of, const std::string& text) {
     if (text != "fixed" && text != "free")
-      from.problem(fmt::format("'{}' is '{}', must be \"fixed\" or \"free\"", key, text));
+      from.problem(fmt::format("'{}' is '{}', must be \"fixed\" or \"free\"", of, text));
     return text == "fixed" ? Support::fixed : Support::free;
   };
-  const int type = keys.push("support");
+  const int type = keys.push(key);
   if (type == LUA_TSTRING) {
-    support.fill(word(keys, "support", text_at(keys.lua(), -1)));
+    support.fill(word(keys, key, text_at(keys.lua(), -1)));
   } else if (type == LUA_TTABLE) {
     try {
-      Keys own(keys.lua(), -1, "support");
+      Keys own(keys.lua(), -1, std::string(key));
       for (std::size_t i = 0; i < 6; ++i) support[i] = word(own, names[i], own.text(names[i], "free"));
       own.finish();
     } catch (const InputError& e) {
       keys.problem(e.what());
     }
   } else if (type != LUA_TNIL) {
-    keys.wrong("support", "\"fixed\", \"free\" or { x =, y =, z =, turn_x =, turn_y =, turn_z = }");
+    keys.wrong(key, "\"fixed\", \"free\" or { x =, y =, z =, turn_x =, turn_y =, turn_z = }");
   }
   lua_pop(keys.lua(), 1);
 }
 
-/// What `keys` say of a solid; `preset` where they say nothing.
 SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
   SolidSpec s = preset;
   s.material = keys.text("material", preset.material);
@@ -60,13 +50,22 @@ SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
     mass = *weight / standard_gravity;
   }
   if (density || mass || keys.has("material")) s.density = density, s.mass = mass;
-  read_solid_support(keys, s.support);
+  read_solid_support(keys, "support", s.support);
   s.velocity = keys.vector("velocity", preset.velocity);
   s.spin = keys.vector("spin", preset.spin);
   s.load = keys.vector("load", preset.load);
   s.floating = keys.flag("floating", preset.floating);
   return s;
 }
+
+namespace {
+
+/// Everything a constructor says of a solid besides name and shape.
+struct SolidOptions {
+  SolidSpec spec;
+  std::vector<std::string> fixed;                           ///< names or groups of the parts that are fixed
+  std::vector<std::pair<std::string, SolidSpec>> by_group;  ///< what holds instead for parts of that name or group
+};
 
 /// by_group = { floors = { ... }, ... }, in the order of the names: a Lua table has no order of its own.
 void read_groups(Keys& keys, SolidOptions& o) {

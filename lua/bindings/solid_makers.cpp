@@ -43,6 +43,8 @@ SolidParts one_part(NotedSolid solid) {
 MakeSolids read_box(Keys& k) {
   SolidBox b;
   b.name = read_name(k, "");
+  for (const char* key : {"width", "height"})
+    k.refuse(key, fmt::format("'{}' is of blocks in the plane; in space give size = {{x, y, z}}", key));
   b.size = k.vector("size");
   b.at = k.vector("at", b.at);
   b.anchor = k.choice("anchor", {"lower_corner", "centre"}, 0) == 0 ? BoxAnchor::lower_corner : BoxAnchor::centre;

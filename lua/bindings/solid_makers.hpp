@@ -41,6 +41,11 @@ MakeSolids read_pour(Keys& k);
 /// turn = { axis = {x, y, z}, angle = }.
 SolidTurn read_turn(Keys& k);
 
+/// "fixed", "free" or { x =, y =, z =, turn_x =, turn_y =, turn_z = } under `key`.
+void read_solid_support(Keys& keys, std::string_view key, std::array<Support, 6>& support);
+/// What `keys` say of a solid or a frame besides name and shape; `preset` where they say nothing.
+SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset);
+
 /// m:NAME{...} on a model in space: the parts of the maker of that name become bodies. InputError where there is none.
 int add_solids_made(lua_State* L, std::string_view name);
 /// m:body{ name =, hull = | pieces = , ... } and m:add(parts, { depth =, ... }) on a model in space.

@@ -227,11 +227,12 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
   });
 }
 
-StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how) {
+StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how,
+                         const LoadWay* way) {
   Host& h = host(L);
   refuse_unread_arguments(h);
   return listen(L, model, h, [&](Handlers& /*handlers*/, const ScriptListener& listener) {
-    return model.run(options, listener, h, &how);
+    return model.run(options, listener, h, &how, way);
   });
 }
 

@@ -19,7 +19,8 @@ struct StageUntil {
 StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const StageUntil& until = {});
 
 /// The same of a stage of statics, which takes no time.
-StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how);
+StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how,
+                         const LoadWay* way = nullptr);
 
 /// The same of a stage that rewind has brought back.
 StageReport resume_stage(lua_State* L, ScriptModel& model);

@@ -187,10 +187,10 @@ StudyOrder order_of(Host& h, StudyPlan plan, const Wanted& wanted) {
   cases.by_number = wanted.has_function;
   StudyOrder order = study_order(std::move(plan), cases);
   order.file = wanted.file;
-  order.jobs = h.study.jobs > 0 ? h.study.jobs : wanted.jobs;
-  order.fresh = h.study.fresh;
+  order.jobs = wanted.jobs;
   order.provenance.command_line = h.command_line;
-  order.rise = h.study.rise ? h.study.rise : wanted.rise;
+  order.rise = wanted.rise;
+  take_choice(h.study, order);
   return order;
 }
 
@@ -233,6 +233,7 @@ int study(lua_State* L) {
   watch.status = [&h](const std::string& text) { h.observer->status(text); };
   watch.goes_on = [&interrupt] { return !interrupt.pressed(); };
   const std::vector<StudyOutcome> outcomes = run_study(order, watch);
+  if (!order.only.empty()) throw InputError(script_is_done);  // what the script makes of all cases is not its task
   push_study(L, order, outcomes);
   return 1;
 }

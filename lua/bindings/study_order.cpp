@@ -3,26 +3,12 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/shell_word.hpp"
 #include "base/whole_file.hpp"
 #include "host.hpp"
 #include "results/provenance.hpp"
 
 namespace trilith::script {
-namespace {
-
-std::string in_quotes(const std::string& word) {
-  if (word.find_first_of(" '\"$&|;<>()*?") == std::string::npos) return word;
-  std::string out(1, '\'');
-  for (const char c : word) {
-    if (c == '\'') out += "'\\'";
-    out += c;
-  }
-  out += '\'';
-  return out;
-}
-
-}  // namespace
-
 StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases) {
   StudyOrder order;
   order.plan = std::move(plan);
@@ -47,11 +33,24 @@ StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases) {
   return order;
 }
 
+void take_choice(const StudyChoice& choice, StudyOrder& order) {
+  if (choice.jobs > 0) order.jobs = choice.jobs;
+  order.fresh = choice.fresh;
+  if (choice.rise) order.rise = choice.rise;
+  order.on_slurm = choice.on_slurm;
+  order.per_task = choice.per_task;
+  for (const int number : choice.some) {
+    if (number < 1 || static_cast<std::size_t>(number) > order.plan.cases.size())
+      throw InputError(fmt::format("study: there is no case {}; there are {}", number, order.plan.cases.size()));
+    order.only.push_back(static_cast<std::size_t>(number) - 1);
+  }
+}
+
 void list_cases(const StudyOrder& order) {
   for (std::size_t i = 0; i < order.plan.cases.size(); ++i) {
     std::string line = "trilith";
     const std::vector<std::string> command = order.command(i, case_folder(order, i));
-    for (std::size_t w = 1; w < command.size(); ++w) line.append(" ").append(in_quotes(command[w]));
+    for (std::size_t w = 1; w < command.size(); ++w) line.append(" ").append(shell_word(command[w]));
     fmt::print("{}\n", line);
   }
 }

@@ -1,6 +1,7 @@
 // How the program runs the cases of a study. No Lua here.
 #pragma once
 
+#include "host.hpp"
 #include "run/study.hpp"
 
 namespace trilith::script {
@@ -14,6 +15,10 @@ struct CasesOfScript {
 
 /// An order for `plan` but for file, histories and jobs. Throws InputError where the script cannot be read.
 StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases);
+
+/// What was chosen on the command line goes before what the script says. Throws InputError for a case that is not
+/// there.
+void take_choice(const StudyChoice& choice, StudyOrder& order);
 
 /// Prints the command of each case.
 void list_cases(const StudyOrder& order);

@@ -57,7 +57,12 @@ int make_fibre_section(lua_State* L) {
   keys.finish();
   const FibreSection made = make_fibres(spec);  // whatever is wrong is told here, and not by a member later
   const std::string text = fmt::format("fibre_section of {} fibres of {}", made.fibres.size(), law_text(spec.law));
-  push_handle(L, SectionValue{section_of(spec.shape), text, std::nullopt, spec});
+  push_handle(L, SectionValue{section_of(spec.shape),
+                              text,
+                              std::nullopt,
+                              spec,
+                              {},
+                              "fibre_section: members in space do not yield yet; give them an elastic section"});
   return 1;
 }
 

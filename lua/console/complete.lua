@@ -60,6 +60,27 @@ local function add_names_of(model, names, place)
   end
 end
 
+--- Files and folders that begin so; folders end with a slash, so that Tab goes on into them.
+local function files_beginning_with(start)
+  local folder, stem = start:match "^(.*/)([^/]*)$"
+  if not folder then folder, stem = "", start end
+  local names = {}
+  for _, entry in ipairs(core.files_in(folder == "" and "." or folder)) do
+    local fits = entry:sub(1, #stem) == stem and (stem ~= "" or entry:sub(1, 1) ~= ".")
+    if fits then names[#names + 1] = folder .. entry end
+  end
+  table.sort(names)
+  return names
+end
+
+local file_calls = { motion = true, dofile = true, loadfile = true, open = true, lines = true }
+
+--- Whether the string is a file's name: of a key or a function that takes one, or a path.
+local function is_file(before, start)
+  local key, call = before:match "([%w_]+)%s*=%s*$", before:match "([%w_]+)%s*%(?%s*$"
+  return start:find "/" or key == "file" or key == "script" or file_calls[call]
+end
+
 local function names_in_string(session, before, start)
   local names = {}
   local place = before:match "%.(bearings)%s*%[%s*$" or before:match "%.(seats)%s*%[%s*$"
@@ -115,7 +136,10 @@ end
 --- The place (from 1) of the name at the end of `before`, and the names that could stand there.
 function console.complete(before, session)
   local quote, from = open_string(before)
-  if quote then return from, names_in_string(session, before:sub(1, from - 2), before:sub(from)) end
+  if quote then
+    local call, start = before:sub(1, from - 2), before:sub(from)
+    return from, is_file(call, start) and files_beginning_with(start) or names_in_string(session, call, start)
+  end
   local chain, mark, at, start = before:match "([%a_][%w_.]*)([.:])()([%w_]*)$"
   if not chain then chain, mark, at, start = before:match "([%a_][%w_.]*%b[])([.:])()([%w_]*)$" end
   if chain then return at, beginning_with(members_of(value_of_chain(session, chain), mark), start) end

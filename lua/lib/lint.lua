@@ -103,6 +103,27 @@ function checks.sinking(model, add)
   end
 end
 
+-- Friction gives by mu p/ks before it slides. Where sliding turns about often, what is left of it converges slowly with
+-- that: it is to be small beside the slip that matters.
+local usual_slip, slip_share = 0.1, 1e-3 -- [m], and the share of it
+
+function checks.slipping(model, add, slip)
+  local most = slip_share*(slip or usual_slip)
+  local heaviest, pressure = nil, 0
+  for body in model:bodies {} do
+    local p = body.mass*9.80665/(math.sqrt(body.area)*model.thickness)
+    if p > pressure and not core.is_held(body) then heaviest, pressure = body, p end
+  end
+  for _, law in ipairs(core.contact_laws(model)) do
+    local gives = law.mu*pressure/law.ks
+    if gives > most then
+      add(("law '%s' gives by %.2g m before it slides ('%s' under its own weight), more than %g of a slip of %g m: "
+        .. "what is left of sliding to and fro will be off; ks = %.1g Pa/m, or say how far it slides, m:lint{ slip = }")
+        :format(law.name, gives, heaviest.name, slip_share, slip or usual_slip, law.mu*pressure/most))
+    end
+  end
+end
+
 function checks.bearings(model, add)
   for _, bearing in ipairs(model.bearings) do
     if not bearing.limited then
@@ -128,17 +149,33 @@ end
 
 local of_any = { "doubts", "laws", "damping" }
 -- Of outlines, areas and unbalanced bodies models in the plane alone tell.
-local of_whole = { [2] = { "edges", "masses", "sinking", "bearings", "rest", "recording" },
+local of_whole = { [2] = { "edges", "masses", "sinking", "slipping", "bearings", "rest", "recording" },
   [3] = { "masses", "bearings", "recording" } }
 
---- m:lint(): a list of findings, and the same in words. Faults that keep the model from being built are findings too.
-function model_methods.lint(model)
+--- The slip that is expected [m], as m:lint{ slip = } says; nil where it does not.
+local function expected_slip(options)
+  if options == nil then return nil end
+  if type(options) ~= "table" then error("lint: takes a table, as in m:lint{ slip = 0.02 }", 0) end
+  for key in pairs(options) do
+    if key ~= "slip" then error(("lint: unknown key '%s'; known: slip"):format(tostring(key)), 0) end
+  end
+  local slip = options.slip
+  if slip ~= nil and not (type(slip) == "number" and slip > 0) then
+    error("lint: 'slip' must be a number in m, above 0", 0)
+  end
+  return slip
+end
+
+--- m:lint{ slip = }: a list of findings, and the same in words. Faults that keep the model from being built are
+--- findings too.
+function model_methods.lint(model, options)
+  local slip = expected_slip(options)
   local found = {}
   local function add(text) found[#found + 1] = text end
   local whole = checks.faults(model, add)
   for _, name in ipairs(of_any) do checks[name](model, add, whole) end
   if whole then
-    for _, name in ipairs(of_whole[model.dim]) do checks[name](model, add) end
+    for _, name in ipairs(of_whole[model.dim]) do checks[name](model, add, slip) end
   end
   found.text = #found == 0 and "nothing found" or "- " .. table.concat(found, "\n- ")
   return setmetatable(found, core.findings)

@@ -35,8 +35,11 @@ axial    direction law?  across
 turning  direction law?  for turning
 limit    table?  its limits { along = , axial = , turning = }
 angle    number rad?  of its direction along
-replaces_contact  flag?  it stands for the flat contact it sits in]],
-    beside = { along = true, axial = true, turning = true, angle = true, replaces_contact = true } },
+replaces_contact  flag?  it stands for the flat contact it sits in
+becomes  text?  what is there after it failed: a contact law or a bearing that waits; false: nothing]],
+    beside = { along = true, axial = true, turning = true, angle = true, replaces_contact = true, becomes = true } },
   { "model:lint", "What keeps a model from being built, and what of it is likely not meant, each with the next "
-    .. "thing to try.", gives = "findings" },
+    .. "thing to try.", keys = [[
+slip  number m = 0.1  how far joints are expected to slide: friction is to give by a thousandth of that at most]],
+    gives = "findings" },
 }

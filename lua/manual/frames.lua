@@ -36,7 +36,9 @@ bar_law    fibre law?      of the bars, such as trilith.menegotto_pinto{...}]], 
     args = "member  text?  its name", gives = "table[]" },
   { "body:fibres", "Sections along a member of fibres: along, axial, curvature, normal, moment, and fibres, each with "
     .. "height, area, strain, stress.", args = "member  text?  its name", gives = "table[]" },
-  { "body:forces", "Inner forces along a member of a beam or frame: a row for both ends of each of its beams.",
+  { "body:forces", "Inner forces along a member of a beam or frame, a row for both ends of each of its beams: along, "
+    .. "x, y, normal, shear, moment; in space z, shear_y, shear_z, torque, moment_y, moment_z (y to the section's top, "
+    .. "z across).",
     args = "member  text?  its name; joints of one without a name are joined, as in \"A-B\"", gives = "table[]" },
   shared = { beam = [[
 material        text             its material, which has E and nu

@@ -13,8 +13,9 @@ name      names?  of these names]], gives = "set" },
     keys = [[
 apart         number m = 0.0127  a joint that opened or slipped by more is apart (half an inch)
 out_of_place  number m = 0.0254  a unit that moved by more is out of place (an inch)]], gives = "table[]" },
-  { "body:point", "Where the point is now that was there at the start: x and y.",
-    args = "place  point  {x, y} at the start", gives = "number, number" },
+  { "body:point", "Where the point is now that was there at the start: x and y, in space z too.",
+    args = "place  place  {x, y} at the start; in space {x, y, z} or the name of a frame's joint",
+    gives = "number, number" },
   { "model:contacts", "Contacts that carry force: { a, b, law, hold, slip, normal, shear, point, force }.",
     keys = "between  two bodies?  or sets, or names", gives = "table[]" },
   { "model:history", "Follows a number over time.", keys = [[

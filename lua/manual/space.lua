@@ -17,6 +17,22 @@ floating     flag = false     it may start with nothing that holds it up]],
 fixed        names?           names or groups of parts that are fixed
 by_group     table?           { name = { ... } }: what holds instead for parts of that name or group]],
   },
+  { "space:beam", "A straight beam that bends about both axes, stretches and twists.", keys = [[
+name          text             its name
+from          vector           its start, on the axis of the section
+to            vector           its end
+section       section          such as trilith.rectangle_section{...}; not of fibres
+orientation   vector?          to the top of the section; without it up, of an upright member to x
+divisions     integer = 8      beam elements in a row
+shear         flag = false     with shear deformation (Timoshenko)
+pinned        names?           "from", "to" or both: carries no bending moment there
+from_support  text or table?   "fixed", "free" or { x = , y = , z = , turn_x = , turn_y = , turn_z = }
+to_support    text or table?   the same of its end]], with = "solid", gives = "body" },
+  { "space:frame", "Beams that meet at joints, as one body.", keys = [[
+name     text   its name
+joints   table  { A = {x, y, z}, B = { at = {x, y, z}, support = , mass = , inertia = }, ... }
+members  list   { { from = , to = , section = , name = , orientation = , divisions = , material = , ... }, ... }]],
+    with = "solid", gives = "body" },
   { "space:block", "A box in any pose.", keys = [[
 name    text                   its name
 size    vector                 along its own x, y and z [m]

@@ -12,6 +12,7 @@
 #include "draw/results_modes.hpp"
 #include "draw/results_picture.hpp"
 #include "newer_run.hpp"
+#include "output_folder.hpp"
 #include "positive.hpp"
 #include "verbs.hpp"
 
@@ -132,9 +133,10 @@ int draw(const DrawOptions& options) {
   const results::ResultsReader reader(options.result);
   const draw::PictureStyle style = style_of(options, reader.header().dim);
   std::vector<draw::Scene> scenes = scenes_of(reader, options);
-  const std::string stem = std::filesystem::path(options.result).stem().string();
-  if (scenes.size() == 1) scenes[0].title = scenes[0].title.empty() ? stem : stem + ", " + scenes[0].title;
+  const std::string title = reader.title();
+  if (scenes.size() == 1) scenes[0].title = scenes[0].title.empty() ? title : title + ", " + scenes[0].title;
   const int columns = options.columns > 0 ? options.columns : scenes.size() <= 3 ? 1 : 2;
+  make_folder_for(out);
   draw::draw_panels(scenes, columns, style, out);
   fmt::print("{}\n", out.string());
   tell_of_newer_run(reader);

@@ -1,4 +1,4 @@
-// trilith motion FILE [-o FILE]
+// trilith motion FILE [-o FILE]: a record, or a motion of a run
 #include <fmt/format.h>
 
 #include <memory>
@@ -6,10 +6,12 @@
 
 #include "base/error.hpp"
 #include "draw/motion_chart.hpp"
+#include "draw/stored_motion.hpp"
 #include "load/motion_plain.hpp"
 #include "load/motion_process.hpp"
 #include "load/motion_read.hpp"
 #include "load/motion_summary.hpp"
+#include "output_folder.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -20,15 +22,30 @@ struct MotionOptions {
   std::optional<double> scale, peak, time_scale;
   bool reverse = false, no_picture = false;
   std::string unit;
+  int number = 1;
   std::optional<double> step;
   std::optional<int> baseline;
   FilterBand band;
 };
 
+/// Motion `number` (from 1) of those that a run applied.
+GroundMotion motion_of_run(const std::string& file, int number) {
+  const std::vector<results::MotionRow> rows = results::ResultsReader(file).motions();
+  if (rows.empty()) throw InputError(fmt::format("results file '{}': it holds no motion", file));
+  if (number < 1 || static_cast<std::size_t>(number) > rows.size())
+    throw InputError(fmt::format("--number: '{}' has motions 1 to {}", file, rows.size()));
+  return draw::stored_motion(rows[static_cast<std::size_t>(number) - 1]);
+}
+
+GroundMotion read_record(const MotionOptions& options) {
+  if (std::filesystem::path(options.file).extension() == ".h5") return motion_of_run(options.file, options.number);
+  return options.unit.empty() ? read_motion(options.file)
+                              : read_plain_motion(options.file, {options.unit, options.step});
+}
+
 GroundMotion read_processed(const MotionOptions& options) {
   if (options.step && options.unit.empty()) throw InputError("--dt goes with --unit, for a file of plain columns");
-  GroundMotion motion =
-      options.unit.empty() ? read_motion(options.file) : read_plain_motion(options.file, {options.unit, options.step});
+  GroundMotion motion = read_record(options);
   if (options.baseline) motion = baseline_corrected(motion, *options.baseline);
   return options.band.low > 0 || options.band.high > 0 ? filtered(motion, options.band) : motion;
 }
@@ -49,6 +66,7 @@ int show_motion(const MotionOptions& options) {
   const GroundMotion motion = read_scaled(options);
   fmt::print("{}", motion_summary(motion));
   if (options.no_picture) return ended_well;
+  make_folder_for(out);
   draw::draw_charts({draw::motion_chart(motion), draw::spectrum_chart({motion})}, draw::Arrangement::beside, out);
   fmt::print("{}\n", out.string());
   return ended_well;
@@ -59,11 +77,14 @@ int show_motion(const MotionOptions& options) {
 void add_motion(CLI::App& app, int& code) {
   auto o = std::make_shared<MotionOptions>();
   CLI::App* verb = app.add_subcommand("motion", "Measure and draw a ground motion");
-  verb->add_option("file", o->file, "record: PEER .AT2, CSV, or with --unit plain columns")
+  verb->add_option("file", o->file, "record: PEER .AT2, CSV, or with --unit plain columns; or results file, .h5")
       ->required()
       ->type_name("FILE");
   verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; FILE with .png, here, where not given")
       ->type_name("FILE");
+  verb->add_option("--number", o->number, "of a results file: which of the motions it holds, from 1")
+      ->type_name("N")
+      ->capture_default_str();
   verb->add_option("--unit", o->unit, "of the accelerations of a file of plain columns: " + plain_units())
       ->type_name("UNIT");
   verb->add_option("--dt", o->step, "with --unit: step of its samples [s], where it has no column of time")

@@ -10,6 +10,7 @@
 #include "draw/results_picture.hpp"
 #include "draw/study_chart.hpp"
 #include "newer_run.hpp"
+#include "output_folder.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -94,6 +95,7 @@ int plot_study(const PlotOptions& options, const std::filesystem::path& out) {
   if (!options.against.empty()) throw InputError("--against is for a run; figures of a study go --over a parameter");
   draw::Chart chart = chart_of_study(options, columns);
   chart.title = std::filesystem::path(options.result).stem().string();
+  make_folder_for(out);
   draw::draw_chart(chart, out);
   fmt::print("{}\n", out.string());
   return ended_well;
@@ -120,11 +122,11 @@ int plot(const PlotOptions& options) {
   std::vector<draw::NamedResults> results;
   for (std::size_t i = 0; i < readers.size(); ++i) results.push_back({&readers[i], names[i]});
   std::vector<draw::Chart> charts = charts_of(results, options);
-  const std::string stem = std::filesystem::path(options.result).stem().string();
-  if (charts[0].title.empty() && results.size() == 1) charts[0].title = stem;
+  if (charts[0].title.empty() && results.size() == 1) charts[0].title = readers[0].title();
   if (options.events && !options.against.empty()) throw InputError("--events go with time, not with --against");
   if (options.events)
     for (draw::Chart& chart : charts) chart.marks = draw::event_marks(readers[0], options.window);
+  make_folder_for(out);
   draw::draw_charts(charts, draw::Arrangement::below, out);
   fmt::print("{}\n", out.string());
   for (const results::ResultsReader& reader : readers) tell_of_newer_run(reader);

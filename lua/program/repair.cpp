@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "output_folder.hpp"
 #include "results/reader.hpp"
 #include "verbs.hpp"
 
@@ -14,6 +15,7 @@ struct RepairOptions {
 };
 
 int repair_result(const RepairOptions& options) {
+  make_folder_for(options.out);
   results::repair(options.result, options.out);
   fmt::print("{}: {} frames\n", options.out, results::ResultsReader(options.out).frame_count());
   return ended_well;

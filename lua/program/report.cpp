@@ -10,6 +10,7 @@
 #include "base/whole_file.hpp"
 #include "host.hpp"
 #include "newer_run.hpp"
+#include "output_folder.hpp"
 #include "share_status.hpp"
 #include "verbs.hpp"
 
@@ -38,6 +39,7 @@ int report(const ReportOptions& options) {
   ShareStatus status("sealing frames");
   const std::string page = report::report_page(reader, record_folders_of(reader), [&](double share) { status(share); });
   status.clear();
+  make_folder_for(out);
   write_whole_file(out, page);
   fmt::print("{}\n", out.string());
   tell_of_newer_run(reader);

@@ -22,7 +22,7 @@ namespace {
 struct StudyOptions {
   std::string script, out;
   std::vector<std::string> given, over;
-  std::string ida, stop;
+  std::string ida, stop, on, cases;
   script::StudyChoice choice;
   bool quiet = false;
 };
@@ -84,13 +84,21 @@ StudyOrder order_of(const StudyOptions& o) {
   cases.fixed = o.given;
   StudyOrder order = script::study_order(product_plan(parameters), cases);
   order.file = o.out.empty() ? std::filesystem::path(o.script).stem().string() + "_study.h5" : o.out;
-  order.jobs = o.choice.jobs;
-  order.rise = o.choice.rise;
-  order.fresh = o.choice.fresh;
+  script::take_choice(o.choice, order);
   order.provenance.command_line = "trilith study " + o.script;
   for (const std::string& g : o.given) order.provenance.command_line += " " + g;
   for (const std::string& v : o.over) order.provenance.command_line += " --over " + v;
   return order;
+}
+
+/// This study again, for a task that is told its cases.
+std::vector<std::string> own_command(const StudyOptions& o) {
+  std::vector<std::string> words{program_path(), "study", o.script};
+  words.insert(words.end(), o.given.begin(), o.given.end());
+  for (const std::string& v : o.over) words.insert(words.end(), {"--over", v});
+  if (!o.out.empty()) words.insert(words.end(), {"--output", o.out});
+  if (!o.ida.empty()) words.insert(words.end(), {"--ida", o.ida, "--stop", o.stop});
+  return words;
 }
 
 /// The script runs a case; what is varied stands on the command line.
@@ -154,6 +162,17 @@ void add_study(CLI::App& app, int& code) {
   verb->add_option("-j,--jobs", o->choice.jobs, "cases at a time; as many as there are processors where not given")
       ->type_name("N")
       ->check(CLI::Validator(is_count, "", ""));
+  verb->add_option("--on", o->on,
+                   "what runs the cases: local (processes here), or slurm (an array job, followed until it has ended; "
+                   "given again after a break, it follows the job or runs what is missing)")
+      ->type_name("WHERE")
+      ->check(CLI::IsMember({"local", "slurm"}));
+  verb->add_option("--per-task", o->choice.per_task,
+                   "with --on slurm: cases of a task; as many as take some minutes where not given")
+      ->type_name("N")
+      ->check(CLI::Validator(is_count, "", ""));
+  verb->add_option("--cases", o->cases, "run these cases alone, and write no table: a task of a cluster")
+      ->type_name("N[,N...]");
   verb->add_option("--ida", o->ida, "incremental analysis: from the lowest value of this parameter up, with --stop")
       ->type_name("PARAMETER");
   verb->add_option("--stop", o->stop,
@@ -165,6 +184,10 @@ void add_study(CLI::App& app, int& code) {
   verb->callback([o, &code] {
     if (o->ida.empty() != o->stop.empty()) throw InputError("study: --ida and --stop go together");
     if (!o->ida.empty()) o->choice.rise = StudyRise{o->ida, o->stop};
+    for (const std::string& number : o->cases.empty() ? std::vector<std::string>() : comma_list(o->cases))
+      o->choice.some.push_back(static_cast<int>(number_of(number, "--cases")));
+    if (o->choice.per_task > 0 && o->on != "slurm") throw InputError("study: --per-task goes with --on slurm");
+    if (o->on == "slurm") o->choice.on_slurm = own_command(*o);
     code = o->over.empty() ? run_own(*o) : run_over(*o);
   });
 }

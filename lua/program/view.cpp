@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
 #include "newer_run.hpp"
+#include "output_folder.hpp"
 #include "share_status.hpp"
 #include "verbs.hpp"
 #include "view/data.hpp"
@@ -28,7 +29,8 @@ int view(const ViewOptions& options) {
   ShareStatus status("reading frames");
   const std::string data = view::view_data(reader, {}, [&](double share) { status(share); });
   status.clear();
-  const std::string title = std::filesystem::path(options.result).stem().string();
+  const std::string title = reader.title();
+  make_folder_for(out);
   write_whole_file(out, view::view_page(data, title));
   fmt::print("{}\n", out.string());
   tell_of_newer_run(reader);

@@ -23,16 +23,25 @@ WALL, PILE, SPACE = "tests/bench/wall.lua", "tests/bench/pile.lua", "tests/bench
 
 class Case:
     """A script and its parameters. `before`: those of a shorter run that is taken off, where only what follows is
-    asked for."""
+    asked for. `motion`: how long that is in the model, where steps are of different lengths [s]. `told`: its figures are
+    the lines that it prints."""
 
-    def __init__(self, name, script, words, long=False, before=None, brief=""):
+    def __init__(self, name, script, words, long=False, before=None, brief="", motion=None, told=False):
         self.name, self.script, self.words, self.long, self.before = name, script, words, long, before
+        self.motion, self.told = motion, told
         self.brief = brief or words  # for counting instructions
 
 
 def wall(units, courses, columns, body, seconds, long=False):
     size = f"courses={courses} columns={columns} body={body}"
     return Case(f"wall of {units}, {body}", WALL, f"{size} seconds={seconds}", long, brief=f"{size} seconds=0.02")
+
+
+def bridge_of_beams(integrator):
+    """The strong part of the shaking, in which bearings and piers yield and decks pound."""
+    words = f"integrator={integrator} out=out/bench_frames.h5 duration="
+    return Case(f"bridge of beams, {integrator}", "scripts/bridge_frames.lua", words + "5", before=words + "1", motion=4,
+                brief=words + "0.1")
 
 
 CASES = [
@@ -49,6 +58,9 @@ CASES = [
          before="duration=8 out=out/bench_wall.h5"),
     Case("wall of 444 in space", SPACE, "courses=24 seconds=0.1"),
     Case("wall of 1752 in space", SPACE, "courses=48 columns=36 seconds=0.05"),
+    bridge_of_beams("explicit"), bridge_of_beams("implicit"),
+    Case("frame of 2000 beams, implicit", "tests/bench/frame.lua", "steps=40", before="steps=20"),
+    Case("gallery wall set down by statics", "tests/bench/statics.lua", "", told=True),
 ]
 
 
@@ -115,6 +127,15 @@ def run_calmly(program, case, threads, calm, tries=5):
     return found
 
 
+def tell_lines(program, case):
+    done = subprocess.run([program, "run", case.script, *case.words.split(), "--quiet"], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f"bench: {' '.join(done.args)} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+    print(case.name)
+    for line in done.stdout.splitlines():
+        print(f"    {line}", flush=True)
+
+
 def spread(values):
     return f"{statistics.median(values):.3g} ({min(values):.3g} to {max(values):.3g})"
 
@@ -127,6 +148,9 @@ def tell(case, threads, runs, alone):
         line += f", {1e3 * statistics.median(steps) / costs[0].pairs:.1f} ns a touching pair ({costs[0].pairs})"
     if alone and threads > 1:
         line += f", {statistics.median(alone) / statistics.median(steps):.2f} times as fast as one"
+    if case.motion:
+        seconds = statistics.median(cost.seconds for cost in costs)
+        line += f", {costs[0].steps} steps, {seconds / case.motion:.3g} s for a second of motion"
     others = max(share for _, share in runs)
     print(line + (f"; others took {100 * others:.0f} % of the machine" if others > 0.05 else ""), flush=True)
     return steps
@@ -192,6 +216,9 @@ def main():
     counts = [int(n) for n in args.threads.split(",")]
     for case in CASES:
         if not re.search(args.cases, case.name) or (case.long and not args.long):
+            continue
+        if case.told:
+            tell_lines(args.program, case)
             continue
         if args.against:
             for threads in counts:

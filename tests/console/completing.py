@@ -49,6 +49,17 @@ def session_tab_completes_names_in_strings(place):
     s.expect("^1$")
 
 
+def session_tab_completes_files(place):
+    place.write("motions_of_1940.csv", "")
+    s = place.console("-i", "fall.lua")
+    s.type('trilith.motion "motions_o\t')
+    s.expect(r'"motions_of_1940\.csv$')
+    s.interrupt()
+    s.type('m:results { file = "fal\t')
+    s.expect(r'"fall\.lua$')
+    s.interrupt()
+
+
 def session_tab_completes_keys_of_a_call(place):
     s = place.console("-i", "fall.lua")
     s.type("m:consolidate { dur\t")

@@ -48,6 +48,20 @@ TEST_CASE("a wall of 200 bricks falls, in panels, as svg and pdf") {
   save_and_check({results_scene(reader, 1, moved)}, 1, "solid-wall-moved.png");
 }
 
+TEST_CASE("the ground far below what is in the air is in the picture") {
+  const testing::Folder folder;
+  const std::vector<FlyingBox> boxes{{{3, 3, 0.5}, {0, 0, -0.5}, Vec3::Zero(), Vec3::Zero(), "ground", "fixed"},
+                                     {{2, 2, 0.5}, {40, 0, -9}, Vec3::Zero(), Vec3::Zero(), "aside", "fixed"},
+                                     {{0.2, 0.2, 0.2}, {0, 0, 12}}};
+  record_boxes(folder / "falls.h5", boxes, 2, 0.05, false);
+  const Scene scene = results_scene(results::ResultsReader(folder / "falls.h5"), 0, seen_from("front"));
+  REQUIRE(scene.bodies.size() == 2);  // not what lies aside of it
+  double low = 0;
+  for (const SceneBody& body : scene.bodies)
+    for (const Vec2& p : body.outline) low = std::min(low, p.y());
+  CHECK(low < 0);
+}
+
 TEST_CASE("a dome opens: whole, from above, and cut through its middle") {
   const testing::Folder folder;
   record_boxes(folder / "dome.h5", opening_dome(), 11, 0.1, false);

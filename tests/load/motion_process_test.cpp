@@ -119,6 +119,15 @@ TEST_CASE("a shorter step that divides the old one changes nothing of the motion
   CHECK_THROWS_AS(resampled(motion, 10), InputError);
 }
 
+TEST_CASE("a step or a pad that asks for billions of samples is refused, one just within the bound is not") {
+  const GroundMotion motion = noise(9, 101);  // 1 s
+  CHECK_THROWS_AS(resampled(motion, 1e-9), InputError);
+  CHECK(resampled(motion, 1.25e-7).samples().size() == 8'000'001);
+  const GroundMotion fast = noise(9, 101, 1e-5);
+  CHECK_THROWS_AS(filtered(fast, {0, 1000, 4, 1e4}), InputError);
+  CHECK(filtered(fast, {0, 1000, 4, 1}).samples().size() == 101 + 200'000);
+}
+
 TEST_CASE("a record turned and turned back is itself, and its squares sum to what they were") {
   const GroundMotion a = noise(7), b = noise(8);
   const double angle = 0.7;

@@ -89,6 +89,32 @@ found = m:calibrate { frequency = 93.7829, vary = "mortar.kn", shape = heave }
 near(found.value, 1e9, 1e-3)
 m:close()
 
+-- Two blocks on the mortar, one beside them on a softer joint. What goes up and down with all three is most like the
+-- mode of the two, and once the mortar is so stiff that the lower one stands still, like that of the one beside.
+local three = trilith.model { name = "three blocks", thickness = 1, gravity = 0 }
+for i = 0, 3 do three:material { name = "stone " .. i, density = 2000 } end
+for name, of in pairs { mortar = { 0, 1, 1e9 }, upper = { 1, 2, 1e9 }, other = { 0, 3, 1e8 } } do
+  three:contact { between = { "stone " .. of[1], "stone " .. of[2] }, name = name, law = trilith.bonded {
+    kn = of[3], ks = of[3], mu = 0.6, beta = 1e-6, tension = 1e9, cohesion = 1e9 } }
+end
+three:block { name = "base", width = 6, height = 0.2, at = { -1, -0.2 }, material = "stone 0", support = "fixed" }
+for i, at in ipairs { { 0, 0 }, { 0, 1 }, { 3, 0 } } do
+  three:block { name = "block " .. i, width = 1, height = 1, at = at, material = "stone " .. i }
+end
+local up = { ["block 1"] = { x = 0, y = 0.55 }, ["block 2"] = { x = 0, y = 0.55 }, ["block 3"] = { x = 0, y = 0.63 } }
+local other = math.sqrt(1e8/2000)/(2*math.pi)
+local function fit() return three:calibrate { frequency = 0.9*other, vary = "mortar.kn", shape = up } end
+local ok, said = pcall(fit)
+local from, to, soft, stiff = tostring(said):match(
+  "calibrate: the frequency falls from ([%d.]+) to ([%d.]+) Hz while mortar.kn rises from ([%d.e+]+) to ([%d.e+]+); "
+  .. "give a mode by its number, or narrower bounds")
+assert(not ok and from, tostring(said))
+near(tonumber(to), other, 1e-4)
+assert(tonumber(from) > other and tonumber(soft) < tonumber(stiff))
+near(three:modes { count = 3 }[3].frequency, other, 1e-6) -- and the model is as it was
+assert(three:calibrate { frequency = 10, vary = "mortar.kn", mode = 1 }.value > 0)
+three:close()
+
 -- Two pinned bars, b = 10, h = 0.5, EA = 1e6: P = 2 EA (L - l)/L y/l, y the height that is left. Past both limits.
 m = trilith.model { name = "truss", thickness = 1, gravity = 0 }
 m:material { name = "m", density = 1000, E = 1e9 }
@@ -103,8 +129,14 @@ refused("'rate' is given, which is of control = \"time\"", m.pushover, m,
 refused("'arc' is given, which is of control = \"arc\"", m.pushover, m,
   { body = truss, at = { 0, 0.5 }, direction = "-y", rate = 1, arc = 1, displacement = 1.2 })
 refused("'control' is 'force'", m.pushover, m, { body = truss, at = { 0, 0.5 }, control = "force", displacement = 1 })
+local file = os.tmpname()
+os.remove(file)
+m:results { file = file .. ".h5", frames = 1, histories = 1 }
+local sunk = m:history { name = "sunk", of = function() return select(2, truss:point { 0, 0.5 }) end }
 local report = m:pushover { body = truss, at = { 0, 0.5 }, direction = "-y", control = "arc", displacement = 1.2,
                             arc = 0.003 }
+near(sunk.max, 0.5, 1e-9) -- all of the way is in the histories, and in the file
+near(sunk.min, 0.5 - report.displacement, 1e-9)
 local length = math.sqrt(100.25)
 local function force(y)
   local l = math.sqrt(100 + y^2)

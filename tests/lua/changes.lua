@@ -137,3 +137,30 @@ s:run { duration = 0.1 }
 near(third.z, 0.75, 1e-2)
 s:close()
 os.remove(file .. ".h5")
+
+-- What follows a bearing can be changed: one that waits, a contact law, nothing again.
+do
+  local b = trilith.model { name = "spare" }
+  b:material { name = "stone", density = 2400 }
+  b:contact { between = { "*", "*" }, name = "rough",
+    law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.6, beta = 1e-3 } }
+  local post = b:block { name = "post", width = 0.2, height = 3, at = { -1, 0 }, material = "stone", support = "fixed" }
+  local hung = b:block { name = "hung", width = 0.2, height = 0.2, at = { -0.1, 1 }, material = "stone",
+    floating = true }
+  local spring = trilith.linear { stiffness = 1e6, damping = 1e4 }
+  local function hang(name, waiting)
+    return b:bearing { name = name, between = { post, hung }, from = { -0.9, 1.1 }, to = { 0, 1.1 }, waiting = waiting,
+      along = spring, axial = spring, turning = spring }
+  end
+  local first, spare = hang("first"), hang("spare", true)
+  b:run { duration = 0.2 }
+  fails(function() b:change { bearing = "first", becomes = "first" } end, "bearing 'first' does not wait")
+  fails(function() b:change { bearing = "first", becomes = "smooth" } end, "no contact law and no bearing 'smooth'")
+  fails(function() b:change { bearing = "first", becomes = true } end, "must be the name of a contact law")
+  b:change { bearing = "first", becomes = "rough" }
+  b:change { bearing = "first", becomes = false }
+  b:change { bearing = "first", becomes = spare, limit = { axial = 1e-5 } }
+  b:run { duration = 0.2 }
+  assert(first.status ~= "intact" and spare.status == "intact", first.status .. " " .. spare.status)
+  assert(hung.y > 1.09)
+end

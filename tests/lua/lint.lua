@@ -105,3 +105,15 @@ has(one, ("beta = %.2g s gives 10 %% of critical"):format(0.2 / omega))
 has(model { beta = 2 * 0.009 / omega / math.sqrt(2) }:lint(), "law 'joint' damps 2 of 2 contacts by less than 1 %")
 has(model { beta = 0 }:lint(),
     ("has no damping (beta = 0): what strikes it bounces for ever; beta = %.2g s gives 10 %%"):format(0.2 / omega))
+
+-- Friction that gives by more than a thousandth of the slip that is expected: the blocks weigh 11.8 kN, on the
+-- side of a square of their area 16.6 kPa; 0.6 of that over 5e8 Pa/m is 2e-5 m. The base is held, and heavier.
+lacks(model {}:lint(), "before it slides")
+lacks(model {}:lint { slip = 0.021 }, "before it slides")
+has(model {}:lint { slip = 0.019 }, "law 'joint' gives by 2e-05 m before it slides ('low' under its own weight)")
+has(model {}:lint { slip = 0.01 }, "more than 0.001 of a slip of 0.01 m")
+local refused = { { { slip = 0 }, "'slip' must be" }, { { slide = 1 }, "unknown key 'slide'" }, { 1, "takes a table" } }
+for _, case in ipairs(refused) do
+  local done, said = pcall(model {}.lint, model {}, case[1])
+  assert(not done and said:find(case[2], 1, true), said)
+end

@@ -171,3 +171,28 @@ says("crushes, which solids in space do not do yet", function()
   m:contact { between = { "stone", "stone" }, law = trilith.cohesive { kn = 1e9, ks = 4e8, mu = 0.6, cohesion = 1e5,
     tension = 1e5, energy_tension = 10, energy_shear = 10, compression = 1e6, crushing_depth = 1e-3 } }
 end)
+
+-- Messages in space name what space has.
+do
+  local s = trilith.model { dim = 3, name = "words" }
+  s:material { name = "stone", density = 2400 }
+  s:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.6, beta = 1e-3 } }
+  local function refuses(f, text)
+    local good, why = pcall(f)
+    assert(not good and why:find(text, 1, true), why)
+  end
+  refuses(function() s:block { name = "a", width = 1, height = 2, at = { 0, 0, 0 }, material = "stone" } end,
+    "'width' is of blocks in the plane; in space give size = {x, y, z}")
+  local b = s:block { name = "b", size = { 1, 1, 1 }, at = { 0, 0, 1 }, material = "stone", floating = true,
+    spin = { 0, 0, 1 } }
+  refuses(function() b:point { 1, 2 } end, "point: takes {x, y, z} or the name of a joint")
+  local good, why = pcall(function() return b.nothing_like_it end)
+  assert(not good and why:find "point" and not why:find "hinges" and not why:find "fibres", why)
+  local x, y, z = b:point { 1, 0.5, 1 }
+  assert(x == 1 and y == 0.5 and z == 1)
+  s:run { duration = 0.1 } -- falls, and turns about z by 0.1 rad
+  x, y, z = b:point { 1, 0.5, 1 }
+  local c, t = trilith.math.cos(0.1), trilith.math.sin(0.1)
+  assert(math.abs(x - 0.5 - 0.5*c) < 1e-9 and math.abs(y - 0.5 - 0.5*t) < 1e-9)
+  assert(math.abs(z - 1 - (b.z - 1.5)) < 1e-12 and b.z < 1.5)
+end

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "draw/stored_motion.hpp"
 #include "program/verb.hpp"
 #include "run/falling_span.hpp"
 #include "source_dir.hpp"
@@ -84,6 +85,43 @@ TEST_CASE("a run that was stopped is reported, and trilith report says so") {
   CHECK(testing::bytes_of(here / "stopped.html").find("the run ended before its end") != std::string::npos);
 }
 
+TEST_CASE("a shake is reported from the samples in the results file and every body was where its motion has it") {
+  if (is_missing(testing::program_path())) return;
+  const testing::Folder here;
+  std::ofstream(here / "shake.lua") << R"(
+local trilith = require "trilith"
+local m = trilith.model { name = "two supports" }
+m:material { name = "stone", density = 2400 }
+m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 6e9, ks = 3e9, mu = 0.6, beta = 2e-4 } }
+local one = m:block { name = "one", width = 2, height = 0.2, at = { -1, -0.2 }, material = "stone", support = "fixed" }
+local two = m:block { name = "two", width = 2, height = 0.2, at = { 3, -0.2 }, material = "stone", support = "fixed" }
+m:block { name = "block", width = 0.5, height = 0.3, at = { -0.25, 0 }, material = "stone" }
+m:results { file = "shake.h5" }
+m:consolidate { duration = 2 }
+local motion = trilith.motion "elcentro_1940_rest_ns.csv"
+m:shake { motions = { { body = one, x = motion }, { body = two, x = motion:delay(0.1), y = motion:scale { factor = 0.1 } } },
+  duration = 1 }
+m:shake { body = one, x = motion:scale { factor = 2 }, duration = 0.5 }
+)";
+  REQUIRE(ask(here.path, "run shake.lua --quiet").code == 0);
+  std::filesystem::remove(here / "shake.lua");
+  const std::vector<results::MotionRow> rows = results::ResultsReader(here / "shake.h5").motions();
+  REQUIRE(rows.size() == 4);
+  CHECK(rows[1].first_sample == rows[0].first_sample);  // a delayed copy
+  CHECK(ask(here.path, "report shake.h5").code == 0);
+  const std::string page = testing::bytes_of(here / "shake.report.html");
+  CHECK(page.find("<h1>two supports</h1>") != std::string::npos);
+  CHECK(page.find("From the samples in the results file") != std::string::npos);
+  CHECK(page.find("records were not found") == std::string::npos);
+  const results::ResultsReader reader(here / "shake.h5");
+  for (const double miss : draw::motion_misses(reader, rows)) CHECK(miss < 1e-14);
+  const Said shown = ask(here.path, "motion shake.h5 --number 4 -o pictures/motion.svg");
+  CHECK(shown.code == 0);
+  CHECK(shown.says("2792 at 0.02 s"));
+  CHECK(std::filesystem::exists(here / "pictures" / "motion.svg"));
+  testing::check_refused(ask(here.path, "motion shake.h5 --number 5"), "has motions 1 to 4");
+}
+
 TEST_CASE("trilith report refuses what is no report and what is no results file") {
   if (is_missing(testing::program_path())) return;
   const testing::Folder here;
@@ -92,7 +130,10 @@ TEST_CASE("trilith report refuses what is no report and what is no results file"
   testing::check_refused(ask(here.path, "report text.h5"), "not an HDF5 file");
   { results::ResultsWriter(here / "empty.h5", testing::sample_header()).finish(); }
   testing::check_refused(ask(here.path, "report empty.h5 -o page.pdf"), "ends with .html");
-  testing::check_refused(ask(here.path, "report empty.h5 -o no/where/page.html"), "cannot write");
+  testing::check_refused(ask(here.path, "report empty.h5 -o text.h5/where/page.html"), "cannot write");
+  const Said made = ask(here.path, "report empty.h5 -o new/folder/page.html");
+  CHECK(made.out == "new/folder/page.html\n");
+  CHECK(made.err.find("note: made folder new/folder") != std::string::npos);
   CHECK(ask(here.path, "report").code == 2);
   CHECK(ask(here.path, "report empty.h5").out == "empty.report.html\n");
 }

@@ -146,7 +146,8 @@ TEST_CASE("trilith view refuses what is no page and what is no results file") {
   testing::check_refused(ask(here.path, "view nothing.h5"), "there is no such file");
   { results::ResultsWriter(here / "empty.h5", testing::sample_header()).finish(); }
   testing::check_refused(ask(here.path, "view empty.h5 -o page.pdf"), "ends with .html");
-  testing::check_refused(ask(here.path, "view empty.h5 -o no/where/page.html"), "cannot write");
+  testing::check_refused(ask(here.path, "view empty.h5 -o empty.h5/where/page.html"), "cannot write");
+  CHECK(ask(here.path, "view empty.h5 -o new/folder/page.html").out == "new/folder/page.html\n");
   CHECK(ask(here.path, "view").code == 2);
   CHECK(ask(here.path, "view empty.h5").out == "empty.html\n");
   browse(here / "empty.html", "tells_that_there_is_no_frame");

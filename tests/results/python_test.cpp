@@ -1,8 +1,11 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 
+#include "load/motion.hpp"
 #include "results/sample_run.hpp"
 #include "results/tumbling_boxes.hpp"
 #include "source_dir.hpp"
@@ -89,6 +92,28 @@ assert abs(volume - 0.4 * 0.2 * 0.1) < 1e-12, volume
 assert abs(p.mean(axis=0) - f["frames/position"][10, 1]).max() < 1e-12
 assert set(f["frames/contacts"].dtype.names) >= {"x", "y", "z", "area", "nx", "ny", "nz"}
 )") == 0);
+}
+
+TEST_CASE("the lines of docs/results.md find where a ground motion has its body") {
+  if (!has_python()) return;
+  const Folder folder;
+  const Header header = sample_header();
+  ResultsWriter writer(folder / "run.h5", header);
+  MotionRow row;
+  row.body = row.node = 1;
+  row.direction = "x";
+  row.begin = 2, row.origin = 0.5, row.step = 0.01, row.start_time = 0.25;
+  row.start_velocity = 0.1, row.start_displacement = -0.25;
+  for (int i = 0; i < 400; ++i) row.acceleration.push_back(std::sin(0.1 * i) / 3);
+  writer.append_motion(row);
+  writer.finish();
+  const GroundMotion motion =
+      GroundMotion(row.acceleration, row.step, {row.start_velocity, row.start_displacement}).delayed(row.start_time);
+  CHECK(run_python(
+            folder, documented("python motions"),
+            fmt::format("\nassert t.size == place.size == 400 and abs(t[200] - 4.25) < 1e-12\n"
+                        "assert abs(place[200] - {:.17g}) < 1e-12 and abs(place[399] - {:.17g}) < 1e-12\n",
+                        row.origin + motion.displacement(2.25), row.origin + motion.displacement(0.25 + 3.99))) == 0);
 }
 
 TEST_CASE("the lines of docs/results.md read a file that is still being written, and one left unfinished") {

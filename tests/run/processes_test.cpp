@@ -68,3 +68,22 @@ TEST_CASE("processes that are to stop are interrupted and waited for") {
   CHECK(ends.of.empty());
   CHECK(testing::bytes_of(folder / "a.out") == "begun\ninterrupted\n");
 }
+
+TEST_CASE("a process waits for its turn, begins when that has come and is left out where it never comes") {
+  const testing::Folder folder;
+  std::vector<ProcessOrder> orders;
+  for (int i = 0; i < 6; ++i) orders.push_back(shell(folder, i == 0 ? "sleep 0.3" : "sleep 0.02", "x"));
+  Ends ends;
+  ProcessWatch watch = ends.watch();
+  std::vector<std::size_t> begun;
+  watch.begun = [&](std::size_t n) { begun.push_back(n), ++ends.at_work; };
+  // 3 after 0, which is slow; 4 after 1; 5 never; 2 at once.
+  watch.turn = [&](std::size_t n) {
+    if (n == 5) return OrderTurn::never;
+    if (n >= 3 && !ends.of.contains(n - 3)) return OrderTurn::later;
+    return OrderTurn::now;
+  };
+  CHECK(run_processes(orders, 2, watch));
+  CHECK(ends.of.size() == 5);
+  CHECK(begun == std::vector<std::size_t>{0, 1, 2, 4, 3});
+}

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "run/slurm_job.hpp"
 
 using namespace trilith;
 
@@ -84,4 +85,28 @@ TEST_CASE("the same seed gives the same samples, another seed gives others") {
   CHECK_THROWS_AS(sampled_plan(spreads, 0, 1), InputError);
   CHECK_THROWS_AS(sampled_plan({{"u", "", StudySpread::Kind::uniform, 1, 1}}, 2, 1), InputError);
   CHECK_THROWS_AS(sampled_plan({{"u", "", StudySpread::Kind::log_uniform, 0, 1}}, 2, 1), InputError);
+}
+
+TEST_CASE("cases that differ in the rising parameter alone are a chain with its lowest first") {
+  const StudyPlan plan = product_plan({{"pga", "g", {0.3, 0.1, 0.2}}, {"record", "", {1.0, 2.0}}});
+  using Chains = std::vector<std::vector<std::size_t>>;
+  CHECK(rising_chains(plan, "pga") == Chains{{2, 4, 0}, {3, 5, 1}});
+  CHECK(rising_chains(plan, "") == Chains{{0}, {1}, {2}, {3}, {4}, {5}});
+}
+
+TEST_CASE("tasks of a cluster take some minutes, keep chains together and are a thousand at most") {
+  using Tasks = std::vector<std::vector<std::size_t>>;
+  const Tasks chains{{0, 3}, {1, 4}, {2, 5}, {6}};
+  CHECK(slurm_tasks(chains, 0, 1) == chains);
+  CHECK(slurm_tasks(chains, 0, 3) == Tasks{{0, 3, 1, 4}, {2, 5, 6}});
+  CHECK(slurm_tasks(chains, 100, 0) == Tasks{{0, 3, 1, 4}, {2, 5, 6}});
+  CHECK(slurm_tasks(chains, 1, 0).size() == 1);
+  CHECK(slurm_tasks(chains, 1e4, 0) == chains);
+  Tasks many;
+  for (std::size_t i = 0; i < 5001; ++i) many.push_back({i});
+  const Tasks tasks = slurm_tasks(many, 1e4, 0);
+  CHECK(tasks.size() <= 1000);
+  std::size_t cases = 0;
+  for (const auto& task : tasks) cases += task.size();
+  CHECK(cases == 5001);
 }

@@ -44,7 +44,7 @@ Model<2> falling_stones() {
 
 struct Trace {
   std::vector<std::uint64_t> digest;
-  int hints = 0, touching = 0;
+  int hints = 0, corners = 0, touching = 0;
 };
 
 /// Before each step `change(work, step)` may do to Work what it likes.
@@ -59,7 +59,10 @@ Trace follow(const Model<2>& model, Change&& change) {
     evaluate(model, state, work, dt);
     commit(model, state, work);
     advance(model, state, work, {dt, {}});
-    for (const int edge : work.apart_by) trace.hints += edge >= 0 ? 1 : 0;
+    for (const NearPair& pair : work.pairs) {
+      trace.hints += pair.apart_by >= 0 ? 1 : 0;
+      trace.corners += pair.corner_at.is_there() ? 1 : 0;
+    }
     trace.touching = std::max(trace.touching, static_cast<int>(work.general_touching.size()));
     if (step % 50 == 0) trace.digest.push_back(state_hash(state));
   }
@@ -68,22 +71,28 @@ Trace follow(const Model<2>& model, Change&& change) {
 
 }  // namespace
 
-TEST_CASE("which edge is remembered to keep two pieces apart changes no bit") {
+TEST_CASE("which edge is remembered to keep two pieces apart, and which corner to be in the other, changes no bit") {
   const Model<2> model = falling_stones();
   const Trace kept = follow(model, [](Work<2>&, int) {});
   REQUIRE(kept.hints > 1000);
+  REQUIRE(kept.corners > 10000);
   REQUIRE(kept.touching > 40);
   const Trace dropped = follow(model, [](Work<2>& work, int step) {
     if (step % 3 == 0) work = Work<2>{};
   });
   CHECK(dropped.digest == kept.digest);
-  const Trace none =
-      follow(model, [](Work<2>& work, int) { std::fill(work.apart_by.begin(), work.apart_by.end(), -1); });
+  const Trace none = follow(model, [](Work<2>& work, int) {
+    for (NearPair& pair : work.pairs) pair.apart_by = -1, pair.corner_at = {};
+  });
   CHECK(none.digest == kept.digest);
-  // Of another pair, or of no edge that there is.
+  // Of another pair, or of none that there is.
   const Trace wrong = follow(model, [](Work<2>& work, int step) {
-    for (std::size_t row = 0; row < work.apart_by.size(); ++row)
-      work.apart_by[row] = static_cast<std::int8_t>((static_cast<int>(row) * 7 + step) % 128);
+    for (std::size_t row = 0; row < work.pairs.size(); ++row) {
+      const int any = static_cast<int>(row) * 7 + step;
+      work.pairs[row].apart_by = static_cast<std::int8_t>(any % 128);
+      work.pairs[row].corner_at = {static_cast<std::uint8_t>(any % 6), static_cast<std::uint8_t>(any / 6 % 6),
+                                   any % 2 == 0};
+    }
     std::fill(work.asleep_until.begin(), work.asleep_until.end(), -1.0);
   });
   CHECK(wrong.digest == kept.digest);

@@ -1,0 +1,28 @@
+// A beam of a frame in space: where it is and how stiff. Its forces are those of body/beam_element_3d.hpp.
+#pragma once
+
+#include <array>
+
+#include "base/space.hpp"
+#include "body/beam.hpp"
+
+namespace trilith {
+
+/// In its own axes: x along the chord, y to the top of the section, z across.
+struct BeamStiffness3 {
+  double axial = 0;                   ///< EA / L [N/m]
+  double torsion = 0;                 ///< GJ / L [N m]
+  std::array<BeamStiffness, 2> bend;  ///< about y and about z; of each the rows of bending and bow
+};
+
+/// Between two nodes of a frame in space.
+struct Beam3 {
+  int body = -1;
+  std::array<int, 2> node{-1, -1};
+  std::array<UnitQuaternion, 2> axes{};  ///< from the axes of a node to those of the beam at the start
+  double length = 0;                     ///< at the start [m]
+  BeamStiffness3 stiffness;
+  double damping = 0;  ///< damping over elastic force, of strain rate [s]
+};
+
+}  // namespace trilith

@@ -1,0 +1,23 @@
+// Equilibria that a stage without time has come by, to be told as it is.
+#pragma once
+
+#include <vector>
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+
+namespace trilith {
+
+/// An equilibrium, and what of the loads it has.
+struct Waypoint {
+  State<2> state;
+  double factor = 0;
+};
+
+/// Loads that a path has scaled, at factor 1, and what it came by from its begin to its end.
+struct LoadWay {
+  std::vector<PointLoad<2>> loads;
+  std::vector<Waypoint> points;
+};
+
+}  // namespace trilith

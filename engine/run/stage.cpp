@@ -1,0 +1,45 @@
+#include "run/stage.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace trilith {
+namespace {
+
+/// The largest share of the longest stable step: above it impacts miss their energy by a fifth.
+constexpr double longest_safety = 0.9;
+
+}  // namespace
+
+void require_valid(const StageOptions& o, bool in_space) {
+  const std::string owner = fmt::format("stage '{}'", o.name);
+  require_positive(o.duration, owner + ": duration", "s");
+  require_not_negative(o.dt, owner + ": dt", "s");
+  if (!(o.safety > 0 && o.safety <= longest_safety))
+    throw InputError(
+        fmt::format("{}: safety is {:g}, must be above 0 and at most {:g}: close to 1 a step is stable and yet "
+                    "too coarse to keep energy",
+                    owner, o.safety, longest_safety));
+  if (!(o.rest_share >= 0 && o.rest_share < 1))
+    throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
+  if (o.implicit && in_space)
+    throw InputError(
+        fmt::format("{}: integrator is implicit, which models in space have not yet; leave it out, or take "
+                    "integrator = \"explicit\"",
+                    owner));
+  if (o.implicit && o.rest_share > 0)
+    throw InputError(
+        fmt::format("{}: damping is {:g}, which only explicit steps have; leave it out, or take "
+                    "integrator = \"explicit\"",
+                    owner, o.rest_share));
+  for (const double v : {o.frame_interval, o.history_interval, o.energy_interval})
+    require_not_negative(v, owner + ": interval", "s");
+  if (o.until_rest) {
+    require_positive(o.still_speed, owner + ": speed at rest", "m/s");
+    require_positive(o.still_ratio, owner + ": unbalanced ratio at rest", "1");
+    require_not_negative(o.still_hold, owner + ": hold", "s");
+  }
+}
+
+}  // namespace trilith

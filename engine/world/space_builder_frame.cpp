@@ -1,0 +1,164 @@
+// Frames in space: their nodes with mass and principal axes, beams, and the skin that goes with the nodes.
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/rotation_3d.hpp"
+#include "world/space_builder.hpp"
+
+namespace trilith {
+namespace {
+
+/// Mass and tensor of inertia of a node about itself, in the axes of the world.
+struct NodeMass {
+  Vec3 place = Vec3::Zero();
+  double mass = 0;                                    ///< [kg]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< [kg m2]
+  std::array<Support, 6> support{};
+};
+
+/// Half of a beam's mass goes to either node, where it turns as its section does: as in the plane.
+struct HalfBeam {
+  double mass;   ///< [kg]
+  Vec3 inertia;  ///< about x, y and z of the beam [kg m2]
+};
+
+HalfBeam half_beam(const SpaceMember& m, double per_length, double length) {
+  const double half = 0.5 * per_length * length;
+  const Section3& s = m.section;
+  return {half, half / s.area * Vec3(s.second_moment[0] + s.second_moment[1], s.second_moment[0], s.second_moment[1])};
+}
+
+std::vector<NodeMass> node_masses(const SpaceFrameBody& body) {
+  const SpaceFrameSpec& spec = body.frame;
+  std::vector<NodeMass> nodes;
+  for (const SpaceJoint& j : spec.joints)
+    nodes.push_back({j.place, j.mass, j.inertia * Eigen::Matrix3d::Identity(), j.support});
+  for (std::size_t m = 0; m < spec.members.size(); ++m) {
+    const SpaceMember& member = spec.members[m];
+    const Turn3 turn = turn_of(member_axes(spec, member));
+    const double length = length_of(spec, member) / member.divisions;
+    const Vec3 start = spec.joints[static_cast<std::size_t>(member.from)].place;
+    for (int i = 1; i < member.divisions; ++i) nodes.emplace_back().place = start + i * length * turn.x();
+    const HalfBeam half = half_beam(member, body.material[m].mass, length);
+    Eigen::Matrix3d axes;
+    axes << turn.x(), turn.y(), turn.z();
+    const Eigen::Matrix3d inertia = axes * half.inertia.asDiagonal() * axes.transpose();
+    for (int i = 0; i < member.divisions; ++i)
+      for (const int side : {0, 1}) {
+        NodeMass& node = nodes[static_cast<std::size_t>(node_within(spec, m, i + side))];
+        node.mass += half.mass, node.inertia += inertia;
+      }
+  }
+  return nodes;
+}
+
+void append_nodes(const SpaceFrameBody& body, const std::vector<NodeMass>& nodes, Model<3>& model) {
+  double mass = 0;
+  Vec3 centre = Vec3::Zero();
+  for (const NodeMass& n : nodes) mass += n.mass, centre += n.mass * n.place;
+  centre /= mass;
+  for (const NodeMass& n : nodes) {
+    const PrincipalInertia principal = principal_inertia(n.inertia);
+    model.mass.push_back(n.mass), model.inertia.push_back(principal.moments);
+    model.support.push_back(n.support);
+    model.drive_of.emplace_back().fill(-1);
+    model.start_position.push_back(n.place), model.start_rotation.push_back(principal.axes);
+    model.start_velocity.emplace_back(body.velocity + cross(body.spin, Vec3(n.place - centre)));
+    model.start_spin.push_back(body.spin);
+    model.load.push_back(Vec3::Zero());
+  }
+}
+
+/// Bounds of the beams' rates: of all of them no frequency is above the highest of one alone on its own share of the
+/// masses of its nodes.
+void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int first_node, Model<3>& model) {
+  const SpaceFrameSpec& spec = body.frame;
+  const SpaceMember& member = spec.members[m];
+  const SpaceMemberMaterial& made = body.material[m];
+  model.members.push_back({name_of(spec, member),
+                           index,
+                           static_cast<int>(model.beams_3d.size()),
+                           member.divisions,
+                           {spec.joints[static_cast<std::size_t>(member.from)].name,
+                            spec.joints[static_cast<std::size_t>(member.to)].name}});
+  const UnitQuaternion axes = member_axes(spec, member);
+  const double length = length_of(spec, member) / member.divisions;
+  const HalfBeam half = half_beam(member, made.mass, length);
+  RateBound& bound = model.element_bound.back();
+  for (int i = 0; i < member.divisions; ++i) {
+    Beam3 beam;
+    beam.body = index, beam.length = length, beam.damping = made.damping;
+    for (const int side : {0, 1}) {
+      const int node = first_node + node_within(spec, m, i + side);
+      beam.node[static_cast<std::size_t>(side)] = node;
+      beam.axes[static_cast<std::size_t>(side)] = inverse(model.start_rotation[static_cast<std::size_t>(node)]) * axes;
+    }
+    beam.stiffness =
+        beam_stiffness_in_space(made.elastic, member.section, length,
+                                {i == 0 && member.pinned[0], i + 1 == member.divisions && member.pinned[1]});
+    const double most = beam_frequency2(beam.stiffness, length, half.mass, half.inertia);
+    bound.stiffness = std::max(bound.stiffness, most);
+    bound.damping = std::max(bound.damping, beam.damping * most);
+    model.beams_3d.push_back(beam);
+  }
+}
+
+/// The convex solids of one stretch of skin in the axes of its node; where they meet their neighbours along the member
+/// is no surface.
+std::vector<ConvexSolid> stretch_pieces(const SpaceFrameBody& body, std::size_t m, const SkinStretch& stretch,
+                                        const Vec3& place, const UnitQuaternion& rotation) {
+  const UnitQuaternion back = inverse(rotation);
+  const Vec3 along = turn_of(back * member_axes(body.frame, body.frame.members[m])).x();
+  std::vector<ConvexSolid> pieces;
+  for (const Polyhedron& solid : skin_solids(body.frame, m, stretch))
+    pieces.push_back(convex_solid(placed(placed(solid, {}, -place), back, Vec3::Zero()), body.name, 1e-8));
+  mark_inner_faces(pieces);
+  for (ConvexSolid& piece : pieces) {
+    const auto faces = static_cast<std::size_t>(piece.shape.faces.count());
+    if (piece.surface.empty()) piece.surface.assign(faces, 1);
+    for (std::size_t f = 0; f < faces; ++f) {
+      const double way = piece.normals[f].dot(along);
+      if ((way > 0.5 && !stretch.ends) || (way < -0.5 && !stretch.begins)) piece.surface[f] = 0;
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+int SpaceBuilder::add(const SpaceFrameBody& body) {
+  if (model_.find_body(body.name) >= 0) throw InputError("there is a body '" + body.name + "' already");
+  const auto index = static_cast<int>(model_.bodies.size());
+  Body row;
+  row.name = body.name, row.kind = BodyKind::frame, row.surface = body.surface;
+  row.first_node = model_.nodes(), row.first_skin = static_cast<int>(model_.skin_place.size());
+  row.first_piece = model_.pieces();
+  const std::vector<NodeMass> nodes = node_masses(body);
+  row.nodes = static_cast<int>(nodes.size());
+  append_nodes(body, nodes, model_);
+  model_.element_bound.resize(static_cast<std::size_t>(index));
+  model_.element_bound.emplace_back();
+  if (model_.piece_first.empty()) model_.piece_first.push_back(0);
+  Vec3 low = Vec3::Constant(unbounded), high = -low;
+  for (std::size_t m = 0; m < body.frame.members.size(); ++m) {
+    append_beams(body, m, index, row.first_node, model_);
+    for (const SkinStretch& stretch : skin_stretches(body.frame, m)) {
+      const auto n = static_cast<std::size_t>(row.first_node + stretch.node);
+      const Vec3& place = model_.start_position[n];
+      const Turn3 turn = turn_of(model_.start_rotation[n]);
+      for (const ConvexSolid& piece : stretch_pieces(body, m, stretch, place, model_.start_rotation[n])) {
+        add_piece(piece, static_cast<int>(n), index);
+        for (const Vec3& x : piece.shape.corners)
+          low = low.cwiseMin(place + turn.apply(x)), high = high.cwiseMax(place + turn.apply(x));
+      }
+    }
+  }
+  model_.body_radius.push_back(0.5 * (high - low).norm());
+  row.pieces = model_.pieces() - row.first_piece;
+  row.skins = static_cast<int>(model_.skin_place.size()) - row.first_skin;
+  model_.surfaces = std::max(model_.surfaces, body.surface + 1);
+  model_.bodies.push_back(row);
+  return index;
+}
+
+}  // namespace trilith

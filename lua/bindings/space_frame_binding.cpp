@@ -1,0 +1,228 @@
+// Beams and frames of models in space: m:beam and m:frame with dim = 3, forces in their members, points of bodies.
+#include "space_frame_binding.hpp"
+#include "bindings.hpp"
+#include "part_reading.hpp"
+#include "solid_makers.hpp"
+#include "step/member_forces.hpp"
+#include "table_fields.hpp"
+#include "world/pose.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// Words of members in the plane that are of no meaning in space yet.
+void refuse_yielding(Keys& keys) {
+  for (const char* key : {"hinge", "from_hinge", "to_hinge"})
+    keys.refuse(key, fmt::format("'{}': members in space do not yield yet; leave it out", key));
+}
+
+/// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
+void read_space_member(Keys& keys, SpaceMember& member) {
+  if (const auto* section = keys.maybe_handle<SectionValue>("section")) {
+    member.section = section->in_space;
+    if (!section->not_in_space.empty()) keys.problem(section->not_in_space);
+  } else if (!keys.has("section")) {
+    keys.missing("section", "a section such as trilith.rectangle_section{width =, depth =}");
+  }
+  if (keys.has("orientation")) member.orientation = keys.vector("orientation");
+  member.divisions = keys.count("divisions", member.divisions);
+  member.shear = keys.flag("shear", false);
+  for (const std::string& end : keys.names("pinned")) {
+    if (end == "from" || end == "to")
+      member.pinned[end == "from" ? 0 : 1] = true;
+    else
+      keys.problem(fmt::format("'pinned' names '{}', must be \"from\", \"to\" or {{\"from\", \"to\"}}", end));
+  }
+  refuse_yielding(keys);
+}
+
+void add_space_frame(lua_State* L, SpaceModel& m, const std::string& name, SolidSpec spec, SpaceFrameSpec frame) {
+  spec.name = name;
+  spec.frame = std::move(frame);
+  m.builder.add_body(std::move(spec));
+  m.catch_up();
+  push_body(L, 1, m.body_count() - 1);
+}
+
+/// {x, y, z} or { at = {x, y, z}, support =, mass =, inertia = } at the top of the stack.
+SpaceJoint space_joint_at(lua_State* L, const std::string& name) {
+  SpaceJoint joint;
+  joint.name = name;
+  if (const auto place = vector_at(L, -1)) {
+    joint.place = *place;
+    return joint;
+  }
+  if (lua_type(L, -1) != LUA_TTABLE)
+    throw InputError(fmt::format("joint '{}' is {}, must be {{x, y, z}} or {{ at = {{x, y, z}}, support = \"fixed\" }}",
+                                 name, what_is(L, -1)));
+  Keys keys(L, -1, fmt::format("joint '{}'", name));
+  joint.place = keys.vector("at");
+  read_solid_support(keys, "support", joint.support);
+  joint.mass = keys.number("mass", "kg", 0);
+  joint.inertia = keys.number("inertia", "kg m2", 0);
+  keys.finish();
+  return joint;
+}
+
+/// joints = { A = {x, y, z}, B = { at = ... }, ... }, in the order of their names: a Lua table has no order of its own.
+void read_space_joints(Keys& keys, SpaceFrameSpec& frame) {
+  lua_State* L = keys.lua();
+  const char* const wanted = "a table such as { A = {0, 0, 0}, B = { at = {0, 0, 4}, support = \"fixed\" } }";
+  const int type = keys.push("joints");
+  if (type == LUA_TNIL) keys.missing("joints", wanted);
+  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong("joints", wanted);
+  if (type == LUA_TTABLE)
+    for (const std::string& name : names_in_table(keys, "joints: its keys must be names of joints")) {
+      lua_pushlstring(L, name.data(), name.size());
+      lua_rawget(L, -2);
+      try {
+        frame.joints.push_back(space_joint_at(L, name));
+      } catch (const InputError& e) {
+        keys.problem(e.what());
+      }
+      lua_pop(L, 1);
+    }
+  lua_pop(L, 1);
+}
+
+int space_joint_named(Keys& keys, const SpaceFrameSpec& frame, const char* key) {
+  const std::string name = keys.text(key);
+  std::vector<std::string> known;
+  for (std::size_t j = 0; j < frame.joints.size(); ++j) {
+    if (frame.joints[j].name == name) return static_cast<int>(j);
+    known.push_back(frame.joints[j].name);
+  }
+  if (!name.empty()) keys.problem(fmt::format("'{}' is '{}', which is no joint{}", key, name, name_hint(name, known)));
+  return 0;
+}
+
+void read_space_members(Keys& keys, SpaceFrameSpec& frame) {
+  if (!keys.has("members"))
+    keys.missing("members",
+                 "a list such as { { from = \"A\", to = \"B\", section = trilith.rectangle_section{...} } }");
+  read_list(keys, "members", "member", [&](Keys& own) {
+    SpaceMember member;
+    member.name = own.text("name", "");
+    member.from = space_joint_named(own, frame, "from"), member.to = space_joint_named(own, frame, "to");
+    member.material = own.text("material", "");
+    read_space_member(own, member);
+    frame.members.push_back(std::move(member));
+  });
+}
+
+/// The member that is asked for by argument 2: the only one, or the one of that name.
+int space_member_asked(lua_State* L, const Model<3>& model, int body) {
+  if (lua_type(L, 2) != LUA_TSTRING && !lua_isnoneornil(L, 2))
+    throw InputError(fmt::format("forces: takes the name of a member; this is {}", what_is(L, 2)));
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "";
+  std::vector<std::string> known;
+  int only = -1;
+  for (int i = 0; i < static_cast<int>(model.members.size()); ++i) {
+    if (model.members[i].body != body) continue;
+    if (!name.empty() && model.members[i].name == name) return i;
+    only = i;
+    known.push_back(model.members[i].name);
+  }
+  const std::string& owner = model.bodies[body].name;
+  if (known.empty())
+    throw InputError(fmt::format("forces: body '{}' is {}, which has no members; ask a beam or frame", owner,
+                                 name_of(model.bodies[body].kind)));
+  if (!name.empty())
+    throw InputError(fmt::format("forces: body '{}' has no member '{}'{}", owner, name, name_hint(name, known)));
+  if (known.size() > 1)
+    throw InputError(fmt::format("forces: body '{}' has {} members; name one, such as forces \"{}\"", owner,
+                                 known.size(), known.front()));
+  return only;
+}
+
+void push_place(lua_State* L, const Vec3& at) {
+  for (int k = 0; k < 3; ++k) lua_pushnumber(L, at[k]);
+}
+
+/// The joint of that name: where it was at the start.
+Vec3 joint_start(const SolidSpec& spec, const std::string& name) {
+  std::vector<std::string> known;
+  if (spec.frame)
+    for (const SpaceJoint& joint : spec.frame->joints) {
+      if (joint.name == name) return joint.place;
+      known.push_back(joint.name);
+    }
+  throw InputError(fmt::format("point: body '{}' has no joint '{}'{}", spec.name, name, name_hint(name, known)));
+}
+
+}  // namespace
+
+/// m:beam{ name =, from =, to =, section =, orientation =, ... }
+int add_space_beam(lua_State* L) {
+  SpaceModel& m = this_space(L);
+  m.adding();
+  Keys keys(L, 2, "beam");
+  const std::string name = read_name(keys, "");
+  SpaceFrameSpec frame;
+  frame.joints = {{.name = "from"}, {.name = "to"}};
+  SpaceMember member;
+  member.name = name, member.from = 0, member.to = 1;
+  for (SpaceJoint& joint : frame.joints) {
+    joint.place = keys.vector(joint.name);
+    read_solid_support(keys, joint.name + "_support", joint.support);
+  }
+  read_space_member(keys, member);
+  SolidSpec spec = read_solid_spec(keys, {});
+  keys.finish();
+  frame.members = {member};
+  add_space_frame(L, m, name, std::move(spec), std::move(frame));
+  return 1;
+}
+
+/// m:frame{ name =, joints =, members =, ... }
+int add_frame_in_space(lua_State* L) {
+  SpaceModel& m = this_space(L);
+  m.adding();
+  Keys keys(L, 2, "frame");
+  const std::string name = read_name(keys, "");
+  SpaceFrameSpec frame;
+  read_space_joints(keys, frame);
+  read_space_members(keys, frame);
+  SolidSpec spec = read_solid_spec(keys, {});
+  keys.finish();
+  add_space_frame(L, m, name, std::move(spec), std::move(frame));
+  return 1;
+}
+
+/// body:forces "member": a list of { along, x, y, z, normal, shear_y, shear_z, torque, moment_y, moment_z }.
+int push_space_forces(lua_State* L, SpaceModel& m, int body) {
+  const Simulation<3>* const run = m.if_built();
+  if (run == nullptr) throw InputError("forces: nothing has run yet; ask during a stage or after it");
+  const int member = space_member_asked(L, run->model(), body);
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const SectionForces3& row : member_forces(run->model(), run->state(), member)) {
+    lua_createtable(L, 0, 10);
+    set_number(L, "along", row.along);
+    set_number(L, "x", row.place.x()), set_number(L, "y", row.place.y()), set_number(L, "z", row.place.z());
+    set_number(L, "normal", row.normal);
+    set_number(L, "shear_y", row.shear[0]), set_number(L, "shear_z", row.shear[1]);
+    set_number(L, "torque", row.torque);
+    set_number(L, "moment_y", row.moment[0]), set_number(L, "moment_z", row.moment[1]);
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// body:point "joint" or body:point{x, y, z}: x, y and z now of what was there at the start.
+int push_space_point(lua_State* L, SpaceModel& m, int body) {
+  const auto at = vector_at(L, 2);
+  const bool named = lua_type(L, 2) == LUA_TSTRING;
+  if (!named && !at)
+    throw InputError(fmt::format("point: takes {{x, y, z}} or the name of a joint; this is {}", what_is(L, 2)));
+  const Vec3 start = named ? joint_start(m.spec(body), text_at(L, 2)) : *at;
+  const Simulation<3>* const run = m.if_built();
+  if (run == nullptr || !m.has_body(body)) return push_place(L, start), 3;
+  const Model<3>& model = run->model();
+  const auto n = static_cast<std::size_t>(nearest_node(model, body, start));
+  const Vec3 arm = turn_of(model.start_rotation[n]).undo(Vec3(start - model.start_position[n]));
+  push_place(L, run->state().position[n] + turn_of(run->state().rotation[n]).apply(arm));
+  return 3;
+}
+
+}  // namespace trilith::script
