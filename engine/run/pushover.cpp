@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/loads.hpp"
+#include "world/pushes.hpp"
 
 namespace trilith {
 
@@ -16,14 +16,16 @@ std::size_t PushCurve::peak() const {
   return static_cast<std::size_t>(std::max_element(force.begin(), force.end()) - force.begin());
 }
 
-PushoverRecorder::PushoverRecorder(std::string name, double interval, const PushLimits& limits,
-                                   std::function<double(const Instant<2>&)> drift)
+template <int D>
+PushoverRecorder<D>::PushoverRecorder(std::string name, double interval, const PushLimits& limits,
+                                      std::function<double(const Instant<D>&)> drift)
     : name_(std::move(name)), interval_(interval), limits_(limits), drift_(std::move(drift)) {}
 
 /// Adds the step to the mean of the running sample. True where a limit is reached.
-bool PushoverRecorder::step(const Instant<2>& now) {
+template <int D>
+bool PushoverRecorder<D>::step(const Instant<D>& now) {
   const auto& pushes = now.model.pushes;
-  const auto at = std::find_if(pushes.begin(), pushes.end(), [&](const Push<2>& p) { return p.name == name_; });
+  const auto at = std::find_if(pushes.begin(), pushes.end(), [&](const Push<D>& p) { return p.name == name_; });
   const auto index = static_cast<std::size_t>(at - pushes.begin());
   if (at == pushes.end() || index >= now.work.push_force.size()) return false;
   const double place = push_place(now.state, *at), drift = drift_(now);
@@ -46,7 +48,8 @@ bool PushoverRecorder::step(const Instant<2>& now) {
   return !limit_.empty();
 }
 
-void PushoverRecorder::take_sample() {
+template <int D>
+void PushoverRecorder<D>::take_sample() {
   if (!(weight_ > 0)) return;
   curve_.time.push_back(time_ / weight_);
   curve_.displacement.push_back(displacement_ / weight_);
@@ -59,8 +62,12 @@ void PushoverRecorder::take_sample() {
   if (limit_.empty() && low_ >= samples_below) limit_ = "drop";
 }
 
-void PushoverRecorder::finish() {
+template <int D>
+void PushoverRecorder<D>::finish() {
   take_sample();
 }
+
+template class PushoverRecorder<2>;
+template class PushoverRecorder<3>;
 
 }  // namespace trilith

@@ -27,14 +27,15 @@ struct PushCurve {
 };
 
 /// Follows the push `name` through a stage.
+template <int D>
 class PushoverRecorder {
  public:
   /// A sample each `interval` [s]; `drift` gives the drift now [m].
   PushoverRecorder(std::string name, double interval, const PushLimits& limits,
-                   std::function<double(const Instant<2>&)> drift);
+                   std::function<double(const Instant<D>&)> drift);
 
   /// After a step. True once a limit is reached.
-  bool step(const Instant<2>& now);
+  bool step(const Instant<D>& now);
   /// Takes the last, unfinished sample in.
   void finish();
 
@@ -48,7 +49,7 @@ class PushoverRecorder {
   std::string name_;
   double interval_;
   PushLimits limits_;
-  std::function<double(const Instant<2>&)> drift_;
+  std::function<double(const Instant<D>&)> drift_;
   bool begun_ = false;
   double first_place_ = 0, first_drift_ = 0, next_ = 0;
   double time_ = 0, displacement_ = 0, force_ = 0, sway_ = 0, weight_ = 0;  // sums over the sample, times the step

@@ -101,8 +101,7 @@ void Simulation<D>::refresh() {
   next_ = choose_step();
   swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   clock.mark(StepPart::estimate);
-  if constexpr (D == 2)
-    if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
+  if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
   evaluated_ = true;
 }
 

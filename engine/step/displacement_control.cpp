@@ -2,24 +2,26 @@
 
 #include <algorithm>
 
+#include "body/rigid_turn.hpp"
 #include "step/node_forces.hpp"
-#include "world/loads.hpp"
+#include "world/pushes.hpp"
 
 namespace trilith {
 namespace {
 
 /// What a unit of the push's force is about the node that turns row `i`: of all rows that turn with it, given once,
 /// with the first of them.
-double lever_about(const State<2>& state, const Push<2>& push, std::size_t i) {
+template <int D>
+Moment<D> lever_about(const State<D>& state, const Push<D>& push, std::size_t i) {
   const int node = push.rows[i].turn;
-  const auto levers = [&](const PushRow<2>& row) { return row.turn == node && !row.place.isZero(0); };
+  const auto levers = [&](const PushRow<D>& row) { return row.turn == node && !row.place.isZero(0); };
+  Moment<D> sum = nothing<Moment<D>>();
   if (!levers(push.rows[i]) ||
       std::any_of(push.rows.begin(), push.rows.begin() + static_cast<std::ptrdiff_t>(i), levers))
-    return 0;
-  double sum = 0;
+    return sum;
   for (std::size_t k = i; k < push.rows.size(); ++k)
-    if (const PushRow<2>& row = push.rows[k]; levers(row))
-      sum += row.weight * cross(Turn(state.rotation[node]).apply(row.place), push.direction);
+    if (const PushRow<D>& row = push.rows[k]; levers(row))
+      sum += row.weight * cross(Vec<D>(turn_of(state.rotation[node]).apply(row.place)), push.direction);
   return sum;
 }
 
@@ -28,43 +30,63 @@ struct Response {
   double rate = 0, per_force = 0;
 };
 
+/// Adds a node's part by its turning with the spin `next`: l . w, and l . J^-1 l span of the turns that are free.
+void add_turning(const Model<2>& model, const State<2>& /*state*/, int n, double lever, double next, double span,
+                 Response& r) {
+  r.rate += lever * next;
+  if (model.support[n][2] == Support::free) r.per_force += lever * lever / model.inertia[n] * span;
+}
+void add_turning(const Model<3>& model, const State<3>& state, int n, const Vec3& lever, const Vec3& next, double span,
+                 Response& r) {
+  r.rate += lever.dot(next);
+  const Vec3 still = Vec3::Zero();
+  r.per_force += lever.dot(spin_ahead(model.inertia[n], state.rotation[n], still, lever, span, free_turns(model, n)));
+}
+
 /// The velocity after the step under the forces of now, weighed as the push weighs its points, and sum of w^2 / m
 /// times the time over which a force acts on a leapfrog velocity, the mean of the steps behind and ahead.
-Response respond(const Model<2>& model, const State<2>& state, const Work<2>& work, const Push<2>& push,
+template <int D>
+Response respond(const Model<D>& model, const State<D>& state, const Work<D>& work, const Push<D>& push,
                  const StepOptions& options, const RestDamping& rest) {
-  const Outside outside(model, state, work);
+  const Outside<D> outside(model, state, work);
   const double span = 0.5 * (state.last_dt + options.dt);
-  Response r;
-  const auto add = [&](int n, int k, double lever) {
-    if (lever == 0) return;
-    const Dofs<2> v = velocity_of(state, n);
-    const NodeForces<2> f = node_forces(model, state, work, n, v, outside, rest);
-    r.rate += lever * speed_ahead(model, state, n, v, f, span, options.dt)[k];
-    if (model.support[n][k] == Support::free) r.per_force += lever * lever / mass_of(model, n)[k] * span;
+  const auto ahead = [&](int n) {
+    const Dofs<D> v = velocity_of(state, n);
+    return speed_ahead(model, state, n, v, node_forces(model, state, work, n, v, outside, rest), span, options.dt);
   };
+  Response r;
   for (std::size_t i = 0; i < push.rows.size(); ++i) {
-    const PushRow<2>& row = push.rows[i];
-    for (const int k : {0, 1}) add(row.node, k, row.weight * push.direction[k]);
-    add(row.turn, 2, lever_about(state, push, i));
+    const PushRow<D>& row = push.rows[i];
+    const Dofs<D> next = ahead(row.node);
+    for (int k = 0; k < Space<D>::translations; ++k) {
+      const double share = row.weight * push.direction[k];
+      if (share == 0) continue;
+      r.rate += share * next[k];
+      if (model.support[row.node][k] == Support::free) r.per_force += share * share / model.mass[row.node] * span;
+    }
+    const Moment<D> lever = lever_about(state, push, i);
+    if (lever != nothing<Moment<D>>()) add_turning(model, state, row.turn, lever, about_of(ahead(row.turn)), span, r);
   }
   return r;
 }
 
-void add(const State<2>& state, const Push<2>& push, double size, std::vector<Vec2>& force,
-         std::vector<double>& moment) {
+template <int D>
+void add(const State<D>& state, const Push<D>& push, double size, std::vector<Vec<D>>& force,
+         std::vector<Moment<D>>& moment) {
   for (std::size_t i = 0; i < push.rows.size(); ++i) {
-    const PushRow<2>& row = push.rows[i];
-    force[row.node] += size * Vec2(row.weight * push.direction);
+    const PushRow<D>& row = push.rows[i];
+    force[row.node] += size * Vec<D>(row.weight * push.direction);
     moment[row.turn] += size * lever_about(state, push, i);
   }
 }
 
-void find_unbalanced(const Model<2>& model, Work<2>& work) {
+template <int D>
+void find_unbalanced(const Model<D>& model, Work<D>& work) {
   double most = 0;
   for (int n = 0; n < model.nodes(); ++n) {
     if (!model.moves(n)) continue;
-    Vec2 left = work.force[n];
-    for (const int k : {0, 1})
+    Vec<D> left = work.force[n];
+    for (int k = 0; k < Space<D>::translations; ++k)
       if (model.support[n][k] != Support::free) left[k] = 0;
     most = std::max(most, left.norm());
   }
@@ -73,12 +95,13 @@ void find_unbalanced(const Model<2>& model, Work<2>& work) {
 
 }  // namespace
 
-void control_displacement(const Model<2>& model, const State<2>& state, Work<2>& work, const StepOptions& options) {
+template <int D>
+void control_displacement(const Model<D>& model, const State<D>& state, Work<D>& work, const StepOptions& options) {
   if (model.pushes.empty()) return;
-  work.correction.assign(work.load.size(), Vec2::Zero());
-  work.correction_moment.assign(work.load.size(), 0);
+  work.correction.assign(work.load.size(), Vec<D>::Zero());
+  work.correction_moment.assign(work.load.size(), nothing<Moment<D>>());
   for (std::size_t i = 0; i < model.pushes.size(); ++i) {
-    const Push<2>& push = model.pushes[i];
+    const Push<D>& push = model.pushes[i];
     const double then = push.origin + push.motion->displacement(state.time + options.dt - push.start);
     const double rate = (then - push_place(state, push)) / options.dt;
     const Response free = respond(model, state, work, push, options, {});
@@ -96,5 +119,8 @@ void control_displacement(const Model<2>& model, const State<2>& state, Work<2>&
   // The push has changed what is left over on the nodes it acts on.
   find_unbalanced(model, work);
 }
+
+template void control_displacement(const Model<2>&, const State<2>&, Work<2>&, const StepOptions&);
+template void control_displacement(const Model<3>&, const State<3>&, Work<3>&, const StepOptions&);
 
 }  // namespace trilith

@@ -99,8 +99,7 @@ double balance_anew(Model<D>& model, State<D>& state, Work<D>& work, const StepO
   hold_left(model, state);
   work.valid = false;
   evaluate(model, state, work, state.last_dt);
-  if constexpr (D == 2)
-    if (!state.implicit()) control_displacement(model, state, work, options);
+  if (!state.implicit()) control_displacement(model, state, work, options);
   return energy_now(model, state, work, options).balance();
 }
 

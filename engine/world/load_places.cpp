@@ -1,4 +1,4 @@
-// Where loads act: named places, faces of a side, parts of an outline, rows of a push.
+// Where loads act: named places, faces of a side, parts of an outline.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,54 +56,6 @@ OnOutline nearest_on(const Model<2>& model, const std::vector<FacePart>& faces, 
     if (distance < best.distance) best = {i, share, distance};
   }
   return best;
-}
-
-/// A body's part in a push before it is divided by the sum.
-/// `triangle`: by mass and height, as floors take part in a first mode that is a straight line.
-double share_of(const Model<2>& model, int body, PushPattern pattern, double lowest) {
-  switch (pattern) {
-    case PushPattern::uniform:
-      return 1;
-    case PushPattern::mass:
-      return body_mass(model, body);
-    case PushPattern::triangle:
-      return body_mass(model, body) * (body_start(model, body).y() - lowest);
-  }
-  return 1;
-}
-
-double lowest_of(const Model<2>& model, const std::vector<int>& bodies) {
-  double lowest = unbounded;
-  for (const int i : bodies)
-    for (int s = model.bodies[i].first_skin; s < model.bodies[i].first_skin + model.bodies[i].skins; ++s)
-      lowest = std::min(lowest, skin_start(model, s).y());
-  return lowest;
-}
-
-/// A rigid body by one row; a point of one that deforms by the nodes it is tied to; a whole one by mass.
-void add_body_rows(const Model<2>& model, int body, const std::optional<Vec2>& at, double weight,
-                   std::vector<PushRow<2>>& rows) {
-  const Body& b = model.bodies[body];
-  if (b.is_rigid()) {
-    rows.push_back(
-        {b.first_node, b.first_node, at ? Vec2(*at - model.start_position[b.first_node]) : Vec2::Zero(), weight});
-    return;
-  }
-  if (at) {
-    const Tie<2> tie = tie_point(model, body, *at, fmt::format("push of '{}'", b.name));
-    for (int i = 0; i < tie.nodes; ++i) rows.push_back({tie.node[i], tie.turn[i], tie.arm[i], weight * tie.weight[i]});
-    return;
-  }
-  const double mass = body_mass(model, body);
-  for (int n = b.first_node; n < b.first_node + b.nodes; ++n)
-    rows.push_back({n, n, Vec2::Zero(), weight * model.mass[n] / mass});
-}
-
-/// Free in every direction that the push has a part in.
-bool can_go(const Model<2>& model, const PushRow<2>& row, const Vec2& direction) {
-  for (const int k : {0, 1})
-    if (std::abs(direction[k]) > 1e-12 && model.support[row.node][k] != Support::free) return false;
-  return true;
 }
 
 }  // namespace
@@ -164,53 +116,6 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
     if (part.to > part.from) parts.push_back(part);
     if (ends) return parts;
   }
-}
-
-/// Weighed mean displacement of the pushed points along the push: what its motion gives.
-double push_place(const State<2>& state, const Push<2>& push) {
-  double sum = 0;
-  for (const PushRow<2>& row : push.rows)
-    sum += row.weight * push.direction.dot(state.position[row.node] + Turn(state.rotation[row.turn]).apply(row.place));
-  return sum;
-}
-
-std::vector<PushRow<2>> push_rows(const Model<2>& model, const std::vector<int>& bodies, const std::optional<Vec2>& at,
-                                  PushPattern pattern, const Vec2& direction) {
-  if (bodies.empty()) throw InputError("push: no body is given");
-  if (at && bodies.size() > 1) throw InputError("push: a point is one of a single body; several are given");
-  const double lowest = lowest_of(model, bodies);
-  double sum = 0;
-  for (const int body : bodies) sum += share_of(model, body, pattern, lowest);
-  std::vector<PushRow<2>> rows;
-  for (const int body : bodies) {
-    const std::size_t before = rows.size();
-    add_body_rows(model, body, at, share_of(model, body, pattern, lowest) / sum, rows);
-    for (std::size_t i = before; i < rows.size(); ++i)
-      if (!can_go(model, rows[i], direction))
-        throw InputError(
-            fmt::format("push: body '{}' is held or driven in the direction in which it is to be pushed; "
-                        "free it, or push others",
-                        model.bodies[body].name));
-  }
-  return rows;
-}
-
-void add_push(Model<2>& model, const State<2>& state, const std::string& name, std::vector<PushRow<2>> rows,
-              const Vec2& direction, std::shared_ptr<const GroundMotion> motion) {
-  for (const Push<2>& other : model.pushes) {
-    if (other.name == name)
-      throw InputError(fmt::format("push: there is one called '{}' already; release it, or give another name", name));
-    for (const PushRow<2>& mine : rows)
-      for (const PushRow<2>& row : other.rows)
-        if (row.node == mine.node)
-          throw InputError(fmt::format("push: body '{}' is pushed already by '{}'; release that first",
-                                       model.bodies[body_of_node(model, row.node)].name, other.name));
-  }
-  Push<2> push;
-  push.name = name, push.rows = std::move(rows), push.direction = direction, push.start = state.time;
-  push.motion = std::move(motion);
-  push.origin = push_place(state, push) - push.motion->displacement(0);
-  model.pushes.push_back(std::move(push));
 }
 
 }  // namespace trilith

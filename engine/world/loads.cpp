@@ -58,26 +58,6 @@ std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const
   return spread_load(model, body, load);
 }
 
-/// In the axes of the body where it follows, in those of the world where it does not; at the centroid by default.
-/// On a frame a load acts at the node that is nearest, and goes with it.
-PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
-  const std::string owner = fmt::format("load '{}' on '{}'", spec.name, model.bodies[body].name);
-  if (!model.bodies[body].is_rigid() && !spec.at)
-    throw InputError(fmt::format("{}: the body deforms; say with 'at' where the load acts", owner));
-  if (!spec.force.allFinite() || !spec.moment.allFinite() || (spec.at && !spec.at->allFinite()))
-    throw InputError(owner + ": force, moment or place is not finite");
-  check_load_curve(spec.curve, owner);
-  const int n = spec.at ? nearest_node(model, body, *spec.at) : model.bodies[body].first_node;
-  const Turn3 start = turn_of(model.start_rotation[n]);
-  PointLoad<3> load;
-  load.name = spec.name, load.body = body, load.curve = spec.curve, load.follows = spec.follows;
-  load.force = spec.follows ? start.undo(spec.force) : spec.force;
-  load.moment = spec.follows ? start.undo(spec.moment) : spec.moment;
-  const Vec3 from_node = spec.at ? Vec3(*spec.at - model.start_position[n]) : Vec3(Vec3::Zero());
-  load.at = Tie<3>::to_node(n, start.undo(from_node));
-  return load;
-}
-
 std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
                                        const PressureSpec& spec) {
   const std::string owner = owner_of("pressure", spec.name, model, body);
@@ -173,26 +153,5 @@ template int change_loads(Model<2>&, const std::string&, double, double, double)
 template int change_loads(Model<3>&, const std::string&, double, double, double);
 template std::vector<std::string> load_names(const Model<2>&);
 template std::vector<std::string> load_names(const Model<3>&);
-
-/// Its force goes on as loads at the points it pushed and fades, so that nothing is set off.
-bool release_push(Model<2>& model, const State<2>& state, const Work<2>& work, const std::string& name, double fade) {
-  const auto at =
-      std::find_if(model.pushes.begin(), model.pushes.end(), [&](const Push<2>& p) { return p.name == name; });
-  if (at == model.pushes.end()) return false;
-  drop_faded(model, state.time);
-  const auto index = static_cast<std::size_t>(at - model.pushes.begin());
-  const double size = index < work.push_force.size() ? work.push_force[index] : 0;
-  for (const PushRow<2>& row : at->rows) {
-    if (size == 0 || !(fade > 0)) break;
-    PointLoad<2> load;
-    load.body = body_of_node(model, row.node), load.at = Tie<2>::to_node(row.node, row.place);
-    load.at.turn[0] = row.turn;
-    load.force = size * row.weight * at->direction;
-    load.curve = ramp_curve(state.time, 1, 0, fade, true);
-    model.point_loads.push_back(std::move(load));
-  }
-  model.pushes.erase(at);
-  return true;
-}
 
 }  // namespace trilith

@@ -1,4 +1,4 @@
-// Loads on bodies, displacement control and quiet release: made between steps, for the model to hold.
+// Loads on bodies: made between steps, for the model to hold. Pushes are in world/pushes.hpp.
 //
 // Places and faces are those of the bodies where they stand at the start; a load moves with its body.
 #pragma once
@@ -45,6 +45,20 @@ struct PressureSpec {
   LoadCurve curve;
 };
 
+/// A pressure on a body in space to be.
+struct SolidPressureSpec {
+  std::string name;
+  double value = 0;               ///< [Pa], onto the face where above 0
+  bool follows = true;            ///< turns with the face; false: with the force it has at the start
+  std::optional<Vec3> direction;  ///< along which it acts instead, where it does not follow
+  LoadCurve curve;
+};
+
+/// A face of a piece of a body in space.
+struct SolidFace {
+  int piece = -1, face = -1;
+};
+
 /// A part of a face of a body's outline, by shares of the way from one skin point to the next, counter-clockwise.
 struct FacePart {
   int skin_a = -1, skin_b = -1;
@@ -71,6 +85,13 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
 std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec);
 /// Throws InputError for numbers that are not finite, and a load curve that makes no sense.
 PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec);
+/// All plane faces of a body's surface in space; a sphere has none.
+std::vector<SolidFace> surface_faces(const Model<3>& model, int body);
+/// Those that look along `side` at the start, within 45 degrees.
+std::vector<SolidFace> faces_towards(const Model<3>& model, int body, const Vec3& side);
+/// As make_pressure. Throws InputError for bodies of finite elements too.
+std::vector<PointLoad<3>> make_solid_pressure(const Model<3>& model, int body, const std::vector<SolidFace>& faces,
+                                              const SolidPressureSpec& spec);
 std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
                                        const PressureSpec& spec);
 
@@ -90,23 +111,5 @@ int drop_loads(Model<D>& model, const std::string& name);
 /// Names of all loads and pushes, each once.
 template <int D>
 std::vector<std::string> load_names(const Model<D>& model);
-
-/// How forces of a push are shared among bodies.
-enum class PushPattern { uniform, mass, triangle };  ///< triangle: mass times height above the lowest of all bodies
-
-/// Rows of a push of `bodies`, at their centroids or, of a single body, at a point. Throws InputError where a body
-/// cannot move along `direction` (unit vector).
-std::vector<PushRow<2>> push_rows(const Model<2>& model, const std::vector<int>& bodies, const std::optional<Vec2>& at,
-                                  PushPattern pattern, const Vec2& direction);
-/// Adds it, from the present place on. Throws InputError where one of its nodes is pushed already or its name is taken.
-void add_push(Model<2>& model, const State<2>& state, const std::string& name, std::vector<PushRow<2>> rows,
-              const Vec2& direction, std::shared_ptr<const GroundMotion> motion);
-
-/// Where a push stands: the weighed mean of its points' places along its direction [m].
-double push_place(const State<2>& state, const Push<2>& push);
-
-/// Ends a push: its forces stay as loads that fade smoothly within `fade` [s], so that nothing is set off. False where
-/// there is none of that name.
-bool release_push(Model<2>& model, const State<2>& state, const Work<2>& work, const std::string& name, double fade);
 
 }  // namespace trilith

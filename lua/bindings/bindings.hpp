@@ -25,7 +25,9 @@ std::span<const Method> bearing_methods();   ///< bearing, seat
 std::span<const Method> bridge_methods();    ///< bearing_type, span
 std::span<const Method> frame_methods();     ///< beam, frame
 std::span<const Method> stage_methods();     ///< run, consolidate, shake, fix, free, drive, tilt, stop
-std::span<const Method> load_methods();      ///< point_load, pressure, set_load, release
+std::span<const Method> load_methods();      ///< point_load
+std::span<const Method> pressure_methods();  ///< pressure
+std::span<const Method> release_methods();   ///< set_load, release
 std::span<const Method> pushover_methods();  ///< pushover
 std::span<const Method> finding_methods();   ///< joints, thrust_line
 std::span<const Method> modes_methods();     ///< modes

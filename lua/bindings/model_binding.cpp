@@ -145,9 +145,9 @@ std::vector<Method> model_methods() {
       {"explain_dt", guarded<explain_dt>, "explain_dt(): which body and contacts govern the step"},
       {"close", guarded<close_model>, "close(): ends the recording and frees the model"},
   };
-  for (const auto part :
-       {parts_methods(), bearing_methods(), bridge_methods(), frame_methods(), stage_methods(), load_methods(),
-        pushover_methods(), debug_methods(), change_methods(), finding_methods(), modes_methods(), reading_methods()})
+  for (const auto part : {parts_methods(), bearing_methods(), bridge_methods(), frame_methods(), stage_methods(),
+                          load_methods(), pressure_methods(), release_methods(), pushover_methods(), debug_methods(),
+                          change_methods(), finding_methods(), modes_methods(), reading_methods()})
     methods.insert(methods.end(), part.begin(), part.end());
   return methods;
 }

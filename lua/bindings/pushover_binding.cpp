@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "load/ramp.hpp"
+#include "pushover_order.hpp"
 #include "run/load_way.hpp"
 #include "run/pushover.hpp"
 #include "stage_run.hpp"
@@ -11,105 +12,27 @@
 #include "step/load_path.hpp"
 #include "world/loads.hpp"
 #include "world/pose.hpp"
+#include "world/pushes.hpp"
 
 namespace trilith::script {
 namespace {
 
-struct PushOrder {
-  std::vector<int> bodies;
-  std::optional<Vec2> at;
-  std::string place;
-  Vec2 direction = Vec2::UnitX();
-  PushPattern pattern = PushPattern::mass;
-  double rate = 0, displacement = 0;
-  int storey = 0, samples = 200;
-  PushLimits limits;
-  StageOptions stage;
-  bool by_arc = false;  ///< in no time, by equilibria; else steadily in time
-  double arc = 0;       ///< first arc [m]; 0: a hundredth of the displacement
-};
-
-/// What is of one control alone.
-void read_control(Keys& keys, PushOrder& o) {
-  o.by_arc = keys.choice("control", {"time", "arc"}, 0) == 1;
-  const std::vector<std::string_view> others = o.by_arc
-                                                   ? std::vector<std::string_view>{"rate", "damping", "dt", "safety"}
-                                                   : std::vector<std::string_view>{"arc"};
-  for (const std::string_view key : others)
-    if (keys.has(key))
-      keys.problem(
-          fmt::format("'{}' is given, which is of control = \"{}\"; leave it out", key, o.by_arc ? "time" : "arc"));
-  o.arc = keys.number("arc", "m", 0);
-  if (keys.has("arc") && !(o.arc > 0)) keys.problem(fmt::format("'arc' is {:g} m, must be above 0", o.arc));
-  if (!o.by_arc) o.rate = keys.number("rate", "m/s");
-}
-
-/// What ends it early: drift =, storey =, drop =.
-void read_limits(Keys& keys, PushOrder& o) {
-  o.limits.drift = keys.number("drift", "m", unbounded);
-  o.limits.drop = keys.number("drop", "1", 0);
-  o.storey = keys.count("storey", 0);
-  if (!(o.limits.drift > 0)) keys.problem(fmt::format("'drift' is {:g} m, must be above 0", o.limits.drift));
-  if (!(o.limits.drop >= 0 && o.limits.drop < 1))
-    keys.problem(fmt::format("'drop' is {:g}, must be at least 0 and below 1", o.limits.drop));
-}
-
-void read_pushed(Keys& keys, const PlaneModel& m, PushOrder& o) {
-  lua_State* L = keys.lua();
-  if (keys.push("body") == LUA_TNIL) {
-    keys.missing("body", "a body, a set or a name");
-  } else {
-    try {
-      o.bodies = bodies_at(L, -1, m, "body");
-      if (o.bodies.empty()) keys.problem("no body is given");
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-  }
-  lua_pop(L, 1);
-  const int type = keys.push("at");
-  if (type == LUA_TSTRING)
-    o.place = text_at(L, -1);
-  else if (type != LUA_TNIL && !(o.at = point_at(L, -1)))
-    keys.wrong("at", "{x, y} or the name of a place");
-  if (type != LUA_TNIL && o.bodies.size() > 1) keys.problem("'at' is a point of one body; several are given");
-  lua_pop(L, 1);
-}
-
-PushOrder read_order(Keys& keys, const PlaneModel& m) {
-  const std::array ways{Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)};
-  constexpr std::array patterns{PushPattern::mass, PushPattern::uniform, PushPattern::triangle};
-  PushOrder o;
-  o.stage.name = keys.text("name", "pushover");
-  read_pushed(keys, m, o);
-  o.direction = ways[keys.choice("direction", {"x", "-x", "y", "-y"}, 0)];
-  o.pattern = patterns[keys.choice("pattern", {"mass", "uniform", "triangle"}, 0)];
-  read_control(keys, o);
-  read_limits(keys, o);
-  const bool bounded = o.limits.drift < unbounded;
-  o.displacement = bounded ? keys.number("displacement", "m", 2 * o.limits.drift) : keys.number("displacement", "m");
-  o.samples = keys.count("samples", o.samples);
-  o.stage.rest_share = keys.number("damping", "1", 0.8);
-  o.stage.dt = keys.number("dt", "s", 0);
-  o.stage.safety = keys.number("safety", "1", o.stage.safety);
-  for (const auto& [key, value, unit] :
-       {std::tuple{"rate", o.by_arc ? 1 : o.rate, "m/s"}, std::tuple{"displacement", o.displacement, "m"}})
-    if (!(value > 0))
-      keys.problem(fmt::format("'{}' is {:g} {}, must be above 0; the direction has the sign", key, value, unit));
-  if (o.samples < 2) keys.problem(fmt::format("'samples' is {}, must be at least 2", o.samples));
-  return o;
+/// How far the pushed points are.
+template <int D>
+std::function<double(const Instant<D>&)> way_reading(const PushOrder<D>& o) {
+  return [name = o.stage.name](const Instant<D>& now) {
+    for (const Push<D>& p : now.model.pushes)
+      if (p.name == name) return push_place(now.state, p) - p.origin;
+    return 0.0;
+  };
 }
 
 /// Drift of a storey or of the top one; without storeys, how far the pushed points are.
-std::function<double(const Instant<2>&)> drift_reading(PlaneModel& m, const PushOrder& o) {
+std::function<double(const Instant<2>&)> drift_reading(PlaneModel& m, const PushOrder<2>& o) {
   const Findings& f = m.findings();
   if (f.storeys.empty()) {
     if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
-    return [name = o.stage.name](const Instant<2>& now) {
-      for (const Push<2>& p : now.model.pushes)
-        if (p.name == name) return push_place(now.state, p) - p.origin;
-      return 0.0;
-    };
+    return way_reading(o);
   }
   if (o.storey == 0) return [&f](const Instant<2>& now) { return top_drift(now.model, now.state, f.storeys, f.base); };
   for (std::size_t i = 0; i < f.storeys.size(); ++i)
@@ -118,11 +41,18 @@ std::function<double(const Instant<2>&)> drift_reading(PlaneModel& m, const Push
   throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
 }
 
+/// In space there are no storeys to drift.
+std::function<double(const Instant<3>&)> drift_reading(SpaceModel& /*m*/, const PushOrder<3>& o) {
+  if (o.storey != 0) throw InputError("pushover: storeys are of walls in the plane; leave 'storey' out");
+  return way_reading(o);
+}
+
 /// A push that was ended on its way comes to rest within a hundredth of the time it was meant to last.
-void stop_push(PlaneModel& m, const PushOrder& o) {
-  m.change([&](Model<2>& model) {
+template <int D>
+void stop_push(SimulatedModel<D>& m, const PushOrder<D>& o) {
+  m.change([&](Model<D>& model) {
     const double now = m.time();
-    for (Push<2>& p : model.pushes) {
+    for (Push<D>& p : model.pushes) {
       if (p.name != o.stage.name) continue;
       const MotionAt at = p.motion->at(now - p.start);
       if (at.velocity == 0) continue;
@@ -166,9 +96,10 @@ void add_curve(lua_State* L, const PushCurve& curve, std::string_view limit) {
 }
 
 /// The model's watch, for as long as this lives.
+template <int D>
 struct Watch {
-  PlaneModel& model;
-  Watch(PlaneModel& m, std::function<void(const Instant<2>&)> f) : model(m) { model.watch = std::move(f); }
+  SimulatedModel<D>& model;
+  Watch(SimulatedModel<D>& m, std::function<void(const Instant<D>&)> f) : model(m) { model.watch = std::move(f); }
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
   ~Watch() { model.watch = nullptr; }
@@ -190,7 +121,7 @@ std::vector<PointLoad<2>> unit_loads(const Model<2>& model, const std::string& n
 /// Equilibria along a push, and when to end.
 class ArcRecorder {
  public:
-  ArcRecorder(const Push<2>& push, const PushOrder& order, std::function<double(const State<2>&)> drift)
+  ArcRecorder(const Push<2>& push, const PushOrder<2>& order, std::function<double(const State<2>&)> drift)
       : push_(push), order_(order), drift_(std::move(drift)) {}
 
   /// True where the path is to go on.
@@ -214,7 +145,7 @@ class ArcRecorder {
 
  private:
   const Push<2>& push_;
-  const PushOrder& order_;
+  const PushOrder<2>& order_;
   std::function<double(const State<2>&)> drift_;
   double first_place_ = 0, first_drift_ = 0;
   PushCurve curve_;
@@ -222,7 +153,7 @@ class ArcRecorder {
   std::string limit_;
 };
 
-std::function<double(const State<2>&)> arc_drift(PlaneModel& m, const PushOrder& o, const Push<2>& push) {
+std::function<double(const State<2>&)> arc_drift(PlaneModel& m, const PushOrder<2>& o, const Push<2>& push) {
   const Findings& f = m.findings();
   if (f.storeys.empty()) {
     if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
@@ -281,7 +212,7 @@ void take_over(PlaneModel& m, State<2> state, std::vector<PointLoad<2>> loads, d
 }
 
 /// m:pushover{ control = "arc", ... }: by equilibria, past limit points (step/load_path.hpp).
-int push_by_arc(lua_State* L, PlaneModel& m, PushOrder& o) {
+int push_by_arc(lua_State* L, PlaneModel& m, PushOrder<2>& o) {
   const Simulation<2>& sim = m.evaluated();
   const std::vector<std::string> names = load_names(sim.model());
   if (std::find(names.begin(), names.end(), o.stage.name) != names.end())
@@ -316,46 +247,74 @@ int push_by_arc(lua_State* L, PlaneModel& m, PushOrder& o) {
   return 1;
 }
 
-/// m:pushover{ body =, at =, direction =, pattern =, rate =, displacement =, drift =, storey =, drop =, ... }
-int pushover(lua_State* L) {
-  PlaneModel& m = this_plane(L);
-  Keys keys(L, 2, "pushover");
-  PushOrder o = read_order(keys, m);
-  keys.finish();
-  if (m.running()) throw InputError("pushover: a stage runs already; begin it when that has ended");
-  const Model<2>& model = m.simulation().model();
-  if (!o.place.empty() && !(o.at = named_place(model, o.bodies.front(), o.place)))
-    throw InputError(fmt::format("pushover: 'at' is '{}', must be {{x, y}} or one of {}", o.place, place_names));
-  if (o.by_arc) return push_by_arc(L, m, o);
+/// m:pushover{ control = "time", ... }: steadily in time.
+template <int D, class ModelOfScript>
+int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o) {
   const auto motion = std::make_shared<const GroundMotion>(even_motion(o.displacement, o.rate));
   o.stage.duration = motion->duration();
-  PushoverRecorder recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading(m, o));
-  std::vector<PushRow<2>> rows = push_rows(model, o.bodies, o.at, o.pattern, o.direction);
-  m.change([&](Model<2>& changed) {
+  PushoverRecorder<D> recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading(m, o));
+  std::vector<PushRow<D>> rows = push_rows(m.simulation().model(), o.bodies, o.at, o.pattern, o.direction);
+  m.change([&](Model<D>& changed) {
     add_push(changed, m.if_built()->state(), o.stage.name, std::move(rows), o.direction, motion);
   });
-  const Watch watch(m, [&](const Instant<2>& now) {
+  const Watch<D> watch(m, [&](const Instant<D>& now) {
     if (recorder.step(now)) m.stop();
   });
   const StageReport report = run_stage(L, m, o.stage);
   recorder.finish();
-  stop_push(m, o);
+  stop_push<D>(m, o);
   push_report(L, report);
   add_curve(L, recorder.curve(), recorder.limit().empty() ? "displacement" : recorder.limit());
   return 1;
 }
 
-double sum_of_pushes(const ModelBox& box) {
-  double sum = 0;
-  for (const double force : box.plane().evaluated().work().push_force) sum += force;
-  return sum;
+void require_stopped(const ScriptModel& m) {
+  if (m.running()) throw InputError("pushover: a stage runs already; begin it when that has ended");
 }
 
-double push_displacement(const ModelBox& box) {
-  const Simulation<2>* s = box.plane().if_built();
+int push_in_space(lua_State* L, SpaceModel& m) {
+  Keys keys(L, 2, "pushover");
+  PushOrder<3> o = read_order<3>(keys, m);
+  if (o.by_arc) keys.problem("control = \"arc\" is of the plane alone so far; leave it out, and give 'rate'");
+  keys.finish();
+  require_stopped(m);
+  return push_by_time(L, m, o);
+}
+
+/// m:pushover{ body =, at =, direction =, pattern =, rate =, displacement =, drift =, storey =, drop =, ... }
+int pushover(lua_State* L) {
+  if (SpaceModel* space = as_space(this_model(L))) return push_in_space(L, *space);
+  PlaneModel& m = this_plane(L);
+  Keys keys(L, 2, "pushover");
+  PushOrder<2> o = read_order<2>(keys, m);
+  keys.finish();
+  require_stopped(m);
+  if (!o.place.empty() && !(o.at = named_place(m.simulation().model(), o.bodies.front(), o.place)))
+    throw InputError(fmt::format("pushover: 'at' is '{}', must be {{x, y}} or one of {}", o.place, place_names));
+  return o.by_arc ? push_by_arc(L, m, o) : push_by_time(L, m, o);
+}
+
+template <int D>
+double sum_of(SimulatedModel<D>& m) {
+  double sum = 0;
+  for (const double force : m.evaluated().work().push_force) sum += force;
+  return sum;
+}
+double sum_of_pushes(const ModelBox& box) {
+  SpaceModel* space = as_space(box.get());
+  return space != nullptr ? sum_of(*space) : sum_of(box.plane());
+}
+
+template <int D>
+double latest_way(const SimulatedModel<D>& m) {
+  const Simulation<D>* s = m.if_built();
   if (s == nullptr || s->model().pushes.empty()) return 0;
-  const Push<2>& p = s->model().pushes.back();
+  const Push<D>& p = s->model().pushes.back();
   return push_place(s->state(), p) - p.origin;
+}
+double push_displacement(const ModelBox& box) {
+  SpaceModel* space = as_space(box.get());
+  return space != nullptr ? latest_way(*space) : latest_way(box.plane());
 }
 
 const std::array pushover_method_list{

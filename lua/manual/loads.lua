@@ -14,10 +14,10 @@ name    text?           what results call it]], gives = "string" },
   { "model:pressure", "A pressure on faces of a body from now on. Gives its name.", keys = [[
 body       bodies     on what
 value      number Pa  onto the face
-face       text?      top, bottom, left, right or all
-from       point?     or from this point of the outline
+face       text?      top, bottom, left, right or all; in space front and back too
+from       point?     in the plane: or from this point of the outline
 to         point?     to this one, counter-clockwise
-direction  point?     where it acts; against the face where left out
+direction  point?     where it acts; against the face where left out; in space {x, y, z}
 follow     flag?      it turns with the body
 course     course?    its share over time: ]] .. course .. [[
 
@@ -32,14 +32,15 @@ load      text?         a load; or
 push      text?         a push
 x         flag = false  of bodies: this direction; all where none is given
 y         flag = false  this direction
+z         flag = false  this one, in space
 rotation  flag = false  this direction
 fade      number s = 1  over which it goes]] },
   { "model:pushover", "A stage that pushes bodies steadily, and what that takes.", keys = [[
 body          bodies           what is pushed
-at            place?           a point {x, y} or the name of a place of one body
-direction     text = "x"       x, -x, y or -y
+at            place?           a point {x, y} or the name of a place of one body; in space {x, y, z}
+direction     text = "x"       x, -x, y or -y; in space z or -z too
 pattern       text = "mass"    share of each body: mass, uniform or triangle
-control       text = "time"    "time": pushed steadily; "arc": by equilibria, in no time, past limit points
+control       text = "time"    "time": pushed steadily; "arc": by equilibria, in no time, past limit points; of the plane
 rate          number m/s?      how fast, by time
 arc           number m?        by arc: length of the first step; a hundredth of the displacement
 displacement  number m?        how far; or drift

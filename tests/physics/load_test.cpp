@@ -13,6 +13,7 @@
 #include "world/checkpoint.hpp"
 #include "world/energy_check.hpp"
 #include "world/loads.hpp"
+#include "world/pushes.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -5,10 +5,11 @@
 #include "load/ramp.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
+#include "physics/solid_bodies.hpp"
 #include "step/central_difference.hpp"
 #include "step/evaluate.hpp"
-#include "world/loads.hpp"
 #include "world/pose.hpp"
+#include "world/pushes.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
@@ -83,4 +84,71 @@ TEST_CASE("a point over a pinned end goes as far as it is pushed") {
     // Arms turn within a step: what that adds is of its second order.
     CHECK(near_zero(push_place(s.state, push) - push.origin - motion->displacement(s.state.time), 1e-11));
   }
+}
+
+namespace {
+
+/// A stone in space, turned, moving and spinning, that is pushed at a point off its centroid.
+struct SpinningStone {
+  Model<3> model;
+  State<3> state;
+  Vec3 way = Vec3(1, 0.5, -0.3).normalized();
+
+  explicit SpinningStone(bool held = false) {
+    SpaceBuilder builder;
+    builder.gravity = {0, 0, -standard_gravity};
+    SolidBody body = stone("stone", box_at({0.4, 0.6, 1.0}, {0.1, 0.2, 3}, rotation_by({0.3, -0.5, 0.8})));
+    body.velocity = {0.2, -0.1, 0.3}, body.spin = {0.4, 1.1, -0.7};
+    builder.add_body(body);
+    model = builder.build();
+    if (held) {
+      model.support[0][3] = Support::fixed;
+      model.start_spin[0].x() = 0;
+    }
+    state = initial_state(model);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a point of a stone in space goes as far as it is pushed, free to turn or held about an axis") {
+  for (const bool held : {false, true}) {
+    SpinningStone s(held);
+    const auto motion = std::make_shared<GroundMotion>(even_motion(0.1, 1));
+    const Vec3 at(0.2, 0.35, 3.4);
+    add_push(s.model, s.state, "push", push_rows(s.model, {0}, at, PushPattern::mass, s.way), s.way, motion);
+    const Push<3>& push = s.model.pushes[0];
+    Work<3> work;
+    StepOptions options;
+    options.dt = 1e-6;
+    for (int i = 0; i < 4; ++i) {
+      evaluate(s.model, s.state, work, options.dt);
+      control_displacement(s.model, s.state, work, options);
+      advance(s.model, s.state, work, options);
+      // Arms turn within a step: what that adds is of its second order.
+      CHECK(near_zero(push_place(s.state, push) - push.origin - motion->displacement(s.state.time), 1e-11));
+    }
+    CHECK(std::abs(work.push_force[0]) > 0);
+  }
+}
+
+TEST_CASE("a push in space acts as a force does on its point, by the constraint's closed form") {
+  // From rest to the speed 1 within the first step, which acts over half of it: lambda = v / (dt/2 (1/m + l J^-1 l)).
+  SpinningStone s;
+  s.state.velocity[0].setZero(), s.state.spin[0].setZero();
+  s.model.gravity.field.setZero();
+  const Vec3 at(0.2, 0.35, 3.4);
+  const auto motion = std::make_shared<GroundMotion>(even_motion(0.1, 1));
+  add_push(s.model, s.state, "push", push_rows(s.model, {0}, at, PushPattern::mass, s.way), s.way, motion);
+  Work<3> work;
+  StepOptions options;
+  options.dt = 1e-6;
+  evaluate(s.model, s.state, work, 0);
+  control_displacement(s.model, s.state, work, options);
+  const Vec3 lever = cross(Vec3(at - s.state.position[0]), s.way);
+  const double gives = 1 / s.model.mass[0] + lever.dot(spin_of(s.model.inertia[0], s.state.rotation[0], lever));
+  const double wanted = motion->displacement(options.dt) / options.dt;
+  CHECK(near(work.push_force[0], wanted / (0.5 * options.dt * gives), 1e-9));
+  CHECK(near_zero((work.force[0] - work.push_force[0] * s.way).norm(), 1e-9 * work.push_force[0]));
+  CHECK(near_zero((work.moment[0] - work.push_force[0] * lever).norm(), 1e-9 * work.push_force[0]));
 }

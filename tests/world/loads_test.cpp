@@ -8,6 +8,7 @@
 #include "near.hpp"
 #include "physics/solids.hpp"
 #include "world/fingerprint.hpp"
+#include "world/pushes.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -1,0 +1,105 @@
+// Loads on bodies in space: forces at points, pressure on faces.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <span>
+
+#include "base/error.hpp"
+#include "world/loads.hpp"
+#include "world/pose.hpp"
+
+namespace trilith {
+namespace {
+
+/// Where a face's area has its middle [m]: by the triangles between its first corner and its sides.
+Vec3 middle_of(std::span<const Vec3> corners, std::span<const int> loop) {
+  const Vec3& first = corners[loop[0]];
+  const Vec3 normal = area_vector(corners, loop).normalized();
+  Vec3 sum = Vec3::Zero();
+  double area = 0;
+  for (std::size_t i = 2; i < loop.size(); ++i) {
+    const Vec3 a = corners[loop[i - 1]] - first, b = corners[loop[i]] - first;
+    const double part = 0.5 * normal.dot(cross(a, b));
+    sum += part / 3 * (a + b), area += part;
+  }
+  return first + sum / area;
+}
+
+void check_pressure(const Model<3>& model, int body, const SolidPressureSpec& spec, const std::string& owner) {
+  require_finite(spec.value, owner + ": value");
+  check_load_curve(spec.curve, owner);
+  if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
+    throw InputError(
+        fmt::format("{}: a direction is a vector other than 0, for pressure that does not follow the face", owner));
+  if (!model.bodies[body].nodes_turn())
+    throw InputError(
+        fmt::format("{}: the body deforms; pressure in space acts on rigid bodies and frames so far", owner));
+}
+
+}  // namespace
+
+/// In the axes of the body where it follows, in those of the world where it does not; at the centroid by default.
+/// On a frame a load acts at the node that is nearest, and goes with it.
+PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
+  const std::string owner = fmt::format("load '{}' on '{}'", spec.name, model.bodies[body].name);
+  if (!model.bodies[body].is_rigid() && !spec.at)
+    throw InputError(fmt::format("{}: the body deforms; say with 'at' where the load acts", owner));
+  if (!spec.force.allFinite() || !spec.moment.allFinite() || (spec.at && !spec.at->allFinite()))
+    throw InputError(owner + ": force, moment or place is not finite");
+  check_load_curve(spec.curve, owner);
+  const int n = spec.at ? nearest_node(model, body, *spec.at) : model.bodies[body].first_node;
+  const Turn3 start = turn_of(model.start_rotation[n]);
+  PointLoad<3> load;
+  load.name = spec.name, load.body = body, load.curve = spec.curve, load.follows = spec.follows;
+  load.force = spec.follows ? start.undo(spec.force) : spec.force;
+  load.moment = spec.follows ? start.undo(spec.moment) : spec.moment;
+  const Vec3 from_node = spec.at ? Vec3(*spec.at - model.start_position[n]) : Vec3(Vec3::Zero());
+  load.at = Tie<3>::to_node(n, start.undo(from_node));
+  return load;
+}
+
+std::vector<SolidFace> surface_faces(const Model<3>& model, int body) {
+  const Body& b = model.bodies[body];
+  std::vector<SolidFace> faces;
+  for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p)
+    for (int f = 0; f < static_cast<int>(model.piece_solid[p].normals.size()); ++f)
+      if (model.piece_solid[p].is_surface(f)) faces.push_back({p, f});
+  return faces;
+}
+
+/// Faces whose outward normal is within 45 degrees of `side` at the start.
+std::vector<SolidFace> faces_towards(const Model<3>& model, int body, const Vec3& side) {
+  const double least = std::sqrt(0.5) - 1e-9;
+  std::vector<SolidFace> faces;
+  for (const SolidFace& f : surface_faces(model, body)) {
+    const Turn3 turn = turn_of(model.start_rotation[model.node_of_piece(f.piece)]);
+    if (turn.apply(model.piece_solid[f.piece].normals[f.face]).dot(side) >= least * side.norm()) faces.push_back(f);
+  }
+  return faces;
+}
+
+/// A face goes with one node and keeps its shape, so even pressure on it is one force in the middle of its area: value
+/// times area, against the outward normal or along `direction`.
+std::vector<PointLoad<3>> make_solid_pressure(const Model<3>& model, int body, const std::vector<SolidFace>& faces,
+                                              const SolidPressureSpec& spec) {
+  const std::string owner = fmt::format("pressure '{}' on '{}'", spec.name, model.bodies[body].name);
+  check_pressure(model, body, spec, owner);
+  std::vector<PointLoad<3>> loads;
+  for (const SolidFace& face : faces) {
+    const Polyhedron& shape = model.piece_solid[face.piece].shape;
+    const int n = model.node_of_piece(face.piece);
+    const Turn3 start = turn_of(model.start_rotation[n]);
+    const Vec3 area = area_vector(shape.corners, shape.faces[face.face]);  // in the axes of the node
+    PointLoad<3> load;
+    load.name = spec.name, load.body = body, load.curve = spec.curve, load.follows = spec.follows;
+    load.at = Tie<3>::to_node(n, middle_of(shape.corners, shape.faces[face.face]));
+    if (spec.direction)
+      load.force = spec.value * area.norm() * spec.direction->normalized();
+    else
+      load.force = -spec.value * (spec.follows ? area : start.apply(area));
+    loads.push_back(std::move(load));
+  }
+  return loads;
+}
+
+}  // namespace trilith

@@ -1,0 +1,144 @@
+// What becomes of loads, pushes and supports: a load's share changes, any of them is let go without a jolt.
+#include <algorithm>
+#include <cmath>
+
+#include "bindings.hpp"
+#include "load_reading.hpp"
+#include "step/release.hpp"
+#include "world/loads.hpp"
+#include "world/pushes.hpp"
+
+namespace trilith::script {
+namespace {
+
+void require_load(ScriptModel& m, const std::string& name, const char* owner) {
+  const std::vector<std::string> names = names_of_loads(m);
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw InputError(fmt::format("{}: there is no load '{}'{}", owner, name, name_hint(name, names)));
+}
+
+double read_span(Keys& keys, const char* key, double preset) {
+  const double span = keys.number(key, "s", preset);
+  if (!(span >= 0 && std::isfinite(span))) keys.problem(fmt::format("'{}' is {:g} s, must not be below 0", key, span));
+  return span;
+}
+
+/// From the step border on.
+void change_share(ScriptModel& m, const std::string& name, double share, double duration) {
+  const auto change = [name, share, duration, box = &m](auto& model) {
+    change_loads(model, name, box->time(), share, duration);
+  };
+  if (SpaceModel* space = as_space(m))
+    space->change(change);
+  else
+    as_plane(m)->change(change);
+}
+
+/// m:set_load{ name =, factor =, duration = }: its share from now on, reached smoothly.
+int set_load(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  Keys keys(L, 2, "set_load");
+  const std::string name = keys.text("name");
+  const double share = keys.number("factor", "1"), duration = read_span(keys, "duration", 0);
+  keys.finish();
+  require_load(m, name, "set_load");
+  change_share(m, name, share, duration);
+  return 0;
+}
+
+/// What x, y, z and rotation set free of a body's supports; all of it where none is given. In space `rotation` is every
+/// turn.
+template <int D>
+std::array<bool, Space<D>::dofs> read_directions(Keys& keys) {
+  std::array<bool, Space<D>::dofs> on{};
+  on[0] = keys.flag("x", false), on[1] = keys.flag("y", false);
+  if constexpr (D == 3) on[2] = keys.flag("z", false);
+  std::fill(on.begin() + D, on.end(), keys.flag("rotation", false));
+  if (std::find(on.begin(), on.end(), true) == on.end()) on.fill(true);
+  return on;
+}
+
+template <std::size_t dofs>
+std::string directions_text(const std::array<bool, dofs>& on) {
+  constexpr std::array names{"x", "y", "z"};
+  constexpr std::size_t along = dofs == 3 ? 2 : 3;
+  std::string text;
+  for (std::size_t k = 0; k < along; ++k)
+    if (on[k]) text += fmt::format("{}{}", text.empty() ? "" : ", ", names[k]);
+  if (on[along]) text += fmt::format("{}rotation", text.empty() ? "" : ", ");
+  return text;
+}
+
+/// `place`: of the script, for a message at the step border, where it is the run's line that is known.
+template <int D>
+void release_bodies(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, Space<D>::dofs>& on,
+                    double fade, const std::string& place) {
+  const bool waits = m.running() && !m.paused();
+  m.change([bodies, on, fade, box = &m, place = waits ? place : ""](Model<D>& model) {
+    int freed = 0;
+    for (const int body : bodies) freed += release_supports(model, box->if_built()->state(), body, on, fade);
+    if (freed > 0) {
+      box->simulation().drop_step();
+      return;
+    }
+    const Body& first = model.bodies[bodies.front()];
+    throw InputError(fmt::format(
+        "release: {}{} free already in {}, so there is nothing to let go", place,
+        bodies.size() == 1 ? fmt::format("body '{}' is", first.name) : fmt::format("the {} bodies are", bodies.size()),
+        directions_text(on)));
+  });
+}
+
+template <int D>
+void release_pushed(SimulatedModel<D>& m, const std::string& push, double fade) {
+  m.evaluated();
+  m.change([push, fade, box = &m](Model<D>& model) {
+    const Simulation<D>& s = *box->if_built();
+    release_push(model, s.state(), s.work(), push, fade);
+  });
+}
+
+/// m:release{ body =, x =, y =, rotation =, fade = } or { load =, fade = } or { push =, fade = }; z too in space.
+template <int D>
+int release_of(lua_State* L, SimulatedModel<D>& m) {
+  Keys keys(L, 2, "release");
+  const bool of_load = keys.has("load"), of_push = keys.has("push"), of_body = keys.has("body");
+  const std::string load = keys.text("load", ""), push = keys.text("push", "");
+  const double fade = read_span(keys, "fade", 1);
+  const auto on = read_directions<D>(keys);
+  if (static_cast<int>(of_load) + static_cast<int>(of_push) + static_cast<int>(of_body) != 1)
+    keys.problem("give one of body, load (its name) and push (its name)");
+  const std::vector<int> bodies = of_body ? read_loaded_bodies(keys, m) : std::vector<int>{};
+  keys.know({"body"});
+  keys.finish();
+  m.simulation();
+  if (of_load) {
+    require_load(m, load, "release");
+    change_share(m, load, 0, fade);
+  } else if (of_push) {
+    require_load(m, push, "release");
+    release_pushed(m, push, fade);
+  } else {
+    release_bodies(m, bodies, on, fade, user_place(L));
+  }
+  return 0;
+}
+
+int release(lua_State* L) {
+  if (SpaceModel* space = as_space(this_model(L))) return release_of<3>(L, *space);
+  return release_of<2>(L, this_plane(L));
+}
+
+const std::array release_method_list{
+    Method{"set_load", guarded<set_load>, "set_load{name=, factor=, duration=}: a load's share from now on"},
+    Method{"release", guarded<release>,
+           "release{body=, x=, y=, z=, rotation=, fade=} or {load=, fade=} or {push=, fade=}: frees without a jolt"},
+};
+
+}  // namespace
+
+std::span<const Method> release_methods() {
+  return release_method_list;
+}
+
+}  // namespace trilith::script

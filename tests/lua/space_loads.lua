@@ -1,0 +1,93 @@
+-- Pushes, pressures and quiet release in space from a script, and what is refused.
+local trilith = require "trilith"
+local g = 9.80665
+local function near(a, b, share) assert(math.abs(a - b) <= share * math.abs(b), a .. " is not " .. b) end
+
+local function block_on_ground(mu, kn, size)
+  local m = trilith.model { name = "m", dim = 3 }
+  m:material { name = "stone", density = 2000 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = kn, ks = kn, mu = mu, beta = 1e-4 } }
+  local ground =
+    m:block { name = "ground", size = { 6, 6, 1 }, at = { -3, -3, -1 }, material = "stone", support = "fixed" }
+  local block = m:block { name = "block", size = size, at = { 0, 0, size[3]/2 }, anchor = "centre", material = "stone" }
+  m:consolidate { ratio = 1e-6 }
+  return m, block, ground
+end
+local function rest(m) return m:run { duration = 5, damping = 0.8, until_rest = { ratio = 1e-6, from = 0.3 } } end
+
+-- A flat block on friction takes mu W, whichever way it is pushed; the same way twice has the same bits.
+local hashes = {}
+for i, direction in ipairs { "x", "-y", "x" } do
+  local m, block = block_on_ground(0.4, 1e9, { 1, 0.8, 0.1 })
+  local weight = block.mass*g
+  local r = m:pushover { body = block, direction = direction, rate = 2e-3, displacement = 2e-3, samples = 40 }
+  near(r.curve.force[35], 0.4*weight, 2e-3)
+  near(m.push_displacement, 2e-3, 1e-6)
+  near((direction == "x" and 1 or -1)*block[direction == "x" and "ux" or "uy"], 2e-3, 2e-2)
+  assert(r.limit == "displacement", r.limit)
+  hashes[i] = m.hash
+  m:release { push = "pushover", fade = 0.2 }
+  assert(rest(m).rests and m.push_force == 0)
+end
+assert(hashes[1] == hashes[3] and hashes[1] ~= hashes[2])
+
+-- A slender one, pushed at its top, is lifted off its edge by W b / (2 h), a little less as the edge is soft.
+do
+  local m, block = block_on_ground(0.9, 1e10, { 0.4, 0.6, 1.2 })
+  local r = m:pushover { body = block, at = { 0, 0, 1.2 }, direction = "-x", rate = 4e-3, displacement = 4e-3 }
+  local lifts = block.mass*g*0.4/(2*1.2)
+  assert(r.peak_force < lifts, r.peak_force)
+  near(r.peak_force, lifts, 0.03)
+end
+
+-- Even pressure from the side is carried by friction; one all around carries itself.
+do
+  local m, block = block_on_ground(0.6, 1e9, { 1, 0.8, 0.5 })
+  local z = block.z
+  assert(m:pressure { name = "wind", body = block, face = "front", value = 2e3, course = { ramp = 0.1 } } == "wind")
+  rest(m)
+  -- The shear springs of the face carry it: p A = ks A_face u, and the block leans a little.
+  local most = 2e3*0.5*1/(1e9*1*0.8)
+  assert(block.uy > 0.99*most and block.uy < 3*most, block.uy)
+  m:release { load = "wind", fade = 0.2 }
+  m:pressure { name = "water", body = block, face = "all", value = 5e3, course = { ramp = 0.1 } }
+  rest(m)
+  assert(math.abs(block.uy) < 1e-10 and math.abs(block.z - z) < 1e-10, block.uy)
+  m:pressure { name = "snow", body = block, face = "top", value = 3e3, direction = { 0, 0, -1 }, course = { ramp = 0.1 } }
+  rest(m)
+  near(z - block.z, 3e3/1e9, 1e-3)
+end
+
+-- A fixed body is let go quietly: it sinks into its springs and does not swing.
+do
+  local m = trilith.model { name = "q", dim = 3 }
+  m:material { name = "stone", density = 2000 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e7, ks = 1e7, mu = 0.5, beta = 1e-6 } }
+  m:block { name = "ground", size = { 6, 6, 1 }, at = { -3, -3, -1 }, material = "stone", support = "fixed" }
+  local held = m:block { name = "held", size = { 1, 1, 0.5 }, material = "stone", support = "fixed" }
+  m:run { duration = 0.01 }
+  m:release { body = held, fade = 1 }
+  local lowest = 0
+  m:on_step(function() lowest = math.min(lowest, held.uz) end)
+  m:run { duration = 1.5 }
+  near(held.uz, -1000*g/1e7, 1e-2)
+  near(lowest, -1000*g/1e7, 1e-2)
+end
+
+local function says(text, f)
+  local ok, message = pcall(f)
+  assert(not ok and tostring(message):find(text, 1, true), tostring(message) .. "\nbut not: " .. text)
+end
+local m, block = block_on_ground(0.4, 1e9, { 1, 0.8, 0.1 })
+says("pushover: 'direction' is 'up', must be one of x, -x, y, -y, z, -z",
+  function() m:pushover { body = block, direction = "up", rate = 1e-3, displacement = 1e-3 } end)
+says("push: body 'ground' is held or driven in the direction in which it is to be pushed",
+  function() m:pushover { body = "ground", rate = 1e-3, displacement = 1e-3 } end)
+says("pressure: missing 'face'", function() m:pressure { body = block, value = 1 } end)
+says("pressure: 'face' is 'side', must be", function() m:pressure { body = block, face = "side", value = 1 } end)
+says("pressure: unknown key 'from'", function() m:pressure { body = block, face = "top", from = { 0, 0 }, value = 1 } end)
+says("release: body 'block' is free already in z, so there is nothing to let go",
+  function() m:release { body = block, z = true } end)
+local ball = m:sphere { name = "ball", radius = 0.1, at = { 2, 2, 1 }, material = "stone", floating = true }
+says("pressure: no plane face of 'ball' looks to the top within 45 degrees",
+  function() m:pressure { body = ball, face = "top", value = 1 } end)
