@@ -48,6 +48,7 @@ void sync_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
+/// Where links lead, so that what a link points to is replaced and not the link.
 std::filesystem::path past_links(std::filesystem::path path) {
   std::error_code error;
   for (int i = 0; i < most_links && std::filesystem::is_symlink(path, error); ++i) {
@@ -58,6 +59,8 @@ std::filesystem::path past_links(std::filesystem::path path) {
   return path;
 }
 
+// Where a caller has closed a standard stream, the next file opened gets its number, and what is printed would go into
+// that file.
 int above_standard(int descriptor) {
   if (descriptor < 0 || descriptor > STDERR_FILENO) return descriptor;
   const int higher = ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -88,6 +91,7 @@ FreshFile::~FreshFile() {
   if (!in_place_) ::unlink(path_.c_str());
 }
 
+/// A signal may cut a write short: the rest is written again.
 void FreshFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t done = ::write(descriptor_, bytes.data(), bytes.size());

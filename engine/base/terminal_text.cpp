@@ -14,12 +14,15 @@ std::size_t control_length(std::string_view text, std::size_t i) {
   return byte(i) == 0xC2 && byte(i + 1) >= 0x80 && byte(i + 1) <= 0x9F ? 2 : 0;
 }
 
+/// \27 and the like, as Lua writes bytes.
 std::string escaped(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) text += fmt::format("\\{}", static_cast<unsigned>(static_cast<unsigned char>(c)));
   return text;
 }
 
+// Control characters are those below a blank, 127, and in UTF-8 U+0080 to U+009F (0xC2 0x80 to 0x9F), which a terminal
+// may act on: names and messages could otherwise move its cursor or change its title.
 std::string without_control(std::string_view text, bool keep_lines) {
   std::string out;
   std::size_t done = 0;

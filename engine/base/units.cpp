@@ -18,9 +18,11 @@ namespace {
 constexpr double foot = 0.3048, inch = 0.0254, pound = 0.45359237, gravity = 9.80665;
 constexpr double pound_force = pound * gravity;
 
+// Exponents of length, time and mass, in this order.
 constexpr Dimension none{}, length{1, 0, 0}, time_{0, 1, 0}, mass{0, 0, 1}, frequency{0, -1, 0}, acceleration{1, -2, 0},
     force{1, -2, 1}, stress{-1, -2, 1}, energy{2, -2, 1}, unit_weight{-2, -2, 1};
 
+// Name, size in SI, dimension, what it is in words; in the order in which manuals and messages list them.
 constexpr std::array units{
     Unit{"m", 1, length, "metre"},
     Unit{"mm", 1e-3, length, "millimetre"},
@@ -60,6 +62,7 @@ constexpr std::array units{
     Unit{"percent", 1e-2, none, "one in a hundred"},
 };
 
+/// InputError with the nearest name; `lb` is asked back, as it may be a force or a mass.
 const Unit& find_unit(std::string_view name, std::string_view expression) {
   for (const Unit& u : units)
     if (u.name == name) return u;
@@ -127,6 +130,7 @@ UnitProduct parse_unit(std::string_view expression) {
   UnitProduct product;
   int sign = 1;
   for (std::size_t i = 0; i < text.size();) {
+    // A 1 that stands alone, as in 1/s, is a product of nothing.
     const bool one = text[i] == '1' && (i + 1 == text.size() || !is_digit(text[i + 1]));
     if (is_blank(text[i]) || text[i] == '*' || text[i] == '/' || one) {
       if (text[i] == '/') sign = -1;

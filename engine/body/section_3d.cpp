@@ -15,6 +15,7 @@ double cube(double x) {
   return x * x * x;
 }
 
+/// By the exponential of base/portable.hpp, so that a section has the same bits on every processor.
 double tanh_of(double x) {
   return 1 - 2 / (portable::exp(2 * x) + 1);
 }
@@ -22,6 +23,13 @@ double tanh_of(double x) {
 std::vector<Vec2> rectangle(double width, double low, double high) {
   return {{-0.5 * width, low}, {0.5 * width, low}, {0.5 * width, high}, {-0.5 * width, high}};
 }
+
+// A section seen along its beam, y to its top and z across:
+//
+//         y |  ___          second_moment[1], about z: bends up and down, as in the plane
+//           | |___| flange  second_moment[0], about y: bends across
+//           |  | |  web     torsion: J of the twist, M = G J theta'
+//           +------ z
 
 /// Area, bending up and down and its shear as the plane has them; `across`: about y.
 Section3 with_numbers(const Section& plane, double across, double shear_across, double torsion) {
@@ -72,6 +80,8 @@ Section3 open_section(std::span<const SectionLayer> layers, std::span<const doub
 
 }  // namespace
 
+/// Saint-Venant's constant of a rectangle a x b, a >= b (Timoshenko and Goodier, Theory of Elasticity, art. 109):
+///   J = a b^3 (1/3 - 64/pi^5 b/a sum over odd n of tanh(n pi a / 2b) / n^5).
 double rectangle_torsion(double width, double depth) {
   const double a = std::max(width, depth), b = std::min(width, depth);
   double sum = 0;
@@ -88,6 +98,7 @@ Section3 section_in_space(const RectangleSection& s) {
   return out;
 }
 
+/// Circles and pipes do not warp: their torsion constant is the polar second moment.
 Section3 section_in_space(const CircleSection& s) {
   const Section plane = s.numbers();
   Section3 out = with_numbers(plane, plane.second_moment, plane.shear_area, 2 * plane.second_moment);
@@ -95,6 +106,7 @@ Section3 section_in_space(const CircleSection& s) {
   return out;
 }
 
+/// An open section of thin walls twists as its walls do, J = sum of b t^3 / 3; warping that is held is left out.
 Section3 section_in_space(const ISection& s) {
   const std::array layers{SectionLayer{s.bottom_width, s.bottom_thickness},
                           SectionLayer{s.web, s.depth - s.top_thickness - s.bottom_thickness},
@@ -114,6 +126,7 @@ Section3 section_in_space(const BoxSection& s) {
   const double web = 0.5 * s.webs, clear = s.depth - s.top - s.bottom, arm = 0.5 * (s.width - web);
   const double across =
       (s.top + s.bottom) * cube(s.width) / 12 + 2 * (clear * cube(web) / 12 + clear * web * arm * arm);
+  // Bredt's second formula along the middle lines of the walls: J = 4 A^2 / sum of (length / thickness).
   const double width = s.width - web, depth = s.depth - 0.5 * (s.top + s.bottom), enclosed = width * depth;
   const double torsion = 4 * enclosed * enclosed / (2 * depth / web + width / s.top + width / s.bottom);
   Section3 out = with_numbers(plane, across, s.width * (s.top + s.bottom), torsion);
@@ -136,6 +149,7 @@ Section3 polygon_section_in_space(std::span<const Vec2> outline) {
   double across = 0, mixed = 0;
   std::vector<Vec2> own;
   for (const Vec2& p : outline) own.emplace_back(p - moments.centroid);
+  // Green's theorem, side by side: the triangle of the centroid and a side has these moments.
   for (std::size_t i = 0; i < own.size(); ++i) {
     const Vec2 &p = own[i], &q = own[(i + 1) % own.size()];
     const double twice = sign * cross(p, q);
@@ -147,6 +161,8 @@ Section3 polygon_section_in_space(std::span<const Vec2> outline) {
         "polygon_section: up and across are not its principal axes, which a beam in space bends about; turn "
         "its outline by {:.4g} rad, and the orientation of its members back",
         0.5 * portable::atan2(2 * mixed, plane.second_moment - across)));
+  // Saint-Venant's estimate for a solid section, within some percent where it is not far from an ellipse, of which it
+  // is exact: J = A^4 / (40 Ip).
   const double polar = across + plane.second_moment;
   Section3 out =
       with_numbers(plane, across, plane.shear_area, plane.area * plane.area * plane.area * plane.area / (40 * polar));

@@ -17,6 +17,18 @@ namespace trilith {
 
 namespace {
 
+// A file of ours: header lines "# key: value" in any order, then one sample to a line.
+//
+//   # units: g                the unit of accelerations, which must be g
+//   # dt: 0.02 s              the step, the same between all samples
+//   # npts: 2688              how many there must be
+//   # v0: -1.2 cm/s           velocity and displacement at the start, where the source gives them
+//   # pga: 0.34874 g          a check on what follows, not needed
+//   0.00,-0.0014
+//   0.02,-0.0110
+//
+// Every line is checked as it is read, so that a message names the line.
+
 struct CsvHeader {
   MotionSource source;
   MotionStart start;
@@ -48,6 +60,7 @@ double quantity(std::string_view text, std::span<const Unit> units, std::string_
   lines.fail(fmt::format("{} is '{}', must be one number and its unit ({})", key, shown(text), allowed));
 }
 
+/// The step with its unit, above 0.
 double read_step(std::string_view text, const TextLines& lines) {
   const double step = quantity(text, time_units, "dt", lines);
   if (!(step > 0)) lines.fail(fmt::format("dt is {:g} s, must be above 0", step));
@@ -140,6 +153,7 @@ double read_sample(std::string_view line, std::size_t index, double step, const 
   return lines.require_number(trimmed(line.substr(comma + 1)), "acceleration");
 }
 
+/// To a thousandth: headers are rounded, and a file cut or scaled by hand is off by more.
 void require_announced_peak(const GroundMotion& motion, double announced, const TextLines& lines) {
   const double peak = motion_peaks(motion).acceleration.value / standard_gravity;
   if (std::abs(peak - announced) > 1e-3 * std::abs(peak))

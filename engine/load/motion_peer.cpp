@@ -9,12 +9,16 @@ namespace trilith {
 
 namespace {
 
+// The PEER centre's AT2 form: four lines of header (agency, title, unit, count and step), then samples in g, five or so
+// in a line.
+
 struct PeerHeader {
   MotionSource source;
   std::size_t count = 0;
   double step = 0;  // [s]
 };
 
+/// The next line without the blanks around it.
 std::string_view header_line(TextLines& lines) {
   const auto line = lines.next();
   if (!line) lines.fail_whole("is cut short: an AT2 file has 4 header lines");
@@ -47,6 +51,7 @@ void read_counts(std::string_view line, PeerHeader& header, const TextLines& lin
   if (!(header.step > 0)) lines.fail(fmt::format("DT is {:g} s, must be above 0", header.step));
 }
 
+/// The component is what stands behind the last comma of the title, as in "EL CENTRO, 5/19/1940, ARRAY #9, 180".
 PeerHeader read_header(TextLines& lines) {
   PeerHeader header;
   header.source.agency = header_line(lines);

@@ -13,6 +13,9 @@
 namespace trilith {
 namespace {
 
+// A file of numbers that says nothing of itself: one or two columns, or many accelerations in a line, after lines of
+// words that become the title. The script says the unit, and the step where there is no column of times.
+
 struct AccelerationUnit {
   std::string_view name;
   double in_g;
@@ -27,6 +30,7 @@ constexpr std::array acceleration_units{
     AccelerationUnit{"ft/s2", 0.3048 / standard_gravity},
 };
 
+/// Its size in g, by which samples are multiplied; InputError for a unit that is not known.
 double unit_in_g(const std::string& name, const std::string& file) {
   for (const AccelerationUnit& unit : acceleration_units)
     if (unit.name == name) return unit.in_g;
@@ -70,6 +74,7 @@ double step_of(const Columns& columns, const PlainForm& form, const TextLines& l
   if (!(step > 0)) lines.fail_whole("has times that do not grow");
   for (std::size_t i = 0; i < n; ++i) {
     const double due = columns.times.front() + static_cast<double>(i) * step;
+    // Times are mostly rounded to a few decimals, which moves none by a tenth of a step.
     if (std::abs(columns.times[i] - due) > 0.1 * step)
       lines.fail_whole(fmt::format("sample {} is at {:g} s, must be at {:g} s: the step must be uniform", i + 1,
                                    columns.times[i], due));
@@ -87,6 +92,7 @@ std::string plain_units() {
   return text;
 }
 
+/// Line by line; what is no number before the first sample is the title, later it is an error.
 GroundMotion parse_plain_motion(std::string_view text, const std::string& name, const PlainForm& form) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
   const double in_g = unit_in_g(form.unit, name);

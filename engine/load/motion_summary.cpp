@@ -15,6 +15,7 @@ namespace {
 constexpr double cm = 0.01;
 constexpr double inch = 0.0254;
 
+/// A label and its text to a line, texts under each other; what is empty is left out.
 class Lines {
  public:
   void add(std::string_view label, const std::string& text) {
@@ -35,6 +36,7 @@ void add_source(Lines& lines, const GroundMotion& motion) {
   for (const std::string& note : source.notes) lines.add("note", note);
 }
 
+/// How long it is, and how it moves at the start where it does: the integrals begin there.
 void add_samples(Lines& lines, const GroundMotion& motion) {
   lines.add("samples", fmt::format("{} at {:g} s", motion.samples().size(), motion.step()));
   const double begin = motion.start_time();
@@ -45,6 +47,7 @@ void add_samples(Lines& lines, const GroundMotion& motion) {
     lines.add("start", fmt::format("{:.4g} cm/s, {:.4g} cm", start.velocity / cm, start.displacement / cm));
 }
 
+/// Peaks of acceleration, velocity and displacement, each with its time, signed as in the record.
 void add_peaks(Lines& lines, const GroundMotion& motion) {
   const auto [a, v, u] = motion_peaks(motion);
   lines.add("PGA", fmt::format("{:.5f} g ({:.4f} m/s2) at {:.3f} s", a.value / standard_gravity, a.value, a.time));
@@ -57,6 +60,8 @@ std::string span_text(const TimeSpan& span) {
   return fmt::format("{:.2f} s, from {:.2f} to {:.2f} s", span.length(), span.begin, span.end);
 }
 
+/// Measures of how much shaking there is: Arias (1970), cumulative absolute velocity, significant durations (shares of
+/// Arias's intensity) and the time between the first and last 0.05 g.
 void add_intensities(Lines& lines, const GroundMotion& motion) {
   lines.add("Arias intensity", fmt::format("{:.4f} m/s", arias_intensity(motion)));
   lines.add("CAV", fmt::format("{:.4f} m/s", cumulative_absolute_velocity(motion)));

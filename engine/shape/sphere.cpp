@@ -16,6 +16,15 @@
 namespace trilith {
 namespace {
 
+// Moments of spheres that overlap. The body is cut by level planes; each cut is a union of discs, whose moments follow
+// from its rim by Green's theorem; the cuts are summed over the height by Gauss's rule between the heights where a
+// sphere, or the circle that two of them share, begins or ends, as areas are smooth in between:
+//
+//        __                    __
+//       /  \__     a cut of   /  \_
+//      |   |  |    two:      |  (  |   the rim is an arc of each disc
+//       \__/\_/               \__/
+
 /// Gauss's rule of 16 points: those right of the middle of -1 to 1, and their weights.
 constexpr std::array<double, 8> gauss_point{0.0950125098376374, 0.2816035507792589, 0.4580167776572274,
                                             0.6178762444026438, 0.7554044083550030, 0.8656312023878318,
@@ -70,6 +79,7 @@ bool covered_arcs(const std::vector<Disc>& discs, std::size_t i, std::vector<Arc
     const bool same = apart == 0 && own.radius == by.radius;
     if (same ? j < i : by.radius >= apart + own.radius) return true;
     if (same || own.radius >= apart + by.radius) continue;
+    // Half the angle that the other covers, by the law of cosines.
     const double cosine = (apart * apart + own.radius * own.radius - by.radius * by.radius) / (2 * apart * own.radius);
     const double half = portable::acos(std::clamp(cosine, -1.0, 1.0));
     double from = portable::atan2(dy, dx) - half;
@@ -103,6 +113,7 @@ struct BodyMoments {
   Vec3 first = Vec3::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  ///< integral of r r^T
 
+  // Of a whole sphere: 4/3 pi r^3, and r^2/5 of it along each axis about its centre.
   void add(const Sphere& s) {
     const double v = 4.0 / 3 * std::numbers::pi * s.radius * s.radius * s.radius;
     volume += v, first += v * s.centre;
@@ -128,6 +139,7 @@ std::vector<double> heights_of(const std::vector<Sphere>& spheres) {
       const Vec3 way = b.centre - a.centre;
       const double apart = way.norm();
       if (!(apart < a.radius + b.radius) || !(apart > std::abs(a.radius - b.radius))) continue;
+      // The circle that both share lies in a plane `along` from the centre of a, with the radius `ring`.
       const double along = (apart * apart + a.radius * a.radius - b.radius * b.radius) / (2 * apart);
       const double ring = std::sqrt(std::max(0.0, a.radius * a.radius - along * along));
       const double steep = way.z() / apart, up = ring * std::sqrt(std::max(0.0, 1 - steep * steep));
@@ -175,6 +187,7 @@ void check_sphere(const Sphere& sphere, std::string_view owner) {
                                  sphere.centre.x(), sphere.centre.y(), sphere.centre.z()));
 }
 
+/// About the first centre, so that a body far from the origin loses no digits; then about its own centroid.
 SolidMoments sphere_moments(std::span<const Sphere> spheres) {
   const Vec3 origin = spheres[0].centre;
   std::vector<Sphere> near(spheres.begin(), spheres.end());

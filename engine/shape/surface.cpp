@@ -13,6 +13,14 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
+// Faces are loops of corners one after the other in one array; a place in it stands for the side from that corner to
+// the next of its loop. What lies across a side is the place of the side that runs between the same two corners.
+//
+//      d ____ c      faces.corner  a b c d | b e c
+//       | f  |\      the side b-c of f is place 1, and across it is c-b of g, place 6:
+//       |____|_\     it runs the other way, so both faces look outwards or both inwards
+//      a    b g e
+
 /// The face and the next corner of each place of `faces.corner`.
 struct LoopPlaces {
   std::vector<int> face, next;  ///< [places]
@@ -61,6 +69,7 @@ class PointGrid {
  public:
   PointGrid(double within, std::size_t points) : within_(within), per_cell_(0.5 / within) { cells_.reserve(points); }
 
+  // A point within `within_` of p lies in one of the cells of the eight corners of the cube of that half width.
   /// The first point that was put near `p`, or -1.
   [[nodiscard]] int near(const Vec3& p, const std::vector<Vec3>& points) const {
     int found = -1;
@@ -135,6 +144,8 @@ class ShellWalk {
   }
 
  private:
+  /// Gives the faces that can be reached from `first` the number of a new shell, each with the turn that makes it look
+  /// the way its neighbour does.
   void walk(int first) {
     const int shell = out_.count++;
     out_.whole.push_back(1);
@@ -162,6 +173,7 @@ class ShellWalk {
     }
   }
 
+  // The volume by the divergence theorem, a third of the sum of (place . area), but for the factor: its sign is asked.
   /// Turns shells round whose volume is below 0.
   void outwards() {
     std::vector<double> volume(at(out_.count), 0);
@@ -193,6 +205,7 @@ Shells shells_of(const Polyhedron& surface, std::span<const int> across) {
   return ShellWalk(surface, across).run();
 }
 
+/// Each shell with corners of its own, numbered as its faces come upon them, and all faces outwards.
 std::vector<Polyhedron> solids_of(const Polyhedron& surface, const Shells& shells) {
   std::vector<Polyhedron> solids(at(shells.count));
   std::vector<int> number(surface.corners.size(), -1), in(surface.corners.size(), -1);
@@ -230,6 +243,8 @@ class FaceJoiner {
     for (int f = 0; f < solid.faces.count(); ++f) areas_.push_back(area_vector(solid.corners, solid.faces[f]));
   }
 
+  // Comes in: a closed surface of any faces. Goes out: the same with neighbours in one plane joined, and without the
+  // corners that lie within an edge then.
   Polyhedron run() {
     std::vector<int> order(areas_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
@@ -269,6 +284,7 @@ class FaceJoiner {
 
   /// The loop around the members; each for itself where there is more than one loop.
   void add_rim(const std::vector<int>& members, int number) {
+    // Sides that have a member on both sides are within; the others, followed from corner to corner, are the rim.
     std::unordered_map<int, int> next;
     std::size_t edges = 0;
     for (const int f : members)
@@ -294,6 +310,7 @@ class FaceJoiner {
     for (const int f : members) loops_.add(solid_.faces[f]);
   }
 
+  /// A corner where fewer than three faces meet is on a straight edge, or in no face any more.
   [[nodiscard]] Polyhedron without_unused() const {
     std::vector<int> uses(solid_.corners.size(), 0), number(solid_.corners.size(), -1);
     for (const int i : loops_.corner) ++uses[at(i)];
