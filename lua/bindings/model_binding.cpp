@@ -247,9 +247,9 @@ std::span<const Property<ModelBox>> Kind<ModelBox>::properties() {
   static const std::vector<ModelProperty> all = [] {
     std::vector<ModelProperty> list(model_properties.begin(), model_properties.end());
     list.insert(list.end(), finding_properties().begin(), finding_properties().end());
-    list.insert(list.end(), pushover_properties().begin(), pushover_properties().end());
     for (ModelProperty& p : list) p.dim = p.name == "thickness" ? 2 : p.dim;
     for (std::size_t i = model_properties.size(); i < list.size(); ++i) list[i].dim = 2;
+    list.insert(list.end(), pushover_properties().begin(), pushover_properties().end());
     list.insert(list.end(), debug_properties().begin(), debug_properties().end());
     return list;
   }();
