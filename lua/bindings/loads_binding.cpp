@@ -346,7 +346,8 @@ const std::array load_method_list{
     Method{
         "pressure", guarded<pressure>,
         "pressure{body=, face= or from= and to=, value=, follow=, direction=, course=, name=}: from now on; gives its "
-        "name"},
+        "name",
+        2},
     Method{"set_load", guarded<set_load>, "set_load{name=, factor=, duration=}: a load's share from now on"},
     Method{"release", guarded<release>,
            "release{body=, x=, y=, rotation=, fade=} or {load=, fade=} or {push=, fade=}: frees without a jolt"},

@@ -361,7 +361,8 @@ double push_displacement(const ModelBox& box) {
 const std::array pushover_method_list{
     Method{"pushover", guarded<pushover>,
            "pushover{body=, at=, direction=, pattern=, control=, rate=, arc=, displacement=, drift=, storey=, drop=}: "
-           "a stage that pushes steadily, or by equilibria past limit points"},
+           "a stage that pushes steadily, or by equilibria past limit points",
+           2},
 };
 
 using PushoverProperty = Property<ModelBox>;

@@ -6,9 +6,9 @@ return {
 body    bodies          on what
 force   point?          the force [N]; in space {x, y, z}
 moment  number N m = 0  the moment; in space a vector {x, y, z}
-at      place?          a point {x, y} of the body, or a place's name; else the centroid; {x, y, z} in space
+at      place = "centroid"  a point {x, y} of the body, or a place's name; else the centroid; {x, y, z} in space
 follow  flag = false    it turns with the body
-course  course?         its share over time: ]] .. course .. [[
+course  course = all at once  its share over time: ]] .. course .. [[
 
 name    text?           what results call it]], gives = "string" },
   { "model:pressure", "A pressure on faces of a body from now on. Gives its name.", keys = [[
@@ -17,9 +17,9 @@ value      number Pa  onto the face
 face       text?      top, bottom, left, right or all
 from       point?     or from this point of the outline
 to         point?     to this one, counter-clockwise
-direction  point?     where it acts; against the face where left out
+direction  point = against the face  where it acts; against the face where left out
 follow     flag?      it turns with the body
-course     course?    its share over time: ]] .. course .. [[
+course     course = all at once  its share over time: ]] .. course .. [[
 
 name       text?      what results call it]], gives = "string" },
   { "model:set_load", "A load's share from now on, reached smoothly.", keys = [[
@@ -36,7 +36,7 @@ rotation  flag = false  this direction
 fade      number s = 1  over which it goes]] },
   { "model:pushover", "A stage that pushes bodies steadily, and what that takes.", keys = [[
 body          bodies           what is pushed
-at            place?           a point {x, y} or the name of a place of one body
+at            place = "centroid"  a point {x, y} or the name of a place of one body
 direction     text = "x"       x, -x, y or -y
 pattern       text = "mass"    share of each body: mass, uniform or triangle
 control       text = "time"    "time": pushed steadily; "arc": by equilibria, in no time, past limit points
