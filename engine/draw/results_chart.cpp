@@ -96,6 +96,8 @@ struct Samples {
 
 Samples samples_at(const ResultsReader& reader, const std::vector<double>& times, const PlotWindow& window,
                    const char* what) {
+  if (window.from && window.to && *window.from >= *window.to)
+    throw InputError(fmt::format("--from {:g} s does not lie before --to {:g} s", *window.from, *window.to));
   const RunWindow of_run = run_window(reader, window);
   Samples samples;
   for (std::size_t i = 0; i < times.size(); ++i) {

@@ -170,14 +170,15 @@ void add_ghosts(const Header& header, const Frame& start, const std::vector<bool
   }
 }
 
-void require_time(const ResultsReader& reader, double time) {
+void require_time(const ResultsReader& reader, double time, const results::TimeOrigin& origin) {
   const std::vector<double>& times = reader.frame_times();
   if (times.empty())
     throw results::ResultsError(fmt::format("results file '{}': there is no frame to draw", reader.path().string()));
   const double spacing = (times.back() - times.front()) / static_cast<double>(times.size());
   if (!(time >= times.front() - 0.5 * spacing && time <= times.back() + 0.5 * spacing))
-    throw InputError(fmt::format("time {:g} s is outside the frames of '{}', {:g} s to {:g} s", time,
-                                 reader.path().string(), times.front(), times.back()));
+    throw InputError(fmt::format("time {:g} s{} is outside the frames of '{}', {:g} s to {:g} s", time - origin.zero,
+                                 origin.text(), reader.path().string(), times.front() - origin.zero,
+                                 times.back() - origin.zero));
 }
 
 /// Where one stage ends and the next begins there are two frames of one time: the later one counts.
@@ -284,7 +285,7 @@ Scene plain_scene(const Header& header, const Frame& frame) {
 
 Scene results_scene(const ResultsReader& reader, double time, const SceneChoice& choice) {
   const Header& header = reader.header();
-  require_time(reader, time);
+  require_time(reader, time, choice.origin);
   check_choice(reader, choice);
   const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
   Frame frame = frame_for(reader, time, whole);
