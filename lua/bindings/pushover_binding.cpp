@@ -321,6 +321,7 @@ int pushover(lua_State* L) {
   PlaneModel& m = this_plane(L);
   Keys keys(L, 2, "pushover");
   PushOrder o = read_order(keys, m);
+  const StageUntil until = o.by_arc ? StageUntil{} : read_until(keys, m);
   keys.finish();
   if (m.running()) throw InputError("pushover: a stage runs already; begin it when that has ended");
   const Model<2>& model = m.simulation().model();
@@ -337,11 +338,12 @@ int pushover(lua_State* L) {
   const Watch watch(m, [&](const Instant<2>& now) {
     if (recorder.step(now)) m.stop();
   });
-  const StageReport report = run_stage(L, m, o.stage);
+  const StageReport report = run_stage(L, m, o.stage, until);
   recorder.finish();
   stop_push(m, o);
   push_report(L, report);
-  add_curve(L, recorder.curve(), recorder.limit().empty() ? "displacement" : recorder.limit());
+  const bool met = report.end == StageEnd::stopped && recorder.limit().empty();
+  add_curve(L, recorder.curve(), met ? "until" : recorder.limit().empty() ? "displacement" : recorder.limit());
   return 1;
 }
 

@@ -1,3 +1,7 @@
+local until_keys = [[
+
+until_true      function?     by time: end where f(model), asked after each step, is true; the limit is then "until"
+until_collapse  flag = false  by time: end as something comes down: true, or { drop = [m], bodies = how many }]]
 local course = "a factor, { ramp = seconds }, { smooth = seconds } or { {time, share}, ... }"
 
 return {
@@ -50,5 +54,5 @@ samples       integer?         of the curve; by arc at most so many
 damping       number = 0.8     by time: share of the unbalanced force that brakes each body
 name          text?            what results call it
 dt            number s?        by time: fixed step
-safety        number = 0.5     by time: share of the longest stable step, at most 0.9]], gives = "report" },
+safety        number = 0.5     by time: share of the longest stable step, at most 0.9]] .. until_keys, gives = "report" },
 }
