@@ -91,8 +91,6 @@ calm(m)
 near(m:body("late").y, 0.1, 1e-2)
 
 -- Handlers of one body alone, and of what is hard enough.
-local ones = {}
-m:on({ "contact.made", body = "late" }, function(e) ones[#ones + 1] = e.type end)
 m:on({ "impact", above = 1e3 }, function() error "nothing hits that hard" end)
 fails(function() m:on({ "impact", bodies = "late" }, print) end, "on: unknown key 'bodies'; did you mean 'body'?")
 fails(function() m:on({ body = "late" }, print) end, "on: give an event first")
@@ -101,9 +99,13 @@ fails(function() m:on({ "impact", body = "lat" }, print) end, "there is no body 
 -- A body that takes itself away in its own event.
 local dropped = m:block { name = "dropped", width = 0.3, height = 0.3, at = { -2, 0.5 }, material = "stone",
   floating = true }
+local own, others = 0, 0
+m:on({ "impact", body = dropped }, function() own = own + 1 end)
+m:on({ "impact", body = upper }, function() others = others + 1 end)
 m:on("impact", function(e) if e.body == dropped or e.bodies[2] == dropped then m:remove(dropped) end end)
 m:run { duration = 0.6 }
 assert(dropped.removed_at and not dropped.present)
+assert(own == 1 and others == 0, own .. " " .. others)
 m:close()
 
 os.remove(out .. ".h5")

@@ -165,8 +165,7 @@ def shows_loops(page):
     assert page.ask("trilith.player.time < trilith.run.end")
     page.picture("large")
     page.keys(Keys.ESCAPE)
-    page.until("!document.getElementById('large').open")
-    assert page.ask("trilith.histories.plots[0].element.parentElement.parentElement.id") == "histories"
+    page.until("trilith.histories.plots[0].element.closest('#histories')")
     page.ask("trilith.select({ bearing: trilith.run.bearings[0] })")
     assert "loop, along" in page.text("#selection"), page.text("#selection")
     page.picture("bearing_loop")

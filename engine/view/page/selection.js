@@ -87,8 +87,8 @@ export class SelectionPanel {
   loops(bearing) {
     const mine = new Map(this.app.run.series.flatMap((s) => (s.text.endsWith(` of bearing '${bearing.name}'`) ? [[s.text.split(" of bearing")[0], s]] : [])));
     return [...mine].flatMap(([what, force]) => {
-      const over = what.startsWith("force") ? mine.get(what.replace("force", "displacement")) : null;
-      return over ? [this.plot(`loop, ${what.replace("force ", "")}`, force.unit, [force], over)] : [];
+      const direction = what.match(/^force(?: of the law)? (.+)$/)?.[1], over = mine.get(`displacement ${direction}`);
+      return over ? [this.plot(`loop, ${direction}`, force.unit, [force], over)] : [];
     });
   }
 
