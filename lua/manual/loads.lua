@@ -54,5 +54,6 @@ samples       integer?         of the curve; by arc at most so many
 damping       number = 0.8     by time: share of the unbalanced force that brakes each body
 name          text?            what results call it
 dt            number s?        by time: fixed step
-safety        number = 0.5     by time: share of the longest stable step, at most 0.9]] .. until_keys, gives = "report" },
+safety        number = 0.5     by time: share of the longest stable step, at most 0.9]] .. until_keys,
+    gives = "report" },
 }

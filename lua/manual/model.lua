@@ -99,7 +99,8 @@ hold            table?           boxes whose nodes are held]],
 fixed           names?           names or groups that are fixed
 by_group        table?           what holds for a group alone]] },
   fields = {
-    model = { name = "string", energy = "table", gravity = "number[]", bearings = "trilith.bearing[]", seats = "trilith.seat[]",
+    model = { name = "string", energy = "table", gravity = "number[]", bearings = "trilith.bearing[]",
+      seats = "trilith.seat[]",
       storeys = "trilith.storey[]", events = "trilith.event[]", hash = "string", notes = "string[]",
       worst = "trilith.findings", verdict = "table", dim = "integer" },
     body = { name = "string", material = "string", groups = "string[]", outline = "number[][]", kind = "string",

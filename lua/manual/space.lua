@@ -75,7 +75,7 @@ at          vector = {0, 0, 0}  middle of its foot]], with = "solids", gives = "
   { "space:wall", "A masonry wall with a thickness, along x.", keys = [[
 name            text?                names begin with it
 length          number m             along x
-thickness       number m = half a unit's length  along y; without it half a unit's length, or a unit's where there are headers
+thickness       number m = half a unit's length  along y; where there are headers a unit's
 unit_length     number m = 0.4       of a stretcher with its joint
 unit_height     number m = 0.2       of a course
 header_length   number m = half a stretcher  of a header along the wall
