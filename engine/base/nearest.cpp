@@ -27,10 +27,11 @@ int edit_distance(std::string_view a, std::string_view b) {
   return last[n - 1];
 }
 
-/// A name is meant where at most a third of its letters differ, one of them in short words.
+/// A name is meant where at most a third of its letters differ, one of them in short words; of a single letter none.
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known) {
   std::string best;
-  int least = std::max(1, static_cast<int>(given.size()) / 3) + 1;
+  const int letters = static_cast<int>(given.size());
+  int least = std::min(std::max(1, letters / 3), letters - 1) + 1;
   for (const std::string& name : known) {
     const int distance = edit_distance(given, name);
     if (distance < least) {
@@ -48,7 +49,7 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
 std::string name_hint(std::string_view given, const std::vector<std::string>& known) {
   const std::string best = nearest_name(given, known);
   if (!best.empty()) return fmt::format("; did you mean '{}'?", best);
-  return fmt::format("; known: {}", fmt::join(known, ", "));
+  return known.empty() ? "; there are none" : fmt::format("; known: {}", fmt::join(known, ", "));
 }
 
 }  // namespace trilith

@@ -15,7 +15,7 @@ int edit_distance(std::string_view a, std::string_view b);
 /// with it, if it has three letters; else "".
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known);
 
-/// "; did you mean 'height'?" or, where nothing is near, "; known: a, b, c".
+/// "; did you mean 'height'?" or, where nothing is near, "; known: a, b, c", "; there are none".
 std::string name_hint(std::string_view given, const std::vector<std::string>& known);
 
 }  // namespace trilith

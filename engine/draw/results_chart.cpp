@@ -65,16 +65,20 @@ struct RunWindow {
   double from, to, zero;
 };
 
+results::TimeOrigin origin_of(const ResultsReader& reader, const PlotWindow& window) {
+  return results::time_origin(reader, window.since.empty() ? window.stage : window.since);
+}
+
 RunWindow run_window(const ResultsReader& reader, const PlotWindow& window) {
   constexpr double forever = std::numeric_limits<double>::infinity();
-  double zero = 0, last = forever;
+  double first = -forever, last = forever;
   if (!window.stage.empty()) {
-    const results::StageRow row = find_stage(reader, window.stage);
-    zero = row.begin, last = row.ended ? row.end : forever;
+    const results::StageRow row = results::find_stage(reader, window.stage);
+    first = row.begin, last = row.ended ? row.end : forever;
   }
+  const double zero = origin_of(reader, window).zero;
   // A sample at the border itself belongs to the window, whatever its last digit.
   const double hair = 1e-9 * std::max(1.0, std::abs(zero));
-  const double first = window.stage.empty() ? -forever : zero;
   return {(window.from ? zero + *window.from : first) - hair,
           std::min(window.to ? zero + *window.to : forever, last) + hair, zero};
 }
@@ -92,6 +96,8 @@ struct Samples {
 
 Samples samples_at(const ResultsReader& reader, const std::vector<double>& times, const PlotWindow& window,
                    const char* what) {
+  if (window.from && window.to && *window.from >= *window.to)
+    throw InputError(fmt::format("--from {:g} s does not lie before --to {:g} s", *window.from, *window.to));
   const RunWindow of_run = run_window(reader, window);
   Samples samples;
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -154,9 +160,9 @@ std::vector<EnergyCurve> without_small(std::vector<EnergyCurve> curves) {
 /// More marks than these of one type say nothing.
 constexpr std::size_t most_marks_of_a_type = 8;
 
-/// Time from the start of the run, or of a stage, which the label then names.
-ChartAxis time_axis(const PlotWindow& window) {
-  return {window.stage.empty() ? "Time" : fmt::format("Time since '{}' began", window.stage), "s"};
+/// Time from the start of the run, or of a stage or an event, which the label then names.
+ChartAxis time_axis(const ResultsReader& reader, const PlotWindow& window) {
+  return {"Time" + origin_of(reader, window).text(), "s"};
 }
 
 }  // namespace
@@ -170,7 +176,7 @@ Chart history_chart(const std::vector<NamedResults>& results, const std::vector<
   if (wanted.empty())
     throw InputError(fmt::format("'{}' has no histories to plot", results.front().reader->path().string()));
   Chart chart;
-  chart.x = against.empty() ? time_axis(window)
+  chart.x = against.empty() ? time_axis(*results.front().reader, window)
                             : ChartAxis{label_of(find_history(*results.front().reader, against)),
                                         find_history(*results.front().reader, against).unit};
   for (const std::string& name : wanted)
@@ -214,7 +220,7 @@ Chart results_energy_chart(const NamedResults& result, EnergyView view, const Pl
   curves = without_small(std::move(curves));
   curves.push_back(std::move(supplied));
   Chart chart = energy_chart(table.time, curves, view);
-  chart.x = time_axis(window);
+  chart.x = time_axis(*result.reader, window);
   for (ChartSeries& s : chart.panels[0].series)
     if (s.name == small_terms) s.colour = palette().no_value;
   if (!result.name.empty()) chart.title += ", " + result.name;

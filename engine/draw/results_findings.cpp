@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
@@ -79,6 +80,21 @@ std::string stress_label(std::string_view name) {
   return fmt::format("stress {}", name);
 }
 
+/// The body outside of the chain that presses its end the hardest, or -1: what the end springs from, whatever lies on
+/// it.
+int springer(const Frame& frame, const std::vector<int>& chain, int end) {
+  std::map<int, Vec2> pressed;
+  for (const results::ContactForce& c : frame.contacts) {
+    if (c.body_a != end && c.body_b != end) continue;
+    const int other = c.body_a == end ? c.body_b : c.body_a;
+    if (std::find(chain.begin(), chain.end(), other) == chain.end())
+      pressed.try_emplace(other, Vec2::Zero()).first->second += Vec2(c.force[0], c.force[1]);
+  }
+  const auto smaller = [](const auto& a, const auto& b) { return a.second.squaredNorm() < b.second.squaredNorm(); };
+  const auto hardest = std::max_element(pressed.begin(), pressed.end(), smaller);
+  return hardest == pressed.end() ? -1 : hardest->first;
+}
+
 }  // namespace
 
 const std::vector<std::string>& stress_names() {
@@ -131,13 +147,16 @@ void add_cracks(const Header& header, const Frame& frame, const std::vector<bool
   }
 }
 
-/// From body to body of the group, in its order: the mean of the points where they press on each other, weighed by the
-/// forces there. It is broken where two neighbours do not touch.
+/// From springing to springing, from body to body of the group, in its order: the mean of the points where they press
+/// on each other, weighed by the forces there. It is broken where two neighbours do not touch.
 void add_thrust_line(const Header& header, const Frame& frame, std::string_view group, Scene& scene) {
   std::vector<int> chain;
   for (std::size_t i = 0; i < header.bodies.size(); ++i)
     if (is_in(header.bodies[i], group)) chain.push_back(static_cast<int>(i));
   if (chain.empty()) throw InputError(fmt::format("no body is in the group '{}'", group));
+  const int first = springer(frame, chain, chain.front()), last = springer(frame, chain, chain.back());
+  if (first >= 0) chain.insert(chain.begin(), first);
+  if (last >= 0) chain.push_back(last);
   scene.lines.emplace_back();
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
     Vec2 point = Vec2::Zero();

@@ -168,17 +168,17 @@ void add_ghosts(const Header& header, const Frame& start, const std::vector<bool
       moved = std::max(moved, (scene.bodies[i].outline[k] - outline[k]).norm());
     if (moved > least_share * size_of(outline)) scene.ghosts.push_back(outline);
   }
-  scene.ghost_label = fmt::format("at t = {:.3g} s", start.time);
 }
 
-void require_time(const ResultsReader& reader, double time) {
+void require_time(const ResultsReader& reader, double time, const results::TimeOrigin& origin) {
   const std::vector<double>& times = reader.frame_times();
   if (times.empty())
     throw results::ResultsError(fmt::format("results file '{}': there is no frame to draw", reader.path().string()));
   const double spacing = (times.back() - times.front()) / static_cast<double>(times.size());
   if (!(time >= times.front() - 0.5 * spacing && time <= times.back() + 0.5 * spacing))
-    throw InputError(fmt::format("time {:g} s is outside the frames of '{}', {:g} s to {:g} s", time,
-                                 reader.path().string(), times.front(), times.back()));
+    throw InputError(fmt::format("time {:g} s{} is outside the frames of '{}', {:g} s to {:g} s", time - origin.zero,
+                                 origin.text(), reader.path().string(), times.front() - origin.zero,
+                                 times.back() - origin.zero));
 }
 
 /// Where one stage ends and the next begins there are two frames of one time: the later one counts.
@@ -244,15 +244,6 @@ std::vector<results::EventRow> events_of_note(const ResultsReader& reader) {
   return out;
 }
 
-results::StageRow find_stage(const ResultsReader& reader, std::string_view name) {
-  std::vector<std::string> known;
-  for (const results::StageRow& stage : reader.stages()) {
-    if (stage.name == name) return stage;
-    known.push_back(stage.name);
-  }
-  throw InputError(fmt::format("'{}' has no stage '{}'{}", reader.path().string(), name, name_hint(name, known)));
-}
-
 const std::vector<std::string>& colour_names() {
   static const std::vector<std::string> names{"group", "displacement", "speed"};
   return names;
@@ -294,7 +285,7 @@ Scene plain_scene(const Header& header, const Frame& frame) {
 
 Scene results_scene(const ResultsReader& reader, double time, const SceneChoice& choice) {
   const Header& header = reader.header();
-  require_time(reader, time);
+  require_time(reader, time, choice.origin);
   check_choice(reader, choice);
   const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
   Frame frame = frame_for(reader, time, whole);
@@ -302,11 +293,12 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
   const ViewAxes view(choice.from);
   const Flatten flat = flatten_for(header, view);
   Scene scene;
-  scene.time = frame.time - choice.zero;
+  scene.time = frame.time - choice.origin.zero;
+  scene.since = choice.origin.text();
   add_stage(reader, frame, scene);
-  scene.event = event_before(reader, frame.time, choice.zero);
+  scene.event = event_before(reader, frame.time, choice.origin.zero);
   const Verdict verdict = results::results_verdict(reader.events());
-  if (frame.time > verdict.sound_until()) scene.verdict = verdict.text(choice.zero);
+  if (frame.time > verdict.sound_until()) scene.verdict = verdict.text(choice.origin.zero);
   add_bodies(header, frame, scene);
   if (!choice.colour.empty()) colour_bodies(reader, frame, choice.colour, scene);
   if (!header.bearings.empty()) add_bearings(header, frame, flat, scene);
@@ -315,12 +307,17 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
   if (header.dim == 2) add_findings(header, frame, choice, left, scene);
   if (choice.magnify != 1)
     scene.stage += fmt::format("{}displacements x {:g}", scene.stage.empty() ? "" : ", ", choice.magnify);
+  if (choice.ghost)
+    scene.ghost_label = fmt::format("at t = {:.3g} s", reader.frame_times().front() - choice.origin.zero);
   if (header.dim == 3) {
     add_solids(header, frame, choice, left, scene);
     if (choice.ghost) add_solid_ghosts(header, reader.frame(0), frame, view, scene);
     return scene;
   }
   if (choice.ghost) add_ghosts(header, reader.frame(0), left, scene);
+  const Frame start = reader.frame(0);
+  for (std::size_t i = 0; i < header.bodies.size(); ++i)
+    scene.bodies[i].start = outline_of(header, header.bodies[i], start);
   drop_left(left, scene);
   return scene;
 }

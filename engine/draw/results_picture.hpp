@@ -11,19 +11,20 @@
 #include "draw/solid_piece.hpp"
 #include "draw/view_direction.hpp"
 #include "results/reader.hpp"
+#include "results/time_origin.hpp"
 
 namespace trilith::draw {
 
 struct SceneChoice {
-  bool forces = false;      ///< contact forces; the picture is then that of the nearest frame, not between two
-  bool ghost = false;       ///< outlines of the first frame, of bodies that have moved since
-  bool cracks = false;      ///< broken joints, by what they did most
-  std::string stress = {};  ///< bodies coloured by their mean stress: see stress_names(); "": not
-  std::string thrust = {};  ///< line of thrust through the bodies of this group, or ""
-  double magnify = 1;       ///< displacements since the start times this, without contact forces
-  std::string colour = {};  ///< bodies coloured by one of colour_names(); "" as "group"
-  ViewDirection from = {};  ///< of a model in space: from where it is seen
-  double zero = 0;          ///< times in the caption count from here [s]
+  bool forces = false;              ///< contact forces; the picture is then that of the nearest frame, not between two
+  bool ghost = false;               ///< outlines of the first frame, of bodies that have moved since
+  bool cracks = false;              ///< broken joints, by what they did most
+  std::string stress = {};          ///< bodies coloured by their mean stress: see stress_names(); "": not
+  std::string thrust = {};          ///< line of thrust through the bodies of this group, or ""
+  double magnify = 1;               ///< displacements since the start times this, without contact forces
+  std::string colour = {};          ///< bodies coloured by one of colour_names(); "" as "group"
+  ViewDirection from = {};          ///< of a model in space: from where it is seen
+  results::TimeOrigin origin = {};  ///< what times in the caption count from
   std::optional<CutPlane> cut = std::nullopt;  ///< of a model in space: what is on the eye's side of it is left out
 };
 
@@ -38,9 +39,6 @@ Scene results_scene(const results::ResultsReader& reader, double time, const Sce
 /// The bodies of a model in the plane where `frame` has them, and nothing else.
 Scene plain_scene(const results::Header& header, const results::Frame& frame);
 
-/// Row of the first stage called `name`; throws InputError with the nearest name where there is none.
-results::StageRow find_stage(const results::ResultsReader& reader, std::string_view name);
-
 /// Events that a reader of a picture wants to hear of, in time: neither contacts made and lost, slow impacts, bodies
 /// at rest, nor the ends of stages.
 std::vector<results::EventRow> events_of_note(const results::ResultsReader& reader);
@@ -51,10 +49,11 @@ struct NamedResults {
   std::string name;
 };
 
-/// The part of a run that is plotted [s]: from `from` to `to`, counted from the beginning of `stage` where that is
-/// named, else from the start of the run. Within a stage its own end is the last moment.
+/// The part of a run that is plotted [s]: from `from` to `to`. Times count from the stage or event called `since`, else
+/// from the beginning of `stage` where that is named, else from the start of the run. Within a stage its own end is the
+/// last moment.
 struct PlotWindow {
-  std::string stage = {};
+  std::string stage = {}, since = {};
   std::optional<double> from = std::nullopt, to = std::nullopt;
 };
 

@@ -232,7 +232,6 @@ void add_solid_ghosts(const Header& header, const Frame& start, const Frame& fra
     }
     if (size > 0 && moved > least_share * size) scene.ghosts.push_back(outline_as_seen(body, before, view));
   }
-  scene.ghost_label = fmt::format("at t = {:.3g} s", start.time);
 }
 
 }  // namespace trilith::draw

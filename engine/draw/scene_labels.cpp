@@ -124,10 +124,45 @@ std::optional<PageBox> place_beside(const Room& room, std::size_t i, double widt
   return std::nullopt;
 }
 
+/// Where each name stands from the centroid of its body at the start, on a page without an end and before anything is
+/// marked: a place that does not hang on the moment of the picture, so that names keep still from one to the next.
+std::vector<std::optional<PagePoint>> places_at_start(const Scene& scene, const PageView& page,
+                                                      const TextStyle& style) {
+  constexpr double endless = 1e7;
+  Room room{{-endless, -endless, endless, endless}, {}, {}, {}};
+  for (const SceneBody& body : scene.bodies) {
+    Outline outline;
+    for (const Vec2& p : body.start) outline.push_back(page.place(p));
+    room.outlines.push_back(std::move(outline));
+    room.is_ground.push_back(body.role != BodyRole::free);
+  }
+  std::vector<std::optional<PagePoint>> out(scene.bodies.size());
+  const double height = 1.3 * style.size;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SceneBody& body = scene.bodies[i];
+    if (body.name.empty() || room.outlines[i].size() < 3 || room.is_ground[i]) continue;
+    const double width = text_width(body.name, style) + 3;
+    std::optional<PageBox> place = place_inside(room, i, width, height);
+    if (!place) place = place_beside(room, i, width, height);
+    if (!place) continue;
+    out[i] = middle(*place) - polygon_moments(room.outlines[i]).centroid;
+    room.taken.push_back(*place);
+  }
+  return out;
+}
+
+/// The place of the start, where it is free and still tells whose name it is.
+std::optional<PageBox> kept_place(const Room& room, std::size_t i, const PagePoint& offset, double width,
+                                  double height) {
+  const PageBox place = around(polygon_moments(room.outlines[i]).centroid + offset, width, height);
+  const bool beside = room.in_the_open(place) && belongs(room, i, place);
+  return beside || room.inside(i, place) ? std::optional(place) : std::nullopt;
+}
+
 }  // namespace
 
-/// Inside its body near the centroid, else beside it where nothing else is near; else the name is left out. Names that
-/// are placed take room from those that follow.
+/// Where it stood at the start, as far as that is free; else inside its body near the centroid, else beside it where
+/// nothing else is near; else the name is left out. Names that are placed take room from those that follow.
 void draw_labels(Canvas& canvas, const Scene& scene, const SceneView& view, const PageView& page,
                  std::vector<PageBox> marks, const TextStyle& style) {
   Room room{page.box, {}, {}, std::move(marks)};
@@ -135,6 +170,7 @@ void draw_labels(Canvas& canvas, const Scene& scene, const SceneView& view, cons
     room.outlines.push_back(page_outline(page, body.outline));
     room.is_ground.push_back(body.role != BodyRole::free);
   }
+  const std::vector<std::optional<PagePoint>> kept = places_at_start(scene, page, style);
   const double height = 1.3 * style.size;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const SceneBody& body = scene.bodies[i];
@@ -142,12 +178,13 @@ void draw_labels(Canvas& canvas, const Scene& scene, const SceneView& view, cons
     const double width = text_width(body.name, style) + 3;
     TextStyle text = style;
     text.align = Align::centre;
-    std::optional<PageBox> place = place_inside(room, i, width, height);
-    if (place) {
+    std::optional<PageBox> place = kept[i] ? kept_place(room, i, *kept[i], width, height) : std::nullopt;
+    if (!place) place = place_inside(room, i, width, height);
+    if (place && contains(room.outlines[i], middle(*place))) {
       const Colour fill = body_fill(view, body);
       text.colour = ink_on(fill);
       if (body.role != BodyRole::free) canvas.rectangle(*place, fill, std::nullopt);  // clear of the hatch
-    } else if (body.role == BodyRole::free) {
+    } else if (!place && body.role == BodyRole::free) {
       place = place_beside(room, i, width, height);
     }
     if (!place) continue;

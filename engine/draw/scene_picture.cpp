@@ -25,7 +25,7 @@ TextStyle subtitle_style(const PictureStyle& s) {
 }
 
 std::string subtitle(const Scene& scene) {
-  std::string out = scene.time ? fmt::format("t = {:.2f} s", *scene.time) : "";
+  std::string out = scene.time ? fmt::format("t = {:.2f} s{}", *scene.time, scene.since) : "";
   for (const std::string& part : {scene.stage, scene.event, scene.verdict})
     if (!part.empty()) out += (out.empty() ? "" : " · ") + part;
   return out;

@@ -30,6 +30,7 @@ struct SceneBody {
   BodyRole role = BodyRole::free;
   std::string group = {};
   std::optional<double> value = std::nullopt;
+  std::vector<Vec2> start = {};  ///< the outline at the start, by which its name has a place that stays; may be empty
 };
 
 /// A part of a solid's face as it is seen [m, in the plane of the picture]; it covers those before it.
@@ -80,6 +81,7 @@ struct SceneCrack {
 struct Scene {
   std::string title;
   std::optional<double> time = std::nullopt;  ///< s
+  std::string since = {};                     ///< what follows the time where it counts from elsewhere than the start
   std::string stage = {};
   std::string event = {};
   std::string verdict = {};  ///< why the run is not to be trusted

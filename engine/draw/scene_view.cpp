@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.hpp"
 
@@ -140,6 +141,21 @@ double typical_size(const WorldBox& box) {
   return std::max(std::sqrt(larger * std::max(smaller, 0.1 * larger)), 1e-6);
 }
 
+/// Down to the ground that what is in the air will fall on: the highest beneath it, unless that is far away.
+void reach_ground(WorldBox& box, const std::vector<Scene>& scenes) {
+  const double far = std::max(box.width(), box.height());
+  std::optional<double> level;
+  for (const Scene& scene : scenes)
+    for (const SceneBody& body : scene.bodies) {
+      if (!is_ground(body.role)) continue;
+      Extent ground;
+      ground.add(body.outline);
+      const bool beneath = ground.box.x0 < box.x1 && ground.box.x1 > box.x0 && ground.box.y1 < box.y0;
+      if (beneath && ground.box.y1 > box.y0 - far) level = std::max(level.value_or(ground.box.y1), ground.box.y1);
+    }
+  if (level) box.y0 = *level;
+}
+
 /// Takes in the ground, but of a large one only a border.
 void take_ground(WorldBox& box, const WorldBox& ground, double border) {
   box.x0 = std::min(box.x0, std::max(ground.x0, box.x0 - border));
@@ -167,6 +183,7 @@ void set_world(SceneView& view, const std::vector<Scene>& scenes, const PictureS
   const WorldBox most = bulk(scenes);
   content.box = {std::max(content.box.x0, most.x0), std::max(content.box.y0, most.y0),
                  std::min(content.box.x1, most.x1), std::min(content.box.y1, most.y1)};
+  reach_ground(content.box, scenes);
   const double size = typical_size(style.view.value_or(content.box));
   set_forces(view, scenes, style.force_mark, size);
   view.world = style.view.value_or(content.box);
@@ -192,11 +209,8 @@ void set_groups_and_values(SceneView& view, const std::vector<Scene>& scenes) {
       view.high = view.has_values ? std::max(view.high, *body.value) : *body.value;
       view.has_values = true;
     }
-  // Values of both signs have 0 in the middle of their colours.
-  if (view.low < 0 && view.high > 0) {
-    view.high = std::max(view.high, -view.low);
-    view.low = -view.high;
-  }
+  // Values of both signs have 0 in the middle of their colours; the scale ends where the values do.
+  if (view.low < 0 && view.high > 0) view.farthest = std::max(view.high, -view.low);
 }
 
 /// Number of the group among those of its kind (free bodies, or ground).
@@ -255,7 +269,8 @@ Colour body_fill(const SceneView& view, const SceneBody& body) {
 }
 
 Colour value_colour(const SceneView& view, double share) {
-  if (view.low < 0 && view.high > 0) return diverging_colour(share);
+  if (view.farthest > 0)
+    return diverging_colour(0.5 + 0.5 * (view.low + share * (view.high - view.low)) / view.farthest);
   return sequential_colour(view.high <= 0 && view.low < 0 ? 1 - share : share);
 }
 

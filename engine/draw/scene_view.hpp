@@ -20,7 +20,8 @@ struct SceneView {
   bool bars = false;              ///< forces as bars, not arrows
   bool has_values = false;        ///< some body has a value
   bool has_faces = false;         ///< of solids: ground is shaded, not hatched
-  double low = 0, high = 0;       ///< range of the values' colours; low == -high where values have both signs
+  double low = 0, high = 0;       ///< range of the values' colours
+  double farthest = 0;            ///< largest size of a value, where values have both signs: 0 is the middle colour
 };
 
 /// Checks all scenes and the style and finds what they share. Throws InputError as scene_canvas says.

@@ -25,9 +25,9 @@ std::string heading_of(const std::string& type) {
   return std::string(known->heading);
 }
 
-void write_counts(const std::vector<results::EventRow>& events, HtmlText& html) {
+void write_counts(const ReportSource& source, HtmlText& html) {
   std::map<std::string, std::vector<const results::EventRow*>> by_type;
-  for (const results::EventRow& e : events)
+  for (const results::EventRow& e : source.events)
     if (!e.type.starts_with("stage.")) by_type[e.type].push_back(&e);
   std::vector<std::vector<std::string>> rows;
   for (const auto& [type, all] : by_type) {
@@ -37,7 +37,7 @@ void write_counts(const std::vector<results::EventRow>& events, HtmlText& html) 
         most = &e->first;
     rows.push_back({heading_of(type),
                     most == nullptr ? "–" : fmt::format("{} {}", most->name, quantity_text(most->value, most->unit)),
-                    fmt::format("{}", all.size()), shown_time(all.front()->time), shown_time(all.back()->time)});
+                    fmt::format("{}", all.size()), source.clock(all.front()->time), source.clock(all.back()->time)});
   }
   if (!rows.empty()) html.table({"Event", "Largest", "Count", "First", "Last"}, rows, 2);
 }
@@ -72,7 +72,8 @@ std::string text_of(const results::EventRow& e) {
 /// arrow, so that a long chain does not wander off the page.
 class TreeWriter {
  public:
-  TreeWriter(const results::EventTree& tree, HtmlText& html) : tree_(tree), html_(html) {}
+  TreeWriter(const ReportSource& source, const results::EventTree& tree, HtmlText& html)
+      : source_(source), tree_(tree), html_(html) {}
 
   /// `all`: what is not shown as well, else that goes into folds.
   void list(const std::vector<std::size_t>& rows, bool all, int depth) {
@@ -98,7 +99,7 @@ class TreeWriter {
 
   void line(std::size_t i, bool all, int depth, const char* sign) {
     const results::EventRow& e = tree_.rows[i];
-    html_.open("li", fmt::format(R"(class="{}")", mark_of(e))).element("time", shown_time(e.time));
+    html_.open("li", fmt::format(R"(class="{}")", mark_of(e))).element("time", source_.clock(e.time));
     html_.text(fmt::format(" {}{}", sign, text_of(e)));
     const std::vector<std::size_t>& effects = tree_.effects[i];
     if (effects.size() > 1 && depth < most_depth) {
@@ -108,7 +109,8 @@ class TreeWriter {
     }
     html_.close();
     if (effects.empty()) return;
-    siblings(effects, all, depth, effects.size() == 1 ? "→ " : fmt::format("(from {}) ", shown_time(e.time)).c_str());
+    siblings(effects, all, depth,
+             effects.size() == 1 ? "→ " : fmt::format("(from {}) ", source_.clock(e.time)).c_str());
   }
 
   void count(std::size_t i, std::map<std::string, std::size_t>& counts, double& last) const {
@@ -125,11 +127,12 @@ class TreeWriter {
     for (const auto& [what, n] : counts) parts.push_back(fmt::format("{} {}", n, n == 1 ? what : several(what)));
     html_.open("li", R"(class="fold")").open("details");
     html_.element("summary", fmt::format("and {}, {} to {}", fmt::join(parts, ", "),
-                                         shown_time(tree_.rows[rows.front()].time), shown_time(last)));
+                                         source_.clock(tree_.rows[rows.front()].time), source_.clock(last)));
     list(rows, true, depth + 1);
     html_.close().close();
   }
 
+  const ReportSource& source_;
   const results::EventTree& tree_;
   HtmlText& html_;
 };
@@ -161,7 +164,7 @@ void write_events(const ReportSource& source, HtmlText& html) {
   html.element("h2", "Chain of events");
   std::size_t left_out = 0;
   const results::EventTree tree = results::event_tree(source.events, tree_rows(source.of_note, left_out), open_lines);
-  write_counts(source.events, html);
+  write_counts(source, html);
   if (tree.rows.empty()) {
     html.element("p", "No bearing, seat or bond was lost, and nothing hit anything hard.");
     return;
@@ -175,11 +178,11 @@ void write_events(const ReportSource& source, HtmlText& html) {
   html.element("p", note + "; lines that begin with “and” sum up branches that unfold on a screen.", R"(class="note")");
   std::map<std::int32_t, std::vector<std::size_t>> by_stage;
   for (const std::size_t i : tree.roots) by_stage[tree.rows[i].stage].push_back(i);
-  TreeWriter writer(tree, html);
+  TreeWriter writer(source, tree, html);
   for (const auto& [stage, roots] : by_stage) {
     if (stage >= 0 && static_cast<std::size_t>(stage) < source.stages.size()) {
       const results::StageRow& row = source.stages[static_cast<std::size_t>(stage)];
-      html.element("h3", fmt::format("{}, from {}", row.name, shown_time(row.begin)));
+      html.element("h3", fmt::format("{}, from {}", row.name, source.clock(row.begin)));
     }
     html.open("div", R"(class="tree")");
     writer.list(roots, false, 0);

@@ -116,6 +116,13 @@ std::vector<KeyHistory> key_histories(const ReportSource& source) {
   return all;
 }
 
+/// The whole run, in the times of the report.
+draw::PlotWindow window_of(const ReportSource& source) {
+  draw::PlotWindow window;
+  window.since = source.origin.name;
+  return window;
+}
+
 }  // namespace
 
 void write_figure(HtmlText& html, std::string_view name, const std::string& caption,
@@ -148,6 +155,7 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
     choice.cracks =
         !source.header.joints.empty() && std::any_of(source.header.fields.begin(), source.header.fields.end(),
                                                      [](const results::Field& f) { return f.name == "joint_damage"; });
+    choice.origin = source.origin;
     scenes.push_back(draw::results_scene(source.reader, m.time, choice));
     const std::string letter = moments.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + words.size())) : "";
     words.push_back(fmt::format("{}at {}, {}", letter, shown_time(*scenes.back().time), m.why));
@@ -174,7 +182,7 @@ void write_histories(const ReportSource& source, HtmlText& html) {
     const std::string& unit = h.quantity->unit;
     names.push_back(h.quantity->name);
     rows.push_back({h.quantity->name, h.quantity->description, quantity_text(h.most, unit),
-                    shown_time(time_of_largest(times, h.values)), quantity_text(h.values.back(), unit)});
+                    source.clock(time_of_largest(times, h.values)), quantity_text(h.values.back(), unit)});
   }
   html.table({"History", "What it is", "Largest", "At", "At the end"}, rows, 2);
   const std::size_t left = source.header.histories.size() - names.size();
@@ -182,8 +190,8 @@ void write_histories(const ReportSource& source, HtmlText& html) {
     html.element("p", fmt::format("The {} largest; {} further histories are in the results file.", names.size(), left),
                  R"(class="note")");
   write_figure(html, "histories", "Histories over time.", [&] {
-    draw::Chart chart = draw::history_chart({{&source.reader, ""}}, names);
-    chart.marks = draw::event_marks(source.reader);
+    draw::Chart chart = draw::history_chart({{&source.reader, ""}}, names, window_of(source));
+    chart.marks = draw::event_marks(source.reader, window_of(source));
     return draw::chart_canvas({chart}, draw::Arrangement::below);
   });
 }
@@ -201,7 +209,7 @@ void write_energy(const ReportSource& source, HtmlText& html) {
   const auto add = [&](const std::string& name, const std::string& text, const std::vector<double>& values) {
     const double last = std::abs(values.back()) < 1e-9 * most ? 0 : values.back();
     rows.push_back({name, text, quantity_text(last, "J"), quantity_text(results::largest_value(values), "J"),
-                    shown_time(time_of_largest(table.time, values))});
+                    source.clock(time_of_largest(table.time, values))});
   };
   for (const std::vector<double>& term : table.terms) most = std::max(most, results::largest_value(term));
   for (std::size_t i = 0; i < table.terms.size(); ++i) {
@@ -220,8 +228,10 @@ void write_energy(const ReportSource& source, HtmlText& html) {
   if (none > 0) note += fmt::format("{} terms that are zero throughout are left out.", none);
   if (!note.empty()) html.element("p", note, R"(class="note")");
   write_figure(html, "energy", "Energy by term over what was put in; below it the residual.", [&] {
-    draw::Chart chart = draw::results_energy_chart({&source.reader, ""}, draw::EnergyView::stacked);
-    chart.panels.push_back({{"Residual", "J"}, {{"", table.time, table.residual}}});
+    draw::Chart chart = draw::results_energy_chart({&source.reader, ""}, draw::EnergyView::stacked, window_of(source));
+    std::vector<double> times = table.time;
+    for (double& t : times) t -= source.origin.zero;
+    chart.panels.push_back({{"Residual", "J"}, {{"", times, table.residual}}});
     return draw::chart_canvas({chart}, draw::Arrangement::below);
   });
 }

@@ -144,10 +144,11 @@ void write_model(const ReportSource& source, HtmlText& html) {
   write_bodies(header, html);
   html.element(
       "p",
-      fmt::format("A model in {} dimensions; {} points upwards, angles turn anticlockwise, times count from the "
-                  "start of the file. SI units throughout, with the usual prefixes: m, kg (1 t = 1,000 kg), s, "
+      fmt::format("A model in {} dimensions; {} points upwards, angles turn anticlockwise, times are those since {}. "
+                  "SI units throughout, with the usual prefixes: m, kg (1 t = 1,000 kg), s, "
                   "N, Pa, J. Contact stiffness is per area and length, Pa/m.",
-                  header.dim, header.dim == 2 ? "y" : "z"),
+                  header.dim, header.dim == 2 ? "y" : "z",
+                  source.origin.since.empty() ? "the start of the run" : source.origin.since),
       R"(class="note")");
   write_laws(header, html);
   write_bearings(header, html);

@@ -123,7 +123,8 @@ void write_stored(const ReportSource& source, const std::vector<results::MotionR
     const GroundMotion motion = draw::stored_motion(row);
     const std::string where =
         fmt::format("'{}' ({})", source.header.bodies[static_cast<std::size_t>(row.body)].name, row.direction);
-    rows.push_back(row_of(fmt::format("{} from t = {:g} s: {}", where, row.begin, row.text), motion, turns));
+    rows.push_back(
+        row_of(fmt::format("{} from t = {:g} s: {}", where, row.begin - source.origin.zero, row.text), motion, turns));
     rows.back().push_back(std::isnan(miss[i]) ? "–" : fmt::format("{:.1e} {}", miss[i], turns ? "rad" : "m"));
     if (turns) continue;
     names.push_back(where);

@@ -6,9 +6,9 @@
 namespace trilith::report {
 
 std::string report_page(const results::ResultsReader& reader, const std::vector<std::filesystem::path>& record_folders,
-                        const ReportProgress& progress) {
+                        const ReportProgress& progress, const results::TimeOrigin& origin) {
   const ReportSource source{reader,          reader.header(), reader.events(), draw::events_of_note(reader),
-                            reader.stages(), reader.notes(),  record_folders};
+                            reader.stages(), reader.notes(),  record_folders,  origin};
   HtmlText html;
   html.raw("<!DOCTYPE html>\n").open("html", R"(lang="en")").open("head");
   html.raw(R"(<meta charset="utf-8"/>)")

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "results/reader.hpp"
+#include "results/time_origin.hpp"
 
 namespace trilith::report {
 
@@ -18,9 +19,10 @@ using ReportProgress = std::function<void(double)>;
 /// finished is reported up to its last flush, and said to be so; what a file does not hold is left out or said to be
 /// missing. Throws ResultsError where the file cannot be read.
 ///
-/// `record_folders`: where records of ground motions are looked for by name, in this order.
+/// `record_folders`: where records of ground motions are looked for by name, in this order. `origin`: what times count
+/// from, which the page then says.
 std::string report_page(const results::ResultsReader& reader,
                         const std::vector<std::filesystem::path>& record_folders = {},
-                        const ReportProgress& progress = {});
+                        const ReportProgress& progress = {}, const results::TimeOrigin& origin = {});
 
 }  // namespace trilith::report

@@ -99,7 +99,7 @@ void write_damage(const ReportSource& source, HtmlText& html) {
       "p",
       fmt::format("At {}. The damage of a joint is the part of its bond that is lost; the mean is over the joints "
                   "that had one.",
-                  shown_time(last.time)),
+                  source.clock(last.time)),
       R"(class="note")");
 }
 

@@ -22,6 +22,9 @@ struct ReportSource {
   std::vector<results::StageRow> stages;
   std::vector<results::Note> notes;
   std::vector<std::filesystem::path> record_folders;
+  results::TimeOrigin origin;  ///< what instants count from
+  /// An instant of the run, as shown_time of it since the origin.
+  [[nodiscard]] std::string clock(double time) const;
 };
 
 /// A figure in words as tables show it; masses from 10,000 kg in t.

@@ -130,13 +130,13 @@ std::string ending(const ReportSource& source) {
   const std::vector<double>& times = source.reader.frame_times();
   const double reached = times.empty() ? 0 : times.back();
   if (source.reader.running())
-    return fmt::format("The run is still going on and is told here up to {}", shown_time(reached));
+    return fmt::format("The run is still going on and is told here up to {}", source.clock(reached));
   if (!source.reader.finished())
-    return fmt::format("The run was stopped before its end and is told here up to {}", shown_time(reached));
+    return fmt::format("The run was stopped before its end and is told here up to {}", source.clock(reached));
   if (source.stages.empty() || !source.stages.back().ended)
-    return fmt::format("The run ended at {}", shown_time(reached));
+    return fmt::format("The run ended at {}", source.clock(reached));
   const results::StageRow& last = source.stages.back();
-  return fmt::format("The run ended at {}, {} after {} of the stage “{}”", shown_time(last.end), why_text(last.why),
+  return fmt::format("The run ended at {}, {} after {} of the stage “{}”", source.clock(last.end), why_text(last.why),
                      shown_time(last.end - last.begin), last.name);
 }
 
@@ -177,7 +177,7 @@ std::string first_failure(const ReportSource& source) {
   const auto first = std::find_if(source.events.begin(), source.events.end(), results::is_failure);
   if (first == source.events.end()) return "No bearing, seat or bond was lost.";
   const std::string what = first->text.empty() ? first->type : first->text;
-  return fmt::format("The first failure came at {}{}: {}.", shown_time(first->time), within_stage(source, *first),
+  return fmt::format("The first failure came at {}{}: {}.", source.clock(first->time), within_stage(source, *first),
                      what);
 }
 
@@ -206,6 +206,10 @@ std::string shown_time(double seconds) {
   return fmt::format("{:.3f} s", seconds);
 }
 
+std::string ReportSource::clock(double time) const {
+  return shown_time(time - origin.zero);
+}
+
 std::string verdict(const ReportSource& source) {
   return fmt::format("{}: {}. {}", ending(source), losses(source), first_failure(source));
 }
@@ -227,11 +231,13 @@ void write_head(const ReportSource& source, HtmlText& html) {
                      : "Not finished: the run ended before its end. What follows is up to its last flush.",
                  R"(class="warning")");
   const Verdict found = results::results_verdict(source.events);
-  if (!found.sound()) html.element("p", fmt::format("This run is {}.", found.text()), R"(class="warning")");
+  if (!found.sound())
+    html.element("p", fmt::format("This run is {}.", found.text(source.origin.zero)), R"(class="warning")");
   html.element("p", verdict(source), R"(class="verdict")");
   std::vector<std::string> remarks;
   for (const results::Note& note : source.notes)
-    if (!note.text.starts_with(motion_note)) remarks.push_back(fmt::format("{}: {}", shown_time(note.time), note.text));
+    if (!note.text.starts_with(motion_note))
+      remarks.push_back(fmt::format("{}: {}", source.clock(note.time), note.text));
   if (remarks.empty()) return;
   html.element("h3", "Remarks of the program").open("ul");
   for (const std::string& remark : remarks) html.element("li", remark);
@@ -265,8 +271,8 @@ void write_stages(const ReportSource& source, HtmlText& html) {
   }
   std::vector<std::vector<std::string>> rows;
   for (const results::StageRow& s : source.stages)
-    rows.push_back({s.name, s.kind, s.ended ? s.why : "not ended", shown_time(s.begin),
-                    s.ended ? shown_time(s.end) : "–", s.ended ? shown_time(s.end - s.begin) : "–"});
+    rows.push_back({s.name, s.kind, s.ended ? s.why : "not ended", source.clock(s.begin),
+                    s.ended ? source.clock(s.end) : "–", s.ended ? shown_time(s.end - s.begin) : "–"});
   html.table({"Stage", "Kind", "Ended by", "From", "To", "Long"}, rows, 3);
 }
 

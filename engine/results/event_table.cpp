@@ -20,7 +20,7 @@ std::string text_beside_type(const EventRow& e) {
 
 }  // namespace
 
-std::string event_table(const std::vector<EventRow>& events) {
+std::string event_table(const std::vector<EventRow>& events, const TimeOrigin& origin) {
   if (events.empty()) return "no events\n";
   std::map<std::int64_t, std::size_t> row;
   for (std::size_t i = 0; i < events.size(); ++i) row[events[i].id] = i;
@@ -36,12 +36,14 @@ std::string event_table(const std::vector<EventRow>& events) {
   }
   std::size_t widest = 0;
   for (const EventRow& e : events) widest = std::max(widest, e.type.size());
-  std::string out = fmt::format("{:>12}  {:<{}}  {}\n", "time", "event", widest, "what");
+  std::string out = origin.since.empty() ? "" : fmt::format("times count{}\n", origin.text());
+  out += fmt::format("{:>12}  {:<{}}  {}\n", "time", "event", widest, "what");
   while (!pending.empty()) {
     const auto [i, depth] = pending.back();
     pending.pop_back();
     const EventRow& e = events[i];
-    out += fmt::format("{:>10.4f} s  {:<{}}  {:{}}{}\n", e.time, e.type, widest, "", 2 * depth, text_beside_type(e));
+    out += fmt::format("{:>10.4f} s  {:<{}}  {:{}}{}\n", e.time - origin.zero, e.type, widest, "", 2 * depth,
+                       text_beside_type(e));
     for (const std::size_t effect : effects[i]) pending.emplace_back(effect, depth + 1);  // latest first: taken last
   }
   return out;

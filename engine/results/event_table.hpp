@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "results/results.hpp"
+#include "results/time_origin.hpp"
 
 namespace trilith::results {
 
-/// One line for each event, '\n' ended: time [s], type, and its text indented below its cause; the effects of one cause
-/// stand in order of time. An event whose cause is not among `events` stands at the left. No events: a line that says
-/// so.
-std::string event_table(const std::vector<EventRow>& events);
+/// One line for each event, '\n' ended: time [s] since `origin`, type, and its text indented below its cause; the
+/// effects of one cause stand in order of time. An event whose cause is not among `events` stands at the left. No
+/// events: a line that says so.
+std::string event_table(const std::vector<EventRow>& events, const TimeOrigin& origin = {});
 
 }  // namespace trilith::results

@@ -87,8 +87,8 @@ std::string duration_text(double seconds) {
 }
 
 template <int D>
-std::string status_text(const Instant<D>& now, const Pace& pace) {
-  std::string out = fmt::format("{}  t {:.3f} s  step {}  dt {}", now.stage.name, now.state.time,
+std::string status_text(const Instant<D>& now, const Pace& pace, double zero) {
+  std::string out = fmt::format("{}  t {:.3f} s  step {}  dt {}", now.stage.name, now.state.time - zero,
                                 grouped(now.state.step), quantity_text(now.dt, "s"));
   if (pace.speed() > 0) out += fmt::format("  {:.3g} x real time", pace.speed());
   out += fmt::format("  kinetic {}  unbalanced {:.1e}", quantity_text(kinetic_energy(now.model, now.state), "J"),
@@ -137,29 +137,37 @@ std::vector<std::string> EventLines::rest() {
   return lines;
 }
 
+void EventLines::count_from(const Event& event, std::vector<std::string>& lines) {
+  const bool is_stage = event.type == EventType::stage_begun && event.text == since_;
+  if (since_.empty() || !(is_stage || info_of(event.type).name == since_)) return;
+  lines.push_back(fmt::format("{:10.3f} s  times count from here on", event.time));
+  zero_ = event.time;
+  since_.clear();
+}
+
 template <int D>
 std::vector<std::string> EventLines::tell(const Event& event, const Model<D>& model) {
   std::vector<std::string> lines;
   if (show_ == EventShow::none) return lines;
   const std::string text = event_text(event, model);
   const bool is_stage = event.type == EventType::stage_begun || event.type == EventType::stage_ended;
-  if (!has_trait(event.type, is_minor) && !is_stage)
-    causes_[event.id] = fmt::format("at {:.3f} s: {}", event.time, text);
+  if (!has_trait(event.type, is_minor) && !is_stage) causes_[event.id] = {event.time, text};
+  count_from(event, lines);
   if (leaves_out(event) || thins_out(event, lines)) return lines;
-  std::string line = fmt::format("{:10.3f} s  {:<15}  {}", event.time, info_of(event.type).heading, text);
+  std::string line = fmt::format("{:10.3f} s  {:<15}  {}", event.time - zero_, info_of(event.type).heading, text);
   // A bearing changes as it fails, one line below.
   const auto cause = causes_.find(event.cause);
   if (cause != causes_.end() && event.type != EventType::bearing_changed)
-    line += fmt::format("  (because {})", cause->second);
+    line += fmt::format("  (because at {:.3f} s: {})", cause->second.time - zero_, cause->second.text);
   lines.push_back(std::move(line));
   return lines;
 }
 
 template double kinetic_energy(const Model<2>&, const State<2>&);
-template std::string status_text(const Instant<2>&, const Pace&);
+template std::string status_text(const Instant<2>&, const Pace&, double);
 template std::vector<std::string> EventLines::tell(const Event&, const Model<2>&);
 template double kinetic_energy(const Model<3>&, const State<3>&);
-template std::string status_text(const Instant<3>&, const Pace&);
+template std::string status_text(const Instant<3>&, const Pace&, double);
 template std::vector<std::string> EventLines::tell(const Event&, const Model<3>&);
 
 }  // namespace trilith

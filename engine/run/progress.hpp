@@ -38,8 +38,9 @@ template <int D>
 double kinetic_energy(const Model<D>& model, const State<D>& state);
 
 /// "shaking  t 12.431 s  step 124310  dt 0.1 ms  12.3 x real time  kinetic 1.23 MJ  unbalanced 3.2e-05  0:45 left".
+/// `zero`: what t counts from [s of the run].
 template <int D>
-std::string status_text(const Instant<D>& now, const Pace& pace);
+std::string status_text(const Instant<D>& now, const Pace& pace, double zero = 0);
 
 /// "0:45", "2:03:10": a duration in wall clock [s].
 std::string duration_text(double seconds);
@@ -53,9 +54,10 @@ enum class EventShow { none, important, all };
 /// crowds of impacts and broken bonds are counted.
 class EventLines {
  public:
-  /// `least_impact`: slower impacts are left out [m/s].
-  explicit EventLines(EventShow show = EventShow::important, double least_impact = slow_impact)
-      : show_(show), least_impact_(least_impact) {}
+  /// `least_impact`: slower impacts are left out [m/s]. `since`: times count from the first stage called so, or the
+  /// first event of that type, once it has come; "": from the start of the run.
+  explicit EventLines(EventShow show = EventShow::important, double least_impact = slow_impact, std::string since = "")
+      : show_(show), least_impact_(least_impact), since_(std::move(since)) {}
 
   /// The lines that `event` gives, mostly one or none: "   12.430 s  seat lost        S3 lost its seat on P3 (right)
   /// (because at 11.020 s: bearing S3.left failed at 51 mm)".
@@ -63,6 +65,10 @@ class EventLines {
   std::vector<std::string> tell(const Event& event, const Model<D>& model);
   /// What is still to be said at the end of a stage.
   std::vector<std::string> rest();
+  /// What counts as 0 by now [s of the run].
+  [[nodiscard]] double zero() const { return zero_; }
+  /// A stage or event was named that has not come.
+  [[nodiscard]] bool waits() const { return !since_.empty(); }
 
  private:
   struct Crowd {
@@ -71,10 +77,18 @@ class EventLines {
   };
   [[nodiscard]] bool leaves_out(const Event& event) const;
   bool thins_out(const Event& event, std::vector<std::string>& lines);
+  /// Begins to count where what was named has come, and says so.
+  void count_from(const Event& event, std::vector<std::string>& lines);
 
   EventShow show_;
   double least_impact_;
-  std::map<std::int64_t, std::string> causes_;  // id: "at 11.02 s: ..."
+  std::string since_;  // "" once it has come
+  double zero_ = 0;
+  struct Cause {
+    double time;
+    std::string text;
+  };
+  std::map<std::int64_t, Cause> causes_;  // by id
   std::array<Crowd, event_types> crowd_{};
 };
 

@@ -66,7 +66,8 @@ void set_end(StageReport& report, const Instant<D>& now, const std::optional<Div
     report.reason = unsettled_reason(now);
   } else if (end == StageEnd::all_left) {
     report.reason =
-        "all bodies that were free to move have left the bounds; where they are to be followed farther, "
+        "all bodies that were free to move have left the bounds or were removed; where they are to be followed "
+        "farther, "
         "give wider ones";
   }
 }

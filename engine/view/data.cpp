@@ -78,13 +78,15 @@ void write_series(const results::ResultsReader& reader, const ViewLimits& limits
 
 }  // namespace
 
-std::string view_data(const results::ResultsReader& reader, const ViewLimits& limits, const ViewProgress& progress) {
+std::string view_data(const results::ResultsReader& reader, const ViewLimits& limits, const ViewProgress& progress,
+                      const results::TimeOrigin& origin) {
   if (reader.header().dim == 3 && reader.header().face_count() == 0 && reader.header().sphere_vertex.empty())
     throw InputError(
         fmt::format("'{}' tells of no faces of its solids, so that there is nothing to play", reader.path().string()));
   ViewFrames frames = view_frames(reader, limits, progress);
   JsonText json;
   json.begin_object();
+  json.key("origin").begin_object().number("zero", origin.zero).text("since", origin.since).end();
   write_view_model(reader, frames, limits, json);
   std::vector<ViewBlock>& blocks = frames.blocks;
   write_series(reader, limits, json, blocks);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "results/reader.hpp"
+#include "results/time_origin.hpp"
 
 namespace trilith::view {
 
@@ -22,9 +23,10 @@ using ViewProgress = std::function<void(double)>;
 /// The data before compression: "TRLV", version and length of the JSON (two uint32, little-endian), the JSON, then the
 /// blocks it lists under "blocks" (name, rows, columns, quantum, bytes), each as view/bytes.hpp packs it. What
 /// the blocks hold is told in frames.hpp. Lengths within half a quantum: 1/2000 of the smallest free body or
-/// finer. Throws InputError for a model in space without faces, ResultsError for a file that cannot be read.
+/// finer. `origin`: what the page counts times from at first. Throws InputError for a model in space without faces,
+/// ResultsError for a file that cannot be read.
 std::string view_data(const results::ResultsReader& reader, const ViewLimits& limits = {},
-                      const ViewProgress& progress = {});
+                      const ViewProgress& progress = {}, const results::TimeOrigin& origin = {});
 
 /// The page as HTML: self-contained, needs no network. `data` as view_data gives it.
 std::string view_page(const std::string& data, const std::string& title);

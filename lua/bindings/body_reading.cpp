@@ -135,6 +135,7 @@ void read_support(Keys& keys, std::string_view key, std::array<Support, 3>& supp
   } else if (type == LUA_TTABLE) {
     Keys own(L, -1, std::string(key));
     const std::array names{"x", "y", "rotation"};
+    own.refuse("r", "'r' is written in full: rotation = \"fixed\"");
     for (std::size_t i = 0; i < names.size(); ++i) support[i] = support_at(own, names[i], own.text(names[i], "free"));
     try {
       own.finish();

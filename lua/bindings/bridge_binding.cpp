@@ -187,8 +187,9 @@ int bearing_height(lua_State* L) {
 
 const std::array bridge_method_list{
     Method{"bearing_type", guarded<add_bearing_type>,
-           "bearing_type{name=, height=, along=, axial=, turning=, limit=, becomes=, contact=}: for the ends of spans"},
-    Method{"span", guarded<add_span>, "span{name=, from=, to=, left=, right=, depth=, ...}: a deck on two supports"},
+           "bearing_type{name=, height=, along=, axial=, turning=, limit=, becomes=, contact=}: for the ends of spans",
+           2},
+    Method{"span", guarded<add_span>, "span{name=, from=, to=, left=, right=, depth=, ...}: a deck on two supports", 2},
 };
 
 }  // namespace

@@ -101,17 +101,20 @@ int damping(lua_State* L) {
   return 1;
 }
 
-/// core.is_held(body): whether both its displacements are fixed or moved; the model is built for that.
+template <int D>
+bool holds(SimulatedModel<D>& m, int body) {
+  const Model<D>& model = m.simulation().model();
+  if (!m.has_body(body)) return false;
+  const auto& support = model.support[model.bodies[static_cast<std::size_t>(body)].first_node];
+  return std::none_of(support.begin(), support.begin() + D, [](Support s) { return s == Support::free; });
+}
+
+/// core.is_held(body): whether all its displacements are fixed or moved; the model is built for that.
 int is_held(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
-  PlaneModel& m = b.plane();
-  const Model<2>& model = m.simulation().model();
-  bool held = false;
-  if (m.has_body(b.index)) {
-    const auto& support = model.support[model.bodies[static_cast<std::size_t>(b.index)].first_node];
-    held = support[0] != Support::free && support[1] != Support::free;
-  }
-  lua_pushboolean(L, held ? 1 : 0);
+  ScriptModel& m = b.model();
+  PlaneModel* plane = as_plane(m);
+  lua_pushboolean(L, (plane != nullptr ? holds<2>(*plane, b.index) : holds<3>(*as_space(m), b.index)) ? 1 : 0);
   return 1;
 }
 

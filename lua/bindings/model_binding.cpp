@@ -94,6 +94,36 @@ void push_verdict(lua_State* L, const ModelBox& box) {
   lua_setfield(L, -2, "text");
 }
 
+/// As it is now: grown so far, and turned so far; before the model is built, as it was given.
+template <int D>
+Vec<D> gravity_now(const SimulatedModel<D>& m, const Vec<D>& given) {
+  return m.if_built() == nullptr ? given : m.if_built()->model().gravity.at(m.time());
+}
+
+template <int D>
+void push_list(lua_State* L, const Vec<D>& v) {
+  lua_createtable(L, D, 0);
+  for (int k = 0; k < D; ++k) {
+    lua_pushnumber(L, v[k]);
+    lua_rawseti(L, -2, k + 1);
+  }
+}
+
+void push_gravity(lua_State* L, const ModelBox& box) {
+  const ScriptModel& m = box.get();
+  if (const PlaneModel* plane = as_plane(m)) return push_list<2>(L, gravity_now<2>(*plane, plane->builder.gravity));
+  const auto& space = static_cast<const SpaceModel&>(m);
+  push_list<3>(L, gravity_now<3>(space, space.builder.gravity));
+}
+
+/// How far gravity has turned [rad]; in the plane counter-clockwise.
+double tilt_now(const ModelBox& box) {
+  const ScriptModel& m = box.get();
+  if (!m.built()) return 0;
+  if (const PlaneModel* plane = as_plane(m)) return plane->if_built()->model().gravity.angle(m.time());
+  return static_cast<const SpaceModel&>(m).if_built()->model().gravity.angle(m.time()).norm();
+}
+
 using ModelProperty = Property<ModelBox>;
 const std::array model_properties{
     ModelProperty{"name", "", "its name", nullptr, [](lua_State* L, const ModelBox& m) { push_text(L, m.get().name); }},
@@ -105,6 +135,8 @@ const std::array model_properties{
     ModelProperty{"dim", "", "2 in the plane, 3 in space", nullptr,
                   [](lua_State* L, const ModelBox& m) { lua_pushinteger(L, m.get().dim()); }},
     ModelProperty{"thickness", "m", "out of the plane", [](const ModelBox& m) { return m.plane().builder.thickness; }},
+    ModelProperty{"gravity", "", "as it is now [m/s2]: {x, y}, in space {x, y, z}", nullptr, push_gravity},
+    ModelProperty{"tilt", "rad", "how far gravity has turned, see m:tilt", tilt_now},
     ModelProperty{"speed", "m/s", "fastest point of all moving bodies",
                   [](const ModelBox& m) { return m.get().step_numbers().speed; }},
     ModelProperty{"ratio", "1", "unbalanced force over the largest carried one",

@@ -60,6 +60,20 @@ int read_count(lua_State* L, const char* owner) {
   return count;
 }
 
+/// Why modes do not swing, where some do not.
+std::string unsteady_text(const PlaneModel& m, const std::vector<Mode>& found) {
+  const auto still = std::count_if(found.begin(), found.end(), [](const Mode& mode) { return !(mode.square > 0); });
+  if (still == 0) return "";
+  const std::string which = still == 1 ? "one mode does not swing" : fmt::format("{} modes do not swing", still);
+  if (m.time() == 0)
+    return fmt::format(
+        "\n{}: nothing presses yet that is held by its weight alone, so that it can part, slide and turn freely; let "
+        "it "
+        "come to rest first, m:consolidate()",
+        which);
+  return fmt::format("\n{}: something is free to move as it stands (in the air, on an edge, or sliding)", which);
+}
+
 /// Pushes what m:modes gives; `records`: it goes to the results file.
 int push_modes(lua_State* L, PlaneModel& m, int count, bool records) {
   const Simulation<2>& sim = m.evaluated();
@@ -83,7 +97,7 @@ int push_modes(lua_State* L, PlaneModel& m, int count, bool records) {
     lua_setfield(L, -2, "shape");
     lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
-  set_text(L, "text", modes_text(found, damping, all));
+  set_text(L, "text", modes_text(found, damping, all) + unsteady_text(m, found));
   luaL_setmetatable(L, "trilith.findings");
   return 1;
 }
@@ -146,8 +160,9 @@ int find_damping(lua_State* L) {
 }
 
 const std::array modes_method_list{
-    Method{"damping", guarded<find_damping>, "damping{count=}: ratios to critical damping by frequency, and from what"},
-    Method{"modes", guarded<find_modes>, "modes{count=}: natural frequencies and shapes as it stands"},
+    Method{"damping", guarded<find_damping>, "damping{count=}: ratios to critical damping by frequency, and from what",
+           2},
+    Method{"modes", guarded<find_modes>, "modes{count=}: natural frequencies and shapes as it stands", 2},
 };
 
 }  // namespace

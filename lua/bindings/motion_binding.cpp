@@ -9,7 +9,9 @@
 #include "load/motion_process.hpp"
 #include "load/motion_read.hpp"
 #include "load/ramp.hpp"
+#include "load/relative_motion.hpp"
 #include "load/response_spectrum.hpp"
+#include "table_fields.hpp"
 
 namespace trilith::script {
 namespace {
@@ -215,6 +217,16 @@ int passage(lua_State* L) {
   push_motion(L, m.motion->delayed(distance / velocity), m.steady);
   return 1;
 }
+/// motion:difference(other): how far and how fast it moves against another one, at most.
+int difference(lua_State* L) {
+  const RelativePeaks peaks = relative_peaks(*this_motion(L).motion, *handle<MotionValue>(L, 2).motion);
+  lua_createtable(L, 0, 4);
+  set_number(L, "displacement", peaks.displacement.value);
+  set_number(L, "displacement_time", peaks.displacement.time);
+  set_number(L, "velocity", peaks.velocity.value);
+  set_number(L, "velocity_time", peaks.velocity.time);
+  return 1;
+}
 /// motion:sa(period, damping)
 int sa(lua_State* L) {
   const double period = number_argument(L, 2, "sa");
@@ -280,6 +292,7 @@ const std::array motion_methods{
     Method{"resample", guarded<resample>, "resample(dt): samples at another step"},
     Method{"rotate", guarded<rotate>, "rotate(other, angle): two components turned; gives both"},
     Method{"passage", guarded<passage>, "passage{distance=, velocity=}: later by the time a wave takes"},
+    Method{"difference", guarded<difference>, "difference(other): largest displacement and velocity against another"},
     Method{"sa", guarded<sa>, "sa(period, damping): pseudo-acceleration of an oscillator"},
     Method{"scale_as", guarded<scale_as>, "scale_as(other): by the factor the other was scaled by"},
     Method{"time_scale", guarded<time_scale>, "time_scale(factor): time axis times factor, accelerations kept"},

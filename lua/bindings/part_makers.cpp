@@ -15,6 +15,7 @@ namespace {
 MakeParts read_block(Keys& k) {
   Block b;
   b.name = read_name(k, "");
+  k.refuse("size", "'size' is of blocks in space, of models with dim = 3; in the plane give width and height");
   b.width = k.number("width", "m");
   b.height = k.number("height", "m");
   b.at = k.point("at", b.at);

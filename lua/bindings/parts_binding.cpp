@@ -334,12 +334,19 @@ std::vector<Method> part_methods() {
       {"body", guarded<body>, "body{name=, outline= | shape= | mesh=, ...} makes a body; body \"name\" finds one"},
       {"add", guarded<add_parts>, "add(parts, {material=, ...}): parts as from trilith.build become bodies"},
   };
-  for (std::size_t i = 0; i < part_maker_count; ++i)
-    if (part_makers()[i].name != span_maker)
-      methods.push_back({part_makers()[i].name, maker_functions[i].add, part_makers()[i].doc});
+  const auto is_there = [&](std::string_view name) {
+    return std::any_of(methods.begin(), methods.end(), [&](const Method& m) { return m.name == name; });
+  };
+  const auto makes_solids = [](std::string_view name) {
+    return std::any_of(solid_makers().begin(), solid_makers().end(), [&](const auto& s) { return s.name == name; });
+  };
+  for (std::size_t i = 0; i < part_maker_count; ++i) {
+    const PartMaker& maker = part_makers()[i];
+    if (maker.name != span_maker)
+      methods.push_back({maker.name, maker_functions[i].add, maker.doc, makes_solids(maker.name) ? 0 : 2});
+  }
   for (const SolidMaker& maker : solid_makers())
-    if (std::none_of(methods.begin(), methods.end(), [&](const Method& m) { return m.name == maker.name; }))
-      methods.push_back({maker.name, maker.add, maker.doc});
+    if (!is_there(maker.name)) methods.push_back({maker.name, maker.add, maker.doc, 3});
   return methods;
 }
 

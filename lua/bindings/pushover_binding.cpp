@@ -249,7 +249,7 @@ int push_by_arc(lua_State* L, PlaneModel& m, PushOrder<2>& o) {
 
 /// m:pushover{ control = "time", ... }: steadily in time.
 template <int D, class ModelOfScript>
-int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o) {
+int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o, const StageUntil& until) {
   const auto motion = std::make_shared<const GroundMotion>(even_motion(o.displacement, o.rate));
   o.stage.duration = motion->duration();
   PushoverRecorder<D> recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading(m, o));
@@ -260,11 +260,12 @@ int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o) {
   const Watch<D> watch(m, [&](const Instant<D>& now) {
     if (recorder.step(now)) m.stop();
   });
-  const StageReport report = run_stage(L, m, o.stage);
+  const StageReport report = run_stage(L, m, o.stage, until);
   recorder.finish();
   stop_push<D>(m, o);
   push_report(L, report);
-  add_curve(L, recorder.curve(), recorder.limit().empty() ? "displacement" : recorder.limit());
+  const bool met = report.end == StageEnd::stopped && recorder.limit().empty();
+  add_curve(L, recorder.curve(), met ? "until" : recorder.limit().empty() ? "displacement" : recorder.limit());
   return 1;
 }
 
@@ -275,10 +276,11 @@ void require_stopped(const ScriptModel& m) {
 int push_in_space(lua_State* L, SpaceModel& m) {
   Keys keys(L, 2, "pushover");
   PushOrder<3> o = read_order<3>(keys, m);
+  const StageUntil until = read_until(keys, m);
   if (o.by_arc) keys.problem("control = \"arc\" is of the plane alone so far; leave it out, and give 'rate'");
   keys.finish();
   require_stopped(m);
-  return push_by_time(L, m, o);
+  return push_by_time(L, m, o, until);
 }
 
 /// m:pushover{ body =, at =, direction =, pattern =, rate =, displacement =, drift =, storey =, drop =, ... }
@@ -287,11 +289,12 @@ int pushover(lua_State* L) {
   PlaneModel& m = this_plane(L);
   Keys keys(L, 2, "pushover");
   PushOrder<2> o = read_order<2>(keys, m);
+  const StageUntil until = o.by_arc ? StageUntil{} : read_until(keys, m);
   keys.finish();
   require_stopped(m);
   if (!o.place.empty() && !(o.at = named_place(m.simulation().model(), o.bodies.front(), o.place)))
     throw InputError(fmt::format("pushover: 'at' is '{}', must be {{x, y}} or one of {}", o.place, place_names));
-  return o.by_arc ? push_by_arc(L, m, o) : push_by_time(L, m, o);
+  return o.by_arc ? push_by_arc(L, m, o) : push_by_time(L, m, o, until);
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "handles.hpp"
+#include "keys.hpp"
 
 namespace trilith::script {
 
@@ -12,6 +13,9 @@ struct StageUntil {
   int bodies = 1;          ///< ... so many of them
   std::int64_t steps = 0;  ///< it is stopped after so many; 0: it is not
 };
+
+/// { until_true = function, until_collapse = true | { drop =, bodies = } }. The function stays on the stack.
+StageUntil read_until(Keys& keys, ScriptModel& m);
 
 /// Runs a stage of the model at stack index 1. Handlers are called through the model's own table: dispatch(event),
 /// tick(index), wake(), stepped(), sample(index). What they raise ends the stage and is thrown as ScriptError; at a

@@ -6,7 +6,7 @@ local function cell(text)
 end
 
 local function key_row(key)
-  local preset = key.preset and cell(key.preset) or key.optional and "" or "needed"
+  local preset = key.preset and cell(key.preset) or key.optional and "–" or "needed"
   local unit = key.unit == "1" and "" or cell(key.unit)
   return ("| `%s` | %s | %s | %s | %s |"):format(key.name, cell(key.type), unit, preset, cell(key.doc))
 end

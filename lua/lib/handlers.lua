@@ -59,10 +59,31 @@ core.made[#core.made + 1] = function(model, own)
   function own.sample(index) return samples[index](model) end
 end
 
---- m:on("bearing.failed", f): f(event) at each such event; "*" for every event. Gives the handler, for m:off.
+local on_keys = { "body", "bearing", "seat", "group", "above" }
+
+--- { "impact", body = b, above = 2 } as what core.fits wants to know.
+local function wanted_of(model, options)
+  for key in pairs(options) do
+    local known = key == 1
+    for _, name in ipairs(on_keys) do known = known or key == name end
+    if not known then
+      core.fail(("on: unknown key '%s'%s"):format(tostring(key), core.hint(tostring(key), on_keys)))
+    end
+  end
+  if type(options[1]) ~= "string" then core.fail 'on: give an event first, as in { "impact", body = b }' end
+  return core.wanted(model, options, "on")
+end
+
+--- m:on("bearing.failed", f): f(event) at each such event; "*" for every event; { "impact", body = b }: of that body
+--- alone. Gives the handler, for m:off.
 function model_methods.on(model, event, f)
-  core.listen(model, event, "on")
   check_function(f, "on")
+  if type(event) == "table" then
+    local wanted, all = wanted_of(model, event), f
+    f = function(e) if core.fits(e, wanted) then all(e) end end
+    event = wanted.event
+  end
+  core.listen(model, event, "on")
   local by_event = core.own(model).by_event
   by_event[event] = by_event[event] or {}
   return new_handler(model, event, core.timed(f, "on " .. event), by_event[event])

@@ -19,9 +19,28 @@ function checks.doubts(model, add)
   for _, text in ipairs(core.doubts(model)) do add(text) end
 end
 
+--- Of a model in space: the same as core.damping says of one in the plane, of the contacts that press as it stands.
+local function damping_in_space(model)
+  local found, laws = {}, {}
+  for _, law in ipairs(core.contact_laws(model)) do laws[law.name] = law end
+  for _, c in ipairs(model:contacts()) do
+    local law, inverse = laws[c.law], 0
+    for _, body in ipairs { c.a, c.b } do inverse = inverse + (core.is_held(body) and 0 or 1/body.mass) end
+    if law and inverse > 0 and c.area > 0 then
+      local frequency = math.sqrt(law.kn*c.area*inverse)
+      local share = law.beta*frequency/2
+      local d = found[c.law] or { all = 0, less = 0, frequency = math.huge }
+      d.all, d.less = d.all + 1, d.less + (share < least_damping and 1 or 0)
+      if frequency < d.frequency then d.frequency, d.share, d.a, d.b = frequency, share, c.a, c.b end
+      found[c.law] = d
+    end
+  end
+  return found
+end
+
 -- Of a model with faults nothing is known of its contacts.
 function checks.damping(model, add, whole)
-  local damped = whole and core.damping(model, least_damping) or {}
+  local damped = not whole and {} or model.dim == 3 and damping_in_space(model) or core.damping(model, least_damping)
   for _, law in ipairs(core.contact_laws(model)) do
     local d = damped[law.name]
     local better = d and
@@ -83,6 +102,13 @@ function checks.masses(model, add)
   end
 end
 
+--- The size of gravity as it is now [m/s2]; of a model without, the usual one.
+local function weight_of(model)
+  local square = 0
+  for _, part in ipairs(model.gravity) do square = square + part*part end
+  return square > 0 and math.sqrt(square) or 9.80665
+end
+
 function checks.sinking(model, add)
   local softest
   for _, law in ipairs(core.contact_laws(model)) do
@@ -94,7 +120,7 @@ function checks.sinking(model, add)
   end
   for body in model:bodies {} do
     local width, height = math.sqrt(body.area), math.sqrt(body.area)
-    local sinks = body.mass*9.81/(softest.kn*width*model.thickness)
+    local sinks = body.mass*weight_of(model)/(softest.kn*width*model.thickness)
     if sinks > 1e-3*height then
       add(("body '%s' sinks by about %.2g m into law '%s' under its own weight; raise kn"):format(body.name, sinks,
         softest.name))
@@ -111,7 +137,7 @@ function checks.slipping(model, add, slip)
   local most = slip_share*(slip or usual_slip)
   local heaviest, pressure = nil, 0
   for body in model:bodies {} do
-    local p = body.mass*9.80665/(math.sqrt(body.area)*model.thickness)
+    local p = body.mass*weight_of(model)/(math.sqrt(body.area)*model.thickness)
     if p > pressure and not core.is_held(body) then heaviest, pressure = body, p end
   end
   for _, law in ipairs(core.contact_laws(model)) do

@@ -17,76 +17,76 @@ at      point = {0, 0}  middle of the bottom
 blocks  list            { { width = , height = , offset = 0 }, ... } from below]] },
     { "harmonic_stack", "Equal blocks that reach out over an edge.", keys = [[
 name          text?           their names begin with it
-count         integer?        how many
-length        number m?       of one
-height        number m?       of one
-factor        number?         1: as far as just balances
+count         integer = 5  how many
+length        number m = 1  of one
+height        number m = 0.2  of one
+factor        number = 1  1: as far as just balances
 at            point = {0, 0}  the edge
-table_height  number m?       of the table they stand on]] },
+table_height  number m = 0  of the table they stand on]] },
     { "arch", "An arch of voussoirs: semicircular, segmental or pointed.", keys = [[
 name             text?           names begin with it
-voussoirs        integer?        how many
-radius           number m?       of the mid line
-thickness        number m?       of the ring
-half_angle       number rad?     half of the angle it spans
-offset           number m?       of the two centres of a pointed arch
+voussoirs        integer = 15  how many
+radius           number m = 1  of the mid line
+thickness        number m = 0.15  of the ring
+half_angle       number rad = pi/2  half of the angle it spans
+offset           number m = 0  of the two centres of a pointed arch
 span             number m?       instead of radius: clear span, with rise
 rise             number m?       see span
-key              number?         width of the keystone over the others
-sub_edges        integer?        edges for each curved side
+key              number = 1  width of the keystone over the others
+sub_edges        integer = 1  edges for each curved side
 centre           point = {0, 0}  of the circle
-abutments        flag?           make them too
-abutment_depth   number m?       of the abutments
-abutment_margin  number m?       beyond the ring
-jitter           number m?       joints are moved at random by up to this
-seed             integer?        of the random numbers]] },
+abutments        flag = true  make them too
+abutment_depth   number m = the thickness  of the abutments
+abutment_margin  number m = half the thickness  beyond the ring
+jitter           number m = 0  joints are moved at random by up to this
+seed             integer = 1  of the random numbers]] },
     { "wall", "A masonry wall of storeys, with openings, lintels and slabs.", keys = [[
 name            text?             names begin with it
 at              point = {0, 0}    lower left corner
-length          number m?         of the wall; or units
-units           integer?          in a course
-unit_length     number m?         of a stretcher, half its joints included
-unit_height     number m?         of a course
-header_length   number m?         of a header
-head_joint      number m?         added to the units' length
-bed_joint       number m?         added to their height
+length          number m = from units  of the wall; or units
+units           integer = from length  in a course
+unit_length     number m = 0.4  of a stretcher, half its joints included
+unit_height     number m = 0.2  of a course
+header_length   number m = half a stretcher  of a header
+head_joint      number m = 0  added to the units' length
+bed_joint       number m = 0  added to their height
 bond            text = "running"  running, stack, english, flemish, header or english_garden
-first_row       integer?          row of the bond's pattern to begin with
-least_length    number m?         shortest piece that is cut
+first_row       integer = 1  row of the bond's pattern to begin with
+least_length    number m = a quarter of a unit  shortest piece that is cut
 short_pieces    text = "merge"    "merge" or "refuse"
-jitter          number m?         head joints are moved at random by up to this
-seed            integer?          of the random numbers
-courses         integer?          in a storey
-storey_height   number m?         or its height
+jitter          number m = 0  head joints are moved at random by up to this
+seed            integer = 1  of the random numbers
+courses         integer = from storey_height  in a storey
+storey_height   number m = from courses  or its height
 storeys         storeys = 1       how many, or a list of { courses = , height = , slab_height = }
-slab_height     number m?         of the slab on each storey
-slab_overhang   number m?         beyond the wall
-base_height     number m?         of the base under it
-base_margin     number m?         beyond the wall
-lintel_height   number m?         over openings
-lintel_bearing  number m?         its length on the wall
-snap            flag?             openings are moved to the nearest joints
+slab_height     number m = 0  of the slab on each storey
+slab_overhang   number m = 0  beyond the wall
+base_height     number m = 0  of the base under it
+base_margin     number m = 0  beyond the wall
+lintel_height   number m = one course  over openings
+lintel_bearing  number m = half a unit  its length on the wall
+snap            flag = false  openings are moved to the nearest joints
 openings        list?             { storey = , x = , sill = , width = , height = , lintel = , sill_height = }, ...]] },
     { "rubble", "Irregular stones that fill a polygon.", keys = [[
 name         text?     names begin with it
 outline      points    to be filled
-stones       integer?  how many
-relaxations  integer?  more of them make the stones more even
-aspect       number?   width over height
-least_edge   number m?  shorter edges are left out
-joint        number m?  between the stones
-jitter       number m?  points are moved at random by up to this
-seed         integer?  of the random numbers]] },
+stones       integer = 50  how many
+relaxations  integer = 3  more of them make the stones more even
+aspect       number = 1  width over height
+least_edge   number m = a tenth of a stone  shorter edges are left out
+joint        number m = 0  between the stones
+jitter       number m = 0  points are moved at random by up to this
+seed         integer = 1  of the random numbers]] },
     { "running_bond", "A plain panel on a grid of half units, for limit loads.", keys = [[
 name          text?          names begin with it
-columns       integer?       units in a course
-courses       integer?       how many
-unit_width    number m?      of a unit
-unit_height   number m?      of a unit
+columns       integer = 5  units in a course
+courses       integer = 6  how many
+unit_width    number m = 0.4  of a unit
+unit_height   number m = 0.2  of a unit
 half_courses  text = "even"  which courses begin with a half unit: "odd" or "even"
 at            point = {0, 0}  lower left corner
-base_height   number m?      of the base
-base_margin   number m?      beyond the panel
+base_height   number m = 0  of the base
+base_margin   number m = 0  beyond the panel
 openings      list?          { from = , to = , first_course = , last_course = }, ...
 lintels       list?          the same]] },
     { "bench_wall", "The wall that run times are measured on.", keys = "courses  integer = 24  how many" },
@@ -101,11 +101,11 @@ name               text?         its name
 x                  number m      its axis
 ground_level       number m = 0  top of the ground
 height             number m      above the ground
-stem_width         number m?     of the stem; with seat and gap it may be left out
-top_width          number m?     of the cap
-cap_thickness      number m?     of the cap
-footing_width      number m?     of the footing
-footing_thickness  number m?     of the footing
+stem_width         number m = the top's  of the stem; with seat and gap it may be left out
+top_width          number m = the stem's  of the cap
+cap_thickness      number m = 0  of the cap
+footing_width      number m = 0  of the footing
+footing_thickness  number m = 0  of the footing
 seat               number m?     length of each of its two seats: its top is as wide as both and the joint
 gap                number m?     joint between the two decks that meet on it]] },
     { "abutment", "A stub abutment with a back wall.", keys = [[
@@ -116,8 +116,8 @@ axis              number m?      middle of the joint between deck and back wall;
 ground_level      number m = 0   its bottom
 height            number m       from there to the seat
 width             number m       of all of it
-back_wall_height  number m?      above the seat
-back_wall_width   number m?      of the back wall; or seat and gap
+back_wall_height  number m = 0  above the seat
+back_wall_width   number m = from seat and gap  of the back wall; or seat and gap
 seat              number m?      length of the seat under the deck
 gap               number m?      joint between deck and back wall]] },
   },
@@ -131,7 +131,7 @@ left               text?          bearing type on the left support, see model:be
 right              text?          bearing type on the right support
 gap                number m?      joint on supports that do not say theirs
 depth              number m       its height
-soffit_level       number m?      its underside; without it, where its left bearing has it
+soffit_level       number m = on its left bearing  its underside; without it, where its left bearing has it
 weight_per_length  number N/m?    of the deck from end to end; or weight, mass, density
 x0                 number m?      of a deck alone: axis of the left support
 x1                 number m?      axis of the right support

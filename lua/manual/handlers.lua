@@ -1,7 +1,9 @@
 return {
   name = "handlers", title = "Handlers and stories: Lua that runs when something happens",
-  { "model:on", "Calls f(event) at each such event; \"*\": at every one. Gives the handler.", args = [[
-event  text      such as "bearing.failed"
+  { "model:on", "Calls f(event) at each such event; \"*\": at every one. Of some bodies alone: m:on({ \"impact\", "
+    .. "body = b, above = 2 }, f), with body, bearing, seat, group, above as m:wait has them. Gives the handler.",
+    args = [[
+event  text      such as "bearing.failed"; or a table with filters
 f      function  is given the event]], gives = "table" },
   { "model:every", "Calls f(model) each interval of simulated time. Gives the handler.", args = [[
 interval  number s  between calls

@@ -1,3 +1,7 @@
+local until_keys = [[
+
+until_true      function?     by time: end where f(model), asked after each step, is true; the limit is then "until"
+until_collapse  flag = false  by time: end as something comes down: true, or { drop = [m], bodies = how many }]]
 local course = "a factor, { ramp = seconds }, { smooth = seconds } or { {time, share}, ... }"
 
 return {
@@ -6,9 +10,9 @@ return {
 body    bodies          on what
 force   point?          the force [N]; in space {x, y, z}
 moment  number N m = 0  the moment; in space a vector {x, y, z}
-at      place?          a point {x, y} of the body, or a place's name; else the centroid; {x, y, z} in space
+at      place = "centroid"  a point {x, y} of the body, or a place's name; else the centroid; {x, y, z} in space
 follow  flag = false    it turns with the body
-course  course?         its share over time: ]] .. course .. [[
+course  course = all at once  its share over time: ]] .. course .. [[
 
 name    text?           what results call it]], gives = "string" },
   { "model:pressure", "A pressure on faces of a body from now on. Gives its name.", keys = [[
@@ -17,9 +21,9 @@ value      number Pa  onto the face
 face       text?      top, bottom, left, right or all; in space front and back too
 from       point?     in the plane: or from this point of the outline
 to         point?     to this one, counter-clockwise
-direction  point?     where it acts; against the face where left out; in space {x, y, z}
+direction  point = against the face  where it acts; in space {x, y, z}
 follow     flag?      it turns with the body
-course     course?    its share over time: ]] .. course .. [[
+course     course = all at once  its share over time: ]] .. course .. [[
 
 name       text?      what results call it]], gives = "string" },
   { "model:set_load", "A load's share from now on, reached smoothly.", keys = [[
@@ -37,7 +41,7 @@ rotation  flag = false  this direction
 fade      number s = 1  over which it goes]] },
   { "model:pushover", "A stage that pushes bodies steadily, and what that takes.", keys = [[
 body          bodies           what is pushed
-at            place?           a point {x, y} or the name of a place of one body; in space {x, y, z}
+at            place = "centroid"  a point {x, y} or the name of a place of one body; in space {x, y, z}
 direction     text = "x"       x, -x, y or -y; in space z or -z too
 pattern       text = "mass"    share of each body: mass, uniform or triangle
 control       text = "time"    "time": pushed steadily; "arc": by equilibria, in no time, past limit points; of the plane
@@ -51,5 +55,6 @@ samples       integer?         of the curve; by arc at most so many
 damping       number = 0.8     by time: share of the unbalanced force that brakes each body
 name          text?            what results call it
 dt            number s?        by time: fixed step
-safety        number = 0.5     by time: share of the longest stable step, at most 0.9]], gives = "report" },
+safety        number = 0.5     by time: share of the longest stable step, at most 0.9]] .. until_keys,
+    gives = "report" },
 }

@@ -4,15 +4,15 @@ return {
 name             text = ""           what messages call it
 dim              integer = 2         2 in the plane, 3 in space: see "Models in space"
 thickness        number m = 1        out of the plane, of every contact
-gravity          number m/s2 = 9.81  downwards; or a vector {x, y}, in space {x, y, z}
-threads          integer?            that may share a step, 1 to 64; any number gives the same bits
+gravity          number m/s2 = 9.80665  downwards; or a vector {x, y}, in space {x, y, z}
+threads          integer = all there are  that may share a step, 1 to 64; any number gives the same bits
 mass_damping     number 1/s = 0      damping force per momentum
 impact_speed     number m/s = 0.5    a contact made faster than this is an impact
 apart_time       number s = 0.02     a contact that has been open this long is lost
 still_speed      number m/s?         a body slower than this for still_time is at rest
 still_time       number s = 0.5      see still_speed
-body             body form?          what bodies are made as: "rigid", "quad" or { mesh = {nx, ny} }
-overlap_allowed  number?             share of a body's size by which bodies may overlap at the start]],
+body             body form = "rigid"  what bodies are made as: "rigid", "quad" or { mesh = {nx, ny} }
+overlap_allowed  number = 1e-6  share of a body's size by which bodies may overlap at the start]],
     gives = "model" },
   { "model:close", "Ends the recording and frees the model." },
   { "model:material", "A material, which bodies name.", keys = [[
@@ -20,8 +20,8 @@ name         text              its name
 density      number kg/m3?     either this
 unit_weight  number N/m3?      or this
 E            number Pa?        Young's modulus, for bodies that deform
-nu           number?           Poisson's ratio
-damping      number s?         stress per strain rate over E
+nu           number = 0  Poisson's ratio
+damping      number s = 0  stress per strain rate over E
 band_damping  table?           of members of frames: { ratio =, from =, to = }, the same between two frequencies [Hz]
 solid        solid law?        instead of E: a law such as trilith.mohr_coulomb{...}
 plane        text = "stress"   "stress" or "strain"
@@ -30,7 +30,7 @@ strain_limit  number = 0.5     strain its elements are made for; beyond, the sta
   { "model:contact", "Which law holds between materials, groups or bodies. Later calls win.", keys = [[
 between  names          two names of materials, groups or bodies; "*" for any
 law      contact law    a law, the name of one, or "none"
-name     text?          the law's name in results]] },
+name     text = kind and number  the law's name in results]] },
   { "model:body", "Makes a body; with a name alone, finds one.",
     args = "name  text?  of a body that is there; or the table",
     keys = [[
@@ -87,19 +87,20 @@ unit_weight     number N/m3?     or this
 mass            number kg?       or this
 weight          number N?        or this
 inertia         number kg m2?    about the centroid
-body_thickness  number m?        out of the plane
-support         text?            "fixed", "free" or directions { x = "fixed" }
-velocity        point?           at the start [m/s]
+body_thickness  number m = the model's  out of the plane
+support         text = "free"  "fixed", "free" or directions { x = "fixed" }
+velocity        point = {0, 0}  at the start [m/s]
 spin            number rad/s = 0  at the start
-load            point?           steady force [N]
+load            point = {0, 0}  steady force [N]
 floating        flag = false     it may stand on nothing
-body            body form?       "rigid", "quad" or { mesh = {nx, ny} }
+body            body form = the model's  "rigid", "quad" or { mesh = {nx, ny} }
 hold            table?           boxes whose nodes are held]],
     bodies = [[
 fixed           names?           names or groups that are fixed
 by_group        table?           what holds for a group alone]] },
   fields = {
-    model = { name = "string", energy = "table", bearings = "trilith.bearing[]", seats = "trilith.seat[]",
+    model = { name = "string", energy = "table", gravity = "number[]", bearings = "trilith.bearing[]",
+      seats = "trilith.seat[]",
       storeys = "trilith.storey[]", events = "trilith.event[]", hash = "string", notes = "string[]",
       worst = "trilith.findings", verdict = "table", dim = "integer" },
     body = { name = "string", material = "string", groups = "string[]", outline = "number[][]", kind = "string",

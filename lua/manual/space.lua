@@ -51,7 +51,7 @@ turn     table?              about `at`: { axis = , angle = }]], with = "solid",
   { "space:hull", "The convex hull of points.", keys = [[
 name    text       its name
 points  vectors    at least four, not in a plane
-flat    number?    points this near a plane, as a share of its size, are in it]], with = "solid", gives = "body" },
+flat    number = 1e-9  points this near a plane, as a share of its size, are in it]], with = "solid", gives = "body" },
   { "space:prism", "An upright regular prism.", keys = [[
 name    text                its name
 sides   integer = 6         how many
@@ -66,7 +66,7 @@ drums       integer = 1         how many
 height      number m            of all drums
 sides       integer = 16        of a drum
 radius      number m            of the lowest foot
-top_radius  number m?           of the uppermost top
+top_radius  number m = as the foot  of the uppermost top
 of          text = "area"       of the circle of the same "area", through "corners" or in the "sides"
 phase       number rad = 0      of the first corners, from x
 base        table?              { width = , height = } under the drums
@@ -75,21 +75,21 @@ at          vector = {0, 0, 0}  middle of its foot]], with = "solids", gives = "
   { "space:wall", "A masonry wall with a thickness, along x.", keys = [[
 name            text?                names begin with it
 length          number m             along x
-thickness       number m?            along y; without it half a unit's length, or a unit's where there are headers
+thickness       number m = half a unit's length  along y; where there are headers a unit's
 unit_length     number m = 0.4       of a stretcher with its joint
 unit_height     number m = 0.2       of a course
-header_length   number m?            of a header along the wall
+header_length   number m = half a stretcher  of a header along the wall
 bond            text = "stretcher"   stretcher, header, english or flemish
-courses         integer?             in a storey
-storey_height   number m?            or its height
+courses         integer = from storey_height  in a storey
+storey_height   number m = from courses  or its height
 storeys         storeys = 1          how many, or a list of { courses = , height = , slab_height = }
 slab_height     number m = 0         of the floor on each storey
 slab_overhang   number m = 0         beyond the walls
 base_height     number m = 0         of the block under it
 base_margin     number m = 0         beyond the walls
-lintel_height   number m?            over openings
-lintel_bearing  number m?            its length on the wall
-least_length    number m?            shortest piece that is cut
+lintel_height   number m = one course  over openings
+lintel_bearing  number m = half a unit  its length on the wall
+least_length    number m = a quarter of a unit  shortest piece that is cut
 snap            flag = false         openings are moved to the nearest course lines
 openings        list?                { storey = , from = , sill = , width = , height = , lintel = }, ...
 at              vector = {0, 0, 0}   lower left corner of its front
@@ -99,35 +99,35 @@ name            text?                names begin with it
 walls           list                 { name = , from = {x, y}, to = {x, y}, thickness = , bond = , openings = }, ...
 unit_length     number m = 0.4       of a stretcher with its joint
 unit_height     number m = 0.2       of a course
-header_length   number m?            of a header along the wall
+header_length   number m = half a stretcher  of a header along the wall
 bond            text = "stretcher"   stretcher, header, english or flemish
-courses         integer?             in a storey
-storey_height   number m?            or its height
+courses         integer = from storey_height  in a storey
+storey_height   number m = from courses  or its height
 storeys         storeys = 1          how many, or a list of { courses = , height = , slab_height = }
 slab_height     number m = 0         of the floor on each storey
 slab_overhang   number m = 0         beyond the walls
-slab_outline    points?              of the floors, instead
+slab_outline    points = around all walls  of the floors, instead
 base_height     number m = 0         of the block under it
 base_margin     number m = 0         beyond the walls
-lintel_height   number m?            over openings
-lintel_bearing  number m?            its length on the wall
-least_length    number m?            shortest piece that is cut
+lintel_height   number m = one course  over openings
+lintel_bearing  number m = half a unit  its length on the wall
+least_length    number m = a quarter of a unit  shortest piece that is cut
 snap            flag = false         openings are moved to the nearest course lines
 first_along_y   flag = false         in odd courses the walls along y run through
 at              vector = {0, 0, 0}   where the plan's origin is
 angle           number rad = 0       about z through it]], with = "solids", gives = "set" },
   { "space:vault", "A barrel vault of stones in bond: an arch as model:arch makes it, along y.", keys = [[
 name             text?               names begin with it
-voussoirs        integer?            of the arch
-radius           number m?           of its mid line
-thickness        number m?           of the ring
-half_angle       number rad?         half of the angle it spans
-offset           number m?           of the two centres of a pointed arch
+voussoirs        integer = 15  of the arch
+radius           number m = 1  of its mid line
+thickness        number m = 0.15  of the ring
+half_angle       number rad = pi/2  half of the angle it spans
+offset           number m = 0  of the two centres of a pointed arch
 span             number m?           instead of radius: clear span, with rise
 rise             number m?           see span
-abutments        flag?               make them too
-abutment_depth   number m?           of the abutments
-abutment_margin  number m?           beyond the ring
+abutments        flag = true  make them too
+abutment_depth   number m = the thickness  of the abutments
+abutment_margin  number m = half the thickness  beyond the ring
 stone_length     number m            along y
 stones           integer = 1         whole stones in a course
 bond             flag = true         joints shift from course to course
@@ -136,17 +136,17 @@ from             number m = 0        y where it begins
 at               vector = {0, 0, 0}  by which it is moved]], with = "solids", gives = "set" },
   { "space:cross_vault", "Two barrels that meet along the diagonals of a square bay.", keys = [[
 name             text?               names begin with it
-voussoirs        integer?            of the arch
-radius           number m?           of its mid line
-thickness        number m?           of the ring
-half_angle       number rad?         half of the angle it spans
-offset           number m?           of the two centres of a pointed arch
+voussoirs        integer = 15  of the arch
+radius           number m = 1  of its mid line
+thickness        number m = 0.15  of the ring
+half_angle       number rad = pi/2  half of the angle it spans
+offset           number m = 0  of the two centres of a pointed arch
 span             number m?           instead of radius: clear span, with rise
 rise             number m?           see span
-abutments        flag?               not used
-abutment_depth   number m?           not used
-abutment_margin  number m?           not used
-half_bay         number m?           from the middle to each end
+abutments        flag = true  not used
+abutment_depth   number m = the thickness  not used
+abutment_margin  number m = half the thickness  not used
+half_bay         number m = to the arch's edge  from the middle to each end
 stone_length     number m            along each web
 bond             flag = true         joints shift from course to course
 at               vector = {0, 0, 0}  middle of the bay
@@ -157,8 +157,8 @@ radius     number m = 1        midway through its thickness
 thickness  number m = 0.1      of it
 rings      integer = 8         how many
 sectors    integer = 16        how many
-springing  number rad?         angle of the lowest bed from the vertical; a half dome without it
-crown      number rad?         of the uppermost bed, 10 degrees without it
+springing  number rad = pi/2  angle of the lowest bed from the vertical; a half dome without it
+crown      number rad = pi/18  of the uppermost bed, 10 degrees without it
 top        text = "key"        "key" or "oculus"
 phase      number rad = 0      of the first joint, from x
 centre     vector = {0, 0, 0}  of its spheres]], with = "solids", gives = "set" },
@@ -199,8 +199,8 @@ file               text            its path, from the script's folder
 scale              number = 1      m for each unit of the file
 y_up               flag = false    the file's y is up
 shells_are_bodies  flag = false    each closed shell is a body, not a piece of one
-weld               number?         corners nearer than this, as a share of the size, are one
-flat               number?         faces this near a plane, as a share of the size, are in it]], with = "solids",
+weld               number = 1e-7  corners nearer than this, as a share of the size, are one
+flat               number = 1e-6  faces this near a plane, as a share of the size, are in it]], with = "solids",
     gives = "set" },
   { "space:body", "Makes a body of hulls; with a name alone, finds one.", args = "name  text?  of a body; or the table",
     keys = [[

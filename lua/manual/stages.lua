@@ -2,7 +2,7 @@ local rest = "true, or { speed = [m/s], ratio = , hold = [s], from = [s] }"
 local until_keys = [[
 
 until_true       function?  end where f(model), asked after each step, is true
-until_collapse   flag?      end as something comes down: true, or { drop = [m], bodies = how many }]]
+until_collapse   flag = false  end as something comes down: true, or { drop = [m], bodies = how many }]]
 local drive = [[
 body      bodies   what is moved
 x         motion?  along x
@@ -62,10 +62,10 @@ watch     flag = true     speeds and energies that nothing gave end it as diverg
   { "model:drive", "A body follows a motion from now on.", keys = drive, beside = { z = true } },
   { "model:fix", "Holds bodies, in some directions or all.", args = [[
 bodies      bodies  a body, set, name, group or list of these
-directions  text?   of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
+directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
   { "model:free", "Lets bodies go, in some directions or all.", args = [[
 bodies      bodies  a body, set, name, group or list of these
-directions  text?   of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
+directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
   { "model:tilt", "Gravity turns from now on.", keys = [[
 rate     number rad/s    counter-clockwise
 by       number rad?     where it stops

@@ -9,8 +9,8 @@ parameters  table?       each value of one with each of the others
 cases       list?        or these cases
 samples     table?       or a sample of spreads, with count and seed
 count       integer?     cases of the sample
-seed        integer?     of the sample
+seed        integer = 1  of the sample
 histories   table?       figures from histories: names: largest absolute value; or name = last, max, min, largest
 ida         table?       { over = parameter, stop = flag }: from its lowest value up, until the flag is true
-jobs        integer?     cases at a time]], gives = "table", unread = true },
+jobs        integer = processors  cases at a time]], gives = "table", unread = true },
 }

@@ -72,6 +72,9 @@ angle  number rad  by which]], gives = "motion, motion" },
   { "motion:passage", "Later by the time a wave takes: supports along a bridge.", keys = [[
 distance  number m    from where the motion comes
 velocity  number m/s  of the wave]], gives = "motion" },
+  { "motion:difference", "How far and how fast it moves against another motion, at most: { displacement, "
+    .. "displacement_time, velocity, velocity_time }, in m, m/s and s. Of two supports of one bridge, however their "
+    .. "motions were made.", args = "other  motion  the other one", gives = "table" },
   { "motion:sa", "Pseudo-acceleration of an oscillator on this ground [m/s2].", args = [[
 period   number s       its period
 damping  number = 0.05  share of the critical one]], gives = "number" },

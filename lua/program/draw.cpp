@@ -14,33 +14,36 @@
 #include "newer_run.hpp"
 #include "output_folder.hpp"
 #include "positive.hpp"
+#include "since_option.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
 namespace {
 
 struct DrawOptions {
-  std::string result, at = "end", stage, out, view, units = "si";
+  std::string result, at = "end", stage, since, out, view, units = "si";
   bool forces = false, ghost = false, cracks = false;
   std::string stress, thrust;
   double magnify = 1;
   std::string colour = "group", cut;
-  std::string mode;
+  std::string mode, names = "auto";
   int columns = 0;
 };
 
-/// Begin and end of what T counts in [s].
+/// Begin and end of what is looked at [s of the run], and what T counts from.
 struct Window {
   double begin, end;
+  results::TimeOrigin origin;
 };
 
-Window window_of(const results::ResultsReader& reader, const std::string& stage) {
+Window window_of(const results::ResultsReader& reader, const std::string& stage, const std::string& since) {
   const std::vector<double>& times = reader.frame_times();
   if (times.empty())
     throw results::ResultsError(fmt::format("results file '{}': there is no frame to draw", reader.path().string()));
-  if (stage.empty()) return {0, times.back()};
-  const results::StageRow row = draw::find_stage(reader, stage);
-  return {row.begin, row.ended ? row.end : times.back()};
+  const results::TimeOrigin origin = results::time_origin(reader, since.empty() ? stage : since);
+  if (stage.empty()) return {0, times.back(), origin};
+  const results::StageRow row = results::find_stage(reader, stage);
+  return {row.begin, row.ended ? row.end : times.back(), origin};
 }
 
 /// A number of seconds, "start", "end", or the type of an event: the first one of it in the window.
@@ -48,7 +51,7 @@ double time_of(const results::ResultsReader& reader, const Window& window, const
   if (text == "end") return window.end;
   if (text == "start") return std::max(window.begin, reader.frame_times().front());
   if (text.empty() || std::string("0123456789+-.").find(text[0]) != std::string::npos)
-    return window.begin + number_of(text, "--at");
+    return window.origin.zero + number_of(text, "--at");
   std::vector<std::string> known{"start", "end"};
   for (const results::EventRow& e : reader.events()) {
     if (e.type == text && e.time >= window.begin && e.time <= window.end) return e.time;
@@ -60,6 +63,7 @@ double time_of(const results::ResultsReader& reader, const Window& window, const
 draw::PictureStyle style_of(const DrawOptions& options, int dim) {
   draw::PictureStyle style;
   style.units = options.units == "us" ? draw::LengthUnits::us : draw::LengthUnits::si;
+  if (options.names != "auto") style.label_limit = options.names == "all" ? std::numeric_limits<int>::max() : 0;
   if (options.view.empty() || dim == 3) return style;
   const std::vector<std::string> ends = comma_list(options.view);
   if (ends.size() != 4)
@@ -85,7 +89,7 @@ draw::SceneChoice choice_of(const DrawOptions& options, int dim) {
                            options.magnify,
                            options.colour,
                            {},
-                           0,
+                           {},
                            std::nullopt};
   if (dim == 3 && !options.view.empty()) choice.from = draw::view_direction(options.view);
   if (!options.cut.empty()) choice.cut = cut_plane(options.cut);
@@ -101,7 +105,7 @@ std::vector<draw::Scene> mode_scenes(const results::ResultsReader& reader, const
   const bool last = options.at == "end" && options.stage.empty();
   const std::vector<results::ModeRow> found =
       draw::modes_found(reader, last ? std::numeric_limits<double>::infinity()
-                                     : time_of(reader, window_of(reader, options.stage), options.at));
+                                     : time_of(reader, window_of(reader, options.stage, options.since), options.at));
   std::vector<draw::Scene> scenes;
   for (const std::string& text : comma_list(options.mode)) {
     const double number = number_of(text, "--mode");
@@ -117,8 +121,8 @@ std::vector<draw::Scene> mode_scenes(const results::ResultsReader& reader, const
 std::vector<draw::Scene> scenes_of(const results::ResultsReader& reader, const DrawOptions& options) {
   if (!options.mode.empty()) return mode_scenes(reader, options);
   draw::SceneChoice choice = choice_of(options, reader.header().dim);
-  const Window window = window_of(reader, options.stage);
-  choice.zero = window.begin;  // what --at counts from, the caption does too
+  const Window window = window_of(reader, options.stage, options.since);
+  choice.origin = window.origin;  // what --at counts from, the caption does too
   std::vector<draw::Scene> scenes;
   for (const std::string& at : comma_list(options.at))
     scenes.push_back(draw::results_scene(reader, time_of(reader, window, at), choice));
@@ -151,12 +155,14 @@ void add_draw(CLI::App& app, int& code) {
   verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
       ->required()
       ->type_name("RESULT");
-  verb->add_option("--at", o->at,
-                   "seconds from the start, 'start', 'end', or an event such as seat.lost (the first); several, "
-                   "separated by commas, become panels")
+  verb->add_option(
+          "--at", o->at,
+          "seconds from the start or from what --stage or --since says, 'start', 'end', or an event such as seat.lost "
+          "(the first); several, separated by commas, become panels")
       ->type_name("T[,T...]")
       ->capture_default_str();
-  verb->add_option("--stage", o->stage, "count T from the beginning of this stage")->type_name("NAME");
+  verb->add_option("--stage", o->stage, "within this stage, with T counted from its beginning")->type_name("NAME");
+  add_since(*verb, o->since);
   verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; RESULT with .png where not given")
       ->type_name("FILE");
   verb->add_flag("--forces", o->forces, "contact forces");
@@ -183,6 +189,9 @@ void add_draw(CLI::App& app, int& code) {
       ->type_name("VIEW");
   verb->add_option("--cut", o->cut, "of a model in space: the section at a place on an axis, such as x=2.5, in metres")
       ->type_name("AXIS=PLACE");
+  verb->add_option("--names", o->names, "of bodies: auto (where there are at most 30), all or none")
+      ->check(CLI::IsMember({"auto", "all", "none"}))
+      ->capture_default_str();
   verb->add_option("--units", o->units, "of the scales in the legend: si or us")
       ->check(CLI::IsMember({"si", "us"}))
       ->capture_default_str();

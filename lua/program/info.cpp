@@ -10,13 +10,14 @@
 #include "results/event_table.hpp"
 #include "results/info.hpp"
 #include "results/study_info.hpp"
+#include "since_option.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
 namespace {
 
 struct InfoOptions {
-  std::string result, probability, over;
+  std::string result, probability, over, since;
   bool events = false, of_note = false;
 };
 
@@ -36,12 +37,13 @@ int show_info(const InfoOptions& options) {
     throw InputError("--probability and --over are for the table of a study; this is a run");
   const results::ResultsReader reader(options.result);
   if (!options.events && !options.of_note) {
+    if (!options.since.empty()) throw InputError("--since is for times of events: with --events or --of-note");
     fmt::print("{}", terminal_text(results::info_text(reader)));
     return ended_well;
   }
   tell_of_newer_run(reader);
-  fmt::print("{}",
-             terminal_text(results::event_table(options.of_note ? draw::events_of_note(reader) : reader.events())));
+  const std::vector<results::EventRow> events = options.of_note ? draw::events_of_note(reader) : reader.events();
+  fmt::print("{}", terminal_text(results::event_table(events, results::time_origin(reader, options.since))));
   return ended_well;
 }
 
@@ -54,6 +56,7 @@ void add_info(CLI::App& app, int& code) {
   verb->add_option("result", o->result, "results file, or table of a study")->required()->type_name("RESULT");
   verb->add_flag("--events", o->events, "all events, each below the one that led to it");
   verb->add_flag("--of-note", o->of_note, "the same without contacts made and lost and bodies at rest");
+  add_since(*verb, o->since);
   verb->add_option("--probability", o->probability,
                    "of a study: how many cases meet this, as in collapsed or \"drift > 0.02\", with an interval")
       ->type_name("CONDITION");

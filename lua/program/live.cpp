@@ -49,7 +49,7 @@ template <int D>
 void Live::show(const Instant<D>& now, double at) {
   shown_ = at;
   pace_.add(now.state.time, at);
-  const std::string text = status_text(now, pace_);
+  const std::string text = status_text(now, pace_, lines_.zero());
   if (screen_.is_terminal())
     screen_.status(text);
   else
@@ -72,8 +72,8 @@ void Live::step(const Instant<3>& now) {
 void Live::stage_ended(const StageReport& report) {
   if (quiet_) return;
   for (const std::string& line : lines_.rest()) screen_.line(line);
-  screen_.line(
-      fmt::format("{:10.3f} s  {:<15}  {}", report.ended, "stage ended", stage_text(report, wall() - stage_began_)));
+  screen_.line(fmt::format("{:10.3f} s  {:<15}  {}", report.ended - lines_.zero(), "stage ended",
+                           stage_text(report, wall() - stage_began_)));
   if (!report.reason.empty()) screen_.line(fmt::format("{:14}{}", "", report.reason));
 }
 

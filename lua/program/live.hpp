@@ -23,6 +23,8 @@ class Live : public script::RunObserver {
   void step(const Instant<3>& now) override;
   void stage_ended(const StageReport& report) override;
   void clear() override { screen_.clear(); }
+  /// Times were to count from a stage or an event that has not come.
+  [[nodiscard]] bool waits() const { return lines_.waits(); }
   void line(const std::string& text, bool strong) override;
   /// Redrawn on a terminal, a line now and then elsewhere.
   void status(const std::string& text) override;

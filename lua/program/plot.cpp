@@ -11,6 +11,7 @@
 #include "draw/study_chart.hpp"
 #include "newer_run.hpp"
 #include "output_folder.hpp"
+#include "since_option.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -163,6 +164,7 @@ void add_plot(CLI::App& app, int& code) {
       ->type_name("HISTORY");
   verb->add_option("--stage", o->window.stage, "this stage alone, with time counted from its beginning")
       ->type_name("NAME");
+  add_since(*verb, o->window.since);
   verb->add_option("--from", o->window.from, "leave out what is before [s]")->type_name("T");
   verb->add_option("--to", o->window.to, "leave out what is after [s]")->type_name("T");
   verb->add_flag("--events", o->events, "mark stages and events of the first run");

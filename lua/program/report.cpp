@@ -12,13 +12,14 @@
 #include "newer_run.hpp"
 #include "output_folder.hpp"
 #include "share_status.hpp"
+#include "since_option.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
 namespace {
 
 struct ReportOptions {
-  std::string result, out;
+  std::string result, out, since;
 };
 
 /// Where the script looked: its own folder and the project's.
@@ -36,8 +37,10 @@ int report(const ReportOptions& options) {
   if (out.extension() != ".html" && out.extension() != ".htm")
     throw InputError(fmt::format("'{}': a report ends with .html; a browser prints it to PDF", out.string()));
   const results::ResultsReader reader(options.result);
+  const results::TimeOrigin origin = results::time_origin(reader, options.since);
   ShareStatus status("sealing frames");
-  const std::string page = report::report_page(reader, record_folders_of(reader), [&](double share) { status(share); });
+  const std::string page = report::report_page(
+      reader, record_folders_of(reader), [&](double share) { status(share); }, origin);
   status.clear();
   make_folder_for(out);
   write_whole_file(out, page);
@@ -59,6 +62,7 @@ void add_report(CLI::App& app, int& code) {
       ->type_name("RESULT");
   verb->add_option("-o,--output", o->out, "the report, .html; RESULT with .report.html where not given")
       ->type_name("FILE");
+  add_since(*verb, o->since);
   verb->callback([o, &code] { code = report(*o); });
 }
 

@@ -10,13 +10,14 @@
 #include "positive.hpp"
 #include "profile_text.hpp"
 #include "script_run.hpp"
+#include "since_option.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
 namespace {
 
 struct RunOptions {
-  std::string script, results, folder;
+  std::string script, results, folder, since;
   std::vector<std::string> given;
   EventShow events = EventShow::important;
   double least_impact = slow_impact;
@@ -25,7 +26,7 @@ struct RunOptions {
 };
 
 int run_as_asked(const RunOptions& options) {
-  Live live(stdout, EventLines(options.events, options.least_impact), options.quiet);
+  Live live(stdout, EventLines(options.events, options.least_impact, options.since), options.quiet);
   script::Host host;
   host.script = options.script;
   host.given = host.arguments = options.given;
@@ -42,6 +43,9 @@ int run_as_asked(const RunOptions& options) {
   for (const std::string& g : options.given) host.command_line += " " + g;
   const int code = run_script(host);
   live.clear();
+  if (live.waits() && !options.list)
+    fmt::print("note: --since: no stage and no event '{}' has come; times count from the start of the run\n",
+               options.since);
   if (options.profile) fmt::print("{}", profile_text(host.profile));
   if (options.only > 0 && options.folder.empty()) fmt::print("{}", figures_text(host.figures));
   return code;
@@ -70,6 +74,7 @@ void add_run(CLI::App& app, int& code) {
                    "leave out impacts slower than this [m/s], unless all events are shown")
       ->type_name("SPEED")
       ->capture_default_str();
+  add_since(*verb, options->since);
   verb->add_flag("--quiet,-q", options->quiet, "show neither events nor status");
   verb->add_option("--folder", options->folder, "write all results, and the figures that the script returns, into DIR")
       ->type_name("DIR")

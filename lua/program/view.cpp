@@ -9,6 +9,7 @@
 #include "newer_run.hpp"
 #include "output_folder.hpp"
 #include "share_status.hpp"
+#include "since_option.hpp"
 #include "verbs.hpp"
 #include "view/data.hpp"
 
@@ -16,7 +17,7 @@ namespace trilith::program {
 namespace {
 
 struct ViewOptions {
-  std::string result, out;
+  std::string result, out, since;
 };
 
 int view(const ViewOptions& options) {
@@ -26,8 +27,10 @@ int view(const ViewOptions& options) {
   if (out.extension() != ".html" && out.extension() != ".htm")
     throw InputError(fmt::format("'{}': a page to view ends with .html", out.string()));
   const results::ResultsReader reader(options.result);
+  const results::TimeOrigin origin = results::time_origin(reader, options.since);
   ShareStatus status("reading frames");
-  const std::string data = view::view_data(reader, {}, [&](double share) { status(share); });
+  const std::string data = view::view_data(
+      reader, {}, [&](double share) { status(share); }, origin);
   status.clear();
   const std::string title = reader.title();
   make_folder_for(out);
@@ -48,6 +51,7 @@ void add_view(CLI::App& app, int& code) {
       ->required()
       ->type_name("RESULT");
   verb->add_option("-o,--output", o->out, "the page, .html; RESULT with .html where not given")->type_name("FILE");
+  add_since(*verb, o->since);
   verb->callback([o, &code] { code = view(*o); });
 }
 

@@ -202,3 +202,46 @@ TEST_CASE("the legend names what occurs and nothing else") {
   CHECK(texts.front() == "1 ft");
   CHECK(texts.back() == "contact force 200 kip (largest 277 kip)");
 }
+
+TEST_CASE("a name stays where it was from its body's middle, whatever is marked at another moment") {
+  Scene scene;
+  scene.bodies.push_back({"deck", box(0, 0, 6, 1)});
+  scene.bodies.push_back({"pier", box(2, -5, 4, 0)});
+  for (SceneBody& body : scene.bodies) body.start = body.outline;
+  const PageView page{{-5, -6, 20, 6}, {0, 0, 500, 240}, 20};
+  const auto place_of = [&](double moved, const std::vector<PageBox>& marks) {
+    Scene now = scene;
+    for (SceneBody& body : now.bodies)
+      for (Vec2& p : body.outline) p.x() += moved;
+    Canvas canvas(500, 240);
+    draw_labels(canvas, now, scene_view({now}, {}), page, marks, {7});
+    REQUIRE(canvas.text_boxes().size() == 2);
+    return canvas.text_boxes()[0].x0 - page.scale * moved;
+  };
+  const double at_start = place_of(0, {});
+  CHECK(std::abs(place_of(3, {}) - at_start) < 1e-9);
+  CHECK(std::abs(place_of(3, {{400, 0, 420, 240}}) - at_start) < 1e-9);
+}
+
+TEST_CASE("a scale of colours ends where its values do, with 0 in the middle colour where they have both signs") {
+  Scene scene = block_on_ground();
+  scene.bodies.push_back({"tile", box(3, 0, 4, 1)});
+  scene.bodies[1].value = -100, scene.bodies[2].value = 2;
+  const SceneView view = scene_view({scene}, {});
+  CHECK(view.low == -100);
+  CHECK(view.high == 2);
+  Scene even = scene;
+  even.bodies[2].value = 100;
+  const SceneView both = scene_view({even}, {});
+  CHECK(value_colour(view, 0).red == value_colour(both, 0).red);
+  CHECK(std::abs(value_colour(view, 100. / 102).red - value_colour(both, 0.5).red) < 1e-12);
+}
+
+TEST_CASE("a picture of what falls reaches down to the ground that it will meet") {
+  Scene scene;
+  scene.bodies.push_back({"ground", box(-10, -3, 10, -2), BodyRole::fixed_ground});
+  scene.bodies.push_back({"block", box(0, 0, 4, 1)});
+  CHECK(scene_view({scene}, {}).world.y0 < -2);
+  scene.bodies[0].outline = box(-10, -30, 10, -20);  // too far to be of interest
+  CHECK(scene_view({scene}, {}).world.y0 > -2);
+}

@@ -90,12 +90,22 @@ fails(function() m:off "x" end, "off: takes the handler")
 calm(m)
 near(m:body("late").y, 0.1, 1e-2)
 
+-- Handlers of one body alone, and of what is hard enough.
+m:on({ "impact", above = 1e3 }, function() error "nothing hits that hard" end)
+fails(function() m:on({ "impact", bodies = "late" }, print) end, "on: unknown key 'bodies'; did you mean 'body'?")
+fails(function() m:on({ body = "late" }, print) end, "on: give an event first")
+fails(function() m:on({ "impact", body = "lat" }, print) end, "there is no body 'lat'")
+
 -- A body that takes itself away in its own event.
 local dropped = m:block { name = "dropped", width = 0.3, height = 0.3, at = { -2, 0.5 }, material = "stone",
   floating = true }
+local own, others = 0, 0
+m:on({ "impact", body = dropped }, function() own = own + 1 end)
+m:on({ "impact", body = upper }, function() others = others + 1 end)
 m:on("impact", function(e) if e.body == dropped or e.bodies[2] == dropped then m:remove(dropped) end end)
 m:run { duration = 0.6 }
 assert(dropped.removed_at and not dropped.present)
+assert(own == 1 and others == 0, own .. " " .. others)
 m:close()
 
 os.remove(out .. ".h5")
@@ -108,9 +118,18 @@ local fall = t:run { duration = 5, until_collapse = { drop = 0.2 } }
 assert(fall.ending == "stopped" and fall.reason:find "collapsed", fall.reason)
 fails(function() t:run { duration = 1, until_collapse = 3 } end, "until_collapse")
 fails(function() t:run { duration = 1, until_true = 3 } end, "until_true")
+fails(function() t:run { duration = 1, ["until"] = print } end, "'until' is a word of Lua; write until_true")
 -- A removal asked for twice in one step is refused at the border.
 t:every(0.01, function(model) model:remove "upper"; model:remove "upper" end)
 fails(function() t:run { duration = 1 } end, "body 'upper' was removed at")
+
+-- A push ends by them too.
+local p = tower()
+p:consolidate { ratio = 1e-6 }
+local pushed = p:pushover { body = "upper", rate = 1e-3, displacement = 1, damping = 0.8,
+  until_true = function(model) return model:body("upper").ux > 1e-3 end }
+assert(pushed.ending == "stopped" and pushed.limit == "until" and pushed.reason == "until_true came true", pushed.limit)
+near(p:body("upper").ux, 1e-3, 1e-2)
 
 -- In space: the same words.
 local file = os.tmpname()

@@ -117,3 +117,19 @@ for _, case in ipairs(refused) do
   local done, said = pcall(model {}.lint, model {}, case[1])
   assert(not done and said:find(case[2], 1, true), said)
 end
+
+-- In space the same, of contacts that press: a cube on a plate, omega = sqrt(kn A/m).
+do
+  local function cube(beta)
+    local m = trilith.model { name = "solid", dim = 3 }
+    m:material { name = "stone", density = 2400 }
+    m:contact { between = { "*", "*" }, name = "joint",
+                law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.6, beta = beta } }
+    m:block { name = "plate", size = { 3, 3, 1 }, at = { -1, -1, -1 }, material = "stone", support = "fixed" }
+    m:block { name = "cube", size = { 1, 1, 0.5 }, material = "stone" }
+    m:consolidate { ratio = 1e-5 }
+    return m:lint()
+  end
+  lacks(cube(2 * 0.0101 / omega), "of critical")
+  has(cube(2 * 0.009 / omega), "law 'joint' damps 1 of 1 contacts by less than 1 % of critical")
+end

@@ -53,6 +53,10 @@ end
 local m, b = new(), built()
 local nobody = b:bodies { name = "nobody" }
 local cases = {
+  { function() new():block { name = "b", width = 1, height = 1, material = "stone", support = { r = "fixed" } } end,
+    "block 'b': support: 'r' is written in full: rotation = \"fixed\"" },
+  { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone" } end,
+    "block 'b': 'size' is of blocks in space, of models with dim = 3; in the plane give width and height" },
   -- units and parameters
   { function() return trilith.units "ft inhc" end, "there is no unit 'inhc'; did you mean 'inch'?" },
   { function() return trilith.units "lb" end, "there is no unit 'lb'; say lbf for a force, lbm for a mass" },

@@ -49,3 +49,9 @@ assert(wave:filter { low = 0.1, high = 20, pad = 1 }.npts == 601)
 assert(wave:baseline(2).npts == 401)
 refused("must be whole", wave.baseline, wave, 1.5)
 refused("below 50 Hz", wave.filter, wave, { high = 80 })
+
+-- Two supports against each other: the same way they never part, opposite ways they part by twice what each goes.
+local together, against = wave:difference(wave), wave:difference(wave:reverse())
+assert(together.displacement == 0 and together.velocity == 0)
+near(math.abs(against.displacement), 2*wave.pgd, 1e-3)
+near(math.abs(against.velocity), 2*wave.pgv, 1e-3)

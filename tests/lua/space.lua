@@ -185,6 +185,10 @@ do
     "'width' is of blocks in the plane; in space give size = {x, y, z}")
   local b = s:block { name = "b", size = { 1, 1, 1 }, at = { 0, 0, 1 }, material = "stone", floating = true,
     spin = { 0, 0, 1 } }
+  local known = select(2, pcall(function() return s.nothing_like_it end))
+  assert(known:find "vault" and known:find "gravity", known)
+  assert(not known:find "pushover" and not known:find "bearing_type", known)
+  assert(s.gravity[3] == -9.80665 and s.tilt == 0)
   refuses(function() b:point { 1, 2 } end, "point: takes {x, y, z} or the name of a joint")
   local good, why = pcall(function() return b.nothing_like_it end)
   assert(not good and why:find "point" and not why:find "hinges" and not why:find "fibres", why)

@@ -140,6 +140,26 @@ TEST_CASE("trilith plot draws one history over another, and a stage or a part of
   check_refused(ask(here, "plot span.h5 --fragility collapsed"), "for the table of a study");
 }
 
+TEST_CASE("times count from a stage or an event in plots, pictures, tables, the report and the page, which say so") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  const auto holds = [&](const char* file, const std::string& part) {
+    CHECK_MESSAGE(testing::bytes_of(here / file).find(part) != std::string::npos, file, " does not hold ", part);
+  };
+  CHECK(ask(here, "plot span.h5 span.y --since shaking -o since.svg").code == 0);
+  CHECK(ask(here, "draw span.h5 --since shaking --at 0 -o since.png").code == 0);
+  CHECK(ask(here, "draw span.h5 --names none -o bare.svg").code == 0);
+  CHECK(ask(here, "report span.h5 --since shaking -o since.html").code == 0);
+  holds("since.html", "times are those since &#39;shaking&#39; began");
+  const Said table = ask(here, "info span.h5 --events --since shaking");
+  CHECK(table.out.starts_with("times count since 'shaking' began\n"));
+  CHECK(table.says("    0.0000 s  stage.begun"));
+  CHECK(ask(here, "view span.h5 --since shaking -o page.html").code == 0);
+  check_refused(ask(here, "plot span.h5 --since shakin"), "did you mean 'shaking'?");
+  check_refused(ask(here, "draw span.h5 --since seat.los"), "no stage and no event 'seat.los'");
+  check_refused(ask(here, "info span.h5 --since shaking"), "with --events or --of-note");
+}
+
 TEST_CASE("control characters in a results file do not reach the terminal") {
   if (program_is_missing()) return;
   const testing::Folder here;

@@ -146,6 +146,53 @@ def shows_cracks(page):
     page.picture("cracks")
 
 
+def shows_loops(page):
+    """A history over another with the moment in it; a bearing's loop; a plot made large and put back."""
+    page.click("#tab-histories")
+    page.ask("(s => (s.value = 'displacement', s.dispatchEvent(new Event('change'))))(document.getElementById('against'))")
+    assert page.ask("trilith.histories.plots.length") == 1 and "over displacement" in page.text("#histories figcaption")
+    page.keys(Keys.END)
+    page.until("!trilith.waiting")
+    page.picture("loop")
+    far = page.ask("trilith.histories.plots[0].nearestTime(...(p => { const b = p.canvas.getBoundingClientRect(), s = p.scales(b.width, b.height), "
+                   "k = p.lines[0].values.length >> 1; return [s.x(p.over.values[k]), s.y(p.lines[0].values[k]), b]; })(trilith.histories.plots[0]))")
+    assert abs(far - page.ask("trilith.histories.plots[0].lines[0].times[trilith.histories.plots[0].lines[0].values.length >> 1]")) < 0.05, far
+    height = page.ask("trilith.histories.plots[0].canvas.getBoundingClientRect().height")
+    page.click("#histories .enlarge")
+    assert page.ask("document.getElementById('large').open")
+    page.until("trilith.histories.plots[0].canvas.getBoundingClientRect().height > 4 * %f" % height)
+    page.keys(Keys.ARROW_LEFT)
+    assert page.ask("trilith.player.time < trilith.run.end")
+    page.picture("large")
+    page.keys(Keys.ESCAPE)
+    page.until("trilith.histories.plots[0].element.closest('#histories')")
+    page.ask("trilith.select({ bearing: trilith.run.bearings[0] })")
+    assert "loop, along" in page.text("#selection"), page.text("#selection")
+    page.picture("bearing_loop")
+
+
+def counts_from_a_stage(page):
+    """The menu of what times count from: clock, list of events and plots follow, and durations stay."""
+    page.keys(Keys.END)
+    end, begin = page.ask("trilith.run.end"), page.ask("trilith.run.stages.at(-1).begin")
+    stage = page.text("#stage")
+    assert page.text("#clock") == f"{end:.2f} s"
+    page.ask("(s => (s.value = [...s.options].findLast(o => o.text.endsWith('began')).value, s.dispatchEvent(new Event('change'))))"
+             "(document.getElementById('since'))")
+    page.until("!trilith.waiting")
+    assert page.text("#clock") == f"{end - begin:.2f} s", page.text("#clock")
+    assert page.text("#stage") == stage, page.text("#stage")
+    page.picture("since")
+
+
+def counts_from_the_start_it_was_given(page):
+    """A page made with --since begins with that."""
+    page.keys(Keys.END)
+    page.until("!trilith.waiting")
+    passed = page.ask("trilith.run.end - trilith.run.stages.at(-1).begin")
+    assert page.text("#clock") == f"{passed:.2f} s", page.text("#clock")
+
+
 def shows_stress(page):
     """Finite elements have their colours, a body the history of its mean stress."""
     ways = page.ask("trilith.ways.map(w => w.id)")

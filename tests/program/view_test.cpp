@@ -113,6 +113,32 @@ m:run { duration = 0.2, integrator = "implicit", dt = 0.005 }
   browse(here / "frame.html", "plays_a_mode plays_to_the_end");
 }
 
+TEST_CASE("the page draws loops, makes plots large and counts times from where it is told") {
+  if (program_is_missing()) return;
+  const testing::Folder here;
+  std::ofstream(here / "loop.lua") << R"lua(
+local trilith = require "trilith"
+local m = trilith.model { name = "deck", thickness = 1 }
+m:material { name = "concrete", density = 2400 }
+local pier = m:block { name = "pier", width = 2, height = 4, at = { 0, 0 }, material = "concrete", support = "fixed" }
+local deck = m:block { name = "deck", width = 4, height = 1, at = { -1, 4.1 }, material = "concrete", floating = true }
+m:bearing { name = "rubber", between = { pier, deck }, at = { 1, 4.05 }, limit = { along = 1 },
+  along = trilith.lead_rubber { strength = 2e4, post_stiffness = 2e5 }, axial = trilith.linear { stiffness = 1e8, damping = 1e5 },
+  turning = trilith.linear { stiffness = 1e8, damping = 1e6 } }
+m:results { file = "loop.h5", frames = 0.04, histories = 0.005 }
+m:history { name = "force", bearing = "rubber", what = "force_along" }
+m:history { name = "displacement", bearing = "rubber", what = "displacement_along" }
+m:run { name = "rest", duration = 0.5, damping = 0.8 }
+m:shake { body = pier, x = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = 3 }, duration = 4 }
+)lua";
+  const Said run = ask(here.path, "run loop.lua --quiet");
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  CHECK(ask(here.path, "view loop.h5").out == "loop.html\n");
+  browse(here / "loop.html", "shows_loops counts_from_a_stage");
+  CHECK(ask(here.path, "view loop.h5 --since shake -o since.html").code == 0);
+  browse(here / "since.html", "counts_from_the_start_it_was_given");
+}
+
 TEST_CASE("the page of a model in space shows its solids, turns them by a drag and tells of the one that is clicked") {
   if (program_is_missing()) return;
   const testing::Folder here;

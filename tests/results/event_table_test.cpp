@@ -41,3 +41,14 @@ TEST_CASE("causes that go in circles are not followed") {
   CHECK(event_table({row(5, 0, 5, "impact", "its own cause")}).find("its own") != std::string::npos);
   CHECK(event_table({}) == "no events\n");
 }
+
+TEST_CASE("the table of events counts from where it is told and says so") {
+  const std::string table =
+      event_table({row(0, 1, -1, "stage.begun", "shake began"), row(1, 2.5, -1, "seat.lost", "span lost its seat")},
+                  {1, "shake", "'shake' began"});
+  CHECK(table ==
+        "times count since 'shake' began\n"
+        "        time  event        what\n"
+        "    0.0000 s  stage.begun  shake began\n"
+        "    1.5000 s  seat.lost    span lost its seat\n");
+}

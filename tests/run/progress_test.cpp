@@ -139,3 +139,24 @@ TEST_CASE("two listeners both hear a run, the first one first") {
   CHECK(heard.ends_with("12"));
   CHECK(steps > 0);
 }
+
+TEST_CASE("lines of events count from a stage or an event once that has come, and say so") {
+  const Model<2> model = testing::falling_span();
+  EventLines lines(EventShow::important, slow_impact, "shake");
+  CHECK(lines.waits());
+  CHECK(lines.tell(event_of(EventType::bearing_failed, 1, 9), model).at(0).starts_with("     9.000 s"));
+  Event begun = event_of(EventType::stage_begun, 2, 10);
+  begun.text = "shake";
+  const std::vector<std::string> told = lines.tell(begun, model);
+  REQUIRE(told.size() == 2);
+  CHECK(told[0] == "    10.000 s  times count from here on");
+  CHECK(told[1].starts_with("     0.000 s  stage begun"));
+  CHECK_FALSE(lines.waits());
+  CHECK(lines.zero() == 10);
+  const std::string lost = lines.tell(event_of(EventType::seat_lost, 3, 12.43, 1), model).at(0);
+  CHECK(lost.starts_with("     2.430 s  seat lost"));
+  CHECK(has(lost, "(because at -1.000 s: bearing right failed"));
+
+  EventLines of_type(EventShow::important, slow_impact, "seat.lost");
+  CHECK(of_type.tell(event_of(EventType::seat_lost, 1, 12.43), model).at(1).starts_with("     0.000 s  seat lost"));
+}

@@ -13,7 +13,7 @@ import { EventsPanel, eventColour } from "./events.js";
 import { Player } from "./player.js";
 import { Legend } from "./legend.js";
 import { Modes } from "./modes.js";
-import { byId, make, seconds } from "./words.js";
+import { byId, clock, make, seconds } from "./words.js";
 
 const toggles = [["forces", "forces", "contact_pair"], ["cracks", "cracks", null], ["bearings", "bearings", "bearing_state"],
   ["names", "names", null], ["start", "start", null]];
@@ -33,6 +33,7 @@ class App {
     this.theme = themeColours();
     this.ways = colourings(run);
     this.selection = null;
+    this.countFrom(run.origin ?? { zero: 0, since: "" });
     const shaking = run.stages.find((s) => s.kind !== "consolidation");
     this.player = new Player(this, shaking && shaking.begin <= run.end ? shaking.begin : run.begin);
     this.modes = new Modes(this);
@@ -43,6 +44,7 @@ class App {
     this.wireView();
     this.wireTabs();
     this.wireTheme();
+    this.wireClock();
     this.tellAbout();
     document.addEventListener("keydown", (e) => this.key(e));
     new ResizeObserver(() => this.resize()).observe(byId("canvas").parentElement);
@@ -148,6 +150,38 @@ class App {
     byId("theme").addEventListener("click", this.switchTheme);
   }
 
+  countFrom({ zero, since }) {
+    clock.zero = zero;
+    clock.since = since;
+    byId("clock").title = `time since ${since || "the start of the run"}`;
+  }
+
+  /** The menu of what times count from: the start, the stages, the first event of each type of note. */
+  wireClock() {
+    const { run } = this, firsts = new Map();
+    for (const e of run.events) if (e.note && !e.type.startsWith("stage.") && !firsts.has(e.type)) firsts.set(e.type, e.time);
+    const origins = [{ zero: 0, since: "" }, ...run.stages.map((s) => ({ zero: s.begin, since: `'${s.name}' began` })),
+      ...[...firsts].map(([type, zero]) => ({ zero, since: `the first ${type}` }))];
+    const at = origins.findIndex((o) => o.since === clock.since);
+    if (at < 0) origins.push({ ...clock });
+    const menu = byId("since");
+    menu.append(...origins.map((o, i) => make("option", { value: i }, o.since || "the start")));
+    menu.value = String(at < 0 ? origins.length - 1 : at);
+    menu.addEventListener("change", () => {
+      this.countFrom(origins[Number(menu.value)]);
+      this.player.tellStages();
+      this.modes.tellModes();
+      this.events.fill();
+      this.selectionPanel.show(this.selectionPanel.choice);
+      this.tellAbout();
+      byId("told").textContent = "";
+      this.redraw();
+    });
+    const help = byId("help");
+    byId("help-open").addEventListener("click", () => help.showModal());
+    for (const dialog of [help, byId("large")]) dialog.addEventListener("click", (e) => e.target === dialog && dialog.close());
+  }
+
   tellAbout() {
     const { about } = this.run;
     byId("title").textContent = about.name;
@@ -159,15 +193,12 @@ class App {
     if (about.frame_stride > 1) thinned.push(`one frame in ${about.frame_stride} is kept`);
     if (about.contact_stride > 1) thinned.push(`contact forces of one frame in ${about.contact_stride}`);
     if (about.events_left_out) thinned.push(`${about.events_left_out} minor events left out`);
-    byId("about").append(
+    byId("about").replaceChildren(
       make("dl", { class: "facts" }, ...row("command", about.command), ...row("program", `trilith ${about.program} ${about.commit}`), ...row("started", about.started),
-        ...row("bodies", String(this.run.bodies.length)), ...row("frames", `${this.run.frames}, to ${seconds(this.run.end)}`), ...row("this page", thinned.join("; ")),
+        ...row("bodies", String(this.run.bodies.length)), ...row("frames", `${this.run.frames}, to ${seconds(this.run.end)}${clock.since ? ` since ${clock.since}` : ""}`), ...row("this page", thinned.join("; ")),
         ...about.parameters.flatMap(([name, value, unit, , text]) => row(name, `${value} ${unit}${text ? ` (${text})` : ""}`)), ...about.motions.flatMap((m) => row("motion", m))),
       ...about.notes.map(([time, text]) => make("p", { class: "hint" }, `${seconds(time)}: ${text}`)),
       about.script ? make("details", {}, make("summary", {}, "script"), make("pre", { tabindex: 0 }, about.script)) : "");
-    const help = byId("help");
-    byId("help-open").addEventListener("click", () => help.showModal());
-    help.addEventListener("click", (e) => e.target === help && help.close());
   }
 
   /** Chooses { body } or { bearing }, or nothing. */
@@ -273,7 +304,7 @@ class App {
       n: () => this.player.toEvent(1), p: () => this.player.toEvent(-1), c: () => this.nextColour(), t: () => this.switchTheme(), v: () => this.nextView(),
       "?": () => byId("help").showModal(), m: () => this.nextMode(), Escape: () => this.select(null),
     }[e.key];
-    if (!does || byId("help").open) return;
+    if (!does || byId("help").open || (byId("large").open && e.key === "Escape")) return;
     e.preventDefault();
     does();
   }

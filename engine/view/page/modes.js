@@ -10,9 +10,16 @@ export class Modes {
     const { modes } = app.run, several = new Set(modes.map((m) => m.time)).size > 1;
     byId("modes").hidden = !modes.length || !app.run.frames;
     this.menu = byId("mode");
-    const label = (m) => `mode ${m.number}, ${m.frequency.toPrecision(4)} Hz${several ? ` at ${seconds(m.time)}` : ""}`;
-    this.menu.append(make("option", { value: -1 }, "the run"), ...modes.map((m, i) => make("option", { value: i }, label(m))));
+    this.several = several;
     this.menu.addEventListener("change", () => this.choose(Number(this.menu.value)));
+    this.tellModes();
+  }
+
+  tellModes() {
+    const { modes } = this.app.run, { several } = this, chosen = this.menu.value || "-1";
+    const label = (m) => `mode ${m.number}, ${m.frequency.toPrecision(4)} Hz${several ? ` at ${seconds(m.time)}` : ""}`;
+    this.menu.replaceChildren(make("option", { value: -1 }, "the run"), ...modes.map((m, i) => make("option", { value: i }, label(m))));
+    this.menu.value = chosen;
   }
 
   get on() { return this.app.run.mode !== null; }

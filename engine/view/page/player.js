@@ -1,6 +1,6 @@
 // Time goes on: play, pause, speed, and the strip with stages and event marks.
 import { eventColour } from "./events.js";
-import { byId, make, seconds } from "./words.js";
+import { byId, duration, make, seconds } from "./words.js";
 
 export const speeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
 
@@ -27,7 +27,11 @@ export class Player {
     this.select = byId("speed");
     this.select.append(...speeds.map((s) => make("option", { value: s, selected: s === 1 }, `${s}×`)));
     this.select.addEventListener("change", () => (this.speed = Number(this.select.value)));
-    byId("stage-jumps").append(...run.stages.map((s) => make("button", { class: "chip", title: `from ${seconds(s.begin)}: ${s.why || "not ended"}`,
+    this.tellStages();
+  }
+
+  tellStages() {
+    byId("stage-jumps").replaceChildren(...this.app.run.stages.map((s) => make("button", { class: "chip", title: `from ${seconds(s.begin)}: ${s.why || "not ended"}`,
       onclick: () => this.seek(s.begin) }, s.name)));
   }
 
@@ -107,7 +111,7 @@ export class Player {
     this.range.value = String(Math.round((this.time - run.begin) * 1000));
     this.range.setAttribute("aria-valuetext", seconds(this.time));
     byId("clock").textContent = seconds(this.time);
-    byId("stage").textContent = stage ? `${stage.name}, ${seconds(Math.max(0, this.time - stage.begin))} of ${seconds((stage.ended ? stage.end : run.end) - stage.begin)}` : "";
+    byId("stage").textContent = stage ? `${stage.name}, ${duration(Math.max(0, this.time - stage.begin))} of ${duration((stage.ended ? stage.end : run.end) - stage.begin)}` : "";
     this.drawStrip();
   }
 

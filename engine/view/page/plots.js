@@ -1,13 +1,14 @@
-// Small plots against time, with the moment of the replay in them. A click or a drag goes to that time.
+// Small plots against time, or of one quantity over another, with the moment of the replay in them. A click or a drag
+// goes to that time; a button makes them large.
 import { upperBound } from "./run.js";
-import { figures, make, readableUnit, ticks } from "./words.js";
+import { byId, clock, figures, make, readableUnit, ticks } from "./words.js";
 
 const pad = { left: 46, right: 8, top: 6, bottom: 18 };
 
-/** Lowest, highest of some lines; widened where they are flat. */
-function rangeOf(lines) {
+/** Lowest, highest of some lists; widened where they are flat. */
+function rangeOf(lists) {
   let low = Infinity, high = -Infinity;
-  for (const { values } of lines)
+  for (const values of lists)
     for (const v of values) {
       if (v < low) low = v;
       if (v > high) high = v;
@@ -16,6 +17,9 @@ function rangeOf(lines) {
   const margin = high > low ? 0.06 * (high - low) : Math.max(1e-12, Math.abs(high) * 0.1, 1e-9);
   return [low - margin, high + margin];
 }
+
+const largestOf = (values) => values.reduce((m, v) => Math.max(m, Math.abs(v)), 0);
+const scaledBy = (values, factor) => Float64Array.from(values, (v) => v * factor);
 
 /** Per pixel column the lowest and highest value, so that no peak is lost; lines as [x, y] on the canvas. */
 function path(times, values, xOf, yOf) {
@@ -39,23 +43,42 @@ function path(times, values, xOf, yOf) {
   return out;
 }
 
+/** Shows a plot as large as the window, and puts it back where it was when that is closed. */
+function enlarge(figure, changed) {
+  const dialog = byId("large"), place = make("span", {});
+  if (dialog.open) return dialog.close();
+  figure.replaceWith(place);
+  byId("large-plot").replaceChildren(figure);
+  dialog.showModal();
+  dialog.addEventListener("close", () => {
+    place.replaceWith(figure);
+    changed();
+  }, { once: true });
+  return changed();
+}
+
 export class Plot {
-  /** `lines`: [{ name, times, values }] of one `unit`; `window`: [begin, end] of the time axis; `seek(time)`. */
-  constructor({ title, unit, lines, window: span, seek, colours }) {
+  /** `lines`: [{ name, times, values }] of one `unit`; `window`: [begin, end] of the time axis; `seek(time)`. Over another
+   * quantity instead of time: `over` is { name, unit, values }, of the same samples as the first line. */
+  constructor({ title, unit, lines, window: span, seek, colours, over = null }) {
     this.span = span;
     this.colours = colours;
-    const largest = Math.max(...lines.map((l) => l.values.reduce((m, v) => Math.max(m, Math.abs(v)), 0)), 0);
-    this.to = readableUnit(largest, unit);
-    this.lines = lines.map((l) => ({ ...l, values: Float64Array.from(l.values, (v) => v * this.to.factor) }));
-    this.range = rangeOf(this.lines);
-    this.readings = this.lines.map((l, i) => make("output", {}, ""));
-    this.canvas = make("canvas", { class: "plot", role: "img", "aria-label": `${title} against time, ${this.to.unit}` });
+    this.to = readableUnit(Math.max(...lines.map((l) => largestOf(l.values)), 0), unit);
+    this.lines = lines.map((l) => ({ ...l, values: scaledBy(l.values, this.to.factor) }));
+    this.range = rangeOf(this.lines.map((l) => l.values));
+    this.takeOver(over);
+    this.readings = this.lines.map(() => make("output", {}, ""));
+    const across = this.over ? `${this.over.name}, ${this.over.to.unit}` : "time";
+    this.canvas = make("canvas", { class: "plot", role: "img", "aria-label": `${title} over ${across}, ${this.to.unit}` });
     const keys = this.lines.map((l, i) => make("span", { class: "key" },
       make("i", { style: `background:${colours[i % colours.length]}` }), lines.length > 1 ? `${l.name.replaceAll("_", " ")} ` : "", this.readings[i]));
-    this.element = make("figure", {}, make("figcaption", {}, make("b", {}, title), make("span", { class: "quiet" }, this.to.unit), ...keys), this.canvas);
+    const large = make("button", { class: "icon enlarge", title: "large, and back", "aria-label": `${title}: large, and back`,
+      onclick: () => enlarge(this.element, () => window.trilith.redraw()) }, "⤢");
+    this.element = make("figure", {}, make("figcaption", {}, make("b", {}, title), make("span", { class: "quiet" },
+      this.over ? `${this.to.unit} over ${across}` : this.to.unit), ...keys, large), this.canvas);
     const go = (e) => {
       const box = this.canvas.getBoundingClientRect();
-      seek(this.timeAt(e.clientX - box.left, box.width));
+      seek(this.over ? this.nearestTime(e.clientX - box.left, e.clientY - box.top, box) : this.timeAt(e.clientX - box.left, box.width));
     };
     this.canvas.addEventListener("pointerdown", (e) => {
       this.canvas.setPointerCapture(e.pointerId);
@@ -64,16 +87,35 @@ export class Plot {
     this.canvas.addEventListener("pointermove", (e) => e.buttons && go(e));
   }
 
+  takeOver(over) {
+    if (!over) return;
+    const to = readableUnit(largestOf(over.values), over.unit);
+    this.over = { name: over.name.replaceAll("_", " "), to, values: scaledBy(over.values, to.factor) };
+    this.span = rangeOf([this.over.values]);
+  }
+
   timeAt(x, width) {
     const share = (x - pad.left) / (width - pad.left - pad.right);
     return this.span[0] + Math.max(0, Math.min(1, share)) * (this.span[1] - this.span[0]);
+  }
+
+  /** Of a loop: when it came nearest to a place on the canvas. */
+  nearestTime(px, py, box) {
+    const { x, y } = this.scales(box.width, box.height);
+    let least = Infinity, time = 0;
+    for (const line of this.lines)
+      this.over.values.forEach((v, i) => {
+        const far = (x(v) - px) ** 2 + (y(line.values[i]) - py) ** 2;
+        if (far < least) [least, time] = [far, line.times[i]];
+      });
+    return time;
   }
 
   /** Draws lines and axes where the size or theme has changed, then the moment over them. */
   draw(time, theme) {
     const box = this.canvas.getBoundingClientRect(), ratio = window.devicePixelRatio || 1;
     if (!box.width) return;
-    const key = `${box.width} ${box.height} ${ratio} ${theme.paper}`;
+    const key = `${box.width} ${box.height} ${ratio} ${theme.paper} ${clock.zero}`;
     if (key !== this.key) {
       this.key = key;
       this.canvas.width = Math.round(box.width * ratio);
@@ -104,15 +146,19 @@ export class Plot {
     c.lineWidth = 1;
     c.textBaseline = "middle";
     c.textAlign = "right";
-    for (const v of ticks(this.range[0], this.range[1], 4)) {
+    const level = (v) => {
       c.beginPath();
       c.moveTo(pad.left, Math.round(y(v)) + 0.5), c.lineTo(width - pad.right, Math.round(y(v)) + 0.5);
       c.stroke();
       c.fillText(figures(v, 2), pad.left - 5, y(v));
-    }
+    };
+    ticks(this.range[0], this.range[1], height > 300 ? 8 : 4).forEach(level);
     c.textBaseline = "bottom";
     c.textAlign = "center";
-    for (const t of ticks(...this.span, 5)) c.fillText(figures(t, 2), Math.min(width - 14, x(t)), height - 2);
+    // Round times are those that are counted, from whatever moment that is.
+    const zero = this.over ? 0 : clock.zero;
+    for (const t of ticks(this.span[0] - zero, this.span[1] - zero, width > 700 ? 10 : 5))
+      c.fillText(figures(t, 2), Math.min(width - 14, x(t + zero)), height - 2);
     c.save();
     c.beginPath();
     c.rect(pad.left, 0, width - pad.left - pad.right, height - pad.bottom + 2);
@@ -122,7 +168,8 @@ export class Plot {
       c.lineWidth = 1.3;
       c.lineJoin = "round";
       c.beginPath();
-      for (const point of path(line.times, line.values, x, y)) c.lineTo(...point);
+      if (this.over) this.over.values.forEach((v, k) => c.lineTo(x(v), y(line.values[k])));
+      else for (const point of path(line.times, line.values, x, y)) c.lineTo(...point);
       c.stroke();
     });
     c.restore();
@@ -131,18 +178,20 @@ export class Plot {
   drawMoment(c, time, width, height, theme) {
     const { x, y } = this.scales(width, height);
     const at = Math.max(pad.left, Math.min(width - pad.right, x(time)));
-    c.strokeStyle = theme.ink;
-    c.globalAlpha = 0.6;
-    c.beginPath();
-    c.moveTo(at, pad.top), c.lineTo(at, height - pad.bottom);
-    c.stroke();
-    c.globalAlpha = 1;
+    if (!this.over) {
+      c.strokeStyle = theme.ink;
+      c.globalAlpha = 0.6;
+      c.beginPath();
+      c.moveTo(at, pad.top), c.lineTo(at, height - pad.bottom);
+      c.stroke();
+      c.globalAlpha = 1;
+    }
     this.lines.forEach((line, i) => {
       const k = Math.max(0, upperBound(line.times, time + 1e-9) - 1), value = line.values[k];
       if (value === undefined) return;
-      c.fillStyle = this.colours[i % this.colours.length];
+      c.fillStyle = this.over ? theme.ink : this.colours[i % this.colours.length];
       c.beginPath();
-      c.arc(at, y(value), 3, 0, 7);
+      c.arc(this.over ? x(this.over.values[k]) : at, y(value), this.over ? 4 : 3, 0, 7);
       c.fill();
       this.readings[i].textContent = figures(value);
     });

@@ -34,6 +34,7 @@ export class Run {
     this.stages = head.stages;
     this.modes = head.modes ?? [];
     this.mode = null;
+    this.origin = head.origin;
     this.palette = head.palette;
     this.types = head.types;
     this.events = head.events.map((row, index) => eventOf(row, index, head.types));

@@ -27,9 +27,9 @@ export class SelectionPanel {
     return make("header", {}, make("div", {}, make("span", { class: "quiet" }, kind), make("h2", { id: "selection-name" }, name)), close);
   }
 
-  plot(title, unit, lines) {
+  plot(title, unit, lines, over = null) {
     const { run, seek } = this.app;
-    const plot = new Plot({ title, unit, lines, window: [run.begin, run.end], seek, colours: this.app.lineColours });
+    const plot = new Plot({ title, unit, lines, over, window: [run.begin, run.end], seek, colours: this.app.lineColours });
     this.plots.push(plot);
     return plot.element;
   }
@@ -75,11 +75,21 @@ export class SelectionPanel {
       facts([["law", bearing.law]]),
       this.plot("force", "N", ["x", "y", "z"].slice(0, run.dim).map((name, k) => line(name, "bearing_force", k))),
       this.plot("displacement", "m", (run.dim === 3 ? ["along", "across", "axial"] : ["along", "across"]).map((name, k) => line(name, "bearing_displacement", k))),
+      ...this.loops(bearing),
       this.events((e) => e.bearing === bearing.index));
     this.tell = (frame, time) => {
       const state = run.bearingState(bearing, frame, time), mark = this.app.scene.bearingMark(bearing);
       return `now ${stateNames[state]}${mark && mark.state !== state ? ", its bodies apart" : ""}`;
     };
+  }
+
+  /** Force over displacement in one direction, where the run has histories of both. */
+  loops(bearing) {
+    const mine = new Map(this.app.run.series.flatMap((s) => (s.text.endsWith(` of bearing '${bearing.name}'`) ? [[s.text.split(" of bearing")[0], s]] : [])));
+    return [...mine].flatMap(([what, force]) => {
+      const direction = what.match(/^force(?: of the law)? (.+)$/)?.[1], over = mine.get(`displacement ${direction}`);
+      return over ? [this.plot(`loop, ${direction}`, force.unit, [force], over)] : [];
+    });
   }
 
   events(filter) {
@@ -98,29 +108,39 @@ export class SelectionPanel {
   }
 }
 
-/** All histories and the energy, those of one unit and group together. */
+/** All histories and the energy, those of one unit and group together; over time, or histories over one of them. */
 export class HistoriesPanel {
   constructor(app) {
-    this.plots = [];
+    this.app = app;
+    // A ledger has terms for what this run does not have.
+    this.series = app.run.series.filter((s) => s.times.length && (s.group !== "energy" || s.values.some((v) => v !== 0)));
+    const histories = this.series.filter((s) => s.group !== "energy");
+    this.menu = make("select", { id: "against" }, make("option", { value: "" }, "time"), ...histories.map((s) => make("option", { value: s.name }, s.name)));
+    this.menu.addEventListener("change", () => this.show(this.menu.value));
+    this.list = make("div", {});
+    byId("histories").append(histories.length > 1 ? make("label", { class: "quiet" }, "over ", this.menu) : "", this.list);
+    this.show("");
+  }
+
+  show(against) {
+    const over = against ? this.series.find((s) => s.name === against && s.group !== "energy") : null;
     const panels = new Map();
-    for (const s of app.run.series) {
-      // A ledger has terms for what this run does not have.
-      if (!s.times.length || (s.group === "energy" && s.values.every((v) => v === 0))) continue;
+    for (const s of this.series) {
+      if (over && (s.group === "energy" || s === over)) continue;
       const key = `${s.group} ${s.unit}`;
       if (!panels.has(key)) panels.set(key, []);
       panels.get(key).push(s);
     }
-    const root = byId("histories");
-    const perPlot = 7;
-    for (const [, all] of panels)
-      for (let i = 0; i < all.length; i += perPlot) {
-        const some = all.slice(i, i + perPlot);
-        const title = some[0].group === "energy" ? "energy" : some.length === 1 ? some[0].name : "histories";
-        const plot = new Plot({ title, unit: some[0].unit, lines: some, window: [app.run.begin, app.run.end], seek: app.seek, colours: app.lineColours });
-        this.plots.push(plot);
-        root.append(plot.element);
-      }
-    if (!this.plots.length) root.append(make("p", { class: "hint" }, "This run recorded no histories and no energy."));
+    const perPlot = over ? 1 : 7;
+    this.plots = [...panels.values()].flatMap((all) => Array.from({ length: Math.ceil(all.length / perPlot) }, (_, i) => this.plot(all.slice(i * perPlot, (i + 1) * perPlot), over)));
+    this.list.replaceChildren(...this.plots.map((p) => p.element), ...(this.plots.length ? [] : [make("p", { class: "hint" }, "This run recorded no histories and no energy.")]));
+    this.app.redraw();
+  }
+
+  plot(lines, over) {
+    const { run, seek, lineColours } = this.app;
+    const title = lines[0].group === "energy" ? "energy" : lines.length === 1 ? lines[0].name : "histories";
+    return new Plot({ title, unit: lines[0].unit, lines, over, window: [run.begin, run.end], seek, colours: lineColours });
   }
 
   draw(time, theme) {

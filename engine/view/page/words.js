@@ -30,7 +30,12 @@ export function quantity(value, unit) {
   return to.unit === "°" ? `${figures(value * to.factor)}°` : `${figures(value * to.factor)} ${to.unit}`.trim();
 }
 
-export const seconds = (time) => `${time.toFixed(2)} s`;
+/** What times count from: `zero` [s of the run], and in words where that is not the start of the run. */
+export const clock = { zero: 0, since: "" };
+
+/** An instant, as it is counted. */
+export const seconds = (time) => duration(time - clock.zero);
+export const duration = (time) => `${time.toFixed(2).replace("-", "−")} s`;
 
 /** A round number near `value`: 1, 2 or 5 times a power of ten, not above it. */
 export function roundBelow(value) {
