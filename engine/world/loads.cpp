@@ -59,22 +59,23 @@ std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const
 }
 
 /// In the axes of the body where it follows, in those of the world where it does not; at the centroid by default.
-/// On a frame a load acts at the node that is nearest, and goes with it.
+/// On a frame a load acts at the node that is nearest, on a body of elements on the nearest face of its skin, and goes
+/// with it.
 PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
   const std::string owner = fmt::format("load '{}' on '{}'", spec.name, model.bodies[body].name);
-  if (!model.bodies[body].is_rigid() && !spec.at)
+  const Body& b = model.bodies[body];
+  if (!b.is_rigid() && !spec.at)
     throw InputError(fmt::format("{}: the body deforms; say with 'at' where the load acts", owner));
   if (!spec.force.allFinite() || !spec.moment.allFinite() || (spec.at && !spec.at->allFinite()))
     throw InputError(owner + ": force, moment or place is not finite");
   check_load_curve(spec.curve, owner);
-  const int n = spec.at ? nearest_node(model, body, *spec.at) : model.bodies[body].first_node;
-  const Turn3 start = turn_of(model.start_rotation[n]);
+  const BodyMotion begins = start_of(model, spec.at ? carrier_near(model, body, *spec.at) : b.first_node);
+  const Turn3 start = turn_of(begins.rotation);
   PointLoad<3> load;
   load.name = spec.name, load.body = body, load.curve = spec.curve, load.follows = spec.follows;
   load.force = spec.follows ? start.undo(spec.force) : spec.force;
   load.moment = spec.follows ? start.undo(spec.moment) : spec.moment;
-  const Vec3 from_node = spec.at ? Vec3(*spec.at - model.start_position[n]) : Vec3(Vec3::Zero());
-  load.at = Tie<3>::to_node(n, start.undo(from_node));
+  load.at = spec.at ? tie_point(model, body, *spec.at) : Tie<3>::to_node(b.first_node, Vec3::Zero());
   return load;
 }
 

@@ -29,7 +29,8 @@ double SolidModelBuilder::density_of(const SolidSpec& spec) const {
   if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");
   if (spec.density) return require_positive(*spec.density, owner + ": density", "kg/m3");
   if (spec.mass)
-    return require_positive(*spec.mass, owner + ": mass", "kg") / mass_of(spec.pieces, 1, spec.spheres).mass;
+    return require_positive(*spec.mass, owner + ": mass", "kg") /
+           (spec.mesh ? volume_of(*spec.mesh) : mass_of(spec.pieces, 1, spec.spheres).mass);
   for (const Material& m : materials_)
     if (m.name == spec.material) return m.density;
   throw InputError(fmt::format("{}: give a density or mass, or a material that has a density", owner));
@@ -40,10 +41,11 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   body_names_known_.require_new(bodies_, spec.name, "body");
   const std::string owner = fmt::format("body '{}'", spec.name);
   if (spec.frame) check_frame(spec, owner);
+  if (spec.deforms()) check_mesh_body(spec, owner);
   if (spec.pieces.empty() && spec.spheres.empty()) throw InputError(owner + " has no piece; it needs at least one");
   for (std::size_t s = 0; s < spec.spheres.size(); ++s)
     check_sphere(spec.spheres[s], spec.spheres.size() == 1 ? owner : fmt::format("{}, sphere {}", owner, s + 1));
-  for (std::size_t p = 0; p < spec.pieces.size() && !spec.frame; ++p)
+  for (std::size_t p = 0; p < spec.pieces.size() && !spec.frame && !spec.mesh; ++p)
     check_convex(spec.pieces[p], spec.pieces.size() == 1 ? owner : fmt::format("{}, piece {}", owner, p + 1));
   for (const Vec3* v : {&spec.velocity, &spec.spin, &spec.load})
     if (!v->allFinite()) throw InputError(owner + ": velocity, spin or load is not finite");
@@ -55,7 +57,7 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
 
 namespace {
 
-/// Of a rigid body its support and steady load; of a frame the load alone, by the masses of its nodes, as its joints
+/// Of a rigid body its support and steady load; of a frame or elements the load alone, by the masses of the nodes, which
 /// have their supports.
 void set_up(const SolidSpec& spec, Model<3>& model, const Body& body) {
   if (body.is_rigid()) {
@@ -79,6 +81,8 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
     attempt(faults, [&] {
       if (spec.frame)
         space.add(frame_body(spec));
+      else if (spec.mesh)
+        space.add(mesh_body(spec));
       else
         space.add(
             SolidBody{spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0, spec.spheres});
@@ -168,10 +172,14 @@ void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const G
     model.drives.push_back({node, dof, from + beside, start, motion});
     follows = true;
   }
-  if (!follows)
+  if (!follows && b.nodes_turn())
     throw InputError(fmt::format(
         "body '{}' is a frame and none of its joints is held along {}, so nothing follows the motion; give a joint "
         "support = \"fixed\"",
+        b.name, "xyz"[dof]));
+  if (!follows)
+    throw InputError(fmt::format(
+        "body '{}' deforms and none of its nodes is held along {}, so nothing follows the motion; hold some of them",
         b.name, "xyz"[dof]));
 }
 
