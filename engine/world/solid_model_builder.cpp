@@ -41,6 +41,10 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   body_names_known_.require_new(bodies_, spec.name, "body");
   const std::string owner = fmt::format("body '{}'", spec.name);
   if (spec.frame) check_frame(spec, owner);
+  if (spec.frame && spec.deforms())
+    throw InputError(owner + ": the members of a frame deform by themselves; leave out body");
+  if (!spec.supports.empty() && !spec.deforms())
+    throw InputError(owner + ": hold is of nodes of bodies that deform; say support, or body = \"brick\"");
   if (spec.deforms()) check_mesh_body(spec, owner);
   if (spec.pieces.empty() && spec.spheres.empty()) throw InputError(owner + " has no piece; it needs at least one");
   for (std::size_t s = 0; s < spec.spheres.size(); ++s)

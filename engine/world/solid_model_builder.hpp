@@ -39,6 +39,7 @@ struct SolidSpec {
   std::vector<SpaceNodeSupport> supports = {};  ///< of some nodes of a body that deforms
 
   [[nodiscard]] bool deforms() const { return mesh.has_value() || form.kind != BodyKind::rigid; }
+  [[nodiscard]] BodyKind kind() const { return frame ? BodyKind::frame : mesh ? mesh_kind(*mesh) : form.kind; }
 };
 
 class SolidModelBuilder {

@@ -62,7 +62,7 @@ int SpaceBuilder::add(const SpaceMeshBody& body) {
   const auto index = static_cast<int>(model_.bodies.size());
   Body row;
   row.name = body.name, row.surface = body.surface;
-  row.kind = mesh.cell.size() == 1 && mesh.cell[0].shape == ElementShape::brick ? BodyKind::brick : BodyKind::mesh;
+  row.kind = mesh_kind(mesh);
   row.first_node = model_.nodes(), row.nodes = static_cast<int>(mesh.node.size());
   row.first_skin = static_cast<int>(model_.skin_place.size()), row.first_piece = model_.pieces();
   row.first_fit = static_cast<int>(model_.fits.size());

@@ -39,6 +39,11 @@ struct SpaceMeshBody {
   int surface = 0;
 };
 
+/// One brick, or a mesh.
+inline BodyKind mesh_kind(const SpaceMesh& mesh) {
+  return mesh.cell.size() == 1 && mesh.cell[0].shape == ElementShape::brick ? BodyKind::brick : BodyKind::mesh;
+}
+
 /// Volume of all elements [m3].
 double volume_of(const SpaceMesh& mesh);
 
