@@ -7,10 +7,10 @@
 //     (tr(U) 1 - U) w = sum of g_i x R'v_i        so that        w = t sum of g_i x R'v_i,   t = (tr(U) 1 - U)^-1
 //
 // and a couple m in these axes does the work of the forces f_i = R ((t m) x g_i) on the points, which have no resultant
-// and the moment R m. Of a plane face g_i have two components in its plane, U is of two dimensions, R has the normal for
-// its third column, and all else is the same. The deformation of an element is d_i = R'(x_i - mean) - X_i, its rate
-// R'(v_i - mean) - w x (X_i + d_i): free of any rigid motion (Felippa and Haugen, Comput. Methods Appl. Mech. Engng 194,
-// 2005; in the plane body/corotation.hpp).
+// and the moment R m. Of a plane face g_i have two components in its plane, U is of two dimensions, R has the normal
+// for its third column, and all else is the same. The deformation of an element is d_i = R'(x_i - mean) - X_i, its rate
+// R'(v_i - mean) - w x (X_i + d_i): free of any rigid motion (Felippa and Haugen, Comput. Methods Appl. Mech. Engng
+// 194, 2005; in the plane body/corotation.hpp).
 #pragma once
 
 #include <Eigen/Dense>

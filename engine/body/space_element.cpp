@@ -12,14 +12,7 @@ namespace trilith {
 namespace {
 
 constexpr std::array<ElementShapeInfo, 3> shapes{{
-    {"brick",
-     8,
-     8,
-     8,
-     6,
-     {{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}},
-     4,
-     4},
+    {"brick", 8, 8, 8, 6, {{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}}, 4, 4},
     {"tetrahedron", 4, 4, 1, 4, {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}}, 3, 3},
     {"quadratic tetrahedron",
      10,
@@ -32,14 +25,8 @@ constexpr std::array<ElementShapeInfo, 3> shapes{{
 }};
 
 /// Signs of the natural coordinates of a brick's nodes.
-constexpr std::array<std::array<double, 3>, 8> corner_of{{{-1, -1, -1},
-                                                          {1, -1, -1},
-                                                          {1, 1, -1},
-                                                          {-1, 1, -1},
-                                                          {-1, -1, 1},
-                                                          {1, -1, 1},
-                                                          {1, 1, 1},
-                                                          {-1, 1, 1}}};
+constexpr std::array<std::array<double, 3>, 8> corner_of{
+    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
 
 /// Ends of the edges of a tetrahedron, in the order of the nodes on them.
 constexpr std::array<std::array<int, 2>, 6> edge_of{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
@@ -104,8 +91,7 @@ Vec3 middle_of(ElementShape shape) {
 /// Rows: the place by each natural coordinate.
 Eigen::Matrix3d jacobian_of(const Gradient& d, std::span<const Vec3> nodes) {
   Eigen::Matrix3d j = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    j += d.col(static_cast<Eigen::Index>(i)) * nodes[i].transpose();
+  for (std::size_t i = 0; i < nodes.size(); ++i) j += d.col(static_cast<Eigen::Index>(i)) * nodes[i].transpose();
   return j;
 }
 
@@ -272,8 +258,8 @@ std::vector<FacePoint> quadrilateral_points() {
 
 /// Six points, exact for polynomials of the fourth order (Strang and Fix 1973; Dunavant 1985).
 std::vector<FacePoint> triangle_points(bool quadratic) {
-  constexpr std::array<std::array<double, 2>, 2> rule{{{0.445948490915965, 0.223381589678011},
-                                                       {0.091576213509771, 0.109951743655322}}};
+  constexpr std::array<std::array<double, 2>, 2> rule{
+      {{0.445948490915965, 0.223381589678011}, {0.091576213509771, 0.109951743655322}}};
   constexpr std::array<std::array<double, 2>, 3> slope{{{-1, -1}, {1, 0}, {0, 1}}};
   constexpr std::array<std::array<std::size_t, 2>, 3> side{{{0, 1}, {1, 2}, {2, 0}}};
   std::vector<FacePoint> points;
@@ -307,8 +293,8 @@ struct FaceNodes {
   FaceNodes(ElementShape shape, std::span<const Vec3> nodes, int face) {
     const ElementShapeInfo& info = info_of(shape);
     for (int i = 0; i < info.face_nodes; ++i)
-      place.push_back(nodes[static_cast<std::size_t>(
-          info.face[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)])]);
+      place.push_back(
+          nodes[static_cast<std::size_t>(info.face[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)])]);
     points = shape == ElementShape::brick ? quadrilateral_points()
                                           : triangle_points(shape == ElementShape::quadratic_tetrahedron);
     for (const FacePoint& p : points) {

@@ -1,4 +1,5 @@
-// Elements of deformable bodies in space in their reference shape: bricks of eight nodes, tetrahedra of four and of ten.
+// Elements of deformable bodies in space in their reference shape: bricks of eight nodes, tetrahedra of four and of
+// ten.
 //
 //        7 -------- 6          brick: natural coordinates from -1 to 1, node 0 at (-1, -1, -1), 6 at (1, 1, 1)
 //       /|         /|          tetrahedron: node 3 lies to the left of the face 0, 1, 2 as seen from inside, its
@@ -7,8 +8,8 @@
 //      |/         |/
 //      0 -------- 1
 //
-// Strain is linear in the deformation of the nodes, in the element's own turning axes (body/corotation_3d.hpp): strain =
-// B d at each point of Gauss, 2 x 2 x 2 in a brick, one in a tetrahedron of four nodes, four in one of ten.
+// Strain is linear in the deformation of the nodes, in the element's own turning axes (body/corotation_3d.hpp): strain
+// = B d at each point of Gauss, 2 x 2 x 2 in a brick, one in a tetrahedron of four nodes, four in one of ten.
 //   plain     B of the isoparametric element. A brick of it locks in bending.
 //   assumed   the brick with the incompatible modes 1 - xi^2, 1 - eta^2, 1 - zeta^2 of each displacement (Wilson et al.
 //             1973) in the form of Taylor, Beresford and Wilson (Int. J. Numer. Meth. Engng 10, 1976): with the
@@ -82,10 +83,10 @@ ElementVolume node_shares(ElementShape shape, std::span<const Vec3> nodes);
 /// the linear field that has the same integral and first moments over the face as the one of the shape functions. So a
 /// linear pressure over all of the face gives the nodes the forces of the element itself. Reference shape.
 struct FaceFit {
-  Vec3 middle, x, y, normal;                      ///< axes of length 1, the normal outward
-  double area = 0;                                ///< [m2]
-  std::array<double, max_face_nodes> mean{};      ///< sum to 1
-  std::array<Vec2, max_face_nodes> gradient{};    ///< [1/m]
+  Vec3 middle, x, y, normal;                    ///< axes of length 1, the normal outward
+  double area = 0;                              ///< [m2]
+  std::array<double, max_face_nodes> mean{};    ///< sum to 1
+  std::array<Vec2, max_face_nodes> gradient{};  ///< [1/m]
 };
 FaceFit fit_face(ElementShape shape, std::span<const Vec3> nodes, int face);
 

@@ -23,8 +23,9 @@ void check_cells(const SpaceMesh& mesh, std::string_view owner) {
   if (mesh.cell.empty()) throw InputError(fmt::format("{}: the mesh has no element; give one at least", owner));
   for (std::size_t n = 0; n < mesh.node.size(); ++n)
     if (!mesh.node[n].allFinite() || mesh.node[n].cwiseAbs().maxCoeff() > 1e12)
-      throw InputError(fmt::format("{}: node {} of the mesh ({:g}, {:g}, {:g}) is not finite or farther out than 1e12 m",
-                                   owner, n + 1, mesh.node[n].x(), mesh.node[n].y(), mesh.node[n].z()));
+      throw InputError(
+          fmt::format("{}: node {} of the mesh ({:g}, {:g}, {:g}) is not finite or farther out than 1e12 m", owner,
+                      n + 1, mesh.node[n].x(), mesh.node[n].y(), mesh.node[n].z()));
   const int nodes = static_cast<int>(mesh.node.size());
   for (std::size_t e = 0; e < mesh.cell.size(); ++e)
     for (int i = 0; i < count_of(mesh.cell[e]); ++i) {
@@ -60,10 +61,10 @@ void check_shapes(SpaceMesh& mesh, std::string_view owner, std::vector<std::stri
       throw InputError(fmt::format("{}: element {} of the mesh ({}) is flat: its volume is {:g} m3", owner, e + 1,
                                    info_of(cell.shape).name, volume));
     if (const double least = least_jacobian(cell.shape, nodes); least < least_share)
-      throw InputError(
-          fmt::format("{}: element {} of the mesh ({}) is turned inside out at a corner (its Jacobian there is {:.2g} of "
-                      "that in the middle); see the order of its nodes",
-                      owner, e + 1, info_of(cell.shape).name, least));
+      throw InputError(fmt::format(
+          "{}: element {} of the mesh ({}) is turned inside out at a corner (its Jacobian there is {:.2g} of "
+          "that in the middle); see the order of its nodes",
+          owner, e + 1, info_of(cell.shape).name, least));
   }
   if (turned > 0) notes.push_back(fmt::format("{}: {} mirrored elements of the mesh are turned round", owner, turned));
 }
@@ -78,8 +79,9 @@ void check_places(const SpaceMesh& mesh, std::string_view owner) {
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size() && mesh.node[order[j]].x() - mesh.node[order[i]].x() <= near; ++j)
       if ((mesh.node[order[j]] - mesh.node[order[i]]).norm() <= near)
-        throw InputError(fmt::format("{}: nodes {} and {} of the mesh are in one place, so it is open there; make them one",
-                                     owner, std::min(order[i], order[j]) + 1, std::max(order[i], order[j]) + 1));
+        throw InputError(
+            fmt::format("{}: nodes {} and {} of the mesh are in one place, so it is open there; make them one", owner,
+                        std::min(order[i], order[j]) + 1, std::max(order[i], order[j]) + 1));
 }
 
 struct CellFace {
@@ -129,8 +131,8 @@ void find_surface(CheckedSpaceMesh& out, std::string_view owner) {
     const SpaceCell &a = mesh.cell[who[0].cell], &b = mesh.cell[who[1].cell];
     const std::string pair = fmt::format("{}: elements {} and {} of the mesh", owner, who[0].cell + 1, who[1].cell + 1);
     if (who.size() > 2)
-      throw InputError(fmt::format("{}, and {} more, have one face in common; a face parts two elements", pair,
-                                   who.size() - 2));
+      throw InputError(
+          fmt::format("{}, and {} more, have one face in common; a face parts two elements", pair, who.size() - 2));
     if (run_alike(face_nodes(a, who[0].face, static_cast<int>(key.size())),
                   face_nodes(b, who[1].face, static_cast<int>(key.size()))))
       throw InputError(pair + " lie on the same side of the face they have in common");
@@ -144,15 +146,16 @@ void find_surface(CheckedSpaceMesh& out, std::string_view owner) {
   }
   for (int e = 1; e < static_cast<int>(mesh.cell.size()); ++e)
     if (root_of(parent, e) != root_of(parent, 0))
-      throw InputError(
-          fmt::format("{}: element {} of the mesh hangs on the others by no face; make a body of each part", owner, e + 1));
+      throw InputError(fmt::format(
+          "{}: element {} of the mesh hangs on the others by no face; make a body of each part", owner, e + 1));
 }
 
 /// Leaves out nodes of no element.
 void keep_used(SpaceMesh& mesh, std::string_view owner, std::vector<std::string>& notes) {
   std::vector<int> number(mesh.node.size(), -1);
   for (const SpaceCell& cell : mesh.cell)
-    for (int i = 0; i < count_of(cell); ++i) number[static_cast<std::size_t>(cell.node[static_cast<std::size_t>(i)])] = 0;
+    for (int i = 0; i < count_of(cell); ++i)
+      number[static_cast<std::size_t>(cell.node[static_cast<std::size_t>(i)])] = 0;
   std::vector<Vec3> kept;
   for (std::size_t n = 0; n < number.size(); ++n)
     if (number[n] == 0) number[n] = static_cast<int>(kept.size()), kept.push_back(mesh.node[n]);

@@ -33,11 +33,11 @@ struct CheckedSpaceMesh {
 /// Where the nodes of an element are.
 std::vector<Vec3> nodes_of(const SpaceMesh& mesh, std::size_t cell);
 
-/// Repaired, with a note: elements that are turned round throughout, unused nodes left out. Refused with InputError that
-/// names element or node (counted from 1): no element, an index that is not there, a node twice in an element, numbers
-/// that are not finite, an element that is flat or turned inside out somewhere, two nodes in one place, a face of more
-/// than two elements or of two on one side of it, neighbours that have other nodes on their common face, parts that hang
-/// together by no face. `owner` begins every message.
+/// Repaired, with a note: elements that are turned round throughout, unused nodes left out. Refused with InputError
+/// that names element or node (counted from 1): no element, an index that is not there, a node twice in an element,
+/// numbers that are not finite, an element that is flat or turned inside out somewhere, two nodes in one place, a face
+/// of more than two elements or of two on one side of it, neighbours that have other nodes on their common face, parts
+/// that hang together by no face. `owner` begins every message.
 CheckedSpaceMesh check_space_mesh(SpaceMesh mesh, std::string_view owner);
 
 /// The corners of a solid that is a brick in topology (six faces of four corners), in the order of a brick's nodes;

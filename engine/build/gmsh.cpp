@@ -273,8 +273,8 @@ SpaceMesh parse_gmsh_in_space(std::string_view text, std::string_view owner) {
   SpaceMesh mesh;
   read_file(text, owner, nodes, mesh);
   if (mesh.cell.empty())
-    throw InputError(fmt::format(
-        "{}: there is no tetrahedron or hexahedron in it; mesh the volume (Mesh 3) before saving", owner));
+    throw InputError(
+        fmt::format("{}: there is no tetrahedron or hexahedron in it; mesh the volume (Mesh 3) before saving", owner));
   for (std::size_t n = 0; n < nodes.place.size(); ++n)
     mesh.node.emplace_back(nodes.place[n].x(), nodes.place[n].y(), nodes.height[n]);
   return mesh;

@@ -28,7 +28,7 @@ struct MovingPlace {
 /// A convex solid where it stands and how its body moves.
 struct MovingSolid {
   const PlacedSolid& placed;
-  Vec3 origin, velocity, spin;          ///< of its body: a point of it and its velocity [m], [m/s], [rad/s]
+  Vec3 origin, velocity, spin;         ///< of its body: a point of it and its velocity [m], [m/s], [rad/s]
   const MovingPlace* faces = nullptr;  ///< [face] of a solid that deforms, whose faces move each for itself
 
   /// As face `face` moves; of -1, and of a solid that does not deform, itself.
@@ -56,7 +56,7 @@ struct SolidPressure {
   double friction_arm = 0;             ///< mean distance of the pressure from its centre, see mean_distance [m]
   /// Arms in its plane, of which the products sum to its second moments over the area, see spread_arms [m]
   std::array<Vec3, 2> arm{Vec3::Zero(), Vec3::Zero()};
-  double depth = 0;  ///< greatest depth of a pressed face in the other solid [m]
+  double depth = 0;              ///< greatest depth of a pressed face in the other solid [m]
   int face_a = -1, face_b = -1;  ///< of faces that lie flat on each other; -1 of any other shape
 };
 

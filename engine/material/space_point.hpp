@@ -60,9 +60,8 @@ SpaceResponse respond_in_space(const Law& law, const SpaceVector& strain, const 
                         e = p.axes * flown.asDiagonal() * p.axes.transpose();
   SpaceResponse out;
   out.stress << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(2, 0);
-  out.memory = {before.xx + e(0, 0),     before.yy + e(1, 1),     before.zz + e(2, 2),
-                before.xy + 2 * e(0, 1), before.yz + 2 * e(1, 2), before.zx + 2 * e(2, 0),
-                r.memory.measure};
+  out.memory = {before.xx + e(0, 0),     before.yy + e(1, 1),     before.zz + e(2, 2), before.xy + 2 * e(0, 1),
+                before.yz + 2 * e(1, 2), before.zx + 2 * e(2, 0), r.memory.measure};
   out.stored = r.stored, out.dissipated = r.dissipated;
   return out;
 }

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "results/extended.hpp"
-#include "step/bearing_motion.hpp"
 #include "run/space_stress_field.hpp"
+#include "step/bearing_motion.hpp"
 #include "step/element_stress.hpp"
 #include "step/solid_resultants.hpp"
 #include "world/event_text.hpp"

@@ -117,8 +117,8 @@ void add_bodies(const Model<2>& model, const State<2>& state, results::Header& h
   }
 }
 
-/// The outer faces of a body's pieces, and all of their corners in the axes of the nodes they go with. Of elements these
-/// are the nodes themselves.
+/// The outer faces of a body's pieces, and all of their corners in the axes of the nodes they go with. Of elements
+/// these are the nodes themselves.
 struct BodySkin {
   std::vector<double> corners;  ///< [corner][3] m
   FaceLoops faces;
@@ -146,7 +146,7 @@ BodySkin skin_of(const Model<3>& model, const Body& body) {
 /// A body of several nodes in space: the first of its nodes as of a rigid body, then the others, and each corner on its
 /// own node.
 void add_several_nodes(const Model<3>& model, const State<3>& state, const Body& body, results::BodyRow row,
-                     results::Header& header) {
+                       results::Header& header) {
   const BodySkin skin = skin_of(model, body);
   const std::size_t first_vertex = header.vertex_node.size();
   row.support = nodes_support_text(model, body);

@@ -82,8 +82,9 @@ ElementStretch stretch_of(const Model<2>& model, const State<2>& state, int elem
   return worst;
 }
 
-/// Of an element in space, at its corners and points of Gauss: the principal stretches of the gradient F there, of which
-/// the least is below 0 where it is turned inside out. A node that goes by p changes F by at most p times its gradient.
+/// Of an element in space, at its corners and points of Gauss: the principal stretches of the gradient F there, of
+/// which the least is below 0 where it is turned inside out. A node that goes by p changes F by at most p times its
+/// gradient.
 ElementStretch stretch_of(const Model<3>& model, const State<3>& state, int element, double& room) {
   const SpaceElement& e = model.space_elements[static_cast<std::size_t>(element)];
   const double limit = model.solids[static_cast<std::size_t>(e.solid)].strain_limit;
@@ -98,8 +99,7 @@ ElementStretch stretch_of(const Model<3>& model, const State<3>& state, int elem
   for (const auto& gradient : watched_gradients(e.shape, start)) {
     Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
     double slope = 0;
-    for (std::size_t i = 0; i < nodes; ++i)
-      f += now[i] * gradient[i].transpose(), slope += gradient[i].norm();
+    for (std::size_t i = 0; i < nodes; ++i) f += now[i] * gradient[i].transpose(), slope += gradient[i].norm();
     const Eigen::Matrix3d c = f.transpose() * f;
     const Eigen::Vector3d squares = principal_axes(c, 1e-15 * c.cwiseAbs().maxCoeff()).value;
     const double least = std::copysign(std::sqrt(std::max(0.0, squares.minCoeff())), f.determinant()),
@@ -166,7 +166,8 @@ double sound_speed(const Model<D>& model) {
       double volume = 0, young = 0;
       for (end = e; end < model.space_elements.size() && model.space_elements[end].body == body; ++end) {
         volume += model.space_elements[end].volume;
-        young = std::visit([](const auto& law) { return law.young; }, model.solids[model.space_elements[end].solid].law);
+        young =
+            std::visit([](const auto& law) { return law.young; }, model.solids[model.space_elements[end].solid].law);
       }
       most = std::max(most, std::sqrt(young * volume / body_mass(model, body)));
     }

@@ -107,8 +107,7 @@ BearingMotion<3> bearing_motion(const Model<3>& model, const State<3>& state, st
   const Vec3 from_a = out.point - p.place, moved = out.axes.undo(Vec3(from_a - arm_a)) - b.rest;
   const Vec3 rate = out.axes.undo(Vec3(q.velocity + cross(q.spin, arm_b) - p.velocity - cross(p.spin, from_a)));
   const auto& last = state.bearing[i].turned;
-  const Vec3 turned =
-      nearest_turn(inverse(frame) * (q.rotation * b.rest_angle), Vec3(last[0], last[1], last[2]));
+  const Vec3 turned = nearest_turn(inverse(frame) * (q.rotation * b.rest_angle), Vec3(last[0], last[1], last[2]));
   const Vec3 turning_rate = through_turn(turned, out.axes.undo(Vec3(q.spin - p.spin)), -1);
   for (const int k : {0, 1, 2}) {
     out.displacement[k] = moved[k], out.displacement[3 + k] = turned[k];

@@ -66,8 +66,8 @@ void respond_at_points(const Model<3>& model, const SpaceElement& e, const Law& 
   }
 }
 
-/// In the element's own axes the forces h of the deformation d: k d of an elastic one, energy d . k d / 2, else those of
-/// the stress at its points; damping is beta k times the rate of d. body/corotation_3d.hpp brings both to the nodes.
+/// In the element's own axes the forces h of the deformation d: k d of an elastic one, energy d . k d / 2, else those
+/// of the stress at its points; damping is beta k times the rate of d. body/corotation_3d.hpp brings both to the nodes.
 template <int N>
 [[gnu::always_inline]] inline void resist_element(const Model<3>& model, const SpaceElement& e, const State<3>& state,
                                                   Work<3>& work, SpaceElementAnswer& out) {

@@ -66,9 +66,8 @@ void take_up(const Model<3>& model, const State<3>& state, Work<3>& work, const 
   work.general_touching.push_back({answer.row, response.area, response.depth, response.centre, response.normal_force});
   const JointMemory* joint = work.contacts.joint_at(r);
   const double area = joint != nullptr && joint->bonds != 0 ? joint->plan->whole.area : response.area;
-  work.solids.areas.push_back(
-      {response.middle, response.normal, area, response.radius, response.friction_arm, response.arm,
-       response.face_a, response.face_b});
+  work.solids.areas.push_back({response.middle, response.normal, area, response.radius, response.friction_arm,
+                               response.arm, response.face_a, response.face_b});
   if (answer.joint_changed) work.changed_rows.push_back(answer.row);
 }
 
@@ -93,9 +92,9 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidOverlapB
   JointMemory& after = *work.contacts.joint_at(r);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
   const SolidMemory& contact = contacts_before(state, work).memory[r];
-  JointResponse joint = respond_joint(body_motion(model, state, pair.piece_a, before.plan->face_a),
-                                      body_motion(model, state, pair.piece_b, before.plan->face_b), contact, before,
-                                      law, after);
+  JointResponse joint =
+      respond_joint(body_motion(model, state, pair.piece_a, before.plan->face_a),
+                    body_motion(model, state, pair.piece_b, before.plan->face_b), contact, before, law, after);
   joint.contact.face_a = before.plan->face_a, joint.contact.face_b = before.plan->face_b;
   if (joint.ends) {
     SolidOverlapBuffer cell;  // room; joints end once

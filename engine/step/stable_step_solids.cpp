@@ -77,8 +77,8 @@ struct NodeRows {
            double dashpot) {
     double sum = 0;
     for (int i = 0; i < fit.nodes; ++i)
-      sum += std::abs(weight[static_cast<std::size_t>(i)]) /
-             std::sqrt(model.mass[fit.node[static_cast<std::size_t>(i)]]);
+      sum +=
+          std::abs(weight[static_cast<std::size_t>(i)]) / std::sqrt(model.mass[fit.node[static_cast<std::size_t>(i)]]);
     for (int i = 0; i < fit.nodes; ++i) {
       const auto n = static_cast<std::size_t>(fit.node[static_cast<std::size_t>(i)]);
       const double row = std::abs(weight[static_cast<std::size_t>(i)]) * sum / std::sqrt(model.mass[n]);
@@ -186,7 +186,8 @@ void add_spring_to_fit(const Model<3>& model, const State<3>& state, int carrier
                        double weight, const DirectionStiffness& s, NodeRows& rows) {
   const Fit& fit = model.fits[static_cast<std::size_t>(-1 - carrier)];
   const Fitted now = fitted(model, fit, state.position, state.velocity);
-  if (along) return rows.add(model, fit, weights_at(model, fit, now, at, false), weight * s.tangent, weight * s.dashpot);
+  if (along)
+    return rows.add(model, fit, weights_at(model, fit, now, at, false), weight * s.tangent, weight * s.dashpot);
   for (const Vec3& e : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())})
     rows.add(model, fit, weights_at(model, fit, now, e, true), weight * s.tangent, weight * s.dashpot);
 }
@@ -305,8 +306,8 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
       if (!model.body_moves(body[side])) continue;
       const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
       if (model.is_fitted(side == 0 ? pair.piece_a : pair.piece_b)) {
-        const int carrier = side == 0 ? model.carrier_of(pair.piece_a, area.face_a)
-                                      : model.carrier_of(pair.piece_b, area.face_b);
+        const int carrier =
+            side == 0 ? model.carrier_of(pair.piece_a, area.face_a) : model.carrier_of(pair.piece_b, area.face_b);
         const auto i = static_cast<std::size_t>(-1 - carrier);
         add_area_to_fit(model, model.fits[i], work.solids.fitted[i],
                         {area.middle, area.normal, area.area, area.radius, area.arm, law}, weight, rows);
@@ -327,8 +328,10 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
     const bool turn = model.bodies[b].nodes_turn();
     const RateBound beams = model.element_bound.empty() ? RateBound{} : model.element_bound[b];
     for (int n = model.bodies[b].first_node; n < model.bodies[b].first_node + model.bodies[b].nodes; ++n) {
-      const double k = beams.stiffness + std::max(work.face_bound[b].stiffness, turn ? largest_bound(locals[n].k) : rows.k[n]),
-                   c = beams.damping + std::max(work.face_bound[b].damping, turn ? largest_bound(locals[n].c) : rows.c[n]) +
+      const double k = beams.stiffness +
+                       std::max(work.face_bound[b].stiffness, turn ? largest_bound(locals[n].k) : rows.k[n]),
+                   c = beams.damping +
+                       std::max(work.face_bound[b].damping, turn ? largest_bound(locals[n].c) : rows.c[n]) +
                        model.mass_damping;
       const double dt = step_for(k, c);
       if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};

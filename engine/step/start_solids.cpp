@@ -78,8 +78,7 @@ void set_bonds(const Model<3>& model, State<3>& state, double reach, int first_b
     change_row(model, state, work, row, [&] {
       SolidMemory& memory = state.contacts.memory[row];
       JointMemory* joint = state.contacts.joint_at(row);
-      (joint != nullptr ? *joint : state.contacts.add_joint(row)) =
-          joint_between(model, state, pair, faces, memory);
+      (joint != nullptr ? *joint : state.contacts.add_joint(row)) = joint_between(model, state, pair, faces, memory);
       memory.state |= contact_touching | contact_general;
     });
   }

@@ -1,5 +1,5 @@
-// What carries a piece of a body in space, or one face of it: a node with rotation, or nodes without, to which place and
-// turn are fitted.
+// What carries a piece of a body in space, or one face of it: a node with rotation, or nodes without, to which place
+// and turn are fitted.
 //
 // A carrier is named by one number: a node of a rigid body or a frame from 0 on; below 0 the fit -1 - k of
 // Model::fits. A piece of a body whose nodes do not turn is a convex solid between the planes of the faces of one

@@ -42,7 +42,7 @@ struct Body {
   int first_piece = 0, pieces = 0;
   int first_fit = 0, fits = 0;  ///< in space, where its nodes do not turn: its rows of Model::fits
   int surface = 0;              ///< index into the table of contact laws
-  double area = 0;  ///< [m2]
+  double area = 0;              ///< [m2]
 
   /// One node carries it.
   [[nodiscard]] bool is_rigid() const { return kind == BodyKind::rigid; }
@@ -178,10 +178,10 @@ struct Model {
   std::vector<double> piece_thickness;     ///< [piece] of its body where it is, see world/thickness.hpp m
   double least_thickness = unbounded;      ///< of all pieces that may touch something [m]
   std::vector<ConvexSolid> piece_solid;    ///< [piece] in the axes of its body; of models in space
-  std::vector<int> piece_fit;              ///< [piece] its own row of `fits`, those of its faces follow; -1: it goes with
-                                           ///< a node; empty where all do
-  std::vector<Fit> fits;                   ///< see world/carrier.hpp
-  std::vector<double> fit_number;          ///< likewise
+  std::vector<int> piece_fit;      ///< [piece] its own row of `fits`, those of its faces follow; -1: it goes with
+                                   ///< a node; empty where all do
+  std::vector<Fit> fits;           ///< see world/carrier.hpp
+  std::vector<double> fit_number;  ///< likewise
 
   // Finite elements of deformable bodies.
   std::vector<Solid> solids;

@@ -203,8 +203,8 @@ Pose body_pose(const Model<2>& model, const State<2>& state, int body) {
 
 namespace {
 
-/// F = sum m x X' (sum m X X')^-1 of places from their means, now x and at the start X: what the nodes' motion is like on
-/// the whole. Its turn, and the spin by body/corotation_3d.hpp.
+/// F = sum m x X' (sum m X X')^-1 of places from their means, now x and at the start X: what the nodes' motion is like
+/// on the whole. Its turn, and the spin by body/corotation_3d.hpp.
 void fit_turn(const Model<3>& model, const State<3>& state, const Body& body, Pose3& pose) {
   const Vec3 start = pose.place - pose.moved;
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero(), mixed = second;

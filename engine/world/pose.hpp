@@ -36,8 +36,8 @@ Pose3 body_pose(const Model<3>& model, const State<3>& state, int body);
 
 /// The node of a body that a place at the start [m] is nearest to.
 int nearest_node(const Model<3>& model, int body, const Vec3& at);
-/// What carries a point of a body that is at `at` [m] at the start (world/carrier.hpp): the nearest node, or of a body of
-/// elements the nearest face of its skin.
+/// What carries a point of a body that is at `at` [m] at the start (world/carrier.hpp): the nearest node, or of a body
+/// of elements the nearest face of its skin.
 int carrier_near(const Model<3>& model, int body, const Vec3& at);
 /// The point tied to it.
 Tie<3> tie_point(const Model<3>& model, int body, const Vec3& at);

@@ -21,22 +21,22 @@ const Solid& solid_of(const std::vector<Material>& materials, const SolidSpec& s
 
 }  // namespace
 
-/// Meshes of solids are made here, of one piece each. Its skin becomes the pieces of the body: for bearings that want to
-/// be near it.
+/// Meshes of solids are made here, of one piece each. Its skin becomes the pieces of the body: for bearings that want
+/// to be near it.
 void SolidModelBuilder::check_mesh_body(SolidSpec& spec, const std::string& owner) {
   (void)solid_of(materials_, spec, owner);
   if (!spec.spheres.empty())
     throw InputError(owner + ": spheres do not deform; leave out the elements, or make it a mesh");
   const auto turn = [&](int k) { return spec.support[static_cast<std::size_t>(3 + k)] != Support::free; };
-  const bool held = std::none_of(spec.support.begin(), spec.support.begin() + 3,
-                                 [](Support s) { return s == Support::free; });
+  const bool held =
+      std::none_of(spec.support.begin(), spec.support.begin() + 3, [](Support s) { return s == Support::free; });
   if ((turn(0) || turn(1) || turn(2)) && !held)
     throw InputError(owner + ": its nodes have no rotation to hold; hold x, y and z of some of them");
   if (!spec.mesh) {
     if (spec.pieces.size() != 1)
       throw InputError(fmt::format(
-          "{}: it has {} pieces, and elements are made of one that is a brick; leave it rigid, or give it a mesh", owner,
-          spec.pieces.size()));
+          "{}: it has {} pieces, and elements are made of one that is a brick; leave it rigid, or give it a mesh",
+          owner, spec.pieces.size()));
     spec.mesh = mesh_of(spec.pieces[0], spec.form, owner);
   }
   CheckedSpaceMesh checked = check_space_mesh(std::move(*spec.mesh), owner);

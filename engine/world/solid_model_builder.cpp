@@ -61,8 +61,8 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
 
 namespace {
 
-/// Of a rigid body its support and steady load; of a frame or elements the load alone, by the masses of the nodes, which
-/// have their supports.
+/// Of a rigid body its support and steady load; of a frame or elements the load alone, by the masses of the nodes,
+/// which have their supports.
 void set_up(const SolidSpec& spec, Model<3>& model, const Body& body) {
   if (body.is_rigid()) {
     model.support[body.first_node] = spec.support, model.load[body.first_node] = spec.load;
@@ -151,21 +151,32 @@ std::vector<std::string> SolidModelBuilder::faults() const {
   return faults;
 }
 
-/// Of a frame all nodes.
+/// Of a frame, and of elements, all nodes.
 void set_support(Model<3>& model, int body, int dof, Support support) {
   const Body& b = model.bodies[body];
+  if (!b.nodes_turn() && dof >= 3) {
+    if (support == Support::fixed) return;  // as its nodes' are
+    throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x, y and z", b.name));
+  }
   for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
     model.support[node][dof] = support;
     if (support != Support::driven) model.drive_of[node][dof] = -1;
   }
 }
 
-/// The motion's own start displacement is not a jump of the ground. Of a frame the nodes follow that are held along it.
+/// The motion's own start displacement is not a jump of the ground. Of a frame the nodes follow that are held along it;
+/// of elements those that are, or where none is all of them.
 void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<3>* state) {
   const Body& b = model.bodies[body];
   const std::vector<Vec3>& place = state != nullptr ? state->position : model.start_position;
-  const auto held = [&](int node) { return b.is_rigid() || model.support[node][dof] != Support::free; };
+  const auto is_held = [&](int node) { return model.support[node][dof] != Support::free; };
+  bool all = b.is_rigid();
+  if (!b.nodes_turn()) {
+    all = true;
+    for (int node = b.first_node; node < b.first_node + b.nodes; ++node) all = all && !is_held(node);
+  }
+  const auto held = [&](int node) { return all || is_held(node); };
   const double from = origin - motion->displacement(0);
   bool follows = false;
   for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
@@ -176,14 +187,10 @@ void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const G
     model.drives.push_back({node, dof, from + beside, start, motion});
     follows = true;
   }
-  if (!follows && b.nodes_turn())
+  if (!follows)
     throw InputError(fmt::format(
         "body '{}' is a frame and none of its joints is held along {}, so nothing follows the motion; give a joint "
         "support = \"fixed\"",
-        b.name, "xyz"[dof]));
-  if (!follows)
-    throw InputError(fmt::format(
-        "body '{}' deforms and none of its nodes is held along {}, so nothing follows the motion; hold some of them",
         b.name, "xyz"[dof]));
 }
 

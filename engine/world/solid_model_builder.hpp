@@ -18,24 +18,24 @@
 
 namespace trilith {
 
-/// A body in space to be: rigid, a frame, or of finite elements. Give at most one of density and mass; without any, the material's density
-/// counts.
+/// A body in space to be: rigid, a frame, or of finite elements. Give at most one of density and mass; without any, the
+/// material's density counts.
 struct SolidSpec {
   std::string name;                ///< unique
   std::vector<Polyhedron> pieces;  ///< convex, where they stand; they share faces or nothing [m]
   std::string material;
   std::vector<std::string> groups;
-  std::optional<double> density;             ///< [kg/m3]
-  std::optional<double> mass;                ///< [kg]
-  std::array<Support, 6> support{};          ///< x, y, z, and turns about them
-  Vec3 velocity = Vec3::Zero();              ///< of the centroid at the start [m/s]
-  Vec3 spin = Vec3::Zero();                  ///< at the start [rad/s]
-  Vec3 load = Vec3::Zero();                  ///< steady force at the centroid [N]
-  bool floating = false;                     ///< may start with nothing that holds it up
-  std::vector<Sphere> spheres = {};          ///< beside the pieces, where they stand; they may overlap each other
-  std::optional<SpaceFrameSpec> frame = {};  ///< instead of both: `pieces` become its skin where it stands
-  SpaceForm form = {};                       ///< rigid, or the elements that its one piece is divided into
-  std::optional<SpaceMesh> mesh = {};        ///< ... or its elements; `pieces` become its skin
+  std::optional<double> density;                ///< [kg/m3]
+  std::optional<double> mass;                   ///< [kg]
+  std::array<Support, 6> support{};             ///< x, y, z, and turns about them
+  Vec3 velocity = Vec3::Zero();                 ///< of the centroid at the start [m/s]
+  Vec3 spin = Vec3::Zero();                     ///< at the start [rad/s]
+  Vec3 load = Vec3::Zero();                     ///< steady force at the centroid [N]
+  bool floating = false;                        ///< may start with nothing that holds it up
+  std::vector<Sphere> spheres = {};             ///< beside the pieces, where they stand; they may overlap each other
+  std::optional<SpaceFrameSpec> frame = {};     ///< instead of both: `pieces` become its skin where it stands
+  SpaceForm form = {};                          ///< rigid, or the elements that its one piece is divided into
+  std::optional<SpaceMesh> mesh = {};           ///< ... or its elements; `pieces` become its skin
   std::vector<SpaceNodeSupport> supports = {};  ///< of some nodes of a body that deforms
 
   [[nodiscard]] bool deforms() const { return mesh.has_value() || form.kind != BodyKind::rigid; }

@@ -18,7 +18,8 @@ void append(std::vector<double>& to, const Vec3& v) {
   to.insert(to.end(), v.data(), v.data() + 3);
 }
 
-void append_numbers(Model<3>& model, std::span<const Vec3> nodes, ElementShape shape, const Eigen::MatrixXd& stiffness) {
+void append_numbers(Model<3>& model, std::span<const Vec3> nodes, ElementShape shape,
+                    const Eigen::MatrixXd& stiffness) {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& x : nodes) mean += x;
   mean /= static_cast<double>(nodes.size());
@@ -111,8 +112,8 @@ void append_element_piece(Model<3>& model, const SpaceElement& element, std::spa
   for (int f = 0; f < info.faces; ++f) {
     append_face_fit(model, element, nodes, f);
     faces.push_back(fitted(model, model.fits.back(), model.start_position, model.start_velocity));
-    solid.shape.faces.add(std::span(info.face[static_cast<std::size_t>(f)])
-                              .first(static_cast<std::size_t>(info.face_corners)));
+    solid.shape.faces.add(
+        std::span(info.face[static_cast<std::size_t>(f)]).first(static_cast<std::size_t>(info.face_corners)));
   }
   solid.shape.corners.assign(static_cast<std::size_t>(info.corners), Vec3::Zero());
   place_between(solid, faces, solid.shape.corners, solid.normals);

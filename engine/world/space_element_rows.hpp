@@ -22,8 +22,8 @@ constexpr int space_point_numbers(int nodes) {
 /// Strain field of an element's reference shape.
 SpaceElementStrain element_strain(ElementShape shape, std::span<const Vec3> nodes, const Solid& solid);
 
-/// Adds an element, whose nodes are in the model, with its numbers, its mass to that of its nodes, and its bound to that
-/// of its body.
+/// Adds an element, whose nodes are in the model, with its numbers, its mass to that of its nodes, and its bound to
+/// that of its body.
 void append_element(Model<3>& model, SpaceElement element, double density);
 
 /// Adds the piece that an element is for contact, with the fits of its faces. `surface`: [face] of its shape, which of

@@ -28,8 +28,8 @@ std::vector<Polyhedron> skin_of(const CheckedSpaceMesh& checked) {
     solid.corners.resize(static_cast<std::size_t>(info.corners));
     for (int f = 0; f < info.faces; ++f)
       if (surface[static_cast<std::size_t>(f)] != 0)
-        solid.faces.add(std::span(info.face[static_cast<std::size_t>(f)])
-                            .first(static_cast<std::size_t>(info.face_corners)));
+        solid.faces.add(
+            std::span(info.face[static_cast<std::size_t>(f)]).first(static_cast<std::size_t>(info.face_corners)));
   }
   return out;
 }

@@ -18,8 +18,8 @@ struct SpaceNodeSupport {
 
 /// Which elements a body is divided into.
 struct SpaceForm {
-  BodyKind kind = BodyKind::rigid;          ///< rigid, brick or mesh
-  std::array<int, 3> divisions{1, 1, 1};    ///< of a solid that is a brick, along its three sides
+  BodyKind kind = BodyKind::rigid;        ///< rigid, brick or mesh
+  std::array<int, 3> divisions{1, 1, 1};  ///< of a solid that is a brick, along its three sides
   ElementShape element = ElementShape::brick;
 };
 

@@ -74,11 +74,11 @@ struct GeneralContact {
 
 /// How the area of a contact in space lies, for the step estimate.
 struct ContactArea {
-  Vec3 middle, normal;      ///< [m], of length 1
-  double area;              ///< pressed, or held by mortar [m2]
-  double radius;            ///< see SolidPressure [m]
-  double friction_arm;      ///< likewise [m]
-  std::array<Vec3, 2> arm;  ///< likewise [m]
+  Vec3 middle, normal;           ///< [m], of length 1
+  double area;                   ///< pressed, or held by mortar [m2]
+  double radius;                 ///< see SolidPressure [m]
+  double friction_arm;           ///< likewise [m]
+  std::array<Vec3, 2> arm;       ///< likewise [m]
   int face_a = -1, face_b = -1;  ///< likewise
 };
 
@@ -135,10 +135,10 @@ struct SolidWork<3> {
   std::vector<Vec3> force, moment;       ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
   std::vector<Fitted> fitted;            ///< [fit]. Writer: place
   std::vector<MovingPlace> face_motion;  ///< [fit] of them what contact asks for. Writer: place
-  std::vector<std::vector<Vec3>> before;  ///< [piece] room: corners as they were placed last
+  std::vector<std::vector<Vec3>> before;    ///< [piece] room: corners as they were placed last
   std::vector<Vec3> fit_force, fit_moment;  ///< [fit] likewise, about its place [N], [N m]. Writer: respond
-  std::vector<SolidOverlapBuffer> room;  ///< [thread]
-  std::vector<SolidAnswer> answer;       ///< of the rows that are worked on
+  std::vector<SolidOverlapBuffer> room;     ///< [thread]
+  std::vector<SolidAnswer> answer;          ///< of the rows that are worked on
 };
 
 /// What a step needs and the next one can do without. `evaluate` writes nothing else; `commit` makes a State of it.

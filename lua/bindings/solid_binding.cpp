@@ -208,8 +208,7 @@ SpaceCell cell_at(lua_State* L, Keys& keys, lua_Integer number) {
   SpaceCell cell;
   const auto count = lua_type(L, -1) == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
   const bool known = count == 4 || count == 8 || count == 10;
-  if (!known)
-    keys.problem(fmt::format("element {} must be a list of four, eight or ten numbers of nodes", number));
+  if (!known) keys.problem(fmt::format("element {} must be a list of four, eight or ten numbers of nodes", number));
   cell.shape = count == 4   ? ElementShape::tetrahedron
                : count == 8 ? ElementShape::brick
                             : ElementShape::quadratic_tetrahedron;
@@ -325,7 +324,8 @@ int make_solid_body(lua_State* L) {
     lua_pop(L, 1);
   } else {
     keys.missing("hull",
-                 "a list of points { {x, y, z}, ... }, or pieces = { { hull = }, ... }, or mesh = { file = }; or use m:block, m:hull");
+                 "a list of points { {x, y, z}, ... }, or pieces = { { hull = }, ... }, or mesh = { file = }; or use "
+                 "m:block, m:hull");
     lua_pop(L, 1);
   }
   SolidOptions options = read_solid_options(keys, false, m.body_form);

@@ -72,7 +72,8 @@ TEST_CASE("a law in space answers a turned strain with the turned stress") {
       const Turn3 turn(rotation_by(Vec3(share(bits), 2 * share(bits), share(bits))));
       Eigen::Matrix3d r;
       r << turn.x(), turn.y(), turn.z();
-      const SpaceResponse plain = respond_in_space(law, strain, {}), from_side = respond_in_space(law, turned(r, strain, 2), {});
+      const SpaceResponse plain = respond_in_space(law, strain, {}),
+                          from_side = respond_in_space(law, turned(r, strain, 2), {});
       CHECK((turned(r, plain.stress, 1) - from_side.stress).cwiseAbs().maxCoeff() < 1e-9 * law.young * size);
       CHECK(near(from_side.memory.measure, plain.memory.measure, 1e-9));
     }
@@ -84,13 +85,11 @@ TEST_CASE("J2 in space: pulled along one axis it hardens along its line, from al
   // Of a stress s along x beyond the yield stress: plastic strain e = (s - yield)/hardening, -e/2 across.
   const double s = 300e6, e = (s - law.yield) / law.hardening;
   const double along = s / law.young + e, across = -law.poisson * s / law.young - 0.5 * e;
-  const SpaceResponse pulled =
-      respond_in_space(law, (SpaceVector() << along, across, across, 0, 0, 0).finished(), {});
+  const SpaceResponse pulled = respond_in_space(law, (SpaceVector() << along, across, across, 0, 0, 0).finished(), {});
   CHECK(near(pulled.stress[0], s, 1e-9));
   CHECK(near_zero(pulled.stress[1], 1e-6 * s)), CHECK(near_zero(pulled.stress[2], 1e-6 * s));
   CHECK(near(pulled.memory.measure, e, 1e-9));
-  const SpaceResponse squeezed =
-      respond_in_space(law, (SpaceVector() << -.01, -.01, -.01, 0, 0, 0).finished(), {});
+  const SpaceResponse squeezed = respond_in_space(law, (SpaceVector() << -.01, -.01, -.01, 0, 0, 0).finished(), {});
   CHECK(squeezed.memory.measure == 0);
   CHECK(near(squeezed.stress[0], -.01 * law.young / (1 - 2 * law.poisson), 1e-12));
 }

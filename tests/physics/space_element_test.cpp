@@ -50,8 +50,9 @@ TEST_CASE("patch test: a stretch of distorted elements is uniform to rounding") 
   const double young = 1e7, poisson = 0.3, stretch = 1e-3;
   for (const ElementShape shape : all_shapes) {
     CAPTURE(name_of_shape(shape));
-    const Model<3> model = alone_in_space(elastic_in("m", 1000, young, poisson),
-                                          mesh_spec("patch", "m", distorted_box(Vec3(2, 1.5, 1), {3, 3, 3}, shape, 0.08)));
+    const Model<3> model =
+        alone_in_space(elastic_in("m", 1000, young, poisson),
+                       mesh_spec("patch", "m", distorted_box(Vec3(2, 1.5, 1), {3, 3, 3}, shape, 0.08)));
     State<3> state = initial_state(model);
     Work<3> work;
     for (int n = 0; n < model.nodes(); ++n) {
@@ -65,7 +66,8 @@ TEST_CASE("patch test: a stretch of distorted elements is uniform to rounding") 
     double inner = 0, ends = 0;
     for (int n = 0; n < model.nodes(); ++n) {
       const double x = model.start_position[n].x();
-      (x > 1e-9 && x < 2 - 1e-9 ? inner : ends) = std::max(x > 1e-9 && x < 2 - 1e-9 ? inner : ends, work.element_force[n].norm());
+      (x > 1e-9 && x < 2 - 1e-9 ? inner : ends) =
+          std::max(x > 1e-9 && x < 2 - 1e-9 ? inner : ends, work.element_force[n].norm());
     }
     CHECK(inner < 1e-9 * ends);
   }
@@ -180,8 +182,8 @@ TEST_CASE("elements in space give a body its mass, centre and moments of inertia
 }
 
 TEST_CASE("the mass of a tetrahedron of ten nodes goes by 1/36 and 4/27") {
-  const SpaceMesh one = quadratic_of({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)},
-                                      {{ElementShape::tetrahedron, {0, 1, 2, 3}}}});
+  const SpaceMesh one = quadratic_of(
+      {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}, {{ElementShape::tetrahedron, {0, 1, 2, 3}}}});
   const Model<3> model = alone_in_space(elastic_in("m", 6, 1e9, 0.2), mesh_spec("t", "m", one));
   for (int n = 0; n < 10; ++n) CHECK(near(model.mass[n], n < 4 ? 1.0 / 36 : 4.0 / 27, 1e-12));
 }
@@ -224,10 +226,11 @@ TEST_CASE("meshes in space that are no bodies are refused in one clear line, mir
 
 TEST_CASE("a solid that is no brick in topology cannot be one element, and says so") {
   SolidSpec spec = box_of("post", prism(std::array{Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1)}, 0, 1), "m", {1, 1, 1});
-  CHECK_THROWS_WITH_AS((void)alone_in_space(elastic_in("m", 1000, 1e9, 0.2), spec),
-                       "body 'post': it has 6 corners and 5 faces, and an element of a brick has 8 and 6; leave it rigid, "
-                       "or give it a mesh",
-                       InputError);
+  CHECK_THROWS_WITH_AS(
+      (void)alone_in_space(elastic_in("m", 1000, 1e9, 0.2), spec),
+      "body 'post': it has 6 corners and 5 faces, and an element of a brick has 8 and 6; leave it rigid, "
+      "or give it a mesh",
+      InputError);
 }
 
 }  // namespace

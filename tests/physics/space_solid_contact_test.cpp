@@ -156,8 +156,8 @@ TEST_CASE("B8 in space: two equal elastic bars that meet swap their speeds after
   SolidSpec hitting = box_of("hitting", box_solid(Vec3(0, 0, 0), Vec3(length, 0.5, 0.5)), "soft", {parts, 1, 1});
   hitting.velocity = Vec3(speed, 0, 0);
   builder.add_body(hitting);
-  builder.add_body(box_of("hit", box_solid(Vec3(length + 1e-6, 0, 0), Vec3(2 * length + 1e-6, 0.5, 0.5)), "soft",
-                          {parts, 1, 1}));
+  builder.add_body(
+      box_of("hit", box_solid(Vec3(length + 1e-6, 0, 0), Vec3(2 * length + 1e-6, 0.5, 0.5)), "soft", {parts, 1, 1}));
   const Model<3> model = builder.build();
   SolidRun run(model, stable_dt(model));
   const double begun = run.energy().balance();
@@ -200,8 +200,8 @@ TEST_CASE("the frequency of a cantilever of bricks is that of beam theory with s
   }
   REQUIRE(rises.size() == 4);
   const double frequency = 3 / (rises[3] - rises[0]);
-  const double slender = 1.8751 * 1.8751 / (2 * std::numbers::pi * length * length) *
-                         std::sqrt(young * 0.25 / 12 * 0.25 / 0.25 / density);
+  const double slender =
+      1.8751 * 1.8751 / (2 * std::numbers::pi * length * length) * std::sqrt(young * 0.25 / 12 * 0.25 / 0.25 / density);
   CHECK(near(frequency, slender * 1.0, 0.02));
 }
 
@@ -212,8 +212,8 @@ TEST_CASE("mortar between bricks that deform carries tension and bending, and ho
   builder.gravity = Vec3::Zero();
   builder.add_body(fixed_box("root", box_solid(Vec3(-0.4, 0, 0), Vec3(0, 0.2, 0.2))));
   for (int i = 0; i < 3; ++i)
-    builder.add_body(box_of("u" + std::to_string(i), box_solid(Vec3(0.4 * i, 0, 0), Vec3(0.4 * (i + 1), 0.2, 0.2)), "soft",
-                            {1, 1, 1}));
+    builder.add_body(box_of("u" + std::to_string(i), box_solid(Vec3(0.4 * i, 0, 0), Vec3(0.4 * (i + 1), 0.2, 0.2)),
+                            "soft", {1, 1, 1}));
   Model<3> model = builder.build();
   const double load = -50;
   for (int n = 0; n < model.nodes(); ++n)
@@ -227,7 +227,8 @@ TEST_CASE("mortar between bricks that deform carries tension and bending, and ho
   for (const double arm : {1.2, 0.8, 0.4}) expected += load * (arm * arm / (1e10 * inertia) + 1 / (1e10 * area));
   double tip = 0;
   for (int n = 0; n < model.nodes(); ++n)
-    if (model.start_position[n].x() > 1.2 - 1e-9) tip += 0.25 * (run.state().position[n].z() - model.start_position[n].z());
+    if (model.start_position[n].x() > 1.2 - 1e-9)
+      tip += 0.25 * (run.state().position[n].z() - model.start_position[n].z());
   CHECK(near(tip, expected, 0.02));
   CHECK(run.work().contacts.joint.size() == 3);
 }
@@ -251,8 +252,70 @@ TEST_CASE("a bearing and a load on a deformable body give their nodes the force 
   run.run(1);
   CHECK(near(run.work().bearing_displacement[0].x(), 100 / 1e6, 1e-3));
   CHECK(near(in_world(element_stress(model, run.state(), 0))[0] + in_world(element_stress(model, run.state(), 2))[0] +
-                 in_world(element_stress(model, run.state(), 4))[0] + in_world(element_stress(model, run.state(), 6))[0],
+                 in_world(element_stress(model, run.state(), 4))[0] +
+                 in_world(element_stress(model, run.state(), 6))[0],
              400, 0.02));
+}
+
+/// A block of 0.4 x 0.4 x 1.2 m that stands on the ground, turned by a share of the angle at which it balances about an
+/// edge and let go; the time until its other edge strikes.
+double quarter_period(double share, const SolidSpec& block, double kn) {
+  SolidModelBuilder builder = soft_world(frictional(kn, kn, 5), 30e9, 0.2, 0, 2000);
+  builder.overlap_allowed = 1e-3;
+  builder.add_body(fixed_box("ground", box_solid(Vec3(-2, -2, -0.5), Vec3(2, 2, 0))));
+  builder.add_body(block);
+  const Model<3> model = builder.build();
+  SolidRun run(model, stable_dt(model));
+  const double lean = std::atan2(0.4, 1.2);
+  double time = -1;
+  run.run_until(2, [&] {
+    const Pose3 pose = body_pose(model, run.state(), 1);
+    // Upright again: the turn about y since the start is the one it was turned by.
+    const double left = share * lean - std::abs(angle_of(pose.turned).y());
+    if (left <= 0) time = run.time();
+    return left <= 0;
+  });
+  return time;
+}
+
+TEST_CASE("T2 with an elastic block: it rocks over an edge with the period of the rigid one" *
+          doctest::test_suite("long")) {
+  const double share = 0.5, lean = std::atan2(0.4, 1.2);
+  // Turned about the lower edge at x = 0.2.
+  const UnitQuaternion turn = rotation_by(Vec3(0, share * lean, 0));
+  const Polyhedron box =
+      placed(placed(box_solid(Vec3(-0.4, -0.2, 0), Vec3(0, 0.2, 1.2)), turn, Vec3::Zero()), {}, Vec3(0.2, 0, 0));
+  const double time = quarter_period(share, box_of("block", box, "soft", {1, 1, 1}), 1e10);
+  CHECK(near(time, 0.3874, 0.01));
+}
+
+TEST_CASE("T5 with elastic bars: one on edge across two others on edge presses each by half its weight") {
+  const double kn = 1e10, side = 0.2, reach = side / std::sqrt(2.0);
+  SolidModelBuilder builder = soft_world(frictional(kn, kn, 1, 1e-5), 10e9, 0.2, 1e-5, 2400);
+  builder.overlap_allowed = 1e-2;
+  const auto bar = [&](const Vec3& along, double length, const Vec3& at) {
+    const Polyhedron upright =
+        box_at(Vec3(length, side, side), Vec3::Zero(), rotation_by(Vec3(std::numbers::pi / 4, 0, 0)));
+    const UnitQuaternion turn = along.y() > 0.5 ? rotation_by(Vec3(0, 0, std::numbers::pi / 2)) : UnitQuaternion{};
+    return placed(upright, turn, at);
+  };
+  for (const double x : {-0.5, 0.5}) {
+    SolidSpec rail = fixed_box(x < 0 ? "left" : "right", bar(Vec3::UnitY(), 1, Vec3(x, 0, 0)));
+    builder.add_body(rail);
+  }
+  SolidSpec across = box_of("across", bar(Vec3::UnitX(), 1.6, Vec3(0, 0, 2 * reach)), "soft", {8, 1, 1});
+  // Held against rolling: the nodes at its ends stay in the plane of its axis.
+  across.supports = {{Vec3(-0.9, -1, 0), Vec3(0.9, 1, 1), {Support::free, Support::fixed, Support::free}}};
+  builder.add_body(across);
+  const Model<3> model = builder.build();
+  SolidRun run(model, stable_dt(model));
+  run.model().mass_damping = 60;
+  run.run(1);
+  const double weight = body_mass(model, 2) * standard_gravity;
+  double left = 0, right = 0;
+  for (const GeneralContact<3>& c : run.work().general_touching) (c.centre.x() < 0 ? left : right) += c.force.z();
+  CHECK(near(left, weight / 2, 0.01));
+  CHECK(near(right, weight / 2, 0.01));
 }
 
 /// Stones of all kinds that fall on each other.
