@@ -11,7 +11,7 @@
 
 namespace trilith {
 
-enum class BodyKind : std::uint8_t { rigid, quad, mesh, frame };
+enum class BodyKind : std::uint8_t { rigid, quad, mesh, frame, brick };
 
 /// How the points of a body's skin hang on its nodes: what `place` and its transpose `spread` are.
 enum class SkinLayout : std::uint8_t {
@@ -43,10 +43,11 @@ struct QuadKind {
   static constexpr Resistance resistance = Resistance::elements;
 };
 
-/// body/solid_element.hpp
+/// body/solid_element.hpp, body/space_element.hpp
 struct MeshKind {
   static constexpr BodyKind kind = BodyKind::mesh;
-  static constexpr std::string_view name = "mesh", sentence = "a mesh of finite elements of three or four nodes";
+  static constexpr std::string_view name = "mesh",
+                                    sentence = "a mesh of finite elements; in space of bricks and tetrahedra";
   static constexpr int nodes = 0;
   static constexpr SkinLayout skin = SkinLayout::node_each;
   static constexpr bool nodes_turn = false;
@@ -65,8 +66,18 @@ struct FrameKind {
   static constexpr Resistance resistance = Resistance::beams;
 };
 
+/// body/space_element.hpp
+struct BrickKind {
+  static constexpr BodyKind kind = BodyKind::brick;
+  static constexpr std::string_view name = "brick", sentence = "in space, a brick of eight nodes, one finite element";
+  static constexpr int nodes = 8;
+  static constexpr SkinLayout skin = SkinLayout::node_each;
+  static constexpr bool nodes_turn = false;
+  static constexpr Resistance resistance = Resistance::elements;
+};
+
 /// In the order of BodyKind, whose number results and checkpoints hold.
-using BodyKinds = TypeList<RigidKind, QuadKind, MeshKind, FrameKind>;
+using BodyKinds = TypeList<RigidKind, QuadKind, MeshKind, FrameKind, BrickKind>;
 
 /// What a kind says of itself: nodes a body of it has (0 where that varies), whether these have rotations, how its skin
 /// hangs on them and what resists. Skin that turns with nodes needs nodes that turn; one node alone deforms nothing.
@@ -110,7 +121,7 @@ static_assert([] {
 constexpr const BodyKindInfo& info_of(BodyKind kind) {
   return body_kinds[static_cast<std::size_t>(kind)];
 }
-/// "rigid", "quad", "mesh", "frame".
+/// "rigid", "quad", "mesh", "frame", "brick".
 constexpr std::string_view name_of(BodyKind kind) {
   return info_of(kind).name;
 }

@@ -44,6 +44,7 @@ Vec3 spin_ahead(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3&
                 const std::array<bool, 3>& free) {
   if (free[0] && free[1] && free[2])
     return spin_of(inertia, rotation, momentum_of(inertia, rotation, spin) + span * moment);
+  if (!free[0] && !free[1] && !free[2]) return Vec3::Zero();
   const Turn3 turn(rotation);
   Eigen::Matrix3d axes, left;
   axes << turn.x(), turn.y(), turn.z();

@@ -96,6 +96,17 @@ struct ElementType {
 constexpr std::array<ElementType, 4> known_types{
     {{1, 2, "line"}, {2, 3, "triangle"}, {3, 4, "quadrilateral"}, {15, 1, "point"}}};
 
+/// Those of a mesh in space; of what lies on its skin the number of nodes is known, to pass them over.
+constexpr std::array<ElementType, 9> types_in_space{{{4, 4, "tetrahedron"},
+                                                     {5, 8, "hexahedron"},
+                                                     {11, 10, "tetrahedron of ten nodes"},
+                                                     {1, 2, "line"},
+                                                     {2, 3, "triangle"},
+                                                     {3, 4, "quadrilateral"},
+                                                     {8, 3, "line of three nodes"},
+                                                     {9, 6, "triangle of six nodes"},
+                                                     {15, 1, "point"}}};
+
 struct GmshNodes {
   std::map<std::int64_t, int> index;  ///< of tag
   std::vector<Vec2> place;
@@ -141,27 +152,50 @@ void read_nodes(Words& words, GmshNodes& nodes) {
   words.expect("$EndNodes");
 }
 
-const ElementType& known_type(const Words& words, std::int64_t type) {
-  for (const ElementType& t : known_types)
+template <std::size_t N>
+const ElementType& known_type(const Words& words, const std::array<ElementType, N>& types, const char* usable,
+                              std::int64_t type) {
+  for (const ElementType& t : types)
     if (t.type == type) return t;
-  words.fail(fmt::format(
-      "elements of type {} cannot be used; take triangles (2) and quadrilaterals (3) of first order in the plane",
-      type));
+  words.fail(fmt::format("elements of type {} cannot be used; take {}", type, usable));
 }
 
 /// Points and lines are of the mesh's construction, and left out.
-void read_elements(Words& words, const GmshNodes& nodes, Mesh& mesh) {
+void add_element(const ElementType& type, const std::array<int, max_space_nodes>& node, Mesh& mesh) {
+  if (type.nodes < 3) return;
+  mesh.element.push_back({node[0], node[1], node[2], type.nodes > 3 ? node[3] : -1});
+}
+
+/// ... and in space surfaces too. Nodes come in Gmsh's order, which is that of body/space_element.hpp.
+void add_element(const ElementType& type, const std::array<int, max_space_nodes>& node, SpaceMesh& mesh) {
+  if (type.type != 4 && type.type != 5 && type.type != 11) return;
+  mesh.cell.push_back({type.type == 4   ? ElementShape::tetrahedron
+                       : type.type == 5 ? ElementShape::brick
+                                        : ElementShape::quadratic_tetrahedron,
+                       node});
+}
+
+const ElementType& type_for(const Words& words, const Mesh& /*mesh*/, std::int64_t type) {
+  return known_type(words, known_types, "triangles (2) and quadrilaterals (3) of first order in the plane", type);
+}
+const ElementType& type_for(const Words& words, const SpaceMesh& /*mesh*/, std::int64_t type) {
+  return known_type(words, types_in_space, "hexahedra of eight nodes (5) and tetrahedra of four (4) or ten nodes (11)",
+                    type);
+}
+
+template <class AnyMesh>
+void read_elements(Words& words, const GmshNodes& nodes, AnyMesh& mesh) {
   const std::int64_t blocks = words.count("the number of element blocks"), all = words.count("the number of elements");
   words.whole("the smallest element tag"), words.whole("the largest element tag");
   std::int64_t found = 0;
   for (std::int64_t b = 0; b < blocks; ++b) {
     words.whole("a block's dimension"), words.whole("a block's tag");
-    const ElementType& type = known_type(words, words.whole("an element type"));
+    const ElementType& type = type_for(words, mesh, words.whole("an element type"));
     const std::int64_t count = words.count("the number of elements of a block");
     found += count;
     for (std::int64_t i = 0; i < count; ++i) {
       words.whole("an element tag");
-      std::array<int, 4> element{-1, -1, -1, -1};
+      std::array<int, max_space_nodes> element{};
       for (int k = 0; k < type.nodes; ++k) {
         const std::int64_t tag = words.whole("a node of an element");
         const auto node = nodes.index.find(tag);
@@ -169,7 +203,7 @@ void read_elements(Words& words, const GmshNodes& nodes, Mesh& mesh) {
           words.fail(fmt::format("a {} names node {}, which is not there", type.name, tag));
         element[k] = node->second;
       }
-      if (type.nodes > 2) mesh.element.push_back(element);
+      add_element(type, element, mesh);
     }
   }
   if (found != all) words.fail(fmt::format("{} elements are announced, {} are there", all, found));
@@ -201,15 +235,13 @@ void keep_used(Mesh& mesh, const GmshNodes& nodes, std::string_view owner) {
         "{}: its nodes reach from z = {:g} to {:g}; the mesh must lie in one plane of constant z", owner, low, high));
 }
 
-}  // namespace
-
-Mesh parse_gmsh(std::string_view text, std::string_view owner) {
+/// The nodes and the elements of a file.
+template <class AnyMesh>
+void read_file(std::string_view text, std::string_view owner, GmshNodes& nodes, AnyMesh& mesh) {
   Words words(text, owner);
   if (words.at_end() || words.word("$MeshFormat") != "$MeshFormat")
     words.fail("it does not begin with $MeshFormat, so it is no mesh of Gmsh");
   read_format(words);
-  GmshNodes nodes;
-  Mesh mesh;
   bool has_nodes = false, has_elements = false;
   while (!words.at_end()) {
     const std::string_view section = words.word("a section");
@@ -224,8 +256,33 @@ Mesh parse_gmsh(std::string_view text, std::string_view owner) {
       words.skip_section(section.substr(1));
   }
   if (!has_elements) words.fail("the file ends without $Nodes and $Elements");
+}
+
+}  // namespace
+
+Mesh parse_gmsh(std::string_view text, std::string_view owner) {
+  GmshNodes nodes;
+  Mesh mesh;
+  read_file(text, owner, nodes, mesh);
   keep_used(mesh, nodes, owner);
   return mesh;
+}
+
+SpaceMesh parse_gmsh_in_space(std::string_view text, std::string_view owner) {
+  GmshNodes nodes;
+  SpaceMesh mesh;
+  read_file(text, owner, nodes, mesh);
+  if (mesh.cell.empty())
+    throw InputError(
+        fmt::format("{}: there is no tetrahedron or hexahedron in it; mesh the volume (Mesh 3) before saving", owner));
+  for (std::size_t n = 0; n < nodes.place.size(); ++n)
+    mesh.node.emplace_back(nodes.place[n].x(), nodes.place[n].y(), nodes.height[n]);
+  return mesh;
+}
+
+SpaceMesh read_gmsh_in_space(const std::filesystem::path& path) {
+  const std::string owner = fmt::format("mesh '{}'", path.string());
+  return parse_gmsh_in_space(text_of_file(path, "mesh", largest_mesh), owner);
 }
 
 Mesh read_gmsh(const std::filesystem::path& path) {

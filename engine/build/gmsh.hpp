@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "body/space_mesh.hpp"
 #include "shape/mesh.hpp"
 
 namespace trilith {
@@ -17,5 +18,10 @@ Mesh parse_gmsh(std::string_view text, std::string_view owner);
 
 /// Reads a file. Throws InputError where it cannot be read, and as parse_gmsh.
 Mesh read_gmsh(const std::filesystem::path& path);
+
+/// The hexahedra (type 5) and tetrahedra of four (4) or ten nodes (11) of a mesh in space, whatever volumes they belong
+/// to; points, lines and surfaces are passed over. Throws as the other, and where there is no volume in it.
+SpaceMesh parse_gmsh_in_space(std::string_view text, std::string_view owner);
+SpaceMesh read_gmsh_in_space(const std::filesystem::path& path);
 
 }  // namespace trilith

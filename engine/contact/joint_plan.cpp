@@ -162,6 +162,7 @@ JointPlan plan_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyM
   const UnitQuaternion turn = rotation_of(axes);
   const Vec3 origin = plane.at(moments.middle);
   plan.in_a = seat_in(a, origin, turn), plan.in_b = seat_in(b, origin, turn);
+  plan.face_a = faces.face_a, plan.face_b = faces.face_b;
   divide_joint(plan);
   return plan;
 }

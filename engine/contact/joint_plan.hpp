@@ -77,9 +77,10 @@ inline PatchStress over_all(const JointPatch& p, const LinearOverlap& f) {
 }
 
 struct JointPlan {
-  JointSeat in_a, in_b;       ///< one place in the world as the mortar sets
-  LinearOverlap standing;     ///< overlap of the faces as the mortar sets
-  std::vector<Vec2> outline;  ///< the shared polygon, counter-clockwise [m]
+  JointSeat in_a, in_b;          ///< one place in the world as the mortar sets
+  LinearOverlap standing;        ///< overlap of the faces as the mortar sets
+  int face_a = -1, face_b = -1;  ///< which face of a solid that deforms each seat goes with; -1: all of the body
+  std::vector<Vec2> outline;     ///< the shared polygon, counter-clockwise [m]
   // What follows from that:
   std::vector<Vec2> corner;
   std::vector<JointPatch> patch;

@@ -106,20 +106,24 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
                                SolidOverlapBuffer& shared) {
   if (FaceOverlap3 faces; is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
     apart.distance = 0;
-    return with_kernel(use, [&](const Coulomb& law) { return face_pressure(a, b, law, faces); });
+    return with_kernel(use, [&](const Coulomb& law) {
+      return face_pressure(a.by_face(faces.face_a), b.by_face(faces.face_b), law, faces);
+    });
   }
   if (!overlap(a.placed, b.placed, apart, shared)) return {};
   return solid_pressure(a, b, use, shared);
 }
 
-SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const LawInUse& use,
-                             const SolidPressure& pressed) {
+SolidResponse respond_solids(const MovingSolid& whole_a, const MovingSolid& whole_b, const SolidMemory& before,
+                             const LawInUse& use, const SolidPressure& pressed) {
+  const MovingSolid a = whole_a.by_face(pressed.face_a), b = whole_b.by_face(pressed.face_b);
   return with_kernel(use, [&](const Coulomb& law) {
     SolidResponse out = parted(a, b, before, law);
     if (!(pressed.area > 0)) return out;
     out.touching = true;
     out.force = out.normal_force = pressed.force, out.moment = pressed.moment;
     out.centre = pressed.centre, out.area = pressed.area, out.depth = pressed.depth;
+    out.face_a = pressed.face_a, out.face_b = pressed.face_b;
     out.middle = pressed.middle, out.normal = pressed.force.normalized();
     out.radius = pressed.radius, out.arm = pressed.arm, out.friction_arm = pressed.friction_arm;
     out.memory.state = contact_touching | contact_general;

@@ -39,6 +39,7 @@ struct SolidResponse {
   Vec3 normal_force = Vec3::Zero();
   Vec3 centre = Vec3::Zero();                                     ///< of pressure [m]
   double area = 0, depth = 0;                                     ///< [m2], [m]
+  int face_a = -1, face_b = -1;                                   ///< see SolidPressure
   Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();              ///< of the area, for the step estimate [m]
   double radius = 0, friction_arm = 0;                            ///< see SolidPressure [m]
   std::array<Vec3, 2> arm{Vec3::Zero(), Vec3::Zero()};            ///< likewise [m]

@@ -138,6 +138,7 @@ bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
       if (!face_overlap(face_of(a, f, room_a), face_of(b, g, room_b), tried)) continue;
       const FlatMeasures measures(tried);
       if (!measures.touch()) continue;
+      tried.face_a = f, tried.face_b = g;
       if (!measures.are_flat() || ++found > 1) return false;
     }
   return found == 1;
@@ -155,7 +156,9 @@ bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, dou
       if (!face_overlap(face_of(a, f, room_a), face_of(b, g, room_b), tried)) continue;
       const FlatMeasures measures(tried);
       const bool near = std::max(measures.deepest, measures.widest) <= reach && measures.width >= width;
-      if (near && measures.area > most) most = measures.area, out = tried;
+      if (!near || !(measures.area > most)) continue;
+      most = measures.area, out = tried;
+      out.face_a = f, out.face_b = g;
     }
   return most > 0;
 }
@@ -187,6 +190,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
   out.damping_moment = cross(Vec3(arm.x() * plane.x + arm.y() * plane.y), plane.normal);
   out.damped = law.kn * (rate.power(total) - rate.power(springs));
   out.area = springs.area;
+  out.face_a = faces.face_a, out.face_b = faces.face_b;
   set_spread(springs, plane, out);
   out.friction_arm = friction_arm(total, at);
   return out;

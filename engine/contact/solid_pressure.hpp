@@ -20,10 +20,23 @@
 
 namespace trilith {
 
+/// A place that moves and turns.
+struct MovingPlace {
+  Vec3 origin, velocity, spin;  ///< [m], [m/s], [rad/s]
+};
+
 /// A convex solid where it stands and how its body moves.
 struct MovingSolid {
   const PlacedSolid& placed;
-  Vec3 origin, velocity, spin;  ///< of its body: a point of it and its velocity [m], [m/s], [rad/s]
+  Vec3 origin, velocity, spin;         ///< of its body: a point of it and its velocity [m], [m/s], [rad/s]
+  const MovingPlace* faces = nullptr;  ///< [face] of a solid that deforms, whose faces move each for itself
+
+  /// As face `face` moves; of -1, and of a solid that does not deform, itself.
+  [[nodiscard]] MovingSolid by_face(int face) const {
+    if (faces == nullptr || face < 0) return *this;
+    const MovingPlace& f = faces[face];
+    return {placed, f.origin, f.velocity, f.spin, faces};
+  }
 
   [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - origin)); }
 };
@@ -43,7 +56,8 @@ struct SolidPressure {
   double friction_arm = 0;             ///< mean distance of the pressure from its centre, see mean_distance [m]
   /// Arms in its plane, of which the products sum to its second moments over the area, see spread_arms [m]
   std::array<Vec3, 2> arm{Vec3::Zero(), Vec3::Zero()};
-  double depth = 0;  ///< greatest depth of a pressed face in the other solid [m]
+  double depth = 0;              ///< greatest depth of a pressed face in the other solid [m]
+  int face_a = -1, face_b = -1;  ///< of faces that lie flat on each other; -1 of any other shape
 };
 
 /// Of the solid they share, which solid_overlap has left in `shared`, whose room is used; all zero where it is empty.

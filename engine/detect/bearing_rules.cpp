@@ -59,8 +59,8 @@ bool presses_flat(const Model<3>& model, const State<3>& state, const PieceSearc
   for_bearings_beside(search, pair, [&](std::size_t i) {
     const Bearing<3>& b = model.bearings[i];
     if (!b.replaces_contact || !is_live(bearings[i].status)) return;
-    const Vec3 on_a = turn_of(state.rotation[b.end_a.node[0]] * b.angle).z(),
-               on_b = turn_of(state.rotation[b.end_b.node[0]] * b.rest_angle).z();
+    const Vec3 on_a = turn_of(motion_of(model, state, b.end_a.node[0]).rotation * b.angle).z(),
+               on_b = turn_of(motion_of(model, state, b.end_b.node[0]).rotation * b.rest_angle).z();
     const double pull = on_a.dot(force);
     flat = flat || (cross(on_a, on_b).norm() <= face_pair_max_tilt && 2 * pull * pull >= force.squaredNorm());
   });

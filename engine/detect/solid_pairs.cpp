@@ -34,8 +34,13 @@ double room_left(const FatBox<3>& inner, const FatBox<3>& outer) {
 
 /// Free along some axis, or driven: a base that a motion lifts comes to what stands above it.
 bool goes_places(const Model<3>& model, int piece) {
-  const auto& support = model.support[model.node_of_piece(piece)];
-  return std::any_of(support.begin(), support.end(), [](Support s) { return s != Support::fixed; });
+  const auto goes = [&](int node) {
+    const auto& support = model.support[node];
+    return std::any_of(support.begin(), support.end(), [](Support s) { return s != Support::fixed; });
+  };
+  if (!model.is_fitted(piece)) return goes(model.node_of_piece(piece));
+  const Fit& whole = model.fits[static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)])];
+  return std::any_of(whole.node.begin(), whole.node.begin() + whole.nodes, goes);
 }
 
 /// A twentieth of the smallest side of a piece's box in its own axes, and whether its body moves or is moved.

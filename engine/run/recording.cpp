@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "results/extended.hpp"
+#include "run/space_stress_field.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/element_stress.hpp"
 #include "step/solid_resultants.hpp"
@@ -76,8 +77,9 @@ double wall_clock() {
 
 template <int D>
 results::Header whole_header(const Model<D>& model, const State<D>& state, const RecordingOptions<D>& options,
-                             const std::optional<RecordedFields>& fields) {
+                             const std::optional<RecordedFields>& fields, bool with_stress) {
   results::Header header = recording_header(model, state, options);
+  if (with_stress) describe_space_stress(header);
   if constexpr (D == 2)
     if (fields) fields->describe(model, header);
   return header;
@@ -141,7 +143,7 @@ void Recording<2>::take_stress(const Instant<2>& now) {
   }
 }
 
-/// There are no elements in space yet.
+/// In space stress is of whole bodies: see run/space_stress_field.hpp.
 template <>
 void Recording<3>::take_stress(const Instant<3>& /*now*/) {}
 
@@ -164,9 +166,10 @@ template <int D>
 Recording<D>::Recording(std::filesystem::path path, const Model<D>& model, const State<D>& state,
                         RecordingOptions<D> options)
     : fields_(fields_of(model, options)),
+      with_stress_(!model.space_elements.empty()),
       options_(std::move(options)),
       start_(places_of(state)),
-      header_(whole_header(model, start_, options_, fields_)),
+      header_(whole_header(model, start_, options_, fields_, with_stress_)),
       writer_(std::move(path), header_, {options_.sync}),
       with_velocity_(options_.with_velocity),
       flush_frames_(options_.flush_frames),
@@ -186,7 +189,7 @@ void Recording<D>::extend(const Model<D>& model, const State<D>& state, std::vec
   options_.histories = std::move(histories);
   if constexpr (D == 2)
     if (fields_) fields_->extend(model, state, static_cast<int>(bodies));
-  results::Header header = whole_header(model, start_, options_, fields_);
+  results::Header header = whole_header(model, start_, options_, fields_, with_stress_);
   std::copy(header_.bodies.begin(), header_.bodies.end(), header.bodies.begin());
   header.provenance = header_.provenance;
   header_ = std::move(header);
@@ -228,6 +231,8 @@ void Recording<D>::frame(const Instant<D>& now) {
   row.bearing_displacement = bearing_displacement_;
   if constexpr (D == 2)
     if (fields_) row.fields = fields_->take(now, touching_);
+  if constexpr (D == 3)
+    if (with_stress_) take_space_stress(now, space_fields_), row.fields = space_fields_;
   writer_.append_frame(row);
   ++frames_since_;
   // With the first one on the disk, a run that is killed early can be drawn and told.

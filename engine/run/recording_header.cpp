@@ -61,9 +61,8 @@ Vec2 point_from_node(const Model<2>& model, int body, const Tie<2>& tie) {
 Vec3 point_from_node(const Model<3>& model, int body, const Tie<3>& tie) {
   const Body& b = model.bodies[body];
   if (b.is_rigid()) return tie.arm[0];
-  const int n = tie.node[0];
-  return model.start_position[n] + turn_of(model.start_rotation[n]).apply(tie.arm[0]) -
-         model.start_position[b.first_node];
+  const BodyMotion start = start_of(model, tie.node[0]);
+  return start.place + turn_of(start.rotation).apply(tie.arm[0]) - model.start_position[b.first_node];
 }
 
 void add_deformable(const Model<2>& model, const State<2>& state, const Body& body, results::Header& header) {
@@ -118,7 +117,8 @@ void add_bodies(const Model<2>& model, const State<2>& state, results::Header& h
   }
 }
 
-/// The outer faces of a body's pieces, and all of their corners in the axes of the nodes they go with.
+/// The outer faces of a body's pieces, and all of their corners in the axes of the nodes they go with. Of elements
+/// these are the nodes themselves.
 struct BodySkin {
   std::vector<double> corners;  ///< [corner][3] m
   FaceLoops faces;
@@ -128,7 +128,11 @@ BodySkin skin_of(const Model<3>& model, const Body& body) {
   for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
     const ConvexSolid& piece = model.piece_solid[p];
     const int first = static_cast<int>(skin.corners.size() / 3);
-    for (const Vec3& x : piece.shape.corners) skin.corners.insert(skin.corners.end(), {x.x(), x.y(), x.z()});
+    const bool at_nodes = model.is_fitted(p);  // then corners are nodes
+    for (const Vec3& corner : piece.shape.corners) {
+      const Vec3 x = at_nodes ? Vec3(Vec3::Zero()) : corner;
+      skin.corners.insert(skin.corners.end(), {x.x(), x.y(), x.z()});
+    }
     for (int f = 0; f < piece.shape.faces.count(); ++f) {
       if (!piece.is_surface(f)) continue;
       std::vector<int> loop;
@@ -139,9 +143,10 @@ BodySkin skin_of(const Model<3>& model, const Body& body) {
   return skin;
 }
 
-/// A frame in space: the first of its nodes as of a rigid body, then the others, and each corner on its own node.
-void add_space_frame(const Model<3>& model, const State<3>& state, const Body& body, results::BodyRow row,
-                     results::Header& header) {
+/// A body of several nodes in space: the first of its nodes as of a rigid body, then the others, and each corner on its
+/// own node.
+void add_several_nodes(const Model<3>& model, const State<3>& state, const Body& body, results::BodyRow row,
+                       results::Header& header) {
   const BodySkin skin = skin_of(model, body);
   const std::size_t first_vertex = header.vertex_node.size();
   row.support = nodes_support_text(model, body);
@@ -163,7 +168,8 @@ void add_space_frame(const Model<3>& model, const State<3>& state, const Body& b
   std::size_t vertex = first_vertex;
   for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p)
     for (std::size_t c = 0; c < model.piece_solid[p].shape.corners.size(); ++c)
-      header.vertex_node[vertex++] = base + model.node_of_piece(p) - body.first_node;
+      header.vertex_node[vertex++] =
+          base + model.skin_node[model.corner_skin[model.piece_first[p] + static_cast<int>(c)]] - body.first_node;
 }
 
 /// A solid's pieces with their outer faces, in the principal axes of the body.
@@ -174,7 +180,7 @@ void add_bodies(const Model<3>& model, const State<3>& state, results::Header& h
     row.name = body.name, row.kind = name_of(body.kind), row.material = body.material;
     row.groups = joined(body.groups), row.support = support_text(model.support[n]);
     if (!body.is_rigid()) {
-      add_space_frame(model, state, body, std::move(row), header);
+      add_several_nodes(model, state, body, std::move(row), header);
       continue;
     }
     const auto [corners, faces] = skin_of(model, body);

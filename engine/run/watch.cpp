@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "base/portable.hpp"
+#include "base/principal_axes.hpp"
 #include "base/quantity_text.hpp"
+#include "body/element_gradients.hpp"
 #include "run/body_forces.hpp"
 #include "run/stage_end.hpp"
 #include "step/central_difference.hpp"
@@ -80,6 +82,36 @@ ElementStretch stretch_of(const Model<2>& model, const State<2>& state, int elem
   return worst;
 }
 
+/// Of an element in space, at its corners and points of Gauss: the principal stretches of the gradient F there, of
+/// which the least is below 0 where it is turned inside out. A node that goes by p changes F by at most p times its
+/// gradient.
+ElementStretch stretch_of(const Model<3>& model, const State<3>& state, int element, double& room) {
+  const SpaceElement& e = model.space_elements[static_cast<std::size_t>(element)];
+  const double limit = model.solids[static_cast<std::size_t>(e.solid)].strain_limit;
+  const auto nodes = static_cast<std::size_t>(info_of(e.shape).nodes);
+  const double* const shape = &model.element_number[static_cast<std::size_t>(e.first_number)];
+  std::vector<Vec3> start, now;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    start.emplace_back(shape[3 * i], shape[3 * i + 1], shape[3 * i + 2]);
+    now.push_back(state.position[static_cast<std::size_t>(e.node[i])]);
+  }
+  ElementStretch worst{element, 0, unbounded};
+  for (const auto& gradient : watched_gradients(e.shape, start)) {
+    Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
+    double slope = 0;
+    for (std::size_t i = 0; i < nodes; ++i) f += now[i] * gradient[i].transpose(), slope += gradient[i].norm();
+    const Eigen::Matrix3d c = f.transpose() * f;
+    const Eigen::Vector3d squares = principal_axes(c, 1e-15 * c.cwiseAbs().maxCoeff()).value;
+    const double least = std::copysign(std::sqrt(std::max(0.0, squares.minCoeff())), f.determinant()),
+                 most = std::sqrt(squares.maxCoeff());
+    const double squeezed = least - std::max(0.0, 1 - limit), stretched = 1 + limit - most;
+    const double spare = std::min(squeezed, stretched);
+    room = std::min(room, spare / slope);
+    if (spare < worst.spare) worst = {element, squeezed < stretched ? least - 1 : most - 1, spare};
+  }
+  return worst;
+}
+
 /// Largest velocity of a motion, exact at its samples [m/s].
 double peak_velocity(const GroundMotion& motion) {
   double peak = 0;
@@ -128,12 +160,39 @@ double sound_speed(const Model<D>& model) {
     const double volume = model.bodies[element.body].area * element.thickness;
     most = std::max(most, std::sqrt(young * volume / body_mass(model, element.body)));
   }
+  if constexpr (D == 3)
+    for (std::size_t e = 0, end = 0; e < model.space_elements.size(); e = end) {
+      const int body = model.space_elements[e].body;
+      double volume = 0, young = 0;
+      for (end = e; end < model.space_elements.size() && model.space_elements[end].body == body; ++end) {
+        volume += model.space_elements[end].volume;
+        young =
+            std::visit([](const auto& law) { return law.young; }, model.solids[model.space_elements[end].solid].law);
+      }
+      most = std::max(most, std::sqrt(young * volume / body_mass(model, body)));
+    }
   return most;
 }
 
-std::string element_name(const Model<2>& model, int element) {
+const std::vector<Element>& elements_of(const Model<2>& model) {
+  return model.elements;
+}
+const std::vector<SpaceElement>& elements_of(const Model<3>& model) {
+  return model.space_elements;
+}
+
+/// As many of its nodes as there are.
+int nodes_of(const Element& e) {
+  return e.nodes;
+}
+int nodes_of(const SpaceElement& e) {
+  return info_of(e.shape).nodes;
+}
+
+template <int D>
+std::string element_name(const Model<D>& model, int element) {
   int first = element;
-  while (first > 0 && model.elements[first - 1].body == model.elements[element].body) --first;
+  while (first > 0 && elements_of(model)[first - 1].body == elements_of(model)[element].body) --first;
   return fmt::format("element {}", element - first + 1);
 }
 
@@ -148,27 +207,29 @@ void Watch::reset() {
   *this = {};
 }
 
-std::optional<Divergence> Watch::look_at_elements(const Instant<2>& now) {
-  if (now.model.elements.empty()) return std::nullopt;
+template <int D>
+std::optional<Divergence> Watch::look_at_elements(const Instant<D>& now) {
+  const auto& elements = elements_of(now.model);
+  if (elements.empty()) return std::nullopt;
   // Until the fastest point has gone as far as any element has room, none is looked at.
   element_room_ -= now.work.fastest * now.state.last_dt;
   if (element_room_ > 0) return std::nullopt;
   ElementStretch worst{-1, 0, unbounded};
   double room = unbounded;
-  for (int e = 0; e < static_cast<int>(now.model.elements.size()); ++e) {
-    if (now.state.left[now.model.elements[e].body] != 0) continue;
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
+    if (now.state.left[elements[e].body] != 0) continue;
     const ElementStretch s = stretch_of(now.model, now.state, e, room);
     if (s.spare < worst.spare) worst = s;
   }
   element_room_ = (1 - 1e-9) * room;
   if (worst.spare > 0) return std::nullopt;
-  const Element& element = now.model.elements[worst.element];
+  const auto& element = elements[worst.element];
   Event event = stage_event(EventType::element_overstrained, now, element_name(now.model, worst.element));
   event.body_a = element.body;
   event.value = worst.strain;
-  Vec2 middle = Vec2::Zero();
-  for (int i = 0; i < element.nodes; ++i) middle += now.state.position[element.node[i]] / element.nodes;
-  event.x = middle.x(), event.y = middle.y();
+  Vec<D> middle = Vec<D>::Zero();
+  for (int i = 0; i < nodes_of(element); ++i) middle += now.state.position[element.node[i]] / nodes_of(element);
+  event.set_place(middle);
   const double limit = now.model.solids[element.solid].strain_limit;
   return Divergence{fmt::format("{} (its solid is made for {:g} %)", event_text(event, now.model), 100 * limit),
                     "take a stiffer solid or less load, let it come on more slowly, or give the material a larger "
@@ -241,8 +302,7 @@ std::optional<Divergence> Watch::look(const Instant<D>& now, bool last) {
                       "take a smaller safety or less load",
                       counts_ ? sound_until_ : now.begun,
                       {}};
-  if constexpr (D == 2)
-    if (auto found = look_at_elements(now)) return found;
+  if (auto found = look_at_elements(now)) return found;
   if (!now.stage.watched) return std::nullopt;
   // Energies cost a pass over all contacts, so they are looked at now and then.
   if (counts_ && !last && now.speed <= 2 * looked_speed_ && now.state.step < next_look_) return std::nullopt;

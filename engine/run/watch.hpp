@@ -41,7 +41,8 @@ class Watch {
   std::vector<int> leaving(const Model<D>& model, const State<D>& state, const Work<D>& work);
 
  private:
-  std::optional<Divergence> look_at_elements(const Instant<2>& now);
+  template <int D>
+  std::optional<Divergence> look_at_elements(const Instant<D>& now);
   template <int D>
   std::optional<Divergence> look_at_magnitudes(const Instant<D>& now);
   template <int D>

@@ -59,6 +59,7 @@ struct SharedPolygon {
 struct FaceOverlap3 {
   MeanPlane plane;
   SharedPolygon shared;
+  int face_a = -1, face_b = -1;  ///< which of their solids they are, where those were asked
 };
 
 /// Fills `out`; false, with nothing shared, where the outward normals do not point against each other or the

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/principal_axes.hpp"
 #include "base/rotation_3d.hpp"
 
 namespace trilith {
@@ -99,24 +100,6 @@ SolidMoments solid_moments(const Polyhedron& solid) {
 
 namespace {
 
-/// One of Jacobi's rotations: turns the columns p and q of `axes` so that m(p, q) becomes 0. The smaller of the two
-/// angles is taken (Golub and Van Loan, "Matrix computations", section on Jacobi methods).
-void clear_term(Eigen::Matrix3d& m, Eigen::Matrix3d& axes, int p, int q) {
-  const double tau = (m(q, q) - m(p, p)) / (2 * m(p, q));
-  const double t = (tau < 0 ? -1 : 1) / (std::abs(tau) + std::sqrt(1 + tau * tau));
-  const double c = 1 / std::sqrt(1 + t * t), s = t * c;
-  for (int k = 0; k < 3; ++k) {
-    const double kp = m(k, p), kq = m(k, q), ap = axes(k, p), aq = axes(k, q);
-    m(k, p) = c * kp - s * kq, m(k, q) = s * kp + c * kq;
-    axes(k, p) = c * ap - s * aq, axes(k, q) = s * ap + c * aq;
-  }
-  for (int k = 0; k < 3; ++k) {
-    const double pk = m(p, k), qk = m(q, k);
-    m(p, k) = c * pk - s * qk, m(q, k) = s * pk + c * qk;
-  }
-  m(p, q) = m(q, p) = 0;
-}
-
 /// Which column becomes the first, second and third axis, and +1 or -1 for each.
 struct AxisChoice {
   std::array<int, 3> from;
@@ -148,19 +131,14 @@ AxisChoice nearest_axes(const Eigen::Matrix3d& axes) {
 /// Jacobi's method: plane rotations until nothing is left off the diagonal. Of the 24 ways to name the axes the one
 /// nearest to the body's own is taken, so that a box keeps x, y and z.
 PrincipalInertia principal_inertia(const Eigen::Matrix3d& inertia) {
-  Eigen::Matrix3d m = inertia, axes = Eigen::Matrix3d::Identity();
-  const double nothing_left = 1e-14 * m.diagonal().cwiseAbs().maxCoeff();
-  // every round squares what is left off the diagonal, so a few are enough
-  for (int round = 0; round < 16; ++round)
-    for (const auto [p, q] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}})
-      if (std::abs(m(p, q)) > nothing_left) clear_term(m, axes, p, q);
+  const auto [moments, axes] = principal_axes(inertia, 1e-14 * inertia.diagonal().cwiseAbs().maxCoeff());
   const AxisChoice choice = nearest_axes(axes);
   Eigen::Matrix3d chosen;
   PrincipalInertia out;
   for (int k = 0; k < 3; ++k) {
     const int from = choice.from[static_cast<std::size_t>(k)];
     chosen.col(k) = choice.sign[static_cast<std::size_t>(k)] * axes.col(from);
-    out.moments[k] = m(from, from);
+    out.moments[k] = moments[from];
   }
   out.axes = rotation_of(chosen);
   return out;

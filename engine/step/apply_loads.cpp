@@ -67,11 +67,10 @@ void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work) {
     const double share = p.curve.at(state.time);
     if (share == 0) continue;
     const int n = p.at.node[0];
-    const Turn3 turn = turn_of(state.rotation[n]);
+    const Turn3 turn = turn_of(motion_of(model, state, n).rotation);
     const Vec3 force = share * (p.follows ? turn.apply(p.force) : p.force),
                moment = share * (p.follows ? turn.apply(p.moment) : p.moment);
-    work.load[n] += force;
-    work.load_moment[n] += moment + cross(Vec3(point_of(state, p.at) - state.position[n]), force);
+    push_carrier(model, state, n, point_of(model, state, p.at), force, moment, work.load, work.load_moment);
   }
 }
 

@@ -25,8 +25,8 @@ namespace {
 Vec2 first_point(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
   return pose_at(model, state, b.end_a).place;
 }
-Vec3 first_point(const Model<3>& /*model*/, const State<3>& state, const Bearing<3>& b) {
-  return point_of(state, b.end_a);
+Vec3 first_point(const Model<3>& model, const State<3>& state, const Bearing<3>& b) {
+  return point_of(model, state, b.end_a);
 }
 
 /// What the device was, where it is, and by how much it was displaced in the direction that failed.
@@ -79,7 +79,7 @@ double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>
   if (row != work.contacts.key.end() && *row == key)
     memory = work.contacts.memory[static_cast<std::size_t>(row - work.contacts.key.begin())];
   const auto at_rest = [&](const PlacedSolid& solid, int piece) {
-    return MovingSolid{solid, state.position[model.node_of_piece(piece)], Vec3::Zero(), Vec3::Zero()};
+    return MovingSolid{solid, motion_of(model, state, model.carrier_of(piece)).place, Vec3::Zero(), Vec3::Zero()};
   };
   if (pair.replaced) {
     Separation3 apart{0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0};

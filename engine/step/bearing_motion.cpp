@@ -99,19 +99,16 @@ BearingMotion<2> bearing_motion(const Model<2>& model, const State<2>& state, st
 /// - v_a - spin_a x d), velocities being those of the points. Turns: bearing/bearing.hpp.
 BearingMotion<3> bearing_motion(const Model<3>& model, const State<3>& state, std::size_t i) {
   const Bearing<3>& b = model.bearings[i];
-  const int na = b.end_a.node[0], nb = b.end_b.node[0];
-  const UnitQuaternion frame = state.rotation[na] * b.angle;
+  const BodyMotion p = motion_of(model, state, b.end_a.node[0]), q = motion_of(model, state, b.end_b.node[0]);
+  const UnitQuaternion frame = p.rotation * b.angle;
   BearingMotion<3> out{turn_of(frame)};
-  const Vec3 arm_b = turn_of(state.rotation[nb]).apply(b.end_b.arm[0]),
-             arm_a = turn_of(state.rotation[na]).apply(b.end_a.arm[0]);
-  out.point = state.position[nb] + arm_b;
-  const Vec3 from_a = out.point - state.position[na], moved = out.axes.undo(Vec3(from_a - arm_a)) - b.rest;
-  const Vec3 rate = out.axes.undo(
-      Vec3(state.velocity[nb] + cross(state.spin[nb], arm_b) - state.velocity[na] - cross(state.spin[na], from_a)));
+  const Vec3 arm_b = turn_of(q.rotation).apply(b.end_b.arm[0]), arm_a = turn_of(p.rotation).apply(b.end_a.arm[0]);
+  out.point = q.place + arm_b;
+  const Vec3 from_a = out.point - p.place, moved = out.axes.undo(Vec3(from_a - arm_a)) - b.rest;
+  const Vec3 rate = out.axes.undo(Vec3(q.velocity + cross(q.spin, arm_b) - p.velocity - cross(p.spin, from_a)));
   const auto& last = state.bearing[i].turned;
-  const Vec3 turned =
-      nearest_turn(inverse(frame) * (state.rotation[nb] * b.rest_angle), Vec3(last[0], last[1], last[2]));
-  const Vec3 turning_rate = through_turn(turned, out.axes.undo(Vec3(state.spin[nb] - state.spin[na])), -1);
+  const Vec3 turned = nearest_turn(inverse(frame) * (q.rotation * b.rest_angle), Vec3(last[0], last[1], last[2]));
+  const Vec3 turning_rate = through_turn(turned, out.axes.undo(Vec3(q.spin - p.spin)), -1);
   for (const int k : {0, 1, 2}) {
     out.displacement[k] = moved[k], out.displacement[3 + k] = turned[k];
     out.rate[k] = rate[k], out.rate[3 + k] = turning_rate[k];

@@ -38,10 +38,12 @@ std::array<double, 6> mean_rates(const Model<3>& model, const State<3>& state, c
 void push_ends(const Model<2>& model, const State<2>& state, const Bearing<2>& bearing, const Vec2& force,
                double moment, std::vector<Vec2>& node_force, std::vector<double>& node_moment);
 
-/// A point tied to one node in space, where it stands [m].
-inline Vec3 point_of(const State<3>& state, const Tie<3>& tie) {
+/// A point tied to one carrier in space (world/carrier.hpp), where it stands [m].
+inline Vec3 point_of(const Model<3>& model, const State<3>& state, const Tie<3>& tie) {
   const int n = tie.node[0];
-  return state.position[n] + turn_of(state.rotation[n]).apply(tie.arm[0]);
+  if (n >= 0) return state.position[n] + turn_of(state.rotation[n]).apply(tie.arm[0]);
+  const BodyMotion at = motion_of(model, state, n);
+  return at.place + turn_of(at.rotation).apply(tie.arm[0]);
 }
 
 }  // namespace trilith

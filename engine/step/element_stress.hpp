@@ -24,4 +24,16 @@ ElementStress element_stress(const Model<2>& model, const State<2>& state, int e
 /// Its mean in world axes [Pa].
 Stress in_world(const ElementStress& stress);
 
+/// The same in space: xx, yy, zz, xy, yz, zx.
+struct SpaceElementStress {
+  int points = 0;
+  std::array<SpaceVector, max_space_points> at_point;  ///< [Pa]
+  SpaceVector mean = SpaceVector::Zero();              ///< over the volume [Pa]
+  double plastic = 0;                                  ///< mean of SpaceMemory::measure
+  double volume = 0;                                   ///< of the reference shape [m3]
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< its own, as columns
+};
+SpaceElementStress element_stress(const Model<3>& model, const State<3>& state, int element);
+SpaceVector in_world(const SpaceElementStress& stress);
+
 }  // namespace trilith

@@ -15,8 +15,7 @@ namespace {
 double closing_speed(const Model<3>& model, const State<3>& state, const Work<3>& work, const GeneralContact<3>& c) {
   const NearPair& pair = work.pairs[c.row];
   const auto velocity = [&](int piece) {
-    const int n = model.node_of_piece(piece);
-    return Vec3(state.velocity[n] + cross(state.spin[n], Vec3(c.centre - state.position[n])));
+    return motion_of(model, state, model.carrier_of(piece)).velocity_at(c.centre);
   };
   return -c.force.normalized().dot(velocity(pair.piece_b) - velocity(pair.piece_a));
 }
@@ -69,8 +68,9 @@ void joint_events(const Model<3>& model, const State<3>& state, Work<3>& work, i
     e.set_place(contact->centre);
     e.value = (contact->force - work.contacts.memory[r].shear.total).norm();
   } else {
-    const int n = model.node_of_piece(pair.piece_a), m = model.node_of_piece(pair.piece_b);
-    e.set_place(Vec3(0.5 * (state.position[n] + state.position[m])));
+    const Vec3 on_a = motion_of(model, state, model.carrier_of(pair.piece_a)).place,
+               on_b = motion_of(model, state, model.carrier_of(pair.piece_b)).place;
+    e.set_place(Vec3(0.5 * (on_a + on_b)));
   }
   e.mode = mode_of(model, pair, *before, contacts.memory[r]);
   work.events.push_back(e);

@@ -5,13 +5,16 @@
 
 #include "step/body_events.hpp"
 #include "step/passed.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
 
-/// 1 / mass of what may move, 0 of what may not; of a frame of one node of it [1/kg].
+/// 1 / mass of what may move, 0 of what may not; of a frame of one node of it, of elements of the whole body [1/kg].
 double mobility_of(const Model<3>& model, int piece) {
-  return model.body_moves(model.piece_body[piece]) ? 1 / model.mass[model.node_of_piece(piece)] : 0;
+  const int body = model.piece_body[piece];
+  if (!model.body_moves(body)) return 0;
+  return 1 / (model.is_fitted(piece) ? body_mass(model, body) : model.mass[model.node_of_piece(piece)]);
 }
 
 /// The stiffness that would keep the two half as deep as is told [Pa/m], as in the plane:
@@ -31,8 +34,8 @@ Event passed_event(const Model<3>& model, const State<3>& state, const Work<3>& 
                    double thickness) {
   const NearPair& pair = work.pairs[c.row];
   const int a = model.piece_body[pair.piece_a], b = model.piece_body[pair.piece_b];
-  const Vec3 &va = state.velocity[model.node_of_piece(pair.piece_a)],
-             &vb = state.velocity[model.node_of_piece(pair.piece_b)];
+  const Vec3 va = motion_of(model, state, model.carrier_of(pair.piece_a)).velocity,
+             vb = motion_of(model, state, model.carrier_of(pair.piece_b)).velocity;
   const bool turned = vb.norm() > va.norm();
   Event e = event_now(state, EventType::body_passed, turned ? b : a, turned ? a : b);
   e.value = c.depth;

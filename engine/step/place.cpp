@@ -51,7 +51,7 @@ template <int D>
 void list_bodies(const Model<D>& model, Work<D>& work) {
   work.body.clear();
   for (const Body& b : model.bodies)
-    work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, info_of(b.kind).skin});
+    work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, info_of(b.kind).skin, b.first_fit, b.fits});
 }
 
 /// Elements that threads take at a time: some ten microseconds.
@@ -71,7 +71,7 @@ void list_element_stretches(const Model<2>& model, Work<2>& work) {
     first = i;
   }
 }
-/// In space there are none.
+/// In space they need no cutting: see step/resist_space.cpp.
 void list_element_stretches(const Model<3>& /*model*/, Work<3>& /*work*/) {}
 
 SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
@@ -174,9 +174,42 @@ SkinReach place_corners(const ConvexSolid& solid, const NodeMotion<3>& node, con
   return reach;
 }
 
+/// A piece of a body whose nodes do not turn: its own fit and those of its faces, then the solid between them. The
+/// fastest of its nodes is as fast as any of its corners, or nearly.
+SkinReach place_fitted(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
+  const auto p = static_cast<std::size_t>(piece), first = static_cast<std::size_t>(model.piece_fit[p]);
+  const ConvexSolid& solid = model.piece_solid[p];
+  const auto faces = static_cast<std::size_t>(solid.shape.faces.count());
+  for (std::size_t i = first; i <= first + faces; ++i)
+    solids.fitted[i] = fitted(model, model.fits[i], state.position, state.velocity);
+  for (std::size_t f = 0; f < faces; ++f) {
+    const Fitted& now = solids.fitted[first + 1 + f];
+    solids.face_motion[first + 1 + f] = {now.place, now.velocity, now.spin};
+  }
+  PlacedSolid& out = solids.placed[p];
+  const std::vector<Vec3>& own = solid.shape.corners;
+  if (out.corners.size() != own.size()) out.corners.assign(own.size(), solids.fitted[first].place);
+  solids.before[p] = out.corners;
+  out.solid = &solid;
+  place_between(solid, std::span(solids.fitted).subspan(first + 1, faces), out.corners, out.normals);
+  out.along.clear();
+  for (const SolidEdge& e : solid.edges)
+    out.along.push_back(out.corners[static_cast<std::size_t>(e.to)] - out.corners[static_cast<std::size_t>(e.from)]);
+  double speed2 = 0;
+  const Fit& whole = model.fits[first];
+  for (int i = 0; i < whole.nodes; ++i)
+    speed2 = std::max(speed2, state.velocity[whole.node[static_cast<std::size_t>(i)]].squaredNorm());
+  SkinReach reach;
+  for (std::size_t c = 0; c < out.corners.size(); ++c)
+    reach.add(speed2, (out.corners[c] - solids.before[p][c]).squaredNorm());
+  solids.speed2[p] = reach.speed2;
+  return reach;
+}
+
 /// Corners, normals and edges of a piece, which goes with one node: of a frame too, see world/space_frame.hpp.
 SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
   const auto p = static_cast<std::size_t>(piece);
+  if (model.is_fitted(piece)) return place_fitted(model, state, piece, solids);
   const int n = model.node_of_piece(piece);
   const NodeMotion<3> node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
   const Turn3 turn(node.rotation);
@@ -187,13 +220,22 @@ SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, S
   return reach;
 }
 
+/// True where some node that carries the piece is free to move.
+bool piece_moves(const Model<3>& model, int piece) {
+  if (!model.is_fitted(piece)) return model.moves(model.node_of_piece(piece));
+  const Fit& whole = model.fits[static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)])];
+  return std::any_of(whole.node.begin(), whole.node.begin() + whole.nodes, [&](int n) { return model.moves(n); });
+}
+
 PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
   const std::size_t pieces = model.piece_solid.size();
   work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces);
+  work.solids.fitted.resize(model.fits.size()), work.solids.face_motion.resize(model.fits.size());
+  if (!model.fits.empty()) work.solids.before.resize(pieces);
   if (!work.valid) list_spheres(model, work.solids.sphere);
   return place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int p, PlacedReach& to) {
     const SkinReach of = place_piece(model, state, p, work.solids);
-    to.add(of, model.moves(model.node_of_piece(p)));
+    to.add(of, piece_moves(model, p));
   });
 }
 

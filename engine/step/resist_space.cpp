@@ -1,7 +1,13 @@
-// Frames in space: what the motion of their nodes makes of their beams.
+// Bodies in space that deform: what the motion of their nodes makes of their elements and beams.
+#include <algorithm>
+#include <array>
+
+#include "base/team.hpp"
+#include "body/corotation_3d.hpp"
 #include "step/beam_motion.hpp"
 #include "step/evaluate.hpp"
 #include "step/resist_beams.hpp"
+#include "step/space_element_now.hpp"
 
 namespace trilith {
 namespace {
@@ -29,15 +35,126 @@ void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, R
   }
 }
 
+namespace {
+
+/// k d for a stiffness of 3 N x 3 N, column by column.
+template <int N>
+void multiply(const double* k, const double* d, double* out) {
+  std::fill_n(out, 3 * N, 0.0);
+  for (int j = 0; j < 3 * N; ++j)
+    for (int i = 0; i < 3 * N; ++i) out[i] += k[3 * N * j + i] * d[j];
+}
+
+/// Strain e = B d at each point in, stress s and the memory of the trial out; h = sum over the points of B' s V.
+template <int N, class Law>
+void respond_at_points(const Model<3>& model, const SpaceElement& e, const Law& law, const State<3>& state,
+                       const double* d, Work<3>& work, double* h, SpaceElementAnswer& out) {
+  const int points = info_of(e.shape).points;
+  const double* point = &model.element_number[static_cast<std::size_t>(e.first_number + 6 * N + 9 * N * N)];
+  std::fill_n(h, 3 * N, 0.0);
+  for (int p = 0; p < points; ++p, point += space_point_numbers(N)) {
+    SpaceVector strain = SpaceVector::Zero();
+    for (int j = 0; j < 3 * N; ++j)
+      for (int k = 0; k < 6; ++k) strain[k] += point[6 * j + k] * d[j];
+    const auto row = static_cast<std::size_t>(e.first_point + p);
+    const SpaceResponse r = respond_in_space(law, strain, state.plastic[row]);
+    work.plastic[row] = r.memory;
+    const double volume = point[18 * N];
+    out.stored += volume * r.stored, out.plastic += volume * r.dissipated;
+    for (int j = 0; j < 3 * N; ++j)
+      for (int k = 0; k < 6; ++k) h[j] += volume * point[6 * j + k] * r.stress[k];
+  }
+}
+
+/// In the element's own axes the forces h of the deformation d: k d of an elastic one, energy d . k d / 2, else those
+/// of the stress at its points; damping is beta k times the rate of d. body/corotation_3d.hpp brings both to the nodes.
+template <int N>
+[[gnu::always_inline]] inline void resist_element(const Model<3>& model, const SpaceElement& e, const State<3>& state,
+                                                  Work<3>& work, SpaceElementAnswer& out) {
+  const Solid& solid = model.solids[static_cast<std::size_t>(e.solid)];
+  const double* const number = &model.element_number[static_cast<std::size_t>(e.first_number)];
+  const double* const k = number + 6 * N;
+  const SpaceElementNow<N> now(number, e.node.data(), state.position, state.velocity);
+  std::array<double, 3 * N> h;
+  out.stored = out.plastic = 0;
+  std::visit(
+      [&](const auto& law) {
+        if constexpr (std::decay_t<decltype(law)>::is_elastic) {
+          multiply<N>(k, now.d.data(), h.data());
+          double twice = 0;
+          for (int j = 0; j < 3 * N; ++j) twice += h[j] * now.d[j];
+          out.stored = 0.5 * twice;
+        } else {
+          respond_at_points<N>(model, e, law, state, now.d.data(), work, h.data(), out);
+        }
+      },
+      solid.law);
+  now.to_nodes(number, h.data(), out.force.data());
+  const double beta = solid.damping();
+  if (!(beta > 0)) return;
+  multiply<N>(k, now.v.data(), h.data());
+  for (double& v : h) v *= beta;
+  now.to_nodes(number, h.data(), out.damping.data());
+}
+
+// One copy for wide registers and one for any machine: the same operations in the same order, so the same bits.
+[[gnu::target_clones("avx2", "default")]] void resist_one(const Model<3>& model, const SpaceElement& e,
+                                                          const State<3>& state, Work<3>& work,
+                                                          SpaceElementAnswer& out) {
+  switch (e.shape) {
+    case ElementShape::brick:
+      return resist_element<8>(model, e, state, work, out);
+    case ElementShape::tetrahedron:
+      return resist_element<4>(model, e, state, work, out);
+    case ElementShape::quadratic_tetrahedron:
+      return resist_element<10>(model, e, state, work, out);
+  }
+}
+
+/// Elements that threads take at a time: some microseconds.
+constexpr int space_stretch = 16;
+
+/// Threads answer elements; forces and energies are taken up in the order of elements, whoever answered.
+void resist_elements(const Model<3>& model, const State<3>& state, Work<3>& work, ResistSums& sums) {
+  work.element_answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * space_stretch);
+  const auto answer_of = [&](int slot, int i) -> SpaceElementAnswer& {
+    return work.element_answer[static_cast<std::size_t>(slot * space_stretch + i)];
+  };
+  share_in_order(
+      work.threads, static_cast<int>(model.space_elements.size()), space_stretch,
+      [&](int first, int last, int /*thread*/, int slot) {
+        for (int i = first; i < last; ++i)
+          resist_one(model, model.space_elements[static_cast<std::size_t>(i)], state, work, answer_of(slot, i - first));
+      },
+      [&](int first, int last, int slot) {
+        for (int i = first; i < last; ++i) {
+          const SpaceElement& e = model.space_elements[static_cast<std::size_t>(i)];
+          const SpaceElementAnswer& answer = answer_of(slot, i - first);
+          const bool damped = model.solids[static_cast<std::size_t>(e.solid)].damping() > 0;
+          sums.stored += answer.stored, sums.plastic += answer.plastic;
+          for (std::size_t k = 0; k < static_cast<std::size_t>(info_of(e.shape).nodes); ++k) {
+            const auto n = static_cast<std::size_t>(e.node[k]);
+            work.element_force[n] -= answer.force[k];
+            if (damped) work.element_damping[n] -= answer.damping[k];
+          }
+        }
+      });
+}
+
+}  // namespace
+
 void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double /*dt*/) {
   work.element_stored = 0;
-  if (model.beams_3d.empty()) return;
+  if (model.beams_3d.empty() && model.space_elements.empty()) return;
   const auto nodes = static_cast<std::size_t>(model.nodes());
   work.element_force.assign(nodes, Vec3::Zero()), work.element_damping.assign(nodes, Vec3::Zero());
   work.element_moment.assign(nodes, Vec3::Zero()), work.element_damping_moment.assign(nodes, Vec3::Zero());
+  work.plastic.resize(state.plastic.size());
   ResistSums sums;
+  resist_elements(model, state, work, sums);
   resist_beams(model, state, work, sums);
   work.element_stored = sums.stored;
+  work.given[EnergyTerm::plastic] += sums.plastic;
 }
 
 }  // namespace trilith

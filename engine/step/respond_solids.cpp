@@ -11,19 +11,41 @@
 namespace trilith {
 namespace {
 
-/// A piece where its body is now, with the velocity and spin of the body's one node.
+/// A piece where its body is now, with the velocity and spin of the node that it goes with, or of its fit.
 MovingSolid moving_solid(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
+  if (model.is_fitted(piece)) {
+    const auto first = static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)]);
+    const Fitted& whole = work.solids.fitted[first];
+    return {work.solids.placed[piece], whole.place, whole.velocity, whole.spin, &work.solids.face_motion[first + 1]};
+  }
   const int n = model.node_of_piece(piece);
   return {work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n]};
 }
 
-/// The force of a contact on both bodies, about their nodes.
+/// Force and moment about the centre of a contact on what carries one side of it.
+void add_to_carrier(const State<3>& state, int carrier, const Vec3& centre, const Vec3& force, const Vec3& moment,
+                    SolidWork<3>& solids) {
+  if (carrier < 0) {
+    const auto i = static_cast<std::size_t>(-1 - carrier);
+    solids.fit_force[i] += force, solids.fit_moment[i] += moment + cross(Vec3(centre - solids.fitted[i].place), force);
+    return;
+  }
+  const auto n = static_cast<std::size_t>(carrier);
+  solids.force[n] += force, solids.moment[n] += moment + cross(Vec3(centre - state.position[n]), force);
+}
+
+/// The force of a contact on both bodies.
 void add_to_bodies(const Model<3>& model, const State<3>& state, const NearPair& pair, const SolidResponse& r,
                    Work<3>& work) {
-  const int a = model.node_of_piece(pair.piece_a), b = model.node_of_piece(pair.piece_b);
-  work.solids.force[a] -= r.force, work.solids.force[b] += r.force;
-  work.solids.moment[a] -= r.moment + cross(Vec3(r.centre - state.position[a]), r.force);
-  work.solids.moment[b] += r.moment + cross(Vec3(r.centre - state.position[b]), r.force);
+  if (model.fits.empty()) {
+    const int a = model.node_of_piece(pair.piece_a), b = model.node_of_piece(pair.piece_b);
+    work.solids.force[a] -= r.force, work.solids.force[b] += r.force;
+    work.solids.moment[a] -= r.moment + cross(Vec3(r.centre - state.position[a]), r.force);
+    work.solids.moment[b] += r.moment + cross(Vec3(r.centre - state.position[b]), r.force);
+    return;
+  }
+  add_to_carrier(state, model.carrier_of(pair.piece_a, r.face_a), r.centre, -r.force, -r.moment, work.solids);
+  add_to_carrier(state, model.carrier_of(pair.piece_b, r.face_b), r.centre, r.force, r.moment, work.solids);
 }
 
 /// Adds what a contact gives to forces, ledger and lists.
@@ -44,8 +66,8 @@ void take_up(const Model<3>& model, const State<3>& state, Work<3>& work, const 
   work.general_touching.push_back({answer.row, response.area, response.depth, response.centre, response.normal_force});
   const JointMemory* joint = work.contacts.joint_at(r);
   const double area = joint != nullptr && joint->bonds != 0 ? joint->plan->whole.area : response.area;
-  work.solids.areas.push_back(
-      {response.middle, response.normal, area, response.radius, response.friction_arm, response.arm});
+  work.solids.areas.push_back({response.middle, response.normal, area, response.radius, response.friction_arm,
+                               response.arm, response.face_a, response.face_b});
   if (answer.joint_changed) work.changed_rows.push_back(answer.row);
 }
 
@@ -70,8 +92,10 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidOverlapB
   JointMemory& after = *work.contacts.joint_at(r);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
   const SolidMemory& contact = contacts_before(state, work).memory[r];
-  JointResponse joint = respond_joint(body_motion(model, state, pair.piece_a), body_motion(model, state, pair.piece_b),
-                                      contact, before, law, after);
+  JointResponse joint =
+      respond_joint(body_motion(model, state, pair.piece_a, before.plan->face_a),
+                    body_motion(model, state, pair.piece_b, before.plan->face_b), contact, before, law, after);
+  joint.contact.face_a = before.plan->face_a, joint.contact.face_b = before.plan->face_b;
   if (joint.ends) {
     SolidOverlapBuffer cell;  // room; joints end once
     // What the joint stores more than two other solids there do is given off as it ends.
@@ -93,8 +117,8 @@ bool has_sphere(const Work<3>& work, const NearPair& pair) {
 
 /// The same of a piece that may be a sphere: its centre and radius beside its corners, of which a sphere has one.
 SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
-  const int n = model.node_of_piece(piece);
-  return {work.solids.sphere[piece], work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n]};
+  const MovingSolid moving = moving_solid(model, state, work, piece);
+  return {work.solids.sphere[piece], moving.placed, moving.origin, moving.velocity, moving.spin};
 }
 
 /// False where there is nothing to be found out: the two were apart, and still are.
@@ -140,6 +164,8 @@ void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work
   work.solids.areas.clear();
   work.solids.force.assign(model.mass.size(), Vec3::Zero());
   work.solids.moment.assign(model.mass.size(), Vec3::Zero());
+  work.solids.fit_force.assign(model.fits.size(), Vec3::Zero());
+  work.solids.fit_moment.assign(model.fits.size(), Vec3::Zero());
   SolidWork<3>& solids = work.solids;
   solids.room.resize(static_cast<std::size_t>(work.threads));
   solids.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * solid_row_stretch);

@@ -11,16 +11,16 @@ namespace {
 Vec2 end_of(const Model<2>& model, const State<2>& state, const Seat<2>& seat) {
   return pose_at(model, state, seat.end).place;
 }
-Vec3 end_of(const Model<3>& /*model*/, const State<3>& state, const Seat<3>& seat) {
-  return point_of(state, seat.end);
+Vec3 end_of(const Model<3>& model, const State<3>& state, const Seat<3>& seat) {
+  return point_of(model, state, seat.end);
 }
 
-/// Of the span [m/s]; in space bodies are rigid, each with the speed of its node.
+/// Of the span [m/s]; in space of what its end hangs on.
 double span_speed(const Model<2>& model, const State<2>& state, const Seat<2>& seat) {
   return body_pose(model, state, seat.body).velocity.norm();
 }
-double span_speed(const Model<3>& /*model*/, const State<3>& state, const Seat<3>& seat) {
-  return state.velocity[seat.end.node[0]].norm();
+double span_speed(const Model<3>& model, const State<3>& state, const Seat<3>& seat) {
+  return motion_of(model, state, seat.end.node[0]).velocity.norm();
 }
 
 }  // namespace
@@ -39,9 +39,9 @@ double seat_length(const Model<2>& model, const State<2>& state, const Seat<2>& 
   return Turn(edge.rotation).apply(seat.inward).dot(end - edge.place);
 }
 
-double seat_length(const Model<3>& /*model*/, const State<3>& state, const Seat<3>& seat) {
-  const Vec3 inward = turn_of(state.rotation[seat.edge.node[0]]).apply(seat.inward);
-  return inward.dot(point_of(state, seat.end) - point_of(state, seat.edge));
+double seat_length(const Model<3>& model, const State<3>& state, const Seat<3>& seat) {
+  const Vec3 inward = turn_of(motion_of(model, state, seat.edge.node[0]).rotation).apply(seat.inward);
+  return inward.dot(point_of(model, state, seat.end) - point_of(model, state, seat.edge));
 }
 
 template <int D>

@@ -7,10 +7,9 @@
 
 namespace trilith {
 
-/// Pose and motion of the node that a piece goes with.
-inline BodyMotion body_motion(const Model<3>& model, const State<3>& state, int piece) {
-  const int n = model.node_of_piece(piece);
-  return {state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
+/// Pose and motion of the node that a piece goes with; of a piece that deforms, of its face `face`.
+inline BodyMotion body_motion(const Model<3>& model, const State<3>& state, int piece, int face) {
+  return motion_of(model, state, model.carrier_of(piece, face));
 }
 
 }  // namespace trilith

@@ -66,6 +66,52 @@ struct AreaSprings {
   ContactTangent law;
 };
 
+/// Springs on the nodes of a fit: sums of rows of the stiffness, scaled by the masses, of the largest of all
+/// directions. A motion of the nodes moves the middle of the area by sum w_i u_i, and its second moments by the arms; a
+/// dyad of weights v v' has the row |v_i| sum |v_j|, and is added for each.
+struct NodeRows {
+  std::vector<double> k, c;  ///< [node] 1/s2, 1/s
+
+  /// `weight`: [node of the fit] what a unit force gives each.
+  void add(const Model<3>& model, const Fit& fit, const std::array<double, most_fit_nodes>& weight, double stiffness,
+           double dashpot) {
+    double sum = 0;
+    for (int i = 0; i < fit.nodes; ++i)
+      sum +=
+          std::abs(weight[static_cast<std::size_t>(i)]) / std::sqrt(model.mass[fit.node[static_cast<std::size_t>(i)]]);
+    for (int i = 0; i < fit.nodes; ++i) {
+      const auto n = static_cast<std::size_t>(fit.node[static_cast<std::size_t>(i)]);
+      const double row = std::abs(weight[static_cast<std::size_t>(i)]) * sum / std::sqrt(model.mass[n]);
+      k[n] += stiffness * row, c[n] += dashpot * row;
+    }
+  }
+};
+
+NodeRows rows_of(const Model<3>& model) {
+  const std::size_t nodes = model.fits.empty() ? 0 : model.mass.size();
+  return {std::vector<double>(nodes), std::vector<double>(nodes)};
+}
+
+/// What a unit force at a point [m] gives each node of a fit, and a unit force along `arm` less one at its foot.
+std::array<double, most_fit_nodes> weights_at(const Model<3>& model, const Fit& fit, const Fitted& now, const Vec3& at,
+                                              bool is_arm) {
+  const Vec3 s = now.axes.transpose() * (is_arm ? at : Vec3(at - now.place));
+  std::array<double, most_fit_nodes> out{};
+  for (int i = 0; i < fit.nodes; ++i) {
+    const double* const w = &model.fit_number[static_cast<std::size_t>(fit.first_number + 4 * i)];
+    out[static_cast<std::size_t>(i)] = (is_arm ? 0 : w[0]) + w[1] * s.x() + w[2] * s.y() + w[3] * s.z();
+  }
+  return out;
+}
+
+/// An area under pressure on a fit: it stands as stiff along every line as along its stiffest.
+void add_area_to_fit(const Model<3>& model, const Fit& fit, const Fitted& now, const AreaSprings& s, double weight,
+                     NodeRows& rows) {
+  const double stiffness = weight * s.area * std::max(s.law.normal, s.law.shear), dashpot = s.law.beta * stiffness;
+  rows.add(model, fit, weights_at(model, fit, now, s.arm, false), stiffness, dashpot);
+  for (const Vec3& a : s.spread) rows.add(model, fit, weights_at(model, fit, now, a, true), stiffness, dashpot);
+}
+
 void add_area(const AreaSprings& s, const ScaledNode& node, double weight, LocalSolid& local) {
   const bool known = s.normal.squaredNorm() > 0;
   const Vec3 n = known ? s.normal : Vec3(Vec3::UnitZ()), across = line_across(n), other = cross(n, across);
@@ -135,14 +181,26 @@ DirectionStiffness stiffness_of(const DirectionLaw& law) {
       law);
 }
 
+/// A spring through a point, or one about an axis, which has forces across as far apart as the nodes are.
+void add_spring_to_fit(const Model<3>& model, const State<3>& state, int carrier, const Vec3& at, bool along,
+                       double weight, const DirectionStiffness& s, NodeRows& rows) {
+  const Fit& fit = model.fits[static_cast<std::size_t>(-1 - carrier)];
+  const Fitted now = fitted(model, fit, state.position, state.velocity);
+  if (along)
+    return rows.add(model, fit, weights_at(model, fit, now, at, false), weight * s.tangent, weight * s.dashpot);
+  for (const Vec3& e : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())})
+    rows.add(model, fit, weights_at(model, fit, now, e, true), weight * s.tangent, weight * s.dashpot);
+}
+
 /// A spring and a dashpot along each axis of every bearing through b's point, and about it. One that waits counts
 /// already: it may go live between two estimates.
-void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& work, std::vector<LocalSolid>& locals) {
+void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& work, std::vector<LocalSolid>& locals,
+                  NodeRows& rows) {
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     if (!is_live(work.bearing[i].status) && work.bearing[i].status != BearingStatus::waiting) continue;
     const Bearing<3>& b = model.bearings[i];
-    const Vec3 at = point_of(state, b.end_b);
-    const Turn3 turn = turn_of(state.rotation[b.end_a.node[0]] * b.angle);
+    const Vec3 at = point_of(model, state, b.end_b);
+    const Turn3 turn = turn_of(motion_of(model, state, b.end_a.node[0]).rotation * b.angle);
     const std::array axes{turn.x(), turn.y(), turn.z()};
     const DirectionStiffness both = stiffness_of(b.horizontal);
     for (std::size_t k = 0; k < 6; ++k) {
@@ -152,6 +210,10 @@ void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& w
         if (!model.body_moves(body)) continue;
         const double weight = model.body_moves(other) ? 2 : 1;
         const int n = body == b.body_a ? b.end_a.node[0] : b.end_b.node[0];
+        if (n < 0) {
+          add_spring_to_fit(model, state, n, at, k < 3, weight, s, rows);
+          continue;
+        }
         const ScaledNode node = scaled_node(model, n, state.rotation[n]);
         const Vector6 v = k < 3 ? node.along(axes[k], at - state.position[n]) : node.about(axes[k - 3]);
         locals[n].k += weight * s.tangent * v * v.transpose();
@@ -173,13 +235,35 @@ ContactTangent stiffest_law(const Model<3>& model, const Body& body) {
   return most;
 }
 
+/// The same of the faces of a piece that deforms.
+void add_stiffest_fit(const Model<3>& model, int piece, const ContactTangent& law, NodeRows& rows, RateBound& most) {
+  const ConvexSolid& solid = model.piece_solid[static_cast<std::size_t>(piece)];
+  const Vec3& origin = model.start_position[static_cast<std::size_t>(model.node_of_piece(piece))];
+  for (int f = 0; f < solid.shape.faces.count(); ++f) {
+    if (!solid.is_surface(f)) continue;
+    const Fit& fit = model.fits[static_cast<std::size_t>(-1 - model.carrier_of(piece, f))];
+    for (int i = 0; i < fit.nodes; ++i) rows.k[fit.node[i]] = rows.c[fit.node[i]] = 0;
+    AreaSprings springs = face_springs(solid, f, law);
+    springs.arm += origin;
+    add_area_to_fit(model, fit, fitted(model, fit, model.start_position, model.start_velocity), springs, 2, rows);
+    for (int i = 0; i < fit.nodes; ++i) {
+      most.stiffness = std::max(most.stiffness, rows.k[fit.node[i]]);
+      most.damping = std::max(most.damping, rows.c[fit.node[i]]);
+    }
+  }
+}
+
 /// On its stiffest face, against a body that moves as well.
-RateBound on_stiffest_face(const Model<3>& model, const Body& body) {
+RateBound on_stiffest_face(const Model<3>& model, const Body& body, NodeRows& rows) {
   const ContactTangent law = stiffest_law(model, body);
   RateBound most;
   if (!(law.normal > 0)) return most;
   for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
     const ConvexSolid& solid = model.piece_solid[p];
+    if (model.is_fitted(p)) {
+      add_stiffest_fit(model, p, law, rows, most);
+      continue;
+    }
     const ScaledNode node = scaled_node(model, model.node_of_piece(p), UnitQuaternion{});
     if (solid.is_sphere()) {
       LocalSolid local;
@@ -202,13 +286,15 @@ RateBound on_stiffest_face(const Model<3>& model, const Body& body) {
 
 void bound_faces(const Model<3>& model, Work<3>& work) {
   work.face_bound.assign(model.bodies.size(), {});
+  NodeRows rows = rows_of(model);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    if (model.body_moves(static_cast<int>(b))) work.face_bound[b] = on_stiffest_face(model, model.bodies[b]);
+    if (model.body_moves(static_cast<int>(b))) work.face_bound[b] = on_stiffest_face(model, model.bodies[b], rows);
 }
 
 /// What holds a body about some axes alone makes no eigenvalue larger, so it is not asked for.
 StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<3>& work) {
   std::vector<LocalSolid> locals(model.mass.size());
+  NodeRows rows = rows_of(model);
   for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
     const GeneralContact<3>& contact = work.general_touching[i];
     const ContactArea& area = work.solids.areas[i];
@@ -218,22 +304,34 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
     const ContactTangent law = solid_tangent(model, pair.law, contact.depth);
     for (const int side : {0, 1}) {
       if (!model.body_moves(body[side])) continue;
+      const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
+      if (model.is_fitted(side == 0 ? pair.piece_a : pair.piece_b)) {
+        const int carrier =
+            side == 0 ? model.carrier_of(pair.piece_a, area.face_a) : model.carrier_of(pair.piece_b, area.face_b);
+        const auto i = static_cast<std::size_t>(-1 - carrier);
+        add_area_to_fit(model, model.fits[i], work.solids.fitted[i],
+                        {area.middle, area.normal, area.area, area.radius, area.arm, law}, weight, rows);
+        continue;
+      }
       const int n = node[side];
       add_area({area.middle - state.position[n], area.normal, area.area, area.radius, area.arm, law},
-               scaled_node(model, n, state.rotation[n]), model.body_moves(body[1 - side]) ? 2 : 1, locals[n]);
+               scaled_node(model, n, state.rotation[n]), weight, locals[n]);
     }
   }
-  add_bearings(model, state, work, locals);
+  add_bearings(model, state, work, locals, rows);
   StableStep found;
   found.dt = longest_step;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (!model.body_moves(static_cast<int>(b))) continue;
-    // What contacts and bearings add to the frequencies of a frame's beams is at most what they make of its nodes
+    // What contacts and bearings add to the frequencies of beams or elements is at most what they make of the nodes
     // alone.
+    const bool turn = model.bodies[b].nodes_turn();
     const RateBound beams = model.element_bound.empty() ? RateBound{} : model.element_bound[b];
     for (int n = model.bodies[b].first_node; n < model.bodies[b].first_node + model.bodies[b].nodes; ++n) {
-      const double k = beams.stiffness + std::max(work.face_bound[b].stiffness, largest_bound(locals[n].k)),
-                   c = beams.damping + std::max(work.face_bound[b].damping, largest_bound(locals[n].c)) +
+      const double k = beams.stiffness +
+                       std::max(work.face_bound[b].stiffness, turn ? largest_bound(locals[n].k) : rows.k[n]),
+                   c = beams.damping +
+                       std::max(work.face_bound[b].damping, turn ? largest_bound(locals[n].c) : rows.c[n]) +
                        model.mass_damping;
       const double dt = step_for(k, c);
       if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};

@@ -42,6 +42,15 @@ double energy_of_row(const Model<3>& model, const State<3>& state, Work<3>& work
   return solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b], memory, law, shared, cell);
 }
 
+/// The joint that sets between two faces. Its seats go with the faces of pieces that deform.
+JointMemory joint_between(const Model<3>& model, const State<3>& state, const NearPair& pair, FaceOverlap3 faces,
+                          const SolidMemory& memory) {
+  if (!model.is_fitted(pair.piece_a)) faces.face_a = -1;
+  if (!model.is_fitted(pair.piece_b)) faces.face_b = -1;
+  return set_joint(faces, body_motion(model, state, pair.piece_a, faces.face_a),
+                   body_motion(model, state, pair.piece_b, faces.face_b), memory);
+}
+
 /// change() alters what a row remembers; the ledger has the difference of the elastic energy.
 template <class Change>
 void change_row(const Model<3>& model, State<3>& state, Work<3>& work, std::size_t row, Change&& change) {
@@ -69,8 +78,7 @@ void set_bonds(const Model<3>& model, State<3>& state, double reach, int first_b
     change_row(model, state, work, row, [&] {
       SolidMemory& memory = state.contacts.memory[row];
       JointMemory* joint = state.contacts.joint_at(row);
-      (joint != nullptr ? *joint : state.contacts.add_joint(row)) =
-          set_joint(faces, body_motion(model, state, pair.piece_a), body_motion(model, state, pair.piece_b), memory);
+      (joint != nullptr ? *joint : state.contacts.add_joint(row)) = joint_between(model, state, pair, faces, memory);
       memory.state |= contact_touching | contact_general;
     });
   }

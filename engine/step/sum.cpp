@@ -47,10 +47,25 @@ void spread_one_node(const State<2>& state, const BodyRow& body, Work<2>& work) 
   work.moment[body.node] = load.moment;
 }
 
+/// spread of a body in space whose nodes do not turn: what its elements give, and the forces on its fits.
+void spread_fits(const Model<3>& model, const BodyRow& body, Work<3>& work) {
+  for (int n = body.node; n < body.node + body.nodes; ++n) {
+    work.force[n] = work.element_force[n] + work.element_damping[n];
+    work.moment[n] = Vec3::Zero();
+  }
+  const SolidWork<3>& solids = work.solids;
+  for (auto i = static_cast<std::size_t>(body.fit); i < static_cast<std::size_t>(body.fit + body.fits); ++i) {
+    const Vec3 &force = solids.fit_force[i], &moment = solids.fit_moment[i];
+    if (force.isZero(0) && moment.isZero(0)) continue;
+    spread_fitted(model, model.fits[i], solids.fitted[i], force, moment, work.force);
+  }
+}
+
 /// In space all forces of contacts come by nodes; a frame has those of its beams beside them.
-void spread_body(const Model<3>& /*model*/, const State<3>& /*state*/, const BodyRow& body, Work<3>& work) {
+void spread_body(const Model<3>& model, const State<3>& /*state*/, const BodyRow& body, Work<3>& work) {
   work.force[body.node] = work.solids.force[body.node], work.moment[body.node] = work.solids.moment[body.node];
   if (body.layout == SkinLayout::one_node) return;
+  if (body.layout == SkinLayout::node_each) return spread_fits(model, body, work);
   for (int n = body.node; n < body.node + body.nodes; ++n) {
     work.force[n] = work.solids.force[n] + work.element_force[n] + work.element_damping[n];
     work.moment[n] = work.solids.moment[n] + work.element_moment[n] + work.element_damping_moment[n];
@@ -82,14 +97,12 @@ void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
   work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
 }
 
-/// In space: at one node each.
+/// In space: at one carrier each.
 void spread_bearing(const Model<3>& model, const State<3>& state, Work<3>& work, std::size_t i) {
   const Bearing<3>& b = model.bearings[i];
-  const int na = b.end_a.node[0], nb = b.end_b.node[0];
-  const Vec3 &f = work.bearing_force[i], &m = work.bearing_moment[i], point = point_of(state, b.end_b);
-  work.force[nb] += f, work.force[na] -= f;
-  work.moment[nb] += cross(Vec3(point - state.position[nb]), f) + m;
-  work.moment[na] -= cross(Vec3(point - state.position[na]), f) + m;
+  const Vec3 &f = work.bearing_force[i], &m = work.bearing_moment[i], point = point_of(model, state, b.end_b);
+  push_carrier(model, state, b.end_b.node[0], point, f, m, work.force, work.moment);
+  push_carrier(model, state, b.end_a.node[0], point, -f, -m, work.force, work.moment);
 }
 
 double squared_size(const LanePair& v) {

@@ -9,7 +9,8 @@
 namespace trilith {
 namespace {
 
-/// Farthest point from the node of a rigid body; of a frame, of one piece from its node [m].
+/// Farthest point from the node of a rigid body; of a frame, of one piece from its node; of a piece that deforms, from
+/// one of its corners, which is more than from its middle [m].
 double reach_of(const Model<3>& model, int piece) {
   const int body = model.piece_body[piece];
   if (model.bodies[body].is_rigid()) return model.body_radius[body];
@@ -20,15 +21,16 @@ double reach_of(const Model<3>& model, int piece) {
 
 /// How fast some point of what a piece belongs to may go [m/s].
 double fastest_point(const Model<3>& model, const State<3>& state, int piece) {
-  const int n = model.node_of_piece(piece);
-  return state.velocity[n].norm() + state.spin[n].norm() * reach_of(model, piece);
+  const BodyMotion m = motion_of(model, state, model.carrier_of(piece));
+  return m.velocity.norm() + m.spin.norm() * reach_of(model, piece);
 }
 
 /// ... against any point of another.
 double closing_bound(const Model<3>& model, const State<3>& state, int a, int b) {
-  const int n = model.node_of_piece(a), m = model.node_of_piece(b);
-  return (state.velocity[n] - state.velocity[m]).norm() + state.spin[n].norm() * reach_of(model, a) +
-         state.spin[m].norm() * reach_of(model, b);
+  const BodyMotion of_a = motion_of(model, state, model.carrier_of(a)),
+                   of_b = motion_of(model, state, model.carrier_of(b));
+  return (of_a.velocity - of_b.velocity).norm() + of_a.spin.norm() * reach_of(model, a) +
+         of_b.spin.norm() * reach_of(model, b);
 }
 
 /// How far two boxes are apart along the axis that parts them best; 0 where none does [m].

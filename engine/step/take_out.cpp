@@ -40,8 +40,8 @@ Event body_event(const Model<3>& model, const State<3>& state, EventType type, i
 Vec2 first_point_of(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
   return pose_at(model, state, b.end_a).place;
 }
-Vec3 first_point_of(const Model<3>& /*model*/, const State<3>& state, const Bearing<3>& b) {
-  return point_of(state, b.end_a);
+Vec3 first_point_of(const Model<3>& model, const State<3>& state, const Bearing<3>& b) {
+  return point_of(model, state, b.end_a);
 }
 
 template <int D>

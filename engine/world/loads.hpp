@@ -89,7 +89,7 @@ PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpe
 std::vector<SolidFace> surface_faces(const Model<3>& model, int body);
 /// Those that look along `side` at the start, within 45 degrees.
 std::vector<SolidFace> faces_towards(const Model<3>& model, int body, const Vec3& side);
-/// As make_pressure. Throws InputError for bodies of finite elements too.
+/// As make_pressure, on faces of the size they have at the start.
 std::vector<PointLoad<3>> make_solid_pressure(const Model<3>& model, int body, const std::vector<SolidFace>& faces,
                                               const SolidPressureSpec& spec);
 std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,

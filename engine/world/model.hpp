@@ -17,11 +17,13 @@
 #include "body/beam_inertia.hpp"
 #include "body/beam_yield.hpp"
 #include "body/list.hpp"
+#include "body/space_element.hpp"
 #include "contact/list.hpp"
 #include "load/forces.hpp"
 #include "load/motion.hpp"
 #include "material/list.hpp"
 #include "shape/convex_solid.hpp"
+#include "world/carrier.hpp"
 
 namespace trilith {
 
@@ -38,8 +40,9 @@ struct Body {
   int first_skin = 0, skins = 0;
   int outline = 0;  ///< the first of its skin points go once around it, counter-clockwise
   int first_piece = 0, pieces = 0;
-  int surface = 0;  ///< index into the table of contact laws
-  double area = 0;  ///< [m2]
+  int first_fit = 0, fits = 0;  ///< in space, where its nodes do not turn: its rows of Model::fits
+  int surface = 0;              ///< index into the table of contact laws
+  double area = 0;              ///< [m2]
 
   /// One node carries it.
   [[nodiscard]] bool is_rigid() const { return kind == BodyKind::rigid; }
@@ -58,6 +61,17 @@ struct Element {
   double thickness = 1;  ///< [m]
   int first_number = 0;  ///< its rows of Model::element_number
   int first_point = -1;  ///< its rows of State::plastic, -1 where it is elastic
+};
+
+/// A finite element of a deformable body in space, see body/space_element.hpp.
+struct SpaceElement {
+  int body = -1;
+  ElementShape shape = ElementShape::brick;
+  std::array<int, max_space_nodes> node{};  ///< as many as the shape has
+  int solid = -1;                           ///< index into Model::solids
+  int first_number = 0;                     ///< its rows of Model::element_number, see world/space_element_rows.hpp
+  int first_point = -1;                     ///< its rows of State::plastic, -1 where it is elastic
+  double volume = 0;                        ///< [m3]
 };
 
 /// Neighbouring elements that are worked on alike.
@@ -164,11 +178,16 @@ struct Model {
   std::vector<double> piece_thickness;     ///< [piece] of its body where it is, see world/thickness.hpp m
   double least_thickness = unbounded;      ///< of all pieces that may touch something [m]
   std::vector<ConvexSolid> piece_solid;    ///< [piece] in the axes of its body; of models in space
+  std::vector<int> piece_fit;      ///< [piece] its own row of `fits`, those of its faces follow; -1: it goes with
+                                   ///< a node; empty where all do
+  std::vector<Fit> fits;           ///< see world/carrier.hpp
+  std::vector<double> fit_number;  ///< likewise
 
   // Finite elements of deformable bodies.
   std::vector<Solid> solids;
   std::vector<Element> elements;              ///< [element], body by body
   std::vector<ElementBatch> element_batches;  ///< all of them, in order
+  std::vector<SpaceElement> space_elements;   ///< [element] of models in space, body by body
   std::vector<double> element_number;         ///< see world/element_rows.hpp
   std::vector<Member> members;                ///< of frames, body by body
   std::vector<Beam> beams;                    ///< [beam] of frames, body by body
@@ -205,6 +224,13 @@ struct Model {
   [[nodiscard]] int pieces() const { return static_cast<int>(piece_body.size()); }
   /// In space: the node that a piece goes with, of a frame one of several.
   [[nodiscard]] int node_of_piece(int piece) const { return skin_node[corner_skin[piece_first[piece]]]; }
+  /// What carries a piece in space, or face `face` of it: see world/carrier.hpp.
+  [[nodiscard]] int carrier_of(int piece, int face = -1) const {
+    if (piece_fit.empty() || piece_fit[piece] < 0) return node_of_piece(piece);
+    return -1 - (piece_fit[piece] + 1 + face);
+  }
+  /// In space: a piece of a body whose nodes do not turn.
+  [[nodiscard]] bool is_fitted(int piece) const { return !piece_fit.empty() && piece_fit[piece] >= 0; }
   [[nodiscard]] int corners_of(int piece) const { return piece_first[piece + 1] - piece_first[piece]; }
   [[nodiscard]] bool moves(int node) const {
     for (const Support s : support[node])

@@ -8,7 +8,9 @@
 #include "base/error.hpp"
 #include "base/portable.hpp"
 #include "base/rotation_3d.hpp"
+#include "body/corotation_3d.hpp"
 #include "body/solid_element.hpp"
+#include "shape/face_distance.hpp"
 
 namespace trilith {
 namespace {
@@ -199,6 +201,30 @@ Pose body_pose(const Model<2>& model, const State<2>& state, int body) {
   return pose;
 }
 
+namespace {
+
+/// F = sum m x X' (sum m X X')^-1 of places from their means, now x and at the start X: what the nodes' motion is like
+/// on the whole. Its turn, and the spin by body/corotation_3d.hpp.
+void fit_turn(const Model<3>& model, const State<3>& state, const Body& body, Pose3& pose) {
+  const Vec3 start = pose.place - pose.moved;
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero(), mixed = second;
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+    const Vec3 from = model.start_position[n] - start;
+    second += model.mass[n] * from * from.transpose();
+    mixed += model.mass[n] * (state.position[n] - pose.place) * from.transpose();
+  }
+  const Eigen::Matrix3d inverse = second.inverse();
+  const FittedTurn turn = fitted_turn(mixed * inverse);
+  Vec3 sum = Vec3::Zero();
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+    const Vec3 gradient = model.mass[n] * (inverse * (model.start_position[n] - start));
+    sum += cross(gradient, Vec3(turn.axes.transpose() * state.velocity[n]));
+  }
+  pose.turned = rotation_of(turn.axes), pose.spin = turn.axes * (turn.couple * sum);
+}
+
+}  // namespace
+
 Pose3 body_pose(const Model<3>& model, const State<3>& state, int body) {
   const Body& b = model.bodies[body];
   const int first = b.first_node;
@@ -214,6 +240,7 @@ Pose3 body_pose(const Model<3>& model, const State<3>& state, int body) {
     pose.moved += share * (state.position[n] - model.start_position[n]);
   }
   pose.turned = turned, pose.spin = state.spin[first];
+  if (!b.nodes_turn()) fit_turn(model, state, b, pose);
   return pose;
 }
 
@@ -223,6 +250,29 @@ int nearest_node(const Model<3>& model, int body, const Vec3& at) {
   for (int n = b.first_node + 1; n < b.first_node + b.nodes; ++n)
     if ((model.start_position[n] - at).squaredNorm() < (model.start_position[best] - at).squaredNorm()) best = n;
   return best;
+}
+
+int carrier_near(const Model<3>& model, int body, const Vec3& at) {
+  const Body& b = model.bodies[body];
+  if (b.nodes_turn()) return nearest_node(model, body, at);
+  int best = 0;
+  double least = unbounded;
+  for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p) {
+    const ConvexSolid& solid = model.piece_solid[p];
+    const Vec3 point = at - model.start_position[model.node_of_piece(p)];
+    for (int f = 0; f < solid.shape.faces.count(); ++f) {
+      if (!solid.is_surface(f)) continue;
+      const double distance = face_distance(solid.shape.corners, solid.shape.faces[f], point);
+      if (distance < least) least = distance, best = model.carrier_of(p, f);
+    }
+  }
+  return best;
+}
+
+Tie<3> tie_point(const Model<3>& model, int body, const Vec3& at) {
+  const int carrier = carrier_near(model, body, at);
+  const BodyMotion start = start_of(model, carrier);
+  return Tie<3>::to_node(carrier, turn_of(start.rotation).undo(Vec3(at - start.place)));
 }
 
 /// Nodes of bodies lie one body after the other.

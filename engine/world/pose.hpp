@@ -25,7 +25,8 @@ double body_mass(const Model<D>& model, int body);
 double body_inertia(const Model<2>& model, int body);
 
 /// Place, turn and motion of a body in space: of a rigid one its node; of a frame its centre of mass and that one's
-/// velocity, with the turn and spin of its first joint.
+/// velocity, with the turn and spin of its first joint; of elements the same with the turn that fits all their nodes
+/// best, weighed with their masses.
 struct Pose3 {
   Vec3 place = Vec3::Zero(), moved = Vec3::Zero();  ///< now and since the start [m]
   UnitQuaternion turned;                            ///< since the start
@@ -35,6 +36,11 @@ Pose3 body_pose(const Model<3>& model, const State<3>& state, int body);
 
 /// The node of a body that a place at the start [m] is nearest to.
 int nearest_node(const Model<3>& model, int body, const Vec3& at);
+/// What carries a point of a body that is at `at` [m] at the start (world/carrier.hpp): the nearest node, or of a body
+/// of elements the nearest face of its skin.
+int carrier_near(const Model<3>& model, int body, const Vec3& at);
+/// The point tied to it.
+Tie<3> tie_point(const Model<3>& model, int body, const Vec3& at);
 
 /// The body that a node belongs to.
 template <int D>

@@ -13,10 +13,16 @@
 namespace trilith {
 namespace {
 
-/// The piece of a body whose surface faces come nearest to a point that goes with a node of it, in its axes.
+/// The piece of a body whose surface faces come nearest to a point that goes with a node of it, in its axes; of a body
+/// that deforms the one whose face carries the point.
 int piece_near(const Model<3>& model, int body, const Tie<3>& tie) {
   const Vec3& point = tie.arm[0];
   const Body& b = model.bodies[body];
+  if (tie.node[0] < 0) {
+    int piece = b.first_piece;
+    while (model.piece_fit[piece] + model.piece_solid[piece].shape.faces.count() < -1 - tie.node[0]) ++piece;
+    return piece;
+  }
   int best = b.first_piece;
   double least = unbounded;
   for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p) {
@@ -29,12 +35,6 @@ int piece_near(const Model<3>& model, int body, const Tie<3>& tie) {
     }
   }
   return best;
-}
-
-/// A point of the world at the start, tied to the one node of a body; of a frame to the nearest one.
-Tie<3> tie_to(const Model<3>& model, int body, const Vec3& at) {
-  const int n = nearest_node(model, body, at);
-  return Tie<3>::to_node(n, turn_of(model.start_rotation[n]).undo(Vec3(at - model.start_position[n])));
 }
 
 }  // namespace
@@ -77,10 +77,10 @@ void SolidModelBuilder::append_bearing(const BearingSpecOf<3>& spec, Model<3>& m
   Bearing<3> b = bearing_of(spec, law_names(), bearings_);
   b.body_a = require_body(spec.body_a, spec.name);
   b.body_b = require_body(spec.body_b, spec.name);
-  b.end_a = tie_to(model, b.body_a, spec.point_a);
-  b.end_b = tie_to(model, b.body_b, spec.point_b);
-  b.angle = inverse(model.start_rotation[b.end_a.node[0]]) * spec.angle;
-  b.rest_angle = inverse(model.start_rotation[b.end_b.node[0]]) * spec.angle;
+  b.end_a = tie_point(model, b.body_a, spec.point_a);
+  b.end_b = tie_point(model, b.body_b, spec.point_b);
+  b.angle = inverse(start_of(model, b.end_a.node[0]).rotation) * spec.angle;
+  b.rest_angle = inverse(start_of(model, b.end_b.node[0]).rotation) * spec.angle;
   b.rest = turn_of(spec.angle).undo(Vec3(spec.point_b - spec.point_a));
   b.piece_a = piece_near(model, b.body_a, b.end_a);
   b.piece_b = piece_near(model, b.body_b, b.end_b);
@@ -113,8 +113,8 @@ void SolidModelBuilder::append_seat(const SeatSpecOf<3>& spec, Model<3>& model) 
   Seat<3> seat;
   seat.name = spec.name;
   seat.body = require_body(spec.body, spec.name), seat.support = require_body(spec.support, spec.name);
-  seat.end = tie_to(model, seat.body, spec.end), seat.edge = tie_to(model, seat.support, spec.edge);
-  seat.inward = turn_of(model.start_rotation[seat.edge.node[0]]).undo(Vec3(spec.inward.normalized()));
+  seat.end = tie_point(model, seat.body, spec.end), seat.edge = tie_point(model, seat.support, spec.edge);
+  seat.inward = turn_of(start_of(model, seat.edge.node[0]).rotation).undo(Vec3(spec.inward.normalized()));
   model.seats.push_back(std::move(seat));
 }
 

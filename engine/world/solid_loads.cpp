@@ -25,36 +25,34 @@ Vec3 middle_of(std::span<const Vec3> corners, std::span<const int> loop) {
   return first + sum / area;
 }
 
-void check_pressure(const Model<3>& model, int body, const SolidPressureSpec& spec, const std::string& owner) {
+void check_pressure(const SolidPressureSpec& spec, const std::string& owner) {
   require_finite(spec.value, owner + ": value");
   check_load_curve(spec.curve, owner);
   if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
     throw InputError(
         fmt::format("{}: a direction is a vector other than 0, for pressure that does not follow the face", owner));
-  if (!model.bodies[body].nodes_turn())
-    throw InputError(
-        fmt::format("{}: the body deforms; pressure in space acts on rigid bodies and frames so far", owner));
 }
 
 }  // namespace
 
 /// In the axes of the body where it follows, in those of the world where it does not; at the centroid by default.
-/// On a frame a load acts at the node that is nearest, and goes with it.
+/// On a frame a load acts at the node that is nearest, on a body of elements on the nearest face of its skin, and goes
+/// with it.
 PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
   const std::string owner = fmt::format("load '{}' on '{}'", spec.name, model.bodies[body].name);
-  if (!model.bodies[body].is_rigid() && !spec.at)
+  const Body& b = model.bodies[body];
+  if (!b.is_rigid() && !spec.at)
     throw InputError(fmt::format("{}: the body deforms; say with 'at' where the load acts", owner));
   if (!spec.force.allFinite() || !spec.moment.allFinite() || (spec.at && !spec.at->allFinite()))
     throw InputError(owner + ": force, moment or place is not finite");
   check_load_curve(spec.curve, owner);
-  const int n = spec.at ? nearest_node(model, body, *spec.at) : model.bodies[body].first_node;
-  const Turn3 start = turn_of(model.start_rotation[n]);
+  const BodyMotion begins = start_of(model, spec.at ? carrier_near(model, body, *spec.at) : b.first_node);
+  const Turn3 start = turn_of(begins.rotation);
   PointLoad<3> load;
   load.name = spec.name, load.body = body, load.curve = spec.curve, load.follows = spec.follows;
   load.force = spec.follows ? start.undo(spec.force) : spec.force;
   load.moment = spec.follows ? start.undo(spec.moment) : spec.moment;
-  const Vec3 from_node = spec.at ? Vec3(*spec.at - model.start_position[n]) : Vec3(Vec3::Zero());
-  load.at = Tie<3>::to_node(n, start.undo(from_node));
+  load.at = spec.at ? tie_point(model, body, *spec.at) : Tie<3>::to_node(b.first_node, Vec3::Zero());
   return load;
 }
 
@@ -78,25 +76,28 @@ std::vector<SolidFace> faces_towards(const Model<3>& model, int body, const Vec3
   return faces;
 }
 
-/// A face goes with one node and keeps its shape, so even pressure on it is one force in the middle of its area: value
-/// times area, against the outward normal or along `direction`.
+/// A face is a rigid plate that goes with its carrier (world/carrier.hpp), so even pressure on it is one force in the
+/// middle of its area: value times area, against the outward normal or along `direction`.
 std::vector<PointLoad<3>> make_solid_pressure(const Model<3>& model, int body, const std::vector<SolidFace>& faces,
                                               const SolidPressureSpec& spec) {
   const std::string owner = fmt::format("pressure '{}' on '{}'", spec.name, model.bodies[body].name);
-  check_pressure(model, body, spec, owner);
+  check_pressure(spec, owner);
   std::vector<PointLoad<3>> loads;
   for (const SolidFace& face : faces) {
     const Polyhedron& shape = model.piece_solid[face.piece].shape;
-    const int n = model.node_of_piece(face.piece);
-    const Turn3 start = turn_of(model.start_rotation[n]);
-    const Vec3 area = area_vector(shape.corners, shape.faces[face.face]);  // in the axes of the node
+    const int n = model.node_of_piece(face.piece), carrier = model.carrier_of(face.piece, face.face);
+    const Turn3 piece = turn_of(model.start_rotation[n]);
+    const Vec3 area = piece.apply(area_vector(shape.corners, shape.faces[face.face]));
+    const Vec3 middle = model.start_position[n] + piece.apply(middle_of(shape.corners, shape.faces[face.face]));
+    const BodyMotion begins = start_of(model, carrier);
+    const Turn3 start = turn_of(begins.rotation);
     PointLoad<3> load;
     load.name = spec.name, load.body = body, load.curve = spec.curve, load.follows = spec.follows;
-    load.at = Tie<3>::to_node(n, middle_of(shape.corners, shape.faces[face.face]));
+    load.at = Tie<3>::to_node(carrier, start.undo(Vec3(middle - begins.place)));
     if (spec.direction)
       load.force = spec.value * area.norm() * spec.direction->normalized();
     else
-      load.force = -spec.value * (spec.follows ? area : start.apply(area));
+      load.force = -spec.value * (spec.follows ? start.undo(area) : area);
     loads.push_back(std::move(load));
   }
   return loads;

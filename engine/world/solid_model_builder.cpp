@@ -29,7 +29,8 @@ double SolidModelBuilder::density_of(const SolidSpec& spec) const {
   if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");
   if (spec.density) return require_positive(*spec.density, owner + ": density", "kg/m3");
   if (spec.mass)
-    return require_positive(*spec.mass, owner + ": mass", "kg") / mass_of(spec.pieces, 1, spec.spheres).mass;
+    return require_positive(*spec.mass, owner + ": mass", "kg") /
+           (spec.mesh ? volume_of(*spec.mesh) : mass_of(spec.pieces, 1, spec.spheres).mass);
   for (const Material& m : materials_)
     if (m.name == spec.material) return m.density;
   throw InputError(fmt::format("{}: give a density or mass, or a material that has a density", owner));
@@ -40,10 +41,15 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   body_names_known_.require_new(bodies_, spec.name, "body");
   const std::string owner = fmt::format("body '{}'", spec.name);
   if (spec.frame) check_frame(spec, owner);
+  if (spec.frame && spec.deforms())
+    throw InputError(owner + ": the members of a frame deform by themselves; leave out body");
+  if (!spec.supports.empty() && !spec.deforms())
+    throw InputError(owner + ": hold is of nodes of bodies that deform; say support, or body = \"brick\"");
+  if (spec.deforms()) check_mesh_body(spec, owner);
   if (spec.pieces.empty() && spec.spheres.empty()) throw InputError(owner + " has no piece; it needs at least one");
   for (std::size_t s = 0; s < spec.spheres.size(); ++s)
     check_sphere(spec.spheres[s], spec.spheres.size() == 1 ? owner : fmt::format("{}, sphere {}", owner, s + 1));
-  for (std::size_t p = 0; p < spec.pieces.size() && !spec.frame; ++p)
+  for (std::size_t p = 0; p < spec.pieces.size() && !spec.frame && !spec.mesh; ++p)
     check_convex(spec.pieces[p], spec.pieces.size() == 1 ? owner : fmt::format("{}, piece {}", owner, p + 1));
   for (const Vec3* v : {&spec.velocity, &spec.spin, &spec.load})
     if (!v->allFinite()) throw InputError(owner + ": velocity, spin or load is not finite");
@@ -55,8 +61,8 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
 
 namespace {
 
-/// Of a rigid body its support and steady load; of a frame the load alone, by the masses of its nodes, as its joints
-/// have their supports.
+/// Of a rigid body its support and steady load; of a frame or elements the load alone, by the masses of the nodes,
+/// which have their supports.
 void set_up(const SolidSpec& spec, Model<3>& model, const Body& body) {
   if (body.is_rigid()) {
     model.support[body.first_node] = spec.support, model.load[body.first_node] = spec.load;
@@ -79,6 +85,8 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
     attempt(faults, [&] {
       if (spec.frame)
         space.add(frame_body(spec));
+      else if (spec.mesh)
+        space.add(mesh_body(spec));
       else
         space.add(
             SolidBody{spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0, spec.spheres});
@@ -143,21 +151,32 @@ std::vector<std::string> SolidModelBuilder::faults() const {
   return faults;
 }
 
-/// Of a frame all nodes.
+/// Of a frame, and of elements, all nodes.
 void set_support(Model<3>& model, int body, int dof, Support support) {
   const Body& b = model.bodies[body];
+  if (!b.nodes_turn() && dof >= 3) {
+    if (support == Support::fixed) return;  // as its nodes' are
+    throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x, y and z", b.name));
+  }
   for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
     model.support[node][dof] = support;
     if (support != Support::driven) model.drive_of[node][dof] = -1;
   }
 }
 
-/// The motion's own start displacement is not a jump of the ground. Of a frame the nodes follow that are held along it.
+/// The motion's own start displacement is not a jump of the ground. Of a frame the nodes follow that are held along it;
+/// of elements those that are, or where none is all of them.
 void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<3>* state) {
   const Body& b = model.bodies[body];
   const std::vector<Vec3>& place = state != nullptr ? state->position : model.start_position;
-  const auto held = [&](int node) { return b.is_rigid() || model.support[node][dof] != Support::free; };
+  const auto is_held = [&](int node) { return model.support[node][dof] != Support::free; };
+  bool all = b.is_rigid();
+  if (!b.nodes_turn()) {
+    all = true;
+    for (int node = b.first_node; node < b.first_node + b.nodes; ++node) all = all && !is_held(node);
+  }
+  const auto held = [&](int node) { return all || is_held(node); };
   const double from = origin - motion->displacement(0);
   bool follows = false;
   for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {

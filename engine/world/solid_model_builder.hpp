@@ -13,26 +13,33 @@
 #include "world/model.hpp"
 #include "world/names.hpp"
 #include "world/space_frame.hpp"
+#include "world/space_solid.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
 
-/// A body in space to be, rigid or a frame. Give at most one of density and mass; without any, the material's density
-/// counts.
+/// A body in space to be: rigid, a frame, or of finite elements. Give at most one of density and mass; without any, the
+/// material's density counts.
 struct SolidSpec {
   std::string name;                ///< unique
   std::vector<Polyhedron> pieces;  ///< convex, where they stand; they share faces or nothing [m]
   std::string material;
   std::vector<std::string> groups;
-  std::optional<double> density;             ///< [kg/m3]
-  std::optional<double> mass;                ///< [kg]
-  std::array<Support, 6> support{};          ///< x, y, z, and turns about them
-  Vec3 velocity = Vec3::Zero();              ///< of the centroid at the start [m/s]
-  Vec3 spin = Vec3::Zero();                  ///< at the start [rad/s]
-  Vec3 load = Vec3::Zero();                  ///< steady force at the centroid [N]
-  bool floating = false;                     ///< may start with nothing that holds it up
-  std::vector<Sphere> spheres = {};          ///< beside the pieces, where they stand; they may overlap each other
-  std::optional<SpaceFrameSpec> frame = {};  ///< instead of both: `pieces` become its skin where it stands
+  std::optional<double> density;                ///< [kg/m3]
+  std::optional<double> mass;                   ///< [kg]
+  std::array<Support, 6> support{};             ///< x, y, z, and turns about them
+  Vec3 velocity = Vec3::Zero();                 ///< of the centroid at the start [m/s]
+  Vec3 spin = Vec3::Zero();                     ///< at the start [rad/s]
+  Vec3 load = Vec3::Zero();                     ///< steady force at the centroid [N]
+  bool floating = false;                        ///< may start with nothing that holds it up
+  std::vector<Sphere> spheres = {};             ///< beside the pieces, where they stand; they may overlap each other
+  std::optional<SpaceFrameSpec> frame = {};     ///< instead of both: `pieces` become its skin where it stands
+  SpaceForm form = {};                          ///< rigid, or the elements that its one piece is divided into
+  std::optional<SpaceMesh> mesh = {};           ///< ... or its elements; `pieces` become its skin
+  std::vector<SpaceNodeSupport> supports = {};  ///< of some nodes of a body that deforms
+
+  [[nodiscard]] bool deforms() const { return mesh.has_value() || form.kind != BodyKind::rigid; }
+  [[nodiscard]] BodyKind kind() const { return frame ? BodyKind::frame : mesh ? mesh_kind(*mesh) : form.kind; }
 };
 
 class SolidModelBuilder {
@@ -76,6 +83,8 @@ class SolidModelBuilder {
   Model<3> assemble_bodies(std::vector<std::string>& faults) const;
   [[nodiscard]] double density_of(const SolidSpec& spec) const;
   void check_frame(SolidSpec& spec, const std::string& owner) const;
+  void check_mesh_body(SolidSpec& spec, const std::string& owner);
+  [[nodiscard]] SpaceMeshBody mesh_body(const SolidSpec& spec) const;
   [[nodiscard]] SpaceFrameBody frame_body(const SolidSpec& spec) const;
   [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;
   void require_near(const std::string& body, const Vec3& point, const std::string& owner) const;

@@ -7,6 +7,7 @@
 #include "shape/polyhedron.hpp"
 #include "world/model.hpp"
 #include "world/space_frame.hpp"
+#include "world/space_solid.hpp"
 
 namespace trilith {
 
@@ -52,6 +53,8 @@ class SpaceBuilder {
   int add(const SolidBody& body);
   /// The same of a frame, which has been planned and so is one.
   int add(const SpaceFrameBody& body);
+  /// ... and of a body of elements, whose mesh has been checked.
+  int add(const SpaceMeshBody& body);
   /// The law between two surfaces, which are numbered from 0. Without one, bodies pass through each other. Throws
   /// InputError: a law that crushes, which solids in space do not do yet; a surface below 0.
   void contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name);

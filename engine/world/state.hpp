@@ -7,6 +7,7 @@
 
 #include "base/space.hpp"
 #include "bearing/bearing.hpp"
+#include "material/space_point.hpp"
 #include "world/contact_history.hpp"
 #include "world/energy.hpp"
 #include "world/model.hpp"
@@ -58,7 +59,7 @@ struct State {
   std::vector<Parted> parted;             ///< in the order of parting, then by key
   std::vector<ContactKey> passed;         ///< of bodies, not pieces: one has been seen too deep in the other; sorted
   std::vector<BearingMemory<D>> bearing;  ///< [bearing]
-  std::vector<PlasticMemory> plastic;     ///< [plastic point] of inelastic elements
+  std::vector<PointMemory<D>> plastic;    ///< [plastic point] of inelastic elements
   std::vector<double> beam_memory;        ///< of beams that yield, see Beam::first_memory
   std::vector<std::uint8_t> seat_lost;    ///< [seat]
   std::vector<double> moved_at;           ///< [body] when it was last faster than Model::still_speed s

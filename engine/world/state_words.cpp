@@ -189,7 +189,8 @@ void Writer::contacts(const SolidHistory& s) {
     walk_solid_memory(*this, s.memory[row], patches);
     if (!has) continue;
     walk_plan(*this, *joint->plan);
-    pair(joint->sound ? 1U : 0U, joint->bonds);
+    const auto face = [](int f) { return static_cast<std::uint32_t>(f + 1); };
+    pair((joint->sound ? 1U : 0U) | face(joint->plan->face_a) << 1 | face(joint->plan->face_b) << 8, joint->bonds);
     walk_patches(*this, *joint, patches);
   }
 }
@@ -200,11 +201,12 @@ void Reader::joint(JointMemory& s, std::uint32_t patches) {
   walk_plan(*this, *plan);
   if (plan->outline.size() < 3) fail("has a joint without an area");
   divide_joint(*plan);
-  std::uint32_t sound = 0;
-  pair(sound, s.bonds);
-  if (plan->patch.size() != patches || s.bonds >> patches != 0 || sound > 1)
+  std::uint32_t marks = 0;  // bit 0: it is sound; seven bits each for the faces that its seats go with, from 1 on
+  pair(marks, s.bonds);
+  plan->face_a = static_cast<int>(marks >> 1 & 127U) - 1, plan->face_b = static_cast<int>(marks >> 8 & 127U) - 1;
+  if (plan->patch.size() != patches || s.bonds >> patches != 0 || marks >> 15 != 0)
     fail("has a joint that does not fit its faces");
-  s.plan = plan, s.sound = sound == 1;
+  s.plan = plan, s.sound = (marks & 1U) == 1;
   walk_patches(*this, s, patches);
 }
 
@@ -302,7 +304,9 @@ void walk(File& file, S& s) {
   }
   for (std::size_t i = 0, n = file.count(s.plastic); i < n; ++i) {
     auto& p = s.plastic[i];
-    for (auto* v : {&p.xx, &p.yy, &p.zz, &p.xy, &p.measure}) file.number(*v);
+    for (auto* v : {&p.xx, &p.yy, &p.zz, &p.xy}) file.number(*v);
+    if constexpr (requires { p.yz; }) file.number(p.yz), file.number(p.zx);
+    file.number(p.measure);
   }
   for (std::size_t i = 0, n = file.count(s.beam_memory); i < n; ++i) file.number(s.beam_memory[i]);
   for (std::size_t i = 0, n = file.count(s.seat_lost); i < n; ++i) file.flag(s.seat_lost[i]);

@@ -9,6 +9,7 @@
 #include "bearing/bearing.hpp"
 #include "contact/corner_overlap.hpp"
 #include "contact/placed_pieces.hpp"
+#include "contact/solid_pressure.hpp"
 #include "shape/overlap_3d.hpp"
 #include "shape/separation_3d.hpp"
 #include "world/event.hpp"
@@ -58,6 +59,7 @@ struct BodyRow {
   int node, nodes;  ///< the first, and how many
   int skin, skins;
   SkinLayout layout;
+  int fit = 0, fits = 0;
 };
 
 /// What the general contact of one row came to, for the step estimate, events and recording.
@@ -72,11 +74,12 @@ struct GeneralContact {
 
 /// How the area of a contact in space lies, for the step estimate.
 struct ContactArea {
-  Vec3 middle, normal;      ///< [m], of length 1
-  double area;              ///< pressed, or held by mortar [m2]
-  double radius;            ///< see SolidPressure [m]
-  double friction_arm;      ///< likewise [m]
-  std::array<Vec3, 2> arm;  ///< likewise [m]
+  Vec3 middle, normal;           ///< [m], of length 1
+  double area;                   ///< pressed, or held by mortar [m2]
+  double radius;                 ///< see SolidPressure [m]
+  double friction_arm;           ///< likewise [m]
+  std::array<Vec3, 2> arm;       ///< likewise [m]
+  int face_a = -1, face_b = -1;  ///< likewise
 };
 
 /// What the contact of one row came to, before it is added to anything.
@@ -107,6 +110,12 @@ struct SortedRows {
   std::size_t touched, fresh;
 };
 
+/// What elements in space of a stretch give their nodes, where threads take them, before it is added to anything.
+struct SpaceElementAnswer {
+  std::array<Vec3, max_space_nodes> force, damping;  ///< [N]
+  double stored, plastic;                            ///< [J]
+};
+
 /// Elements in a row, all of some bodies.
 struct ElementRange {
   int first, count;
@@ -124,8 +133,12 @@ struct SolidWork<3> {
   std::vector<Separation3> spare;        ///< room
   std::vector<ContactArea> areas;        ///< one for each of general_touching. Writer: respond
   std::vector<Vec3> force, moment;       ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
-  std::vector<SolidOverlapBuffer> room;  ///< [thread]
-  std::vector<SolidAnswer> answer;       ///< of the rows that are worked on
+  std::vector<Fitted> fitted;            ///< [fit]. Writer: place
+  std::vector<MovingPlace> face_motion;  ///< [fit] of them what contact asks for. Writer: place
+  std::vector<std::vector<Vec3>> before;    ///< [piece] room: corners as they were placed last
+  std::vector<Vec3> fit_force, fit_moment;  ///< [fit] likewise, about its place [N], [N m]. Writer: respond
+  std::vector<SolidOverlapBuffer> room;     ///< [thread]
+  std::vector<SolidAnswer> answer;          ///< of the rows that are worked on
 };
 
 /// What a step needs and the next one can do without. `evaluate` writes nothing else; `commit` makes a State of it.
@@ -186,13 +199,14 @@ struct Work {
   double bearing_stored = 0;                        ///< their sum J
 
   // Writer: resist
-  std::vector<PlasticMemory> plastic;             ///< [plastic point] trial
+  std::vector<PointMemory<D>> plastic;            ///< [plastic point] trial
   std::vector<double> beam_memory;                ///< trial
   std::vector<Vec<D>> element_force;              ///< [node] of elastic and plastic stress N; empty without elements
   std::vector<Vec<D>> element_damping;            ///< [node] of the dampings of elements N
   std::vector<Moment<D>> element_moment;          ///< [node] of beams N m; empty without them
   std::vector<Moment<D>> element_damping_moment;  ///< [node] N m
   std::vector<std::array<double, 2>> element_energy;  ///< room: stored and given off, by element that threads take J
+  std::vector<SpaceElementAnswer> element_answer;     ///< room, by element in space that threads take
   double element_stored = 0;                          ///< elastic energy of elements J
 
   // Writer: apply_loads. All empty where Model::loaded() is false.

@@ -88,6 +88,33 @@ double mean_stress(const BodyHandle& b, Value&& value) {
   return area > 0 ? sum / area : 0;
 }
 
+/// The same over the volume of a body in space.
+template <class Value>
+double mean_in_space(const BodyHandle& b, Value&& value) {
+  const Simulation<3>* s = as_space(b.model())->if_built();
+  if (s == nullptr) return 0;
+  double sum = 0, volume = 0;
+  for (std::size_t e = 0; e < s->model().space_elements.size(); ++e) {
+    if (s->model().space_elements[e].body != b.index) continue;
+    const SpaceElementStress stress = element_stress(s->model(), s->state(), static_cast<int>(e));
+    sum += stress.volume * value(stress), volume += stress.volume;
+  }
+  return volume > 0 ? sum / volume : 0;
+}
+
+/// Component `row` of the stress in space.
+template <int row>
+double space_stress(const BodyHandle& b) {
+  return mean_in_space(b, [](const SpaceElementStress& e) { return in_world(e)[row]; });
+}
+
+/// A component that both have: a member of the stress in the plane, `row` of that in space.
+template <double Stress::*member, int row>
+double stress_along(const BodyHandle& b) {
+  if (as_space(b.model()) != nullptr) return space_stress<row>(b);
+  return mean_stress(b, [](const ElementStress& e) { return in_world(e).*member; });
+}
+
 /// Pushes { left =, right = } with those of `names` that are at the ends of the span; nil for any other body.
 template <void (*push)(lua_State*, int, int)>
 void push_ends(lua_State* L, const BodyHandle& b, const std::vector<std::string>& names) {
@@ -162,26 +189,24 @@ const std::array body_properties{
                           [](const BodyHandle& b) { return b.plane().inertia_of(b.index); }}),
     in_plane(BodyProperty{"area", "m2", "area of the outline",
                           [](const BodyHandle& b) { return polygon_moments(spec(b).outline).area; }}),
-    BodyProperty{"kind", "", "\"rigid\", \"quad\" or \"mesh\"", nullptr,
+    BodyProperty{"kind", "", "\"rigid\", \"quad\", \"mesh\", \"frame\", or in space \"brick\"", nullptr,
                  [](lua_State* L, const BodyHandle& b) {
                    const PlaneModel* plane = as_plane(b.model());
-                   const bool frame = plane == nullptr && as_space(b.model())->spec(b.index).frame.has_value();
                    push_text(L, std::string(name_of(plane != nullptr ? plane->spec(b.index).kind
-                                                    : frame          ? BodyKind::frame
-                                                                     : BodyKind::rigid)));
+                                                                     : as_space(b.model())->spec(b.index).kind())));
                  }},
-    in_plane(BodyProperty{
-        "sxx", "Pa", "mean stress along x of a deformable body",
-        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xx; }); }}),
-    in_plane(BodyProperty{
-        "syy", "Pa", "mean stress along y of a deformable body",
-        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).yy; }); }}),
-    in_plane(BodyProperty{
-        "sxy", "Pa", "mean shear stress of a deformable body",
-        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return in_world(e).xy; }); }}),
-    in_plane(BodyProperty{
-        "plastic", "1", "mean plastic measure of a deformable body",
-        [](const BodyHandle& b) { return mean_stress(b, [](const ElementStress& e) { return e.plastic; }); }}),
+    BodyProperty{"sxx", "Pa", "mean stress along x of a deformable body", stress_along<&Stress::xx, 0>},
+    BodyProperty{"syy", "Pa", "mean stress along y of a deformable body", stress_along<&Stress::yy, 1>},
+    in_space(BodyProperty{"szz", "Pa", "mean stress along z of a deformable body, in space", space_stress<2>}),
+    BodyProperty{"sxy", "Pa", "mean shear stress of a deformable body", stress_along<&Stress::xy, 3>},
+    in_space(BodyProperty{"syz", "Pa", "mean shear stress of y and z of a deformable body, in space", space_stress<4>}),
+    in_space(BodyProperty{"szx", "Pa", "mean shear stress of z and x of a deformable body, in space", space_stress<5>}),
+    BodyProperty{"plastic", "1", "mean plastic measure of a deformable body",
+                 [](const BodyHandle& b) {
+                   if (as_space(b.model()) != nullptr)
+                     return mean_in_space(b, [](const SpaceElementStress& e) { return e.plastic; });
+                   return mean_stress(b, [](const ElementStress& e) { return e.plastic; });
+                 }},
     in_plane(BodyProperty{
         "bearings", "", "of a span made with from and to: { left, right }; a side without a bearing is nil", nullptr,
         [](lua_State* L, const BodyHandle& b) { push_ends<push_bearing>(L, b, b.model().bearings); }}),

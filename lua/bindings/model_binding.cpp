@@ -245,8 +245,8 @@ std::shared_ptr<ScriptModel> make_plane_model(Keys& keys, const std::string& nam
 std::shared_ptr<ScriptModel> make_space_model(Keys& keys, const std::string& name) {
   auto model = std::make_shared<SpaceModel>(name);
   model->builder.gravity = read_gravity<3>(keys);
-  for (const std::string_view key : {"thickness", "body", "mesh"})
-    if (keys.has(key)) keys.problem(fmt::format("'{}' is of models in the plane, and dim is 3", key));
+  if (keys.has("thickness")) keys.problem("'thickness' is of models in the plane, and dim is 3");
+  model->body_form = read_space_form(keys, {});
   read_common(keys, model->builder);
   return model;
 }

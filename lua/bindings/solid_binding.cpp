@@ -1,8 +1,12 @@
 // Bodies of models in space: what their tables say besides their shape, and parts that become bodies.
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
 
 #include "bindings.hpp"
 #include "body_reading.hpp"
+#include "build/gmsh.hpp"
 #include "build/solid_block.hpp"
 #include "part_reading.hpp"
 #include "solid_makers.hpp"
@@ -33,8 +37,73 @@ void read_solid_support(Keys& keys, std::string_view key, std::array<Support, 6>
   lua_pop(keys.lua(), 1);
 }
 
+namespace {
+
+/// mesh = {nx, ny, nz}: divisions along the three sides of a brick.
+void read_divisions(Keys& keys, std::array<int, 3>& divisions) {
+  lua_State* L = keys.lua();
+  bool good = keys.push("mesh") == LUA_TTABLE && lua_rawlen(L, -1) == 3;
+  for (int i = 0; i < 3 && good; ++i) {
+    lua_rawgeti(L, -1, i + 1);
+    good = lua_isinteger(L, -1) != 0;
+    const lua_Integer n = lua_tointeger(L, -1);
+    lua_pop(L, 1);
+    if (!good) continue;
+    if (n < 1 || n > 1000) keys.problem(fmt::format("'mesh' has {} divisions of a side, must be 1 to 1000", n));
+    divisions[static_cast<std::size_t>(i)] = static_cast<int>(std::clamp<lua_Integer>(n, 1, 1000));
+  }
+  if (!good) keys.wrong("mesh", "three whole numbers {nx, ny, nz}, divisions along the three sides");
+  lua_pop(L, 1);
+}
+
+/// hold = { { from = {x, y, z}, to = {x, y, z}, x = "fixed", y =, z = }, ... }: nodes of a deformable body in a box.
+void read_space_holds(Keys& keys, std::vector<SpaceNodeSupport>& holds) {
+  read_list(keys, "hold", "hold", [&](Keys& own) {
+    SpaceNodeSupport hold;
+    hold.low = own.vector("from"), hold.high = own.vector("to");
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string text = own.text(names[k], "fixed");
+      if (text != "fixed" && text != "free")
+        own.problem(fmt::format("'{}' is '{}', must be \"fixed\" or \"free\"", names[k], text));
+      hold.support[k] = text == "fixed" ? Support::fixed : Support::free;
+    }
+    holds.push_back(hold);
+  });
+}
+
+}  // namespace
+
+SpaceForm read_space_form(Keys& keys, const SpaceForm& preset) {
+  constexpr const char* wanted = "\"rigid\", \"brick\" or { mesh = {nx, ny, nz} }";
+  SpaceForm form = preset;
+  const int type = keys.push("body");
+  if (type == LUA_TSTRING) {
+    const std::string text = text_at(keys.lua(), -1);
+    form = {text == "brick" ? BodyKind::brick : BodyKind::rigid};
+    if (text != "rigid" && text != "brick") keys.problem(fmt::format("'body' is '{}', must be {}", text, wanted));
+  } else if (type == LUA_TTABLE) {
+    try {
+      Keys own(keys.lua(), -1, "body");
+      form = {BodyKind::mesh};
+      read_divisions(own, form.divisions);
+      constexpr std::array shapes{ElementShape::brick, ElementShape::tetrahedron, ElementShape::quadratic_tetrahedron};
+      form.element = shapes[own.choice("element", {"brick", "tet4", "tet10"}, 0)];
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL) {
+    keys.wrong("body", wanted);
+  }
+  lua_pop(keys.lua(), 1);
+  return form;
+}
+
 SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
   SolidSpec s = preset;
+  s.form = read_space_form(keys, preset.form);
+  read_space_holds(keys, s.supports);
   s.material = keys.text("material", preset.material);
   const std::vector<std::string> groups = keys.names("groups");
   s.groups.insert(s.groups.end(), groups.begin(), groups.end());
@@ -88,9 +157,11 @@ void read_groups(Keys& keys, SolidOptions& o) {
   lua_pop(L, 1);
 }
 
-SolidOptions read_solid_options(Keys& keys, bool several) {
+SolidOptions read_solid_options(Keys& keys, bool several, const SpaceForm& preset) {
   SolidOptions o;
-  o.spec = read_solid_spec(keys, {});
+  SolidSpec start;
+  start.form = preset;
+  o.spec = read_solid_spec(keys, start);
   if (!several) return o;
   o.fixed = keys.names("fixed");
   read_groups(keys, o);
@@ -132,6 +203,68 @@ std::string solid_maker_names() {
   return names;
 }
 
+/// A list of four, eight or ten numbers of nodes at the top of the stack.
+SpaceCell cell_at(lua_State* L, Keys& keys, lua_Integer number) {
+  SpaceCell cell;
+  const auto count = lua_type(L, -1) == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  const bool known = count == 4 || count == 8 || count == 10;
+  if (!known) keys.problem(fmt::format("element {} must be a list of four, eight or ten numbers of nodes", number));
+  cell.shape = count == 4   ? ElementShape::tetrahedron
+               : count == 8 ? ElementShape::brick
+                            : ElementShape::quadratic_tetrahedron;
+  for (lua_Integer i = 1; known && i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    const lua_Integer n = lua_tointeger(L, -1);
+    if (lua_isinteger(L, -1) == 0 || n < 1 || n > 100000000)
+      keys.problem(
+          fmt::format("element {}: node {} is {}, must be a whole number from 1 on", number, i, what_is(L, -1)));
+    else
+      cell.node[static_cast<std::size_t>(i - 1)] = static_cast<int>(n) - 1;
+    lua_pop(L, 1);
+  }
+  return cell;
+}
+
+/// { file = "x.msh" } or { nodes = {{x, y, z}, ...}, elements = {{1, 2, ...}, ...} } at the top of the stack.
+SpaceMesh space_mesh_at(lua_State* L) {
+  Keys keys(L, -1, "mesh");
+  const std::string file = keys.text("file", "");
+  if (!file.empty()) {
+    keys.finish();
+    const std::filesystem::path path = file;
+    return read_gmsh_in_space(path.is_absolute() ? path : host(L).folder() / path);
+  }
+  SpaceMesh mesh;
+  mesh.node = keys.vectors("nodes");
+  if (keys.push("elements") != LUA_TTABLE) keys.wrong("elements", "a list { {1, 2, 3, 4}, ... } of numbers of nodes");
+  const auto count = lua_type(L, -1) == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    mesh.cell.push_back(cell_at(L, keys, i));
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  keys.finish();
+  return mesh;
+}
+
+/// Mesh under `mesh`, if there is one.
+std::optional<SpaceMesh> read_space_mesh(Keys& keys) {
+  std::optional<SpaceMesh> mesh;
+  const int type = keys.push("mesh");
+  if (type == LUA_TTABLE) {
+    try {
+      mesh = space_mesh_at(keys.lua());
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL) {
+    keys.wrong("mesh", "{ file = } or { nodes = , elements = }");
+  }
+  lua_pop(keys.lua(), 1);
+  return mesh;
+}
+
 /// The parts of the plane in the list at `index`, with a depth.
 std::vector<SolidPart> extruded_list(lua_State* L, int index, const PartDepth& depth) {
   std::vector<SolidPart> parts;
@@ -161,7 +294,7 @@ int add_solids_made(lua_State* L, std::string_view name) {
   m.adding();
   Keys keys(L, 2, std::string(name));
   const MakeSolids make = maker->read(keys);
-  SolidOptions options = read_solid_options(keys, !maker->single);
+  SolidOptions options = read_solid_options(keys, !maker->single, m.body_form);
   options.spec.floating = options.spec.floating || maker->falls;
   keys.finish();
   const SolidParts made = make();
@@ -181,19 +314,23 @@ int make_solid_body(lua_State* L) {
   SolidPart part;
   part.name = read_name(keys, "");
   std::vector<std::vector<Vec3>> clouds;
-  if (keys.has("hull")) {
-    clouds.push_back(keys.vectors("hull"));
-    if (keys.has("pieces")) keys.problem("both hull and pieces are given; keep one");
+  std::optional<SpaceMesh> mesh = read_space_mesh(keys);
+  if (keys.has("hull") || keys.has("mesh")) {
+    if (keys.has("hull")) clouds.push_back(keys.vectors("hull"));
+    if (keys.has("pieces") || (keys.has("hull") && keys.has("mesh")))
+      keys.problem("of hull, pieces and mesh more than one is given; keep one");
   } else if (keys.push("pieces") == LUA_TTABLE) {
     read_list(keys, "pieces", "piece", [&](Keys& own) { clouds.push_back(own.vectors("hull")); });
     lua_pop(L, 1);
   } else {
     keys.missing("hull",
-                 "a list of points { {x, y, z}, ... }, or pieces = { { hull = }, ... }; or use m:block, m:hull");
+                 "a list of points { {x, y, z}, ... }, or pieces = { { hull = }, ... }, or mesh = { file = }; or use "
+                 "m:block, m:hull");
     lua_pop(L, 1);
   }
-  const SolidOptions options = read_solid_options(keys, false);
+  SolidOptions options = read_solid_options(keys, false, m.body_form);
   keys.finish();
+  if (mesh) options.spec.mesh = std::move(mesh), options.spec.form.kind = BodyKind::mesh;
   for (const std::vector<Vec3>& points : clouds) {
     HullSolid hull;
     hull.name = part.name, hull.points = points;
@@ -218,7 +355,7 @@ int add_solid_parts(lua_State* L) {
   depth.depth = keys.number("depth", "m");
   depth.from = keys.number("from", "m", depth.from);
   depth.centred = keys.flag("centred", depth.centred);
-  const SolidOptions options = read_solid_options(keys, true);
+  const SolidOptions options = read_solid_options(keys, true, m.body_form);
   keys.finish();
   const std::vector<SolidPart> parts = extruded_list(L, 2, depth);
   const int first = m.body_count();

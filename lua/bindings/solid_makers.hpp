@@ -41,6 +41,8 @@ MakeSolids read_pour(Keys& k);
 /// turn = { axis = {x, y, z}, angle = }.
 SolidTurn read_turn(Keys& k);
 
+/// `body`: "rigid", "brick" or { mesh = {nx, ny, nz}, element = }; `preset` where it is not there.
+SpaceForm read_space_form(Keys& keys, const SpaceForm& preset);
 /// "fixed", "free" or { x =, y =, z =, turn_x =, turn_y =, turn_z = } under `key`.
 void read_solid_support(Keys& keys, std::string_view key, std::array<Support, 6>& support);
 /// What `keys` say of a solid or a frame besides name and shape; `preset` where they say nothing.

@@ -219,9 +219,9 @@ int push_space_point(lua_State* L, SpaceModel& m, int body) {
   const Simulation<3>* const run = m.if_built();
   if (run == nullptr || !m.has_body(body)) return push_place(L, start), 3;
   const Model<3>& model = run->model();
-  const auto n = static_cast<std::size_t>(nearest_node(model, body, start));
-  const Vec3 arm = turn_of(model.start_rotation[n]).undo(Vec3(start - model.start_position[n]));
-  push_place(L, run->state().position[n] + turn_of(run->state().rotation[n]).apply(arm));
+  const Tie<3> tie = tie_point(model, body, start);
+  const trilith::BodyMotion now = trilith::motion_of(model, run->state(), tie.node[0]);
+  push_place(L, now.place + turn_of(now.rotation).apply(tie.arm[0]));
   return 3;
 }
 

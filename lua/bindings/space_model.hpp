@@ -14,6 +14,7 @@ class SpaceModel final : public SimulatedModel<3> {
   using SimulatedModel::SimulatedModel;
 
   SolidModelBuilder builder;
+  SpaceForm body_form;  ///< what bodies are made as where nothing else is said
 
   void add_material(const Material& material) override { builder.add_material(material); }
   void add_law(const std::string& law_name, const ContactLaw& law) override { builder.add_law(law_name, law); }

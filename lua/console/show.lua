@@ -90,7 +90,7 @@ end
 
 -- Of a model those that are quick to find; of the others all but these.
 local of_model = { time = true, steps = true, dt = true, speed = true, ratio = true }
-local of_deformed = { sxx = true, syy = true, sxy = true, plastic = true }
+local of_deformed = { sxx = true, syy = true, szz = true, sxy = true, syz = true, szx = true, plastic = true }
 
 local function is_shown(handle, kind, name)
   if kind == "model" then return of_model[name] end

@@ -12,7 +12,9 @@ support      text or table?   "fixed", "free" or { x = , y = , z = , turn_x = , 
 velocity     vector = {0, 0, 0}  at the start [m/s]
 spin         vector = {0, 0, 0}  at the start [rad/s]
 load         vector = {0, 0, 0}  steady force at the centroid [N]
-floating     flag = false     it may start with nothing that holds it up]],
+floating     flag = false     it may start with nothing that holds it up
+body         body form?       "rigid", "brick" or { mesh = {nx, ny, nz}, element = "brick", "tet4" or "tet10" }
+hold         list?            of one that deforms: { { from = , to = , x = , y = , z = }, ... } holds nodes in boxes]],
     solids = [[
 fixed        names?           names or groups of parts that are fixed
 by_group     table?           { name = { ... } }: what holds instead for parts of that name or group]],
@@ -206,7 +208,8 @@ flat               number = 1e-6  faces this near a plane, as a share of the siz
     keys = [[
 name    text      its name
 hull    vectors?  points around it
-pieces  list?     or { { hull = }, ... }: convex pieces that share faces]], with = "solid", gives = "body" },
+pieces  list?     or { { hull = }, ... }: convex pieces that share faces
+mesh    table?    or a mesh: { file = } or { nodes = , elements = }]], with = "solid", gives = "body" },
   { "space:add", "Parts of the plane, as from trilith.build, become bodies with a depth: x stays, y becomes z.",
     args = [[
 parts    table  list of { name, outline, groups }

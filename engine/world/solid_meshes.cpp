@@ -1,0 +1,59 @@
+// Bodies of finite elements of a builder of models in space: what they are checked for, and what they are made of.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "world/names.hpp"
+#include "world/solid_model_builder.hpp"
+
+namespace trilith {
+namespace {
+
+const Solid& solid_of(const std::vector<Material>& materials, const SolidSpec& spec, const std::string& owner) {
+  const auto found =
+      std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == spec.material; });
+  if (found == materials.end() || !found->solid)
+    throw InputError(fmt::format("{}: it deforms, so it needs a material with a stiffness (E, nu); {} has none", owner,
+                                 spec.material.empty() ? "it" : "'" + spec.material + "'"));
+  return *found->solid;
+}
+
+}  // namespace
+
+/// Meshes of solids are made here, of one piece each. Its skin becomes the pieces of the body: for bearings that want
+/// to be near it.
+void SolidModelBuilder::check_mesh_body(SolidSpec& spec, const std::string& owner) {
+  (void)solid_of(materials_, spec, owner);
+  if (!spec.spheres.empty())
+    throw InputError(owner + ": spheres do not deform; leave out the elements, or make it a mesh");
+  const auto turn = [&](int k) { return spec.support[static_cast<std::size_t>(3 + k)] != Support::free; };
+  const bool held =
+      std::none_of(spec.support.begin(), spec.support.begin() + 3, [](Support s) { return s == Support::free; });
+  if ((turn(0) || turn(1) || turn(2)) && !held)
+    throw InputError(owner + ": its nodes have no rotation to hold; hold x, y and z of some of them");
+  if (!spec.mesh) {
+    if (spec.pieces.size() != 1)
+      throw InputError(fmt::format(
+          "{}: it has {} pieces, and elements are made of one that is a brick; leave it rigid, or give it a mesh",
+          owner, spec.pieces.size()));
+    spec.mesh = mesh_of(spec.pieces[0], spec.form, owner);
+  }
+  CheckedSpaceMesh checked = check_space_mesh(std::move(*spec.mesh), owner);
+  notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
+  spec.pieces = skin_of(checked);
+  spec.mesh = std::move(checked.mesh);
+}
+
+SpaceMeshBody SolidModelBuilder::mesh_body(const SolidSpec& spec) const {
+  SpaceMeshBody out;
+  out.name = spec.name;
+  out.mesh = check_space_mesh(*spec.mesh, fmt::format("body '{}'", spec.name));
+  out.solid = solid_of(materials_, spec, fmt::format("body '{}'", spec.name));
+  out.density = density_of(spec);
+  std::copy_n(spec.support.begin(), 3, out.support.begin());
+  out.supports = spec.supports, out.velocity = spec.velocity, out.spin = spec.spin;
+  return out;
+}
+
+}  // namespace trilith

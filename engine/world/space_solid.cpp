@@ -1,0 +1,37 @@
+#include "world/space_solid.hpp"
+
+#include <algorithm>
+
+namespace trilith {
+
+SpaceMesh mesh_of(const Polyhedron& solid, const SpaceForm& form, const std::string& owner) {
+  const SpaceMesh bricks = brick_grid(brick_corners(solid, owner), form.divisions);
+  if (form.element == ElementShape::brick) return bricks;
+  const SpaceMesh tetrahedra = tetrahedra_of(bricks);
+  return form.element == ElementShape::tetrahedron ? tetrahedra : quadratic_of(tetrahedra);
+}
+
+double volume_of(const SpaceMesh& mesh) {
+  double sum = 0;
+  for (std::size_t e = 0; e < mesh.cell.size(); ++e) sum += node_shares(mesh.cell[e].shape, nodes_of(mesh, e)).volume;
+  return sum;
+}
+
+std::vector<Polyhedron> skin_of(const CheckedSpaceMesh& checked) {
+  std::vector<Polyhedron> out;
+  for (std::size_t e = 0; e < checked.mesh.cell.size(); ++e) {
+    const auto& surface = checked.surface[e];
+    if (std::none_of(surface.begin(), surface.end(), [](std::uint8_t s) { return s != 0; })) continue;
+    const ElementShapeInfo& info = info_of(checked.mesh.cell[e].shape);
+    Polyhedron& solid = out.emplace_back();
+    solid.corners = nodes_of(checked.mesh, e);
+    solid.corners.resize(static_cast<std::size_t>(info.corners));
+    for (int f = 0; f < info.faces; ++f)
+      if (surface[static_cast<std::size_t>(f)] != 0)
+        solid.faces.add(
+            std::span(info.face[static_cast<std::size_t>(f)]).first(static_cast<std::size_t>(info.face_corners)));
+  }
+  return out;
+}
+
+}  // namespace trilith

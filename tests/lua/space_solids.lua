@@ -1,0 +1,122 @@
+-- Bodies that deform in space from scripts: made, loaded, shaken, recorded, and what they say of wrong input.
+local trilith = require "trilith"
+
+local function refused(text, f, ...)
+  local ok, message = pcall(f, ...)
+  assert(not ok, "this was not refused: " .. text)
+  assert(tostring(message):find(text, 1, true), ("said '%s' instead of '%s'"):format(message, text))
+end
+
+local function near(value, expected, allowed)
+  assert(math.abs(value - expected) <= allowed*math.abs(expected), ("%.9g instead of %.9g"):format(value, expected))
+end
+
+local function model(name, law)
+  local m = trilith.model { name = name, dim = 3 }
+  m:material { name = "stone", density = 2000, E = 1e9, nu = 0.2, damping = 1e-4 }
+  m:material { name = "hard", density = 2000 }
+  m:contact { between = { "*", "*" }, law = law or trilith.frictional { kn = 2e9, ks = 1e9, mu = 0.6, beta = 1e-4 } }
+  m:block { name = "ground", size = { 4, 4, 0.5 }, at = { -2, -2, -0.5 }, material = "hard", support = "fixed" }
+  return m
+end
+
+-- three blocks on each other, of every form: the stress in each is that of the weight above
+do
+  local m = model "stack"
+  for i, form in ipairs { "brick", { mesh = { 2, 2, 2 } }, { mesh = { 1, 1, 1 }, element = "tet10" } } do
+    m:block { name = "b" .. i, size = { 1, 1, 0.5 }, at = { 0, 0, 0.5*(i - 1) }, material = "stone", body = form }
+  end
+  assert(m:body "b1".kind == "brick" and m:body "b2".kind == "mesh" and m:body "ground".kind == "rigid")
+  near(m:body "b3".mass, 1000, 1e-12)
+  m:consolidate { ratio = 1e-4 }
+  local weight = 1000*9.80665
+  for i = 1, 3 do near(m:body("b" .. i).szz, -(3.5 - i)*weight, 0.02) end
+  assert(math.abs(m:body "b1".sxy) < 100 and m:body "b1".plastic == 0 and m:body "ground".szz == 0)
+  m:point_load { name = "push", body = "b3", at = { 0.5, 0.5, 1.5 }, force = { 0, 0, -1e4 } }
+  m:consolidate { ratio = 1e-4 }
+  near(m:body "b1".szz, -2.5*weight - 1e4, 0.02)
+  assert(m:explain_dt():find("elements alone", 1, true) or m:explain_dt():find("governs", 1, true))
+  m:close()
+end
+
+-- a wall of bricks that is shaken, with its results
+do
+  local m = model("wall", trilith.bonded { kn = 2e9, ks = 1e9, mu = 0.6, beta = 2e-4, tension = 1e5, cohesion = 1e5 })
+  local wall = m:wall { name = "wall", length = 0.8, courses = 3, at = { 0, 0, 0 }, material = "stone", body = "brick" }
+  assert(wall[1].kind == "brick")
+  local path = os.tmpname()
+  m:results { file = path, frames = 0.01, overwrite = true }
+  m:consolidate { ratio = 1e-2 }
+  m:drive { body = "ground", x = trilith.ramp { by = 0.01, duration = 0.05 } }
+  m:run { duration = 0.05 }
+  near(m:body "ground".ux, 0.01, 1e-6)
+  assert(wall[#wall].ux > 0.002)
+  m:close()
+  os.remove(path)
+end
+
+-- a mesh of a file
+do
+  local path = os.tmpname()
+  local file = assert(io.open(path, "w"))
+  file:write [[
+$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$Nodes
+1 5 1 5
+3 1 0 5
+1
+2
+3
+4
+5
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+1 1 1
+$EndNodes
+$Elements
+2 3 1 3
+2 1 2 1
+1 1 2 3
+3 1 4 2
+2 1 2 3 4
+3 2 3 4 5
+$EndElements
+]]
+  file:close()
+  local m = model "mesh"
+  local b = m:body { name = "b", mesh = { file = path }, material = "stone", floating = true }
+  near(b.mass, 2000*(1/6 + 1/3), 1e-9)
+  m:close()
+  os.remove(path)
+end
+
+-- wrong input
+do
+  local m = model "wrong"
+  local size = { 1, 1, 1 }
+  refused("'body' is 'quad', must be \"rigid\", \"brick\" or { mesh = {nx, ny, nz} }",
+          function() m:block { name = "b", size = size, material = "stone", body = "quad" } end)
+  refused("three whole numbers {nx, ny, nz}", function()
+    m:block { name = "b", size = size, material = "stone", body = { mesh = { 2, 2 } } } end)
+  refused("it deforms, so it needs a material with a stiffness (E, nu); 'hard' has none",
+          function() m:block { name = "b", size = size, material = "hard", body = "brick" } end)
+  refused("leave it rigid, or give it a mesh", function()
+    m:prism { name = "b", radius = 1, height = 1, material = "stone", body = "brick" } end)
+  refused("spheres do not deform", function()
+    m:sphere { name = "b", radius = 1, material = "stone", body = "brick" } end)
+  refused("hold is of nodes of bodies that deform", function()
+    m:block { name = "b", size = size, material = "stone", hold = { { from = size, to = size } } } end)
+  refused("element 1 of the mesh (tetrahedron) is flat", function()
+    m:body { name = "b", material = "stone", mesh = { nodes = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
+                                                      elements = { { 1, 2, 3, 4 } } } } end)
+  refused("must be a list of four, eight or ten numbers of nodes", function()
+    m:body { name = "b", material = "stone", mesh = { nodes = { { 0, 0, 0 } }, elements = { { 1, 2, 3 } } } } end)
+  m:block { name = "soft", size = size, material = "stone", body = "brick", at = { 0, 0, 0 } }
+  refused("say with 'at' where the load acts",
+          function() m:point_load { name = "p", body = "soft", force = { 1, 0, 0 } } m:run { duration = 1e-3 } end)
+  m:close()
+end
