@@ -16,6 +16,7 @@
 #include <array>
 
 #include "contact/list.hpp"
+#include "contact/step_behind.hpp"
 #include "shape/overlap_3d.hpp"
 
 namespace trilith {
@@ -24,6 +25,7 @@ namespace trilith {
 struct MovingSolid {
   const PlacedSolid& placed;
   Vec3 origin, velocity, spin;  ///< of its body: a point of it and its velocity [m], [m/s], [rad/s]
+  const StepBehind* behind = nullptr;  ///< after an implicit step, of which velocities are those of the end
 
   [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - origin)); }
 };

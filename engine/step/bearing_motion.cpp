@@ -131,10 +131,22 @@ std::array<double, 3> mean_rates(const Model<2>& model, const State<2>& state, c
           std::remainder(now.displacement[turning] - before.displacement[turning], 2 * M_PI) / dt};
 }
 
-/// There are no implicit schemes in space.
-std::array<double, 6> mean_rates(const Model<3>& /*model*/, const State<3>& /*state*/, const Bearing<3>& /*b*/,
-                                 const BearingMotion<3>& now, double /*dt*/) {
-  return now.rate;
+/// Turns are taken for those nearest to the ones of now, so that whole ones do not come in between.
+std::array<double, 6> mean_rates(const Model<3>& /*model*/, const State<3>& state, const Bearing<3>& b,
+                                 const BearingMotion<3>& now, double dt) {
+  if (!state.implicit()) return now.rate;
+  if (!(dt > 0)) return {};
+  const int na = b.end_a.node[0], nb = b.end_b.node[0];
+  const UnitQuaternion &of_a = state.rotation_before[na], &of_b = state.rotation_before[nb], frame = of_a * b.angle;
+  const Vec3 between = state.position_before[nb] + turn_of(of_b).apply(b.end_b.arm[0]) - state.position_before[na] -
+                       turn_of(of_a).apply(b.end_a.arm[0]);
+  const Vec3 moved = turn_of(frame).undo(between) - b.rest;
+  const Vec3 last(now.displacement[3], now.displacement[4], now.displacement[5]),
+      turned = nearest_turn(inverse(frame) * (of_b * b.rest_angle), last);
+  std::array<double, 6> out{};
+  for (const int k : {0, 1, 2})
+    out[k] = (now.displacement[k] - moved[k]) / dt, out[3 + k] = (last[k] - turned[k]) / dt;
+  return out;
 }
 
 void push_ends(const Model<2>& model, const State<2>& state, const Bearing<2>& bearing, const Vec2& force,
@@ -142,6 +154,15 @@ void push_ends(const Model<2>& model, const State<2>& state, const Bearing<2>& b
   const Vec2 between = pose_at(model, state, bearing.end_b).place - pose_at(model, state, bearing.end_a).place;
   push_at(model, state, bearing.end_b, force, moment, node_force, node_moment);
   push_at(model, state, bearing.end_a, -force, -cross(between, force) - moment, node_force, node_moment);
+}
+
+void push_ends(const Model<3>& /*model*/, const State<3>& state, const Bearing<3>& bearing, const Vec3& force,
+               const Vec3& moment, std::vector<Vec3>& node_force, std::vector<Vec3>& node_moment) {
+  const int na = bearing.end_a.node[0], nb = bearing.end_b.node[0];
+  const Vec3 point = point_of(state, bearing.end_b);
+  node_force[nb] += force, node_force[na] -= force;
+  node_moment[nb] += cross(Vec3(point - state.position[nb]), force) + moment;
+  node_moment[na] -= cross(Vec3(point - state.position[na]), force) + moment;
 }
 
 }  // namespace trilith

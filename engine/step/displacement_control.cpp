@@ -40,7 +40,7 @@ Response respond(const Model<2>& model, const State<2>& state, const Work<2>& wo
     const Dofs<2> v = velocity_of(state, n);
     const NodeForces<2> f = node_forces(model, state, work, n, v, outside, rest);
     r.rate += lever * speed_ahead(model, state, n, v, f, span, options.dt)[k];
-    if (model.support[n][k] == Support::free) r.per_force += lever * lever / mass_of(model, n)[k] * span;
+    if (model.support[n][k] == Support::free) r.per_force += lever * lever / mass_of(model, state, n)[k] * span;
   };
   for (std::size_t i = 0; i < push.rows.size(); ++i) {
     const PushRow<2>& row = push.rows[i];

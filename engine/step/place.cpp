@@ -187,10 +187,20 @@ SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, S
   return reach;
 }
 
+/// How all nodes went along an implicit step; nothing after an explicit one.
+void place_behind(const State<3>& state, std::vector<StepBehind>& behind) {
+  behind.clear();
+  if (!state.implicit()) return;
+  behind.reserve(state.position.size());
+  for (std::size_t n = 0; n < state.position.size(); ++n)
+    behind.emplace_back(state.position[n], state.rotation[n], state.position_before[n], state.rotation_before[n]);
+}
+
 PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
   const std::size_t pieces = model.piece_solid.size();
   work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces);
   if (!work.valid) list_spheres(model, work.solids.sphere);
+  place_behind(state, work.solids.behind);
   return place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int p, PlacedReach& to) {
     const SkinReach of = place_piece(model, state, p, work.solids);
     to.add(of, model.moves(model.node_of_piece(p)));

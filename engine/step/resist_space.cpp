@@ -36,7 +36,7 @@ void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double 
   work.element_force.assign(nodes, Vec3::Zero()), work.element_damping.assign(nodes, Vec3::Zero());
   work.element_moment.assign(nodes, Vec3::Zero()), work.element_damping_moment.assign(nodes, Vec3::Zero());
   ResistSums sums;
-  resist_beams(model, state, work, sums);
+  if (!work.leave_out_beams) resist_beams(model, state, work, sums);
   work.element_stored = sums.stored;
 }
 

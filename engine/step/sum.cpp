@@ -84,12 +84,7 @@ void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
 
 /// In space: at one node each.
 void spread_bearing(const Model<3>& model, const State<3>& state, Work<3>& work, std::size_t i) {
-  const Bearing<3>& b = model.bearings[i];
-  const int na = b.end_a.node[0], nb = b.end_b.node[0];
-  const Vec3 &f = work.bearing_force[i], &m = work.bearing_moment[i], point = point_of(state, b.end_b);
-  work.force[nb] += f, work.force[na] -= f;
-  work.moment[nb] += cross(Vec3(point - state.position[nb]), f) + m;
-  work.moment[na] -= cross(Vec3(point - state.position[na]), f) + m;
+  push_ends(model, state, model.bearings[i], work.bearing_force[i], work.bearing_moment[i], work.force, work.moment);
 }
 
 double squared_size(const LanePair& v) {
