@@ -97,7 +97,7 @@ struct BoucWen {
                                                                   const Horizontal& before) const {
     const double last = yield / stiffness;
     const Wear wear = worn(before.given_off);
-    const Vec2 was = vector_of(before.inner), change = m.dt * m.rate,
+    const Vec2 was = vector_of(before.inner), change = m.dt * m.mean,
                z = last * hysteresis_of_both(was / last, change / last, wear), slid = change - wear.eta * (z - was);
     const double smooth = (1 - hardening) * stiffness, straight = hardening * stiffness;
     HorizontalResponse<Horizontal> out{before, straight * m.displacement + smooth * z};

@@ -33,6 +33,7 @@ struct HorizontalMotion {
   Vec2 rate;           ///< [m/s]
   double dt;           ///< [s]
   double compression;  ///< compressive force of the bearing's axial direction, at least 0 [N]
+  Vec2 mean = rate;    ///< rate over the step, as in DirectionMotion [m/s]
 };
 
 template <class Memory>

@@ -69,7 +69,7 @@ struct Pendulum {
                                                                   const Horizontal& before) const {
     const auto slid = slider().respond_horizontal(m, before.slider);
     const double dish_before = before.compression / radius, dish = m.compression / radius;
-    const Vec2 from = m.displacement - m.dt * m.rate;
+    const Vec2 from = m.displacement - m.dt * m.mean;
     HorizontalResponse<Horizontal> out{{slid.memory, m.compression}, slid.force + dish * m.displacement};
     out.stored = slid.stored + 0.5 * dish * m.displacement.squaredNorm();
     // As in one direction: a compression that changes does work on the rise of the dish.

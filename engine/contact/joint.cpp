@@ -75,10 +75,22 @@ void add_up(const JointSums& step, const JointPlan& plan, const JointMotion& mot
   out.memory.state = contact_touching | contact_general;
 }
 
+/// How the seats move; after an implicit step with the mean rates of the way.
+JointMotion motion_over_step(const JointPlan& plan, const BodyMotion& a, const BodyMotion& b, double dt) {
+  JointMotion motion(plan, a, b);
+  if (a.behind == nullptr || b.behind == nullptr) return motion;
+  const auto begin = [](const BodyMotion& body) {
+    return BodyMotion{body.behind->place_before, body.behind->rotation_before, Vec3::Zero(), Vec3::Zero()};
+  };
+  motion.over_step(JointMotion(plan, begin(a), begin(b)), dt);
+  return motion;
+}
+
 /// Half of the power that both dampings take, of now and of before, times the step [J].
 double joint_damping_loss(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before, const SolidMemory& now,
                           double dt) {
-  const Vec3 rate = b.velocity_at(a.place) - a.velocity, spin = b.spin - a.spin;
+  const Vec3 rate = mean_velocity_at(b, a.place, dt) - mean_velocity_at(a, a.place, dt),
+             spin = mean_spin(b, dt) - mean_spin(a, dt);
   const Vec3 force = before.damping + now.damping, moment = before.damping_moment + now.damping_moment;
   return -0.5 * dt * (force.dot(rate) + moment.dot(spin));
 }
@@ -138,7 +150,7 @@ bool is_damaged(const JointMemory& m) {
 JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before,
                             const JointMemory& joint, const LawInUse& use, JointMemory& after) {
   const JointPlan& plan = *joint.plan;
-  const JointMotion motion(plan, a, b);
+  const JointMotion motion = motion_over_step(plan, a, b, use.dt);
   return with_kernel(use, [&]<class K>(const K& law) {
     JointSums sums;
     if (!joint.sound || !step_sound(plan, motion, law, joint, after, sums))

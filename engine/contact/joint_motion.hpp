@@ -21,8 +21,12 @@ struct JointMotion {
   Vec3 turn;                  ///< of b's seat against a's, along the axes [rad]
   Vec2 slip;                  ///< velocity of b against a at the origin [m/s]
   double spin;                ///< ... and about the normal [rad/s]
+  Vec2 mean_slip;             ///< over the step: those of now, but after an implicit one [m/s]
+  double mean_spin;           ///< likewise [rad/s]
 
   JointMotion(const JointPlan& plan, const BodyMotion& a, const BodyMotion& b);
+  /// Mean rates from where the seats stood as an implicit step of length dt [s] began.
+  void over_step(const JointMotion& begin, double dt);
 
   [[nodiscard]] Vec3 in_world(const Vec2& p) const { return p.x() * x + p.y() * y; }
 };
@@ -44,6 +48,12 @@ inline JointMotion::JointMotion(const JointPlan& plan, const BodyMotion& a, cons
   rate = {-normal.dot(velocity), Vec2(spinning.dot(y), -spinning.dot(x))};
   slip = {x.dot(velocity), y.dot(velocity)};
   spin = normal.dot(spinning);
+  mean_slip = slip, mean_spin = spin;
+}
+
+inline void JointMotion::over_step(const JointMotion& begin, double dt) {
+  mean_slip = Vec2::Zero(), mean_spin = 0;
+  if (dt > 0) mean_slip = (aside - begin.aside) / dt, mean_spin = (turn.z() - begin.turn.z()) / dt;
 }
 
 }  // namespace trilith

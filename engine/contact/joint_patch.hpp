@@ -158,7 +158,9 @@ struct PatchTrial {
     relaxed = 0.5 * (sum_of(held.dot(held)) * compliance_before - sum_of(kept.dot(kept)) * compliance);
     const PointVectors rate{motion.slip.x() - motion.spin * lanes_of(p.point_y),
                             motion.slip.y() + motion.spin * lanes_of(p.point_x)};
-    path = law.dt * rate;
+    const PointVectors mean{motion.mean_slip.x() - motion.mean_spin * lanes_of(p.point_y),
+                            motion.mean_slip.y() + motion.mean_spin * lanes_of(p.point_x)};
+    path = law.dt * mean;
     elastic = kept + stiffness * path;
     total = elastic + law.beta * stiffness * rate;
     size = root(total.dot(total));

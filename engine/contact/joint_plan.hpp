@@ -19,6 +19,7 @@
 
 #include "base/rotation_3d.hpp"
 #include "contact/joint_memory.hpp"
+#include "contact/step_behind.hpp"
 #include "shape/face_overlap_3d.hpp"
 
 namespace trilith {
@@ -28,6 +29,7 @@ struct BodyMotion {
   Vec3 place;               ///< of its node [m]
   UnitQuaternion rotation;  ///< from its axes to the world's
   Vec3 velocity, spin;      ///< [m/s], [rad/s]
+  const StepBehind* behind = nullptr;  ///< after an implicit step, of which velocities are those of the end
 
   [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - place)); }
 };

@@ -33,10 +33,17 @@ SlidingForce turned_along(const SolidMemory& before, const Vec3& normal, double 
   return f;
 }
 
-/// Power of the damping force remembered in the motion of b against a [W].
-double damping_power(const MovingSolid& a, const MovingSolid& b, const SolidMemory& m) {
-  const Vec3 rate = b.velocity_at(a.origin) - a.velocity;
-  return m.damping.dot(rate) + m.damping_moment.dot(Vec3(b.spin - a.spin));
+/// Power of the damping force remembered in the motion of b against a over the step [W].
+double damping_power(const MovingSolid& a, const MovingSolid& b, const SolidMemory& m, double dt) {
+  return m.damping.dot(Vec3(mean_velocity_at(b, a.origin, dt) - mean_velocity_at(a, a.origin, dt))) +
+         m.damping_moment.dot(Vec3(mean_spin(b, dt) - mean_spin(a, dt)));
+}
+
+/// Mean motion of b against a over an implicit step as friction has it: slip along the plane, and along its normal the
+/// turn times the radius.
+Vec3 mean_sliding(const MovingSolid& a, const MovingSolid& b, const Vec3& x, const Vec3& n, double radius, double dt) {
+  const Vec3 slip = mean_slip(a, b, x, dt);
+  return slip + (radius * n.dot(Vec3(mean_spin(b, dt) - mean_spin(a, dt))) - n.dot(slip)) * n;
 }
 
 /// Friction on the resultant, and about its normal. Its spring sits in the middle of the area, whatever the pressure
@@ -50,9 +57,9 @@ void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
   Vec3 rate = b.velocity_at(pressed.middle) - a.velocity_at(pressed.middle);
   rate += (radius * turning - n.dot(rate)) * n;
   const SlidingMotion motion{
-      law.dt * rate, rate,
+      law.dt * (a.behind == nullptr ? rate : mean_sliding(a, b, pressed.middle, n, radius, law.dt)), rate,
       FrictionLimit(law.mu * normal_force, n, pressed.centre - pressed.middle, radius, pressed.friction_arm)};
-  const double turned = 0.5 * law.dt * n.dot(Vec3(a.spin + b.spin));
+  const double turned = 0.5 * law.dt * n.dot(Vec3(mean_spin(a, law.dt) + mean_spin(b, law.dt)));
   const SlidingResponse s =
       slide(motion, pressed.area, turned_along(before, n, turned), SlidingLaw{law.ks, law.beta, law.dt});
   const double along = n.dot(s.force.total);
@@ -96,7 +103,7 @@ bool overlap(const PlacedSolid& a, const PlacedSolid& b, Separation3& apart, Sol
 SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const Coulomb& law) {
   SolidResponse out;
   out.lost_friction = sliding_energy(law.ks, before.shear);
-  out.lost_damping = -0.5 * law.dt * damping_power(a, b, before);
+  out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, law.dt);
   return out;
 }
 
@@ -130,7 +137,8 @@ SolidResponse respond_solids(const MovingSolid& whole_a, const MovingSolid& whol
     out.memory.slip = before.slip;
     out.memory.damping = pressed.damping;
     out.memory.damping_moment = pressed.damping_moment + cross(Vec3(pressed.centre - a.origin), pressed.damping);
-    out.lost_damping = 0.5 * law.dt * (pressed.damped - damping_power(a, b, before));
+    const double damped = a.behind == nullptr ? pressed.damped : -damping_power(a, b, out.memory, law.dt);
+    out.lost_damping = 0.5 * law.dt * (damped - damping_power(a, b, before, law.dt));
     if (pressed.force.squaredNorm() > 0) {
       out.lost_friction = 0;
       add_friction(a, b, before, law, pressed, out);

@@ -16,26 +16,29 @@
 #include <array>
 
 #include "contact/list.hpp"
+#include "contact/step_behind.hpp"
 #include "shape/overlap_3d.hpp"
 
 namespace trilith {
 
 /// A place that moves and turns.
 struct MovingPlace {
-  Vec3 origin, velocity, spin;  ///< [m], [m/s], [rad/s]
+  Vec3 origin, velocity, spin;         ///< [m], [m/s], [rad/s]
+  const StepBehind* behind = nullptr;  ///< see MovingSolid
 };
 
 /// A convex solid where it stands and how its body moves.
 struct MovingSolid {
   const PlacedSolid& placed;
   Vec3 origin, velocity, spin;         ///< of its body: a point of it and its velocity [m], [m/s], [rad/s]
+  const StepBehind* behind = nullptr;  ///< after an implicit step, of which velocities are those of the end
   const MovingPlace* faces = nullptr;  ///< [face] of a solid that deforms, whose faces move each for itself
 
   /// As face `face` moves; of -1, and of a solid that does not deform, itself.
   [[nodiscard]] MovingSolid by_face(int face) const {
     if (faces == nullptr || face < 0) return *this;
     const MovingPlace& f = faces[face];
-    return {placed, f.origin, f.velocity, f.spin, faces};
+    return {placed, f.origin, f.velocity, f.spin, f.behind, faces};
   }
 
   [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - origin)); }

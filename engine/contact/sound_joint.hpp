@@ -62,7 +62,9 @@ bool step_sound(const JointPlan& plan, const JointMotion& motion, const K& law, 
     const Vec2& middle = whole.middle;
     const Vec3 rate(motion.slip.x() - motion.spin * middle.y(), motion.slip.y() + motion.spin * middle.x(),
                     motion.spin);
-    const Vec3 path = law.dt * rate, stiffness = law.ks * Vec3(whole.area, whole.area, polar_moment(whole));
+    const Vec3 mean(motion.mean_slip.x() - motion.mean_spin * middle.y(),
+                    motion.mean_slip.y() + motion.mean_spin * middle.x(), motion.mean_spin);
+    const Vec3 path = law.dt * mean, stiffness = law.ks * Vec3(whole.area, whole.area, polar_moment(whole));
     after.elastic = before.elastic + stiffness.cwiseProduct(path);
     after.total = after.elastic + law.beta * stiffness.cwiseProduct(rate);
     if (motion.turn.squaredNorm() > longest_bond_turn * longest_bond_turn) return false;

@@ -103,10 +103,14 @@ void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMe
   const double radius = out.radius, limit = law.mu * at.force;
   Vec3 rate = b.velocity_at(at.middle) - a.velocity_at(at.middle);
   rate += (radius * n.dot(Vec3(b.spin - a.spin)) - n.dot(rate)) * n;
-  const Vec3 path = law.dt * rate;
+  Vec3 path = law.dt * rate;
+  if (a.behind != nullptr) {
+    const Vec3 slip = mean_slip(a, b, at.middle, law.dt);
+    path = law.dt * (slip + (radius * n.dot(Vec3(mean_spin(b, law.dt) - mean_spin(a, law.dt))) - n.dot(slip)) * n);
+  }
   Vec3 old = Vec3::Zero(), old_total = Vec3::Zero();
   if (before.shear.area > 0) {
-    const CarriedShear carried(before.normal, n, 0.5 * law.dt * n.dot(Vec3(a.spin + b.spin)));
+    const CarriedShear carried(before.normal, n, 0.5 * law.dt * n.dot(Vec3(mean_spin(a, law.dt) + mean_spin(b, law.dt))));
     old = carried(before.shear.elastic), old_total = carried(before.shear.total);
   }
   const double stiffness = law.ks * at.area, compliance = stiffness > 0 ? 1 / stiffness : 0,
@@ -131,8 +135,9 @@ void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMe
 }
 
 /// Power of the damping force remembered in the motion of b against a [W].
-double power_of_damping(const SphereSide& a, const SphereSide& b, const SolidMemory& m) {
-  return m.damping.dot(b.velocity_at(a.origin) - a.velocity) + m.damping_moment.dot(b.spin - a.spin);
+double power_of_damping(const SphereSide& a, const SphereSide& b, const SolidMemory& m, double dt) {
+  return m.damping.dot(Vec3(mean_velocity_at(b, a.origin, dt) - mean_velocity_at(a, a.origin, dt))) +
+         m.damping_moment.dot(Vec3(mean_spin(b, dt) - mean_spin(a, dt)));
 }
 
 /// Two that part let their elastic shear go, and the last damping force works for half a step more.
@@ -143,7 +148,7 @@ SolidResponse respond_by(const SphereSide& a, const SphereSide& b, const SolidMe
   SphereArea at;
   const bool both = a.sphere.radius > 0 && b.sphere.radius > 0;
   const bool meets = both ? meet_spheres(a, b, law, at, apart) : meet_facets(a, b, law, at, apart);
-  if (before.state != 0) out.lost_damping = -0.5 * law.dt * power_of_damping(a, b, before);
+  if (before.state != 0) out.lost_damping = -0.5 * law.dt * power_of_damping(a, b, before, law.dt);
   if (!meets) {
     out.lost_friction = sliding_energy(law.ks, before.shear);
     return out;
@@ -158,7 +163,8 @@ SolidResponse respond_by(const SphereSide& a, const SphereSide& b, const SolidMe
   const double damping = at.force - at.elastic;
   out.memory.damping = damping * at.normal;
   out.memory.damping_moment = cross(Vec3(at.middle - a.origin), out.memory.damping);
-  out.lost_damping += 0.5 * law.dt * damping * at.closing;
+  const double power = a.behind == nullptr ? damping * at.closing : -power_of_damping(a, b, out.memory, law.dt);
+  out.lost_damping += 0.5 * law.dt * power;
   add_sphere_friction(a, b, before, law, at, out);
   return out;
 }

@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/rotation_3d.hpp"
+#include "draw/results_solids.hpp"
+#include "results/placement.hpp"
 #include "results/presence.hpp"
 
 namespace trilith::draw {
@@ -19,14 +22,50 @@ namespace {
 /// Largest displacement in the picture, as a share of the structure's size; largest turn [rad].
 constexpr double shown_share = 0.06, most_shown_turn = 0.5;
 
+/// A quaternion, turned on by a rotation vector.
+void turn_on(double* q, const Vec3& angle) {
+  const UnitQuaternion now = rotation_by(angle) * UnitQuaternion{q[0], q[1], q[2], q[3]};
+  q[0] = now.w, q[1] = now.x, q[2] = now.y, q[3] = now.z;
+}
+
 /// The nodes where they stood, moved by `scale` times the mode.
 Frame moved(const Header& header, const ModeRow& mode, double scale) {
   Frame frame;
   frame.time = mode.time;
   frame.position = mode.position, frame.rotation = mode.rotation;
   for (std::size_t i = 0; i < frame.position.size(); ++i) frame.position[i] += scale * mode.displacement[i];
-  for (std::size_t i = 0; i < header.node_count(); ++i) frame.rotation[i] += scale * mode.turn[i];
+  for (std::size_t i = 0; i < header.node_count(); ++i) {
+    if (header.dim == 2)
+      frame.rotation[i] += scale * mode.turn[i];
+    else
+      turn_on(&frame.rotation[4 * i], Vec3(scale * Vec3::Map(&mode.turn[3 * i])));
+  }
   return frame;
+}
+
+/// The mode as shown goes no farther than this.
+double shown_scale(double size, double way, double turn) {
+  const double by_way = way > 0 ? shown_share * size / way : 1;
+  return turn * by_way > most_shown_turn ? most_shown_turn / turn : by_way;
+}
+
+/// In space: by the corners of the solids.
+double scale_in_space(const Header& header, const ModeRow& mode) {
+  const Frame frame = moved(header, mode, 0);
+  const results::Placement at(header, frame);
+  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+  double most = 0, most_turn = 0;
+  for (const results::BodyRow& body : header.bodies) {
+    if (body.support.find("free") == std::string::npos && !body.support.empty()) continue;
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+      const auto n = static_cast<std::size_t>(header.vertex_node[static_cast<std::size_t>(v)]);
+      const Vec3 place = at.vertex(v), turn = Vec3::Map(&mode.turn[3 * n]);
+      const Vec3 way = Vec3::Map(&mode.displacement[3 * n]) + cross(turn, Vec3(place - Vec3::Map(&mode.position[3 * n])));
+      low = low.cwiseMin(place), high = high.cwiseMax(place);
+      most = std::max(most, way.norm()), most_turn = std::max(most_turn, turn.norm());
+    }
+  }
+  return shown_scale((high - low).norm(), most, most_turn);
 }
 
 /// Diagonal of the box around what is free to move [m].
@@ -62,6 +101,7 @@ std::vector<ModeRow> modes_found(const results::ResultsReader& reader, double ti
 }
 
 double mode_scale(const Header& header, const ModeRow& mode) {
+  if (header.dim == 3) return scale_in_space(header, mode);
   const double size = size_of_free(plain_scene(header, moved(header, mode, 0)));
   double most = 0, turn = 0;
   for (std::size_t v = 0; v < header.vertex_node.size(); ++v) {
@@ -70,20 +110,24 @@ double mode_scale(const Header& header, const ModeRow& mode) {
     const Vec2 way = Vec2(mode.displacement[2 * n], mode.displacement[2 * n + 1]) + cross(mode.turn[n], arm);
     most = std::max(most, way.norm()), turn = std::max(turn, std::abs(mode.turn[n]));
   }
-  const double by_way = most > 0 ? shown_share * size / most : 1;
-  return turn * by_way > most_shown_turn ? most_shown_turn / turn : by_way;
+  return shown_scale(size, most, turn);
 }
 
 namespace {
+
+/// What a picture of a mode says.
+Scene titled(Scene scene, const ModeRow& mode) {
+  scene.title = fmt::format("mode {}", mode.number);
+  scene.time = mode.time;
+  scene.stage = mode_text(mode);
+  return scene;
+}
 
 /// `gone`, by body, is left out; empty: none.
 Scene scene_of_mode(const Header& header, const ModeRow& mode, double magnify, const std::vector<bool>& gone) {
   const Scene stood = plain_scene(header, moved(header, mode, 0));
   const double scale = magnify * mode_scale(header, mode);
-  Scene scene = plain_scene(header, moved(header, mode, scale));
-  scene.title = fmt::format("mode {}", mode.number);
-  scene.time = mode.time;
-  scene.stage = mode_text(mode);
+  Scene scene = titled(plain_scene(header, moved(header, mode, scale)), mode);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < stood.bodies.size(); ++i) {
     if (i < gone.size() && gone[i]) continue;
@@ -101,12 +145,19 @@ Scene mode_scene(const Header& header, const ModeRow& mode, double magnify) {
   return scene_of_mode(header, mode, magnify, {});
 }
 
-Scene mode_scene(const results::ResultsReader& reader, const ModeRow& mode, double magnify) {
+Scene mode_scene(const results::ResultsReader& reader, const ModeRow& mode, double magnify,
+                 const SceneChoice& choice) {
   const Header& header = reader.header();
   const results::Presence presence(reader.events(), header.bodies.size());
   std::vector<bool> gone(header.bodies.size());
   for (std::size_t i = 0; i < gone.size(); ++i) gone[i] = !presence.is_followed(i, mode.time);
-  return scene_of_mode(header, mode, magnify, gone);
+  if (header.dim == 2) return scene_of_mode(header, mode, magnify, gone);
+  const Frame stood = moved(header, mode, 0), now = moved(header, mode, magnify * mode_scale(header, mode));
+  Scene scene = titled(plain_scene(header, now), mode);
+  add_solids(header, now, choice, gone, scene);
+  add_solid_ghosts(header, stood, now, ViewAxes(choice.from), scene);
+  scene.ghost_label = "as it stood";
+  return scene;
 }
 
 }  // namespace trilith::draw

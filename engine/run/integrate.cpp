@@ -99,12 +99,10 @@ void Simulation<D>::change_integrator(bool implicit) {
   refresh();
   commit(model_, state_, work_, times_);
   leaving_.insert(leaving_.end(), work_.events.begin(), work_.events.end());
-  if constexpr (D == 2) {
-    if (implicit)
-      begin_implicit(model_, state_, work_);
-    else
-      begin_explicit(model_, state_, work_);
-  }
+  if (implicit)
+    begin_implicit(model_, state_, work_);
+  else
+    begin_explicit(model_, state_, work_);
   state_.dt = state_.safety = 0;
   evaluated_ = false;
 }
@@ -117,16 +115,16 @@ void Simulation<D>::leave_implicit() {
   std::vector<Rotation<D>> rotation = std::exchange(state_.rotation_before, state_.rotation);
   evaluate(model_, state_, work_, state_.last_dt, times_);
   state_.position_before.swap(position), state_.rotation_before.swap(rotation);  // the ledger wants the step behind
-  if constexpr (D == 2) begin_explicit(model_, state_, work_);
+  begin_explicit(model_, state_, work_);
   state_.dt = state_.safety = 0;
   evaluated_ = false;
   refresh();
   state_.dt = next_.dt, state_.safety = next_.safety;
 }
 
-/// By the implicit scheme of the stage; there is none in space yet.
-template <>
-bool Simulation<2>::step_implicitly(double dt, const Energy& energy) {
+/// By the implicit scheme of the stage.
+template <int D>
+bool Simulation<D>::step_implicitly(double dt, const Energy& energy) {
   const StageOptions& options = stage_->options;
   ImplicitOptions how;
   how.scheme = *options.implicit, how.dt = dt, how.tolerance = options.tolerance, how.accuracy = options.accuracy;
@@ -144,10 +142,6 @@ bool Simulation<2>::step_implicitly(double dt, const Energy& energy) {
   leave_implicit();
   advance(model_, state_, work_, {swept_.dt, rest_}, times_);
   return true;
-}
-template <>
-bool Simulation<3>::step_implicitly(double /*dt*/, const Energy& /*energy*/) {
-  return false;
 }
 
 /// From a committed instant to the next one. False where that could not be found.

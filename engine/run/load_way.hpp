@@ -9,15 +9,17 @@
 namespace trilith {
 
 /// An equilibrium, and what of the loads it has.
+template <int D>
 struct Waypoint {
-  State<2> state;
+  State<D> state;
   double factor = 0;
 };
 
 /// Loads that a path has scaled, at factor 1, and what it came by from its begin to its end.
+template <int D>
 struct LoadWay {
-  std::vector<PointLoad<2>> loads;
-  std::vector<Waypoint> points;
+  std::vector<PointLoad<D>> loads;
+  std::vector<Waypoint<D>> points;
 };
 
 }  // namespace trilith

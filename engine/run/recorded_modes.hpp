@@ -9,7 +9,8 @@
 namespace trilith {
 
 /// One row for each mode, with its damping and the place of all nodes in `state`, of which they were found.
-std::vector<results::ModeRow> recorded_modes(const State<2>& state, const std::vector<Mode>& modes,
+template <int D>
+std::vector<results::ModeRow> recorded_modes(const State<D>& state, const std::vector<NaturalMode<D>>& modes,
                                              const std::vector<ModeDamping>& damping);
 
 }  // namespace trilith

@@ -14,19 +14,19 @@
 namespace trilith {
 
 /// The state is another one meanwhile, and so are the loads that the path has scaled.
-template <>
-void Simulation<2>::tell_way(const LoadWay& way, const RunListener<2>& listener) {
-  const State<2> end = state_;
-  const std::vector<PointLoad<2>> loads = model_.point_loads;
+template <int D>
+void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listener) {
+  const State<D> end = state_;
+  const std::vector<PointLoad<D>> loads = model_.point_loads;
   const StageOptions& options = stage_->options;
-  for (const Waypoint& point : way.points) {
+  for (const Waypoint<D>& point : way.points) {
     auto unit = way.loads.begin();
-    for (PointLoad<2>& load : model_.point_loads)
+    for (PointLoad<D>& load : model_.point_loads)
       if (unit != way.loads.end() && load.name == unit->name) load.force = point.factor * (unit++)->force;
     state_ = point.state;
     drop_work();
     refresh();
-    const Instant<2> now = instant();
+    const Instant<D> now = instant();
     if (options.frame_interval > 0 && listener.on_frame) listener.on_frame(now);
     if (options.history_interval > 0 && listener.on_history) listener.on_history(now);
   }
@@ -37,9 +37,9 @@ void Simulation<2>::tell_way(const LoadWay& way, const RunListener<2>& listener)
 }
 
 /// All of it lies between two looks at the same instant: what led to rest is told at the second one.
-template <>
-StageReport Simulation<2>::settle(const StageOptions& options, const EquilibriumOptions& how,
-                                  const RunListener<2>& listener, const LoadWay* way) {
+template <int D>
+StageReport Simulation<D>::settle(const StageOptions& options, const EquilibriumOptions& how,
+                                  const RunListener<D>& listener, const LoadWay<D>* way) {
   begin_stage(options);
   StageReport& report = stage_->report;
   const Flagged running(running_);
@@ -51,7 +51,7 @@ StageReport Simulation<2>::settle(const StageOptions& options, const Equilibrium
     watch_->reset();
     drop_work();
     refresh();
-    const Instant<2> now = instant();
+    const Instant<D> now = instant();
     for (const Event& e : found.events) tell(e, listener, now);
     if (listener.on_step) listener.on_step(now);
     report.steps = found.steps, report.ended = state_.time;
@@ -69,11 +69,9 @@ StageReport Simulation<2>::settle(const StageOptions& options, const Equilibrium
   return out;
 }
 
-template <>
-StageReport Simulation<3>::settle(const StageOptions& options, const EquilibriumOptions& /*how*/,
-                                  const RunListener<3>& /*listener*/, const LoadWay* /*way*/) {
-  throw InputError(fmt::format("stage '{}': models in space are not settled by statics yet; let it consolidate in time",
-                               options.name));
-}
+template StageReport Simulation<2>::settle(const StageOptions&, const EquilibriumOptions&, const RunListener<2>&,
+                                           const LoadWay<2>*);
+template StageReport Simulation<3>::settle(const StageOptions&, const EquilibriumOptions&, const RunListener<3>&,
+                                           const LoadWay<3>*);
 
 }  // namespace trilith

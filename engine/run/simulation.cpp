@@ -38,7 +38,7 @@ Simulation<D>::Simulation(Model<D> model)
       state_(start_state(model_)),
       causes_(static_cast<int>(model_.bodies.size())),
       watch_(std::make_unique<Watch>()),
-      tangent_(std::make_unique<Tangent>()) {}
+      tangent_(std::make_unique<Tangent<D>>()) {}
 
 template <int D>
 Simulation<D>::Simulation(Model<D> model, State<D> state)
@@ -46,7 +46,7 @@ Simulation<D>::Simulation(Model<D> model, State<D> state)
       state_(std::move(state)),
       causes_(static_cast<int>(model_.bodies.size())),
       watch_(std::make_unique<Watch>()),
-      tangent_(std::make_unique<Tangent>()) {
+      tangent_(std::make_unique<Tangent<D>>()) {
   assert(state_.position.size() == model_.mass.size());
   all_left_ = hold_left(model_, state_);
 }
@@ -176,7 +176,7 @@ void Simulation<D>::tell_end(const RunListener<D>& listener, const Instant<D>& n
 
 template <int D>
 void Simulation<D>::begin_stage(const StageOptions& options) {
-  require_valid(options, D == 3);
+  require_valid(options);
   assert(!running_);
   if (verdict_.has(Fault::diverged))
     throw InputError(

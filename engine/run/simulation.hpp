@@ -51,8 +51,10 @@ struct NextStep {
   double longest = 0;  ///< the longest stable one [s], where it was looked for just now; else 0
 };
 class Watch;
+template <int D>
 class Tangent;
 struct EquilibriumOptions;
+template <int D>
 struct LoadWay;
 
 template <int D>
@@ -70,12 +72,11 @@ class Simulation {
   /// What listeners throw ends the run and is passed on; the state is then that of the last whole step. Throws
   /// InputError too after a stage that diverged: its state means nothing.
   StageReport run(const StageOptions& options, const RunListener<D>& listener = {});
-  /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Throws
-  /// InputError in space. Where none is found the state is as it was, and the report says what fails. Of `options`
+  /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Where none is found the state is as it was, and the report says what fails. Of `options`
   /// name, must_rest and intervals count. `way`: what has led here, each of its points a frame and a sample, all of
   /// them at the present time.
   StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener = {},
-                     const LoadWay* way = nullptr);
+                     const LoadWay<D>* way = nullptr);
   /// Runs a stage that restore() has brought back to its end.
   StageReport resume(const RunListener<D>& listener = {});
   /// Within at_border of a running stage: takes further steps of that stage, up to `limit` or its end.
@@ -133,7 +134,7 @@ class Simulation {
   void pass(const RunListener<D>& listener);
   void see_off();
   bool ends(const RunListener<D>& listener, const Instant<D>& now);
-  void tell_way(const LoadWay& way, const RunListener<D>& listener);
+  void tell_way(const LoadWay<D>& way, const RunListener<D>& listener);
   void tell_samples(const RunListener<D>& listener, const Instant<D>& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;
   [[nodiscard]] bool wants_implicit() const;
@@ -167,7 +168,7 @@ class Simulation {
   RestDamping rest_;        // of the present stage, or of the last one
   bool evaluated_ = false;  // work_, next_ and swept_ are those of state_ and model_
   std::unique_ptr<Watch> watch_;
-  std::unique_ptr<Tangent> tangent_;  // of implicit steps
+  std::unique_ptr<Tangent<D>> tangent_;  // of implicit steps
   std::string stuck_;                 // why an implicit step could not be taken
   std::string changed_;               // why the integrator has changed within the stage, until that is told
   std::vector<Event> leaving_;        // events of what left or was changed at this instant, to be told

@@ -12,7 +12,7 @@ constexpr double longest_safety = 0.9;
 
 }  // namespace
 
-void require_valid(const StageOptions& o, bool in_space) {
+void require_valid(const StageOptions& o) {
   const std::string owner = fmt::format("stage '{}'", o.name);
   require_positive(o.duration, owner + ": duration", "s");
   require_not_negative(o.dt, owner + ": dt", "s");
@@ -23,11 +23,6 @@ void require_valid(const StageOptions& o, bool in_space) {
                     owner, o.safety, longest_safety));
   if (!(o.rest_share >= 0 && o.rest_share < 1))
     throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
-  if (o.implicit && in_space)
-    throw InputError(
-        fmt::format("{}: integrator is implicit, which models in space have not yet; leave it out, or take "
-                    "integrator = \"explicit\"",
-                    owner));
   if (o.implicit && o.rest_share > 0)
     throw InputError(
         fmt::format("{}: damping is {:g}, which only explicit steps have; leave it out, or take "

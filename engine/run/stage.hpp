@@ -46,9 +46,8 @@ struct StageOptions {
   double energy_interval = 0;   ///< [s]; 0: none
 };
 
-/// Throws InputError where an option is out of its range or does not go with another. `in_space`: the model's dimension
-/// is three.
-void require_valid(const StageOptions& options, bool in_space);
+/// Throws InputError where an option is out of its range or does not go with another.
+void require_valid(const StageOptions& options);
 
 struct StageReport {
   std::string name;

@@ -86,7 +86,8 @@ std::string unsettled_reason(const Instant<D>& now) {
 }
 
 /// Of a step that did not converge at any length: when, how far it came, and the body with the most left over.
-std::string stuck_reason(const Model<2>& model, const State<2>& state, const ImplicitStep& step) {
+template <int D>
+std::string stuck_reason(const Model<D>& model, const State<D>& state, const ImplicitStep& step) {
   const std::string where = step.worst < 0 ? "nowhere" : model.bodies[body_of_node(model, step.worst)].name;
   return fmt::format(
       "no step from t = {:.6g} s on converges, down to {:.2g} s: {:.2g} of the largest force is left over, most of it "
@@ -96,7 +97,8 @@ std::string stuck_reason(const Model<2>& model, const State<2>& state, const Imp
 }
 
 /// Either something is not held at all, which no number of iterations mends, or the last forces do not vanish.
-std::string no_rest_reason(const Model<2>& model, const Equilibrium& found) {
+template <int D>
+std::string no_rest_reason(const Model<D>& model, const Equilibrium& found) {
   const std::string where = found.worst < 0 ? "nothing" : model.bodies[body_of_node(model, found.worst)].name;
   if (found.end == EquilibriumEnd::goes_off)
     return fmt::format(
@@ -117,6 +119,10 @@ Event unsettled_event(const Instant<D>& now) {
   return e;
 }
 
+template std::string stuck_reason(const Model<2>&, const State<2>&, const ImplicitStep&);
+template std::string stuck_reason(const Model<3>&, const State<3>&, const ImplicitStep&);
+template std::string no_rest_reason(const Model<2>&, const Equilibrium&);
+template std::string no_rest_reason(const Model<3>&, const Equilibrium&);
 template Event stage_event(EventType, const Instant<2>&, const std::string&);
 template Event integrator_event(const Instant<2>&, const std::string&);
 template void set_end(StageReport&, const Instant<2>&, const std::optional<Divergence>&, StageEnd);

@@ -32,9 +32,11 @@ Event diverged_event(const Instant<D>& now, const StageReport& report);
 template <int D>
 std::string unsettled_reason(const Instant<D>& now);
 /// Where an implicit step did not converge: where the most is left over, and what to try.
-std::string stuck_reason(const Model<2>& model, const State<2>& state, const ImplicitStep& step);
+template <int D>
+std::string stuck_reason(const Model<D>& model, const State<D>& state, const ImplicitStep& step);
 /// Where statics found no rest: what goes off, or where the most is left over, and what to try.
-std::string no_rest_reason(const Model<2>& model, const Equilibrium& found);
+template <int D>
+std::string no_rest_reason(const Model<D>& model, const Equilibrium& found);
 /// Why rest was not reached, as an event without advice.
 template <int D>
 Event unsettled_event(const Instant<D>& now);

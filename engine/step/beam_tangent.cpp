@@ -1,6 +1,7 @@
 #include "step/beam_tangent.hpp"
 
 #include "step/beam_motion.hpp"
+#include "step/implicit_turn.hpp"
 #include "step/resist_beams.hpp"
 
 namespace trilith {
@@ -91,6 +92,63 @@ BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& b
   if (beam.damping > 0)
     out -= shape.strain.transpose() * t.by_rate *
            (rate * shape.strain + rate_by_place(now, shape, to.velocity - from.velocity));
+  return out;
+}
+
+namespace {
+
+/// Both ends of a beam in space, as its nodes move.
+struct BeamNodes3 {
+  std::array<Vec3, 2> place, velocity, spin;
+  std::array<UnitQuaternion, 2> rotation;
+
+  BeamNodes3(const State<3>& state, const Beam3& beam) {
+    for (const std::size_t i : {0, 1}) {
+      const auto n = static_cast<std::size_t>(beam.node[i]);
+      place[i] = state.position[n], velocity[i] = state.velocity[n], spin[i] = state.spin[n];
+      rotation[i] = state.rotation[n];
+    }
+  }
+  /// Moved along one of the twelve unknowns, at `rate` times that.
+  void move(int unknown, double by, double rate) {
+    const auto i = static_cast<std::size_t>(unknown / 6);
+    const int k = unknown % 6;
+    if (k < 3) {
+      place[i][k] += by, velocity[i][k] += rate * by;
+    } else {
+      turn_about(k - 3, by, rotation[i]);
+      spin[i][k - 3] += rate * by;
+    }
+  }
+  [[nodiscard]] Eigen::Matrix<double, 12, 1> forces(const Beam3& beam) const {
+    const auto end = [&](std::size_t i) {
+      return BeamEnd3{place[i], turn_of(rotation[i] * beam.axes[i]), velocity[i], spin[i]};
+    };
+    const BeamNow3 now(end(0), end(1), beam.length);
+    BeamStress3 all = stress_of(beam.stiffness, now.strain());
+    const BeamStress3 damping = linear_stress(beam.stiffness, now.rate());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] += beam.damping * damping[k];
+    const BeamAction3 action = now.action(all);
+    Eigen::Matrix<double, 12, 1> out;
+    out << action.force, action.moment[0], -action.force, action.moment[1];
+    return out;
+  }
+};
+
+/// Of a beam's length, and of a turn [rad]: what differences leave out and what rounding makes are both small then.
+constexpr double beam_disturbance = 1e-6;
+
+}  // namespace
+
+BeamBlock3 beam_block(const State<3>& state, const Beam3& beam, double rate) {
+  const BeamNodes3 now(state, beam);
+  BeamBlock3 out;
+  for (int unknown = 0; unknown < 12; ++unknown) {
+    const double by = beam_disturbance * (unknown % 6 < 3 ? beam.length : 1);
+    BeamNodes3 more = now, less = now;
+    more.move(unknown, by, rate), less.move(unknown, -by, rate);
+    out.col(unknown) = (more.forces(beam) - less.forces(beam)) / (2 * by);
+  }
   return out;
 }
 

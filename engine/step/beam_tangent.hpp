@@ -1,4 +1,4 @@
-// How the forces of a beam on its two nodes answer to their motion, by hand.
+// How the forces of a beam on its two nodes answer to their motion: in the plane by hand, in space by differences.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,5 +15,10 @@ using BeamBlock = Eigen::Matrix<double, 6, 6>;
 /// goes with their own tangent; how that changes is left out. `dt`: of the step that ends here [s], for damping over a
 /// band; 0 leaves that out.
 BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate, double dt = 0);
+
+/// The same in space: forces and moments on both nodes, by their places and by turns about the axes of the world. By
+/// central differences of the beam alone, exact to some 1e-9.
+using BeamBlock3 = Eigen::Matrix<double, 12, 12>;
+BeamBlock3 beam_block(const State<3>& state, const Beam3& beam, double rate);
 
 }  // namespace trilith

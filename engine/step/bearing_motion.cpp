@@ -128,10 +128,21 @@ std::array<double, 3> mean_rates(const Model<2>& model, const State<2>& state, c
           std::remainder(now.displacement[turning] - before.displacement[turning], 2 * M_PI) / dt};
 }
 
-/// There are no implicit schemes in space.
-std::array<double, 6> mean_rates(const Model<3>& /*model*/, const State<3>& /*state*/, const Bearing<3>& /*b*/,
-                                 const BearingMotion<3>& now, double /*dt*/) {
-  return now.rate;
+/// Turns are taken for those nearest to the ones of now, so that whole ones do not come in between.
+std::array<double, 6> mean_rates(const Model<3>& model, const State<3>& state, const Bearing<3>& b,
+                                 const BearingMotion<3>& now, double dt) {
+  if (!state.implicit()) return now.rate;
+  if (!(dt > 0)) return {};
+  const BodyMotion p = motion_before(model, state, b.end_a.node[0]), q = motion_before(model, state, b.end_b.node[0]);
+  const UnitQuaternion frame = p.rotation * b.angle;
+  const Vec3 between =
+      q.place + turn_of(q.rotation).apply(b.end_b.arm[0]) - p.place - turn_of(p.rotation).apply(b.end_a.arm[0]);
+  const Vec3 moved = turn_of(frame).undo(between) - b.rest;
+  const Vec3 last(now.displacement[3], now.displacement[4], now.displacement[5]),
+      turned = nearest_turn(inverse(frame) * (q.rotation * b.rest_angle), last);
+  std::array<double, 6> out{};
+  for (const int k : {0, 1, 2}) out[k] = (now.displacement[k] - moved[k]) / dt, out[3 + k] = (last[k] - turned[k]) / dt;
+  return out;
 }
 
 void push_ends(const Model<2>& model, const State<2>& state, const Bearing<2>& bearing, const Vec2& force,
@@ -139,6 +150,13 @@ void push_ends(const Model<2>& model, const State<2>& state, const Bearing<2>& b
   const Vec2 between = pose_at(model, state, bearing.end_b).place - pose_at(model, state, bearing.end_a).place;
   push_at(model, state, bearing.end_b, force, moment, node_force, node_moment);
   push_at(model, state, bearing.end_a, -force, -cross(between, force) - moment, node_force, node_moment);
+}
+
+void push_ends(const Model<3>& model, const State<3>& state, const Bearing<3>& bearing, const Vec3& force,
+               const Vec3& moment, std::vector<Vec3>& node_force, std::vector<Vec3>& node_moment) {
+  const Vec3 point = point_of(model, state, bearing.end_b);
+  push_carrier(model, state, bearing.end_b.node[0], point, force, moment, node_force, node_moment);
+  push_carrier(model, state, bearing.end_a.node[0], point, -force, -moment, node_force, node_moment);
 }
 
 }  // namespace trilith

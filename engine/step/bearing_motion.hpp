@@ -38,6 +38,10 @@ std::array<double, 6> mean_rates(const Model<3>& model, const State<3>& state, c
 void push_ends(const Model<2>& model, const State<2>& state, const Bearing<2>& bearing, const Vec2& force,
                double moment, std::vector<Vec2>& node_force, std::vector<double>& node_moment);
 
+/// The same in space, of ends tied to one carrier each (world/carrier.hpp).
+void push_ends(const Model<3>& model, const State<3>& state, const Bearing<3>& bearing, const Vec3& force,
+               const Vec3& moment, std::vector<Vec3>& node_force, std::vector<Vec3>& node_moment);
+
 /// A point tied to one carrier in space (world/carrier.hpp), where it stands [m].
 inline Vec3 point_of(const Model<3>& model, const State<3>& state, const Tie<3>& tie) {
   const int n = tie.node[0];

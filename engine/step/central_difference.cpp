@@ -216,8 +216,7 @@ void add_stored(const Model<3>& model, const State<3>& state, const Work<3>& wor
 
 template <int D>
 Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options) {
-  if constexpr (D == 2)
-    if (state.implicit()) return implicit_energy(model, state, work);
+  if (state.implicit()) return implicit_energy(model, state, work);
   Energy energy = work.given;
   const double span = 0.5 * (state.last_dt + options.dt);
   const Outside outside(model, state, work);

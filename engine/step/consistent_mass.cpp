@@ -55,14 +55,14 @@ double dot_free(const Model<2>& model, const std::vector<Dofs<2>>& a, const std:
 /// M of all beams as they lie, for products with it.
 class MassMatrix {
  public:
-  MassMatrix(const Model<2>& model, const State<2>& state) : model_(model) {
+  MassMatrix(const Model<2>& model, const State<2>& state) : model_(model), state_(state) {
     for (const Beam& beam : model.beams)
       if (beam.inertia >= 0) added_.push_back({&beam, added_mass(model, state, beam)});
   }
   [[nodiscard]] std::vector<Dofs<2>> times(const std::vector<Dofs<2>>& v) const {
     std::vector<Dofs<2>> out(v.size());
     for (std::size_t n = 0; n < v.size(); ++n) {
-      const Dofs<2> mass = mass_of(model_, static_cast<int>(n));
+      const Dofs<2> mass = mass_of(model_, state_, static_cast<int>(n));
       for (const int k : {0, 1, 2}) out[n][k] = mass[k] * v[n][k];
     }
     for (const auto& [beam, m] : added_)
@@ -74,7 +74,7 @@ class MassMatrix {
   /// Of M on its diagonal.
   [[nodiscard]] std::vector<Dofs<2>> diagonal() const {
     std::vector<Dofs<2>> out;
-    for (int n = 0; n < model_.nodes(); ++n) out.push_back(mass_of(model_, n));
+    for (int n = 0; n < model_.nodes(); ++n) out.push_back(mass_of(model_, state_, n));
     for (const auto& [beam, m] : added_)
       for (int i = 0; i < 6; ++i) out[beam->node[i / 3]][i % 3] += m(i, i);
     return out;
@@ -82,6 +82,7 @@ class MassMatrix {
 
  private:
   const Model<2>& model_;
+  const State<2>& state_;
   std::vector<std::pair<const Beam*, BeamMatrix>> added_;
 };
 
@@ -131,18 +132,22 @@ void added_damping(const Model<2>& model, const State<2>& state, std::vector<Dof
   }
 }
 
-std::vector<NodeForces<2>> implicit_forces(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+template <int D>
+std::vector<NodeForces<D>> implicit_forces(const Model<D>& model, const State<D>& state, const Work<D>& work) {
   const Outside outside(model, state, work);
-  std::vector<NodeForces<2>> out;
+  std::vector<NodeForces<D>> out;
   out.reserve(static_cast<std::size_t>(model.nodes()));
   for (int n = 0; n < model.nodes(); ++n)
     out.push_back(node_forces(model, state, work, n, velocity_of(state, n), outside, {}));
-  std::vector<Dofs<2>> added;
+  std::vector<Dofs<D>> added;
   added_damping(model, state, added);
   for (std::size_t n = 0; n < added.size(); ++n)
-    for (const int k : {0, 1, 2}) out[n].force[k] += added[n][k], out[n].mass[k] += added[n][k];
+    for (int k = 0; k < Space<D>::dofs; ++k) out[n].force[k] += added[n][k], out[n].mass[k] += added[n][k];
   return out;
 }
+
+template std::vector<NodeForces<2>> implicit_forces(const Model<2>&, const State<2>&, const Work<2>&);
+template std::vector<NodeForces<3>> implicit_forces(const Model<3>&, const State<3>&, const Work<3>&);
 
 /// v' (M - lumped) v / 2, beside the sum of m v^2 / 2 over the nodes.
 double added_kinetic(const Model<2>& model, const State<2>& state) {
@@ -155,12 +160,17 @@ double added_kinetic(const Model<2>& model, const State<2>& state) {
   return sum;
 }
 
-double work_on_support(const Model<2>& model, int node, const Dofs<2>& force, const Dofs<2>& path) {
+template <int D>
+double work_on_support(const Model<D>& model, int node, const std::type_identity_t<Dofs<D>>& force,
+                       const std::type_identity_t<Dofs<D>>& path) {
   double sum = 0;
-  for (const int k : {0, 1, 2})
+  for (int k = 0; k < Space<D>::dofs; ++k)
     if (model.support[node][k] != Support::free) sum += force[k] * path[k];
   return sum;
 }
+
+template double work_on_support(const Model<2>&, int, const Dofs<2>&, const Dofs<2>&);
+template double work_on_support(const Model<3>&, int, const Dofs<3>&, const Dofs<3>&);
 
 /// Scaled by the diagonal, M is so well-conditioned that some twenty products reach its last digits.
 std::vector<Dofs<2>> accelerations(const Model<2>& model, const State<2>& state, const std::vector<Dofs<2>>& force) {

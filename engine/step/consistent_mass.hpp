@@ -23,7 +23,8 @@ BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& 
 void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out);
 
 /// Forces of all nodes at the evaluated state, as implicit steps have them: damping of the mass that was chosen.
-std::vector<NodeForces<2>> implicit_forces(const Model<2>& model, const State<2>& state, const Work<2>& work);
+template <int D>
+std::vector<NodeForces<D>> implicit_forces(const Model<D>& model, const State<D>& state, const Work<D>& work);
 
 /// What it adds to the damping by mass, -mass_damping (M - M_lumped) v, of free directions [N], [N m]; empty where it
 /// adds nothing.
@@ -33,10 +34,24 @@ void added_damping(const Model<2>& model, const State<2>& state, std::vector<Dof
 double added_kinetic(const Model<2>& model, const State<2>& state);
 
 /// Work that supports do on it along `path` of a node [J].
-double work_on_support(const Model<2>& model, int node, const Dofs<2>& force, const Dofs<2>& path);
+template <int D>
+double work_on_support(const Model<D>& model, int node, const std::type_identity_t<Dofs<D>>& force,
+                       const std::type_identity_t<Dofs<D>>& path);
 
 /// Accelerations of the free directions [m/s2, rad/s2] from the forces on them, by conjugate gradients; the others are
 /// 0.
 std::vector<Dofs<2>> accelerations(const Model<2>& model, const State<2>& state, const std::vector<Dofs<2>>& force);
+
+// In space all mass is lumped at the nodes.
+inline void added_inertia(const Model<3>& /*model*/, const State<3>& /*state*/, bool /*rising*/,
+                          std::vector<Dofs<3>>& out) {
+  out.clear();
+}
+inline void added_damping(const Model<3>& /*model*/, const State<3>& /*state*/, std::vector<Dofs<3>>& out) {
+  out.clear();
+}
+inline double added_kinetic(const Model<3>& /*model*/, const State<3>& /*state*/) {
+  return 0;
+}
 
 }  // namespace trilith

@@ -6,10 +6,13 @@ namespace trilith {
 namespace {
 
 /// Unknowns are numbered by node, then by direction; what is held or driven has none.
-void list_freedoms(const Model<2>& model, Coupling& out) {
-  out.unknown.assign(model.mass.size(), {-1, -1, -1});
+template <int D>
+void list_freedoms(const Model<D>& model, Coupling<D>& out) {
+  std::array<int, Space<D>::dofs> none;
+  none.fill(-1);
+  out.unknown.assign(model.mass.size(), none);
   for (int n = 0; n < model.nodes(); ++n)
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < Space<D>::dofs; ++k) {
       if (model.support[n][k] != Support::free) continue;
       out.unknown[n][k] = out.size();
       out.freedom.push_back({n, k});
@@ -17,20 +20,28 @@ void list_freedoms(const Model<2>& model, Coupling& out) {
 }
 
 /// Groups of nodes, each group coupled through and through.
+template <int D>
 class Groups {
  public:
-  Groups(const Model<2>& model, Coupling& out) : model_(model), out_(out) { out.near.resize(model.mass.size()); }
+  Groups(const Model<D>& model, Coupling<D>& out) : model_(model), out_(out) { out.near.resize(model.mass.size()); }
 
   void add(int node) {
     if (model_.moves(node)) group_.push_back(node);
   }
-  void add(const Tie<2>& tie) {
-    for (int i = 0; i < tie.nodes; ++i) add(tie.node[i]), add(tie.turn[i]);
+  /// A node, or in space all nodes of a fit (world/carrier.hpp).
+  void add_carrier(int carrier) {
+    if (carrier >= 0) return add(carrier);
+    const Fit& fit = model_.fits[static_cast<std::size_t>(-1 - carrier)];
+    for (int i = 0; i < fit.nodes; ++i) add(fit.node[static_cast<std::size_t>(i)]);
+  }
+  void add(const Tie<D>& tie) {
+    for (int i = 0; i < tie.nodes; ++i) add_carrier(tie.node[i]), add_carrier(tie.turn[i]);
   }
   void add_skin(int skin) { add(model_.skin_node[skin]), add(model_.skin_turn[skin]); }
   void add_piece(int piece) {
     const Body& body = model_.bodies[model_.piece_body[piece]];
     if (body.is_rigid()) return add(body.first_node);
+    if (model_.is_fitted(piece)) return add_carrier(model_.carrier_of(piece));
     for (int c = model_.piece_first[piece]; c < model_.piece_first[piece + 1]; ++c) add_skin(model_.corner_skin[c]);
   }
   void end() {
@@ -41,30 +52,38 @@ class Groups {
   }
 
  private:
-  const Model<2>& model_;
-  Coupling& out_;
+  const Model<D>& model_;
+  Coupling<D>& out_;
   std::vector<int> group_;
 };
 
 /// Each node with itself, and the nodes of an element among each other.
-void add_bodies(const Model<2>& model, Groups& groups) {
+template <int D>
+void add_bodies(const Model<D>& model, Groups<D>& groups) {
   for (int n = 0; n < model.nodes(); ++n) groups.add(n), groups.end();
   for (const Element& e : model.elements) {
     for (int i = 0; i < e.nodes; ++i) groups.add(e.node[i]);
     groups.end();
   }
+  for (const SpaceElement& e : model.space_elements) {
+    for (int i = 0; i < info_of(e.shape).nodes; ++i) groups.add(e.node[static_cast<std::size_t>(i)]);
+    groups.end();
+  }
 }
 
-void add_beams(const Model<2>& model, Groups& groups) {
+template <int D>
+void add_beams(const Model<D>& model, Groups<D>& groups) {
   for (const Beam& beam : model.beams) groups.add(beam.node[0]), groups.add(beam.node[1]), groups.end();
+  for (const Beam3& beam : model.beams_3d) groups.add(beam.node[0]), groups.add(beam.node[1]), groups.end();
 }
 
 /// Bearings join the nodes that their ends hang on, loads that follow those of their place, and each near pair of
 /// pieces all nodes of both: which of them press can change within a step.
-void add_links(const Model<2>& model, const Work<2>& work, Groups& groups) {
-  for (const Bearing<2>& b : model.bearings) groups.add(b.end_a), groups.add(b.end_b), groups.end();
-  for (const PointLoad<2>& load : model.point_loads) groups.add(load.at), groups.end();
-  for (const FaceLoad<2>& load : model.face_loads)
+template <int D>
+void add_links(const Model<D>& model, const Work<D>& work, Groups<D>& groups) {
+  for (const Bearing<D>& b : model.bearings) groups.add(b.end_a), groups.add(b.end_b), groups.end();
+  for (const PointLoad<D>& load : model.point_loads) groups.add(load.at), groups.end();
+  for (const FaceLoad<D>& load : model.face_loads)
     groups.add_skin(load.skin_a), groups.add_skin(load.skin_b), groups.end();
   for (const NearPair& p : work.pairs) groups.add_piece(p.piece_a), groups.add_piece(p.piece_b), groups.end();
 }
@@ -78,7 +97,8 @@ void make_unique(std::vector<std::vector<int>>& near) {
 
 /// Each node takes the first colour that none has that acts on a node it acts on (Curtis, Powell and Reid, "On the
 /// estimation of sparse Jacobian matrices", J. Inst. Maths Applics 13, 1974). The pattern is symmetric.
-void choose_colours(Coupling& out) {
+template <int D>
+void choose_colours(Coupling<D>& out) {
   std::vector<int> colour_of(out.near.size(), -1), taken_by;
   for (std::size_t n = 0; n < out.near.size(); ++n) {
     if (out.near[n].empty()) continue;
@@ -95,8 +115,9 @@ void choose_colours(Coupling& out) {
 
 }  // namespace
 
-Coupling coupling_of(const Model<2>& model, const Work<2>& work) {
-  Coupling out;
+template <int D>
+Coupling<D> coupling_of(const Model<D>& model, const Work<D>& work) {
+  Coupling<D> out;
   list_freedoms(model, out);
   Groups groups(model, out);
   add_bodies(model, groups);
@@ -107,5 +128,8 @@ Coupling coupling_of(const Model<2>& model, const Work<2>& work) {
   make_unique(out.near);
   return out;
 }
+
+template Coupling<2> coupling_of(const Model<2>&, const Work<2>&);
+template Coupling<3> coupling_of(const Model<3>&, const Work<3>&);
 
 }  // namespace trilith

@@ -43,7 +43,8 @@ constexpr double slow_iteration = 0.5;
 constexpr double work_left = 0.5;
 constexpr int most_tries = 8;
 
-void scale_all(const Model<2>& whole, double share, Model<2>& model) {
+template <int D>
+void scale_all(const Model<D>& whole, double share, Model<D>& model) {
   model.gravity.field = share * whole.gravity.field;
   for (std::size_t n = 0; n < whole.load.size(); ++n) model.load[n] = share * whole.load[n];
   model.point_loads = whole.point_loads, model.face_loads = whole.face_loads;
@@ -51,9 +52,10 @@ void scale_all(const Model<2>& whole, double share, Model<2>& model) {
 }
 
 /// One search for rest.
+template <int D>
 class Search {
  public:
-  Search(const Model<2>& model, const State<2>& state, const EquilibriumOptions& options)
+  Search(const Model<D>& model, const State<D>& state, const EquilibriumOptions& options)
       : model_(model), options_(options), trial_(model, state), begin_(state.position), body_of_(model.mass.size(), 0) {
     for (std::size_t b = 0; b < model.bodies.size(); ++b)
       for (int i = 0; i < model.bodies[b].nodes; ++i) body_of_[model.bodies[b].first_node + i] = static_cast<int>(b);
@@ -61,7 +63,7 @@ class Search {
 
   /// To rest under the loads that the model has now.
   bool settle(Equilibrium& out);
-  StaticTrial& trial() { return trial_; }
+  StaticTrial<D>& trial() { return trial_; }
 
  private:
   bool step(double h, double from, Equilibrium& out);
@@ -71,10 +73,10 @@ class Search {
   [[nodiscard]] bool too_long() const;
   [[nodiscard]] int gone() const;
 
-  const Model<2>& model_;
+  const Model<D>& model_;
   const EquilibriumOptions& options_;
-  StaticTrial trial_;
-  std::vector<Vec2> begin_;  // [node]
+  StaticTrial<D> trial_;
+  std::vector<Vec<D>> begin_;  // [node]
   std::vector<int> body_of_;
   double merit_ = 0;
   bool has_failed_ = false;
@@ -82,13 +84,14 @@ class Search {
 };
 
 /// True where some body has moved more within the step than its contacts can be trusted over.
-bool Search::too_long() const {
+template <int D>
+bool Search<D>::too_long() const {
   const Eigen::VectorXd way = trial_.way();
   for (int i = 0; i < trial_.coupling().size(); ++i) {
     const auto [n, k] = trial_.coupling().freedom[i];
     const int b = body_of_[n];
     const bool rigid = model_.bodies[b].is_rigid();
-    const double most = k == 2 ? (rigid ? most_turn : most_turn_of_soft)
+    const double most = is_turn<D>({n, k}) ? (rigid ? most_turn : most_turn_of_soft)
                                : (rigid ? most_of_rigid : most_of_soft) * model_.body_radius[b];
     if (!(std::abs(way[i]) <= most)) return true;
   }
@@ -96,7 +99,8 @@ bool Search::too_long() const {
 }
 
 /// The node that has gone farthest beyond what is allowed, or -1.
-int Search::gone() const {
+template <int D>
+int Search<D>::gone() const {
   int worst = -1;
   double most = options_.farthest;
   for (int n = 0; n < model_.nodes(); ++n) {
@@ -110,7 +114,8 @@ int Search::gone() const {
 /// one, is least. A residual that grows for an iteration, as where joints open, does no harm (Matthies and Strang,
 /// "The solution of nonlinear finite element equations", Int. J. Numer. Meth. Engng 14, 1979, sec. 3). False
 /// where there is no such place ahead.
-bool Search::improve(const Eigen::VectorXd& full, double inertia, double enough) {
+template <int D>
+bool Search<D>::improve(const Eigen::VectorXd& full, double inertia, double enough) {
   const double begin = trial_.left().dot(full);
   double share = 1;
   trial_.move(full, 1);
@@ -129,7 +134,8 @@ bool Search::improve(const Eigen::VectorXd& full, double inertia, double enough)
 
 /// A step of pseudo-time h [s]: M d / h^2 = F at its end, d the way there. `from`: the share left over as it begins.
 /// True where it has converged; then it is committed.
-bool Search::step(double h, double from, Equilibrium& out) {
+template <int D>
+bool Search<D>::step(double h, double from, Equilibrium& out) {
   const double inertia = 1 / (h * h), enough = std::max(0.5 * options_.tolerance, enough_of_step * from);
   merit_ = trial_.measure(inertia);
   bool stale = true;
@@ -154,7 +160,8 @@ bool Search::step(double h, double from, Equilibrium& out) {
 
 /// The step after one of length h that failed: the first to do so is followed by one in which the stiffest contact has
 /// just time to take up what lies on it, so that bodies that do not press on each other yet come to hold by friction.
-double Search::shorter(double h) {
+template <int D>
+double Search<D>::shorter(double h) {
   since_cut_ = 0;
   const double square = trial_.highest_square();
   if (std::exchange(has_failed_, true) || !(square > 0)) return cut_share * h;
@@ -163,13 +170,15 @@ double Search::shorter(double h) {
 }
 
 /// By how much the step after one that took so many iterations is longer.
-double Search::growth(int iterations) {
+template <int D>
+double Search<D>::growth(int iterations) {
   ++since_cut_;
   if (since_cut_ <= wary_steps) return wary_growth;
   return iterations <= easy_for_pseudo ? growth_if_easy : growth_of_pseudo;
 }
 
-bool Search::settle(Equilibrium& out) {
+template <int D>
+bool Search<D>::settle(Equilibrium& out) {
   double h = options_.first;
   trial_.measure(0);
   for (int steps = 0;; ++steps) {
@@ -209,10 +218,11 @@ std::string_view name_of(EquilibriumEnd end) {
   return names[static_cast<std::size_t>(end)];
 }
 
-Equilibrium find_equilibrium(const Model<2>& model, State<2>& state, const EquilibriumOptions& options) {
+template <int D>
+Equilibrium find_equilibrium(const Model<D>& model, State<D>& state, const EquilibriumOptions& options) {
   check_rest(options);
-  Model<2> loaded = model;
-  Search search(loaded, state, options);
+  Model<D> loaded = model;
+  Search<D> search(loaded, state, options);
   Equilibrium out;
   for (int i = 1; i <= options.shares; ++i) {
     out.end = EquilibriumEnd::unsettled;
@@ -225,5 +235,8 @@ Equilibrium find_equilibrium(const Model<2>& model, State<2>& state, const Equil
   state = search.trial().finish();
   return out;
 }
+
+template Equilibrium find_equilibrium(const Model<2>&, State<2>&, const EquilibriumOptions&);
+template Equilibrium find_equilibrium(const Model<3>&, State<3>&, const EquilibriumOptions&);
 
 }  // namespace trilith

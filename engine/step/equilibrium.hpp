@@ -50,6 +50,7 @@ struct Equilibrium {
 /// the way gave off is booked as `rest_damping`. Where there is no rest to be found State is as it was, to the bit.
 /// Equilibria are not asked whether they are stable. Throws InputError for options out of range and where a push
 /// (world/loads.hpp) controls a displacement.
-Equilibrium find_equilibrium(const Model<2>& model, State<2>& state, const EquilibriumOptions& options = {});
+template <int D>
+Equilibrium find_equilibrium(const Model<D>& model, State<D>& state, const EquilibriumOptions& options = {});
 
 }  // namespace trilith

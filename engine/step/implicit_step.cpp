@@ -8,6 +8,7 @@
 #include "base/portable.hpp"
 #include "step/consistent_mass.hpp"
 #include "step/evaluate.hpp"
+#include "step/implicit_turn.hpp"
 #include "step/node_forces.hpp"
 #include "step/turned_back.hpp"
 
@@ -33,22 +34,40 @@ constexpr double slow_share = 0.1;
 constexpr std::size_t most_worth = 12;
 
 /// Motion of the nodes as the step begins.
+template <int D>
 struct NodesAtStart {
-  std::vector<Vec2> position, velocity, acceleration;
-  std::vector<double> rotation, spin, spin_rate;
+  std::vector<Vec<D>> position, velocity, acceleration;
+  std::vector<Rotation<D>> rotation;
+  std::vector<Spin<D>> spin, spin_rate;
 
-  explicit NodesAtStart(const State<2>& s)
+  explicit NodesAtStart(const State<D>& s)
       : position(s.position),
         velocity(s.velocity),
         acceleration(s.acceleration),
         rotation(s.rotation),
         spin(s.spin),
         spin_rate(s.spin_rate) {}
+
+  [[nodiscard]] TurnMotion<D> turn(int n) const { return {rotation[n], spin[n], spin_rate[n]}; }
+  [[nodiscard]] Dofs<D> velocity_of(int n) const { return dofs_of(velocity[n], spin[n]); }
+  [[nodiscard]] Dofs<D> acceleration_of(int n) const { return dofs_of(acceleration[n], spin_rate[n]); }
 };
 
-Dofs<2> place_at(const State<2>& s, int n) {
-  return {s.position[n].x(), s.position[n].y(), s.rotation[n]};
+/// Half of the way from the step's begin to now, and of both steps together, the one behind and this one.
+template <int D>
+Dofs<D> half_way(const NodesAtStart<D>& start, const State<D>& now, int n) {
+  return dofs_of(Vec<D>(0.5 * (now.position[n] - start.position[n])),
+                 Spin<D>(0.5 * turn_between(start.rotation[n], now.rotation[n])));
 }
+Dofs<2> half_of_both(const Vec2& place, double turn, const NodesAtStart<2>& /*start*/, const State<2>& now, int n) {
+  return dofs_of(Vec2(0.5 * (now.position[n] - place)), 0.5 * (now.rotation[n] - turn));
+}
+Dofs<3> half_of_both(const Vec3& place, const UnitQuaternion& turn, const NodesAtStart<3>& start, const State<3>& now,
+                     int n) {
+  const Vec3 turned = turn_between(turn, start.rotation[n]) + turn_between(start.rotation[n], now.rotation[n]);
+  return dofs_of(Vec3(0.5 * (now.position[n] - place)), Vec3(0.5 * turned));
+}
+
 /// What moves and what is stored [J].
 double held(const Energy& e) {
   return e[EnergyTerm::kinetic] + e[EnergyTerm::contact_elastic] + e[EnergyTerm::bearing_elastic] +
@@ -58,9 +77,10 @@ double held(const Energy& e) {
 /// One step: the trial state, what it began with, and what is left of the equation of motion.
 /// Order: predict the path, evaluate, measure what is left over, correct the path by A^-1 of it, and again; then the
 /// energies of the whole step. `state_` is the trial's; `start_`, `forces_` and `energy_` are of the step's begin.
+template <int D>
 class Trial {
  public:
-  Trial(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy, Tangent& tangent,
+  Trial(const Model<D>& model, State<D>& state, Work<D>& work, const Energy& energy, Tangent<D>& tangent,
         const ImplicitOptions& options, StepTimes* times)
       : model_(model),
         state_(state),
@@ -96,31 +116,34 @@ class Trial {
  private:
   void predict();
   void correct(int n);
+  [[nodiscard]] double place_at_start(int n, int k) const;
+  [[nodiscard]] double digits_of(int n, int k) const;
+  Dofs<D> inertia_of(int n, Dofs<D>& largest) const;
   void evaluate_trial();
   double left_over();
   void find_rounding();
-  [[nodiscard]] double rounding_of(int i) const;
+  [[nodiscard]] double rounding_of(int i, double mass) const;
   void improve(const Eigen::VectorXd& full);
   [[nodiscard]] bool serves_on(double merit_before) const;
   void move(const Eigen::VectorXd& by, double share);
   [[nodiscard]] double per_place() const { return scheme_.g / (scheme_.b * dt_); }
 
-  const Model<2>& model_;
-  State<2>& state_;
-  Work<2>& work_;
-  Tangent& tangent_;
+  const Model<D>& model_;
+  State<D>& state_;
+  Work<D>& work_;
+  Tangent<D>& tangent_;
   const AlphaScheme scheme_;
   const ImplicitOptions& options_;
-  const NodesAtStart start_;
+  const NodesAtStart<D> start_;
   const Energy energy_;  // as the step begins
   const double time_;
   const std::shared_ptr<const KeptTangent> kept_;  // as the step begins
-  std::vector<Vec2> position_before_;
-  std::vector<double> rotation_before_;
-  std::vector<NodeForces<2>> forces_;          // as the step begins
-  std::vector<Dofs<2>> path_;                  // [node] along the step
-  std::vector<Dofs<2>> added_before_, added_;  // [node] of consistent mass: as the step begins, and now; mostly empty
-  std::vector<Dofs<2>> damped_;                // [node] of its damping, now; mostly empty
+  std::vector<Vec<D>> position_before_;
+  std::vector<Rotation<D>> rotation_before_;
+  std::vector<NodeForces<D>> forces_;          // as the step begins
+  std::vector<Dofs<D>> path_;                  // [node] along the step
+  std::vector<Dofs<D>> added_before_, added_;  // [node] of consistent mass: as the step begins, and now; mostly empty
+  std::vector<Dofs<D>> damped_;                // [node] of its damping, now; mostly empty
   double carried_ = 0, dt_ = 0;
   double merit_ = 0, share_left_ = 0;
   int worst_ = -1;
@@ -131,21 +154,24 @@ class Trial {
 };
 
 /// Free nodes go on at their velocity; driven ones to where their motion has them.
-void Trial::predict() {
+template <int D>
+void Trial<D>::predict() {
   state_.time = time_ + dt_, state_.last_dt = dt_;
   state_.position_before = start_.position;
   state_.rotation_before = start_.rotation;
   for (int n = 0; n < model_.nodes(); ++n) {
     path_[n] = {};
-    for (const int k : {0, 1, 2}) {
-      double& rate = k == 2 ? state_.spin[n] : state_.velocity[n][k];
-      double& rise = k == 2 ? state_.spin_rate[n] : state_.acceleration[n][k];
+    const Dofs<D> speed = start_.velocity_of(n);
+    for (int k = 0; k < Space<D>::dofs; ++k) {
+      const int axis = k - Space<D>::translations;
+      double& rate = axis >= 0 ? number_at(axis, state_.spin[n]) : state_.velocity[n][k];
+      double& rise = axis >= 0 ? number_at(axis, state_.spin_rate[n]) : state_.acceleration[n][k];
       if (model_.support[n][k] == Support::free) {
-        path_[n][k] = dt_ * (k == 2 ? start_.spin[n] : start_.velocity[n][k]);
+        path_[n][k] = dt_ * speed[k];
       } else if (model_.support[n][k] == Support::driven) {
         const Drive& drive = model_.drives[model_.drive_of[n][k]];
         const MotionAt motion = drive.motion->at(state_.time - drive.start);
-        path_[n][k] = drive.origin + motion.displacement - (k == 2 ? start_.rotation[n] : start_.position[n][k]);
+        path_[n][k] = drive.origin + motion.displacement - place_at_start(n, k);
         rate = motion.velocity, rise = motion.acceleration;
       } else {
         rate = rise = 0;
@@ -155,51 +181,83 @@ void Trial::predict() {
   }
 }
 
-/// Place, velocity and acceleration of a node at the end of the step from its path there. The path is kept apart from
-/// the place: over a short step it has digits that the place has not.
-void Trial::correct(int n) {
-  state_.position[n] = start_.position[n] + Vec2(path_[n][0], path_[n][1]);
-  state_.rotation[n] = start_.rotation[n] + path_[n][2];
-  const double per = 1 / (scheme_.b * dt_ * dt_), half = 0.5 - scheme_.b;
-  for (const int k : {0, 1, 2}) {
-    if (model_.support[n][k] != Support::free) continue;
-    const double v0 = k == 2 ? start_.spin[n] : start_.velocity[n][k];
-    const double a0 = k == 2 ? start_.spin_rate[n] : start_.acceleration[n][k];
-    const double a = per * (path_[n][k] - dt_ * v0 - half * dt_ * dt_ * a0);
-    (k == 2 ? state_.spin_rate[n] : state_.acceleration[n][k]) = a;
-    (k == 2 ? state_.spin[n] : state_.velocity[n][k]) = v0 + dt_ * ((1 - scheme_.g) * a0 + scheme_.g * a);
-  }
+template <int D>
+double Trial<D>::place_at_start(int n, int k) const {
+  if (k < Space<D>::translations) return start_.position[n][k];
+  if constexpr (D == 2)
+    return start_.rotation[n];
+  else
+    return angle_of(start_.rotation[n])[k - 3];
 }
 
-void Trial::evaluate_trial() {
+/// Place, velocity and acceleration of a node at the end of the step from its path there. The path is kept apart from
+/// the place: over a short step it has digits that the place has not.
+template <int D>
+void Trial<D>::correct(int n) {
+  state_.position[n] = start_.position[n] + along_of(path_[n]);
+  const double per = 1 / (scheme_.b * dt_ * dt_), half = 0.5 - scheme_.b;
+  for (int k = 0; k < Space<D>::translations; ++k) {
+    if (model_.support[n][k] != Support::free) continue;
+    const double v0 = start_.velocity[n][k], a0 = start_.acceleration[n][k];
+    const double a = per * (path_[n][k] - dt_ * v0 - half * dt_ * dt_ * a0);
+    state_.acceleration[n][k] = a;
+    state_.velocity[n][k] = v0 + dt_ * ((1 - scheme_.g) * a0 + scheme_.g * a);
+  }
+  const TurnMotion<D> end = turned(model_, n, scheme_, dt_, start_.turn(n), about_of(path_[n]),
+                                   {state_.rotation[n], state_.spin[n], state_.spin_rate[n]});
+  state_.rotation[n] = end.rotation, state_.spin[n] = end.spin, state_.spin_rate[n] = end.rate;
+}
+
+template <int D>
+void Trial<D>::evaluate_trial() {
   clock_.mark(StepPart::advance);
   evaluate(model_, state_, work_, dt_, times_);
   clock_.skip();
 }
 
+/// What the scheme has of the inertia of each direction of a node, M ((1 - alpha_m) a' + alpha_m a); `largest`: in space
+/// the largest part of what turns, of which a free body has nothing left in sum [N], [N m].
+template <int D>
+Dofs<D> Trial<D>::inertia_of(int n, Dofs<D>& largest) const {
+  const double m = scheme_.alpha_m;
+  const Dofs<D> mass = mass_of(model_, state_, n), before = start_.acceleration_of(n),
+                now = dofs_of(state_.acceleration[n], state_.spin_rate[n]);
+  Dofs<D> out;
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = mass[k] * ((1 - m) * now[k] + m * before[k]);
+  largest = {};
+  if constexpr (D == 3) {
+    const Vec3& own = model_.inertia[n];
+    const TurnMotion<3> end{state_.rotation[n], state_.spin[n], state_.spin_rate[n]};
+    const Vec3 turning = (1 - m) * moment_taken(own, end) + m * moment_taken(own, start_.turn(n));
+    const Vec3 carried = cross(end.spin, momentum_of(own, end.rotation, end.spin));
+    for (int k = 0; k < 3; ++k) out[3 + k] = turning[k], largest[3 + k] = std::max(std::abs(turning[k]), carried.norm());
+  }
+  return out;
+}
+
 /// What is left of the equation of motion at the evaluated trial state. Returns its square, each part over its inertia.
-double Trial::left_over() {
-  const Coupling& coupling = tangent_.coupling();
+template <int D>
+double Trial<D>::left_over() {
+  const Coupling<D>& coupling = tangent_.coupling();
   left_.resize(coupling.size());
   double sum = 0, most = 0, carried = std::max(carried_, work_.carried);
   const double m = scheme_.alpha_m, f = scheme_.alpha_f;
   added_inertia(model_, state_, true, added_);
   added_damping(model_, state_, damped_);
-  for (int i = 0; i < coupling.size(); ++i) {
+  Dofs<D> mass{}, inertia{}, largest{};
+  for (int i = 0, node = -1; i < coupling.size(); ++i) {
     const auto [n, k] = coupling.freedom[i];
-    const double mass = mass_of(model_, n)[k];
-    const double a0 = k == 2 ? start_.spin_rate[n] : start_.acceleration[n][k];
-    const double a = k == 2 ? state_.spin_rate[n] : state_.acceleration[n][k];
+    if (n != node) mass = mass_of(model_, state_, n), inertia = inertia_of(n, largest), node = n;
     const double now = net_force(model_, state_, work_, coupling.freedom[i]) + (damped_.empty() ? 0 : damped_[n][k]);
-    double inertia = mass * ((1 - m) * a + m * a0);
-    if (!added_.empty()) inertia += (1 - m) * added_[n][k] + m * added_before_[n][k];
+    double taken = inertia[k];
+    if (!added_.empty()) taken += (1 - m) * added_[n][k] + m * added_before_[n][k];
     // r = (1 - alpha_f) F' + alpha_f F - M ((1 - alpha_m) a' + alpha_m a), [N] or [N m].
-    left_[i] = (1 - f) * now + f * forces_[n].force[k] - inertia;
-    sum += left_[i] * left_[i] / mass;
-    const double radius = k == 2 ? std::sqrt(model_.inertia[n] / model_.mass[n]) : 1;
-    const double left = std::abs(left_[i]) - rounding_of(i);
+    left_[i] = (1 - f) * now + f * forces_[n].force[k] - taken;
+    sum += left_[i] * left_[i] / mass[k];
+    const double radius = is_turn<D>({n, k}) ? gyration_of(model_, n) : 1;
+    const double left = std::abs(left_[i]) - rounding_of(i, mass[k]);
     if (left / radius > most) most = left / radius, worst_ = n;
-    carried = std::max(carried, std::abs(inertia) / radius);
+    carried = std::max(carried, std::max(std::abs(taken), std::abs(largest[k])) / radius);
   }
   share_left_ = carried > 0 ? most / carried : most > 0 ? 1 : 0;
   return sum;
@@ -207,40 +265,59 @@ double Trial::left_over() {
 
 /// Forces know of a place no more than its digits: those times the last tangent. Moments on next to no inertia, on a
 /// stiff member that has turned, get no nearer.
-void Trial::find_rounding() {
+template <int D>
+void Trial<D>::find_rounding() {
   rounding_.setZero(tangent_.coupling().size());
   const KeptTangent* const kept = state_.tangent.get();
   if (kept == nullptr || kept->size() != rounding_.size()) return;
   for (int column = 0; column < kept->size(); ++column) {
     const auto [n, k] = tangent_.coupling().freedom[column];
-    const double place = std::abs(k == 2 ? state_.rotation[n] : state_.position[n][k]);
+    const double place = std::abs(digits_of(n, k));
+    const Dofs<D> own = inertia_column(model_, state_, {n, k}, kept->inertia, kept->rate);
     for (int at = kept->column[column]; at < kept->column[column + 1]; ++at) {
       const int row = kept->row[at];
-      const double inertia = row == column ? kept->inertia * mass_of(model_, n)[k] : 0;
+      const Freedom& of = tangent_.coupling().freedom[row];
+      const double inertia = of.node == n ? own[of.k] : 0;
       rounding_[row] += digits * place * std::abs(kept->value[at] - inertia);
     }
   }
 }
 
-/// What of the equation of motion is rounding alone. The acceleration is a small difference of paths.
-double Trial::rounding_of(int i) const {
-  const auto [n, k] = tangent_.coupling().freedom[i];
-  const double v0 = k == 2 ? start_.spin[n] : start_.velocity[n][k];
-  const double a0 = k == 2 ? start_.spin_rate[n] : start_.acceleration[n][k];
-  return rounding_[i] + 1e-15 * mass_of(model_, n)[k] * (std::abs(v0) / dt_ + std::abs(a0)) / scheme_.b;
+/// The number whose digits a place has: in space a rotation is known to those of a turn of 1 rad.
+template <int D>
+double Trial<D>::digits_of(int n, int k) const {
+  if (k < Space<D>::translations) return state_.position[n][k];
+  if constexpr (D == 2)
+    return state_.rotation[n];
+  else
+    return 1;
 }
 
-void Trial::move(const Eigen::VectorXd& by, double share) {
-  const Coupling& coupling = tangent_.coupling();
-  for (int i = 0; i < coupling.size(); ++i) {
-    const auto [n, k] = coupling.freedom[i];
-    path_[n][k] += share * by[i];
+/// What of the equation of motion is rounding alone. The acceleration is a small difference of paths.
+template <int D>
+double Trial<D>::rounding_of(int i, double mass) const {
+  const auto [n, k] = tangent_.coupling().freedom[i];
+  const double v0 = start_.velocity_of(n)[k], a0 = start_.acceleration_of(n)[k];
+  return rounding_[i] + 1e-15 * mass * (std::abs(v0) / dt_ + std::abs(a0)) / scheme_.b;
+}
+
+template <int D>
+void Trial<D>::move(const Eigen::VectorXd& by, double share) {
+  const Coupling<D>& coupling = tangent_.coupling();
+  for (int n = 0; n < model_.nodes(); ++n) {
+    Dofs<D> way{};
+    for (int k = 0; k < Space<D>::dofs; ++k)
+      if (const int i = coupling.unknown[n][k]; i >= 0) way[k] = share * by[i];
+    Dofs<D> path = path_[n];
+    for (int k = 0; k < Space<D>::translations; ++k) path[k] += way[k];
+    path_[n] = dofs_of(along_of(path), corrected_turn(model_, n, about_of(path), about_of(way)));
+    correct(n);
   }
-  for (int n = 0; n < model_.nodes(); ++n) correct(n);
 }
 
 /// Goes along `full` as far as less is left over; where it gets no smaller, a little.
-void Trial::improve(const Eigen::VectorXd& full) {
+template <int D>
+void Trial<D>::improve(const Eigen::VectorXd& full) {
   const double before = merit_;
   double share = 1;
   move(full, 1);
@@ -257,7 +334,8 @@ void Trial::improve(const Eigen::VectorXd& full) {
 }
 
 /// Whether the tangent is still good enough, by what the last iteration with it has left.
-bool Trial::serves_on(double merit_before) const {
+template <int D>
+bool Trial<D>::serves_on(double merit_before) const {
   const double rate = std::sqrt(merit_ / merit_before);
   if (rate <= slow_share || share_left_ <= options_.tolerance) return true;
   if (!(rate < 1)) return false;
@@ -265,7 +343,8 @@ bool Trial::serves_on(double merit_before) const {
   return ahead <= static_cast<double>(std::min(tangent_.coupling().colour.size(), most_worth));
 }
 
-bool Trial::attempt(double dt, ImplicitStep& out) {
+template <int D>
+bool Trial<D>::attempt(double dt, ImplicitStep& out) {
   dt_ = dt;
   predict();
   evaluate_trial();
@@ -300,7 +379,8 @@ bool Trial::attempt(double dt, ImplicitStep& out) {
 
 /// Back to where the step began. What led there is committed, so no step lies behind it any more: its half of the work
 /// is booked here.
-void Trial::give_up() {
+template <int D>
+void Trial<D>::give_up() {
   state_.time = time_, state_.last_dt = 0;
   state_.tangent = kept_;
   state_.position = state_.position_before = start_.position;
@@ -308,8 +388,8 @@ void Trial::give_up() {
   state_.velocity = start_.velocity, state_.acceleration = start_.acceleration;
   state_.spin = start_.spin, state_.spin_rate = start_.spin_rate;
   for (int n = 0; n < model_.nodes(); ++n) {
-    const Vec2 path = 0.5 * (start_.position[n] - position_before_[n]);
-    const Dofs<2> behind{path.x(), path.y(), 0.5 * (start_.rotation[n] - rotation_before_[n])};
+    const Dofs<D> behind = dofs_of(Vec<D>(0.5 * (start_.position[n] - position_before_[n])),
+                                   Spin<D>(0.5 * turn_between(rotation_before_[n], start_.rotation[n])));
     add_work(forces_[n], behind, state_.given);
     if (!added_before_.empty())
       state_.given[EnergyTerm::support] += work_on_support(model_, n, added_before_[n], behind);
@@ -318,15 +398,14 @@ void Trial::give_up() {
 
 /// Work of the forces of the step's begin along half of the step behind and half of the one ahead. What the scheme
 /// takes or brings is what the net force does, by the mean of its values at both ends, beyond the kinetic energy.
-Energy Trial::booked() const {
+template <int D>
+Energy Trial<D>::booked() const {
   Energy given;
-  const std::vector<NodeForces<2>> end = implicit_forces(model_, state_, work_);
+  const std::vector<NodeForces<D>> end = implicit_forces(model_, state_, work_);
   double work = 0;
   for (int n = 0; n < model_.nodes(); ++n) {
-    const Dofs<2> now = place_at(state_, n), begin{start_.position[n].x(), start_.position[n].y(), start_.rotation[n]},
-                  before{position_before_[n].x(), position_before_[n].y(), rotation_before_[n]};
-    Dofs<2> path, ahead;
-    for (const int k : {0, 1, 2}) path[k] = 0.5 * (now[k] - before[k]), ahead[k] = 0.5 * (now[k] - begin[k]);
+    const Dofs<D> path = half_of_both(position_before_[n], rotation_before_[n], start_, state_, n),
+                  ahead = half_way(start_, state_, n);
     add_work(forces_[n], path, given);
     if (!added_before_.empty()) {
       given[EnergyTerm::support] += work_on_support(model_, n, added_before_[n], path);
@@ -341,7 +420,8 @@ Energy Trial::booked() const {
 /// As a share of the most that has moved or been stored, so that what comes to rest needs no shorter steps. What
 /// the scheme damps is meant to go; what it brings is not. Where friction turned back neither the ledger nor forces at
 /// both ends tell: the work it was out by counts as energy of the error of velocities.
-double Trial::missed(const Energy& booked) const {
+template <int D>
+double Trial<D>::missed(const Energy& booked) const {
   Energy end = implicit_energy(model_, state_, work_);
   for (std::size_t i = 0; i < end.value.size(); ++i) end.value[i] += booked.value[i];
   const double most = std::max({state_.most_energy, held(energy_), held(end)});
@@ -353,24 +433,29 @@ double Trial::missed(const Energy& booked) const {
 /// Energy of the error of the velocities, dt (a' - a) / 12: that of the scheme's displacements over the step, (b - 1/6)
 /// dt^2 (a' - a) with b = 1/4, over dt (Zienkiewicz and Xie, "A simple error estimator and adaptive time stepping
 /// procedure for dynamic analysis", Earthq. Eng. Struct. Dyn. 20, 1991).
-double Trial::wavering() const {
+template <int D>
+double Trial<D>::wavering() const {
   double sum = 0;
   for (int n = 0; n < model_.nodes(); ++n) {
-    const Vec2 jump = state_.acceleration[n] - start_.acceleration[n];
-    const double turn = state_.spin_rate[n] - start_.spin_rate[n];
-    const auto& support = model_.support[n];
-    for (const int k : {0, 1})
-      if (support[k] == Support::free) sum += model_.mass[n] * jump[k] * jump[k];
-    if (support[2] == Support::free) sum += model_.inertia[n] * turn * turn;
+    const Dofs<D> now = dofs_of(state_.acceleration[n], state_.spin_rate[n]), before = start_.acceleration_of(n);
+    Dofs<D> jump{};
+    for (int k = 0; k < Space<D>::dofs; ++k)
+      if (model_.support[n][k] == Support::free) jump[k] = now[k] - before[k];
+    for (int k = 0; k < Space<D>::translations; ++k) sum += model_.mass[n] * jump[k] * jump[k];
+    if constexpr (D == 2)
+      sum += model_.inertia[n] * jump[2] * jump[2];
+    else
+      sum += about_of(jump).dot(momentum_of(model_.inertia[n], state_.rotation[n], about_of(jump)));
   }
   return 0.5 * sum * dt_ * dt_ / 144;
 }
 
 }  // namespace
 
-ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy,
-                                Tangent& tangent, const ImplicitOptions& options, StepTimes* times) {
-  Trial trial(model, state, work, energy, tangent, options, times);
+template <int D>
+ImplicitStep advance_implicitly(const Model<D>& model, State<D>& state, Work<D>& work, const Energy& energy,
+                                Tangent<D>& tangent, const ImplicitOptions& options, StepTimes* times) {
+  Trial<D> trial(model, state, work, energy, tangent, options, times);
   ImplicitStep out;
   out.dt = options.dt;
   for (; out.cuts <= most_cuts && (out.cuts == 0 || out.dt >= options.give_up); ++out.cuts, out.dt *= 0.5) {
@@ -396,5 +481,10 @@ ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>&
   work.valid = false;
   return out;
 }
+
+template ImplicitStep advance_implicitly(const Model<2>&, State<2>&, Work<2>&, const Energy&, Tangent<2>&,
+                                         const ImplicitOptions&, StepTimes*);
+template ImplicitStep advance_implicitly(const Model<3>&, State<3>&, Work<3>&, const Energy&, Tangent<3>&,
+                                         const ImplicitOptions&, StepTimes*);
 
 }  // namespace trilith

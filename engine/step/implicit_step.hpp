@@ -1,4 +1,5 @@
-// A step of an implicit scheme (step/alpha_scheme.hpp): the place at its end is found by Newton's method.
+// A step of an implicit scheme (step/alpha_scheme.hpp): the place at its end is found by Newton's method. How nodes
+// turn in space: step/implicit_turn.hpp.
 #pragma once
 
 #include <cstdint>
@@ -35,19 +36,24 @@ struct ImplicitStep {
 
 /// Makes a state that explicit steps have led to one that an implicit scheme goes on from, or the other way: `work` is
 /// evaluated and committed at this instant. Velocities are those of the instant then, and the ledger is up to it.
-void begin_implicit(const Model<2>& model, State<2>& state, const Work<2>& work);
-void begin_explicit(const Model<2>& model, State<2>& state, const Work<2>& work);
+template <int D>
+void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work);
+template <int D>
+void begin_explicit(const Model<D>& model, State<D>& state, const Work<D>& work);
 
 /// Takes one step from an instant that has been evaluated and committed, with the ledger `energy`; halved where it does
 /// not converge. Where it fails, State is as it was. `work` is then evaluated at the end of the step, which is not
 /// committed. State::dt: the step to try next, at most options.dt.
-ImplicitStep advance_implicitly(const Model<2>& model, State<2>& state, Work<2>& work, const Energy& energy,
-                                Tangent& tangent, const ImplicitOptions& options, StepTimes* times = nullptr);
+template <int D>
+ImplicitStep advance_implicitly(const Model<D>& model, State<D>& state, Work<D>& work, const Energy& energy,
+                                Tangent<D>& tangent, const ImplicitOptions& options, StepTimes* times = nullptr);
 
 /// Kinetic energy of a state that is implicit: its velocities are those of the instant [J].
-double implicit_kinetic(const Model<2>& model, const State<2>& state);
+template <int D>
+double implicit_kinetic(const Model<D>& model, const State<D>& state);
 
 /// The ledger at the instant of the last evaluation, of a state that is implicit.
-Energy implicit_energy(const Model<2>& model, const State<2>& state, const Work<2>& work);
+template <int D>
+Energy implicit_energy(const Model<D>& model, const State<D>& state, const Work<D>& work);
 
 }  // namespace trilith

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "step/equilibrium.hpp"
 #include "step/evaluate.hpp"
+#include "step/node_forces.hpp"
 #include "step/static_trial.hpp"
 #include "world/loads.hpp"
 
@@ -20,16 +21,18 @@ constexpr double condition_share = 1e-7;
 /// Beside the stiffest frequency squared: keeps the tangent regular where something is free to move, and no more.
 constexpr double hold_of_loose = 1e-13;
 
-Model<2> scaled(const Model<2>& model, const std::string& name, double factor) {
-  Model<2> out = model;
+template <int D>
+Model<D> scaled(const Model<D>& model, const std::string& name, double factor) {
+  Model<D> out = model;
   scale_loads(out, name, factor);
   return out;
 }
 
 /// The loads that are scaled, alone and full.
-Model<2> reference_of(const Model<2>& model, const std::string& name) {
-  Model<2> out = model;
-  std::fill(out.load.begin(), out.load.end(), Vec2::Zero());
+template <int D>
+Model<D> reference_of(const Model<D>& model, const std::string& name) {
+  Model<D> out = model;
+  std::fill(out.load.begin(), out.load.end(), Vec<D>::Zero());
   const auto is_other = [&](const auto& load) { return !name.empty() && load.name != name; };
   std::erase_if(out.point_loads, is_other);
   std::erase_if(out.face_loads, is_other);
@@ -46,12 +49,13 @@ Model<2> reference_of(const Model<2>& model, const std::string& name) {
 ///            +------------ x
 ///
 /// All states on the way are the trial's; the factor is set by scaling the loads of `loaded_`, which it evaluates.
+template <int D>
 class Path {
  public:
-  Path(const Model<2>& model, const State<2>& state, const LoadPathOptions& options, LoadPath& out);
+  Path(const Model<D>& model, const State<D>& state, const LoadPathOptions<D>& options, LoadPath& out);
 
   void follow();
-  State<2> finish() {
+  State<D> finish() {
     out_.events.insert(out_.events.end(), trial_.events().begin(), trial_.events().end());
     return trial_.finish();
   }
@@ -75,12 +79,12 @@ class Path {
   [[nodiscard]] double followed_place() const;
   [[nodiscard]] double size_to_go(double size) const;
 
-  const LoadPathOptions& options_;
+  const LoadPathOptions<D>& options_;
   LoadPath& out_;
-  Model<2> loaded_;           // as it is
-  const Model<2> full_;       // ... with its loads at the factor 1
-  const Model<2> reference_;  // with the scaled loads alone
-  StaticTrial trial_;
+  Model<D> loaded_;           // as it is
+  const Model<D> full_;       // ... with its loads at the factor 1
+  const Model<D> reference_;  // with the scaled loads alone
+  StaticTrial<D> trial_;
   double factor_, last_factor_;
   double origin_ = 0;
   int taken_ = 0;                       // iterations of the last step
@@ -90,7 +94,8 @@ class Path {
   Eigen::VectorXd last_way_;            // of the last step
 };
 
-Path::Path(const Model<2>& model, const State<2>& state, const LoadPathOptions& options, LoadPath& out)
+template <int D>
+Path<D>::Path(const Model<D>& model, const State<D>& state, const LoadPathOptions<D>& options, LoadPath& out)
     : options_(options),
       out_(out),
       loaded_(scaled(model, options.loads, options.begin)),
@@ -99,13 +104,13 @@ Path::Path(const Model<2>& model, const State<2>& state, const LoadPathOptions& 
       trial_(loaded_, state),
       factor_(options.begin),
       last_factor_(options.begin) {
-  const Coupling& coupling = trial_.coupling();
+  const Coupling<D>& coupling = trial_.coupling();
   // S: masses and inertias over the sum of the masses along x and y.
   share_.resize(coupling.size());
   double sum = 0;
   for (int i = 0; i < coupling.size(); ++i) {
     share_[i] = trial_.mass_at(i);
-    if (coupling.freedom[i].k < 2) sum += share_[i];
+    if (!is_turn<D>(coupling.freedom[i])) sum += share_[i];
   }
   share_ /= sum;
   // One row of weights: the followed displacement is their product with the way.
@@ -119,21 +124,24 @@ Path::Path(const Model<2>& model, const State<2>& state, const LoadPathOptions& 
   trial_.find_tangent(1);  // tells how stiff it is
 }
 
-double Path::followed_place() const {
+template <int D>
+double Path<D>::followed_place() const {
   double sum = 0;
-  const State<2>& s = trial_.state();
+  const State<D>& s = trial_.state();
   for (const auto& [f, weight] : options_.followed)
-    sum += weight * (f.k == 2 ? s.rotation[f.node] : s.position[f.node][f.k]);
+    sum += weight * place_along(s, f.node, f.k);
   return sum - origin_;
 }
 
-void Path::set_factor(double factor) {
+template <int D>
+void Path<D>::set_factor(double factor) {
   factor_ = factor;
   loaded_.point_loads = full_.point_loads, loaded_.face_loads = full_.face_loads;
   scale_loads(loaded_, options_.loads, factor);
 }
 
-void Path::move(const Eigen::VectorXd& by, double factor) {
+template <int D>
+void Path<D>::move(const Eigen::VectorXd& by, double factor) {
   trial_.move(by, 1);
   set_factor(factor_ + factor);
   trial_.evaluate_here();
@@ -141,20 +149,22 @@ void Path::move(const Eigen::VectorXd& by, double factor) {
 
 /// The scaled loads at the factor 1 on the unknowns, where the bodies are now.
 /// The loads of `reference_` are written to Work for this alone, and those of `loaded_` put back.
-void Path::find_loads() {
-  Work<2>& work = trial_.work();
+template <int D>
+void Path<D>::find_loads() {
+  Work<D>& work = trial_.work();
   apply_loads(reference_, trial_.state(), work);
-  const Coupling& coupling = trial_.coupling();
+  const Coupling<D>& coupling = trial_.coupling();
   loads_.resize(coupling.size());
   for (int i = 0; i < coupling.size(); ++i) {
     const auto [n, k] = coupling.freedom[i];
-    loads_[i] = k == 2 ? work.load_moment[n] : work.load[n][k];
+    loads_[i] = dofs_of(work.load[n], work.load_moment[n])[k];
   }
   apply_loads(loaded_, trial_.state(), work);
 }
 
 /// The tangent at the present place, and what the loads move by it.
-bool Path::solve_loads() {
+template <int D>
+bool Path<D>::solve_loads() {
   if (!trial_.find_tangent(hold_of_loose * trial_.highest_square())) return false;
   find_loads();
   per_factor_ = trial_.solve(loads_);
@@ -162,7 +172,8 @@ bool Path::solve_loads() {
 }
 
 /// What the condition of a step of this size is off by: of the factor, the displacement, or the arc's square.
-double Path::condition(double size) const {
+template <int D>
+double Path<D>::condition(double size) const {
   const Eigen::VectorXd way = trial_.way();
   switch (options_.control) {
     case PathControl::load:
@@ -176,7 +187,8 @@ double Path::condition(double size) const {
 }
 
 /// How the condition changes with a move of all unknowns, the factor kept.
-double Path::change(const Eigen::VectorXd& by) const {
+template <int D>
+double Path<D>::change(const Eigen::VectorXd& by) const {
   switch (options_.control) {
     case PathControl::load:
       return 0;
@@ -189,7 +201,8 @@ double Path::change(const Eigen::VectorXd& by) const {
 }
 
 /// The first move of a step, along the tangent; an arc goes on the way the last one went.
-bool Path::predict(double size) {
+template <int D>
+bool Path<D>::predict(double size) {
   if (!solve_loads()) return false;
   double factor = size;
   if (options_.control == PathControl::displacement) factor = size / followed_.dot(per_factor_);
@@ -207,7 +220,8 @@ bool Path::predict(double size) {
 
 /// Newton's iterations for equilibrium and condition at once: the tangent is solved for what is left over and for the
 /// loads, and the factor is what the condition asks for (bordering).
-bool Path::correct(double size) {
+template <int D>
+bool Path<D>::correct(double size) {
   for (int i = 0;; ++i) {
     trial_.measure(0);
     out_.left = trial_.share(), out_.worst = trial_.worst();
@@ -227,14 +241,16 @@ bool Path::correct(double size) {
 }
 
 /// Cosine between this step and the last one; 1 where there is none.
-double Path::turned() const {
+template <int D>
+double Path<D>::turned() const {
   if (last_way_.size() == 0 || options_.control != PathControl::arc) return 1;
   const Eigen::VectorXd way = trial_.way();
   return inner(way, last_way_) / std::sqrt(inner(way, way) * inner(last_way_, last_way_));
 }
 
 /// Tries a step of this size. Where it fails all is as it was.
-bool Path::step(double size) {
+template <int D>
+bool Path<D>::step(double size) {
   const int before = out_.iterations;
   // An arc that has turned by more than a right angle would go back on the path it came by.
   if (predict(size) && correct(size) && turned() > 0) {
@@ -251,7 +267,8 @@ bool Path::step(double size) {
 }
 
 /// True where the path is to go on from it.
-bool Path::add_point(int iterations) {
+template <int D>
+bool Path<D>::add_point(int iterations) {
   // Of the path by arcs, whatever it is controlled by: limit points are looked for over it.
   const double length = last_way_.size() == 0 ? 0 : std::sqrt(inner(last_way_, last_way_));
   const double before = out_.points.empty() ? 0 : out_.points.back().length;
@@ -262,7 +279,8 @@ bool Path::add_point(int iterations) {
 
 /// A limit point lies about the last but one point where the factor rises before it and falls after it, or the other
 /// way round: the end of the parabola over the length of the path.
-void Path::look_for_limit() {
+template <int D>
+void Path<D>::look_for_limit() {
   if (out_.points.size() < 3) return;
   const PathPoint* p = &out_.points[out_.points.size() - 3];
   const double before = p[1].factor - p[0].factor, after = p[2].factor - p[1].factor;
@@ -281,14 +299,16 @@ void Path::look_for_limit() {
 }
 
 /// The step is cut short where it would go beyond the end; 0 there.
-double Path::size_to_go(double size) const {
+template <int D>
+double Path<D>::size_to_go(double size) const {
   if (options_.control == PathControl::arc) return size;
   const double now = options_.control == PathControl::load ? factor_ : followed_place(), left = options_.to - now;
   if (size * left <= 0 || std::abs(left) <= condition_share * std::abs(size)) return 0;
   return std::abs(left) < std::abs(size) ? left : size;
 }
 
-void Path::follow() {
+template <int D>
+void Path<D>::follow() {
   const double first = std::abs(options_.first);
   const double longest = options_.longest > 0 ? options_.longest : 10 * first;
   const double shortest = options_.shortest > 0 ? options_.shortest : 1e-5 * first;
@@ -312,7 +332,8 @@ void Path::follow() {
   out_.end = PathEnd::arrived;
 }
 
-void check_path(const LoadPathOptions& o) {
+template <int D>
+void check_path(const LoadPathOptions<D>& o) {
   require_finite(o.begin, "load path: factor at the begin");
   require_finite(o.first, "load path: first step");
   require_positive(std::abs(o.first), "load path: size of the first step", "");
@@ -327,19 +348,23 @@ void check_path(const LoadPathOptions& o) {
 
 }  // namespace
 
-LoadPath follow_loads(const Model<2>& model, State<2>& state, const LoadPathOptions& options) {
+template <int D>
+LoadPath follow_loads(const Model<D>& model, State<D>& state, const LoadPathOptions<D>& options) {
   check_path(options);
   LoadPath out;
-  State<2> resting = state;
+  State<D> resting = state;
   EquilibriumOptions rest;
   rest.tolerance = options.tolerance;
   Equilibrium e = find_equilibrium(scaled(model, options.loads, options.begin), resting, rest);
   out.left = e.left, out.worst = e.worst, out.iterations = e.iterations, out.events = std::move(e.events);
   if (!e.converged) return out;
-  Path path(model, resting, options, out);
+  Path<D> path(model, resting, options, out);
   path.follow();
   state = path.finish();
   return out;
 }
+
+template LoadPath follow_loads(const Model<2>&, State<2>&, const LoadPathOptions<2>&);
+template LoadPath follow_loads(const Model<3>&, State<3>&, const LoadPathOptions<3>&);
 
 }  // namespace trilith

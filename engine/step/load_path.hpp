@@ -51,6 +51,7 @@ struct LimitPoint {
   bool is_highest = false;
 };
 
+template <int D = 2>
 struct LoadPathOptions {
   PathControl control = PathControl::arc;
   std::string loads;  ///< name of those that are scaled; empty: all point and face loads. Steady ones are kept
@@ -65,7 +66,7 @@ struct LoadPathOptions {
   int most_iterations = 15;
   int wanted_iterations = 4;  ///< steps are made longer or shorter by the root of this over the iterations they take
   /// Called at every point, the first one too, with the state there (committed); the path ends where it gives false.
-  std::function<bool(const PathPoint&, const State<2>&)> goes_on;
+  std::function<bool(const PathPoint&, const State<D>&)> goes_on;
 };
 
 /// How a path ended: where it was asked to; after the most points; no step however short leads on; no rest at its
@@ -86,6 +87,7 @@ struct LoadPath {
 /// Follows the path from rest at options.begin. `state` becomes that of the last point, as find_equilibrium leaves one;
 /// it belongs to loads scaled by that point's factor (scale_loads). Where there is no rest to begin with it is as it
 /// was. Throws InputError for options out of range, where no load has the name, and as find_equilibrium does.
-LoadPath follow_loads(const Model<2>& model, State<2>& state, const LoadPathOptions& options);
+template <int D>
+LoadPath follow_loads(const Model<D>& model, State<D>& state, const LoadPathOptions<D>& options);
 
 }  // namespace trilith

@@ -20,28 +20,45 @@ struct Along {
   double all = 0, bearings = 0, elements = 0;
 };
 
+double size_of(double turn) {
+  return std::abs(turn);
+}
+double size_of(const Vec3& turn) {
+  return turn.norm();
+}
+
+double product(double moment, double turn) {
+  return moment * turn;
+}
+double product(const Vec3& moment, const Vec3& turn) {
+  return moment.dot(turn);
+}
+
 /// phi . F, with the moments times the turns of the mode.
-double work_along(const Mode& mode, const std::vector<Vec2>& force, const std::vector<double>& moment) {
+template <int D>
+double work_along(const NaturalMode<D>& mode, const std::vector<Vec<D>>& force, const std::vector<Moment<D>>& moment) {
   double sum = 0;
   for (std::size_t n = 0; n < force.size(); ++n)
-    sum += force[n].dot(mode.displacement[n]) + (moment.empty() ? 0 : moment[n] * mode.rotation[n]);
+    sum += force[n].dot(mode.displacement[n]) + (moment.empty() ? 0 : product(moment[n], mode.rotation[n]));
   return sum;
 }
 
 /// The forces of bearings on the nodes, as they are summed there: along one line, through b's point.
-double bearings_along(const Model<2>& model, const State<2>& state, const Work<2>& work, const Mode& mode) {
-  std::vector<Vec2> force(model.mass.size(), Vec2::Zero());
-  std::vector<double> moment(model.mass.size(), 0);
+template <int D>
+double bearings_along(const Model<D>& model, const State<D>& state, const Work<D>& work, const NaturalMode<D>& mode) {
+  std::vector<Vec<D>> force(model.mass.size(), Vec<D>::Zero());
+  std::vector<Moment<D>> moment(model.mass.size(), nothing<Moment<D>>());
   for (std::size_t i = 0; i < model.bearings.size(); ++i)
     push_ends(model, state, model.bearings[i], work.bearing_force[i], work.bearing_moment[i], force, moment);
   return work_along(mode, force, moment);
 }
 
 /// The forces of now along the mode, while the state moves with `scale` times it.
-Along forces_along(const Model<2>& model, State<2>& state, const Mode& mode, double scale) {
+template <int D>
+Along forces_along(const Model<D>& model, State<D>& state, const NaturalMode<D>& mode, double scale) {
   for (std::size_t n = 0; n < state.velocity.size(); ++n)
     state.velocity[n] = scale * mode.displacement[n], state.spin[n] = scale * mode.rotation[n];
-  Work<2> work;
+  Work<D> work;
   evaluate(model, state, work, state.last_dt);
   Along out;
   out.all = work_along(mode, work.force, work.moment);
@@ -75,11 +92,12 @@ double band_ratio(const Model<2>& model, const State<2>& rest, const Mode& mode,
 /// velocity s, there and back; half the difference of the forces is what depends on the velocity, to first order:
 ///
 ///     zeta = -phi . (F(s phi) - F(-s phi)) / (2 s) / (2 w),   phi' M phi = 1
-ModeDamping damping_of(const Model<2>& model, State<2>& rest, const Mode& mode) {
+template <int D>
+ModeDamping damping_of(const Model<D>& model, State<D>& rest, const NaturalMode<D>& mode) {
   if (!(mode.square > 0)) return {};
   double most = 0, most_turn = 0;
-  for (const Vec2& v : mode.displacement) most = std::max(most, v.norm());
-  for (const double v : mode.rotation) most_turn = std::max(most_turn, std::abs(v));
+  for (const auto& v : mode.displacement) most = std::max(most, v.norm());
+  for (const auto& v : mode.rotation) most_turn = std::max(most_turn, size_of(v));
   const double scale = tried_speed / (most > 0 ? most : most_turn);
   const Along ahead = forces_along(model, rest, mode, scale), back = forces_along(model, rest, mode, -scale);
   const double critical = 2 * std::sqrt(mode.square);
@@ -88,7 +106,8 @@ ModeDamping damping_of(const Model<2>& model, State<2>& rest, const Mode& mode) 
   out.bearings = ratio(ahead.bearings, back.bearings);
   out.elements = ratio(ahead.elements, back.elements);
   out.contacts = ratio(ahead.all, back.all) - out.bearings - out.elements;
-  if (!model.bands.empty()) out.bands = band_ratio(model, rest, mode, scale);
+  if constexpr (D == 2)
+    if (!model.bands.empty()) out.bands = band_ratio(model, rest, mode, scale);
   // alpha M v on M phi: alpha / (2 w).
   out.mass = model.mass_damping / critical;
   return out;
@@ -96,11 +115,16 @@ ModeDamping damping_of(const Model<2>& model, State<2>& rest, const Mode& mode) 
 
 }  // namespace
 
-std::vector<ModeDamping> mode_damping(const Model<2>& model, const State<2>& state, const std::vector<Mode>& modes) {
-  State<2> rest = at_rest(state);
+template <int D>
+std::vector<ModeDamping> mode_damping(const Model<D>& model, const State<D>& state,
+                                      const std::vector<NaturalMode<D>>& modes) {
+  State<D> rest = at_rest(state);
   std::vector<ModeDamping> out;
-  for (const Mode& mode : modes) out.push_back(damping_of(model, rest, mode));
+  for (const NaturalMode<D>& mode : modes) out.push_back(damping_of(model, rest, mode));
   return out;
 }
+
+template std::vector<ModeDamping> mode_damping(const Model<2>&, const State<2>&, const std::vector<NaturalMode<2>>&);
+template std::vector<ModeDamping> mode_damping(const Model<3>&, const State<3>&, const std::vector<NaturalMode<3>>&);
 
 }  // namespace trilith

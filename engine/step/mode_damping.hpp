@@ -23,6 +23,8 @@ struct ModeDamping {
 };
 
 /// Of modes that were found of this state, one for each.
-std::vector<ModeDamping> mode_damping(const Model<2>& model, const State<2>& state, const std::vector<Mode>& modes);
+template <int D>
+std::vector<ModeDamping> mode_damping(const Model<D>& model, const State<D>& state,
+                                      const std::vector<NaturalMode<D>>& modes);
 
 }  // namespace trilith

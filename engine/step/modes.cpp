@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "step/consistent_mass.hpp"
 #include "step/evaluate.hpp"
+#include "step/implicit_turn.hpp"
 #include "step/tangent.hpp"
 
 namespace trilith {
@@ -30,7 +31,7 @@ struct Pencil {
 };
 
 /// What consistent mass of frames adds to M.
-void add_consistent(const Model<2>& model, const State<2>& state, const Coupling& coupling,
+void add_consistent(const Model<2>& model, const State<2>& state, const Coupling<2>& coupling,
                     Eigen::SparseMatrix<double>& mass) {
   for (const Beam& beam : model.beams) {
     if (beam.inertia < 0) continue;
@@ -42,20 +43,37 @@ void add_consistent(const Model<2>& model, const State<2>& state, const Coupling
   }
 }
 
+/// In space there is none.
+void add_consistent(const Model<3>& /*model*/, const State<3>& /*state*/, const Coupling<3>& /*coupling*/,
+                    Eigen::SparseMatrix<double>& /*mass*/) {}
+
+/// The lumped mass of all nodes: in the plane a diagonal, in space with the tensor of each inertia in the world.
+template <int D>
+Eigen::SparseMatrix<double> lumped(const Model<D>& model, const State<D>& state, const Coupling<D>& coupling) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < coupling.size(); ++i) {
+    const Freedom& f = coupling.freedom[i];
+    const Dofs<D> own = inertia_column(model, state, f, 1, 0);
+    for (int k = 0; k < Space<D>::dofs; ++k)
+      if (const int row = coupling.unknown[f.node][k]; row >= 0 && own[k] != 0) entries.emplace_back(row, i, own[k]);
+  }
+  Eigen::SparseMatrix<double> mass(coupling.size(), coupling.size());
+  mass.setFromTriplets(entries.begin(), entries.end());
+  return mass;
+}
+
 /// K = -dF/dx about the state at rest, by the tangent with no inertia and no rates; M, a diagonal but for frames with
-/// consistent mass.
-Pencil pencil_of(const Model<2>& model, const State<2>& now, Tangent& tangent) {
-  State<2> state = at_rest(now);
-  Work<2> work;
+/// consistent mass and for turns in space.
+template <int D>
+Pencil pencil_of(const Model<D>& model, const State<D>& now, Tangent<D>& tangent) {
+  State<D> state = at_rest(now);
+  Work<D> work;
   evaluate(model, state, work, instant);
   tangent.shape(model, work);
   tangent.assemble(model, state, work, {instant, 0, 1, 0, disturbance, false});
   const Eigen::SparseMatrix<double> k = tangent.matrix(), turned = k.transpose();
   Pencil out{0.5 * (k + turned), {}};
-  const auto& freedom = tangent.coupling().freedom;
-  out.mass.resize(k.rows(), k.cols());
-  for (int i = 0; i < tangent.coupling().size(); ++i)
-    out.mass.insert(i, i) = freedom[i].k == 2 ? model.inertia[freedom[i].node] : model.mass[freedom[i].node];
+  out.mass = lumped(model, state, tangent.coupling());
   add_consistent(model, state, tangent.coupling(), out.mass);
   out.mass.makeCompressed();
   return out;
@@ -102,74 +120,94 @@ Pairs lowest_pairs(const Pencil& p, int count) {
 }
 
 /// Scaled to phi' M phi = 1; factor = phi' M r for r = 1 along x or y, effective mass = factor^2.
-Mode mode_of(const Model<2>& model, const Coupling& coupling, const Eigen::SparseMatrix<double>& mass, double square,
-             const Eigen::VectorXd& shape) {
-  Mode mode;
+template <int D>
+NaturalMode<D> mode_of(const Model<D>& model, const Coupling<D>& coupling, const Eigen::SparseMatrix<double>& mass,
+                       double square, const Eigen::VectorXd& shape) {
+  NaturalMode<D> mode;
   mode.square = square;
-  mode.displacement.assign(model.mass.size(), Vec2::Zero());
-  mode.rotation.assign(model.mass.size(), 0);
+  mode.displacement.assign(model.mass.size(), Vec<D>::Zero());
+  mode.rotation.assign(model.mass.size(), nothing<Spin<D>>());
   const Eigen::VectorXd momentum = mass * shape;
   double generalised = 0;
   for (int i = 0; i < coupling.size(); ++i) {
     const auto [n, k] = coupling.freedom[i];
-    (k == 2 ? mode.rotation[n] : mode.displacement[n][k]) = shape[i];
     generalised += momentum[i] * shape[i];
-    if (k < 2) mode.factor[k] += momentum[i];
+    if (is_turn<D>({n, k})) {
+      number_at(k - Space<D>::translations, mode.rotation[n]) = shape[i];
+    } else {
+      mode.displacement[n][k] = shape[i];
+      mode.factor[k] += momentum[i];
+    }
   }
   const double scale = 1 / std::sqrt(generalised);
-  for (Vec2& v : mode.displacement) v *= scale;
-  for (double& v : mode.rotation) v *= scale;
-  for (const int k : {0, 1}) mode.factor[k] *= scale, mode.mass[k] = mode.factor[k] * mode.factor[k];
+  for (auto& v : mode.displacement) v *= scale;
+  for (auto& v : mode.rotation) v *= scale;
+  for (std::size_t k = 0; k < mode.factor.size(); ++k)
+    mode.factor[k] *= scale, mode.mass[k] = mode.factor[k] * mode.factor[k];
   return mode;
 }
 
 }  // namespace
 
-State<2> at_rest(const State<2>& from) {
-  State<2> state = from;
-  for (Vec2& v : state.velocity) v = Vec2::Zero();
-  std::fill(state.spin.begin(), state.spin.end(), 0);
+template <int D>
+State<D> at_rest(const State<D>& from) {
+  State<D> state = from;
+  for (Vec<D>& v : state.velocity) v = Vec<D>::Zero();
+  std::fill(state.spin.begin(), state.spin.end(), nothing<Spin<D>>());
   state.position_before = state.position, state.rotation_before = state.rotation;
-  state.acceleration.assign(state.position.size(), Vec2::Zero());
-  state.spin_rate.assign(state.position.size(), 0);
+  state.acceleration.assign(state.position.size(), Vec<D>::Zero());
+  state.spin_rate.assign(state.position.size(), nothing<Spin<D>>());
   state.last_dt = instant;
   return state;
 }
 
-double Mode::frequency() const {
+template <int D>
+double NaturalMode<D>::frequency() const {
   return square > 0 ? std::sqrt(square) / (2 * M_PI) : 0;
 }
 
-std::array<double, 2> free_mass(const Model<2>& model, const State<2>& state) {
-  std::array<double, 2> sum{};
+template <int D>
+std::array<double, D> free_mass(const Model<D>& model, const State<D>& state) {
+  std::array<double, D> sum{};
   for (int n = 0; n < model.nodes(); ++n)
-    for (const int k : {0, 1})
+    for (std::size_t k = 0; k < sum.size(); ++k)
       if (model.support[n][k] == Support::free) sum[k] += model.mass[n];
-  for (const Beam& beam : model.beams) {
-    if (beam.inertia < 0) continue;
-    const BeamMatrix m = added_mass(model, state, beam);
-    const auto is_free = [&](int i) { return model.support[beam.node[i / 3]][i % 3] == Support::free; };
-    for (const int k : {0, 1})
-      for (const int i : {k, k + 3})
-        for (const int j : {k, k + 3})
-          if (is_free(i) && is_free(j)) sum[k] += m(i, j);
-  }
+  if constexpr (D == 2)
+    for (const Beam& beam : model.beams) {
+      if (beam.inertia < 0) continue;
+      const BeamMatrix m = added_mass(model, state, beam);
+      const auto is_free = [&](int i) { return model.support[beam.node[i / 3]][i % 3] == Support::free; };
+      for (const int k : {0, 1})
+        for (const int i : {k, k + 3})
+          for (const int j : {k, k + 3})
+            if (is_free(i) && is_free(j)) sum[k] += m(i, j);
+    }
   return sum;
 }
 
-std::vector<Mode> modes(const Model<2>& model, const State<2>& state, int count) {
+template <int D>
+std::vector<NaturalMode<D>> modes(const Model<D>& model, const State<D>& state, int count) {
   if (count < 1) throw InputError(fmt::format("modes: count is {}, must be at least 1", count));
-  Tangent tangent;
+  Tangent<D> tangent;
   const Pencil pencil = pencil_of(model, state, tangent);
   const int size = tangent.coupling().size();
   if (size == 0) throw InputError("modes: nothing is free to move");
   // Lanczos with a basis near the size of the matrix is no gain.
   const bool all = size <= few || count > size / 3;
   const Pairs pairs = all ? all_pairs(pencil) : lowest_pairs(pencil, count);
-  std::vector<Mode> out;
+  std::vector<NaturalMode<D>> out;
   for (Eigen::Index i = 0; i < std::min<Eigen::Index>(count, pairs.square.size()); ++i)
     out.push_back(mode_of(model, tangent.coupling(), pencil.mass, pairs.square[i], pairs.shape.col(i)));
   return out;
 }
+
+template struct NaturalMode<2>;
+template struct NaturalMode<3>;
+template State<2> at_rest(const State<2>&);
+template State<3> at_rest(const State<3>&);
+template std::vector<NaturalMode<2>> modes(const Model<2>&, const State<2>&, int);
+template std::vector<NaturalMode<3>> modes(const Model<3>&, const State<3>&, int);
+template std::array<double, 2> free_mass<2>(const Model<2>&, const State<2>&);
+template std::array<double, 3> free_mass<3>(const Model<3>&, const State<3>&);
 
 }  // namespace trilith

@@ -3,7 +3,7 @@
 // K is the tangent of all forces at the present state (step/tangent.hpp): of elements and beams with what loads and
 // weight make of their geometry, of bearings on their present branch, of contacts that are closed and stick. Where
 // faces stand apart there is no stiffness; where friction slides just now, K is not symmetric, and its symmetric part
-// is taken. M is lumped. Shift and invert (Lanczos), by Spectra; all at once where there are few.
+// is taken. M is lumped but for frames with consistent mass. Shift and invert (Lanczos), by Spectra; all at once where there are few.
 #pragma once
 
 #include <array>
@@ -15,26 +15,31 @@
 
 namespace trilith {
 
-struct Mode {
-  double square = 0;               ///< w^2; below 0 where the assembly is unstable [rad2/s2]
-  std::vector<Vec2> displacement;  ///< [node] phi' M phi = 1 [1/sqrt(kg)]
-  std::vector<double> rotation;    ///< [node]
-  std::array<double, 2> mass{};    ///< effective mass along x and y [kg]
-  std::array<double, 2> factor{};  ///< participation: phi' M r, r = 1 along x or y [sqrt(kg)]
+template <int D>
+struct NaturalMode {
+  double square = 0;                 ///< w^2; below 0 where the assembly is unstable [rad2/s2]
+  std::vector<Vec<D>> displacement;  ///< [node] phi' M phi = 1 [1/sqrt(kg)]
+  std::vector<Spin<D>> rotation;     ///< [node] in space about the axes of the world
+  std::array<double, D> mass{};      ///< effective mass along each axis [kg]
+  std::array<double, D> factor{};    ///< participation: phi' M r, r = 1 along that axis [sqrt(kg)]
 
   /// [Hz]; of an unstable or a rigid mode 0.
   [[nodiscard]] double frequency() const;
 };
+using Mode = NaturalMode<2>;
 
 /// The state at rest where it stands, as one that a change of place has slip and friction from; to be evaluated over
 /// State::last_dt.
-State<2> at_rest(const State<2>& from);
+template <int D>
+State<D> at_rest(const State<D>& from);
 
 /// The lowest `count` modes, or as many as there are degrees of freedom, by rising w^2. Throws InputError where nothing
 /// is free to move, and where there are fewer than 1 to find.
-std::vector<Mode> modes(const Model<2>& model, const State<2>& state, int count);
+template <int D>
+std::vector<NaturalMode<D>> modes(const Model<D>& model, const State<D>& state, int count);
 
-/// Mass that is free to move along x and y [kg].
-std::array<double, 2> free_mass(const Model<2>& model, const State<2>& state);
+/// Mass that is free to move along each axis [kg].
+template <int D>
+std::array<double, D> free_mass(const Model<D>& model, const State<D>& state);
 
 }  // namespace trilith

@@ -44,9 +44,22 @@ Dofs<D> velocity_of(const State<D>& state, int n) {
   return dofs_of(state.velocity[n], state.spin[n]);
 }
 
-/// In the plane, where the resistance to a turn is one number.
-inline Dofs<2> mass_of(const Model<2>& model, int n) {
+/// What resists a change of motion: masses, then the moment of inertia; in space, where that is a tensor, its diagonal
+/// in the axes of the world.
+inline Dofs<2> mass_of(const Model<2>& model, const State<2>& /*state*/, int n) {
   return {model.mass[n], model.mass[n], model.inertia[n]};
+}
+inline Dofs<3> mass_of(const Model<3>& model, const State<3>& state, int n) {
+  const Turn3 turn(state.rotation[n]);
+  const Vec3 x = turn.x().cwiseAbs2(), y = turn.y().cwiseAbs2(), z = turn.z().cwiseAbs2(), &own = model.inertia[n];
+  return dofs_of(Vec3(Vec3::Constant(model.mass[n])), Vec3(own.x() * x + own.y() * y + own.z() * z));
+}
+/// A radius by which moments compare with forces: of gyration, in space the mean one; 0 where the node has no size [m].
+inline double gyration_of(const Model<2>& model, int n) {
+  return std::sqrt(model.inertia[n] / model.mass[n]);
+}
+inline double gyration_of(const Model<3>& model, int n) {
+  return std::sqrt(model.inertia[n].sum() / (3 * model.mass[n]));
 }
 
 /// Forces of one node at an instant, on its free degrees of freedom, and what the supports take on the others.

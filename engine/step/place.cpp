@@ -184,7 +184,8 @@ SkinReach place_fitted(const Model<3>& model, const State<3>& state, int piece, 
     solids.fitted[i] = fitted(model, model.fits[i], state.position, state.velocity);
   for (std::size_t f = 0; f < faces; ++f) {
     const Fitted& now = solids.fitted[first + 1 + f];
-    solids.face_motion[first + 1 + f] = {now.place, now.velocity, now.spin};
+    const StepBehind* behind = solids.behind.empty() ? nullptr : &solids.behind[state.position.size() + first + 1 + f];
+    solids.face_motion[first + 1 + f] = {now.place, now.velocity, now.spin, behind};
   }
   PlacedSolid& out = solids.placed[p];
   const std::vector<Vec3>& own = solid.shape.corners;
@@ -227,12 +228,27 @@ bool piece_moves(const Model<3>& model, int piece) {
   return std::any_of(whole.node.begin(), whole.node.begin() + whole.nodes, [&](int n) { return model.moves(n); });
 }
 
+/// How all nodes and fits went along an implicit step; nothing after an explicit one.
+void place_behind(const Model<3>& model, const State<3>& state, std::vector<StepBehind>& behind) {
+  behind.clear();
+  if (!state.implicit()) return;
+  behind.reserve(state.position.size() + model.fits.size());
+  for (std::size_t n = 0; n < state.position.size(); ++n)
+    behind.emplace_back(state.position[n], state.rotation[n], state.position_before[n], state.rotation_before[n]);
+  for (std::size_t i = 0; i < model.fits.size(); ++i) {
+    const int carrier = -1 - static_cast<int>(i);
+    const BodyMotion now = motion_of(model, state, carrier), before = motion_before(model, state, carrier);
+    behind.emplace_back(now.place, now.rotation, before.place, before.rotation);
+  }
+}
+
 PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
   const std::size_t pieces = model.piece_solid.size();
   work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces);
   work.solids.fitted.resize(model.fits.size()), work.solids.face_motion.resize(model.fits.size());
   if (!model.fits.empty()) work.solids.before.resize(pieces);
   if (!work.valid) list_spheres(model, work.solids.sphere);
+  place_behind(model, state, work.solids.behind);
   return place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int p, PlacedReach& to) {
     const SkinReach of = place_piece(model, state, p, work.solids);
     to.add(of, piece_moves(model, p));

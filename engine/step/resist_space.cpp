@@ -152,7 +152,7 @@ void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double 
   work.plastic.resize(state.plastic.size());
   ResistSums sums;
   resist_elements(model, state, work, sums);
-  resist_beams(model, state, work, sums);
+  if (!work.leave_out_beams) resist_beams(model, state, work, sums);
   work.element_stored = sums.stored;
   work.given[EnergyTerm::plastic] += sums.plastic;
 }

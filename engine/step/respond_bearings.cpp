@@ -49,7 +49,7 @@ DirectionResponse respond_horizontal(const Bearing<3>& b, const BearingMemory<3>
             DirectionMemory& own = after.direction[static_cast<std::size_t>(k)];
             const double last = before.direction[static_cast<std::size_t>(k)].damping;
             own.force = r.force[k], own.damping = l.damping * m.rate[k];
-            out.lost_damping += 0.5 * (own.damping + last) * m.rate[k] * m.dt;
+            out.lost_damping += 0.5 * (own.damping + last) * m.mean[k] * m.dt;
           }
           out.stored = r.stored, out.lost_inner = r.lost_inner, out.yielding = r.yielding;
         }
@@ -63,8 +63,9 @@ bool has_horizontal(const Bearing<3>& b) {
   return !std::holds_alternative<std::monostate>(b.horizontal);
 }
 
-HorizontalMotion horizontal_motion(const BearingMotion<3>& m, double dt, double compression) {
-  return {{m.displacement[0], m.displacement[1]}, {m.rate[0], m.rate[1]}, dt, compression};
+HorizontalMotion horizontal_motion(const BearingMotion<3>& m, const std::array<double, 6>& mean, double dt,
+                                   double compression) {
+  return {{m.displacement[0], m.displacement[1]}, {m.rate[0], m.rate[1]}, dt, compression, {mean[0], mean[1]}};
 }
 
 /// The first direction beyond its limit, or -1.
@@ -106,7 +107,7 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   if constexpr (D == 3) {
     for (const std::size_t k : {0, 1, 2}) after.turned[k] = m.displacement[3 + k];
     if (has_horizontal(b)) {
-      take_up(respond_horizontal(b, before, horizontal_motion(m, dt, compression), false, after), i, after.status,
+      take_up(respond_horizontal(b, before, horizontal_motion(m, mean, dt, compression), false, after), i, after.status,
               work);
       for (const std::size_t k : {0, 1}) force[k] = after.direction[k].force + after.direction[k].damping;
     }
@@ -122,14 +123,16 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   after.failed_direction = static_cast<std::uint32_t>(beyond);
 }
 
-/// Of a live one: its laws are asked again for both ways.
-double turned_back(const Model<2>& model, const State<2>& state, const Work<2>& work, std::size_t i, double dt) {
-  const Bearing<2>& b = model.bearings[i];
-  const BearingMotion<2> m = bearing_motion(model, state, i);
-  const std::array<double, 3> mean = mean_rates(model, state, b, m, dt);
-  const double compression = std::max(0.0, -work.bearing[i].direction[axial].force);
+/// Of a live one: its laws are asked again for both ways. A law of both horizontal directions is left out.
+template <int D>
+double turned_back(const Model<D>& model, const State<D>& state, const Work<D>& work, std::size_t i, double dt) {
+  const Bearing<D>& b = model.bearings[i];
+  const BearingMotion<D> m = bearing_motion(model, state, i);
+  const auto mean = mean_rates(model, state, b, m, dt);
+  const double compression = std::max(0.0, -work.bearing[i].direction[Directions<D>::axial].force);
   double sum = 0;
-  for (const int k : {axial, along, turning}) {
+  for (const int k : direction_order<D>) {
+    if (std::holds_alternative<std::monostate>(b.law[k])) continue;
     const Ways way(m.rate[k], mean[k], dt);
     if (way.back == 0) continue;
     const double time_on = dt - way.time_back;
@@ -173,8 +176,8 @@ double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work
   }
   if constexpr (D == 3) {
     for (const std::size_t k : {0, 1, 2}) begun.turned[k] = m.displacement[3 + k];
-    HorizontalMotion at_rest = horizontal_motion(m, 0, compression);
-    at_rest.rate = Vec2::Zero();
+    HorizontalMotion at_rest = horizontal_motion(m, m.rate, 0, compression);
+    at_rest.rate = at_rest.mean = Vec2::Zero();
     stored += respond_horizontal(b, BearingMemory<3>{}, at_rest, true, begun).stored;
   }
   return stored;
@@ -195,13 +198,16 @@ void respond_bearings(const Model<D>& model, const State<D>& state, Work<D>& wor
   }
 }
 
-double bearings_turned_back(const Model<2>& model, const State<2>& state, const Work<2>& work, double dt) {
+template <int D>
+double bearings_turned_back(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt) {
   double sum = 0;
   for (std::size_t i = 0; i < model.bearings.size(); ++i)
     if (is_live(state.bearing[i].status)) sum += turned_back(model, state, work, i, dt);
   return sum;
 }
 
+template double bearings_turned_back(const Model<2>&, const State<2>&, const Work<2>&, double);
+template double bearings_turned_back(const Model<3>&, const State<3>&, const Work<3>&, double);
 template double begin_bearing(const Model<2>&, const State<2>&, Work<2>&, int);
 template double begin_bearing(const Model<3>&, const State<3>&, Work<3>&, int);
 template void respond_bearings(const Model<2>&, const State<2>&, Work<2>&, double);

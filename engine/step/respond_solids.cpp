@@ -16,10 +16,15 @@ MovingSolid moving_solid(const Model<3>& model, const State<3>& state, const Wor
   if (model.is_fitted(piece)) {
     const auto first = static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)]);
     const Fitted& whole = work.solids.fitted[first];
-    return {work.solids.placed[piece], whole.place, whole.velocity, whole.spin, &work.solids.face_motion[first + 1]};
+    return {work.solids.placed[piece],
+            whole.place,
+            whole.velocity,
+            whole.spin,
+            step_behind(work, model.carrier_of(piece)),
+            &work.solids.face_motion[first + 1]};
   }
   const int n = model.node_of_piece(piece);
-  return {work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n]};
+  return {work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n], step_behind(work, n)};
 }
 
 /// Force and moment about the centre of a contact on what carries one side of it.
@@ -93,8 +98,8 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidOverlapB
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
   const SolidMemory& contact = contacts_before(state, work).memory[r];
   JointResponse joint =
-      respond_joint(body_motion(model, state, pair.piece_a, before.plan->face_a),
-                    body_motion(model, state, pair.piece_b, before.plan->face_b), contact, before, law, after);
+      respond_joint(body_motion(model, state, work, pair.piece_a, before.plan->face_a),
+                    body_motion(model, state, work, pair.piece_b, before.plan->face_b), contact, before, law, after);
   joint.contact.face_a = before.plan->face_a, joint.contact.face_b = before.plan->face_b;
   if (joint.ends) {
     SolidOverlapBuffer cell;  // room; joints end once
@@ -118,7 +123,7 @@ bool has_sphere(const Work<3>& work, const NearPair& pair) {
 /// The same of a piece that may be a sphere: its centre and radius beside its corners, of which a sphere has one.
 SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
   const MovingSolid moving = moving_solid(model, state, work, piece);
-  return {work.solids.sphere[piece], moving.placed, moving.origin, moving.velocity, moving.spin};
+  return {work.solids.sphere[piece], moving.placed, moving.origin, moving.velocity, moving.spin, moving.behind};
 }
 
 /// False where there is nothing to be found out: the two were apart, and still are.

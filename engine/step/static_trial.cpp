@@ -8,6 +8,7 @@
 #include "step/commit.hpp"
 #include "step/evaluate.hpp"
 #include "step/implicit_step.hpp"
+#include "step/implicit_turn.hpp"
 
 namespace trilith {
 namespace {
@@ -18,30 +19,52 @@ constexpr double slow_step = 1e3;
 /// close under it; and by so much at least and at most [m].
 constexpr double share_of_pressed = 1e-2, least_disturbance = 1e-12, most_disturbance = 1e-8;
 
-void stop_moving(State<2>& state) {
-  std::fill(state.velocity.begin(), state.velocity.end(), Vec2::Zero());
-  std::fill(state.spin.begin(), state.spin.end(), 0.0);
-  std::fill(state.acceleration.begin(), state.acceleration.end(), Vec2::Zero());
-  std::fill(state.spin_rate.begin(), state.spin_rate.end(), 0.0);
+template <int D>
+void stop_moving(State<D>& state) {
+  std::fill(state.velocity.begin(), state.velocity.end(), Vec<D>::Zero());
+  std::fill(state.spin.begin(), state.spin.end(), nothing<Spin<D>>());
+  std::fill(state.acceleration.begin(), state.acceleration.end(), Vec<D>::Zero());
+  std::fill(state.spin_rate.begin(), state.spin_rate.end(), nothing<Spin<D>>());
 }
 
 /// By it moments compare with forces; 1 m where a node has no size.
-double gyration_of(const Model<2>& model, int n) {
-  const double radius = std::sqrt(model.inertia[n] / model.mass[n]);
+template <int D>
+double lever_of(const Model<D>& model, int n) {
+  const double radius = gyration_of(model, n);
   return radius > 0 ? radius : 1;
 }
 
 /// Size of the body that each node belongs to [m].
-std::vector<double> reaches(const Model<2>& model) {
+template <int D>
+std::vector<double> reaches(const Model<D>& model) {
   std::vector<double> out(model.mass.size(), 0.0);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     for (int i = 0; i < model.bodies[b].nodes; ++i) out[model.bodies[b].first_node + i] = model.body_radius[b];
   return out;
 }
 
+/// What inertia holds of a node that went this way [N], [N m].
+Dofs<2> held_by_mass(const Model<2>& model, const State<2>& state, int n, double inertia, const Dofs<2>& way) {
+  const Dofs<2> mass = mass_of(model, state, n);
+  return {mass[0] * (inertia * way[0]), mass[1] * (inertia * way[1]), mass[2] * (inertia * way[2])};
+}
+Dofs<3> held_by_mass(const Model<3>& model, const State<3>& state, int n, double inertia, const Dofs<3>& way) {
+  return dofs_of(Vec3(model.mass[n] * inertia * along_of(way)),
+                 Vec3(inertia * momentum_of(model.inertia[n], state.rotation[n], about_of(way))));
+}
+
+/// The number whose digits a rotation has [rad].
+double size_of_turn(double rotation) {
+  return std::abs(rotation);
+}
+double size_of_turn(const UnitQuaternion& /*rotation*/) {
+  return 1;
+}
+
 }  // namespace
 
-StaticTrial::StaticTrial(const Model<2>& model, const State<2>& state)
+template <int D>
+StaticTrial<D>::StaticTrial(const Model<D>& model, const State<D>& state)
     : model_(model),
       state_(state),
       was_implicit_(state.implicit()),
@@ -66,22 +89,25 @@ StaticTrial::StaticTrial(const Model<2>& model, const State<2>& state)
 }
 
 /// Forces at the begin are kept: work is booked by the mean of them and those at the end.
-void StaticTrial::begin_here() {
+template <int D>
+void StaticTrial<D>::begin_here() {
   state_.position_before = begin_position_ = state_.position;
   state_.rotation_before = begin_rotation_ = state_.rotation;
   evaluate_here();
   begin_force_ = all_forces();
 }
 
-std::vector<NodeForces<2>> StaticTrial::all_forces() const {
+template <int D>
+std::vector<NodeForces<D>> StaticTrial<D>::all_forces() const {
   const Outside outside(model_, state_, work_);
-  std::vector<NodeForces<2>> out;
+  std::vector<NodeForces<D>> out;
   out.reserve(model_.mass.size());
   for (int n = 0; n < model_.nodes(); ++n) out.push_back(node_forces(model_, state_, work_, n, {}, outside, {}));
   return out;
 }
 
-void StaticTrial::evaluate_here() {
+template <int D>
+void StaticTrial<D>::evaluate_here() {
   evaluate(model_, state_, work_, slow_step);
   tangent_.shape(model_, work_);
   if (rounding_.size() != coupling().size()) rounding_ = Eigen::VectorXd::Zero(coupling().size());
@@ -89,41 +115,61 @@ void StaticTrial::evaluate_here() {
 
 /// The largest force that a node takes up: of contacts and elements, or weight and loads; moments of beams and loads
 /// too [N].
-double StaticTrial::carried() const {
+template <int D>
+double StaticTrial<D>::carried() const {
   double most = work_.carried;
   for (const auto* moments : {&work_.element_moment, &work_.load_moment})
     for (std::size_t n = 0; n < moments->size(); ++n)
-      if (model_.support[n][2] == Support::free)
-        most = std::max(most, std::abs((*moments)[n]) / gyration_of(model_, static_cast<int>(n)));
+      for (int k = Space<D>::translations; k < Space<D>::dofs; ++k)
+        if (model_.support[n][k] == Support::free)
+          most = std::max(most, std::abs(dofs_of(Vec<D>(Vec<D>::Zero()), (*moments)[n])[k]) /
+                                    lever_of(model_, static_cast<int>(n)));
   return most;
 }
 
-double StaticTrial::mass_at(int unknown) const {
+template <int D>
+double StaticTrial<D>::mass_at(int unknown) const {
   const auto [n, k] = coupling().freedom[unknown];
-  return mass_of(model_, n)[k];
+  return mass_of(model_, state_, n)[k];
 }
 
-Eigen::VectorXd StaticTrial::way() const {
+template <int D>
+Dofs<D> StaticTrial<D>::way_of(int node) const {
+  return dofs_of(Vec<D>(state_.position[node] - begin_position_[node]),
+                 turn_between(begin_rotation_[node], state_.rotation[node]));
+}
+
+template <int D>
+Eigen::VectorXd StaticTrial<D>::way() const {
   Eigen::VectorXd out(coupling().size());
-  for (int i = 0; i < coupling().size(); ++i) {
+  Dofs<D> of{};
+  for (int i = 0, node = -1; i < coupling().size(); ++i) {
     const auto [n, k] = coupling().freedom[i];
-    out[i] = k == 2 ? state_.rotation[n] - begin_rotation_[n] : state_.position[n][k] - begin_position_[n][k];
+    if (n != node) of = way_of(n), node = n;
+    out[i] = of[k];
   }
   return out;
 }
 
-/// left = F - inertia M d; its square, sum of left^2 / m, is what iterations are judged by; `share_` what ends them.
-double StaticTrial::measure(double inertia) {
+/// left = F - inertia M d; its square, sum of left^2 / m, is what iterations are judged by; `share_` what ends them. In
+/// space M d of a turn is the tensor of inertia as the body lies times the rotation vector.
+template <int D>
+double StaticTrial<D>::measure(double inertia) {
   // `inertia` is 1/h^2 in a step of pseudo-time and 0 on a path.
-  left_ = inertia > 0 ? Eigen::VectorXd(-inertia * way()) : Eigen::VectorXd(Eigen::VectorXd::Zero(coupling().size()));
+  left_ = Eigen::VectorXd::Zero(coupling().size());
   double sum = 0, most = 0;
   worst_ = -1;
-  for (int i = 0; i < coupling().size(); ++i) {
+  Dofs<D> masses{}, held{};
+  for (int i = 0, node = -1; i < coupling().size(); ++i) {
     const Freedom f = coupling().freedom[i];
-    const double mass = mass_of(model_, f.node)[f.k];
-    left_[i] = net_force(model_, state_, work_, f) + mass * left_[i];
+    if (f.node != node) {
+      node = f.node, masses = mass_of(model_, state_, node);
+      held = inertia > 0 ? held_by_mass(model_, state_, node, inertia, way_of(node)) : Dofs<D>{};
+    }
+    const double mass = masses[f.k];
+    left_[i] = net_force(model_, state_, work_, f) - held[f.k];
     sum += left_[i] * left_[i] / mass;
-    const double left = (std::abs(left_[i]) - rounding_[i]) / (f.k == 2 ? gyration_of(model_, f.node) : 1);
+    const double left = (std::abs(left_[i]) - rounding_[i]) / (is_turn<D>(f) ? lever_of(model_, f.node) : 1);
     if (left > most) most = left, worst_ = f.node;
   }
   const double size = std::max(least_carried_, carried());
@@ -132,7 +178,8 @@ double StaticTrial::measure(double inertia) {
 }
 
 /// Differences leave State and Work disturbed, so all is evaluated anew; then what follows from the tangent.
-bool StaticTrial::find_tangent(double inertia) {
+template <int D>
+bool StaticTrial<D>::find_tangent(double inertia) {
   const bool regular = tangent_.find(model_, state_, work_, {slow_step, 0, 1, inertia, disturbance_});
   evaluate_here();
   find_rounding();
@@ -140,14 +187,15 @@ bool StaticTrial::find_tangent(double inertia) {
   return regular;
 }
 
-void StaticTrial::find_stiffest(double inertia) {
+template <int D>
+void StaticTrial<D>::find_stiffest(double inertia) {
   double stiffest = 0;
   highest_square_ = 0;
   for (int i = 0; i < coupling().size(); ++i) {
     const double mass = mass_at(i), stiffness = tangent_.matrix().coeff(i, i) - inertia * mass;
     // The diagonal less its inertia: K_ii / m_i.
     highest_square_ = std::max(highest_square_, stiffness / mass);
-    if (coupling().freedom[i].k < 2) stiffest = std::max(stiffest, stiffness);
+    if (!is_turn<D>(coupling().freedom[i])) stiffest = std::max(stiffest, stiffness);
   }
   if (stiffest > 0 && work_.carried > 0)
     disturbance_ = std::clamp(share_of_pressed * work_.carried / stiffest, least_disturbance, most_disturbance);
@@ -155,37 +203,51 @@ void StaticTrial::find_stiffest(double inertia) {
 
 /// What the last digit of every place makes of the forces: no iteration gets below it. A skin point has the digits of
 /// its distance from the origin.
-void StaticTrial::find_rounding() {
+template <int D>
+void StaticTrial<D>::find_rounding() {
   constexpr double digit = std::numeric_limits<double>::epsilon();
   rounding_ = Eigen::VectorXd::Zero(coupling().size());
   for (int column = 0; column < coupling().size(); ++column) {
     const auto [n, k] = coupling().freedom[column];
-    const Vec2& x = state_.position[n];
-    const double size = k == 2 ? std::abs(state_.rotation[n]) : std::abs(x.x()) + std::abs(x.y()) + reach_[n];
+    const double size = is_turn<D>({n, k}) ? size_of_turn(state_.rotation[n])
+                                           : state_.position[n].cwiseAbs().sum() + reach_[n];
     for (Eigen::SparseMatrix<double>::InnerIterator at(tangent_.matrix(), column); at; ++at)
       rounding_[at.row()] += digit * size * std::abs(at.value());
   }
 }
 
-void StaticTrial::move(const Eigen::VectorXd& by, double share) {
-  for (int i = 0; i < coupling().size(); ++i) {
-    const auto [n, k] = coupling().freedom[i];
-    (k == 2 ? state_.rotation[n] : state_.position[n][k]) += share * by[i];
+template <int D>
+void StaticTrial<D>::move(const Eigen::VectorXd& by, double share) {
+  for (int n = 0; n < model_.nodes(); ++n) {
+    Dofs<D> way{};
+    bool turns = false;
+    for (int k = 0; k < Space<D>::dofs; ++k) {
+      const int i = coupling().unknown[n][k];
+      if (i < 0) continue;
+      way[k] = share * by[i];
+      if (is_turn<D>({n, k}))
+        turns = true;
+      else
+        state_.position[n][k] += way[k];
+    }
+    if (turns) state_.rotation[n] = turned_by(about_of(way), state_.rotation[n]);
   }
 }
 
-void StaticTrial::go_back() {
+template <int D>
+void StaticTrial<D>::go_back() {
   state_.position = begin_position_, state_.rotation = begin_rotation_;
   evaluate_here();
 }
 
 /// F (x' - x) with the mean of F at both ends, as half the way with either; `finish` books what the balance then lacks.
-void StaticTrial::accept() {
-  const std::vector<NodeForces<2>> force = all_forces();
+template <int D>
+void StaticTrial<D>::accept() {
+  const std::vector<NodeForces<D>> force = all_forces();
   commit(model_, state_, work_);
   for (int n = 0; n < model_.nodes(); ++n) {
-    const Vec2 half = 0.5 * (state_.position[n] - begin_position_[n]);
-    const Dofs<2> path{half.x(), half.y(), 0.5 * (state_.rotation[n] - begin_rotation_[n])};
+    Dofs<D> path = way_of(n);
+    for (double& p : path) p *= 0.5;
     add_work(begin_force_[n], path, state_.given);
     add_work(force[n], path, state_.given);
   }
@@ -194,7 +256,8 @@ void StaticTrial::accept() {
 }
 
 /// What statics cannot say where it went is `rest_damping`: the motion to rest that was left out.
-State<2> StaticTrial::finish() {
+template <int D>
+State<D> StaticTrial<D>::finish() {
   go_back();
   state_.given[EnergyTerm::rest_damping] += balance_ - implicit_energy(model_, state_, work_).balance();
   state_.last_dt = 0;
@@ -203,5 +266,8 @@ State<2> StaticTrial::finish() {
   state_.dt = state_.safety = 0;
   return std::move(state_);
 }
+
+template class StaticTrial<2>;
+template class StaticTrial<3>;
 
 }  // namespace trilith

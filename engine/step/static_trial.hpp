@@ -13,11 +13,12 @@ namespace trilith {
 
 /// Bodies without velocities. Each step leads from a committed place to the next: what slides, yields or breaks does so
 /// along the straight way between the two, however long that takes; dampers do not act.
+template <int D>
 class StaticTrial {
  public:
   /// Of a state at a step border (advanced, not committed, as Simulation holds it). Both must outlive this; `model` may
   /// be changed between evaluations in its loads and weight, and in nothing else.
-  StaticTrial(const Model<2>& model, const State<2>& state);
+  StaticTrial(const Model<D>& model, const State<D>& state);
 
   /// Forces at the present place.
   void evaluate_here();
@@ -38,7 +39,7 @@ class StaticTrial {
   void accept();
   /// The state at rest at the step's begin, as one that either kind of step goes on from. What the way gave off beyond
   /// what the laws book is the ledger's `rest_damping`. The last call.
-  State<2> finish();
+  State<D> finish();
 
   [[nodiscard]] const Eigen::VectorXd& left() const { return left_; }
   /// Largest force left over, as a share of the largest one carried; moments by the node's radius of gyration.
@@ -49,29 +50,29 @@ class StaticTrial {
   void keep_carried() { least_carried_ = std::max(least_carried_, carried()); }
   /// Of the stiffest unknown by itself, as the last tangent has it; 0 where nothing is stiff [1/s2].
   [[nodiscard]] double highest_square() const { return highest_square_; }
-  [[nodiscard]] const Coupling& coupling() const { return tangent_.coupling(); }
-  [[nodiscard]] const State<2>& state() const { return state_; }
-  [[nodiscard]] Work<2>& work() { return work_; }
+  [[nodiscard]] const Coupling<D>& coupling() const { return tangent_.coupling(); }
+  [[nodiscard]] const State<D>& state() const { return state_; }
+  [[nodiscard]] Work<D>& work() { return work_; }
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }  ///< of all accepted steps
   /// The mass or inertia of an unknown.
   [[nodiscard]] double mass_at(int unknown) const;
 
  private:
   void begin_here();
-  [[nodiscard]] std::vector<NodeForces<2>> all_forces() const;
+  [[nodiscard]] std::vector<NodeForces<D>> all_forces() const;
   void find_rounding();
   void find_stiffest(double inertia);
   [[nodiscard]] double carried() const;
 
-  const Model<2>& model_;
-  State<2> state_;
-  Work<2> work_;
-  Tangent tangent_;
+  const Model<D>& model_;
+  State<D> state_;
+  Work<D> work_;
+  Tangent<D> tangent_;
   bool was_implicit_;
   double balance_ = 0;                // of the ledger as statics began [J]
-  std::vector<Vec2> begin_position_;  // of the step
-  std::vector<double> begin_rotation_;
-  std::vector<NodeForces<2>> begin_force_;
+  std::vector<Vec<D>> begin_position_;  // of the step
+  std::vector<Rotation<D>> begin_rotation_;
+  std::vector<NodeForces<D>> begin_force_;
   std::vector<double> reach_;        // [node] of its body [m]
   double disturbance_;               // how far nodes are moved for the tangent [m]
   Eigen::VectorXd left_, rounding_;  // by unknown
@@ -79,6 +80,8 @@ class StaticTrial {
   double share_ = 0, highest_square_ = 0;
   int worst_ = -1;
   std::vector<Event> events_;
+
+  [[nodiscard]] Dofs<D> way_of(int node) const;
 };
 
 }  // namespace trilith

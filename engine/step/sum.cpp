@@ -99,10 +99,7 @@ void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
 
 /// In space: at one carrier each.
 void spread_bearing(const Model<3>& model, const State<3>& state, Work<3>& work, std::size_t i) {
-  const Bearing<3>& b = model.bearings[i];
-  const Vec3 &f = work.bearing_force[i], &m = work.bearing_moment[i], point = point_of(model, state, b.end_b);
-  push_carrier(model, state, b.end_b.node[0], point, f, m, work.force, work.moment);
-  push_carrier(model, state, b.end_a.node[0], point, -f, -m, work.force, work.moment);
+  push_ends(model, state, model.bearings[i], work.bearing_force[i], work.bearing_moment[i], work.force, work.moment);
 }
 
 double squared_size(const LanePair& v) {

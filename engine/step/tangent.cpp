@@ -1,13 +1,13 @@
 #include "step/tangent.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
 #include <utility>
 
+#include "body/rigid.hpp"
 #include "step/beam_tangent.hpp"
 #include "step/consistent_mass.hpp"
 #include "step/evaluate.hpp"
+#include "step/implicit_turn.hpp"
 #include "step/node_forces.hpp"
 
 namespace trilith {
@@ -15,32 +15,37 @@ namespace {
 
 /// How far a node is moved: small against overlaps of faces, large against rounding; over a short step less, so that
 /// its velocity is not changed much. A rotation moves what is a radius of gyration away as far [m] or [rad].
-double disturbance_of(const Model<2>& model, const Freedom& f, const TangentOptions& options) {
+template <int D>
+double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOptions& options) {
   const double move = options.move > 0 ? options.move : std::clamp(1e-5 * options.dt, 1e-12, 1e-8);
-  if (f.k < 2) return move;
-  const double radius = std::sqrt(model.inertia[f.node] / model.mass[f.node]);
+  if (!is_turn<D>(f)) return move;
+  const double radius = gyration_of(model, f.node);
   return move / (radius > 0 ? radius : 1);
 }
 
-/// The number of State that an unknown stands for, and its rate.
-double& place_of(State<2>& state, const Freedom& f) {
-  return f.k == 2 ? state.rotation[f.node] : state.position[f.node][f.k];
-}
-double& rate_of(State<2>& state, const Freedom& f) {
-  return f.k == 2 ? state.spin[f.node] : state.velocity[f.node][f.k];
+/// Moves a node by `by` along one of its freedoms, and changes its velocity by `rate` times that.
+template <int D>
+void disturb(State<D>& state, const Freedom& f, double by, double rate) {
+  if (is_turn<D>(f)) {
+    turn_about(f.k - Space<D>::translations, by, state.rotation[f.node]);
+    number_at(f.k - Space<D>::translations, state.spin[f.node]) += rate * by;
+  } else {
+    state.position[f.node][f.k] += by, state.velocity[f.node][f.k] += rate * by;
+  }
 }
 
 }  // namespace
 
-double net_force(const Model<2>& model, const State<2>& state, const Work<2>& work, const Freedom& f) {
-  const Dofs<2> mass = mass_of(model, f.node), v = velocity_of(state, f.node);
-  const double force = f.k == 2 ? work.moment[f.node] : work.force[f.node][f.k];
-  return force - model.mass_damping * mass[f.k] * v[f.k];
+template <int D>
+double net_force(const Model<D>& model, const State<D>& state, const Work<D>& work, const Freedom& f) {
+  const double force = dofs_of(work.force[f.node], work.moment[f.node])[f.k];
+  return force - damping_by_mass(model, state, f.node)[f.k];
 }
 
 /// The pattern holds as long as the pairs do; entries of pairs that do not touch are 0 and there all the same, so that
 /// a contact made within a step needs no new pattern.
-void Tangent::shape(const Model<2>& model, const Work<2>& work) {
+template <int D>
+void Tangent<D>::shape(const Model<D>& model, const Work<D>& work) {
   std::vector<std::pair<int, int>> pairs;
   for (const NearPair& p : work.pairs) pairs.emplace_back(p.piece_a, p.piece_b);
   if (shaped_ && pairs == pairs_) return;
@@ -58,22 +63,25 @@ void Tangent::shape(const Model<2>& model, const Work<2>& work) {
 }
 
 /// Forces on all unknowns while direction k of `nodes` is moved to one side.
-void Tangent::disturbed(const Model<2>& model, State<2>& state, Work<2>& work, const std::vector<int>& nodes, int k,
-                        double side, const TangentOptions& options, Eigen::VectorXd& force) const {
-  std::vector<std::pair<double, double>> kept;
+template <int D>
+void Tangent<D>::disturbed(const Model<D>& model, State<D>& state, Work<D>& work, const std::vector<int>& nodes, int k,
+                           double side, const TangentOptions& options, Eigen::VectorXd& force) const {
+  std::vector<NodeMotion<D>> kept;
   for (const int n : nodes) {
     if (coupling_.unknown[n][k] < 0) continue;
-    double &place = place_of(state, {n, k}), &rate = rate_of(state, {n, k});
-    kept.emplace_back(place, rate);
-    const double by = side * disturbance_of(model, {n, k}, options);
-    place += by, rate += options.rate * by;
+    kept.push_back({state.position[n], state.rotation[n], state.velocity[n], state.spin[n]});
+    disturb(state, {n, k}, side * disturbance_of(model, {n, k}, options), options.rate);
   }
   if (kept.empty()) return;
   evaluate(model, state, work, options.dt);
   for (int i = 0; i < coupling_.size(); ++i) force[i] = net_force(model, state, work, coupling_.freedom[i]);
   auto at = kept.begin();
-  for (const int n : nodes)
-    if (coupling_.unknown[n][k] >= 0) std::tie(place_of(state, {n, k}), rate_of(state, {n, k})) = *at++;
+  for (const int n : nodes) {
+    if (coupling_.unknown[n][k] < 0) continue;
+    state.position[n] = at->position, state.rotation[n] = at->rotation;
+    state.velocity[n] = at->velocity, state.spin[n] = at->spin;
+    ++at;
+  }
 }
 
 /// Column by column, but all nodes of a colour at once:
@@ -83,20 +91,22 @@ void Tangent::disturbed(const Model<2>& model, State<2>& state, Work<2>& work, c
 /// with phi_f the share of forces in the scheme's equation, a_m its coefficient of the mass and c its change of
 /// velocity per change of place. Central differences leave out the second derivative; what is left is h^2 of the third,
 /// and rounding of F over h. Two evaluations for each colour and direction: some 20 to 60 in all, however many nodes.
-void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
+template <int D>
+void Tangent<D>::assemble(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options) {
   Eigen::VectorXd more(coupling_.size()), less(coupling_.size());
   work.leave_out_beams = true;
   for (const std::vector<int>& nodes : coupling_.colour)
-    for (const int k : {0, 1, 2}) {
+    for (int k = 0; k < Space<D>::dofs; ++k) {
       disturbed(model, state, work, nodes, k, 1, options, more);
       disturbed(model, state, work, nodes, k, -1, options, less);
       for (const int n : nodes) {
         const int column = coupling_.unknown[n][k];
         if (column < 0) continue;
         const double scale = -options.force / (2 * disturbance_of(model, {n, k}, options));
+        const Dofs<D> own = inertia_column(model, state, {n, k}, options.inertia, options.rate);
         for (Eigen::SparseMatrix<double>::InnerIterator at(matrix_, column); at; ++at) {
           at.valueRef() = scale * (more[at.row()] - less[at.row()]);
-          if (at.row() == column) at.valueRef() += options.inertia * mass_of(model, n)[k];
+          if (const Freedom& row = coupling_.freedom[at.row()]; row.node == n) at.valueRef() += own[row.k];
         }
       }
     }
@@ -104,21 +114,36 @@ void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, co
   add_beams(model, state, options);
 }
 
+/// Adds a block of the forces on a beam's two nodes by their unknowns, which it has one node after the other.
+template <int D>
+template <class Block>
+void Tangent<D>::add_block(const std::array<int, 2>& node, const Block& block) {
+  constexpr int dofs = Space<D>::dofs;
+  const auto unknown = [&](int i) { return coupling_.unknown[node[i / dofs]][i % dofs]; };
+  for (int column = 0; column < 2 * dofs; ++column)
+    for (int row = 0; row < 2 * dofs && unknown(column) >= 0; ++row)
+      if (unknown(row) >= 0) matrix_.coeffRef(unknown(row), unknown(column)) += block(row, column);
+}
+
 /// Beams have their 6 x 6 block by hand, in the order of unknowns u0 v0 r0 u1 v1 r1; consistent mass adds its own.
-void Tangent::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
+template <>
+void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
   for (const Beam& beam : model.beams) {
     BeamBlock block = -options.force * beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0);
     const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
     if (beam.inertia >= 0 && inertia > 0) block += inertia * added_mass(model, state, beam);
-    const auto unknown = [&](int i) { return coupling_.unknown[beam.node[i / 3]][i % 3]; };
-    for (int column = 0; column < 6; ++column)
-      for (int row = 0; row < 6 && unknown(column) >= 0; ++row)
-        if (unknown(row) >= 0) matrix_.coeffRef(unknown(row), unknown(column)) += block(row, column);
+    add_block(beam.node, block);
   }
+}
+template <>
+void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options) {
+  for (const Beam3& beam : model.beams_3d)
+    add_block(beam.node, BeamBlock3(-options.force * beam_block(state, beam, options.rate)));
 }
 
 /// Without entries of 0, which are there for pairs that do not touch: so that it is the same whenever these were found.
-bool Tangent::find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options,
+template <int D>
+bool Tangent<D>::find(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options,
                    StepTimes* times) {
   StepClock clock(times);
   assemble(model, state, work, options);
@@ -140,7 +165,8 @@ bool Tangent::find(const Model<2>& model, State<2>& state, Work<2>& work, const 
 
 /// Modified Newton: a tangent is good for as long as steps converge by it. It is part of State, so that a run that is
 /// saved and continued takes the same steps.
-bool Tangent::take(const State<2>& state, const TangentOptions& options) {
+template <int D>
+bool Tangent<D>::take(const State<D>& state, const TangentOptions& options) {
   const KeptTangent* const kept = state.tangent.get();
   if (kept == nullptr || kept->size() != coupling_.size() || kept->dt != options.dt || kept->rate != options.rate ||
       kept->force != options.force || kept->inertia != options.inertia)
@@ -149,7 +175,8 @@ bool Tangent::take(const State<2>& state, const TangentOptions& options) {
 }
 
 /// LU and not Cholesky: friction and following loads make the matrix unsymmetric.
-bool Tangent::factorise(const std::shared_ptr<const KeptTangent>& kept) {
+template <int D>
+bool Tangent<D>::factorise(const std::shared_ptr<const KeptTangent>& kept) {
   ready_.reset();
   const Eigen::Map<const Eigen::SparseMatrix<double>> matrix(kept->size(), kept->size(),
                                                              static_cast<Eigen::Index>(kept->row.size()),
@@ -159,5 +186,10 @@ bool Tangent::factorise(const std::shared_ptr<const KeptTangent>& kept) {
   ready_ = kept;
   return true;
 }
+
+template double net_force(const Model<2>&, const State<2>&, const Work<2>&, const Freedom&);
+template double net_force(const Model<3>&, const State<3>&, const Work<3>&, const Freedom&);
+template class Tangent<2>;
+template class Tangent<3>;
 
 }  // namespace trilith

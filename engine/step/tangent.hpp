@@ -5,13 +5,17 @@
 // with b, g, alpha of step/alpha_scheme.hpp. dF is found by central differences of `evaluate` itself, many nodes at a
 // time: nodes that act on no common node move together (Curtis, Powell and Reid 1974). So it is that of every law,
 // branch and load there is, one that is added included; rounding leaves it exact to about 1e-6. Beams have theirs by
-// hand (step/beam_tangent.hpp), which costs less, and is of one side of a kink where a fibre or a hinge begins to
-// yield.
+// themselves (step/beam_tangent.hpp), which costs less; in the plane by hand, of one side of a kink where a fibre or a
+// hinge begins to yield.
+//
+// In space a rotation is changed by a turn about an axis of the world, after those it has made (from the left): the
+// unknown of a rotation is that rotation vector, and m is the block that step/implicit_turn.hpp gives.
 #pragma once
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -33,34 +37,38 @@ struct TangentOptions {
 };
 
 /// The force [N] or moment [N m] on an unknown at an evaluated state: weight, loads and all dampings with it.
-double net_force(const Model<2>& model, const State<2>& state, const Work<2>& work, const Freedom& f);
+template <int D>
+double net_force(const Model<D>& model, const State<D>& state, const Work<D>& work, const Freedom& f);
 
+template <int D>
 class Tangent {
  public:
   /// Finds the pattern for the pairs that `work` holds, where it is not that already.
-  void shape(const Model<2>& model, const Work<2>& work);
+  void shape(const Model<D>& model, const Work<D>& work);
   /// The model has changed: the pattern is looked for anew.
   void forget() { shaped_ = false; }
-  [[nodiscard]] const Coupling& coupling() const { return coupling_; }
+  [[nodiscard]] const Coupling<D>& coupling() const { return coupling_; }
 
   /// At a trial state. `state` and `work` are disturbed meanwhile; evaluate anew afterwards.
-  void assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
+  void assemble(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options);
   /// The same, made ready to solve with and kept in the state. False where it is singular.
-  bool find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options,
+  bool find(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options,
             StepTimes* times = nullptr);
   /// Makes that of the state ready to solve with. False where it has none that was taken for the same step.
-  bool take(const State<2>& state, const TangentOptions& options);
+  bool take(const State<D>& state, const TangentOptions& options);
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factors_.solve(right); }
   [[nodiscard]] const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
  private:
-  void disturbed(const Model<2>& model, State<2>& state, Work<2>& work, const std::vector<int>& nodes, int k,
+  void disturbed(const Model<D>& model, State<D>& state, Work<D>& work, const std::vector<int>& nodes, int k,
                  double side, const TangentOptions& options, Eigen::VectorXd& force) const;
 
-  Coupling coupling_;
+  Coupling<D> coupling_;
   std::vector<std::pair<int, int>> pairs_;  // that it was found for
   bool shaped_ = false;
-  void add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options);
+  void add_beams(const Model<D>& model, const State<D>& state, const TangentOptions& options);
+  template <class Block>
+  void add_block(const std::array<int, 2>& node, const Block& block);
   bool factorise(const std::shared_ptr<const KeptTangent>& kept);
 
   Eigen::SparseMatrix<double> matrix_;

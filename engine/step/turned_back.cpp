@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "contact/face_pair.hpp"
+#include "contact/shear_3d.hpp"
 #include "step/contact_rows.hpp"
+#include "step/solid_joints.hpp"
 
 namespace trilith {
 namespace {
@@ -107,6 +109,54 @@ double turned_back(const Model<2>& model, const State<2>& state, const Work<2>& 
     if ((now & contact_touching) != 0 && (now & contact_general) == 0) sum += of_faces(model, before, work, row, dt);
   }
   for (const GeneralContact<2>& g : work.general_touching) sum += of_general(model, state, before, work, g, dt);
+  return sum;
+}
+
+namespace {
+
+/// What a contact in space slides by: along its plane, and along its normal the turn times the radius of the area.
+Vec3 sliding(const Vec3& slip, const Vec3& spin, const Vec3& n, double radius) {
+  return slip + (radius * n.dot(spin) - n.dot(slip)) * n;
+}
+
+/// The same of a contact in space without mortar, along the direction in which it slides at the end: by rates that are
+/// linear over the step it went on by one part of the way and back by the rest, and its law is asked for both.
+double of_solids(const Model<3>& model, const State<3>& state, const Work<3>& work, const GeneralContact<3>& g,
+                 const ContactArea& area, double dt) {
+  const NearPair& p = work.pairs[g.row];
+  if (!(g.force.squaredNorm() > 0)) return 0;
+  const Vec3 n = g.force.normalized();
+  const BodyMotion a = body_motion(model, state, work, p.piece_a, -1),
+                   b = body_motion(model, state, work, p.piece_b, -1);
+  const Vec3 rate =
+      sliding(b.velocity_at(area.middle) - a.velocity_at(area.middle), Vec3(b.spin - a.spin), n, area.radius);
+  const Vec3 mean =
+      sliding(mean_slip(a, b, area.middle, dt), Vec3(mean_spin(b, dt) - mean_spin(a, dt)), n, area.radius);
+  const double size = rate.norm();
+  if (!(size > 0)) return 0;
+  const Ways way(size, mean.dot(rate) / size, dt);
+  if (way.back == 0) return 0;
+  const LawInUse use{model.laws[p.law], model.thickness, dt};
+  const Coulomb law = with_kernel(use, [](const Coulomb& kernel) { return kernel; });
+  const Vec3 back = way.back / size * rate, on = dt * mean - back;
+  const FrictionLimit limit(law.mu * g.force.norm(), n, g.centre - area.middle, area.radius, area.friction_arm);
+  const SlidingForce& before = contacts_before(state, work).memory[g.row].shear;
+  const SlidingForce turned =
+      slide({on, Vec3::Zero(), limit}, area.area, before, {law.ks, law.beta, dt - way.time_back}).force;
+  const SlidingForce then = slide({back, rate, limit}, area.area, turned, {law.ks, law.beta, way.time_back}).force;
+  return 0.5 * std::abs((work.contacts.memory[g.row].shear.total - then.total).dot(back));
+}
+
+}  // namespace
+
+/// Joints of mortar that slide within their bonds are left out.
+double turned_back(const Model<3>& model, const State<3>& state, const Work<3>& work, double dt) {
+  double sum = bearings_turned_back(model, state, work, dt);
+  for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
+    const GeneralContact<3>& g = work.general_touching[i];
+    const JointMemory* joint = work.contacts.joint_at(static_cast<std::size_t>(g.row));
+    if (joint == nullptr || joint->empty()) sum += of_solids(model, state, work, g, work.solids.areas[i], dt);
+  }
   return sum;
 }
 

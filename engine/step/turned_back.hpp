@@ -28,8 +28,10 @@ struct Ways {
 /// Work that the forces of all contacts and bearings are out by on the ways back, over the step of length `dt` that was
 /// evaluated last [J].
 double turned_back(const Model<2>& model, const State<2>& state, const Work<2>& work, double dt);
+double turned_back(const Model<3>& model, const State<3>& state, const Work<3>& work, double dt);
 
 /// The same of the bearings alone.
-double bearings_turned_back(const Model<2>& model, const State<2>& state, const Work<2>& work, double dt);
+template <int D>
+double bearings_turned_back(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt);
 
 }  // namespace trilith

@@ -47,6 +47,15 @@ BodyMotion motion_of(const Model<3>& model, const State<3>& state, int carrier) 
   return {state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
 }
 
+BodyMotion motion_before(const Model<3>& model, const State<3>& state, int carrier) {
+  if (carrier < 0) {
+    const Fit& fit = model.fits[static_cast<std::size_t>(-1 - carrier)];
+    return fitted(model, fit, state.position_before, state.velocity).motion();
+  }
+  const auto n = static_cast<std::size_t>(carrier);
+  return {state.position_before[n], state.rotation_before[n], state.velocity[n], state.spin[n]};
+}
+
 BodyMotion start_of(const Model<3>& model, int carrier) {
   if (carrier < 0)
     return fitted(model, model.fits[static_cast<std::size_t>(-1 - carrier)], model.start_position, model.start_velocity)

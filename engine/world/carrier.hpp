@@ -56,6 +56,8 @@ void spread_fitted(const Model<3>& model, const Fit& fit, const Fitted& now, con
 
 /// Pose and motion of a carrier.
 BodyMotion motion_of(const Model<3>& model, const State<3>& state, int carrier);
+/// Where it was as the step behind began, which an implicit scheme took. Velocities are of no meaning.
+BodyMotion motion_before(const Model<3>& model, const State<3>& state, int carrier);
 /// At the start.
 BodyMotion start_of(const Model<3>& model, int carrier);
 

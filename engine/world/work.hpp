@@ -10,6 +10,7 @@
 #include "contact/corner_overlap.hpp"
 #include "contact/placed_pieces.hpp"
 #include "contact/solid_pressure.hpp"
+#include "contact/step_behind.hpp"
 #include "shape/overlap_3d.hpp"
 #include "shape/separation_3d.hpp"
 #include "world/event.hpp"
@@ -128,6 +129,7 @@ template <>
 struct SolidWork<3> {
   std::vector<PlacedSolid> placed;       ///< [piece]. Writer: place
   std::vector<Sphere> sphere;            ///< [piece] radius 0 of a polyhedron; empty without spheres. Writer: place
+  std::vector<StepBehind> behind;        ///< [node] of an implicit step; else empty. Writer: place
   std::vector<double> speed2;            ///< [piece] largest square of the speeds of its corners [m2/s2]. Writer: place
   std::vector<Separation3> separation;   ///< [contact] along the axis that parted them last. Writer: respond
   std::vector<Separation3> spare;        ///< room

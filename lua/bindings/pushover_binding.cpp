@@ -141,7 +141,7 @@ class ArcRecorder {
   }
   [[nodiscard]] const PushCurve& curve() const { return curve_; }
   [[nodiscard]] const std::string& limit() const { return limit_; }
-  [[nodiscard]] std::vector<Waypoint> take_way() { return std::move(way_); }
+  [[nodiscard]] std::vector<Waypoint<2>> take_way() { return std::move(way_); }
 
  private:
   const Push<2>& push_;
@@ -149,7 +149,7 @@ class ArcRecorder {
   std::function<double(const State<2>&)> drift_;
   double first_place_ = 0, first_drift_ = 0;
   PushCurve curve_;
-  std::vector<Waypoint> way_;
+  std::vector<Waypoint<2>> way_;
   std::string limit_;
 };
 
@@ -219,7 +219,7 @@ int push_by_arc(lua_State* L, PlaneModel& m, PushOrder<2>& o) {
     throw InputError(fmt::format("pushover: there is a load or push '{}'; give another name", o.stage.name));
   Push<2> push;
   push.rows = push_rows(sim.model(), o.bodies, o.at, o.pattern, o.direction), push.direction = o.direction;
-  LoadWay way{unit_loads(sim.model(), o.stage.name, push), {}};
+  LoadWay<2> way{unit_loads(sim.model(), o.stage.name, push), {}};
   Model<2> model = sim.model();
   model.point_loads.insert(model.point_loads.end(), way.loads.begin(), way.loads.end());
   ArcRecorder recorder(push, o, arc_drift(m, o, push));

@@ -145,7 +145,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   /// Runs a stage with `listener` wrapped by recording and observing; by `statics` one that takes no time, with the
   /// `way` that led to it.
   virtual StageReport run(const StageOptions& options, const ScriptListener& listener, Host& host,
-                          const EquilibriumOptions* statics = nullptr, const LoadWay* way = nullptr) = 0;
+                          const EquilibriumOptions* statics = nullptr, const LoadWay<2>* way = nullptr) = 0;
   /// While the model is paused: further steps of its stage, up to `limit` or its end.
   virtual void run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) = 0;
   /// Runs the stage that rewind() has brought back to its end. InputError where there is none.

@@ -113,7 +113,7 @@ std::vector<draw::Scene> mode_scenes(const results::ResultsReader& reader, const
     if (at == found.end())
       throw InputError(fmt::format("--mode: there is no mode {}; '{}' has modes 1 to {}", text, reader.path().string(),
                                    found.size()));
-    scenes.push_back(draw::mode_scene(reader, *at, options.magnify));
+    scenes.push_back(draw::mode_scene(reader, *at, options.magnify, choice_of(options, reader.header().dim)));
   }
   return scenes;
 }

@@ -165,12 +165,41 @@ says("'far' stands on nothing", function()
   n:block { name = "far", size = { 1, 1, 1 }, at = { 0, 0, 5 }, material = "stone" }
   n:run { duration = 1 }
 end)
-says("integrator is implicit, which models in space have not yet",
-  function() model():run { duration = 1, integrator = "implicit" } end)
+says("'alpha' is -1, must be from -1/3 to 0",
+  function() model():run { duration = 1, integrator = "implicit", alpha = -1 } end)
+says("pushover: is of models in the plane, and", function() model():pushover { body = "ground" } end)
 says("crushes, which solids in space do not do yet", function()
   m:contact { between = { "stone", "stone" }, law = trilith.cohesive { kn = 1e9, ks = 4e8, mu = 0.6, cohesion = 1e5,
     tension = 1e5, energy_tension = 10, energy_shear = 10, compression = 1e6, crushing_depth = 1e-3 } }
 end)
+
+-- Implicit steps, rest without time and modes.
+do
+  local s = trilith.model { dim = 3, name = "implicit" }
+  s:material { name = "stone", density = 2400 }
+  s:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.7, beta = 2e-4 } }
+  s:block { name = "base", size = { 2, 2, 0.5 }, at = { 0, 0, -0.25 }, material = "stone", fixed = true }
+  s:block { name = "post", size = { 0.4, 0.4, 1.2 }, at = { 0, 0, 0.6 }, material = "stone" }
+  local rest = s:consolidate { integrator = "static" }
+  assert(rest.ending == "at rest" and s.time == 0, tostring(rest))
+  near(-s:body "post".uz, 2400*1.2*9.80665/1e9, 1e-6)
+  local modes = s:modes { count = 6 }
+  assert(#modes == 6 and modes.text:find("mass z [%]", 1, true))
+  near(modes[1].frequency, 15.0359, 5e-4)
+  near(modes[3].frequency, 59.3135, 5e-4)
+  near(modes[4].mass_z, 0.4*0.4*1.2*2400, 1e-6)
+  assert(math.abs(modes[3].shape.post.turn_z) > 1)
+  near(s:damping { count = 1 }[1].contacts, math.pi*2e-4*modes[1].frequency, 1e-2)
+  local run = s:run { duration = 0.2, integrator = "implicit", dt = 5e-3 }
+  assert(run.ending == "time" and run.steps < 100, tostring(run))
+  assert(s:run { duration = 0.1, integrator = "auto" }.ending == "time")
+  local pulse = trilith.motion { acceleration = { 0, 1, 0, -1, 0 }, dt = 0.1 }
+  s:shake { body = "base", x = pulse, y = pulse, duration = 0.5, integrator = "implicit" }
+  near(s:body "base".ux, 0.02, 1e-6)
+  near(s:body "post".ux, 0.02, 0.05)
+  assert(math.abs(s.energy.residual) < 0.1, s.energy.residual)
+  s:close()
+end
 
 -- Messages in space name what space has.
 do

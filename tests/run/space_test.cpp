@@ -160,13 +160,6 @@ TEST_CASE("a body in space that is pressed too deep into another is told once") 
   CHECK_FALSE(sim.verdict().sound());
 }
 
-TEST_CASE("implicit steps and statics are refused in space") {
-  Simulation<3> sim(small_wall().build());
-  StageOptions options = stage(1);
-  options.implicit = AlphaScheme::hht(-0.05);
-  CHECK_THROWS_WITH_AS(sim.run(options), doctest::Contains("in space"), InputError);
-}
-
 TEST_CASE("overlapping and unsupported solids are refused by name") {
   SolidModelBuilder deep = small_wall();
   deep.add_body(solid("deep", box_at({0.4, 0.2, 0.2}, {0.1, 0, 0.25})));
