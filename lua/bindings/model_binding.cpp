@@ -136,7 +136,7 @@ const std::array model_properties{
                   [](lua_State* L, const ModelBox& m) { lua_pushinteger(L, m.get().dim()); }},
     ModelProperty{"thickness", "m", "out of the plane", [](const ModelBox& m) { return m.plane().builder.thickness; }},
     ModelProperty{"gravity", "", "as it is now [m/s2]: {x, y}, in space {x, y, z}", nullptr, push_gravity},
-    ModelProperty{"tilt", "rad", "how far gravity has turned, see m:tilt", tilt_now},
+    ModelProperty{"tilted", "rad", "how far gravity has turned, see m:tilt", tilt_now},
     ModelProperty{"speed", "m/s", "fastest point of all moving bodies",
                   [](const ModelBox& m) { return m.get().step_numbers().speed; }},
     ModelProperty{"ratio", "1", "unbalanced force over the largest carried one",

@@ -92,7 +92,7 @@ near(m:body("late").y, 0.1, 1e-2)
 
 -- Handlers of one body alone, and of what is hard enough.
 m:on({ "impact", above = 1e3 }, function() error "nothing hits that hard" end)
-fails(function() m:on({ "impact", bodies = "late" }, print) end, "on: unknown key 'bodies'; did you mean 'body'?")
+fails(function() m:on({ "impact", bodi = "late" }, print) end, "on: unknown key 'bodi'; did you mean 'body'?")
 fails(function() m:on({ body = "late" }, print) end, "on: give an event first")
 fails(function() m:on({ "impact", body = "lat" }, print) end, "there is no body 'lat'")
 

@@ -132,7 +132,7 @@ local cases = {
   { function() m:body { name = "a", outline = square, mass = 1, support = "fixd" } end,
     "body 'a': 'support' is 'fixd', must be \"fixed\" or \"free\"" },
   { function() m:body { name = "a", outline = square, mass = 1, support = { z = "fixed" } } end,
-    "body 'a': support: unknown key 'z'; did you mean 'x'?" },
+    "body 'a': support: unknown key 'z'; known: x, y, rotation" },
   { function() m:body { name = "base", outline = square, mass = 1 } end,
     "body 'base' is there already; give each one of its own name" },
   { function() m:body { outline = square, mass = 1 } end, "body: 'name' is missing; give a text" },
@@ -261,13 +261,14 @@ local cases = {
   { function() m:wait "impact" end, "wait: only within a story, see m:story(function() ... end)" },
   { function() m:wait { "impact", wihtin = 3 } end, "wait: unknown key 'wihtin'; did you mean 'within'?" },
   { function() m:history { name = "h", body = "base", what = "z" } end,
-    "history 'h': 'what' is 'z', no number of a body; did you mean 'x'?" },
+    "history 'h': 'what' is 'z', no number of a body; known: x, y, rotation, vx, vy, spin, ux, uy, speed, mass, "
+      .. "inertia, area, sxx, syy, sxy, plastic" },
   { function() m:history { name = "h", what = "sped" } end,
     "history 'h': 'what' is 'sped', no number of the model (for others give body, bearing, seat or storey); did "
       .. "you mean 'speed'?" },
   { function() m:history { name = "h", what = "" } end,
     "history 'h': 'what' is '', no number of the model (for others give body, bearing, seat or storey); known: "
-      .. "time, dt, steps, thickness, speed, ratio, residual, base_shear, top_drift, damage, largest_opening, "
+      .. "time, dt, steps, thickness, tilted, speed, ratio, residual, base_shear, top_drift, damage, largest_opening, "
       .. "largest_slip, push_force, push_displacement" },
   { function() m:history { name = "h", of = 3 } end, "history 'h': 'of' is 3, must be a function" },
   { function() m:results { frames = 1 } end, "results: 'file' is missing; give a text" },

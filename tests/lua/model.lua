@@ -71,7 +71,7 @@ assert(m.speed == 0 and (left + right).speed == 0)
 m:free(left)
 m:tilt { rate = 0.5, by = 0.1 }
 m:run { duration = 0.3 }
-near(m.tilt, 0.1, 1e-12)
+near(m.tilted, 0.1, 1e-12)
 near(m.gravity[1], 9.80665*math.sin(0.1), 1e-12)
 near(m.gravity[2], -9.80665*math.cos(0.1), 1e-12)
 assert(left.speed < 0.1) -- freed, they find a step of their own: that of the stage before was long, as nothing moved
