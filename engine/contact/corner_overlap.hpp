@@ -24,16 +24,6 @@
 
 namespace trilith {
 
-/// A corner of one piece of a pair below a face of the other.
-struct CornerOnFace {
-  static constexpr std::uint8_t none = 255;
-  std::uint8_t corner = none;  ///< of the wedge
-  std::uint8_t face = none;    ///< of the owner
-  bool wedge_is_b = false;
-
-  [[nodiscard]] bool is_there() const { return corner != none; }
-};
-
 /// True of a law whose kernel is Coulomb's and no more: corner contact is made for those.
 inline bool is_plain_friction(const ContactLaw& law) {
   return std::visit([]<class L>(const L&) { return std::is_same_v<typename L::Kernel, Coulomb>; }, law);

@@ -150,6 +150,7 @@ struct OverlapCase {
   const LawMemory<K>& own;
   const K& law;
   std::span<Vec2> on_a, on_b;
+  CornerOnFace* alone;  ///< nullptr: not asked for
 };
 
 /// The part of `span` where a depth that is linear from d0 to d1 over all of the edge is above `crushed`.
@@ -194,6 +195,16 @@ struct Overlapping {
       return false;
     }
     return true;
+  }
+  /// The one corner of either piece that lies in the other, and the face it is nearest to; none where there are
+  /// several or none.
+  [[nodiscard]] TRILITH_INLINE CornerOnFace corner_alone() const {
+    CornerOnFace at, other;
+    const int of_b = b_in_a.corners_inside(edges(b), edges(a), at),
+              of_a = a_in_b.corners_inside(edges(a), edges(b), other);
+    if (of_a + of_b != 1) return {};
+    at.wedge_is_b = of_b == 1;
+    return of_b == 1 ? at : other;
   }
   TRILITH_INLINE OverlapSums press(const K& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
     const OverlapPress<K> press{a, b, sides_a, sides_b, law, crushed, on_a, on_b};
@@ -281,6 +292,7 @@ TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, Overl
     out.apart_by = by.face;
     return part(a, b, before, law, merged, out);
   }
+  if (of.alone != nullptr && (*of.alone = pair.corner_alone()).is_there()) return;
   const double crushed = pair.crushed_now(law, of.own);
   const OverlapSums sums = pair.press(law, crushed, of.on_a, of.on_b);
   if (!(sums.length > 0)) return part(a, b, before, law, merged, out);
@@ -342,7 +354,8 @@ struct SidesRoom {
 }  // namespace
 
 OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before,
-                                const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after) {
+                                const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after,
+                                CornerOnFace* alone) {
   assert(a.corner.size() <= max_piece_corners && b.corner.size() <= max_piece_corners);
   const std::size_t corners = std::max(a.corner.size(), b.corner.size());
   SidesRoom room_a, room_b;
@@ -351,7 +364,7 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
     OverlapResponse out;
     LawMemory<K> after;
     const LawMemory<K> own = law_memory<K>(before.law);
-    const OverlapCase<K> of{a, b, sides_a, sides_b, before.contact, own, kernel, on_a, on_b};
+    const OverlapCase<K> of{a, b, sides_a, sides_b, before.contact, own, kernel, on_a, on_b, alone};
     if (corners <= lane_count)
       respond_as_here<K, lane_count>(of, after, out);
     else if (corners <= 4 * lane_count)
