@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 
+#include "base/registers.hpp"
 #include "contact/overlap_depths.hpp"
 
 namespace trilith {
@@ -329,6 +330,9 @@ std::uint32_t respond_narrow(std::span<const CornerCase> pairs, const Coulomb& l
 [[gnu::target("avx2")]] std::uint32_t respond_wide(std::span<const CornerCase> pairs, const Coulomb& law) {
   return respond_four(pairs, law);
 }
+[[gnu::target("arch=x86-64-v4")]] std::uint32_t respond_widest(std::span<const CornerCase> pairs, const Coulomb& law) {
+  return respond_four(pairs, law);
+}
 #endif
 
 }  // namespace
@@ -347,8 +351,9 @@ CornerOnFace corner_within(const PlacedPiece& a, const PlacedPiece& b) {
 std::uint32_t respond_corners(std::span<const CornerCase> pairs, const Coulomb& law) {
   assert(!pairs.empty() && pairs.size() <= static_cast<std::size_t>(lane_count));
 #ifdef __x86_64__
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
-  if (wide) return respond_wide(pairs, law);
+  static const Registers here = registers_here();
+  if (here == Registers::widest) return respond_widest(pairs, law);
+  if (here == Registers::wide) return respond_wide(pairs, law);
 #endif
   return respond_narrow(pairs, law);
 }

@@ -5,8 +5,8 @@ namespace trilith {
 /// Edges of a convex piece four at once: start, outward unit normal (the edge turned to the right, as corners run
 /// counter-clockwise) and squared length. They are written twice, in columns for kernels that ask one point against
 /// many edges, and in rows for those that take one edge after the other. Beyond the last edge the first is repeated.
-[[gnu::target_clones("avx2", "default")]] void place_edges(std::span<const Vec2> corner, EdgeLanes* four,
-                                                           EdgeRow* row) {
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void place_edges(std::span<const Vec2> corner,
+                                                                             EdgeLanes* four, EdgeRow* row) {
   const int count = static_cast<int>(corner.size());
   for (int from = 0; from < count; from += lane_count, ++four, row += lane_count) {
     EdgeLanes& out = *four;

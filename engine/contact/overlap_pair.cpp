@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/registers.hpp"
 #include "contact/overlap_depths.hpp"
 #include "contact/overlap_energy.hpp"
 
@@ -330,11 +331,22 @@ template <class K, int most>
 }
 #endif
 
+#ifdef __x86_64__
+template <class K, int most>
+[[gnu::target("arch=x86-64-v4")]] void respond_widest(const OverlapCase<K>& of, LawMemory<K>& after,
+                                                      OverlapResponse& out) {
+  respond<K, most>(of, after, out);
+}
+#endif
+
 template <class K, int most>
 void respond_as_here(const OverlapCase<K>& of, LawMemory<K>& after, OverlapResponse& out) {
 #ifdef __x86_64__
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
-  if (wide) return respond_wide<K, most>(of, after, out);
+  static const Registers here = registers_here();
+  // Few have many corners: a third copy for those would only make the program larger.
+  if constexpr (most == lane_count)
+    if (here == Registers::widest) return respond_widest<K, most>(of, after, out);
+  if (here != Registers::narrow) return respond_wide<K, most>(of, after, out);
 #endif
   respond_narrow<K, most>(of, after, out);
 }

@@ -45,8 +45,8 @@ void place_piece(const Model<2>& model, const State<2>& state, const Work<2>& wo
     const SkinMotion<2>& s = work.skin[skin[c]];
     room.place[c] = {s.x, s.y};
   }
-  const Body& body = model.bodies[model.piece_body[piece]];
-  const int node = body.first_node;
+  const BodyRow& body = work.body[model.piece_body[piece]];
+  const int node = body.node;
   placed.corner = {room.place, count}, placed.is_face = {&model.edge_is_face[first], count};
   placed.origin = state.position[node], placed.velocity = state.velocity[node], placed.spin = state.spin[node];
   placed.corner_velocity = {}, placed.over_step = nullptr, placed.sides = {};
@@ -57,7 +57,7 @@ void place_piece(const Model<2>& model, const State<2>& state, const Work<2>& wo
     fit_rigid(*room.over_step);
     placed.over_step = room.over_step;
   }
-  if (body.is_rigid()) return;
+  if (body.layout == SkinLayout::one_node) return;
   for (std::size_t c = 0; c < count; ++c) {
     const SkinMotion<2>& s = work.skin[skin[c]];
     room.velocity[c] = {s.u, s.v};
@@ -229,6 +229,12 @@ Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece&
 /// those in which it is found to be so now. What it does not hold for is looked at by itself. `answers`: one for each
 /// row; `force`: room for the forces of all of them.
 void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const {
+  // Pieces of all of them first: a short loop leaves the processor more to fetch at once.
+  for (const int row : rows) {
+    const NearPair& pair = work.pairs[row];
+    place_once(model, state, work, pair.piece_a), place_once(model, state, work, pair.piece_b);
+    __builtin_prefetch(&before.memory[row]), __builtin_prefetch(&work.contacts.memory[row], 1);
+  }
   CornerRows waiting;
   const auto answer_waiting = [&] {
     if (waiting.count == 0) return;
@@ -245,8 +251,8 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
     OverlapAnswer& answer = answers[i];
     answer.counts = false;
     if (pair.replaced && holds_off(row, answer)) continue;
-    const PlacedPiece &a = place_once(model, state, work, pair.piece_a),
-                      &b = place_once(model, state, work, pair.piece_b);
+    const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
+                      &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
     if (memory.empty())
       if (const double distance = still_apart(a, b, row); distance > 0) {
         sleep(row, distance);

@@ -103,9 +103,10 @@ struct FourFaces {
   std::array<double, 4> damping, friction, fracture;  ///< given off [J]
 };
 
-/// Facing rows of a stretch that go on to the kernel: those that touched, and of the others those that may now.
+/// Facing rows of a stretch that go on to the kernel: those that touched, and of the others those that may now; and
+/// those that do not, as they are of general shape and were so at the last step.
 struct SortedRows {
-  std::size_t touched, fresh;
+  std::size_t touched, fresh, tumbling;
 };
 
 /// Elements in a row, all of some bodies.
