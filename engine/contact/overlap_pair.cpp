@@ -197,15 +197,15 @@ struct Overlapping {
     }
     return true;
   }
-  /// The one corner of either piece that lies in the other, and the face it is nearest to; none where there are
-  /// several or none.
+  /// The one corner of either piece that lies in the other, or one of both; none where there are several or none.
   [[nodiscard]] TRILITH_INLINE CornerOnFace corner_alone() const {
-    CornerOnFace at, other;
-    const int of_b = b_in_a.corners_inside(edges(b), edges(a), at),
-              of_a = a_in_b.corners_inside(edges(a), edges(b), other);
-    if (of_a + of_b != 1) return {};
-    at.wedge_is_b = of_b == 1;
-    return of_b == 1 ? at : other;
+    CornerOnFace of_b, of_a;
+    const int in_a = b_in_a.corners_inside(edges(b), edges(a), of_b),
+              in_b = a_in_b.corners_inside(edges(a), edges(b), of_a);
+    of_b.wedge_is_b = true;
+    if (in_a == 1 && in_b == 1) return {of_b.corner, of_a.corner, true, true};
+    if (in_a + in_b != 1) return {};
+    return in_a == 1 ? of_b : of_a;
   }
   TRILITH_INLINE OverlapSums press(const K& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
     const OverlapPress<K> press{a, b, sides_a, sides_b, law, crushed, on_a, on_b};

@@ -115,7 +115,10 @@ const PlacedPiece& place_once(const Model<2>& model, const State<2>& state, Work
 void add_to_skin(const Model<2>& model, int piece, const Vec2* force, Work<2>& work) {
   const int *skin = &model.corner_skin[model.piece_first[piece]], count = model.corners_of(piece);
   Vec2* const on = work.skin_force.data();  // read once: the compiler cannot know that sums do not change it
-  for (int c = 0; c < count; ++c) on[skin[c]] += force[c];
+  for (int c = 0; c < count; ++c) {
+    double* const at = on[skin[c]].data();
+    store_pair(at, load_pair(at) + load_pair(force[c].data()));
+  }
 }
 
 /// What two faces held that their contact does not as one of general shape.
@@ -189,7 +192,8 @@ struct GeneralPass {
   void take_up(int row, const OverlapAnswer& answer) const;
 };
 
-/// Rows of one law in which one corner is below a face, or was last, to be answered together.
+/// Rows of one law in which one corner is below a face, or one of each piece in the other, or was last: to be answered
+/// together.
 struct CornerRows {
   std::array<CornerCase, lane_count> pair;
   std::array<int, lane_count> row;
@@ -225,9 +229,9 @@ Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece&
   return end;
 }
 
-/// One corner below one face, the usual case, is answered for four rows at once: for those in which it was so last, and
-/// those in which it is found to be so now. What it does not hold for is looked at by itself. `answers`: one for each
-/// row; `force`: room for the forces of all of them.
+/// One corner below one face, or one of each piece in the other, is answered for four rows at once: for those in which
+/// it was so last, and those in which it is found to be so now. What it does not hold for is looked at by itself.
+/// `answers`: one for each row; `force`: room for the forces of all of them.
 void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const {
   // Pieces of all of them first: a short loop leaves the processor more to fetch at once.
   for (const int row : rows) {
@@ -235,8 +239,8 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
     place_once(model, state, work, pair.piece_a), place_once(model, state, work, pair.piece_b);
     __builtin_prefetch(&before.memory[row]), __builtin_prefetch(&work.contacts.memory[row], 1);
   }
-  CornerRows waiting;
-  const auto answer_waiting = [&] {
+  std::array<CornerRows, 2> kinds;  // of one corner, of one of each
+  const auto answer_waiting = [&](CornerRows& waiting) {
     if (waiting.count == 0) return;
     const std::uint32_t done = respond_corners(std::span(waiting.pair).first(waiting.count), friction_of(waiting.law));
     for (std::size_t k = 0; k < waiting.count; ++k)
@@ -265,12 +269,13 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
       at = respond_any(row, answer, knows);
       if (!at.is_there()) continue;
     }
-    if (waiting.count > 0 && waiting.law != pair.law) answer_waiting();
+    CornerRows& waiting = kinds[at.both ? 1 : 0];
+    if (waiting.count > 0 && waiting.law != pair.law) answer_waiting(waiting);
     waiting.add(row, pair.law,
                 {&a, &b, at, &memory, &answer.response, forces_on(answer.on_a, a), forces_on(answer.on_b, b)}, answer);
-    if (waiting.count == waiting.pair.size()) answer_waiting();
+    if (waiting.count == waiting.pair.size()) answer_waiting(waiting);
   }
-  answer_waiting();
+  for (CornerRows& waiting : kinds) answer_waiting(waiting);
 }
 
 /// A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
@@ -301,8 +306,8 @@ void GeneralPass::respond(int row, CornerOnFace tried, OverlapAnswer& answer) co
   respond_any(row, answer, false);
 }
 
-/// A row of any shape, whose pieces are placed. Where just one corner of either lies in the other, and the row
-/// `may_be_corner`, that corner is returned and noted, and nothing is answered.
+/// A row of any shape, whose pieces are placed. Where just one corner of either lies in the other, or one of both, and
+/// the row `may_be_corner`, that is returned and noted, and nothing is answered.
 CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_be_corner) const {
   NearPair& pair = work.pairs[row];
   const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
