@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 
+#include "base/registers.hpp"
 #include "contact/overlap_depths.hpp"
 
 namespace trilith {
@@ -34,24 +35,6 @@ TRILITH_INLINE bool is_deeper(const PlacedPiece& piece, double x, double y, doub
   std::uint64_t shallow = 0;
   for_depths(piece, x, y, [&](int first, const Lanes& d) { shallow |= bits_of_mask(d <= all_lanes(depth)) << first; });
   return (shallow & edges) == 0;
-}
-
-/// Counts the corners of `wedge` that lie in `owner`; of the first one the face that is nearest.
-int corners_in(const PlacedPiece& owner, const PlacedPiece& wedge, CornerOnFace& at) {
-  const int faces = static_cast<int>(owner.corner.size());
-  int count = 0;
-  for (int v = 0; v < static_cast<int>(wedge.corner.size()); ++v) {
-    const Vec2& x = wedge.corner[static_cast<std::size_t>(v)];
-    double least = std::numeric_limits<double>::infinity();
-    int face = -1;
-    for_depths(owner, x.x(), x.y(), [&](int first, const Lanes& d) {
-      for (int i = 0; i < lane_count && first + i < faces; ++i)
-        if (d[i] < least) least = d[i], face = first + i;
-    });
-    if (!(least > 0) || ++count > 1) continue;
-    at.corner = static_cast<std::uint8_t>(v), at.face = static_cast<std::uint8_t>(face);
-  }
-  return count;
 }
 
 /// Two numbers beside each other, twice, of four lanes: as columns.
@@ -92,6 +75,28 @@ struct RelativeMotion {
   }
 };
 
+/// The edge before that with this number, or before that corner.
+TRILITH_INLINE int edge_before(const PlacedPiece& piece, int e) {
+  return (e > 0 ? e : static_cast<int>(piece.corner.size())) - 1;
+}
+
+/// The two pieces of each pair, and the edges that matter: those before and after the corner of the wedge; the face of
+/// the owner, which is also the edge after its corner, and the edge before that.
+struct FourPairs {
+  const PlacedPiece *wedge[lane_count], *owner[lane_count];
+  const EdgeRow *before[lane_count], *after[lane_count], *face[lane_count], *face_before[lane_count];
+
+  TRILITH_INLINE explicit FourPairs(std::span<const CornerCase> pairs) {
+    for (std::size_t i = 0; i < lane_count; ++i) {
+      const CornerCase& pair = pairs[i < pairs.size() ? i : 0];
+      const CornerOnFace at = pair.at;
+      wedge[i] = at.wedge_is_b ? pair.b : pair.a, owner[i] = at.wedge_is_b ? pair.a : pair.b;
+      after[i] = wedge[i]->sides.row + at.corner, before[i] = wedge[i]->sides.row + edge_before(*wedge[i], at.corner);
+      face[i] = owner[i]->sides.row + at.face, face_before[i] = owner[i]->sides.row + edge_before(*owner[i], at.face);
+    }
+  }
+};
+
 /// The triangle of every lane, about the corner v, and where it is none.
 struct Triangle {
   EdgeColumns before, after, face;  ///< edges p v and v n of the wedge; the face of the owner
@@ -102,8 +107,8 @@ struct Triangle {
   Lanes share_b;                    ///< of B on the way from P2 to P1
   LaneMask clear;
 
-  TRILITH_INLINE Triangle(const EdgeRow* const* e, const EdgeRow* const* g, const EdgeRow* const* f)
-      : before(e), after(g), face(f), corner{after.x, after.y} {
+  TRILITH_INLINE explicit Triangle(const FourPairs& four)
+      : before(four.before), after(four.after), face(four.face), corner{after.x, after.y} {
     const Lanes zero{}, one = all_lanes(1);
     depth = face.nx * (face.x - corner.x) + face.ny * (face.y - corner.y);
     const Lanes out_before = face.nx * (face.x - before.x) + face.ny * (face.y - before.y);
@@ -125,6 +130,14 @@ struct Triangle {
     share_b = below_before / select(clear, below_before + below_after, one);
     depth_b = share_b * below_after;
     b = p2 + share_b * (p1 - p2);
+  }
+  [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(depth, depth_b); }
+  /// In lane i no other face of the owner is as near to v, and no other edge of the wedge as near to B.
+  [[nodiscard]] TRILITH_INLINE bool is_nearest(std::size_t i, const FourPairs& four, const CornerOnFace& at) const {
+    const PlacedPiece &wedge = *four.wedge[i], &owner = *four.owner[i];
+    return is_deeper(owner, corner.x[i], corner.y[i], depth[i], edges_but(owner, at.face, at.face)) &&
+           is_deeper(wedge, corner.x[i] + b.x[i], corner.y[i] + b.y[i], depth_b[i],
+                     edges_but(wedge, edge_before(wedge, at.corner), at.corner));
   }
 };
 
@@ -162,7 +175,7 @@ struct WedgeSums {
   }
 };
 
-TRILITH_INLINE WedgeSums press_triangle(const Triangle& t, const RelativeMotion& motion, const Coulomb& law) {
+TRILITH_INLINE WedgeSums press(const Triangle& t, const RelativeMotion& motion, const Coulomb& law) {
   const Plane2 zero{}, e{t.before.nx, t.before.ny}, g{t.after.nx, t.after.ny}, f{t.face.nx, t.face.ny};
   const Plane2 at1 = motion.at(t.p1), at2 = motion.at(t.p2), at_b = motion.at(t.b);
   const Lanes none{}, base = root(dot_of(t.p1 - t.p2, t.p1 - t.p2));
@@ -179,6 +192,111 @@ TRILITH_INLINE WedgeSums press_triangle(const Triangle& t, const RelativeMotion&
   sums.add(b, zero - g, zero, t.p2);
   sums.add(c, f, t.p2, t.b - t.p2);
   sums.add(d, f, t.b, t.p1 - t.b);
+  return sums;
+}
+
+/// Two edges of one piece, the walker, that meet in a corner inside the other: in through the edge `first` of that one
+/// and out through `last`, the edges before and after its own corner in reverse. Up to `turn` the first of the two is
+/// the nearer one, from there on the last; `turn` lies on the way to the corner where it is `early`, else beyond it.
+/// Depths are linear on each of both ways:
+///
+///     first: 0 .. d0 at the corner .. d0_out      last: d1_in .. d1 at the corner .. 0
+struct CornerChain {
+  EdgeColumns before, after;
+  Plane2 corner, in, out, turn;  ///< all from v [m]
+  Lanes share_in, share_out;     ///< what of both edges is inside
+  Lanes d0, d1, depth, on_way;   ///< [m]; [m] at `turn`; share of its way there
+  LaneMask early, clear;
+
+  /// `v`: of the wedge, in the world [m].
+  TRILITH_INLINE CornerChain(const EdgeColumns& w0, const EdgeColumns& w1, const EdgeColumns& first,
+                             const EdgeColumns& last, const Plane2& v)
+      : before(w0), after(w1), corner{after.x - v.x, after.y - v.y} {
+    const Lanes zero{}, one = all_lanes(1);
+    const auto below = [](const EdgeColumns& e, const EdgeColumns& at) {
+      return e.nx * (e.x - at.x) + e.ny * (e.y - at.y);
+    };
+    const auto along = [](const EdgeColumns& e, const EdgeColumns& way) {
+      return e.nx * way.along_x + e.ny * way.along_y;
+    };
+    d0 = below(first, after), d1 = below(last, after);
+    const Lanes d0_start = below(first, before), d1_start = below(last, before);
+    const Lanes d0_end = d0 - along(first, after), d1_end = d1 - along(last, after);
+    clear = (d0 > zero) & (d1 > zero) & (d0_start < zero) & (d1_end < zero);
+    share_in = d0 / select(clear, d0 - d0_start, one), share_out = d1 / select(clear, d1 - d1_end, one);
+    in = corner - share_in * Plane2{before.along_x, before.along_y};
+    out = corner + share_out * Plane2{after.along_x, after.along_y};
+    const Lanes d1_in = d1 + share_in * (d1_start - d1), d0_out = d0 + share_out * (d0_end - d0);
+    const auto is_clear = [&](const Lanes& share) { return (share > clear_share) & (share < 1 - clear_share); };
+    clear &= is_clear(share_in) & is_clear(share_out) & (d1_in > zero) & (d0_out > zero);
+    early = d0 > d1;
+    const Lanes nearer = magnitude(d0 - d1), beside = select(early, d1_in, d0_out);
+    on_way = select(early, beside, nearer) / select(clear, nearer + beside, one);
+    turn = select_point(early, in + on_way * (corner - in), corner + on_way * (out - corner));
+    depth = select(early, on_way * d0, (1.0 - on_way) * d1);
+  }
+  TRILITH_INLINE static Plane2 select_point(const LaneMask& m, const Plane2& a, const Plane2& b) {
+    return {select(m, a.x, b.x), select(m, a.y, b.y)};
+  }
+  [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(select(early, d1, d0), depth); }
+  /// Lane i: the edges of the other piece but these two are deeper below at the corner and where it turns.
+  [[nodiscard]] TRILITH_INLINE bool is_nearest(std::size_t i, const PlacedPiece& other, const Plane2& v,
+                                               std::uint64_t edges) const {
+    return is_deeper(other, v.x[i] + corner.x[i], v.y[i] + corner.y[i], smaller(d0[i], d1[i]), edges) &&
+           is_deeper(other, v.x[i] + turn.x[i], v.y[i] + turn.y[i], depth[i], edges);
+  }
+  /// Its three stretches. `way` is 1.0 for the edges of the wedge, -1.0 for those of the owner.
+  TRILITH_INLINE void press(const RelativeMotion& motion, const Coulomb& law, double way, WedgeSums& sums) const {
+    const Lanes zero{}, one = all_lanes(1);
+    const Plane2 n0{way * before.nx, way * before.ny}, n1{way * after.nx, way * after.ny},
+        n = select_point(early, n0, n1);
+    const Plane2 x = select_point(early, turn, corner), y = select_point(early, corner, turn);
+    const Lanes at_x = select(early, depth, d0), at_y = select(early, d1, depth);
+    const Lanes long_in = share_in * root(before.length2), long_out = share_out * root(after.length2);
+    const Lanes rest = one - on_way;
+    const Plane2 moves_x = motion.at(x), moves_y = motion.at(y), none{};
+    const PressedStretch a(law, zero, at_x, dot_of(n0, motion.at(in)), dot_of(n0, moves_x),
+                           long_in * select(early, on_way, one));
+    const PressedStretch b(law, at_x, at_y, dot_of(n, moves_x), dot_of(n, moves_y),
+                           select(early, long_in * rest, long_out * on_way));
+    const PressedStretch c(law, at_y, zero, dot_of(n1, moves_y), dot_of(n1, motion.at(out)),
+                           long_out * select(early, one, rest));
+    // The wedge is pushed back against its normals, and where the owner walks along them.
+    sums.add(a, none - n0, in, x - in);
+    sums.add(b, none - n, x, y - x);
+    sums.add(c, none - n1, y, out - y);
+  }
+};
+
+/// One corner of each of two pieces in the other: what they share has these two corners and the two points at which
+/// their edges cross. Comes in: four edges; goes out: the way of each piece through the other.
+struct CornerPair {
+  EdgeColumns before, after, face;  ///< of the wedge; the edge after the owner's corner
+  Plane2 corner;                    ///< v of the wedge in the world [m]
+  CornerChain wedge, owner;
+  LaneMask clear;
+
+  TRILITH_INLINE explicit CornerPair(const FourPairs& four) : CornerPair(four, EdgeColumns(four.face_before)) {}
+  TRILITH_INLINE CornerPair(const FourPairs& four, const EdgeColumns& face_before)
+      : before(four.before),
+        after(four.after),
+        face(four.face),
+        corner{after.x, after.y},
+        wedge(before, after, face, face_before, corner),
+        owner(face_before, face, after, before, corner),
+        clear(wedge.clear & owner.clear) {}
+  [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(wedge.deepest(), owner.deepest()); }
+  [[nodiscard]] TRILITH_INLINE bool is_nearest(std::size_t i, const FourPairs& four, const CornerOnFace& at) const {
+    const PlacedPiece &w = *four.wedge[i], &o = *four.owner[i];
+    return wedge.is_nearest(i, o, corner, edges_but(o, edge_before(o, at.face), at.face)) &&
+           owner.is_nearest(i, w, corner, edges_but(w, edge_before(w, at.corner), at.corner));
+  }
+};
+
+TRILITH_INLINE WedgeSums press(const CornerPair& t, const RelativeMotion& motion, const Coulomb& law) {
+  WedgeSums sums;
+  t.wedge.press(motion, law, 1.0, sums);
+  t.owner.press(motion, law, -1.0, sums);
   return sums;
 }
 
@@ -238,54 +356,43 @@ TRILITH_INLINE void write_lane(const CornerCase& pair, const CornerAnswer& r, co
   m.state = contact_touching | contact_general;
   const CornerOnFace at = pair.at;
   const PlacedPiece &wedge = at.wedge_is_b ? *pair.b : *pair.a, &owner = at.wedge_is_b ? *pair.a : *pair.b;
-  const int before = at.corner > 0 ? at.corner - 1 : static_cast<int>(wedge.corner.size()) - 1;
-  add_row(at.wedge_is_b ? pair.on_b : pair.on_a, wedge, before, on_wedge);
+  add_row(at.wedge_is_b ? pair.on_b : pair.on_a, wedge, edge_before(wedge, at.corner), on_wedge);
   add_row(at.wedge_is_b ? pair.on_a : pair.on_b, owner, at.face, on_owner);
 }
 
-/// Lanes in which no other face of the owner is as near to v, and no other edge of the wedge as near to B.
-TRILITH_INLINE std::uint32_t nearest_lanes(const Triangle& t, const PlacedPiece* const* wedge,
-                                           const PlacedPiece* const* owner, std::span<const CornerCase> pairs) {
+/// Lanes in which no other edges are as near as those of the shape.
+template <class Shape>
+TRILITH_INLINE std::uint32_t nearest_lanes(const Shape& t, const FourPairs& four, std::span<const CornerCase> pairs) {
   std::uint32_t sound = 0;
-  const Plane2 b = t.corner + t.b;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (t.clear[i] == 0) continue;
-    const CornerOnFace at = pairs[i].at;
-    const int before = at.corner > 0 ? at.corner - 1 : static_cast<int>(wedge[i]->corner.size()) - 1;
-    if (is_deeper(*owner[i], t.corner.x[i], t.corner.y[i], t.depth[i], edges_but(*owner[i], at.face, at.face)) &&
-        is_deeper(*wedge[i], b.x[i], b.y[i], t.depth_b[i], edges_but(*wedge[i], before, at.corner)))
-      sound |= 1U << i;
-  }
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (t.clear[i] != 0 && t.is_nearest(i, four, pairs[i].at)) sound |= 1U << i;
   return sound;
 }
 
-/// Four pairs, a lane each; beyond the last one the first again.
+/// Four pairs, a lane each; beyond the last one the first again. `Shape`: of what they share, Triangle or CornerPair.
+template <class Shape>
 TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, const Coulomb& given) {
   const Coulomb law = given;
-  const PlacedPiece *wedge[lane_count], *owner[lane_count];
-  const EdgeRow *e[lane_count], *g[lane_count], *f[lane_count];
+  const FourPairs four(pairs);
   const ContactMemory* memory[lane_count];
   Lanes sign{};  // of the force on b to that on the wedge
   Plane2 a_origin;
   for (std::size_t i = 0; i < lane_count; ++i) {
     const CornerCase& pair = pairs[i < pairs.size() ? i : 0];
-    wedge[i] = pair.at.wedge_is_b ? pair.b : pair.a, owner[i] = pair.at.wedge_is_b ? pair.a : pair.b;
-    const int v = pair.at.corner, p = v > 0 ? v - 1 : static_cast<int>(wedge[i]->corner.size()) - 1;
-    e[i] = wedge[i]->sides.row + p, g[i] = wedge[i]->sides.row + v, f[i] = owner[i]->sides.row + pair.at.face;
     memory[i] = pair.before;
     sign[i] = pair.at.wedge_is_b ? 1.0 : -1.0;
     a_origin.x[i] = pair.a->origin.x(), a_origin.y[i] = pair.a->origin.y();
   }
-  const Triangle t(e, g, f);
+  const Shape t(four);
   if (!any(t.clear)) return 0;
-  std::uint32_t sound = nearest_lanes(t, wedge, owner, pairs);
+  std::uint32_t sound = nearest_lanes(t, four, pairs);
   if (sound == 0) return 0;
-  const PieceMotions w(wedge), o(owner);
+  const PieceMotions w(four.wedge), o(four.owner);
   RelativeMotion motion;
   motion.at_corner = {(w.u - w.spin * (t.corner.y - w.y)) - (o.u - o.spin * (t.corner.y - o.y)),
                       (w.v + w.spin * (t.corner.x - w.x)) - (o.v + o.spin * (t.corner.x - o.x))};
   motion.spin = w.spin - o.spin;
-  const WedgeSums sums = press_triangle(t, motion, law);
+  const WedgeSums sums = press(t, motion, law);
   const Lanes zero{}, normal = root(dot_of(sums.force, sums.force));
   // Where the damping of pieces that part takes all the pressure away, the other one says what is left.
   const LaneMask pressed = (sums.pressure > zero) & (normal > zero);
@@ -293,7 +400,7 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   r.force = sign * sums.force;
   const Plane2 arm = (1.0 / select(pressed, sums.pressure, all_lanes(1))) * sums.arm;
   r.centre = t.corner + arm;
-  r.length = sums.length, r.depth = larger(t.depth, t.depth_b);
+  r.length = sums.length, r.depth = t.deepest();
   r.damping = sign * sums.damping;
   const Plane2 from_a = t.corner - a_origin;
   r.damping_moment = sign * (sums.damping_moment + cross_of(from_a, sums.damping));
@@ -320,35 +427,31 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   return sound;
 }
 
-// One copy for wide registers and one for any machine: the same operations, so the same bits.
+// One copy for each width of registers: the same operations, so the same bits.
 
+TRILITH_INLINE std::uint32_t respond_shapes(std::span<const CornerCase> pairs, const Coulomb& law) {
+  return pairs.front().at.both ? respond_four<CornerPair>(pairs, law) : respond_four<Triangle>(pairs, law);
+}
 std::uint32_t respond_narrow(std::span<const CornerCase> pairs, const Coulomb& law) {
-  return respond_four(pairs, law);
+  return respond_shapes(pairs, law);
 }
 #ifdef __x86_64__
 [[gnu::target("avx2")]] std::uint32_t respond_wide(std::span<const CornerCase> pairs, const Coulomb& law) {
-  return respond_four(pairs, law);
+  return respond_shapes(pairs, law);
+}
+[[gnu::target("arch=x86-64-v4")]] std::uint32_t respond_widest(std::span<const CornerCase> pairs, const Coulomb& law) {
+  return respond_shapes(pairs, law);
 }
 #endif
 
 }  // namespace
 
-CornerOnFace corner_within(const PlacedPiece& a, const PlacedPiece& b) {
-  CornerOnFace at;
-  const int of_b = corners_in(a, b, at);
-  at.wedge_is_b = of_b == 1;
-  if (of_b > 1) return {};
-  CornerOnFace other;
-  const int of_a = corners_in(b, a, other);
-  if (of_a + of_b != 1) return {};
-  return of_b == 1 ? at : other;
-}
-
 std::uint32_t respond_corners(std::span<const CornerCase> pairs, const Coulomb& law) {
   assert(!pairs.empty() && pairs.size() <= static_cast<std::size_t>(lane_count));
 #ifdef __x86_64__
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
-  if (wide) return respond_wide(pairs, law);
+  static const Registers here = registers_here();
+  if (here == Registers::widest) return respond_widest(pairs, law);
+  if (here == Registers::wide) return respond_wide(pairs, law);
 #endif
   return respond_narrow(pairs, law);
 }

@@ -1,4 +1,5 @@
-// One corner of a convex piece under one face of another: the usual contact of rubble, four pairs at once.
+// One corner of a convex piece under one face of another, or one corner of each in the other: the usual contacts of
+// rubble, four pairs at once.
 //
 //         p                     n       The corner v of one piece, the wedge, lies below the face f of the other, the
 //          \                   /        owner, and nothing else of either lies in the other. What they share is the
@@ -24,16 +25,6 @@
 
 namespace trilith {
 
-/// A corner of one piece of a pair below a face of the other.
-struct CornerOnFace {
-  static constexpr std::uint8_t none = 255;
-  std::uint8_t corner = none;  ///< of the wedge
-  std::uint8_t face = none;    ///< of the owner
-  bool wedge_is_b = false;
-
-  [[nodiscard]] bool is_there() const { return corner != none; }
-};
-
 /// True of a law whose kernel is Coulomb's and no more: corner contact is made for those.
 inline bool is_plain_friction(const ContactLaw& law) {
   return std::visit([]<class L>(const L&) { return std::is_same_v<typename L::Kernel, Coulomb>; }, law);
@@ -46,10 +37,6 @@ inline bool has_plain_corners(const PlacedPiece& piece) {
          piece.sides.surface == (edges < 64 ? (std::uint64_t{1} << edges) - 1 : ~std::uint64_t{0});
 }
 
-/// The one corner of either piece that lies in the other, and the face it is nearest to; none where there are several
-/// or none. Both have placed edges.
-CornerOnFace corner_within(const PlacedPiece& a, const PlacedPiece& b);
-
 /// One pair, and where its answer goes.
 struct CornerCase {
   const PlacedPiece *a, *b;     ///< with plain corners
@@ -59,8 +46,8 @@ struct CornerCase {
   std::span<Vec2> on_a, on_b;  ///< [corner] forces are added [N]
 };
 
-/// Answers up to four pairs under one law. Bit i of what is returned: pair i was answered; of the others nothing is
-/// written.
+/// Answers up to four pairs under one law, all with `at.both` alike. Bit i of what is returned: pair i was answered; of
+/// the others nothing is written.
 std::uint32_t respond_corners(std::span<const CornerCase> pairs, const Coulomb& law);
 
 }  // namespace trilith

@@ -1,13 +1,38 @@
 #include "contact/edge_lanes.hpp"
 
+#include "contact/overlap_press.hpp"
+
 namespace trilith {
+namespace {
+
+/// Those of a piece with four corners, as most have: a lane each.
+TRILITH_INLINE void place_four_edges(const Vec2* corner, EdgeLanes& four, EdgeRow* row) {
+  const auto two = [&](int first) {
+    const LanePair low = load_pair(corner[first].data()), high = load_pair(corner[first + 1].data());
+    return Lanes(__builtin_shufflevector(low, high, 0, 1, 2, 3));
+  };
+  const auto next = [](const Lanes& v) { return Lanes(__builtin_shufflevector(v, v, 1, 2, 3, 0)); };
+  const Lanes first = two(0), last = two(2);
+  four.x = __builtin_shufflevector(first, last, 0, 2, 4, 6), four.y = __builtin_shufflevector(first, last, 1, 3, 5, 7);
+  const Lanes along_x = next(four.x) - four.x, along_y = next(four.y) - four.y;
+  const Lanes length2 = along_x * along_x + along_y * along_y, length = root(length2);
+  four.nx = along_y / length, four.ny = -along_x / length;
+  const FourByFour ways(four.x, four.y, along_x, along_y), normals(four.nx, four.ny, length2, Lanes{});
+  for (int e = 0; e < lane_count; ++e) {
+    __builtin_memcpy(&row[e].x, &ways.v[e], sizeof ways.v[e]);
+    __builtin_memcpy(&row[e].nx, &normals.v[e], sizeof normals.v[e]);
+  }
+}
+
+}  // namespace
 
 /// Edges of a convex piece four at once: start, outward unit normal (the edge turned to the right, as corners run
 /// counter-clockwise) and squared length. They are written twice, in columns for kernels that ask one point against
 /// many edges, and in rows for those that take one edge after the other. Beyond the last edge the first is repeated.
-[[gnu::target_clones("avx2", "default")]] void place_edges(std::span<const Vec2> corner, EdgeLanes* four,
-                                                           EdgeRow* row) {
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void place_edges(std::span<const Vec2> corner,
+                                                                             EdgeLanes* four, EdgeRow* row) {
   const int count = static_cast<int>(corner.size());
+  if (count == lane_count) return place_four_edges(corner.data(), *four, row);
   for (int from = 0; from < count; from += lane_count, ++four, row += lane_count) {
     EdgeLanes& out = *four;
     Lanes along_x, along_y;

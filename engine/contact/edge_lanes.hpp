@@ -39,12 +39,9 @@ struct PieceSides {
 /// Bit e: edge e counts as surface. A piece cut out of the inside of a body has none of its own: then every edge
 /// pushes back.
 inline std::uint64_t surface_bits(std::span<const std::uint8_t> is_face) {
-  std::uint64_t bits = 0, all = 0;
-  for (std::size_t e = 0; e < is_face.size(); ++e) {
-    bits |= std::uint64_t{is_face[e] != 0 ? 1U : 0U} << e;
-    all |= std::uint64_t{1} << e;
-  }
-  return bits != 0 ? bits : all;
+  std::uint64_t bits = 0;
+  for (std::size_t e = 0; e < is_face.size(); ++e) bits |= std::uint64_t{is_face[e] != 0 ? 1U : 0U} << e;
+  return bits != 0 || is_face.empty() ? bits : ~std::uint64_t{0} >> (64 - is_face.size());
 }
 
 /// Writes the edges of a piece to `four` and `row`, edge_blocks(corner.size()) fours of them.

@@ -159,6 +159,20 @@ struct alignas(32) DepthsOfMany {
       at_share = next.until, slope = next.slope;
     }
   }
+  /// Counts the corners of the other piece that lie in the owner; `at` becomes the last of them with the nearest face.
+  [[nodiscard]] TRILITH_INLINE int corners_inside(int corner_count, int faces, CornerOnFace& at) const {
+    int count = 0;
+    for (int v = 0; v < corner_count; ++v) {
+      if (outside[static_cast<std::size_t>(v)] != 0) continue;
+      int nearest = 0;
+      for (int f = 1; f < faces; ++f)
+        if (this->at(v, f / lane_count, f % lane_count) < this->at(v, nearest / lane_count, nearest % lane_count))
+          nearest = f;
+      at.corner = static_cast<std::uint8_t>(v), at.face = static_cast<std::uint8_t>(nearest);
+      ++count;
+    }
+    return count;
+  }
   /// Edges of the other piece that no face has both ends outside of.
   [[nodiscard]] TRILITH_INLINE std::uint64_t edges_inside() const {
     std::uint64_t edges = 0;
@@ -205,6 +219,21 @@ struct alignas(32) DepthsOfFour {
       if ((apart >> f & 1) != 0 && gap > widest.gap) widest = {f, gap};
     }
     return widest;
+  }
+  /// As DepthsOfMany::corners_inside.
+  [[nodiscard]] TRILITH_INLINE int corners_inside(int corner_count, int face_count, CornerOnFace& at) const {
+    Lanes least = depth[0];
+    LaneMask face{};
+    for (int f = 1; f < lane_count; ++f) {  // beyond the last face the first again, which is no nearer than itself
+      const LaneMask nearer = depth[f] < least;
+      least = select(nearer, depth[f], least);
+      face = nearer ? LaneMask{} + f : face;
+    }
+    const std::uint64_t inside = bits_of_mask(least > Lanes{}) & ((std::uint64_t{1} << corner_count) - 1);
+    if (inside == 0) return 0;
+    const int v = std::countr_zero(inside);
+    at.corner = static_cast<std::uint8_t>(v), at.face = static_cast<std::uint8_t>(face[v] < face_count ? face[v] : 0);
+    return std::popcount(inside);
   }
   /// The stretches of all edges of the walker, edge by edge, written from `list` on; returns how many there are.
   TRILITH_INLINE int stretches(std::uint64_t owner_surface, std::uint64_t walker_surface, bool walker_is_b,

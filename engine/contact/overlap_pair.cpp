@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/registers.hpp"
 #include "contact/overlap_depths.hpp"
 #include "contact/overlap_energy.hpp"
 
@@ -150,6 +151,7 @@ struct OverlapCase {
   const LawMemory<K>& own;
   const K& law;
   std::span<Vec2> on_a, on_b;
+  CornerOnFace* alone;  ///< nullptr: not asked for
 };
 
 /// The part of `span` where a depth that is linear from d0 to d1 over all of the edge is above `crushed`.
@@ -194,6 +196,16 @@ struct Overlapping {
       return false;
     }
     return true;
+  }
+  /// The one corner of either piece that lies in the other, or one of both; none where there are several or none.
+  [[nodiscard]] TRILITH_INLINE CornerOnFace corner_alone() const {
+    CornerOnFace of_b, of_a;
+    const int in_a = b_in_a.corners_inside(edges(b), edges(a), of_b),
+              in_b = a_in_b.corners_inside(edges(a), edges(b), of_a);
+    of_b.wedge_is_b = true;
+    if (in_a == 1 && in_b == 1) return {of_b.corner, of_a.corner, true, true};
+    if (in_a + in_b != 1) return {};
+    return in_a == 1 ? of_b : of_a;
   }
   TRILITH_INLINE OverlapSums press(const K& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
     const OverlapPress<K> press{a, b, sides_a, sides_b, law, crushed, on_a, on_b};
@@ -281,6 +293,7 @@ TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, Overl
     out.apart_by = by.face;
     return part(a, b, before, law, merged, out);
   }
+  if (of.alone != nullptr && (*of.alone = pair.corner_alone()).is_there()) return;
   const double crushed = pair.crushed_now(law, of.own);
   const OverlapSums sums = pair.press(law, crushed, of.on_a, of.on_b);
   if (!(sums.length > 0)) return part(a, b, before, law, merged, out);
@@ -318,11 +331,22 @@ template <class K, int most>
 }
 #endif
 
+#ifdef __x86_64__
+template <class K, int most>
+[[gnu::target("arch=x86-64-v4")]] void respond_widest(const OverlapCase<K>& of, LawMemory<K>& after,
+                                                      OverlapResponse& out) {
+  respond<K, most>(of, after, out);
+}
+#endif
+
 template <class K, int most>
 void respond_as_here(const OverlapCase<K>& of, LawMemory<K>& after, OverlapResponse& out) {
 #ifdef __x86_64__
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
-  if (wide) return respond_wide<K, most>(of, after, out);
+  static const Registers here = registers_here();
+  // Few have many corners: a third copy for those would only make the program larger.
+  if constexpr (most == lane_count)
+    if (here == Registers::widest) return respond_widest<K, most>(of, after, out);
+  if (here != Registers::narrow) return respond_wide<K, most>(of, after, out);
 #endif
   respond_narrow<K, most>(of, after, out);
 }
@@ -342,7 +366,8 @@ struct SidesRoom {
 }  // namespace
 
 OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before,
-                                const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after) {
+                                const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after,
+                                CornerOnFace* alone) {
   assert(a.corner.size() <= max_piece_corners && b.corner.size() <= max_piece_corners);
   const std::size_t corners = std::max(a.corner.size(), b.corner.size());
   SidesRoom room_a, room_b;
@@ -351,7 +376,7 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
     OverlapResponse out;
     LawMemory<K> after;
     const LawMemory<K> own = law_memory<K>(before.law);
-    const OverlapCase<K> of{a, b, sides_a, sides_b, before.contact, own, kernel, on_a, on_b};
+    const OverlapCase<K> of{a, b, sides_a, sides_b, before.contact, own, kernel, on_a, on_b, alone};
     if (corners <= lane_count)
       respond_as_here<K, lane_count>(of, after, out);
     else if (corners <= 4 * lane_count)

@@ -14,6 +14,7 @@
 // is crushed on while the mean pressure is above its strength; faces that had two depths go on with the greater.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "base/space.hpp"
@@ -68,9 +69,24 @@ struct Remembered {
   const double* law;
 };
 
+/// Which corners of a pair lie in the other piece: one of the wedge below a face of the owner; or one of each in the
+/// other, where the wedge is the second piece.
+struct CornerOnFace {
+  static constexpr std::uint8_t none = 255;
+  std::uint8_t corner = none;  ///< of the wedge
+  std::uint8_t face = none;    ///< of the owner, the one that is nearest; or its corner that lies in the wedge
+  bool wedge_is_b = false;
+  bool both = false;  ///< a corner of each lies in the other
+
+  [[nodiscard]] bool is_there() const { return corner != none; }
+  friend bool operator==(const CornerOnFace&, const CornerOnFace&) = default;
+};
+
 /// `on_a`, `on_b`: force per corner [N], same sizes as the pieces' corners, added to. `law_after`: the row its law
-/// remembers from now on, written where the two touch; else what parted leaves.
+/// remembers from now on, written where the two touch; else what parted leaves. `alone`: where it is given and just one
+/// corner of either, or one of both, lies in the other, it is set to those, and nothing is answered.
 OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before,
-                                const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after);
+                                const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after,
+                                CornerOnFace* alone = nullptr);
 
 }  // namespace trilith

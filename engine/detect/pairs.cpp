@@ -1,6 +1,7 @@
 #include "detect/pairs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/portable.hpp"
@@ -33,25 +34,41 @@ void set_faces(NearPair& pair, const Edge& a, const Edge& b) {
   pair.corner = std::max(a.corner, b.corner);
 }
 
-/// Calls visit(edge a, edge b) for every two surface edges of the pieces whose directions oppose within `angle`.
+/// An edge with the way along it [m].
+struct EdgeWay {
+  Edge edge;
+  double x, y;
+};
+using EdgeWays = std::array<EdgeWay, max_piece_corners>;
+
+/// The surface edges of a piece, as Work is placed; returns how many there are.
+int list_ways(const Model<2>& model, const Work<2>& work, int piece, EdgeWays& ways) {
+  const int first = model.piece_first[piece], edges = model.corners_of(piece);
+  std::size_t count = 0;
+  for (int e = 0; e < edges; ++e) {
+    if (!model.edge_is_face[first + e]) continue;
+    const int s0 = model.corner_skin[first + e], s1 = model.corner_skin[first + (e + 1 < edges ? e + 1 : 0)];
+    const SkinMotion<2>&from = work.skin[s0], &to = work.skin[s1];
+    ways[count++] = {{s0, s1, model.edge_corner[first + e]}, to.x - from.x, to.y - from.y};
+  }
+  return static_cast<int>(count);
+}
+
+/// Calls visit(edge a, edge b) for every two surface edges of the pieces whose directions oppose within `angle`, until
+/// it returns false.
 /// With e_a, e_b along the faces, both counter-clockwise: e_a . e_b < 0 and |e_a x e_b| <= tan(angle) |e_a . e_b|, so
 /// no root and no angle is found. `angle` is that tangent.
 template <class Visit>
 void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, int piece_b, double angle,
                       Visit&& visit) {
-  const int na = model.corners_of(piece_a), nb = model.corners_of(piece_b);
-  for (int i = 0; i < na; ++i) {
-    if (!model.edge_is_face[model.piece_first[piece_a] + i]) continue;
-    const Edge a = edge_of(model, piece_a, i);
-    const double ax = work.skin[a.s1].x - work.skin[a.s0].x, ay = work.skin[a.s1].y - work.skin[a.s0].y;
+  EdgeWays of_a, of_b;
+  const int na = list_ways(model, work, piece_a, of_a), nb = list_ways(model, work, piece_b, of_b);
+  for (int i = 0; i < na; ++i)
     for (int j = 0; j < nb; ++j) {
-      if (!model.edge_is_face[model.piece_first[piece_b] + j]) continue;
-      const Edge b = edge_of(model, piece_b, j);
-      const double bx = work.skin[b.s1].x - work.skin[b.s0].x, by = work.skin[b.s1].y - work.skin[b.s0].y;
-      const double cosine = ax * bx + ay * by, sine = ax * by - ay * bx;
-      if (cosine < 0 && std::abs(sine) <= -cosine * angle) visit(a, b);
+      const EdgeWay &a = of_a[static_cast<std::size_t>(i)], &b = of_b[static_cast<std::size_t>(j)];
+      const double cosine = a.x * b.x + a.y * b.y, sine = a.x * b.y - a.y * b.x;
+      if (cosine < 0 && std::abs(sine) <= -cosine * angle && !visit(a.edge, b.edge)) return;
     }
-  }
 }
 
 /// Could the faces come to touch flatly before they are looked at again? Until then no two points come nearer than the
@@ -97,10 +114,10 @@ int count_facing(const Model<2>& model, const Work<2>& work, double reach_a, dou
   int count = 0;
   for_facing_edges(model, work, pair.piece_a, pair.piece_b, any ? unbounded : tangent_or_more(angle),
                    [&](const Edge& a, const Edge& b) {
-                     const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
-                     if (!any && !may_touch(overlap, margin)) return;
+                     if (!any && !may_touch({ends(work, a.s0, a.s1), ends(work, b.s0, b.s1)}, margin)) return true;
                      if (count == 0) set_faces(pair, a, b);
-                     count = any ? 2 : std::min(count + 1, 2);
+                     count = any ? 2 : count + 1;
+                     return count < 2;
                    });
   return count;
 }
@@ -278,18 +295,19 @@ bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
   int found = 0, touching = 0;
   double nearest = unbounded;
-  const double angle = portable::tan(face_pair_max_tilt);
+  static const double angle = portable::tan(face_pair_max_tilt);
   for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
     const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
-    if (!overlap.sane) return;
+    if (!overlap.sane) return true;
     const double gap = 0.5 * std::abs(overlap.gap_lo + overlap.gap_hi);
     const bool touches = std::min(overlap.gap_lo, overlap.gap_hi) < 0;
-    if (!bonded && !overlap.is_flat(std::max(a.corner, b.corner))) return;
+    if (!bonded && !overlap.is_flat(std::max(a.corner, b.corner))) return true;
     if (!bonded && touches && touching++ == 0) nearest = unbounded;  // rather than any that does not
-    if (gap >= nearest || (!bonded && !touches && touching > 0)) return;
+    if (gap >= nearest || (!bonded && !touches && touching > 0)) return true;
     nearest = gap;
     ++found;
     set_faces(pair, a, b);
+    return true;
   });
   // Two flat pairs that touch at once, as of a wedge in a notch, are one contact of general shape.
   if (bonded || found == 0 || touching > 0) return found > 0 && touching < 2;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/team.hpp"
+#include "contact/face_overlap.hpp"
 #include "step/face_columns.hpp"
 
 namespace trilith {
@@ -55,27 +56,83 @@ TRILITH_INLINE LaneMask clearly_apart(const SkinMotion<2>* skin, const NearPair*
   return kept;
 }
 
+/// Bit i: the faces of row i of four are a pair of faces where no bond holds them, as the kernel will ask.
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] unsigned are_faces(const SkinMotion<2>* skin,
+                                                                               const NearPair* pairs, const int* row) {
+  const NearPair* const p[lane_count] = {&pairs[row[0]], &pairs[row[1]], &pairs[row[2]], &pairs[row[3]]};
+  FaceEnds<Lanes> a{}, b{};
+  load_ends(skin, p, &NearPair::a0, &SkinMotion<2>::x, a.x0, a.y0);
+  load_ends(skin, p, &NearPair::a1, &SkinMotion<2>::x, a.x1, a.y1);
+  load_ends(skin, p, &NearPair::b0, &SkinMotion<2>::x, b.x0, b.y0);
+  load_ends(skin, p, &NearPair::b1, &SkinMotion<2>::x, b.x1, b.y1);
+  const FaceOverlap<Lanes> overlap(a, b);
+  const LaneMask are = overlap.sane & overlap.is_flat(Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner});
+  unsigned bits = 0;
+  for (int i = 0; i < lane_count; ++i) bits |= are[i] != 0 ? 1U << i : 0U;
+  return bits;
+}
+
 }  // namespace
 
 namespace {
 
 /// Rows that threads take at a time: some five microseconds.
 constexpr int sorted_stretch = 512;
+/// Room of a stretch, with what its padding takes.
+constexpr std::size_t stretch_room = sorted_stretch + lane_count;
 
-/// `count` facing rows: those that touched go to `rows`, of the rest those that may touch now to `fresh`; both lists
-/// have room for all of them and for the padding.
+/// A list that grows downwards from `end`, of `count` rows that were of general shape at the last step: keeps those
+/// that still are, which need no kernel to find that out. Returns how many.
+std::size_t keep_tumbling(const Work<2>& work, int* end, std::size_t count) {
+  std::size_t kept = 0;
+  for (std::size_t from = 0; from < count; from += lane_count) {
+    int four[lane_count];
+    for (std::size_t i = 0; i < lane_count; ++i) four[i] = *(end - 1 - (from + i < count ? from + i : from));
+    const unsigned faces = are_faces(work.skin.data(), work.pairs.data(), four);
+    for (std::size_t i = 0; i < lane_count && from + i < count; ++i)
+      if ((faces >> i & 1U) == 0) *(end - ++kept) = four[i];
+  }
+  return kept;
+}
+
+/// Takes the rows of such a list, which come in the same order, out of the first `count` of `rows`; returns what is
+/// left.
+std::size_t without(const int* end, std::size_t tumbling, int* rows, std::size_t count) {
+  std::size_t left = 0, next = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    rows[left] = rows[i];
+    if (next < tumbling && rows[i] == *(end - 1 - next))
+      ++next;
+    else
+      ++left;
+  }
+  return left;
+}
+
+/// `count` facing rows: those that touched go to `rows`, of the rest those that may touch now to `fresh`, and those
+/// that are of general shape, as they were at the last step, to the end of the room of `fresh`; both lists have room
+/// for all of them and for the padding.
 SortedRows sort_stretch(const ContactHistory& before, const Work<2>& work, const int* facing, std::size_t count,
                         int* rows, int* fresh) {
-  std::size_t touched = 0, rest = 0;
+  constexpr std::uint32_t shapeless = contact_touching | contact_general;
+  int* const end = fresh + stretch_room;
+  std::size_t touched = 0, rest = 0, tumbling = 0;
   for (std::size_t i = 0; i < count; ++i) {  // without branches: which rows touch is hard to guess
     const int row = facing[i];
-    const bool was = (before.memory[row].state & (contact_touching | contact_kept)) != 0;
+    const ContactMemory& memory = before.memory[row];
+    const bool was = (memory.state & (contact_touching | contact_kept)) != 0;
     rows[touched] = fresh[rest] = row;
+    *(end - 1 - tumbling) = row;
     touched += was ? 1 : 0;
     rest += was ? 0 : 1;
+    tumbling += (memory.state & shapeless) == shapeless && memory.bonds == 0 ? 1 : 0;
+  }
+  if (tumbling > 0) {
+    tumbling = keep_tumbling(work, end, tumbling);
+    touched = without(end, tumbling, rows, touched);
   }
   pad(fresh, rest);
-  return {touched, keep_near(work.skin.data(), work.pairs.data(), fresh, rest)};
+  return {touched, keep_near(work.skin.data(), work.pairs.data(), fresh, rest), tumbling};
 }
 
 }  // namespace
@@ -85,7 +142,7 @@ SortedRows sort_stretch(const ContactHistory& before, const Work<2>& work, const
 std::size_t sort_out(const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
                      std::vector<int>& rows, std::vector<int>& fresh) {
   const std::size_t stretches = (facing.size() + sorted_stretch - 1) / sorted_stretch;
-  constexpr std::size_t room = sorted_stretch + lane_count;  // of a stretch, with what its padding takes
+  constexpr std::size_t room = stretch_room;
   rows.resize(stretches * room), fresh.resize(stretches * room);
   work.sorted_rows.resize(stretches);
   share(work.threads, static_cast<int>(stretches), 1, [&](int first, int last, int /*thread*/) {
@@ -103,6 +160,11 @@ std::size_t sort_out(const ContactHistory& before, Work<2>& work, const std::vec
                 rows.begin() + static_cast<std::ptrdiff_t>(count));
     count += many;
   };
+  for (std::size_t s = 0; s < stretches; ++s) {
+    const auto end = fresh.begin() + static_cast<std::ptrdiff_t>((s + 1) * room);
+    work.general_now.insert(work.general_now.end(), end - static_cast<std::ptrdiff_t>(work.sorted_rows[s].tumbling),
+                            end);
+  }
   count = stretches == 0 ? 0 : work.sorted_rows[0].touched;  // they are where they belong
   for (std::size_t s = 1; s < stretches; ++s) append(s, rows, work.sorted_rows[s].touched);
   for (std::size_t s = 0; s < stretches; ++s) append(s, fresh, work.sorted_rows[s].fresh);

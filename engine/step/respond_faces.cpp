@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/registers.hpp"
 #include "base/team.hpp"
 #include "contact/face_pair.hpp"
 #include "detect/pairs.hpp"
@@ -148,15 +149,6 @@ template <class K>
   respond_batch<K>(pass, law, rows, given);
 }
 
-enum class Registers { narrow, wide, widest };
-
-Registers registers_here() {
-  if (!__builtin_cpu_supports("avx2")) return Registers::narrow;
-  const bool v4 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                  __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-                  __builtin_cpu_supports("avx512cd");
-  return v4 ? Registers::widest : Registers::wide;
-}
 #endif
 
 template <class K>

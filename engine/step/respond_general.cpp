@@ -33,34 +33,47 @@ void fit_rigid(PlacedPiece& piece) {
 
 }  // namespace
 
-/// `room` keeps what the piece's spans point to. Where an implicit step was taken it comes with its mean velocities
-/// over the step, by which slip and losses go.
-PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
-                         const PieceRoom& room) {
+namespace {
+
+/// Writes every member of `placed` where it stands: a copy of all of it for each piece costs as much as the rest.
+void place_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
+                 PlacedPiece& placed) {
   const auto first = static_cast<std::size_t>(model.piece_first[piece]),
              count = static_cast<std::size_t>(model.corners_of(piece));
+  const int* const skin = &model.corner_skin[first];
   for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion<2>& s = work.skin[model.corner_skin[first + c]];
+    const SkinMotion<2>& s = work.skin[skin[c]];
     room.place[c] = {s.x, s.y};
   }
-  const Body& body = model.bodies[model.piece_body[piece]];
-  const int node = body.first_node;
-  PlacedPiece placed{std::span(room.place, count), std::span(model.edge_is_face).subspan(first, count),
-                     state.position[node], state.velocity[node], state.spin[node]};
+  const BodyRow& body = work.body[model.piece_body[piece]];
+  const int node = body.node;
+  placed.corner = {room.place, count}, placed.is_face = {&model.edge_is_face[first], count};
+  placed.origin = state.position[node], placed.velocity = state.velocity[node], placed.spin = state.spin[node];
+  placed.corner_velocity = {}, placed.over_step = nullptr, placed.sides = {};
   if (!work.skin_mean.empty()) {
-    for (std::size_t c = 0; c < count; ++c) room.mean[c] = work.skin_mean[model.corner_skin[first + c]];
+    for (std::size_t c = 0; c < count; ++c) room.mean[c] = work.skin_mean[skin[c]];
     *room.over_step = placed;
     room.over_step->corner_velocity = std::span(room.mean, count);
     fit_rigid(*room.over_step);
     placed.over_step = room.over_step;
   }
-  if (body.is_rigid()) return placed;
+  if (body.layout == SkinLayout::one_node) return;
   for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion<2>& s = work.skin[model.corner_skin[first + c]];
+    const SkinMotion<2>& s = work.skin[skin[c]];
     room.velocity[c] = {s.u, s.v};
   }
   placed.corner_velocity = std::span(room.velocity, count);
   fit_rigid(placed);
+}
+
+}  // namespace
+
+/// `room` keeps what the piece's spans point to. Where an implicit step was taken it comes with its mean velocities
+/// over the step, by which slip and losses go.
+PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
+                         const PieceRoom& room) {
+  PlacedPiece placed;
+  place_piece(model, state, work, piece, room, placed);
   return placed;
 }
 
@@ -89,9 +102,10 @@ const PlacedPiece& place_once(const Model<2>& model, const State<2>& state, Work
   all.is_placed[p] = 1;
   const int first = model.piece_first[piece];
   const bool means = !all.mean.empty();
-  placed = placed_piece(model, state, work, piece,
-                        {&all.place[first], &all.velocity[first], means ? &all.mean[first] : nullptr,
-                         means ? &all.over_step[p] : nullptr});
+  place_piece(model, state, work, piece,
+              {&all.place[first], &all.velocity[first], means ? &all.mean[first] : nullptr,
+               means ? &all.over_step[p] : nullptr},
+              placed);
   const std::size_t four = PlacedPieces::first_four(piece, first);
   placed.sides = {&all.four[four], &all.row[four * lane_count], surface_bits(placed.is_face)};
   place_edges(placed.corner, &all.four[four], &all.row[four * lane_count]);
@@ -101,7 +115,10 @@ const PlacedPiece& place_once(const Model<2>& model, const State<2>& state, Work
 void add_to_skin(const Model<2>& model, int piece, const Vec2* force, Work<2>& work) {
   const int *skin = &model.corner_skin[model.piece_first[piece]], count = model.corners_of(piece);
   Vec2* const on = work.skin_force.data();  // read once: the compiler cannot know that sums do not change it
-  for (int c = 0; c < count; ++c) on[skin[c]] += force[c];
+  for (int c = 0; c < count; ++c) {
+    double* const at = on[skin[c]].data();
+    store_pair(at, load_pair(at) + load_pair(force[c].data()));
+  }
 }
 
 /// What two faces held that their contact does not as one of general shape.
@@ -120,6 +137,13 @@ void part_row(const ContactHistory& before, ContactHistory& after, int row) {
   });
 }
 
+/// True of laws that remember nothing of pieces that are apart.
+bool forgets_all(const Model<2>& model) {
+  return std::all_of(model.laws.begin(), model.laws.end(), [](const ContactLaw& law) {
+    return std::visit([]<class L>(const L&) { return !L::Kernel::bonds && !L::Kernel::crushes; }, law);
+  });
+}
+
 /// One evaluation's rows. Each is found from what State and its own row hold, and writes its own row alone.
 struct GeneralPass {
   const Model<2>& model;
@@ -127,16 +151,19 @@ struct GeneralPass {
   const ContactHistory& before;
   Work<2>& work;
   double dt;
+  bool forgets;  ///< see forgets_all: then only rows that remember nothing sleep
 
   /// False where there is nothing to be found out: the two were apart, and still are. What did not touch and remembers
   /// nothing has an empty row before and after already.
   [[nodiscard]] bool wakes(int row) const {
+    // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
+    const bool awake = work.travel >= work.asleep_until[row];
+    if (forgets) return awake;
     const ContactMemory& memory = before.memory[row];
     if ((memory.state & contact_touching) != 0) return true;
     assert(!memory.empty() || work.contacts.memory[row].empty());
     if (!memory.empty()) part_row(before, work.contacts, row);
-    // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
-    return work.travel >= work.asleep_until[row];
+    return awake;
   }
   /// The distance at which the edge that kept two pieces apart last still does; else 0 [m].
   [[nodiscard]] double still_apart(const PlacedPiece& a, const PlacedPiece& b, int row) const {
@@ -157,13 +184,16 @@ struct GeneralPass {
   [[nodiscard]] Coulomb friction_of(int law) const {
     return with_kernel(law_in_use(model, law, dt), [](const Coulomb& kernel) { return kernel; });
   }
-  void respond_rows(std::span<const int> rows, OverlapAnswer* answers) const;
-  void respond(int row, OverlapAnswer& answer) const;
+  void respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const;
+  void respond(int row, CornerOnFace tried, OverlapAnswer& answer) const;
+  [[nodiscard]] bool holds_off(int row, OverlapAnswer& answer) const;
+  CornerOnFace respond_any(int row, OverlapAnswer& answer, bool may_be_corner) const;
   void finish(int row, OverlapAnswer& answer) const;
   void take_up(int row, const OverlapAnswer& answer) const;
 };
 
-/// Rows of one law in which a corner was below a face last, to be answered together.
+/// Rows of one law in which one corner is below a face, or one of each piece in the other, or was last: to be answered
+/// together.
 struct CornerRows {
   std::array<CornerCase, lane_count> pair;
   std::array<int, lane_count> row;
@@ -184,79 +214,116 @@ bool there_is(const CornerOnFace& at, const PlacedPiece& a, const PlacedPiece& b
   return at.corner < wedge.corner.size() && at.face < owner.corner.size();
 }
 
-/// Makes an answer ready to be written.
-void clear(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece& b) {
-  answer.changed = answer.touching = false;
-  answer.let_go = {};
-  std::fill_n(answer.on_a.begin(), a.corner.size(), Vec2::Zero());
-  std::fill_n(answer.on_b.begin(), b.corner.size(), Vec2::Zero());
+std::span<Vec2> forces_on(Vec2* on, const PlacedPiece& piece) {
+  return {on, piece.corner.size()};
 }
 
-/// The corner that a row had last is tried first, with those of the next rows, four at once; what it does not hold for
-/// is looked at by itself. `answers`: one for each row.
-void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers) const {
-  CornerRows waiting;
-  const auto answer_waiting = [&] {
+/// Makes an answer ready to be written, with room for the forces on both pieces from `force` on; returns its end.
+Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece& b, Vec2* force) {
+  answer.counts = true;
+  answer.changed = answer.touching = false;
+  answer.let_go = {};
+  answer.on_a = force, answer.on_b = force + a.corner.size();
+  Vec2* const end = answer.on_b + b.corner.size();
+  std::fill(force, end, Vec2::Zero());
+  return end;
+}
+
+/// One corner below one face, or one of each piece in the other, is answered for four rows at once: for those in which
+/// it was so last, and those in which it is found to be so now. What it does not hold for is looked at by itself.
+/// `answers`: one for each row; `force`: room for the forces of all of them.
+void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const {
+  // Pieces of all of them first: a short loop leaves the processor more to fetch at once.
+  for (const int row : rows) {
+    const NearPair& pair = work.pairs[row];
+    place_once(model, state, work, pair.piece_a), place_once(model, state, work, pair.piece_b);
+    __builtin_prefetch(&before.memory[row]), __builtin_prefetch(&work.contacts.memory[row], 1);
+  }
+  std::array<CornerRows, 2> kinds;  // of one corner, of one of each
+  const auto answer_waiting = [&](CornerRows& waiting) {
     if (waiting.count == 0) return;
     const std::uint32_t done = respond_corners(std::span(waiting.pair).first(waiting.count), friction_of(waiting.law));
     for (std::size_t k = 0; k < waiting.count; ++k)
-      (done >> k & 1U) != 0 ? finish(waiting.row[k], *waiting.answer[k]) : respond(waiting.row[k], *waiting.answer[k]);
+      (done >> k & 1U) != 0 ? finish(waiting.row[k], *waiting.answer[k])
+                            : respond(waiting.row[k], waiting.pair[k].at, *waiting.answer[k]);
     waiting.count = 0;
   };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const int row = rows[i];
-    const NearPair& pair = work.pairs[row];
+    NearPair& pair = work.pairs[row];
     const ContactMemory& memory = before.memory[row];
-    if (!pair.corner_at.is_there() || !knows_corners(pair, memory)) {
-      respond(row, answers[i]);
-      continue;
+    OverlapAnswer& answer = answers[i];
+    answer.counts = false;
+    if (pair.replaced && holds_off(row, answer)) continue;
+    const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
+                      &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
+    if (memory.empty())
+      if (const double distance = still_apart(a, b, row); distance > 0) {
+        sleep(row, distance);
+        continue;
+      }
+    force = make_ready(answer, a, b, force);
+    const bool knows = knows_corners(pair, memory) && has_plain_corners(a) && has_plain_corners(b);
+    CornerOnFace at = pair.corner_at;
+    if (!knows || !at.is_there() || !there_is(at, a, b)) {
+      at = respond_any(row, answer, knows);
+      if (!at.is_there()) continue;
     }
-    const PlacedPiece &a = place_once(model, state, work, pair.piece_a),
-                      &b = place_once(model, state, work, pair.piece_b);
-    if (!there_is(pair.corner_at, a, b) || !has_plain_corners(a) || !has_plain_corners(b)) {
-      respond(row, answers[i]);
-      continue;
-    }
-    if (waiting.count > 0 && waiting.law != pair.law) answer_waiting();
-    clear(answers[i], a, b);
+    CornerRows& waiting = kinds[at.both ? 1 : 0];
+    if (waiting.count > 0 && waiting.law != pair.law) answer_waiting(waiting);
     waiting.add(row, pair.law,
-                {&a, &b, pair.corner_at, &memory, &answers[i].response, answers[i].on_a, answers[i].on_b}, answers[i]);
-    if (waiting.count == waiting.pair.size()) answer_waiting();
+                {&a, &b, at, &memory, &answer.response, forces_on(answer.on_a, a), forces_on(answer.on_b, b)}, answer);
+    if (waiting.count == waiting.pair.size()) answer_waiting(waiting);
   }
-  answer_waiting();
+  for (CornerRows& waiting : kinds) answer_waiting(waiting);
 }
 
-/// A row that wakes. Its pieces are placed by now, or are by this.
-void GeneralPass::respond(int row, OverlapAnswer& answer) const {
-  answer.changed = answer.touching = false;
-  answer.let_go = {};
-  const ContactMemory& memory = before.memory[row];
-  const bool was = (memory.state & contact_touching) != 0;
+/// A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
+bool GeneralPass::holds_off(int row, OverlapAnswer& answer) const {
+  NearPair flat = work.pairs[row];
+  if (!choose_face_pair(model, work, false, flat)) return false;
+  const bool was = (before.memory[row].state & contact_touching) != 0;
+  if (was) part_row(before, work.contacts, row);
+  answer.counts = answer.changed = was;
+  answer.touching = false;
+  answer.let_go = {}, answer.response = {};
+  return true;
+}
+
+/// A row in which the corner that was `tried` does not answer it. What one corner comes to is found in one way,
+/// remembered or not, or bits would depend on it.
+void GeneralPass::respond(int row, CornerOnFace tried, OverlapAnswer& answer) const {
+  const CornerOnFace at = respond_any(row, answer, true);
+  if (!at.is_there()) return;
+  const NearPair& pair = work.pairs[row];
+  if (!(at == tried)) {
+    const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
+                      &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
+    const CornerCase one{
+        &a, &b, at, &before.memory[row], &answer.response, forces_on(answer.on_a, a), forces_on(answer.on_b, b)};
+    if (respond_corners({&one, 1}, friction_of(pair.law)) != 0) return finish(row, answer);
+  }
+  respond_any(row, answer, false);
+}
+
+/// A row of any shape, whose pieces are placed. Where just one corner of either lies in the other, or one of both, and
+/// the row `may_be_corner`, that is returned and noted, and nothing is answered.
+CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_be_corner) const {
   NearPair& pair = work.pairs[row];
-  OverlapResponse& r = answer.response;
-  // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
-  if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) {
-    if (was) part_row(before, work.contacts, row);
-    r = {};
-    answer.changed = was;
-    return;
-  }
-  const PlacedPiece &a = place_once(model, state, work, pair.piece_a),
-                    &b = place_once(model, state, work, pair.piece_b);
-  if (memory.empty())
-    if (const double distance = still_apart(a, b, row); distance > 0) return r = {}, sleep(row, distance);
-  clear(answer, a, b);
-  // What one corner comes to is found in one way, remembered or not, or bits would depend on it.
-  if (knows_corners(pair, memory) && has_plain_corners(a) && has_plain_corners(b)) {
-    pair.corner_at = corner_within(a, b);
-    const CornerCase one{&a, &b, pair.corner_at, &memory, &r, answer.on_a, answer.on_b};
-    if (pair.corner_at.is_there() && respond_corners({&one, 1}, friction_of(pair.law)) != 0) return finish(row, answer);
-  }
+  const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
+                    &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
+  const ContactMemory& memory = before.memory[row];
   const LawInUse law = law_in_use(model, pair.law, dt);
   const Remembered remembered{memory, before.law_numbers(row)};
-  r = respond_overlap(a, b, remembered, law, answer.on_a, answer.on_b, work.contacts.law_numbers(row));
-  if (was && (memory.state & contact_general) == 0) answer.let_go = change_of_shape(work, pair, remembered, law);
+  CornerOnFace alone;
+  answer.response = respond_overlap(a, b, remembered, law, forces_on(answer.on_a, a), forces_on(answer.on_b, b),
+                                    work.contacts.law_numbers(row), may_be_corner ? &alone : nullptr);
+  if (may_be_corner) pair.corner_at = alone;
+  if (alone.is_there()) return alone;
+  if ((memory.state & contact_touching) != 0 && (memory.state & contact_general) == 0)
+    answer.let_go = change_of_shape(work, pair, remembered, law);
   finish(row, answer);
+  return {};
 }
 
 /// What a response means for its row: whether anything changed, what is remembered, how long it may sleep.
@@ -269,12 +336,15 @@ void GeneralPass::finish(int row, OverlapAnswer& answer) const {
   if (was || r.touching) work.contacts.memory[row] = r.memory;
   answer.touching = r.touching;
   if (r.touching) return;
-  work.pairs[row].apart_by = static_cast<std::int16_t>(r.apart_by);
-  sleep(row, r.separation);
+  NearPair& pair = work.pairs[row];
+  pair.apart_by = static_cast<std::int16_t>(r.apart_by);
+  pair.corner_at = {};
+  if (!was || !forgets) sleep(row, r.separation);
 }
 
 /// Adds what a row came to to forces, ledger and lists.
 void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
+  if (!answer.counts) return;
   const OverlapResponse& r = answer.response;
   if (answer.changed) work.changed_rows.push_back(row);
   work.given[EnergyTerm::contact_friction] += answer.let_go.friction;
@@ -283,36 +353,28 @@ void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
   work.given[EnergyTerm::contact_fracture] += r.lost_fracture;
   if (!answer.touching) return;
-  add_to_skin(model, work.pairs[row].piece_a, answer.on_a.data(), work);
-  add_to_skin(model, work.pairs[row].piece_b, answer.on_b.data(), work);
+  add_to_skin(model, work.pairs[row].piece_a, answer.on_a, work);
+  add_to_skin(model, work.pairs[row].piece_b, answer.on_b, work);
   work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
 }
 
 /// Rows and pieces that threads take at a time: some ten microseconds.
-constexpr int general_stretch = 32, awake_stretch = 128, waking_stretch = 1024;
+constexpr int general_stretch = 32, awake_stretch = 128;
 
-/// Rows of general shape, and those that were to be faces and are not now, in the order of rows; of these `awake_rows`
-/// are worked on.
+/// Rows of general shape, and those that were to be faces and are not now, in the order of rows: those that are worked
+/// on.
 void list_rows(const GeneralPass& pass, Work<2>& work) {
-  std::sort(work.general_now.begin(), work.general_now.end());
-  work.general_rows.reserve(work.pairs.size());
-  work.general_rows.resize(work.general.size() + work.general_now.size());
-  std::merge(work.general.begin(), work.general.end(), work.general_now.begin(), work.general_now.end(),
-             work.general_rows.begin());
-  work.awake_rows.reserve(work.pairs.size());
-  work.awake_rows.clear();
-  const std::size_t count = work.general_rows.size();
-  if (work.threads <= 1 || count <= waking_stretch) {
-    for (const int row : work.general_rows)
-      if (pass.wakes(row)) work.awake_rows.push_back(row);
-    return;
+  const std::size_t count = work.pairs.size();
+  work.is_general.assign(count, 0);
+  for (const int row : work.general) work.is_general[row] = 1;
+  for (const int row : work.general_now) work.is_general[row] = 1;
+  work.awake_rows.resize(count);
+  std::size_t awake = 0;
+  for (std::size_t row = 0; row < count; ++row) {
+    work.awake_rows[awake] = static_cast<int>(row);
+    if (work.is_general[row] != 0) awake += pass.wakes(static_cast<int>(row)) ? 1 : 0;
   }
-  work.is_awake.resize(count);
-  share(work.threads, static_cast<int>(count), waking_stretch, [&](int first, int last, int /*thread*/) {
-    for (int i = first; i < last; ++i) work.is_awake[i] = pass.wakes(work.general_rows[i]) ? 1 : 0;
-  });
-  for (std::size_t i = 0; i < count; ++i)
-    if (work.is_awake[i] != 0) work.awake_rows.push_back(work.general_rows[i]);
+  work.awake_rows.resize(awake);
 }
 
 /// All pieces of the rows to come: where several threads respond, none may place what another reads.
@@ -337,24 +399,26 @@ void place_awake(const GeneralPass& pass, Work<2>& work) {
 /// of one row after the other.
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
   work.general_touching.clear();
-  if (work.general.empty() && work.general_now.empty()) return work.general_rows.clear();
-  const GeneralPass pass{model, state, contacts_before(state, work), work, dt};
+  if (work.general.empty() && work.general_now.empty()) return;
+  const GeneralPass pass{model, state, contacts_before(state, work), work, dt, forgets_all(model)};
   list_rows(pass, work);
   place_none(model, !work.skin_mean.empty(), work.placed);
   if (work.threads > 1) place_awake(pass, work);
-  work.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * general_stretch);
-  const auto answer_of = [&](int slot, int i) -> OverlapAnswer& {
-    return work.answer[static_cast<std::size_t>(slot * general_stretch + i)];
-  };
+  const auto slots = static_cast<std::size_t>(stretches_under_way(work.threads));
+  work.answer.resize(slots * general_stretch);
+  constexpr std::size_t forces = std::size_t{general_stretch} * 2 * max_piece_corners;
+  work.answer_force.resize(slots * forces);
+  const auto answers_of = [&](int slot) { return &work.answer[static_cast<std::size_t>(slot * general_stretch)]; };
   share_in_order(
       work.threads, static_cast<int>(work.awake_rows.size()), general_stretch,
       [&](int first, int last, int /*thread*/, int slot) {
         const auto count = static_cast<std::size_t>(last - first);
-        pass.respond_rows(std::span(work.awake_rows).subspan(static_cast<std::size_t>(first), count),
-                          &answer_of(slot, 0));
+        pass.respond_rows(std::span(work.awake_rows).subspan(static_cast<std::size_t>(first), count), answers_of(slot),
+                          &work.answer_force[static_cast<std::size_t>(slot) * forces]);
       },
       [&](int first, int last, int slot) {
-        for (int i = first; i < last; ++i) pass.take_up(work.awake_rows[i], answer_of(slot, i - first));
+        const OverlapAnswer* answer = answers_of(slot);
+        for (int i = first; i < last; ++i) pass.take_up(work.awake_rows[i], *answer++);
       });
 }
 

@@ -92,10 +92,11 @@ struct SolidAnswer {
 
 /// What the general contact of one row in the plane came to, before it is added to anything.
 struct OverlapAnswer {
+  bool counts = false;                     ///< false: there was nothing to find out, and the rest is of no meaning
   bool changed = false, touching = false;  ///< see Work::changed_rows
   OverlapResponse response;
-  ShapeLoss let_go;                                ///< what faces held, where they are of general shape now [J]
-  std::array<Vec2, max_piece_corners> on_a, on_b;  ///< [N]
+  ShapeLoss let_go;                       ///< what faces held, where they are of general shape now [J]
+  Vec2 *on_a = nullptr, *on_b = nullptr;  ///< [corner] forces, in Work::answer_force [N]
 };
 
 /// What the contacts of faces of four rows came to, where threads take them, before it is added to anything.
@@ -106,9 +107,10 @@ struct FourFaces {
   std::array<double, 4> damping, friction, fracture;  ///< given off [J]
 };
 
-/// Facing rows of a stretch that go on to the kernel: those that touched, and of the others those that may now.
+/// Facing rows of a stretch that go on to the kernel: those that touched, and of the others those that may now; and
+/// those that do not, as they are of general shape and were so at the last step.
 struct SortedRows {
-  std::size_t touched, fresh;
+  std::size_t touched, fresh, tumbling;
 };
 
 /// What elements in space of a stretch give their nodes, where threads take them, before it is added to anything.
@@ -185,8 +187,8 @@ struct Work {
   std::vector<SortedRows> sorted_rows;        ///< room, by stretch
   std::vector<FourFaces> four_faces;          ///< room for what threads take
   std::vector<int> general_now;               ///< rows that were to be faces and are of general shape now
-  std::vector<int> general_rows;              ///< those and `general`, in the order of rows
-  std::vector<std::uint8_t> is_awake;         ///< room, by row of them
+  std::vector<Vec2> answer_force;             ///< room of `answer` N
+  std::vector<std::uint8_t> is_general;       ///< [contact] room: 1: one of those or of `general`
   std::vector<int> awake_rows, awake_pieces;  ///< those of them that are worked on, and their pieces
   std::vector<OverlapAnswer> answer;          ///< of rows that threads take
   PlacedPieces placed;                        ///< the pieces of these rows

@@ -1,0 +1,26 @@
+// How wide the registers of this processor are, for kernels that have a copy for each width.
+//
+// All copies do the same operations, none of them contracted, so the bits are the same.
+#pragma once
+
+namespace trilith {
+
+enum class Registers {
+  narrow,  ///< any machine
+  wide,    ///< AVX2
+  widest   ///< x86-64-v4: masks of their own and twice as many registers
+};
+
+inline Registers registers_here() {
+#ifdef __x86_64__
+  if (!__builtin_cpu_supports("avx2")) return Registers::narrow;
+  const bool v4 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                  __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+                  __builtin_cpu_supports("avx512cd");
+  return v4 ? Registers::widest : Registers::wide;
+#else
+  return Registers::narrow;
+#endif
+}
+
+}  // namespace trilith
