@@ -55,8 +55,10 @@ TEST_CASE("a law in space does in plane strain what it does in the plane, step u
       CHECK(near_zero(s.stress[1] - p.stress.yy, scale));
       CHECK(near_zero(s.stress[2] - p.stress.zz, scale));
       CHECK(near_zero(s.stress[3] - p.stress.xy, scale));
-      CHECK(near_zero(s.stress[4], scale)), CHECK(near_zero(s.stress[5], scale));
-      CHECK(near_zero(s.stored - p.stored, scale * size)), CHECK(near_zero(s.dissipated - p.dissipated, scale * size));
+      CHECK(near_zero(s.stress[4], scale));
+      CHECK(near_zero(s.stress[5], scale));
+      CHECK(near_zero(s.stored - p.stored, scale * size));
+      CHECK(near_zero(s.dissipated - p.dissipated, scale * size));
       in_plane = p.memory, in_space = s.memory;
     }
   });
@@ -87,7 +89,8 @@ TEST_CASE("J2 in space: pulled along one axis it hardens along its line, from al
   const double along = s / law.young + e, across = -law.poisson * s / law.young - 0.5 * e;
   const SpaceResponse pulled = respond_in_space(law, (SpaceVector() << along, across, across, 0, 0, 0).finished(), {});
   CHECK(near(pulled.stress[0], s, 1e-9));
-  CHECK(near_zero(pulled.stress[1], 1e-6 * s)), CHECK(near_zero(pulled.stress[2], 1e-6 * s));
+  CHECK(near_zero(pulled.stress[1], 1e-6 * s));
+  CHECK(near_zero(pulled.stress[2], 1e-6 * s));
   CHECK(near(pulled.memory.measure, e, 1e-9));
   const SpaceResponse squeezed = respond_in_space(law, (SpaceVector() << -.01, -.01, -.01, 0, 0, 0).finished(), {});
   CHECK(squeezed.memory.measure == 0);
@@ -112,7 +115,8 @@ TEST_CASE("Mohr-Coulomb in space: squeezed along one axis within a pressure from
     }
     memory = r.memory;
   }
-  CHECK(near(r.stress[0], -cell, 1e-6)), CHECK(near(r.stress[2], -cell, 1e-6));
+  CHECK(near(r.stress[0], -cell, 1e-6));
+  CHECK(near(r.stress[2], -cell, 1e-6));
   CHECK(near(-r.stress[1], limit, 1e-6));
 }
 
