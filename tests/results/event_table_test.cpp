@@ -4,7 +4,6 @@
 
 using namespace trilith;
 using namespace trilith::results;
-using namespace trilith::testing;
 
 namespace {
 
