@@ -71,7 +71,7 @@ TEST_CASE("I12: by implicit steps of 1 ms a block let go on one corner falls fla
     builder.contact(0, 0, frictional(1e14, 1e14, 2, 1e-5), "corner");
     Simulation<3> sim(builder.build());
     double last_angle = share * alpha, last_time = 0, lands = 0, speed = 0, aside = 0, highest = -1e300;
-    const Vec3 third = across.cross(Vec3::UnitZ());
+    const Vec3 third = cross(across, Vec3(Vec3::UnitZ()));
     StageOptions stage = careful_steps(1.1 * time, 1e-3);
     stage.energy_interval = 1e-3;
     RunListener<3> listener = after_each_step([&](const Instant<3>& now) {
