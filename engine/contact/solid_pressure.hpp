@@ -24,7 +24,7 @@ namespace trilith {
 /// A convex solid where it stands and how its body moves.
 struct MovingSolid {
   const PlacedSolid& placed;
-  Vec3 origin, velocity, spin;  ///< of its body: a point of it and its velocity [m], [m/s], [rad/s]
+  Vec3 origin, velocity, spin;         ///< of its body: a point of it and its velocity [m], [m/s], [rad/s]
   const StepBehind* behind = nullptr;  ///< after an implicit step, of which velocities are those of the end
 
   [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - origin)); }

@@ -144,8 +144,7 @@ std::array<double, 6> mean_rates(const Model<3>& /*model*/, const State<3>& stat
   const Vec3 last(now.displacement[3], now.displacement[4], now.displacement[5]),
       turned = nearest_turn(inverse(frame) * (of_b * b.rest_angle), last);
   std::array<double, 6> out{};
-  for (const int k : {0, 1, 2})
-    out[k] = (now.displacement[k] - moved[k]) / dt, out[3 + k] = (last[k] - turned[k]) / dt;
+  for (const int k : {0, 1, 2}) out[k] = (now.displacement[k] - moved[k]) / dt, out[3 + k] = (last[k] - turned[k]) / dt;
   return out;
 }
 

@@ -24,10 +24,10 @@ constexpr bool is_turn(const Freedom& f) {
 /// pieces that may come to touch before pairs are found anew.
 template <int D>
 struct Coupling {
-  std::vector<Freedom> freedom;                            ///< [unknown] by node, then by k
+  std::vector<Freedom> freedom;                          ///< [unknown] by node, then by k
   std::vector<std::array<int, Space<D>::dofs>> unknown;  ///< [node] index into `freedom`, or -1
-  std::vector<std::vector<int>> near;       ///< [node] free nodes that its forces depend on, itself too; sorted
-  std::vector<std::vector<int>> colour;     ///< nodes no two of which act on the same node, but by beams
+  std::vector<std::vector<int>> near;    ///< [node] free nodes that its forces depend on, itself too; sorted
+  std::vector<std::vector<int>> colour;  ///< nodes no two of which act on the same node, but by beams
 
   [[nodiscard]] int size() const { return static_cast<int>(freedom.size()); }
 };

@@ -70,8 +70,8 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidOverlapB
   JointMemory& after = *work.contacts.joint_at(r);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
   const SolidMemory& contact = contacts_before(state, work).memory[r];
-  JointResponse joint = respond_joint(body_motion(model, state, work, pair.piece_a), body_motion(model, state, work, pair.piece_b),
-                                      contact, before, law, after);
+  JointResponse joint = respond_joint(body_motion(model, state, work, pair.piece_a),
+                                      body_motion(model, state, work, pair.piece_b), contact, before, law, after);
   if (joint.ends) {
     SolidOverlapBuffer cell;  // room; joints end once
     // What the joint stores more than two other solids there do is given off as it ends.
@@ -94,8 +94,8 @@ bool has_sphere(const Work<3>& work, const NearPair& pair) {
 /// The same of a piece that may be a sphere: its centre and radius beside its corners, of which a sphere has one.
 SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
   const int n = model.node_of_piece(piece);
-  return {work.solids.sphere[piece], work.solids.placed[piece], state.position[n],
-          state.velocity[n],         state.spin[n],             step_behind(work, n)};
+  return {work.solids.sphere[piece], work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n],
+          step_behind(work, n)};
 }
 
 /// False where there is nothing to be found out: the two were apart, and still are.

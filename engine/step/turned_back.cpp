@@ -129,7 +129,8 @@ double of_solids(const Model<3>& model, const State<3>& state, const Work<3>& wo
   const BodyMotion a = body_motion(model, state, work, p.piece_a), b = body_motion(model, state, work, p.piece_b);
   const Vec3 rate =
       sliding(b.velocity_at(area.middle) - a.velocity_at(area.middle), Vec3(b.spin - a.spin), n, area.radius);
-  const Vec3 mean = sliding(mean_slip(a, b, area.middle, dt), Vec3(mean_spin(b, dt) - mean_spin(a, dt)), n, area.radius);
+  const Vec3 mean =
+      sliding(mean_slip(a, b, area.middle, dt), Vec3(mean_spin(b, dt) - mean_spin(a, dt)), n, area.radius);
   const double size = rate.norm();
   if (!(size > 0)) return 0;
   const Ways way(size, mean.dot(rate) / size, dt);

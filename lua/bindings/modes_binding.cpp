@@ -150,8 +150,7 @@ std::string damping_text(const Simulation<D>& sim, const std::vector<NaturalMode
     text += fmt::format("\nband of {:g} % from {:g} to {:g} Hz: {} branches, stiffer by up to {:.2g} %",
                         100 * b.band.ratio, b.band.from, b.band.to, b.count, 100 * (b.stiffening() - 1));
   if (const double unbanded = unbanded_length(sim); !sim.model().bands.empty())
-    text += fmt::format("; without bands the longest stable step is {:.4g} s",
-                        unbanded);
+    text += fmt::format("; without bands the longest stable step is {:.4g} s", unbanded);
   return text;
 }
 

@@ -29,8 +29,7 @@ Standing standing_blocks(const Vec3& sides, int count, double gravity, double be
   const auto at = [&](const Polyhedron& shape) { return placed(shape, world, Vec3::Zero()); };
   builder.add(fixed_stone("base", at(box_solid(Vec3(-1, -1, -0.5), Vec3(1, 1, 0)))));
   for (int i = 0; i < count; ++i)
-    builder.add(
-        stone("block " + std::to_string(i + 1), at(box_at(sides, Vec3(0, 0, (i + 0.5) * sides.z()))), 2400));
+    builder.add(stone("block " + std::to_string(i + 1), at(box_at(sides, Vec3(0, 0, (i + 0.5) * sides.z()))), 2400));
   builder.contact(0, 0, frictional(1e9, 4e8, 0.7, beta), "joint");
   Standing out{builder.build(), {}};
   out.state = initial_state(out.model);
@@ -74,10 +73,9 @@ TEST_CASE("M4: a block on a joint in space sways and rocks both ways, twists and
 
 TEST_CASE("M5: two cubes on each other in space have their twelve frequencies") {
   const Standing now = standing_blocks({0.5, 0.5, 0.5}, 2, 0.1);
-  check_frequencies_in_space(modes(now.model, now.state, 12),
-                             {22.1055, 22.1055, 56.790, 89.793, 96.3095, 96.3095, 148.678, 186.093, 186.093, 224.931,
-                              224.931, 235.081},
-                             5e-4);
+  check_frequencies_in_space(
+      modes(now.model, now.state, 12),
+      {22.1055, 22.1055, 56.790, 89.793, 96.3095, 96.3095, 148.678, 186.093, 186.093, 224.931, 224.931, 235.081}, 5e-4);
 }
 
 TEST_CASE("the damping of a block on a joint in space is that of its law") {
@@ -129,7 +127,8 @@ std::array<std::vector<double>, 3> frequencies_by_axis(const std::vector<Natural
 }
 
 TEST_CASE("M1: a free beam in space has six rigid modes and swings about both axes and along as Timoshenko's beam") {
-  // Lumped at the nodes; the free ends carry half an element each, which costs the frequencies of 40 elements .3 to .9 %.
+  // Lumped at the nodes; the free ends carry half an element each, which costs the frequencies of 40 elements .3 to .9
+  // %.
   SolidSpec spec = chain_body("beam", {Vec3::Zero(), Vec3(2, 0, 0)}, plain_section(0.05, 0.1), 80);
   spec.frame->members[0].shear = true;
   const Model<3> model = of_space_frames(member_material(2700, 7e10, 0.25), {spec});
@@ -198,8 +197,7 @@ TEST_CASE("F6: a column in space buckles at Euler's loads, as its lowest frequen
     std::array<Support, 6> foot, head;
     double load;
   };
-  for (const Column& c : {Column{clamped, {}, 29986},
-                          Column{pinned, {free, fixed, fixed, fixed, free, free}, 119943},
+  for (const Column& c : {Column{clamped, {}, 29986}, Column{pinned, {free, fixed, fixed, fixed, free, free}, 119943},
                           Column{clamped, {free, fixed, fixed, fixed, free, free}, 245373},
                           Column{clamped, {free, fixed, fixed, fixed, fixed, fixed}, 479772}}) {
     const auto loaded = [&](double load) {
@@ -221,8 +219,8 @@ TEST_CASE("F7: a portal in space that is held in its plane sways at the loads of
        {std::pair(clamped, 807095.0),
         std::pair(std::array<Support, 6>{fixed, fixed, fixed, fixed, free, fixed}, 199204.0)}) {
     const auto loaded = [&, of_foot = foot](double load) {
-      SolidSpec spec = chain_body("portal", {Vec3::Zero(), Vec3(0, 0, 4), Vec3(4, 0, 4), Vec3(4, 0, 0)},
-                                  plain_section(0.1, 0.1), 8);
+      SolidSpec spec =
+          chain_body("portal", {Vec3::Zero(), Vec3(0, 0, 4), Vec3(4, 0, 4), Vec3(4, 0, 0)}, plain_section(0.1, 0.1), 8);
       spec.frame->joints[0].support = spec.frame->joints[3].support = of_foot;
       // Out of its plane the corners are held, or the columns would go that way first.
       for (const std::size_t j : {1, 2}) spec.frame->joints[j].support = {free, fixed, free, fixed, free, fixed};
