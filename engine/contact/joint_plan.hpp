@@ -26,9 +26,9 @@ namespace trilith {
 
 /// A body in space as its joints need it.
 struct BodyMotion {
-  Vec3 place;               ///< of its node [m]
-  UnitQuaternion rotation;  ///< from its axes to the world's
-  Vec3 velocity, spin;      ///< [m/s], [rad/s]
+  Vec3 place;                          ///< of its node [m]
+  UnitQuaternion rotation;             ///< from its axes to the world's
+  Vec3 velocity, spin;                 ///< [m/s], [rad/s]
   const StepBehind* behind = nullptr;  ///< after an implicit step, of which velocities are those of the end
 
   [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - place)); }

@@ -8,8 +8,8 @@
 #include "base/portable.hpp"
 #include "step/consistent_mass.hpp"
 #include "step/evaluate.hpp"
-#include "step/implicit_turn.hpp"
 #include "step/node_forces.hpp"
+#include "step/nodes_at_start.hpp"
 #include "step/turned_back.hpp"
 
 namespace trilith {
@@ -32,41 +32,6 @@ constexpr double digits = std::numeric_limits<double>::epsilon();
 /// at that rate than it costs: about one for each colour, of which it is no use to count on many.
 constexpr double slow_share = 0.1;
 constexpr std::size_t most_worth = 12;
-
-/// Motion of the nodes as the step begins.
-template <int D>
-struct NodesAtStart {
-  std::vector<Vec<D>> position, velocity, acceleration;
-  std::vector<Rotation<D>> rotation;
-  std::vector<Spin<D>> spin, spin_rate;
-
-  explicit NodesAtStart(const State<D>& s)
-      : position(s.position),
-        velocity(s.velocity),
-        acceleration(s.acceleration),
-        rotation(s.rotation),
-        spin(s.spin),
-        spin_rate(s.spin_rate) {}
-
-  [[nodiscard]] TurnMotion<D> turn(int n) const { return {rotation[n], spin[n], spin_rate[n]}; }
-  [[nodiscard]] Dofs<D> velocity_of(int n) const { return dofs_of(velocity[n], spin[n]); }
-  [[nodiscard]] Dofs<D> acceleration_of(int n) const { return dofs_of(acceleration[n], spin_rate[n]); }
-};
-
-/// Half of the way from the step's begin to now, and of both steps together, the one behind and this one.
-template <int D>
-Dofs<D> half_way(const NodesAtStart<D>& start, const State<D>& now, int n) {
-  return dofs_of(Vec<D>(0.5 * (now.position[n] - start.position[n])),
-                 Spin<D>(0.5 * turn_between(start.rotation[n], now.rotation[n])));
-}
-Dofs<2> half_of_both(const Vec2& place, double turn, const NodesAtStart<2>& /*start*/, const State<2>& now, int n) {
-  return dofs_of(Vec2(0.5 * (now.position[n] - place)), 0.5 * (now.rotation[n] - turn));
-}
-Dofs<3> half_of_both(const Vec3& place, const UnitQuaternion& turn, const NodesAtStart<3>& start, const State<3>& now,
-                     int n) {
-  const Vec3 turned = turn_between(turn, start.rotation[n]) + turn_between(start.rotation[n], now.rotation[n]);
-  return dofs_of(Vec3(0.5 * (now.position[n] - place)), Vec3(0.5 * turned));
-}
 
 /// What moves and what is stored [J].
 double held(const Energy& e) {
@@ -111,14 +76,10 @@ class Trial {
   [[nodiscard]] Energy booked() const;
   /// What it missed of its energies with that, as a share.
   [[nodiscard]] double missed(const Energy& booked) const;
-  [[nodiscard]] double wavering() const;
 
  private:
   void predict();
   void correct(int n);
-  [[nodiscard]] double place_at_start(int n, int k) const;
-  [[nodiscard]] double digits_of(int n, int k) const;
-  Dofs<D> inertia_of(int n, Dofs<D>& largest) const;
   void evaluate_trial();
   double left_over();
   void find_rounding();
@@ -171,7 +132,7 @@ void Trial<D>::predict() {
       } else if (model_.support[n][k] == Support::driven) {
         const Drive& drive = model_.drives[model_.drive_of[n][k]];
         const MotionAt motion = drive.motion->at(state_.time - drive.start);
-        path_[n][k] = drive.origin + motion.displacement - place_at_start(n, k);
+        path_[n][k] = drive.origin + motion.displacement - place_along(start_, n, k);
         rate = motion.velocity, rise = motion.acceleration;
       } else {
         rate = rise = 0;
@@ -179,15 +140,6 @@ void Trial<D>::predict() {
     }
     correct(n);
   }
-}
-
-template <int D>
-double Trial<D>::place_at_start(int n, int k) const {
-  if (k < Space<D>::translations) return start_.position[n][k];
-  if constexpr (D == 2)
-    return start_.rotation[n];
-  else
-    return angle_of(start_.rotation[n])[k - 3];
 }
 
 /// Place, velocity and acceleration of a node at the end of the step from its path there. The path is kept apart from
@@ -215,26 +167,6 @@ void Trial<D>::evaluate_trial() {
   clock_.skip();
 }
 
-/// What the scheme has of the inertia of each direction of a node, M ((1 - alpha_m) a' + alpha_m a); `largest`: in space
-/// the largest part of what turns, of which a free body has nothing left in sum [N], [N m].
-template <int D>
-Dofs<D> Trial<D>::inertia_of(int n, Dofs<D>& largest) const {
-  const double m = scheme_.alpha_m;
-  const Dofs<D> mass = mass_of(model_, state_, n), before = start_.acceleration_of(n),
-                now = dofs_of(state_.acceleration[n], state_.spin_rate[n]);
-  Dofs<D> out;
-  for (std::size_t k = 0; k < out.size(); ++k) out[k] = mass[k] * ((1 - m) * now[k] + m * before[k]);
-  largest = {};
-  if constexpr (D == 3) {
-    const Vec3& own = model_.inertia[n];
-    const TurnMotion<3> end{state_.rotation[n], state_.spin[n], state_.spin_rate[n]};
-    const Vec3 turning = (1 - m) * moment_taken(own, end) + m * moment_taken(own, start_.turn(n));
-    const Vec3 carried = cross(end.spin, momentum_of(own, end.rotation, end.spin));
-    for (int k = 0; k < 3; ++k) out[3 + k] = turning[k], largest[3 + k] = std::max(std::abs(turning[k]), carried.norm());
-  }
-  return out;
-}
-
 /// What is left of the equation of motion at the evaluated trial state. Returns its square, each part over its inertia.
 template <int D>
 double Trial<D>::left_over() {
@@ -247,7 +179,8 @@ double Trial<D>::left_over() {
   Dofs<D> mass{}, inertia{}, largest{};
   for (int i = 0, node = -1; i < coupling.size(); ++i) {
     const auto [n, k] = coupling.freedom[i];
-    if (n != node) mass = mass_of(model_, state_, n), inertia = inertia_of(n, largest), node = n;
+    if (n != node)
+      mass = mass_of(model_, state_, n), inertia = inertia_of(model_, state_, start_, m, n, largest), node = n;
     const double now = net_force(model_, state_, work_, coupling.freedom[i]) + (damped_.empty() ? 0 : damped_[n][k]);
     double taken = inertia[k];
     if (!added_.empty()) taken += (1 - m) * added_[n][k] + m * added_before_[n][k];
@@ -272,7 +205,7 @@ void Trial<D>::find_rounding() {
   if (kept == nullptr || kept->size() != rounding_.size()) return;
   for (int column = 0; column < kept->size(); ++column) {
     const auto [n, k] = tangent_.coupling().freedom[column];
-    const double place = std::abs(digits_of(n, k));
+    const double place = digits_along(state_, n, k);
     const Dofs<D> own = inertia_column(model_, state_, {n, k}, kept->inertia, kept->rate);
     for (int at = kept->column[column]; at < kept->column[column + 1]; ++at) {
       const int row = kept->row[at];
@@ -281,16 +214,6 @@ void Trial<D>::find_rounding() {
       rounding_[row] += digits * place * std::abs(kept->value[at] - inertia);
     }
   }
-}
-
-/// The number whose digits a place has: in space a rotation is known to those of a turn of 1 rad.
-template <int D>
-double Trial<D>::digits_of(int n, int k) const {
-  if (k < Space<D>::translations) return state_.position[n][k];
-  if constexpr (D == 2)
-    return state_.rotation[n];
-  else
-    return 1;
 }
 
 /// What of the equation of motion is rounding alone. The acceleration is a small difference of paths.
@@ -426,28 +349,8 @@ double Trial<D>::missed(const Energy& booked) const {
   for (std::size_t i = 0; i < end.value.size(); ++i) end.value[i] += booked.value[i];
   const double most = std::max({state_.most_energy, held(energy_), held(end)});
   const double off = std::abs(end.balance() - energy_.balance()) + std::max(0.0, -booked[EnergyTerm::numerical]);
-  const double wrong = wavering() + turned_back(model_, state_, work_, dt_);
+  const double wrong = wavering(model_, state_, start_, dt_) + turned_back(model_, state_, work_, dt_);
   return most > 0 ? std::max(off / most, 2 * std::sqrt(wrong / most)) : 0;
-}
-
-/// Energy of the error of the velocities, dt (a' - a) / 12: that of the scheme's displacements over the step, (b - 1/6)
-/// dt^2 (a' - a) with b = 1/4, over dt (Zienkiewicz and Xie, "A simple error estimator and adaptive time stepping
-/// procedure for dynamic analysis", Earthq. Eng. Struct. Dyn. 20, 1991).
-template <int D>
-double Trial<D>::wavering() const {
-  double sum = 0;
-  for (int n = 0; n < model_.nodes(); ++n) {
-    const Dofs<D> now = dofs_of(state_.acceleration[n], state_.spin_rate[n]), before = start_.acceleration_of(n);
-    Dofs<D> jump{};
-    for (int k = 0; k < Space<D>::dofs; ++k)
-      if (model_.support[n][k] == Support::free) jump[k] = now[k] - before[k];
-    for (int k = 0; k < Space<D>::translations; ++k) sum += model_.mass[n] * jump[k] * jump[k];
-    if constexpr (D == 2)
-      sum += model_.inertia[n] * jump[2] * jump[2];
-    else
-      sum += about_of(jump).dot(momentum_of(model_.inertia[n], state_.rotation[n], about_of(jump)));
-  }
-  return 0.5 * sum * dt_ * dt_ / 144;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "step/beam_motion.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
+#include "step/node_forces.hpp"
 #include "step/resist_beams.hpp"
 #include "world/pose.hpp"
 
@@ -98,6 +99,9 @@ ModeDamping damping_of(const Model<D>& model, State<D>& rest, const NaturalMode<
   double most = 0, most_turn = 0;
   for (const auto& v : mode.displacement) most = std::max(most, v.norm());
   for (const auto& v : mode.rotation) most_turn = std::max(most_turn, size_of(v));
+  // In space a mode that twists has some rounding of a displacement: what turns counts too.
+  if constexpr (D == 3)
+    for (int n = 0; n < model.nodes(); ++n) most = std::max(most, gyration_of(model, n) * size_of(mode.rotation[n]));
   const double scale = tried_speed / (most > 0 ? most : most_turn);
   const Along ahead = forces_along(model, rest, mode, scale), back = forces_along(model, rest, mode, -scale);
   const double critical = 2 * std::sqrt(mode.square);

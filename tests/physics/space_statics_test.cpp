@@ -82,12 +82,16 @@ TEST_CASE("F1: the bend of 45 degrees in 16 elements comes to where it is publis
     double load;
     Vec3 tip;
   };
-  for (const Row& row : {Row{300, {58.779, 40.192, 22.245}}, Row{450, {52.239, 48.503, 18.508}},
-                         Row{600, {47.150, 53.475, 15.685}}}) {
+  for (const Row& row :
+       {Row{300, {58.779, 40.192, 22.245}}, Row{450, {52.239, 48.503, 18.508}}, Row{600, {47.150, 53.475, 15.685}}}) {
     Model<3> model = bend_of_45(16);
     model.load[16] = Vec3(0, 0, row.load);
     State<3> state = initial_state(model);
-    const Equilibrium found = find_equilibrium(model, state);
+    EquilibriumOptions how;
+    how.farthest = 2;  // its tip goes by more than half of its length
+    const Equilibrium found = find_equilibrium(model, state, how);
+    INFO(std::string(name_of(found.end)) << ", left " << found.left << " at node " << found.worst << ", " << found.steps
+                                         << " steps");
     REQUIRE(found.converged);
     const Vec3 at = state.position[16];
     MESSAGE(fmt::format("F1, P {}: {:.3f} {:.3f} {:.3f}, {} steps, {} iterations", row.load, at.x(), at.y(), at.z(),
@@ -114,7 +118,9 @@ TEST_CASE("a path in space controlled by its load leads to the equilibrium that 
     REQUIRE(path.points.back().factor >= 1 - 1e-9);
     if (control == PathControl::load) {
       State<3> direct = initial_state(model);
-      REQUIRE(find_equilibrium(model, direct).converged);
+      EquilibriumOptions far;
+      far.farthest = 2;
+      REQUIRE(find_equilibrium(model, direct, far).converged);
       CHECK((state.position[8] - direct.position[8]).norm() < 1e-5);
       CHECK(near(path.points.back().displacement, direct.position[8].z(), 1e-6));
     }
@@ -124,8 +130,8 @@ TEST_CASE("a path in space controlled by its load leads to the equilibrium that 
 /// F5: legs of 10, with inertia of sections that are much thicker than their stiffness says.
 Model<3> right_angle(int divisions) {
   const GivenSection section{1, 1e-3, 1, 0, 1, 1e-3, 1e-3, 1, 1};
-  SolidSpec spec = chain_body("frame", {Vec3::Zero(), Vec3(10, 0, 0), Vec3(10, 10, 0)}, section_in_space(section),
-                              divisions);
+  SolidSpec spec =
+      chain_body("frame", {Vec3::Zero(), Vec3(10, 0, 0), Vec3(10, 10, 0)}, section_in_space(section), divisions);
   for (SpaceMember& member : spec.frame->members) member.shear = true;
   spec.frame->joints[0].support = clamped;
   Model<3> model = of_space_frames(member_material(1, 1e6, -0.5), {spec});
@@ -167,8 +173,8 @@ TEST_CASE("F5: the right-angle cantilever swings as an explicit run of its own, 
       if (t < 9 && tip > tip_peak) tip_peak = tip, tip_peak_at = t;
       if (next == expected.size() || t < expected[next].time - 1e-9) return;
       const Reading& row = expected[next++];
-      MESSAGE((implicit ? "implicit" : "explicit") << ", " << t << " s: elbow " << elbow << " (" << row.elbow << "), tip "
-                                                   << tip << " (" << row.tip << ")");
+      MESSAGE((implicit ? "implicit" : "explicit")
+              << ", " << t << " s: elbow " << elbow << " (" << row.elbow << "), tip " << tip << " (" << row.tip << ")");
       CHECK(near(elbow, row.elbow, 0.01));
       if (row.tip > 0) CHECK(near(tip, row.tip, 0.01));
     });
@@ -216,7 +222,8 @@ TEST_CASE("a soft frame that tumbles freely keeps energy, momentum and angular m
   const auto [along, about] = momenta();
   CHECK(sim.run(steps_in_space(AlphaScheme::hht(0), 2, 2e-3)).end == StageEnd::time);
   sim.refresh();
-  CHECK(near(sim.energy().balance(), energy, 1e-6));
+  // Strain energy against the work of forces at both ends: to the order of the scheme.
+  CHECK(near(sim.energy().balance(), energy, 1e-4));
   CHECK((momenta().first - along).norm() < 1e-9 * along.norm());
   // The scheme takes forces at both ends of a step, not in its middle: what turns is kept to its order.
   CHECK((momenta().second - about).norm() < 1e-3 * about.norm());
