@@ -78,9 +78,9 @@ TEST_CASE("a step as long as is found stable is so, and half as long again is no
     std::mt19937_64 bits(3);
     for (Vec3& v : run.state().velocity) v = 1e-3 * random_in_ball(bits);
     run.run(4000 * stable_dt(model, safety));
-    double most = 0;
-    for (const Vec3& v : run.state().velocity) most = std::max(most, v.norm());
-    return most / 1e-3;
+    double sum = 0;  // no number where it has grown beyond all
+    for (const Vec3& v : run.state().velocity) sum += v.norm();
+    return sum / static_cast<double>(model.nodes()) / 1e-3;
   };
   CHECK(grown(0.99) < 10);
   CHECK_FALSE(grown(1.5) < 1e3);
@@ -90,7 +90,7 @@ TEST_CASE("a step as long as is found stable is so, and half as long again is no
 /// deformable body.
 void press_stack(const std::array<int, 3>& lower, ElementShape lower_shape, const std::array<int, 3>& upper,
                  ElementShape upper_shape) {
-  const double kn = 1e10, young = 1e9, pressure = 1e5;
+  const double kn = 1e9, young = 1e8, pressure = 1e4;
   SolidModelBuilder builder = soft_world(frictional(kn, kn, 0.5, 1e-4), young, 0, 2e-4);
   builder.gravity = Vec3::Zero();
   builder.add_body(fixed_box("ground", box_solid(Vec3(-1, -1, -0.5), Vec3(2, 2, 0))));
@@ -112,7 +112,7 @@ void press_stack(const std::array<int, 3>& lower, ElementShape lower_shape, cons
   const Model<3> model = builder.build();
   SolidRun run(model, stable_dt(model));
   run.model().mass_damping = 30;
-  run.run(1.2);
+  run.run(0.8);
   for (int e = 0; e < static_cast<int>(model.space_elements.size()); ++e) {
     const SpaceVector s = in_world(element_stress(model, run.state(), e));
     CHECK(near(s[2], -pressure, 1e-3));
@@ -221,15 +221,16 @@ TEST_CASE("mortar between bricks that deform carries tension and bending, and ho
   SolidRun run(model, start_state(model), stable_dt(model));
   run.model().mass_damping = 20;
   run.run(1.5);
-  // Bending of the units and of the joints, a spring kn I each; shear of both.
-  const double inertia = std::pow(0.2, 4) / 12, area = 0.04, length = 1.2, shear = 1e9 / 2.4;
-  double expected = load * (std::pow(length, 3) / (3 * 1e9 * inertia) + length / (shear * area * 5 / 6));
+  // A brick has one curvature, that of its middle, and one shear; each joint is a spring of kn I and kn A.
+  const double inertia = std::pow(0.2, 4) / 12, area = 0.04, shear = 1e9 / 2.4;
+  double expected = 0;
+  for (const double arm : {1.0, 0.6, 0.2}) expected += load * 0.4 * (arm * arm / (1e9 * inertia) + 1 / (shear * area));
   for (const double arm : {1.2, 0.8, 0.4}) expected += load * (arm * arm / (1e10 * inertia) + 1 / (1e10 * area));
   double tip = 0;
   for (int n = 0; n < model.nodes(); ++n)
     if (model.start_position[n].x() > 1.2 - 1e-9)
       tip += 0.25 * (run.state().position[n].z() - model.start_position[n].z());
-  CHECK(near(tip, expected, 0.02));
+  CHECK(near(tip, expected, 1e-3));
   CHECK(run.work().contacts.joint.size() == 3);
 }
 
