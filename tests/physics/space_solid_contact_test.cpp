@@ -364,20 +364,21 @@ Model<3> heap() {
 
 constexpr double heap_step = 1e-4;
 
-TEST_CASE("a heap of deformable and rigid stones has the same bits on any number of threads, saved and continued") {
+TEST_CASE("a heap of deformable and rigid stones has the same bits on any number of threads, saved and continued" *
+          doctest::test_suite("long")) {
   const Model<3> model = heap();
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 3}) {
     State<3> state = initial_state(model);
     Work<3> work;
     work.threads = threads;
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < 3000; ++i) {
       evaluate(model, state, work, state.last_dt);
       commit(model, state, work);
       StepOptions options;
       options.dt = heap_step;
       advance(model, state, work, options);
-      if (threads == 1 && i == 3000) {
+      if (threads == 1 && i == 1500) {
         const auto words = state_words(state);
         state = state_from_words(model, std::span<const std::uint64_t>(words), "here");
         work.drop();
@@ -389,7 +390,7 @@ TEST_CASE("a heap of deformable and rigid stones has the same bits on any number
   CHECK(hashes[0] == hashes[2]);
 }
 
-TEST_CASE("the ledger of a heap of deformable stones that fall closes") {
+TEST_CASE("the ledger of a heap of deformable stones that fall closes" * doctest::test_suite("long")) {
   const Model<3> model = heap();
   SolidRun run(model, heap_step);
   double fall = 0;
