@@ -372,13 +372,13 @@ TEST_CASE("a heap of deformable and rigid stones has the same bits on any number
     State<3> state = initial_state(model);
     Work<3> work;
     work.threads = threads;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 4500; ++i) {
       evaluate(model, state, work, state.last_dt);
       commit(model, state, work);
       StepOptions options;
       options.dt = heap_step;
       advance(model, state, work, options);
-      if (threads == 1 && i == 1500) {
+      if (threads == 1 && i == 3000) {
         const auto words = state_words(state);
         state = state_from_words(model, std::span<const std::uint64_t>(words), "here");
         work.drop();
