@@ -105,7 +105,9 @@ void set_strain(M& b, int i, const Vec3& g) {
   b(5, c) = g.z(), b(5, c + 2) = g.x();
 }
 
-using SpaceModes = Eigen::Matrix<double, 6, 9>;
+/// Nine incompatible modes, three for each displacement, and three of the change of volume alone.
+constexpr int mode_count = 12;
+using SpaceModes = Eigen::Matrix<double, 6, mode_count>;
 
 }  // namespace
 
@@ -169,16 +171,18 @@ SpaceElementStrain assumed_strain(ElementShape shape, std::span<const Vec3> node
   const Eigen::Matrix3d middle = jacobian_of(natural_gradient(shape, Vec3::Zero()), nodes), inverse = middle.inverse();
   const std::vector<GaussPoint> points = gauss_points(shape);
   std::array<SpaceModes, max_space_points> modes;
-  Eigen::Matrix<double, 9, 9> inner = Eigen::Matrix<double, 9, 9>::Zero();
-  Eigen::Matrix<double, 9, 24> mixed = Eigen::Matrix<double, 9, 24>::Zero();
+  Eigen::Matrix<double, mode_count, mode_count> inner = Eigen::Matrix<double, mode_count, mode_count>::Zero();
+  Eigen::Matrix<double, mode_count, 24> mixed = Eigen::Matrix<double, mode_count, 24>::Zero();
   for (std::size_t p = 0; p < points.size(); ++p) {
     const double ratio = middle.determinant() / out.volume[p];
     modes[p].setZero();
     for (int k = 0; k < 3; ++k) set_strain(modes[p], k, Vec3(-2 * points[p].at[k] * ratio * inverse.col(k)));
+    for (int k = 0; k < 3; ++k)
+      modes[p].col(9 + k).head<3>().setConstant(ratio * points[p].at[k] * points[p].at[(k + 1) % 3]);
     inner += out.volume[p] * modes[p].transpose() * elastic * modes[p];
     mixed += out.volume[p] * modes[p].transpose() * elastic * out.matrix[p].leftCols<24>();
   }
-  const Eigen::Matrix<double, 9, 24> condensed = inner.ldlt().solve(mixed);
+  const Eigen::Matrix<double, mode_count, 24> condensed = inner.ldlt().solve(mixed);
   for (std::size_t p = 0; p < points.size(); ++p) out.matrix[p].leftCols<24>() -= modes[p] * condensed;
   return out;
 }

@@ -14,7 +14,10 @@
 //   assumed   the brick with the incompatible modes 1 - xi^2, 1 - eta^2, 1 - zeta^2 of each displacement (Wilson et al.
 //             1973) in the form of Taylor, Beresford and Wilson (Int. J. Numer. Meth. Engng 10, 1976): with the
 //             Jacobian at the centre, times the ratio of determinants, their strains have no mean, and the patch test
-//             holds. They are condensed with the elastic matrix once, as in the plane (body/solid_element.hpp).
+//             holds. Three more are changes of volume alone, xi eta, eta zeta and zeta xi (Simo, Armero and Taylor,
+//             Comput. Methods Appl. Mech. Engng 110, 1993), without which bricks of a volume that can hardly change
+//             are stiff where bending varies. All are condensed with the elastic matrix once, as in the plane
+//             (body/solid_element.hpp).
 //
 // Mass is lumped. Brick, and tetrahedron of four: the integrals of the shape functions. Those of a tetrahedron of ten
 // are below 0 at its corners, so its mass goes by the diagonal of the consistent matrix, scaled to the whole (Hinton,

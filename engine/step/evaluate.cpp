@@ -12,7 +12,7 @@ namespace trilith {
 ///     resist   nodes          -> forces of elements and beams on nodes
 ///     sum      all forces     -> force and moment on each node
 ///
-/// and in space the same by solids in place of skin points, without elements.
+/// and in space the same by solids in place of skin points.
 /// State is not touched: losses are added to a copy of the ledger's sums, trial memories lie in Work.
 template <>
 void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {

@@ -11,7 +11,7 @@ namespace trilith {
 
 /// place -> find -> respond (contacts, bearings) -> resist -> apply loads -> spread -> sum, at the present pose and
 /// velocity, over a step `dt` [s] since the last commit. To evaluate again changes nothing. `times`: where the time
-/// goes is added to it. In space bodies are rigid: place -> find -> respond -> sum.
+/// goes is added to it. In space solids stand for skin points: place -> find -> respond -> resist -> sum.
 template <int D>
 void evaluate(const Model<D>& model, const State<D>& state, Work<D>& work, double dt, StepTimes* times = nullptr);
 

@@ -117,3 +117,37 @@ TEST_CASE("a Gmsh file that is cut or garbled is read or refused, nothing else")
 
 }  // namespace
 }  // namespace trilith
+
+namespace trilith {
+namespace {
+
+/// Four nodes of a tetrahedron and one beyond it, with an element line of `type` and the nodes it names.
+std::string solid_file(const std::string& element) {
+  return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 5 1 5\n3 1 0 5\n1\n2\n3\n4\n5\n"
+         "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n$EndNodes\n$Elements\n2 2 1 2\n2 1 2 1\n1 1 2 3\n" +
+         element + "$EndElements\n";
+}
+
+TEST_CASE("a Gmsh mesh in space gives its volumes and passes over what lies on their skin") {
+  const SpaceMesh mesh = parse_gmsh_in_space(solid_file("3 1 4 1\n2 1 2 3 4\n"), "mesh");
+  CHECK(mesh.node.size() == 5);
+  REQUIRE(mesh.cell.size() == 1);
+  CHECK(mesh.cell[0].shape == ElementShape::tetrahedron);
+  CHECK(mesh.cell[0].node[3] == 3);
+  const CheckedSpaceMesh checked = check_space_mesh(mesh, "mesh");
+  CHECK(checked.mesh.node.size() == 4);
+  CHECK(checked.notes.size() == 1);
+}
+
+TEST_CASE("a Gmsh mesh in space without volumes, or with elements that are not known, says so") {
+  CHECK_THROWS_WITH_AS((void)parse_gmsh_in_space(solid_file("2 2 2 1\n2 1 2 4\n"), "mesh 'x'"),
+                       "mesh 'x': there is no tetrahedron or hexahedron in it; mesh the volume (Mesh 3) before saving",
+                       InputError);
+  CHECK_THROWS_WITH_AS((void)parse_gmsh_in_space(solid_file("3 1 6 1\n2 1 2 3 4 5 1\n"), "mesh 'x'"),
+                       "mesh 'x': line 22: elements of type 6 cannot be used; take hexahedra of eight nodes (5) and "
+                       "tetrahedra of four (4) or ten nodes (11)",
+                       InputError);
+}
+
+}  // namespace
+}  // namespace trilith
