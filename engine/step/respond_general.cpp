@@ -208,8 +208,10 @@ struct CornerRows {
   }
 };
 
-/// One corner of a pair under one face of it, as it was last; there may be no such corner or face.
+/// One corner of a pair under one face of it, or one of each, as it was last; there may be no such corner or face. With
+/// the pieces in the places of each other the bits would be others.
 bool there_is(const CornerOnFace& at, const PlacedPiece& a, const PlacedPiece& b) {
+  if (at.both && !at.wedge_is_b) return false;
   const PlacedPiece &wedge = at.wedge_is_b ? b : a, &owner = at.wedge_is_b ? a : b;
   return at.corner < wedge.corner.size() && at.face < owner.corner.size();
 }
