@@ -18,9 +18,12 @@ namespace {
 void fit_rigid(PlacedPiece& piece) {
   const auto count = piece.corner.size();
   piece.origin = piece.velocity = Vec2::Zero();
+  const auto share = [&](const Vec2& v) {  // a quarter is exact, and no division
+    return count == 4 ? Vec2(0.25 * v) : Vec2(v / static_cast<double>(count));
+  };
   for (std::size_t c = 0; c < count; ++c) {
-    piece.origin += piece.corner[c] / static_cast<double>(count);
-    piece.velocity += piece.corner_velocity[c] / static_cast<double>(count);
+    piece.origin += share(piece.corner[c]);
+    piece.velocity += share(piece.corner_velocity[c]);
   }
   double turn = 0, size = 0;
   for (std::size_t c = 0; c < count; ++c) {
