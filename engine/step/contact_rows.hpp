@@ -39,7 +39,12 @@ struct PieceCorners {
   PieceRoom room() { return {place.data(), velocity.data(), mean.data(), &over_step}; }
 };
 
-/// A piece where it stands and how it moves; views into Model and `room`.
+/// Makes `placed` a piece where it stands and how it moves; views into Model and `room`. Where an implicit step was
+/// taken it comes with its mean velocities over the step, by which slip and losses go. It is written in place: a copy
+/// of all of it for each piece would cost as much as the rest.
+void place_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
+                 PlacedPiece& placed);
+/// The same as a value.
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
                          const PieceRoom& room);
 inline PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,

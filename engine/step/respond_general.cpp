@@ -13,72 +13,6 @@ namespace trilith {
 
 namespace {
 
-/// The velocity and spin of the rigid piece that fits the corners of a piece that deforms best.
-/// Least squares over its corners: the mean velocity, and spin = sum of r x v / sum of r^2 about their mean place.
-void fit_rigid(PlacedPiece& piece) {
-  const auto count = piece.corner.size();
-  piece.origin = piece.velocity = Vec2::Zero();
-  for (std::size_t c = 0; c < count; ++c) {
-    piece.origin += piece.corner[c] / static_cast<double>(count);
-    piece.velocity += piece.corner_velocity[c] / static_cast<double>(count);
-  }
-  double turn = 0, size = 0;
-  for (std::size_t c = 0; c < count; ++c) {
-    const Vec2 arm = piece.corner[c] - piece.origin;
-    turn += cross(arm, piece.corner_velocity[c]);
-    size += arm.squaredNorm();
-  }
-  piece.spin = size > 0 ? turn / size : 0;
-}
-
-}  // namespace
-
-namespace {
-
-/// Writes every member of `placed` where it stands: a copy of all of it for each piece costs as much as the rest.
-void place_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
-                 PlacedPiece& placed) {
-  const auto first = static_cast<std::size_t>(model.piece_first[piece]),
-             count = static_cast<std::size_t>(model.corners_of(piece));
-  const int* const skin = &model.corner_skin[first];
-  for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion<2>& s = work.skin[skin[c]];
-    room.place[c] = {s.x, s.y};
-  }
-  const BodyRow& body = work.body[model.piece_body[piece]];
-  const int node = body.node;
-  placed.corner = {room.place, count}, placed.is_face = {&model.edge_is_face[first], count};
-  placed.origin = state.position[node], placed.velocity = state.velocity[node], placed.spin = state.spin[node];
-  placed.corner_velocity = {}, placed.over_step = nullptr, placed.sides = {};
-  if (!work.skin_mean.empty()) {
-    for (std::size_t c = 0; c < count; ++c) room.mean[c] = work.skin_mean[skin[c]];
-    *room.over_step = placed;
-    room.over_step->corner_velocity = std::span(room.mean, count);
-    fit_rigid(*room.over_step);
-    placed.over_step = room.over_step;
-  }
-  if (body.layout == SkinLayout::one_node) return;
-  for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion<2>& s = work.skin[skin[c]];
-    room.velocity[c] = {s.u, s.v};
-  }
-  placed.corner_velocity = std::span(room.velocity, count);
-  fit_rigid(placed);
-}
-
-}  // namespace
-
-/// `room` keeps what the piece's spans point to. Where an implicit step was taken it comes with its mean velocities
-/// over the step, by which slip and losses go.
-PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
-                         const PieceRoom& room) {
-  PlacedPiece placed;
-  place_piece(model, state, work, piece, room, placed);
-  return placed;
-}
-
-namespace {
-
 /// Room for all pieces, none of which is placed.
 void place_none(const Model<2>& model, bool means, PlacedPieces& placed) {
   const auto pieces = static_cast<std::size_t>(model.pieces()), corners = model.corner_skin.size();
@@ -208,8 +142,10 @@ struct CornerRows {
   }
 };
 
-/// One corner of a pair under one face of it, as it was last; there may be no such corner or face.
+/// One corner of a pair under one face of it, or one of each, as it was last; there may be no such corner or face. With
+/// the pieces in the places of each other the bits would be others.
 bool there_is(const CornerOnFace& at, const PlacedPiece& a, const PlacedPiece& b) {
+  if (at.both && !at.wedge_is_b) return false;
   const PlacedPiece &wedge = at.wedge_is_b ? b : a, &owner = at.wedge_is_b ? a : b;
   return at.corner < wedge.corner.size() && at.face < owner.corner.size();
 }

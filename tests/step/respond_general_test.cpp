@@ -91,7 +91,7 @@ TEST_CASE("which edge is remembered to keep two pieces apart, and which corner t
       const int any = static_cast<int>(row) * 7 + step;
       work.pairs[row].apart_by = static_cast<std::int8_t>(any % 128);
       work.pairs[row].corner_at = {static_cast<std::uint8_t>(any % 6), static_cast<std::uint8_t>(any / 6 % 6),
-                                   any % 2 == 0};
+                                   any % 2 == 0, any % 5 == 0};
     }
     std::fill(work.asleep_until.begin(), work.asleep_until.end(), -1.0);
   });
