@@ -1,37 +1,16 @@
 #include "step/tangent.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "step/beam_tangent.hpp"
 #include "step/consistent_mass.hpp"
+#include "step/disturbance.hpp"
 #include "step/evaluate.hpp"
 #include "step/node_forces.hpp"
+#include "step/term_tangent.hpp"
 
 namespace trilith {
-namespace {
-
-/// How far a node is moved: small against overlaps of faces, large against rounding; over a short step less, so that
-/// its velocity is not changed much. A rotation moves what is a radius of gyration away as far [m] or [rad].
-double disturbance_of(const Model<2>& model, const Freedom& f, const TangentOptions& options) {
-  const double move = options.move > 0 ? options.move : std::clamp(1e-5 * options.dt, 1e-12, 1e-8);
-  if (f.k < 2) return move;
-  const double radius = std::sqrt(model.inertia[f.node] / model.mass[f.node]);
-  return move / (radius > 0 ? radius : 1);
-}
-
-/// The number of State that an unknown stands for, and its rate.
-double& place_of(State<2>& state, const Freedom& f) {
-  return f.k == 2 ? state.rotation[f.node] : state.position[f.node][f.k];
-}
-double& rate_of(State<2>& state, const Freedom& f) {
-  return f.k == 2 ? state.spin[f.node] : state.velocity[f.node][f.k];
-}
-
-}  // namespace
-
 double net_force(const Model<2>& model, const State<2>& state, const Work<2>& work, const Freedom& f) {
   const Dofs<2> mass = mass_of(model, f.node), v = velocity_of(state, f.node);
   const double force = f.k == 2 ? work.moment[f.node] : work.force[f.node][f.k];
@@ -83,7 +62,8 @@ void Tangent::disturbed(const Model<2>& model, State<2>& state, Work<2>& work, c
 /// with phi_f the share of forces in the scheme's equation, a_m its coefficient of the mass and c its change of
 /// velocity per change of place. Central differences leave out the second derivative; what is left is h^2 of the third,
 /// and rounding of F over h. Two evaluations for each colour and direction: some 20 to 60 in all, however many nodes.
-void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
+void Tangent::assemble_by_differences(const Model<2>& model, State<2>& state, Work<2>& work,
+                                      const TangentOptions& options) {
   Eigen::VectorXd more(coupling_.size()), less(coupling_.size());
   work.leave_out_beams = true;
   for (const std::vector<int>& nodes : coupling_.colour)
@@ -101,6 +81,21 @@ void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, co
       }
     }
   work.leave_out_beams = false;
+  add_beams(model, state, options);
+}
+
+/// Term by term, see step/term_tangent.hpp; what is of a node by itself is inertia and damping by mass.
+void Tangent::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
+  shape(model, work);  // pairs may have been found since
+  matrix_.coeffs().setZero();
+  const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
+  for (int i = 0; i < coupling_.size(); ++i)
+    matrix_.coeffRef(i, i) = inertia * mass_of(model, coupling_.freedom[i].node)[coupling_.freedom[i].k];
+  TermSum terms(model, state, options, coupling_.unknown, matrix_);
+  add_contact_terms(terms, work);
+  add_bearing_terms(terms);
+  add_element_terms(terms);
+  add_load_terms(terms, work);
   add_beams(model, state, options);
 }
 

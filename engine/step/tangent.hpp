@@ -43,8 +43,11 @@ class Tangent {
   void forget() { shaped_ = false; }
   [[nodiscard]] const Coupling& coupling() const { return coupling_; }
 
-  /// At a trial state. `state` and `work` are disturbed meanwhile; evaluate anew afterwards.
+  /// At a trial state that `work` is evaluated at. Both are as before afterwards.
   void assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
+  /// The same by differences of `evaluate`, many nodes at a time: what the other is checked against. `work` is then
+  /// evaluated elsewhere.
+  void assemble_by_differences(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
   /// The same, made ready to solve with and kept in the state. False where it is singular.
   bool find(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options,
             StepTimes* times = nullptr);
