@@ -1,5 +1,6 @@
 // The tangent of contacts, one by one: faces by copies of their rows in which one unknown is moved, many at once
 // through the kernels of the laws; what is of general shape piece by piece.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
@@ -9,6 +10,7 @@
 #include "contact/overlap_pair.hpp"
 #include "step/contact_rows.hpp"
 #include "step/face_rows.hpp"
+#include "step/near_faces.hpp"
 #include "step/term_tangent.hpp"
 
 namespace trilith {
@@ -27,20 +29,25 @@ class FaceCopies {
   }
   [[nodiscard]] std::size_t size() const { return pairs_.size(); }
 
-  /// A copy of `row` as it stands, but for the skin points that go with the unknown that has been moved in `state`.
-  void add(const State<2>& state, int row, const Freedom* moved);
+  /// A copy of `row` as it stands, but for one unknown that is moved by `by` and its rate by `rate` times that.
+  struct Move {
+    Freedom unknown;
+    double by, rate;
+  };
+  void add(const State<2>& state, int row, const Move* move);
+  /// Moves the second face of the copies from `first` on against the first one by `depth` [m].
+  void press(std::size_t first, double depth);
   /// Asks the law of all copies.
   void respond(const LawInUse& law);
   /// False where the copy is no pair of faces.
   [[nodiscard]] bool is_faces(std::size_t copy) const {
     return !answer_[copy / lane_count].is_general[copy % lane_count];
   }
+  [[nodiscard]] bool touches(std::size_t copy) const { return answer_[copy / lane_count].touches[copy % lane_count]; }
   /// Its forces at the nodes: the force as it is, its moment by the arm.
   void take(std::size_t copy, const TermNodes& nodes, TermForces& out) const;
 
  private:
-  [[nodiscard]] std::array<int, ends> skins_of(const NearPair& p) const { return {p.a0, p.a1, p.b0, p.b1}; }
-
   const Model<2>& model_;
   Work<2>& work_;
   const ContactHistory& history_;
@@ -56,22 +63,34 @@ class FaceCopies {
   std::vector<FourFaces> answer_;
 };
 
-void FaceCopies::add(const State<2>& state, int row, const Freedom* moved) {
+/// What a skin point goes by as an unknown is moved: along an axis, or round the node by the turn of its arm, of which
+/// both terms are written out, as the difference of two turns has no digits left.
+void FaceCopies::add(const State<2>& state, int row, const Move* move) {
   const NearPair& p = work_.pairs[row];
   const double per_step = state.last_dt > 0 ? 1 / state.last_dt : 0;
-  const std::array<int, ends> from = skins_of(p);
+  const std::array<int, ends> from = {p.a0, p.a1, p.b0, p.b1};
   const auto first = static_cast<int>(skin_.size());
+  const Vec2 origin(work_.skin[p.a0].x, work_.skin[p.a0].y);
   for (const int s : from) {
-    const SkinMotion<2>& now = work_.skin[s];
-    const int n = model_.skin_node[s];
-    const bool goes = moved != nullptr && moved->node == (moved->k == 2 ? model_.skin_turn[s] : n);
-    if (goes) {
-      const PlacedSkin placed = placed_skin(model_, state, s);
-      skin_.push_back(placed.motion), arm_.push_back(placed.arm);
-    } else {
-      skin_.push_back(now), arm_.push_back(Vec2(now.x, now.y) - state.position[n]);
+    SkinMotion<2> now = work_.skin[s];
+    const int n = model_.skin_node[s], t = model_.skin_turn[s];
+    Vec2 arm = Vec2(now.x, now.y) - state.position[n], mean = means_ ? work_.skin_mean[s] : Vec2::Zero();
+    now.x -= origin.x(), now.y -= origin.y();
+    if (move != nullptr && move->unknown.node == (move->unknown.k == 2 ? t : n)) {
+      const double by = move->by;
+      Vec2 way = Vec2::Zero(), faster = Vec2::Zero();
+      if (move->unknown.k < 2) {
+        way[move->unknown.k] = by, faster[move->unknown.k] = move->rate * by;
+      } else {
+        way = by * left_of(arm) - 0.5 * by * by * arm;
+        arm += way;
+        faster = state.spin[t] * left_of(way) + move->rate * by * left_of(arm);
+      }
+      now.x += way.x(), now.y += way.y(), now.u += faster.x(), now.v += faster.y();
+      mean += per_step * way;
     }
-    if (means_) mean_.push_back(work_.skin_mean[s] + per_step * Vec2(skin_.back().x - now.x, skin_.back().y - now.y));
+    skin_.push_back(now), arm_.push_back(arm);
+    if (means_) mean_.push_back(mean);
   }
   source_.resize(pairs_.size());
   source_.push_back(from);
@@ -82,6 +101,17 @@ void FaceCopies::add(const State<2>& state, int row, const Freedom* moved) {
   law_row_.push_back({of.place, static_cast<std::uint32_t>(law_before_.size())});
   const double* const numbers = history_.law_numbers(row);
   law_before_.insert(law_before_.end(), numbers, numbers + law_number_counts[of.place]);
+}
+
+/// Against the normal of the first face, as it stands in the first of these copies.
+void FaceCopies::press(std::size_t first, double depth) {
+  const SkinMotion<2>&a0 = skin_[ends * first], &a1 = skin_[ends * first + 1];
+  const Vec2 inwards = depth * left_of(Vec2(a1.x - a0.x, a1.y - a0.y).normalized());
+  for (std::size_t copy = first; copy < size(); ++copy)
+    for (const std::size_t e : {2, 3}) {
+      SkinMotion<2>& b = skin_[ends * copy + e];
+      b.x += inwards.x(), b.y += inwards.y();
+    }
 }
 
 void FaceCopies::respond(const LawInUse& law) {
@@ -107,8 +137,8 @@ void FaceCopies::respond(const LawInUse& law) {
 
 void FaceCopies::take(std::size_t copy, const TermNodes& nodes, TermForces& out) const {
   out.assign(3 * nodes.size(), 0.0);
+  if (!touches(copy)) return;
   const FourFaces& four = answer_[copy / lane_count];
-  if (!four.touches[copy % lane_count]) return;
   for (std::size_t e = 0; e < ends; ++e) {
     const int s = source_[copy][e];
     const Vec2& f = four.force[copy % lane_count][e];
@@ -120,6 +150,11 @@ void FaceCopies::take(std::size_t copy, const TermNodes& nodes, TermForces& out)
 
 /// Rows whose copies are asked at a time: what they take stays in the processor's second cache.
 constexpr std::size_t rows_at_once = 16;
+/// Unknowns are moved by this share of what other terms are by: places against each other have more digits than places,
+/// and less is disturbed of what hardly touches.
+constexpr double share_of_disturbance = 1.0 / 8;
+/// Faces that just meet are differentiated as if they were pressed in by so many disturbances.
+constexpr double pressed_in = 32;
 
 /// Rows of one law, each with the copies that belong to it.
 class FaceTerms {
@@ -131,17 +166,22 @@ class FaceTerms {
     rows_.push_back(row);
     if (rows_.size() == rows_at_once) flush();
   }
+  /// All that were added, and then those that have just met.
   void flush() {
-    if (rows_.empty()) return;
-    copies_.clear();
-    for (const int row : rows_) copy_row(row);
-    copies_.respond(law_);
-    std::size_t copy = 0;
-    for (const int row : rows_) copy = take_row(row, copy);
-    rows_.clear();
+    respond(rows_, false);
+    respond(met_, true);
+    rows_.clear(), met_.clear();
   }
 
  private:
+  void respond(const std::vector<int>& rows, bool pressed) {
+    if (rows.empty()) return;
+    copies_.clear();
+    for (const int row : rows) copy_row(row, pressed);
+    copies_.respond(law_);
+    std::size_t copy = 0;
+    for (const int row : rows) copy = take_row(row, copy, pressed);
+  }
   void list_nodes(int row) {
     const NearPair& p = work_.pairs[row];
     nodes_.clear();
@@ -154,52 +194,74 @@ class FaceTerms {
       for (const int k : {0, 1, 2})
         if (sum_.unknown[n][k] >= 0) f(Freedom{n, k}, sum_.unknown[n][k]);
   }
+  [[nodiscard]] double step_of(const Freedom& f) const {
+    return share_of_disturbance * disturbance_of(sum_.model, f, sum_.options);
+  }
   /// One as it stands, then two for each unknown.
-  void copy_row(int row) {
+  void copy_row(int row, bool pressed) {
+    const std::size_t first = copies_.size();
     list_nodes(row);
     copies_.add(sum_.state, row, nullptr);
+    double most = 0;
     each_unknown([&](const Freedom& f, int /*column*/) {
-      const double by = disturbance_of(sum_.model, f, sum_.options);
+      const double by = step_of(f);
+      if (f.k < 2) most = std::max(most, by);
       for (const double side : {1.0, -1.0}) {
-        const Moved moved(sum_.state, f, side * by, sum_.options.rate);
-        copies_.add(sum_.state, row, &f);
+        const FaceCopies::Move move{f, side * by, sum_.options.rate};
+        copies_.add(sum_.state, row, &move);
       }
     });
+    if (pressed) copies_.press(first, pressed_in * most);
   }
   /// Where one side of a difference is no pair of faces any more, it is that between the other and the row as it
-  /// stands.
-  std::size_t take_row(int row, std::size_t copy) {
+  /// stands. A row of which some copies touch and some do not has just met: it is closed or open.
+  std::size_t take_row(int row, std::size_t copy, bool pressed) {
     list_nodes(row);
     const std::size_t stands = copy++;
+    std::size_t end = copy;
+    const bool now = copies_.touches(stands);
+    bool some = now, all = now;
+    each_unknown([&](const Freedom& /*f*/, int /*column*/) {
+      for (const std::size_t c : {end, end + 1}) some = some || copies_.touches(c), all = all && copies_.touches(c);
+      end += 2;
+    });
+    if (!some) return end;
+    if (!all && !pressed) {
+      if (now || sum_.options.closes) met_.push_back(row);
+      return end;
+    }
     each_unknown([&](const Freedom& f, int column) {
       const bool up = copies_.is_faces(copy), down = copies_.is_faces(copy + 1);
       copies_.take(up ? copy : stands, nodes_, more_);
       copies_.take(down ? copy + 1 : stands, nodes_, less_);
       copy += 2;
-      const double by = disturbance_of(sum_.model, f, sum_.options);
-      sum_.add_column(nodes_, column, more_, less_, up && down ? 2 * by : by);
+      sum_.add_column(nodes_, column, more_, less_, (up && down ? 2 : 1) * step_of(f));
     });
-    return copy;
+    return end;
   }
 
   TermSum& sum_;
   Work<2>& work_;
   const LawInUse law_;
   FaceCopies copies_;
-  std::vector<int> rows_;
+  std::vector<int> rows_, met_;
   TermNodes nodes_;
   TermForces more_, less_;
 };
 
-bool touches_as_faces(const ContactMemory& m) {
-  return (m.state & contact_touching) != 0 && (m.state & contact_general) == 0;
-}
-
+/// The rows that evaluation asks the laws of: what touches, and what is so near that it may. Faces that just meet, as
+/// those of blocks that are put on each other do, may count as closed and sticking: with half of their stiffness, the
+/// mean of both sides, and no friction yet, statics would send what they carry far away.
 void add_faces(TermSum& sum, Work<2>& work, const ContactHistory& before) {
   for (const FaceBatch& batch : work.batches) {
     FaceTerms terms(sum, work, before, law_in_use(sum.model, batch.law, sum.options.dt));
-    for (const int row : batch.choice.empty() ? batch.row : batch.now)
-      if (touches_as_faces(work.contacts.memory[row])) terms.add(row);
+    const std::vector<int>& facing = batch.choice.empty() ? batch.row : batch.now;
+    const std::size_t count = sort_out(before, work, facing, work.face_rows, work.fresh_rows);
+    const auto is_general = [&](int row) {
+      return std::binary_search(work.general_now.begin(), work.general_now.end(), row);
+    };
+    for (std::size_t i = 0; i < count; ++i)
+      if (const int row = work.face_rows[i]; !is_general(row)) terms.add(row);
     terms.flush();
   }
 }
@@ -298,11 +360,16 @@ class GeneralTerm {
 };
 
 void add_general(TermSum& sum, Work<2>& work, const ContactHistory& before) {
+  if (work.general_rows.empty()) return;  // then the list is of an earlier evaluation
+  // No corner goes farther than some disturbances as its body turns.
+  const double near = work.travel + 10 * (sum.options.move > 0 ? sum.options.move : 1e-8);
   TermNodes nodes;
-  for (const GeneralContact<2>& touching : work.general_touching) {
-    PairSkins skins(sum.model, work, work.pairs[touching.row]);
+  for (const int row : work.awake_rows) {
+    const bool touches = (work.contacts.memory[row].state & contact_touching) != 0;
+    if (!touches && (work.pairs[row].replaced || work.asleep_until[row] > near)) continue;
+    PairSkins skins(sum.model, work, work.pairs[row]);
     skins.list_nodes(nodes);
-    GeneralTerm term(sum, work, before, touching.row);
+    GeneralTerm term(sum, work, before, row);
     sum.add(nodes, [&](const Freedom& moved, TermForces& out) {
       skins.place(sum.state, moved);
       term.respond(nodes, out);

@@ -49,7 +49,7 @@ Pencil pencil_of(const Model<2>& model, const State<2>& now, Tangent& tangent) {
   Work<2> work;
   evaluate(model, state, work, instant);
   tangent.shape(model, work);
-  tangent.assemble(model, state, work, {instant, 0, 1, 0, disturbance, false});
+  tangent.assemble(model, state, work, {instant, 0, 1, 0, disturbance, false, true});
   const Eigen::SparseMatrix<double> k = tangent.matrix(), turned = k.transpose();
   Pencil out{0.5 * (k + turned), {}};
   const auto& freedom = tangent.coupling().freedom;

@@ -131,10 +131,10 @@ double StaticTrial::measure(double inertia) {
   return sum;
 }
 
-/// Differences leave State and Work disturbed, so all is evaluated anew; then what follows from the tangent.
-bool StaticTrial::find_tangent(double inertia) {
-  const bool regular = tangent_.find(model_, state_, work_, {slow_step, 0, 1, inertia, disturbance_});
-  evaluate_here();
+/// And what follows from it.
+bool StaticTrial::find_tangent(double inertia, bool closes) {
+  const bool regular = tangent_.find(model_, state_, work_, {slow_step, 0, 1, inertia, disturbance_, true, closes});
+  if (rounding_.size() != coupling().size()) rounding_ = Eigen::VectorXd::Zero(coupling().size());
   find_rounding();
   find_stiffest(inertia);
   return regular;

@@ -143,14 +143,12 @@ bool Tangent::take(const State<2>& state, const TangentOptions& options) {
   return ready_ == state.tangent || factorise(state.tangent);
 }
 
-/// LU and not Cholesky: friction and following loads make the matrix unsymmetric.
 bool Tangent::factorise(const std::shared_ptr<const KeptTangent>& kept) {
   ready_.reset();
   const Eigen::Map<const Eigen::SparseMatrix<double>> matrix(kept->size(), kept->size(),
                                                              static_cast<Eigen::Index>(kept->row.size()),
                                                              kept->column.data(), kept->row.data(), kept->value.data());
-  factors_.compute(matrix);
-  if (factors_.info() != Eigen::Success) return false;
+  if (!factors_.compute(matrix)) return false;
   ready_ = kept;
   return true;
 }

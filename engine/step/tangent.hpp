@@ -10,13 +10,13 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
 
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "step/coupling.hpp"
+#include "step/sparse_factors.hpp"
 #include "step/step_times.hpp"
 #include "world/state.hpp"
 
@@ -24,12 +24,13 @@ namespace trilith {
 
 /// What the tangent is taken of.
 struct TangentOptions {
-  double dt = 0;       ///< of the step that the trial state ends [s]
-  double rate = 0;     ///< change of velocity per change of place [1/s]
-  double force = 1;    ///< share of the forces in the equation of motion
-  double inertia = 0;  ///< coefficient of the mass [1/s2]
-  double move = 0;     ///< how far nodes are moved [m]; 0: as suits the step
-  bool bands = true;   ///< with what damping over a band adds to the stiffness
+  double dt = 0;        ///< of the step that the trial state ends [s]
+  double rate = 0;      ///< change of velocity per change of place [1/s]
+  double force = 1;     ///< share of the forces in the equation of motion
+  double inertia = 0;   ///< coefficient of the mass [1/s2]
+  double move = 0;      ///< how far nodes are moved [m]; 0: as suits the step
+  bool bands = true;    ///< with what damping over a band adds to the stiffness
+  bool closes = false;  ///< faces that just meet count as closed and sticking; else as they are
 };
 
 /// The force [N] or moment [N m] on an unknown at an evaluated state: weight, loads and all dampings with it.
@@ -68,7 +69,7 @@ class Tangent {
 
   Eigen::SparseMatrix<double> matrix_;
   std::shared_ptr<const KeptTangent> ready_;  // what is solved with
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factors_;
+  SparseFactors factors_;
 };
 
 }  // namespace trilith

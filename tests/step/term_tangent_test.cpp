@@ -27,7 +27,7 @@ double worst_entry(const Model<2>& model, State<2> state, double dt, double rate
   evaluate(model, state, work, dt);
   Tangent tangent;
   tangent.shape(model, work);
-  const TangentOptions options{dt, rate, 1, 0, 1e-8};
+  const TangentOptions options{dt, rate, 1, 0, 3e-9};
   const std::uint64_t before = state_hash(state);
   tangent.assemble(model, state, work, options);
   CHECK(state_hash(state) == before);
@@ -110,7 +110,7 @@ TEST_CASE("the tangent of a contact by itself is that of everything: all laws an
     for (const bool deform : {false, true}) {
       TwoBlocks blocks(sample.law, deform);
       for (const JointCase& at : joint_cases) {
-        INFO(sample.name, ", ", at.name, deform ? ", quads" : ", rigid");
+        INFO(sample.name, ", ", std::string(at.name), deform ? ", quads" : ", rigid");
         blocks.step_to(at, 1e-3);
         CHECK(worst_entry(blocks.model, blocks.state, 1e-3, 2e3) < 1e-6);
         blocks.commit_here();
@@ -171,12 +171,11 @@ TEST_CASE("the tangent of a bearing by itself is that of everything: all laws in
     }
 }
 
-TEST_CASE("the tangent of a structure as it comes down is that of everything, but at a few kinks") {
+TEST_CASE("the tangent of a structure as it comes down is that of everything") {
   for (const Collapse& c : collapses()) {
     const Model<2> model = c.model();
     State<2> state = start_state(model);
     Work<2> work;
-    int looked = 0, off = 0;
     for (int next = 1; next <= 6; ++next) {
       while (state.time < c.duration * next / 6) {
         evaluate(model, state, work, state.last_dt);
@@ -184,14 +183,30 @@ TEST_CASE("the tangent of a structure as it comes down is that of everything, bu
         commit(model, state, work);
         advance(model, state, work, {state.dt, {}});
       }
-      ++looked;
-      const double worst = worst_entry(model, state, state.last_dt, 1 / state.last_dt);
-      if (!(worst < 1e-6)) ++off;
-      MESSAGE(c.name << " at " << state.time << " s: " << worst);
+      INFO(c.name, " at ", state.time, " s");
+      CHECK(worst_entry(model, state, state.last_dt, 1 / state.last_dt) < 1e-6);
     }
-    INFO(c.name);
-    CHECK(off <= looked / 3);
   }
+}
+
+TEST_CASE("the tangent of a beam on a bed, on bearings and beside a block is that of everything") {
+  Scene scene(Frictional{1e8, 5e7, 0.4, 1e-4});
+  scene.builder.add_material(elastic_material("concrete", 2400, 30e9, 0.2, 1e-4));
+  scene.builder.overlap_allowed = 1e-3;
+  scene.fixed("bed", box(-1, -1, 5, 0));
+  scene.block("block", box(0.3, 0.2998, 1.3, 0.8), 900);
+  scene.builder.add_body(beam_body("beam", {0, 0.15}, {4, 0.15}, rectangle_section(0.3, 0.3), "concrete", 6));
+  BearingSpec link;
+  link.name = "link", link.body_a = "beam", link.body_b = "block", link.point_a = {1.9, 0.3}, link.point_b = {1.3, 0.5};
+  link.law[axial] = Linear{1e6, 1e3}, link.law[along] = Friction{0.3, 1e6, 0}, link.law[turning] = Linear{1e5, 10};
+  scene.builder.add_bearing(link);
+  const Model<2> model = scene.builder.build();
+  State<2> state = initial_state(model);
+  for (int n = 1; n < model.nodes(); ++n) {
+    state.position[n] += 1e-4 * Vec2(std::sin(n + 1.0), -1 + 0.5 * std::cos(3 * n + 1.0));
+    state.rotation[n] += 1e-4 * std::sin(2.0 * n), state.velocity[n] += Vec2(0.02 * n, -0.03), state.spin[n] = 0.01 * n;
+  }
+  CHECK(worst_entry(model, state, 1e-3, 10) < 1e-6);
 }
 
 TEST_CASE("the tangent of loads that follow is that of everything: at points and on faces of all kinds of bodies") {
