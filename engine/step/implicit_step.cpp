@@ -29,7 +29,7 @@ constexpr double growth = 2;
 constexpr double digits = std::numeric_limits<double>::epsilon();
 /// The tangent is found anew where an iteration has left more than this share of the forces, and more of them lie ahead
 /// at that rate than it costs with its factors.
-constexpr double slow_share = 0.1, tangent_cost = 3;
+constexpr double slow_share = 0.1, tangent_cost = 1;
 
 /// Motion of the nodes as the step begins.
 struct NodesAtStart {

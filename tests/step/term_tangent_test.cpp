@@ -27,7 +27,7 @@ double worst_entry(const Model<2>& model, State<2> state, double dt, double rate
   evaluate(model, state, work, dt);
   Tangent tangent;
   tangent.shape(model, work);
-  const TangentOptions options{dt, rate, 1, 0, 3e-9};
+  const TangentOptions options{dt, rate, 1, 0, 1.5e-9};
   const std::uint64_t before = state_hash(state);
   tangent.assemble(model, state, work, options);
   CHECK(state_hash(state) == before);
