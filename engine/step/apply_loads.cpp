@@ -2,22 +2,24 @@
 #include "load/forces.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
+#include "step/single_terms.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
-namespace {
 
-void add_point_load(const Model<2>& model, const State<2>& state, const PointLoad<2>& p, Work<2>& work) {
+void push_load(const Model<2>& model, const State<2>& state, const PointLoad<2>& p, std::vector<Vec2>& node_force,
+               std::vector<double>& node_moment) {
   const double share = p.curve.at(state.time);
   if (share == 0) return;
   // One that follows turns with what it is tied to.
   const Vec2 force = p.follows ? Turn(pose_at(model, state, p.at).rotation).apply(p.force) : p.force;
-  push_at(model, state, p.at, share * force, share * p.moment, work.load, work.load_moment);
+  push_at(model, state, p.at, share * force, share * p.moment, node_force, node_moment);
 }
 
 /// A pressure over a face goes to its two skin points by the shares of the face that it covers, and from there to their
 /// nodes: the force as it is, its moment by the arm.
-void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad<2>& f, Work<2>& work) {
+void push_load(const Model<2>& model, const State<2>& state, const FaceLoad<2>& f, const Work<2>& work,
+               std::vector<Vec2>& node_force, std::vector<double>& node_moment) {
   const double share = f.curve.at(state.time);
   if (share == 0) return;
   const SkinMotion<2>&a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
@@ -25,15 +27,13 @@ void add_face_load(const Model<2>& model, const State<2>& state, const FaceLoad<
   const auto add = [&](int skin, const SkinMotion<2>& at, double part) {
     const int n = model.skin_node[skin];
     const Vec2 force = part * full;
-    work.load[n] += force;
-    work.load_moment[model.skin_turn[skin]] +=
+    node_force[n] += force;
+    node_moment[model.skin_turn[skin]] +=
         cross(Vec2(at.x - state.position[n].x(), at.y - state.position[n].y()), force);
   };
   add(f.skin_a, a, f.share[0]);
   add(f.skin_b, b, f.share[1]);
 }
-
-}  // namespace
 
 Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotion<2>& b) {
   return load.follows ? Vec2(load.pressure * load.depth * left_of(Vec2(b.x - a.x, b.y - a.y))) : load.dead;
@@ -76,8 +76,8 @@ void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work) {
 
 void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (!begin_loads(model, work)) return;
-  for (const PointLoad<2>& p : model.point_loads) add_point_load(model, state, p, work);
-  for (const FaceLoad<2>& f : model.face_loads) add_face_load(model, state, f, work);
+  for (const PointLoad<2>& p : model.point_loads) push_load(model, state, p, work.load, work.load_moment);
+  for (const FaceLoad<2>& f : model.face_loads) push_load(model, state, f, work, work.load, work.load_moment);
 }
 
 }  // namespace trilith

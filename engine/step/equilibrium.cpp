@@ -38,10 +38,10 @@ constexpr double shortest_pseudo = 1e-7;
 constexpr double enough_of_step = 1e-2;
 /// The tangent is found anew where an iteration has left more than this share.
 constexpr double slow_iteration = 0.5;
-/// An iteration may go beyond where the forces left over do no work along it by this share of what they did at first;
-/// it is looked for so often.
+/// An iteration ends where the forces left over do no more work along it than this share of what they did at first;
+/// such a place is looked for so often.
 constexpr double work_left = 0.5;
-constexpr int most_tries = 8;
+constexpr int most_tries = 12;
 
 template <int D>
 void scale_all(const Model<D>& whole, double share, Model<D>& model) {
@@ -92,7 +92,7 @@ bool Search<D>::too_long() const {
     const int b = body_of_[n];
     const bool rigid = model_.bodies[b].is_rigid();
     const double most = is_turn<D>({n, k}) ? (rigid ? most_turn : most_turn_of_soft)
-                               : (rigid ? most_of_rigid : most_of_soft) * model_.body_radius[b];
+                                           : (rigid ? most_of_rigid : most_of_soft) * model_.body_radius[b];
     if (!(std::abs(way[i]) <= most)) return true;
   }
   return false;
@@ -112,21 +112,24 @@ int Search<D>::gone() const {
 
 /// Goes along `full` to about where the forces left over do no more work along it: there a potential, where they have
 /// one, is least. A residual that grows for an iteration, as where joints open, does no harm (Matthies and Strang,
-/// "The solution of nonlinear finite element equations", Int. J. Numer. Meth. Engng 14, 1979, sec. 3). False
-/// where there is no such place ahead.
+/// "The solution of nonlinear finite element equations", Int. J. Numer. Meth. Engng 14, 1979, sec. 3). What is loose
+/// meets something on its way: work is then 0 where the two have just met, which is looked for between a place before
+/// and one beyond, so that the next tangent knows of it. False where there is no place ahead.
 template <int D>
 bool Search<D>::improve(const Eigen::VectorXd& full, double inertia, double enough) {
-  const double begin = trial_.left().dot(full);
-  double share = 1;
+  const double begin = trial_.left().dot(full), little = work_left * std::abs(begin);
+  double share = 1, before = 0, beyond = 0, work_before = begin, work_beyond = 0;
   trial_.move(full, 1);
   for (int tries = 0;; ++tries) {
     trial_.evaluate_here();
     merit_ = trial_.measure(inertia);
     const double work = trial_.left().dot(full);
-    if (trial_.share() <= enough || work >= -work_left * std::abs(begin)) return true;
-    if (tries == most_tries) return false;
-    // Where a line through the work at 0 and at `share` is 0, within bounds.
-    const double next = std::clamp(share * begin / (begin - work), 0.1 * share, 0.9 * share);
+    if (trial_.share() <= enough || std::abs(work) <= little || (work > 0 && beyond == 0)) return true;
+    if (tries == most_tries) return work > 0 || before > 0;
+    work > 0 ? void((before = share, work_before = work)) : void((beyond = share, work_beyond = work));
+    // Where a line through the work at both is 0, within bounds. The last try is a place before.
+    const double part = std::clamp(work_before / (work_before - work_beyond), 0.1, 0.9);
+    const double next = tries + 1 == most_tries && before > 0 ? before : before + part * (beyond - before);
     trial_.move(full, next - share);
     share = next;
   }
@@ -148,7 +151,7 @@ bool Search<D>::step(double h, double from, Equilibrium& out) {
     }
     ++out.iterations;
     const double before = merit_;
-    if (stale && !trial_.find_tangent(inertia)) break;
+    if (stale && !trial_.find_tangent(inertia, i == 0)) break;
     if (!improve(trial_.solve(trial_.left()), inertia, enough)) break;
     stale = merit_ > slow_iteration * slow_iteration * before;
     since = merit_ < 0.25 * least ? 0 : since + 1;

@@ -29,9 +29,8 @@ constexpr double growth = 2;
 /// Rounding of a place, as a share of it.
 constexpr double digits = std::numeric_limits<double>::epsilon();
 /// The tangent is found anew where an iteration has left more than this share of the forces, and more of them lie ahead
-/// at that rate than it costs: about one for each colour, of which it is no use to count on many.
-constexpr double slow_share = 0.1;
-constexpr std::size_t most_worth = 12;
+/// at that rate than it costs with its factors.
+constexpr double slow_share = 0.1, tangent_cost = 1;
 
 /// What moves and what is stored [J].
 double held(const Energy& e) {
@@ -263,7 +262,7 @@ bool Trial<D>::serves_on(double merit_before) const {
   if (rate <= slow_share || share_left_ <= options_.tolerance) return true;
   if (!(rate < 1)) return false;
   const double ahead = portable::log(options_.tolerance / share_left_) / portable::log(rate);
-  return ahead <= static_cast<double>(std::min(tangent_.coupling().colour.size(), most_worth));
+  return ahead <= tangent_cost;
 }
 
 template <int D>
@@ -284,7 +283,7 @@ bool Trial<D>::attempt(double dt, ImplicitStep& out) {
     if (!std::isfinite(merit_)) return false;
     ++out.iterations;
     const double before = merit_;
-    // Found anew only where the last one does not serve: it costs many evaluations, a solve with it none.
+    // Found anew only where the last one does not serve: it costs as much as some iterations.
     if (!serves) {
       clock_.mark(StepPart::advance);
       if (!tangent_.find(model_, state_, work_, wanted, times_)) return false;

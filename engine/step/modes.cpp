@@ -70,7 +70,7 @@ Pencil pencil_of(const Model<D>& model, const State<D>& now, Tangent<D>& tangent
   Work<D> work;
   evaluate(model, state, work, instant);
   tangent.shape(model, work);
-  tangent.assemble(model, state, work, {instant, 0, 1, 0, disturbance, false});
+  tangent.assemble(model, state, work, {instant, 0, 1, 0, disturbance, false, true});
   const Eigen::SparseMatrix<double> k = tangent.matrix(), turned = k.transpose();
   Pencil out{0.5 * (k + turned), {}};
   out.mass = lumped(model, state, tangent.coupling());

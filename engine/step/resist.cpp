@@ -7,6 +7,7 @@
 #include "step/element_stress.hpp"
 #include "step/evaluate.hpp"
 #include "step/resist_beams.hpp"
+#include "step/single_terms.hpp"
 #include "world/element_rows.hpp"
 
 namespace trilith {
@@ -177,6 +178,12 @@ void resist_elements(const ElementPass& pass, ResistSums& sums) {
 }
 
 }  // namespace
+
+void resist_element(const Model<2>& model, const State<2>& state, Work<2>& work, int element) {
+  ResistSums sums;
+  EnergySink energies{&sums};
+  resist_stretch({model, state, work}, {element, 1}, energies);
+}
 
 /// Batches of elements in their order, then beams. Energies that are stored are of the instant, those given
 /// off are added to the ledger's.

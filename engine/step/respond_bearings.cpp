@@ -5,6 +5,7 @@
 
 #include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
+#include "step/single_terms.hpp"
 #include "step/turned_back.hpp"
 
 namespace trilith {
@@ -183,8 +184,9 @@ double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work
   return stored;
 }
 
+/// Room for all of them, none of which has answered.
 template <int D>
-void respond_bearings(const Model<D>& model, const State<D>& state, Work<D>& work, double dt) {
+void begin_bearings(const Model<D>& model, Work<D>& work) {
   const std::size_t count = model.bearings.size();
   work.bearing.resize(count);
   work.bearing_force.assign(count, Vec<D>::Zero());
@@ -192,10 +194,18 @@ void respond_bearings(const Model<D>& model, const State<D>& state, Work<D>& wor
   work.bearing_displacement.resize(count, Vec<D>::Zero());
   work.bearing_energy.assign(count, 0.0);
   work.bearing_stored = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    work.bearing[i] = state.bearing[i];
-    if (is_live(state.bearing[i].status)) respond_live(model, state, work, i, dt);
-  }
+}
+
+template <int D>
+void respond_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, double dt) {
+  work.bearing[i] = state.bearing[i];
+  if (is_live(state.bearing[i].status)) respond_live(model, state, work, i, dt);
+}
+
+template <int D>
+void respond_bearings(const Model<D>& model, const State<D>& state, Work<D>& work, double dt) {
+  begin_bearings(model, work);
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) respond_bearing(model, state, work, i, dt);
 }
 
 template <int D>
@@ -210,6 +220,10 @@ template double bearings_turned_back(const Model<2>&, const State<2>&, const Wor
 template double bearings_turned_back(const Model<3>&, const State<3>&, const Work<3>&, double);
 template double begin_bearing(const Model<2>&, const State<2>&, Work<2>&, int);
 template double begin_bearing(const Model<3>&, const State<3>&, Work<3>&, int);
+template void begin_bearings(const Model<2>&, Work<2>&);
+template void begin_bearings(const Model<3>&, Work<3>&);
+template void respond_bearing(const Model<2>&, const State<2>&, Work<2>&, std::size_t, double);
+template void respond_bearing(const Model<3>&, const State<3>&, Work<3>&, std::size_t, double);
 template void respond_bearings(const Model<2>&, const State<2>&, Work<2>&, double);
 template void respond_bearings(const Model<3>&, const State<3>&, Work<3>&, double);
 

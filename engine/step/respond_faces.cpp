@@ -11,6 +11,7 @@
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
+#include "step/face_rows.hpp"
 #include "step/four_rows.hpp"
 #include "step/near_faces.hpp"
 
@@ -213,6 +214,11 @@ const std::vector<int>& facing_now(const Model<2>& model, const ContactHistory& 
 }
 
 }  // namespace
+
+void respond_face_rows(const FacePass& pass, const LawInUse& law, std::span<const int> rows) {
+  GivenOff none;
+  with_kernel(law, [&]<class K>(const K& kernel) { respond_as_here<K>(pass, kernel, rows, none); });
+}
 
 /// Law by law: which of its rows are pairs of faces now, which of those are worth the kernel, and the kernel on them.
 void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {

@@ -177,11 +177,11 @@ double StaticTrial<D>::measure(double inertia) {
   return sum;
 }
 
-/// Differences leave State and Work disturbed, so all is evaluated anew; then what follows from the tangent.
+/// The tangent, and what follows from it.
 template <int D>
-bool StaticTrial<D>::find_tangent(double inertia) {
-  const bool regular = tangent_.find(model_, state_, work_, {slow_step, 0, 1, inertia, disturbance_});
-  evaluate_here();
+bool StaticTrial<D>::find_tangent(double inertia, bool closes) {
+  const bool regular = tangent_.find(model_, state_, work_, {slow_step, 0, 1, inertia, disturbance_, true, closes});
+  if (rounding_.size() != coupling().size()) rounding_ = Eigen::VectorXd::Zero(coupling().size());
   find_rounding();
   find_stiffest(inertia);
   return regular;
@@ -209,8 +209,8 @@ void StaticTrial<D>::find_rounding() {
   rounding_ = Eigen::VectorXd::Zero(coupling().size());
   for (int column = 0; column < coupling().size(); ++column) {
     const auto [n, k] = coupling().freedom[column];
-    const double size = is_turn<D>({n, k}) ? size_of_turn(state_.rotation[n])
-                                           : state_.position[n].cwiseAbs().sum() + reach_[n];
+    const double size =
+        is_turn<D>({n, k}) ? size_of_turn(state_.rotation[n]) : state_.position[n].cwiseAbs().sum() + reach_[n];
     for (Eigen::SparseMatrix<double>::InnerIterator at(tangent_.matrix(), column); at; ++at)
       rounding_[at.row()] += digit * size * std::abs(at.value());
   }

@@ -25,9 +25,9 @@ class StaticTrial {
   /// What is left of F - inertia M d, where d is the way from the step's begin, at the place last evaluated. Returns
   /// its square, each part over its mass. `inertia` [1/s2]
   double measure(double inertia);
-  /// A = inertia M - dF/dx at the present place, ready to solve with; evaluates there again. False where it is
-  /// singular.
-  bool find_tangent(double inertia);
+  /// A = inertia M - dF/dx at the present place, ready to solve with. False where it is singular. `closes`: faces that
+  /// just meet count as closed, as they are about to.
+  bool find_tangent(double inertia, bool closes = false);
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return tangent_.solve(right); }
   void move(const Eigen::VectorXd& by, double share);
   /// The way from the step's begin, by unknown [m] or [rad].
@@ -69,7 +69,7 @@ class StaticTrial {
   Work<D> work_;
   Tangent<D> tangent_;
   bool was_implicit_;
-  double balance_ = 0;                // of the ledger as statics began [J]
+  double balance_ = 0;                  // of the ledger as statics began [J]
   std::vector<Vec<D>> begin_position_;  // of the step
   std::vector<Rotation<D>> begin_rotation_;
   std::vector<NodeForces<D>> begin_force_;

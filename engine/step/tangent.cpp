@@ -6,15 +6,15 @@
 #include "body/rigid.hpp"
 #include "step/beam_tangent.hpp"
 #include "step/consistent_mass.hpp"
+#include "step/disturbance.hpp"
 #include "step/evaluate.hpp"
 #include "step/implicit_turn.hpp"
 #include "step/node_forces.hpp"
+#include "step/term_tangent.hpp"
 
 namespace trilith {
-namespace {
 
-/// How far a node is moved: small against overlaps of faces, large against rounding; over a short step less, so that
-/// its velocity is not changed much. A rotation moves what is a radius of gyration away as far [m] or [rad].
+/// A rotation moves what is a radius of gyration away as far as a place is moved.
 template <int D>
 double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOptions& options) {
   const double move = options.move > 0 ? options.move : std::clamp(1e-5 * options.dt, 1e-12, 1e-8);
@@ -22,6 +22,8 @@ double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOpti
   const double radius = gyration_of(model, f.node);
   return move / (radius > 0 ? radius : 1);
 }
+
+namespace {
 
 /// Moves a node by `by` along one of its freedoms, and changes its velocity by `rate` times that.
 template <int D>
@@ -92,7 +94,8 @@ void Tangent<D>::disturbed(const Model<D>& model, State<D>& state, Work<D>& work
 /// velocity per change of place. Central differences leave out the second derivative; what is left is h^2 of the third,
 /// and rounding of F over h. Two evaluations for each colour and direction: some 20 to 60 in all, however many nodes.
 template <int D>
-void Tangent<D>::assemble(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options) {
+void Tangent<D>::assemble_by_differences(const Model<D>& model, State<D>& state, Work<D>& work,
+                                         const TangentOptions& options) {
   Eigen::VectorXd more(coupling_.size()), less(coupling_.size());
   work.leave_out_beams = true;
   for (const std::vector<int>& nodes : coupling_.colour)
@@ -125,6 +128,30 @@ void Tangent<D>::add_block(const std::array<int, 2>& node, const Block& block) {
       if (unknown(row) >= 0) matrix_.coeffRef(unknown(row), unknown(column)) += block(row, column);
 }
 
+/// In the plane term by term, see step/term_tangent.hpp; what is of a node by itself is inertia and damping by mass.
+template <>
+void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
+  shape(model, work);  // pairs may have been found since
+  matrix_.coeffs().setZero();
+  const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
+  for (int i = 0; i < coupling_.size(); ++i)
+    matrix_.coeffRef(i, i) = inertia * mass_of(model, coupling_.freedom[i].node)[coupling_.freedom[i].k];
+  TermSum terms(model, state, options, coupling_.unknown, matrix_);
+  add_contact_terms(terms, work);
+  add_bearing_terms(terms);
+  add_element_terms(terms);
+  add_load_terms(terms, work);
+  add_beams(model, state, options);
+}
+
+/// In space by differences of everything.
+template <>
+void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work, const TangentOptions& options) {
+  shape(model, work);
+  assemble_by_differences(model, state, work, options);
+  evaluate(model, state, work, options.dt);
+}
+
 /// Beams have their 6 x 6 block by hand, in the order of unknowns u0 v0 r0 u1 v1 r1; consistent mass adds its own.
 template <>
 void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
@@ -144,7 +171,7 @@ void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const T
 /// Without entries of 0, which are there for pairs that do not touch: so that it is the same whenever these were found.
 template <int D>
 bool Tangent<D>::find(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options,
-                   StepTimes* times) {
+                      StepTimes* times) {
   StepClock clock(times);
   assemble(model, state, work, options);
   const auto kept = std::make_shared<KeptTangent>();
@@ -174,19 +201,20 @@ bool Tangent<D>::take(const State<D>& state, const TangentOptions& options) {
   return ready_ == state.tangent || factorise(state.tangent);
 }
 
-/// LU and not Cholesky: friction and following loads make the matrix unsymmetric.
+/// Without pivots, see step/sparse_factors.hpp; friction and following loads make the matrix unsymmetric.
 template <int D>
 bool Tangent<D>::factorise(const std::shared_ptr<const KeptTangent>& kept) {
   ready_.reset();
   const Eigen::Map<const Eigen::SparseMatrix<double>> matrix(kept->size(), kept->size(),
                                                              static_cast<Eigen::Index>(kept->row.size()),
                                                              kept->column.data(), kept->row.data(), kept->value.data());
-  factors_.compute(matrix);
-  if (factors_.info() != Eigen::Success) return false;
+  if (!factors_.compute(matrix)) return false;
   ready_ = kept;
   return true;
 }
 
+template double disturbance_of(const Model<2>&, const Freedom&, const TangentOptions&);
+template double disturbance_of(const Model<3>&, const Freedom&, const TangentOptions&);
 template double net_force(const Model<2>&, const State<2>&, const Work<2>&, const Freedom&);
 template double net_force(const Model<3>&, const State<3>&, const Work<3>&, const Freedom&);
 template class Tangent<2>;

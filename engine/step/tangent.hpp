@@ -2,18 +2,17 @@
 //
 //   A = m (1 - alpha_m) / (b dt^2) - (1 - alpha_f) (dF/dx + c dF/dv),   c = g / (b dt)
 //
-// with b, g, alpha of step/alpha_scheme.hpp. dF is found by central differences of `evaluate` itself, many nodes at a
-// time: nodes that act on no common node move together (Curtis, Powell and Reid 1974). So it is that of every law,
-// branch and load there is, one that is added included; rounding leaves it exact to about 1e-6. Beams have theirs by
-// themselves (step/beam_tangent.hpp), which costs less; in the plane by hand, of one side of a kink where a fibre or a
-// hinge begins to yield.
+// with b, g, alpha of step/alpha_scheme.hpp. dF is found by central differences: in the plane of single terms
+// (step/term_tangent.hpp), in space of `evaluate` itself, many nodes at a time, where nodes that act on no common node
+// move together (Curtis, Powell and Reid 1974). So it is that of every law, branch and load there is, one that is added
+// included; rounding leaves it exact to about 1e-6. Beams have theirs by themselves (step/beam_tangent.hpp), which
+// costs less; in the plane by hand, of one side of a kink where a fibre or a hinge begins to yield.
 //
 // In space a rotation is changed by a turn about an axis of the world, after those it has made (from the left): the
 // unknown of a rotation is that rotation vector, and m is the block that step/implicit_turn.hpp gives.
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
 
 #include <array>
 #include <memory>
@@ -21,6 +20,7 @@
 #include <vector>
 
 #include "step/coupling.hpp"
+#include "step/sparse_factors.hpp"
 #include "step/step_times.hpp"
 #include "world/state.hpp"
 
@@ -28,12 +28,13 @@ namespace trilith {
 
 /// What the tangent is taken of.
 struct TangentOptions {
-  double dt = 0;       ///< of the step that the trial state ends [s]
-  double rate = 0;     ///< change of velocity per change of place [1/s]
-  double force = 1;    ///< share of the forces in the equation of motion
-  double inertia = 0;  ///< coefficient of the mass [1/s2]
-  double move = 0;     ///< how far nodes are moved [m]; 0: as suits the step
-  bool bands = true;   ///< with what damping over a band adds to the stiffness
+  double dt = 0;        ///< of the step that the trial state ends [s]
+  double rate = 0;      ///< change of velocity per change of place [1/s]
+  double force = 1;     ///< share of the forces in the equation of motion
+  double inertia = 0;   ///< coefficient of the mass [1/s2]
+  double move = 0;      ///< how far nodes are moved [m]; 0: as suits the step
+  bool bands = true;    ///< with what damping over a band adds to the stiffness
+  bool closes = false;  ///< faces that just meet count as closed and sticking; else as they are
 };
 
 /// The force [N] or moment [N m] on an unknown at an evaluated state: weight, loads and all dampings with it.
@@ -49,8 +50,11 @@ class Tangent {
   void forget() { shaped_ = false; }
   [[nodiscard]] const Coupling<D>& coupling() const { return coupling_; }
 
-  /// At a trial state. `state` and `work` are disturbed meanwhile; evaluate anew afterwards.
+  /// At a trial state that `work` is evaluated at. Both are as before afterwards.
   void assemble(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options);
+  /// The same by differences of `evaluate`, many nodes at a time: what the other is checked against. `work` is then
+  /// evaluated elsewhere.
+  void assemble_by_differences(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options);
   /// The same, made ready to solve with and kept in the state. False where it is singular.
   bool find(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options,
             StepTimes* times = nullptr);
@@ -73,7 +77,12 @@ class Tangent {
 
   Eigen::SparseMatrix<double> matrix_;
   std::shared_ptr<const KeptTangent> ready_;  // what is solved with
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factors_;
+  SparseFactors factors_;
 };
+
+template <>
+void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
+template <>
+void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work, const TangentOptions& options);
 
 }  // namespace trilith

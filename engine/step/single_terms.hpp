@@ -1,0 +1,28 @@
+// Stages of `evaluate` for one bearing, element or load by itself.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+#include "world/work.hpp"
+
+namespace trilith {
+
+/// Makes room in `work` for what all bearings answer; respond_bearing then writes the rows of one.
+template <int D>
+void begin_bearings(const Model<D>& model, Work<D>& work);
+template <int D>
+void respond_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, double dt);
+
+/// Adds forces and dampings of a finite element to those of its nodes in `work`, which has room for those of all.
+void resist_element(const Model<2>& model, const State<2>& state, Work<2>& work, int element);
+
+/// Adds what a load gives now to forces [N] and moments [N m] by node; of a face whose skin points `work` has placed.
+void push_load(const Model<2>& model, const State<2>& state, const PointLoad<2>& load, std::vector<Vec2>& node_force,
+               std::vector<double>& node_moment);
+void push_load(const Model<2>& model, const State<2>& state, const FaceLoad<2>& load, const Work<2>& work,
+               std::vector<Vec2>& node_force, std::vector<double>& node_moment);
+
+}  // namespace trilith

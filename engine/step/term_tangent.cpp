@@ -1,0 +1,116 @@
+// What all terms share; elements and loads.
+#include "step/term_tangent.hpp"
+
+#include <cmath>
+
+#include "step/bearing_motion.hpp"
+#include "step/single_terms.hpp"
+
+namespace trilith {
+
+PlacedSkin placed_skin(const Model<2>& model, const State<2>& state, int skin) {
+  const int n = model.skin_node[skin], t = model.skin_turn[skin];
+  const Vec2 arm = Turn(state.rotation[t]).apply(model.skin_place[skin]);
+  const Vec2 x = state.position[n] + arm, v = state.velocity[n] + cross(state.spin[t], arm);
+  return {{x.x(), x.y(), v.x(), v.y()}, arm};
+}
+
+void TermSum::add_column(const TermNodes& nodes, int column, const TermForces& more, const TermForces& less,
+                         double apart) {
+  const double scale = -options.force / apart;
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    const int row = unknown[nodes.list()[i / 3]][i % 3];
+    if (row < 0 || more[i] == less[i]) continue;
+    matrix.coeffRef(row, column) += scale * (more[i] - less[i]);
+  }
+}
+
+namespace {
+
+/// Forces and moments on all nodes, of which a term has only few: these are taken out, and put back to 0.
+struct NodeArrays {
+  std::vector<Vec2> force;
+  std::vector<double> moment;
+  explicit NodeArrays(const Model<2>& model) : force(model.mass.size(), Vec2::Zero()), moment(model.mass.size(), 0) {}
+  void take(const TermNodes& nodes, TermForces& out) {
+    double* to = out.data();
+    for (const int n : nodes.list()) {
+      *to++ += force[n].x(), *to++ += force[n].y(), *to++ += moment[n];
+      force[n].setZero(), moment[n] = 0;
+    }
+  }
+};
+
+}  // namespace
+
+/// An element by itself: its stresses and dampings, as resist has them.
+void add_element_terms(TermSum& sum) {
+  const Model<2>& model = sum.model;
+  if (model.elements.empty()) return;
+  Work<2> own;
+  own.element_force.assign(model.mass.size(), Vec2::Zero());
+  own.element_damping.assign(model.mass.size(), Vec2::Zero());
+  own.plastic.resize(sum.state.plastic.size());
+  TermNodes nodes;
+  for (int i = 0; i < static_cast<int>(model.elements.size()); ++i) {
+    const Element& e = model.elements[i];
+    nodes.clear();
+    for (int j = 0; j < e.nodes; ++j) nodes.add(e.node[j]);
+    sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
+      resist_element(model, sum.state, own, i);
+      double* to = out.data();
+      for (const int n : nodes.list()) {
+        const Vec2 f = own.element_force[n] + own.element_damping[n];
+        *to++ = f.x(), *to++ = f.y(), *to++ = 0;
+        own.element_force[n].setZero(), own.element_damping[n].setZero();
+      }
+    });
+  }
+}
+
+/// Forces at points turn with arms, those that follow in themselves too; pressures on faces go with these.
+void add_load_terms(TermSum& sum, Work<2>& work) {
+  const Model<2>& model = sum.model;
+  if (model.point_loads.empty() && model.face_loads.empty()) return;
+  NodeArrays all(model);
+  TermNodes nodes;
+  for (const PointLoad<2>& load : model.point_loads) {
+    nodes.clear(), nodes.add(load.at);
+    sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
+      push_load(model, sum.state, load, all.force, all.moment);
+      all.take(nodes, out);
+    });
+  }
+  for (const FaceLoad<2>& load : model.face_loads) {
+    nodes.clear(), nodes.add_skin(model, load.skin_a), nodes.add_skin(model, load.skin_b);
+    SkinMotion<2>&a = work.skin[load.skin_a], &b = work.skin[load.skin_b];
+    const SkinMotion<2> was_a = a, was_b = b;
+    sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
+      a = placed_skin(model, sum.state, load.skin_a).motion, b = placed_skin(model, sum.state, load.skin_b).motion;
+      push_load(model, sum.state, load, work, all.force, all.moment);
+      all.take(nodes, out);
+    });
+    a = was_a, b = was_b;
+  }
+}
+
+/// A bearing by itself, in all its directions.
+void add_bearing_terms(TermSum& sum) {
+  const Model<2>& model = sum.model;
+  if (model.bearings.empty()) return;
+  Work<2> own;
+  begin_bearings(model, own);
+  NodeArrays all(model);
+  TermNodes nodes;
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    const Bearing<2>& b = model.bearings[i];
+    nodes.clear(), nodes.add(b.end_a), nodes.add(b.end_b);
+    sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
+      respond_bearing(model, sum.state, own, i, sum.options.dt);
+      push_ends(model, sum.state, b, own.bearing_force[i], own.bearing_moment[i], all.force, all.moment);
+      all.take(nodes, out);
+    });
+  }
+}
+
+}  // namespace trilith

@@ -1,0 +1,105 @@
+// The tangent by single terms of the forces: a contact, a bearing, an element, a load.
+//
+// Each depends on the motion of a few nodes and acts on these alone. They are moved one unknown at a time, the term is
+// found again by the same code that `evaluate` finds it by, on both sides, and the central difference is added to the
+// matrix of step/tangent.hpp:
+//
+//     A_ij -= phi_f (F_i(x_j + h, v_j + c h) - F_i(x_j - h, v_j - c h)) / (2 h)
+//
+// So it is that of every law in every branch, with what changes as normals, arms and skins turn with the nodes, and a
+// law that is added needs no line. Between two rigid bodies a term is found 12 times, whatever else they touch.
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "step/disturbance.hpp"
+#include "step/tangent.hpp"
+#include "world/model.hpp"
+#include "world/state.hpp"
+#include "world/work.hpp"
+
+namespace trilith {
+
+/// Nodes of a term, each once.
+class TermNodes {
+ public:
+  void clear() { list_.clear(); }
+  void add(int node) {
+    if (std::find(list_.begin(), list_.end(), node) == list_.end()) list_.push_back(node);
+  }
+  void add(const Tie<2>& tie) {
+    for (int i = 0; i < tie.nodes; ++i) add(tie.node[i]), add(tie.turn[i]);
+  }
+  void add_skin(const Model<2>& model, int skin) { add(model.skin_node[skin]), add(model.skin_turn[skin]); }
+  [[nodiscard]] std::span<const int> list() const { return list_; }
+  [[nodiscard]] std::size_t size() const { return list_.size(); }
+  /// Where a node stands in the list.
+  [[nodiscard]] std::size_t place_of(int node) const {
+    return static_cast<std::size_t>(std::find(list_.begin(), list_.end(), node) - list_.begin());
+  }
+
+ private:
+  std::vector<int> list_;
+};
+
+/// Forces along x and y and moments on the nodes of a term, three for each, in their order [N], [N m].
+using TermForces = std::vector<double>;
+
+/// The matrix that terms are added to, and what is moved for them.
+struct TermSum {
+  const Model<2>& model;
+  State<2>& state;  ///< disturbed meanwhile, and left as it was to the bit
+  const TangentOptions& options;
+  const std::vector<std::array<int, 3>>& unknown;  ///< [node] see Coupling
+  Eigen::SparseMatrix<double>& matrix;             ///< with an entry for every two unknowns of a term
+
+  /// Adds the column of an unknown: forces on `nodes` with it moved by `apart` [m] or [rad] between the two.
+  void add_column(const TermNodes& nodes, int column, const TermForces& more, const TermForces& less, double apart);
+
+  /// Adds a term: respond(forces) finds those on `nodes` at the state of now; they are 0 before.
+  template <class Respond>
+  void add(const TermNodes& nodes, Respond&& respond) {
+    for (const int node : nodes.list())
+      for (const int k : {0, 1, 2}) {
+        const int column = unknown[node][k];
+        if (column < 0) continue;
+        const double by = disturbance_of(model, {node, k}, options);
+        for (const bool up : {true, false}) {
+          const Moved moved(state, {node, k}, up ? by : -by, options.rate);
+          TermForces& out = up ? more_ : less_;
+          out.assign(3 * nodes.size(), 0.0);
+          respond(Freedom{node, k}, out);
+        }
+        add_column(nodes, column, more_, less_, 2 * by);
+      }
+  }
+
+ private:
+  TermForces more_, less_;  // room
+
+ public:
+  TermSum(const Model<2>& m, State<2>& s, const TangentOptions& o, const std::vector<std::array<int, 3>>& u,
+          Eigen::SparseMatrix<double>& a)
+      : model(m), state(s), options(o), unknown(u), matrix(a) {}
+};
+
+/// A skin point where the nodes of `state` put it, and its arm from the node that it goes with [m].
+struct PlacedSkin {
+  SkinMotion<2> motion;
+  Vec2 arm;
+};
+PlacedSkin placed_skin(const Model<2>& model, const State<2>& state, int skin);
+
+/// Contacts, bearings, elements and loads that follow, about the state that `work` is evaluated at. Skin points of
+/// `work` are disturbed meanwhile, and left as they were. What is not touched at this state gives nothing.
+void add_contact_terms(TermSum& sum, Work<2>& work);
+void add_bearing_terms(TermSum& sum);
+void add_element_terms(TermSum& sum);
+void add_load_terms(TermSum& sum, Work<2>& work);
+
+}  // namespace trilith
