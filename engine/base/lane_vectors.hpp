@@ -6,10 +6,19 @@
 
 namespace trilith {
 
+// Copied number by number: moved as bytes, in halves of a lane's register, they would be waited for as they are read.
+
 template <class T>
 struct Pair2 {
-  T x{}, y{};
+  T x, y;
 
+  Pair2() = default;
+  TRILITH_INLINE Pair2(const T& along, const T& aside) : x(along), y(aside) {}
+  TRILITH_INLINE Pair2(const Pair2& o) : x(o.x), y(o.y) {}
+  TRILITH_INLINE Pair2& operator=(const Pair2& o) {
+    x = o.x, y = o.y;
+    return *this;
+  }
   TRILITH_INLINE Pair2 operator+(const Pair2& o) const { return {x + o.x, y + o.y}; }
   TRILITH_INLINE Pair2 operator-(const Pair2& o) const { return {x - o.x, y - o.y}; }
   TRILITH_INLINE Pair2 operator*(const T& by) const { return {x * by, y * by}; }
@@ -18,8 +27,15 @@ struct Pair2 {
 
 template <class T>
 struct Triple {
-  T x{}, y{}, z{};
+  T x, y, z;
 
+  Triple() = default;
+  TRILITH_INLINE Triple(const T& first, const T& second, const T& third) : x(first), y(second), z(third) {}
+  TRILITH_INLINE Triple(const Triple& o) : x(o.x), y(o.y), z(o.z) {}
+  TRILITH_INLINE Triple& operator=(const Triple& o) {
+    x = o.x, y = o.y, z = o.z;
+    return *this;
+  }
   TRILITH_INLINE Triple operator+(const Triple& o) const { return {x + o.x, y + o.y, z + o.z}; }
   TRILITH_INLINE Triple operator-(const Triple& o) const { return {x - o.x, y - o.y, z - o.z}; }
   TRILITH_INLINE Triple operator*(const T& by) const { return {x * by, y * by, z * by}; }

@@ -68,7 +68,7 @@ struct EdgesInLanes {
 /// Integrals over a polygon of 1, p, p p and p p p about a point.
 struct AreaInLanes {
   Lanes area{};
-  Pair2<Lanes> first;
+  Pair2<Lanes> first{};
   Lanes xx{}, xy{}, yy{};
 };
 struct MomentsInLanes : AreaInLanes {

@@ -81,7 +81,8 @@ double largest_difference(const Laid& laid, const ContactLaw& law, int& flat, in
     ++flat;
     if (r.memory.slip > memory.slip + 1e-12) ++sliding;
     for (int lane = 0; lane < lane_count; ++lane) {
-      const double force = r.force.norm(), energy = std::abs(r.lost_damping) + std::abs(r.lost_friction) + 1e-9;
+      const double force = r.force.norm(), energy = std::abs(r.lost_damping) + std::abs(r.lost_friction) +
+                                                    sliding_energy(4e8, r.memory.shear) + 1e-9;
       most = std::max(
           {most, off(r.force, lane_of(four.force, lane)), off(r.normal_force, lane_of(four.normal_force, lane)),
            off(r.memory.shear.total, lane_of(four.memory.shear.total, lane), 1e-3 * force),
