@@ -163,12 +163,7 @@ class SolidChecker {
     sound_.push_back({part, piece, {solid, face_normals(solid), {}, {}, size}, {}, {}, solid_moments(solid).volume});
     SoundPiece& s = sound_.back();
     s.placed.corners = solid.corners, s.placed.normals = s.solid.normals;
-    if (solid.faces.count() <= most_faces_for_edges) {
-      s.solid.edges = solid_edges(solid.faces);
-      for (const SolidEdge& e : s.solid.edges)
-        s.placed.along.push_back(solid.corners[static_cast<std::size_t>(e.to)] -
-                                 solid.corners[static_cast<std::size_t>(e.from)]);
-    }
+    if (solid.faces.count() <= most_faces_for_edges) s.solid.edges = solid_edges(solid.faces);
     Vec3 low = solid.corners[0], high = low;
     for (const Vec3& p : solid.corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
     for (int k = 0; k < 3; ++k) {
@@ -196,7 +191,7 @@ class SolidChecker {
   /// Of two pieces, at least; exact where a face is nearest, or where edges were looked at.
   static double distance(const SoundPiece& a, const SoundPiece& b, double enough) {
     const double by_faces = std::max(over_faces(a.placed, b.placed, enough), over_faces(b.placed, a.placed, enough));
-    if (by_faces > enough || a.placed.along.empty() || b.placed.along.empty()) return by_faces;
+    if (by_faces > enough || a.solid.edges.empty() || b.solid.edges.empty()) return by_faces;
     if (by_faces > -1e-9 * std::min(a.solid.size, b.solid.size)) return by_faces;  // they touch by a face
     return std::max(by_faces, separation(a.placed, b.placed, enough).distance);
   }

@@ -9,11 +9,10 @@
 namespace trilith {
 namespace {
 
-constexpr double rounder = 0.57;  // k
+constexpr double rounder = friction_roundness;
 /// Beyond this many times what friction holds only the direction counts, to the same share; squares stay in range where
 /// a pressure of nothing but rounding holds next to nothing.
 constexpr double far_beyond = 1e9;
-constexpr double least_force = 1e-140;  // below it, where squares run out, nothing is held [N]
 
 /// By how much (V, T) is beyond the curve: over this it lies on it.
 double beyond_curve(const Vec3& z) {
@@ -138,7 +137,7 @@ Vec3 nearest_on_limit(const Vec3& spring, double lean, double reach) {
 
 FrictionLimit::FrictionLimit(double held, const Vec3& across, const Vec3& from_middle, double gyration,
                              double mean_distance)
-    : force(held > least_force ? held : 0), normal(across), offset(Vec3::Zero()), radius(1), arm(1) {
+    : force(held > least_held_force ? held : 0), normal(across), offset(Vec3::Zero()), radius(1), arm(1) {
   if (!(gyration > 0)) return;
   offset = from_middle - across.dot(from_middle) * across;
   radius = gyration, arm = std::max(mean_distance, 0.01 * gyration);

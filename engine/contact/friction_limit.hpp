@@ -20,6 +20,9 @@
 
 namespace trilith {
 
+inline constexpr double friction_roundness = 0.57;  ///< k
+inline constexpr double least_held_force = 1e-140;  ///< below it, where squares run out, nothing is held [N]
+
 /// x^2 + y^2 + k x^2 y^2.
 double limit_measure(double x, double y);
 

@@ -1,6 +1,5 @@
 #include "contact/solid_contact.hpp"
 
-#include "base/portable.hpp"
 #include "contact/solid_energy.hpp"
 #include "contact/solid_faces.hpp"
 #include "contact/sphere_contact.hpp"
@@ -8,28 +7,12 @@
 namespace trilith {
 namespace {
 
-/// `v`, which belongs to a plane of normal `from`, in the plane of normal `to`: turned the shortest way, by the
-/// rotation that takes one normal to the other. Its length stays.
-Vec3 carried_over(const Vec3& v, const Vec3& from, const Vec3& to) {
-  const Vec3 axis = cross(from, to);
-  const double cosine = from.dot(to);
-  if (cosine <= -0.5) return v - 2 * v.dot(to) * to;  // turned over: no shortest way worth the name
-  // Rodrigues with the sine in the axis: v + a x v + a x (a x v) / (1 + c).
-  const Vec3 once = cross(axis, v);
-  return v + once + cross(axis, once) / (1 + cosine);
-}
-
 /// The shear remembered, turned with the plane of contact and, about its normal, with both bodies.
 SlidingForce turned_along(const SolidMemory& before, const Vec3& normal, double turn) {
   SlidingForce f = before.shear;
   if (before.normal.squaredNorm() == 0) return f;
-  const portable::SineCosine spun = portable::sine_cosine(turn);
-  const auto carried = [&](const Vec3& v) {
-    const Vec3 in_plane = carried_over(v, before.normal, normal), aside = cross(normal, in_plane);
-    const Vec3 flat = in_plane - normal.dot(in_plane) * normal;
-    return Vec3(in_plane + (spun.cosine - 1) * flat + spun.sine * aside);
-  };
-  f.elastic = carried(f.elastic), f.total = carried(f.total);
+  const TurnedPlane<double> plane(triple_of(before.normal), triple_of(normal), turn);
+  f.elastic = vector_of(plane.carry(triple_of(f.elastic))), f.total = vector_of(plane.carry(triple_of(f.total)));
   return f;
 }
 
@@ -110,8 +93,8 @@ SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemo
 }  // namespace
 
 SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, Separation3& apart,
-                               SolidOverlapBuffer& shared) {
-  if (FaceOverlap3 faces; is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
+                               SolidOverlapBuffer& shared, bool may_be_flat) {
+  if (FaceOverlap3 faces; may_be_flat && is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
     apart.distance = 0;
     return with_kernel(use, [&](const Coulomb& law) {
       return face_pressure(a.by_face(faces.face_a), b.by_face(faces.face_b), law, faces);

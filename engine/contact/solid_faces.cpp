@@ -8,19 +8,51 @@
 namespace trilith {
 namespace {
 
-/// Below this cosine two outward normals look at each other within the tilt.
-constexpr double opposed_enough = -(1 - 0.5 * flat_faces_max_tilt * flat_faces_max_tilt);
-
 bool fits_faces(const PlacedSolid& solid, int face) {
   return solid.solid->is_surface(face) && solid.solid->shape.faces[face].size() <= max_face_corners;
 }
 
-/// Whether two opposed faces are near enough to touch flatly at all: the distance of a corner of b's below a's plane is
-/// that of no other one but for the tilt over the size of both.
-bool may_touch_flatly(const PlacedSolid& a, int face_a, const PlacedSolid& b, int face_b) {
+/// How far the plane of a face of the larger solid is from a corner of the smaller one's [m], and that corner from one
+/// of the face [m].
+struct PlaneDistance {
+  double depth, corner;
+
+  PlaneDistance(const PlacedSolid& a, int face_a, const PlacedSolid& b, int face_b) {
+    const bool b_is_larger = a.solid->size < b.solid->size;
+    const PlacedSolid &large = b_is_larger ? b : a, &small = b_is_larger ? a : b;
+    const int face = b_is_larger ? face_b : face_a, other = b_is_larger ? face_a : face_b;
+    const Vec3& x = small.corners[static_cast<std::size_t>(small.solid->shape.faces[other][0])];
+    const Vec3& on_face = large.corners[static_cast<std::size_t>(large.solid->shape.faces[face][0])];
+    depth = std::abs(depth_below(large, face, x)), corner = (on_face - x).norm();
+  }
+};
+
+double opposed(const PlacedSolid& a, int f, const PlacedSolid& b, int g) {
+  return a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]);
+}
+
+/// Whether two faces may lie flat on each other: see near_faces.
+bool may_touch_flatly(const PlacedSolid& a, int f, const PlacedSolid& b, int g) {
+  return opposed(a, f, b, g) <= opposed_enough && fits_faces(a, f) && fits_faces(b, g) &&
+         PlaneDistance(a, f, b, g).depth <= near_faces(a, b);
+}
+
+/// Whether two opposed faces are near enough for mortar: the distance of a corner of b's below a's plane is that of no
+/// other one but for the tilt over the size of both.
+bool may_meet(const PlacedSolid& a, int face_a, const PlacedSolid& b, int face_b) {
   const Vec3& corner = b.corners[static_cast<std::size_t>(b.solid->shape.faces[face_b][0])];
   const double reach = 2 * flat_faces_max_tilt * (a.solid->size + b.solid->size);
   return std::abs(depth_below(a, face_a, corner)) <= reach;
+}
+
+/// Radius of a ball about the mean of its corners that a solid holds [m]: no solid is thinner than twice it.
+double inner_radius(const PlacedSolid& solid) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& x : solid.corners) sum += x;
+  const Vec3 middle = sum / static_cast<double>(solid.corners.size());
+  double least = unbounded;
+  for (int f = 0; f < solid.solid->shape.faces.count(); ++f) least = std::min(least, depth_below(solid, f, middle));
+  return std::max(least, 0.0);
 }
 
 /// The largest overlap and the largest gap over the shared polygon, its area, and its width: that over its longest
@@ -124,6 +156,31 @@ bool is_linear(const ContactLaw& law) {
   return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::linear; }, law);
 }
 
+/// Corners that have gone by at most t have turned a body of inner radius r, which no way is thinner than 2 r, by so
+/// little that a unit vector in it has moved by t / r or less. So the product of two normals changes by t / r of both
+/// together, and the depth of a corner x below a plane through c by 2 t + |c - x| t / r. A pair that is none stays none
+/// until either could have made it one.
+FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) {
+  FacePair found{FacePair::none, FacePair::none, unbounded};
+  const double near = near_faces(a, b), radius_a = inner_radius(a), radius_b = inner_radius(b),
+               turns = 1 / radius_a + 1 / radius_b;
+  for (int f = 0; f < a.solid->shape.faces.count(); ++f)
+    for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
+      if (!fits_faces(a, f) || !fits_faces(b, g)) continue;
+      const double beyond = opposed(a, f, b, g) - opposed_enough;
+      const PlaneDistance distance(a, f, b, g);
+      if (beyond <= 0 && distance.depth <= near) {
+        if (found.a >= 0) return {};
+        found.a = f, found.b = g;
+        continue;
+      }
+      const double by_turn = beyond / turns, by_way = (distance.depth - near) / (2 + distance.corner * turns);
+      found.until = std::min(found.until, std::max(by_turn, by_way));
+    }
+  found.until = travel + (1 - 1e-6) * found.until;
+  return found;
+}
+
 /// All pairs of opposed faces are asked; more than one that touches flatly, as of a wedge in a notch, are no flat
 /// contact.
 bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
@@ -132,8 +189,7 @@ bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
   FaceOverlap3 another;
   for (int f = 0; f < a.solid->shape.faces.count(); ++f)
     for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
-      if (a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]) > opposed_enough) continue;
-      if (!fits_faces(a, f) || !fits_faces(b, g) || !may_touch_flatly(a, f, b, g)) continue;
+      if (!may_touch_flatly(a, f, b, g)) continue;
       FaceOverlap3& tried = found == 0 ? out : another;
       if (!face_overlap(face_of(a, f, room_a), face_of(b, g, room_b), tried)) continue;
       const FlatMeasures measures(tried);
@@ -151,8 +207,8 @@ bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, dou
   FaceOverlap3 tried;
   for (int f = 0; f < a.solid->shape.faces.count(); ++f)
     for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
-      if (a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]) > opposed_enough) continue;
-      if (!fits_faces(a, f) || !fits_faces(b, g) || !may_touch_flatly(a, f, b, g)) continue;
+      if (opposed(a, f, b, g) > opposed_enough) continue;
+      if (!fits_faces(a, f) || !fits_faces(b, g) || !may_meet(a, f, b, g)) continue;
       if (!face_overlap(face_of(a, f, room_a), face_of(b, g, room_b), tried)) continue;
       const FlatMeasures measures(tried);
       const bool near = std::max(measures.deepest, measures.widest) <= reach && measures.width >= width;

@@ -13,6 +13,26 @@ namespace trilith {
 /// Limits of what counts as lying flat on each other, as in the plane (contact/face_overlap.hpp).
 inline constexpr double flat_faces_max_tilt = 0.005;   ///< of the faces against each other [rad]
 inline constexpr double flat_faces_max_depth = 0.005;  ///< overlap over the width of the shared polygon [1]
+/// Below this cosine two outward normals look at each other within the tilt.
+inline constexpr double opposed_enough = -(1 - 0.5 * flat_faces_max_tilt * flat_faces_max_tilt);
+
+/// The one pair of faces of two solids that may lie flat on each other, if there is one, and for how long no other pair
+/// may. Which pair it is follows from the pose; it is kept to save the search.
+struct FacePair {
+  static constexpr int none = -1, several = -2;
+  int a = several, b = several;
+  double until = -1;  ///< while no corner has gone further than this since (as Work::travel counts) [m]
+};
+
+/// `travel`: how far corners have gone up to now [m].
+FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel);
+
+/// Of a pair of faces that may lie flat: a corner of the smaller solid's is this near to the plane of the other [m].
+/// What they share lies within the smaller one's, so twice what tilt and depth come to over its size.
+inline double near_faces(const PlacedSolid& a, const PlacedSolid& b) {
+  const double size = a.solid->size < b.solid->size ? a.solid->size : b.solid->size;
+  return 4 * flat_faces_max_tilt * size;
+}
 
 /// True where two solids touch flatly by one pair of surface faces and no other; fills `out`.
 bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out);

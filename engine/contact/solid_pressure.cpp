@@ -341,12 +341,6 @@ SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, So
 
 }  // namespace
 
-double mean_distance(double trace, double product) {
-  if (!(trace > 0)) return 0;
-  const double roundness = std::clamp(4 * product / (trace * trace), 0.0, 1.0);
-  return std::sqrt(trace) * (0.8660 + 0.0725 * std::sqrt(roundness));
-}
-
 Vec3 line_across(const Vec3& n) {
   int least = 0;
   n.cwiseAbs().minCoeff(&least);

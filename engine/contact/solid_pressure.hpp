@@ -15,6 +15,7 @@
 
 #include <array>
 
+#include "base/lanes.hpp"
 #include "contact/list.hpp"
 #include "contact/step_behind.hpp"
 #include "shape/overlap_3d.hpp"
@@ -71,7 +72,12 @@ SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const L
 /// tensor and the product of its two principal values). A line of length l has l/4 and a gyration of l/sqrt(12), a
 /// square .9375 of its gyration, a disc .9428; between them this is right to 1 %, triangles to 2 %. Of an area under
 /// pressure likewise: 2 % where the pressure of a rectangle grows from nothing at one side, 6 % at one corner.
-double mean_distance(double trace, double product);
+template <class T>
+TRILITH_INLINE T mean_distance(T trace, T product) {
+  const T zero{}, one = zero + 1.0;
+  const T roundness = larger(zero, smaller(one, 4.0 * product / (trace * trace)));
+  return select(trace > zero, root(trace) * (0.8660 + 0.0725 * root(roundness)), zero);
+}
 
 /// Some direction across n, of length 1.
 Vec3 line_across(const Vec3& n);

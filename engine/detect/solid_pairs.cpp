@@ -63,6 +63,7 @@ void look_up_all_solids(const Model<3>& model, Work<3>& work) {
   for (int p = 0; p < model.pieces(); ++p) search.due.push_back(p), search.is_due[static_cast<std::size_t>(p)] = 1;
   work.travel = work.look_again = work.clear_path = 0;
   work.pairs.clear(), work.asleep_until.clear(), work.solids.separation.clear();
+  work.solids.faces.clear();
   list_bearings(model, search);
 }
 
@@ -111,16 +112,21 @@ struct SolidList {
     work.spare_pairs.push_back(work.pairs[row]);
     work.spare_asleep.push_back(work.asleep_until[row]);
     work.solids.spare.push_back(work.solids.separation[row]);
+    work.solids.spare_faces.push_back(work.solids.faces[row]);
   }
   void add(const NearPair& pair) {
     work.spare_pairs.push_back(pair);
     work.spare_asleep.push_back(-1);
     work.solids.spare.push_back({0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0});  // no axis parts them yet
+    work.solids.spare_faces.push_back({});
   }
-  void begin() { work.spare_pairs.clear(), work.spare_asleep.clear(), work.solids.spare.clear(); }
+  void begin() {
+    work.spare_pairs.clear(), work.spare_asleep.clear();
+    work.solids.spare.clear(), work.solids.spare_faces.clear();
+  }
   void end() {
     work.pairs.swap(work.spare_pairs), work.asleep_until.swap(work.spare_asleep);
-    work.solids.separation.swap(work.solids.spare);
+    work.solids.separation.swap(work.solids.spare), work.solids.faces.swap(work.solids.spare_faces);
   }
 };
 

@@ -38,13 +38,10 @@ void place(const ConvexSolid& solid, const Turn3& turn, const Vec3& at, PlacedSo
   place_faces(solid, turn, out);
 }
 
-/// Normals and edges follow the corners that were placed.
 void place_faces(const ConvexSolid& solid, const Turn3& turn, PlacedSolid& out) {
   out.solid = &solid;
-  out.normals.clear(), out.along.clear();
-  for (const Vec3& n : solid.normals) out.normals.push_back(turn.apply(n));
-  for (const SolidEdge& e : solid.edges)
-    out.along.push_back(out.corners[static_cast<std::size_t>(e.to)] - out.corners[static_cast<std::size_t>(e.from)]);
+  out.normals.resize(solid.normals.size());
+  for (std::size_t f = 0; f < solid.normals.size(); ++f) out.normals[f] = turn.apply(solid.normals[f]);
 }
 
 /// Of a convex solid two faces that look the same way lie in one plane.

@@ -41,7 +41,6 @@ struct PlacedSolid {
   const ConvexSolid* solid = nullptr;
   std::vector<Vec3> corners;  ///< [m]
   std::vector<Vec3> normals;  ///< [faces]
-  std::vector<Vec3> along;    ///< [edges] from one end to the other [m]
 };
 
 /// `solid` turned about the origin of its body, which stands at `at` [m]. The solid must outlive `out`.

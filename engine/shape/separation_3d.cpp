@@ -41,13 +41,15 @@ Separation3 seen_from_b(const Separation3& of_b) {
 
 /// An edge where it stands, with the normals of its faces.
 struct PlacedEdge {
-  const Vec3 &from, &along, &left, &right;
-  PlacedEdge(const PlacedSolid& solid, std::size_t i) : PlacedEdge(solid, solid.solid->edges[i], solid.along[i]) {}
+  const Vec3& from;
+  Vec3 along;
+  const Vec3 &left, &right;
+  PlacedEdge(const PlacedSolid& solid, std::size_t i) : PlacedEdge(solid, solid.solid->edges[i]) {}
 
  private:
-  PlacedEdge(const PlacedSolid& solid, const SolidEdge& e, const Vec3& way)
+  PlacedEdge(const PlacedSolid& solid, const SolidEdge& e)
       : from(solid.corners[static_cast<std::size_t>(e.from)]),
-        along(way),
+        along(solid.corners[static_cast<std::size_t>(e.to)] - from),
         left(solid.normals[static_cast<std::size_t>(e.left)]),
         right(solid.normals[static_cast<std::size_t>(e.right)]) {}
 };
@@ -71,9 +73,9 @@ Vec3 between_edges(const PlacedEdge& a, const PlacedEdge& b) {
 }
 
 Separation3 best_edges(const PlacedSolid& a, const PlacedSolid& b, Separation3 best, double enough) {
-  for (std::size_t i = 0; i < a.along.size(); ++i) {
+  for (std::size_t i = 0; i < a.solid->edges.size(); ++i) {
     const PlacedEdge of_a(a, i);
-    for (std::size_t k = 0; k < b.along.size(); ++k) {
+    for (std::size_t k = 0; k < b.solid->edges.size(); ++k) {
       const PlacedEdge of_b(b, k);
       if (!arcs_cross(of_a, of_b)) continue;
       const Vec3 axis = between_edges(of_a, of_b);

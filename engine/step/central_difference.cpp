@@ -1,8 +1,10 @@
 #include "step/central_difference.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/team.hpp"
+#include "body/rigid_turn_lanes.hpp"
 #include "step/implicit_step.hpp"
 #include "step/node_forces.hpp"
 #include "step/stored_energy.hpp"
@@ -73,7 +75,8 @@ template <int D>
 }
 
 /// True where forces, weight and steady loads are all that nodes go by: no dampings of their own, no load curve.
-bool goes_plainly(const Model<2>& model, const Outside<2>& outside, const StepOptions& options) {
+template <int D>
+bool goes_plainly(const Model<D>& model, const Outside<D>& outside, const StepOptions& options) {
   return !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.moment == nullptr &&
          outside.correction == nullptr;
 }
@@ -144,6 +147,81 @@ int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, co
   return n;
 }
 
+/// Free in all its ways.
+bool is_free(const Model<3>& model, int n) {
+  const auto& support = model.support[n];
+  return std::all_of(support.begin(), support.end(), [](Support s) { return s == Support::free; });
+}
+
+/// Free nodes in space that go plainly, four at a time: the turns of four at once, the rest as advance_node has it.
+struct FreeNodes {
+  const Model<3>& model;
+  State<3>& state;
+  const Work<3>& work;
+  const Outside<3>& outside;
+  StepSpan span;
+  NodeWork* room;  ///< of the works
+  int first;       ///< the node that it begins with
+  std::array<int, lane_count> node{};
+  int count = 0;
+
+  void add(int n) {
+    node[static_cast<std::size_t>(count++)] = n;
+    if (count == lane_count) advance_four();
+  }
+  /// Those that are left.
+  void end() {
+    if (count > 0) advance_four();
+  }
+
+ private:
+  void advance_four() {
+    for (int i = count; i < lane_count; ++i) node[static_cast<std::size_t>(i)] = node[0];
+    const auto four = [&](const std::vector<Vec3>& of) {
+      return four_of(of[node[0]], of[node[1]], of[node[2]], of[node[3]]);
+    };
+    TurningInLanes turning;
+    const auto& q = state.rotation;
+    for (int i = 0; i < lane_count; ++i) {
+      const UnitQuaternion& of = q[node[static_cast<std::size_t>(i)]];
+      turning.rotation.w[i] = of.w, turning.rotation.x[i] = of.x;
+      turning.rotation.y[i] = of.y, turning.rotation.z[i] = of.z;
+    }
+    turning.spin = four(state.spin), turning.moment = four(work.moment), turning.inertia = four(model.inertia);
+    turn_four(turning, span.between, span.next);
+    for (int i = 0; i < count; ++i) {
+      const int n = node[static_cast<std::size_t>(i)];
+      room[n - first] = advance_one(n);
+      state.spin[n] = lane_of(turning.spin, i);
+      state.rotation[n] = {turning.rotation.w[i], turning.rotation.x[i], turning.rotation.y[i], turning.rotation.z[i]};
+    }
+    count = 0;
+  }
+  NodeWork advance_one(int n) {
+    const double mass = model.mass[n];
+    Vec3 &v = state.velocity[n], &place = state.position[n];
+    const Vec3 next = v + work.force[n] / mass * span.between, path = 0.5 * (span.last * v + span.next * next);
+    v = next, place += span.next * next;
+    NodeWork done;
+    done.weight = mass * outside.field.dot(path), done.load = outside.load[n].dot(path);
+    return done;
+  }
+};
+
+/// Nodes from `first` to before `last` in space.
+void advance_range(const Model<3>& model, State<3>& state, const Work<3>& work, const StepOptions& options,
+                   const StepSpan& span, const Outside<3>& outside, int first, int last, NodeWork* room) {
+  const bool plain = goes_plainly(model, outside, options) && work.element_damping.empty();
+  FreeNodes free{model, state, work, outside, span, room, first};
+  for (int n = first; n < last; ++n) {
+    if (plain && is_free(model, n))
+      free.add(n);
+    else
+      room[n - first] = advance_node(model, state, work, outside, options, span, n);
+  }
+  free.end();
+}
+
 /// Nodes from `first` to before `last` in the plane. `run()`: what takes the works of nodes that go plainly;
 /// `add(n, work)` takes those of the others.
 template <class Run, class Add>
@@ -191,8 +269,7 @@ void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const 
               },
               [&](int n, const NodeWork& w) { room[n - first] = w; });
         } else {
-          for (int n = first; n < last; ++n)
-            room[n - first] = advance_node(model, state, work, outside, options, span, n);
+          advance_range(model, state, work, options, span, outside, first, last, room);
         }
       },
       [&](int first, int last, int slot) {

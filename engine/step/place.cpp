@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/lane_vectors.hpp"
 #include "base/team.hpp"
 #include "body/rigid.hpp"
 #include "step/evaluate.hpp"
@@ -161,17 +162,26 @@ PlacedReach place_all(const Model<2>& model, const State<2>& state, Work<2>& wor
   return reach;
 }
 
-/// Corners of a piece whose body moves and stands so.
-SkinReach place_corners(const ConvexSolid& solid, const NodeMotion<3>& node, const Turn3& turn, PlacedSolid& out) {
-  const std::vector<Vec3>& own = solid.shape.corners;
-  if (out.corners.size() != own.size()) out.corners.assign(own.size(), node.position);
-  SkinReach reach;
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    const Vec3 arm = turn.apply(own[i]), place = node.position + arm, rate = node.velocity + cross(node.spin, arm);
-    reach.add(rate.squaredNorm(), (place - out.corners[i]).squaredNorm());
-    out.corners[i] = place;
+/// Corners of a piece whose body moves and stands so, four at a time; lanes beyond the last corner repeat it. The
+/// largest squares of speed and path are those of single corners.
+[[gnu::target_clones("avx2", "default")]] void place_corners(const std::vector<Vec3>& own, const NodeMotion<3>& node,
+                                                             const Turn3& turn, std::vector<Vec3>& placed,
+                                                             SkinReach& reach) {
+  const auto in_all = [](const Vec3& v) { return four_of(v, v, v, v); };
+  const Triple<Lanes> x = in_all(turn.x()), y = in_all(turn.y()), z = in_all(turn.z()), at = in_all(node.position),
+                      velocity = in_all(node.velocity), spin = in_all(node.spin);
+  Lanes speed2{}, path2{};
+  for (std::size_t i = 0; i < own.size(); i += lane_count) {
+    std::array<std::size_t, lane_count> k;
+    for (std::size_t lane = 0; lane < k.size(); ++lane) k[lane] = std::min(i + lane, own.size() - 1);
+    const Triple<Lanes> r = four_of(own[k[0]], own[k[1]], own[k[2]], own[k[3]]),
+                        before = four_of(placed[k[0]], placed[k[1]], placed[k[2]], placed[k[3]]);
+    const Triple<Lanes> arm = x * r.x + y * r.y + z * r.z, place = at + arm, rate = velocity + cross(spin, arm);
+    speed2 = larger(speed2, rate.square()), path2 = larger(path2, (place - before).square());
+    for (std::size_t lane = 0; lane < k.size() && i + lane < own.size(); ++lane)
+      placed[i + lane] = lane_of(place, static_cast<int>(lane));
   }
-  return reach;
+  for (int lane = 0; lane < lane_count; ++lane) reach.add(speed2[lane], path2[lane]);
 }
 
 /// A piece of a body whose nodes do not turn: its own fit and those of its faces, then the solid between them. The
@@ -193,9 +203,6 @@ SkinReach place_fitted(const Model<3>& model, const State<3>& state, int piece, 
   solids.before[p] = out.corners;
   out.solid = &solid;
   place_between(solid, std::span(solids.fitted).subspan(first + 1, faces), out.corners, out.normals);
-  out.along.clear();
-  for (const SolidEdge& e : solid.edges)
-    out.along.push_back(out.corners[static_cast<std::size_t>(e.to)] - out.corners[static_cast<std::size_t>(e.from)]);
   double speed2 = 0;
   const Fit& whole = model.fits[first];
   for (int i = 0; i < whole.nodes; ++i)
@@ -207,14 +214,18 @@ SkinReach place_fitted(const Model<3>& model, const State<3>& state, int piece, 
   return reach;
 }
 
-/// Corners, normals and edges of a piece, which goes with one node: of a frame too, see world/space_frame.hpp.
+/// Corners and normals of a piece, which goes with one node: of a frame too, see world/space_frame.hpp.
 SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
   const auto p = static_cast<std::size_t>(piece);
   if (model.is_fitted(piece)) return place_fitted(model, state, piece, solids);
   const int n = model.node_of_piece(piece);
   const NodeMotion<3> node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
   const Turn3 turn(node.rotation);
-  const SkinReach reach = place_corners(model.piece_solid[p], node, turn, solids.placed[p]);
+  const std::vector<Vec3>& own = model.piece_solid[p].shape.corners;
+  std::vector<Vec3>& corners = solids.placed[p].corners;
+  if (corners.size() != own.size()) corners.assign(own.size(), node.position);
+  SkinReach reach;
+  place_corners(own, node, turn, corners, reach);
   solids.speed2[p] = reach.speed2;
   place_faces(model.piece_solid[p], turn, solids.placed[p]);
   if (!solids.sphere.empty()) solids.sphere[p].centre = solids.placed[p].corners[0];

@@ -1,7 +1,10 @@
 // Contacts of solids in space: of faces, bonded or not, of any other shape, or apart by the axis that parted them last.
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "base/team.hpp"
+#include "contact/flat_contact.hpp"
 #include "contact/joint.hpp"
 #include "contact/sphere_contact.hpp"
 #include "detect/bearing_rules.hpp"
@@ -10,6 +13,11 @@
 
 namespace trilith {
 namespace {
+
+/// Rows that threads take at a time: some ten microseconds of what touches.
+constexpr int solid_row_stretch = 32;
+/// Of an answer: the row is left to those of faces that lie flat.
+constexpr int faces_to_come = -2;
 
 /// A piece where its body is now, with the velocity and spin of the node that it goes with, or of its fit.
 MovingSolid moving_solid(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
@@ -27,37 +35,30 @@ MovingSolid moving_solid(const Model<3>& model, const State<3>& state, const Wor
   return {work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n], step_behind(work, n)};
 }
 
-/// Force and moment about the centre of a contact on what carries one side of it.
-void add_to_carrier(const State<3>& state, int carrier, const Vec3& centre, const Vec3& force, const Vec3& moment,
-                    SolidWork<3>& solids) {
-  if (carrier < 0) {
-    const auto i = static_cast<std::size_t>(-1 - carrier);
-    solids.fit_force[i] += force, solids.fit_moment[i] += moment + cross(Vec3(centre - solids.fitted[i].place), force);
-    return;
-  }
-  const auto n = static_cast<std::size_t>(carrier);
-  solids.force[n] += force, solids.moment[n] += moment + cross(Vec3(centre - state.position[n]), force);
+/// Where a carrier (world/carrier.hpp) is [m].
+const Vec3& place_of(const State<3>& state, const Work<3>& work, int carrier) {
+  return carrier < 0 ? work.solids.fitted[static_cast<std::size_t>(-1 - carrier)].place
+                     : state.position[static_cast<std::size_t>(carrier)];
 }
 
-/// The force of a contact on both bodies.
-void add_to_bodies(const Model<3>& model, const State<3>& state, const NearPair& pair, const SolidResponse& r,
-                   Work<3>& work) {
-  if (model.fits.empty()) {
-    const int a = model.node_of_piece(pair.piece_a), b = model.node_of_piece(pair.piece_b);
-    work.solids.force[a] -= r.force, work.solids.force[b] += r.force;
-    work.solids.moment[a] -= r.moment + cross(Vec3(r.centre - state.position[a]), r.force);
-    work.solids.moment[b] += r.moment + cross(Vec3(r.centre - state.position[b]), r.force);
-    return;
-  }
-  add_to_carrier(state, model.carrier_of(pair.piece_a, r.face_a), r.centre, -r.force, -r.moment, work.solids);
-  add_to_carrier(state, model.carrier_of(pair.piece_b, r.face_b), r.centre, r.force, r.moment, work.solids);
+/// Adds a force and a moment about a carrier's place to the sums of nodes or of fits.
+void add_to_carrier(int carrier, const Vec3& force, const Vec3& moment, SolidWork<3>& solids) {
+  const auto i = static_cast<std::size_t>(carrier < 0 ? -1 - carrier : carrier);
+  (carrier < 0 ? solids.fit_force : solids.force)[i] += force;
+  (carrier < 0 ? solids.fit_moment : solids.moment)[i] += moment;
+}
+
+/// The force of a contact on what carries both sides of it.
+void add_to_bodies(const Model<3>& model, const NearPair& pair, const SolidAnswer& answer, Work<3>& work) {
+  const SolidResponse& r = answer.response;
+  add_to_carrier(model.carrier_of(pair.piece_a, r.face_a), -r.force, answer.moment_a, work.solids);
+  add_to_carrier(model.carrier_of(pair.piece_b, r.face_b), r.force, answer.moment_b, work.solids);
 }
 
 /// Adds what a contact gives to forces, ledger and lists.
-void take_up(const Model<3>& model, const State<3>& state, Work<3>& work, const SolidAnswer& answer) {
+void take_up(const Model<3>& model, Work<3>& work, const SolidAnswer& answer) {
   const auto r = static_cast<std::size_t>(answer.row);
   const SolidResponse& response = answer.response;
-  work.contacts.memory[r] = response.memory;
   if (answer.was_touching != response.touching) work.changed_rows.push_back(answer.row);
   work.given[EnergyTerm::contact_damping] += response.lost_damping;
   work.given[EnergyTerm::contact_friction] += response.lost_friction;
@@ -67,13 +68,114 @@ void take_up(const Model<3>& model, const State<3>& state, Work<3>& work, const 
     work.asleep_until[r] = work.travel + 0.5 * (1 - 1e-9) * work.solids.separation[r].distance;
     return;
   }
-  add_to_bodies(model, state, work.pairs[r], response, work);
+  add_to_bodies(model, work.pairs[r], answer, work);
   work.general_touching.push_back({answer.row, response.area, response.depth, response.centre, response.normal_force});
   const JointMemory* joint = work.contacts.joint_at(r);
   const double area = joint != nullptr && joint->bonds != 0 ? joint->plan->whole.area : response.area;
   work.solids.areas.push_back({response.middle, response.normal, area, response.radius, response.friction_arm,
                                response.arm, response.face_a, response.face_b});
   if (answer.joint_changed) work.changed_rows.push_back(answer.row);
+}
+
+/// Corners of the faces of a row that may lie flat on each other, of the one that has more.
+int corners_of(const Work<3>& work, int row) {
+  const FacePair& pair = work.solids.faces[static_cast<std::size_t>(row)];
+  const NearPair& near = work.pairs[row];
+  const auto corners = [&](int piece, int face) {
+    return static_cast<int>(work.solids.placed[piece].solid->shape.faces[face].size());
+  };
+  return std::max(corners(near.piece_a, pair.a), corners(near.piece_b, pair.b));
+}
+
+/// A face of each of four solids into lanes; corners beyond a face's own repeat its last.
+struct FourFacesOfSolids {
+  std::array<const PlacedSolid*, lane_count> solid;
+  std::array<std::span<const int>, lane_count> loop;
+  std::array<int, lane_count> face;
+
+  int load(std::array<Triple<Lanes>, max_face_corners>& corners, Triple<Lanes>& normal) const {
+    std::size_t most = 0;
+    for (const auto& l : loop) most = std::max(most, l.size());
+    const auto corner = [&](std::size_t lane, std::size_t k) -> const Vec3& {
+      const std::span<const int> l = loop[lane];
+      return solid[lane]->corners[static_cast<std::size_t>(l[k < l.size() ? k : l.size() - 1])];
+    };
+    const auto normal_of = [&](std::size_t lane) -> const Vec3& {
+      return solid[lane]->normals[static_cast<std::size_t>(face[lane])];
+    };
+    for (std::size_t k = 0; k < most; ++k) corners[k] = four_of(corner(0, k), corner(1, k), corner(2, k), corner(3, k));
+    normal = four_of(normal_of(0), normal_of(1), normal_of(2), normal_of(3));
+    return static_cast<int>(most);
+  }
+};
+
+MovingInLanes four_nodes(const State<3>& state, const std::array<int, lane_count>& n) {
+  const auto four = [&](const std::vector<Vec3>& v) { return four_of(v[n[0]], v[n[1]], v[n[2]], v[n[3]]); };
+  return {four(state.position), four(state.velocity), four(state.spin)};
+}
+
+void load_memory(const std::array<const SolidMemory*, lane_count>& m, FlatMemory& out) {
+  const auto four = [&](const auto& of) { return four_of(of(*m[0]), of(*m[1]), of(*m[2]), of(*m[3])); };
+  out.shear.elastic = four([](const SolidMemory& s) -> const Vec3& { return s.shear.elastic; });
+  out.shear.total = four([](const SolidMemory& s) -> const Vec3& { return s.shear.total; });
+  out.normal = four([](const SolidMemory& s) -> const Vec3& { return s.normal; });
+  out.damping = four([](const SolidMemory& s) -> const Vec3& { return s.damping; });
+  out.damping_moment = four([](const SolidMemory& s) -> const Vec3& { return s.damping_moment; });
+  out.shear.area = Lanes{m[0]->shear.area, m[1]->shear.area, m[2]->shear.area, m[3]->shear.area};
+  out.slip = Lanes{m[0]->slip, m[1]->slip, m[2]->slip, m[3]->slip};
+}
+
+/// All that the kernel of flat faces asks of four rows.
+[[gnu::target_clones("avx2", "default")]] void load_flat(const Model<3>& model, const State<3>& state, const Work<3>& work,
+               const std::array<int, lane_count>& row, double dt, FlatContacts& in) {
+  const std::vector<SolidMemory>& before = contacts_before(state, work).memory;
+  FourFacesOfSolids a, b;
+  std::array<int, lane_count> node_a, node_b;
+  std::array<const SolidMemory*, lane_count> memory;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto r = static_cast<std::size_t>(row[i]);
+    const NearPair& pair = work.pairs[r];
+    const FacePair& faces = work.solids.faces[r];
+    const LawNumbers& law = work.solids.law[static_cast<std::size_t>(pair.law)];
+    a.solid[i] = &work.solids.placed[pair.piece_a], b.solid[i] = &work.solids.placed[pair.piece_b];
+    a.face[i] = faces.a, b.face[i] = faces.b;
+    a.loop[i] = a.solid[i]->solid->shape.faces[faces.a], b.loop[i] = b.solid[i]->solid->shape.faces[faces.b];
+    node_a[i] = model.node_of_piece(pair.piece_a), node_b[i] = model.node_of_piece(pair.piece_b);
+    memory[i] = &before[r];
+    const auto lane = static_cast<int>(i);
+    in.kn[lane] = law.kn, in.ks[lane] = law.ks, in.mu[lane] = law.mu, in.beta[lane] = law.beta;
+    in.near[lane] = near_faces(*a.solid[i], *b.solid[i]);
+    in.b_is_larger[lane] = a.solid[i]->solid->size < b.solid[i]->solid->size ? -1 : 0;
+  }
+  in.dt = dt;
+  in.faces.corners_a = a.load(in.faces.a, in.faces.normal_a);
+  in.faces.corners_b = b.load(in.faces.b, in.faces.normal_b);
+  in.a = four_nodes(state, node_a), in.b = four_nodes(state, node_b);
+  load_memory(memory, in.before);
+}
+
+/// What a lane came to.
+void store_flat(const FlatResponses& out, int lane, SolidAnswer& answer, SolidMemory& memory) {
+  SolidResponse& r = answer.response;
+  answer.joint_changed = false;
+  r.touching = out.presses[lane] != 0;
+  r.face_a = r.face_b = -1;
+  r.lost_damping = out.lost_damping[lane], r.lost_friction = out.lost_friction[lane], r.lost_fracture = 0;
+  if (!r.touching) {
+    memory = {};
+    return;
+  }
+  answer.moment_a = lane_of(out.moment_a, lane), answer.moment_b = lane_of(out.moment_b, lane);
+  r.force = lane_of(out.force, lane), r.normal_force = lane_of(out.normal_force, lane);
+  r.centre = lane_of(out.centre, lane), r.middle = lane_of(out.middle, lane), r.normal = lane_of(out.normal, lane);
+  r.area = out.area[lane], r.depth = out.depth[lane];
+  r.radius = out.radius[lane], r.friction_arm = out.friction_arm[lane];
+  r.arm = {lane_of(out.arm[0], lane), lane_of(out.arm[1], lane)};
+  const FlatMemory& m = out.memory;
+  memory.shear = {lane_of(m.shear.elastic, lane), lane_of(m.shear.total, lane), m.shear.area[lane]};
+  memory.normal = lane_of(m.normal, lane), memory.damping = lane_of(m.damping, lane);
+  memory.damping_moment = lane_of(m.damping_moment, lane);
+  memory.slip = m.slip[lane], memory.state = contact_touching | contact_general;
 }
 
 /// What the rows of one evaluation are found from. Each writes what is its own row's alone, and `room`.
@@ -83,10 +185,15 @@ struct SolidPass {
   Work<3>& work;
   double dt;
 
-  bool respond(int row, SolidOverlapBuffer& room, SolidAnswer& answer) const;
+  void respond(int first, int last, SolidOverlapBuffer& room, SolidAnswer* answers) const;
 
  private:
   void respond_bonded(int row, const JointMemory& before, SolidOverlapBuffer& room, SolidAnswer& answer) const;
+  bool respond_alone(int row, SolidOverlapBuffer& room, SolidAnswer& answer) const;
+  void respond_shapes(int row, bool may_be_flat, SolidOverlapBuffer& room, SolidAnswer& answer) const;
+  void respond_faces(std::span<const int> rows, int first, SolidOverlapBuffer& room, SolidAnswer* answers) const;
+  [[nodiscard]] bool looks_flat(int row) const;
+  void finish(SolidAnswer& answer) const;
 };
 
 /// Faces that mortar holds together, or did until now.
@@ -112,7 +219,8 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidOverlapB
     after = {};
     work.solids.separation[r].distance = 0;
   }
-  answer = {row, true, joint.changed, joint.contact};
+  answer.row = row, answer.was_touching = true, answer.joint_changed = joint.changed;
+  answer.response = joint.contact;
 }
 
 bool has_sphere(const Work<3>& work, const NearPair& pair) {
@@ -126,8 +234,9 @@ SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<
   return {work.solids.sphere[piece], moving.placed, moving.origin, moving.velocity, moving.spin, moving.behind};
 }
 
-/// False where there is nothing to be found out: the two were apart, and still are.
-bool SolidPass::respond(int row, SolidOverlapBuffer& room, SolidAnswer& answer) const {
+/// False where there is nothing to be found out (the two were apart, and still are), or where the row is left to
+/// those of faces that lie flat.
+bool SolidPass::respond_alone(int row, SolidOverlapBuffer& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
   const Contacts<3>& contacts = contacts_before(state, work);
   if (const JointMemory* joint = contacts.joint_at(r); joint != nullptr) {
@@ -141,24 +250,108 @@ bool SolidPass::respond(int row, SolidOverlapBuffer& room, SolidAnswer& answer) 
   const NearPair& pair = work.pairs[r];
   if (has_sphere(work, pair)) {
     const LawInUse law{model.laws[pair.law], model.thickness, dt};
-    answer = {
-        row, was, false,
+    answer.response =
         respond_spheres(sphere_side(model, state, work, pair.piece_a), sphere_side(model, state, work, pair.piece_b),
-                        before, law, work.solids.separation[r].distance)};
+                        before, law, work.solids.separation[r].distance);
+    answer.row = row, answer.was_touching = was, answer.joint_changed = false;
     return true;
   }
-  const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
-                    b = moving_solid(model, state, work, pair.piece_b);
-  const LawInUse law{model.laws[pair.law], model.thickness, dt};
-  const SolidPressure pressed = pressure_between(a, b, law, work.solids.separation[r], room);
-  // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
-  const bool held_off = pair.replaced && presses_flat(model, state, work.search, state.bearing, pair, pressed.force);
-  answer = {row, was, false, held_off ? SolidResponse{} : respond_solids(a, b, before, law, pressed)};
+  if (looks_flat(row)) {
+    answer.row = faces_to_come;
+    return false;
+  }
+  respond_shapes(row, work.solids.faces[r].a != FacePair::none, room, answer);
   return true;
 }
 
-/// Rows that threads take at a time: some ten microseconds of what touches.
-constexpr int solid_row_stretch = 16;
+/// Two polyhedra of any shape and pose.
+void SolidPass::respond_shapes(int row, bool may_be_flat, SolidOverlapBuffer& room, SolidAnswer& answer) const {
+  const auto r = static_cast<std::size_t>(row);
+  const NearPair& pair = work.pairs[r];
+  const SolidMemory& before = contacts_before(state, work).memory[r];
+  const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
+                    b = moving_solid(model, state, work, pair.piece_b);
+  const LawInUse law{model.laws[pair.law], model.thickness, dt};
+  const SolidPressure pressed = pressure_between(a, b, law, work.solids.separation[r], room, may_be_flat);
+  // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
+  const bool held_off = pair.replaced && presses_flat(model, state, work.search, state.bearing, pair, pressed.force);
+  answer.row = row, answer.was_touching = (before.state & contact_touching) != 0, answer.joint_changed = false;
+  answer.response = held_off ? SolidResponse{} : respond_solids(a, b, before, law, pressed);
+}
+
+/// Whether a row may be one of two faces that lie flat, and no other pair of faces of the two. Who asks anew, and when,
+/// changes no answer.
+bool SolidPass::looks_flat(int row) const {
+  const NearPair& pair = work.pairs[row];
+  // Bodies of elements, and what an implicit scheme moves, are answered one by one.
+  if (model.is_fitted(pair.piece_a) || model.is_fitted(pair.piece_b) || !work.solids.behind.empty()) return false;
+  if (pair.replaced || !work.solids.law[static_cast<std::size_t>(pair.law)].is_linear) return false;
+  FacePair& faces = work.solids.faces[static_cast<std::size_t>(row)];
+  if (work.travel >= faces.until)
+    faces = facing_pair(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b], work.travel);
+  return faces.a >= 0;
+}
+
+/// Forces about the places of what carries the two, and what is remembered: of rows that are answered one by one.
+void SolidPass::finish(SolidAnswer& answer) const {
+  const NearPair& pair = work.pairs[answer.row];
+  const SolidResponse& r = answer.response;
+  const Vec3 &a = place_of(state, work, model.carrier_of(pair.piece_a, r.face_a)),
+             &b = place_of(state, work, model.carrier_of(pair.piece_b, r.face_b));
+  answer.moment_a = -r.moment - cross(Vec3(r.centre - a), r.force);
+  answer.moment_b = r.moment + cross(Vec3(r.centre - b), r.force);
+  work.contacts.memory[answer.row] = r.memory;
+}
+
+/// Four rows of faces into lanes and their answers out of them. Lanes beyond the last row repeat it.
+void SolidPass::respond_faces(std::span<const int> rows, int first, SolidOverlapBuffer& room,
+                              SolidAnswer* answers) const {
+  FlatContacts in;
+  FlatResponses out;
+  std::array<int, lane_count> row;
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = rows[std::min(i, rows.size() - 1)];
+  load_flat(model, state, work, row, dt, in);
+  respond_flat(in, out);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto lane = static_cast<int>(i);
+    SolidAnswer& answer = answers[row[i] - first];
+    if (out.rough[lane] == 0 && out.flat[lane] != 0) {
+      answer.row = row[i];
+      answer.was_touching = (contacts_before(state, work).memory[row[i]].state & contact_touching) != 0;
+      work.solids.separation[row[i]].distance = 0;
+      store_flat(out, lane, answer, work.contacts.memory[row[i]]);
+      continue;
+    }
+    respond_shapes(row[i], out.rough[lane] != 0, room, answer);
+    finish(answer);
+  }
+}
+
+/// Rows one by one, and those of faces that lie flat four at a time, those of few corners and those of many apart.
+void SolidPass::respond(int first, int last, SolidOverlapBuffer& room, SolidAnswer* answers) const {
+  std::array<std::array<int, solid_row_stretch>, 2> rows;
+  std::array<std::size_t, 2> count{};
+  for (int row = first; row < last; ++row) {
+    SolidAnswer& answer = answers[row - first];
+    answer.row = -1;
+    if (respond_alone(row, room, answer)) finish(answer);
+    if (answer.row != faces_to_come) continue;
+    const std::size_t kind = corners_of(work, row) > 4 ? 1 : 0;
+    rows[kind][count[kind]++] = row;
+  }
+  for (std::size_t kind = 0; kind < 2; ++kind)
+    for (std::size_t i = 0; i < count[kind]; i += lane_count)
+      respond_faces({rows[kind].data() + i, std::min<std::size_t>(lane_count, count[kind] - i)}, first, room, answers);
+}
+
+/// What faces that lie flat ask of the laws.
+void list_law_numbers(const Model<3>& model, std::vector<LawNumbers>& numbers) {
+  numbers.clear();
+  for (const ContactLaw& law : model.laws)
+    with_kernel({law, model.thickness, 0}, [&](const Coulomb& k) {
+      numbers.push_back({k.kn, k.ks, k.mu, k.beta, is_linear(law)});
+    });
+}
 
 }  // namespace
 
@@ -172,6 +365,7 @@ void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work
   work.solids.fit_force.assign(model.fits.size(), Vec3::Zero());
   work.solids.fit_moment.assign(model.fits.size(), Vec3::Zero());
   SolidWork<3>& solids = work.solids;
+  list_law_numbers(model, solids.law);
   solids.room.resize(static_cast<std::size_t>(work.threads));
   solids.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * solid_row_stretch);
   const SolidPass pass{model, state, work, dt};
@@ -181,14 +375,11 @@ void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work
   share_in_order(
       work.threads, static_cast<int>(work.pairs.size()), solid_row_stretch,
       [&](int first, int last, int thread, int slot) {
-        for (int row = first; row < last; ++row) {
-          SolidAnswer& answer = answer_of(slot, row - first);
-          if (!pass.respond(row, solids.room[static_cast<std::size_t>(thread)], answer)) answer.row = -1;
-        }
+        pass.respond(first, last, solids.room[static_cast<std::size_t>(thread)], &answer_of(slot, 0));
       },
       [&](int first, int last, int slot) {
         for (int i = 0; i < last - first; ++i)
-          if (answer_of(slot, i).row >= 0) take_up(model, state, work, answer_of(slot, i));
+          if (answer_of(slot, i).row >= 0) take_up(model, work, answer_of(slot, i));
       });
 }
 

@@ -9,6 +9,7 @@
 #include "bearing/bearing.hpp"
 #include "contact/corner_overlap.hpp"
 #include "contact/placed_pieces.hpp"
+#include "contact/solid_faces.hpp"
 #include "contact/solid_pressure.hpp"
 #include "contact/step_behind.hpp"
 #include "shape/overlap_3d.hpp"
@@ -88,6 +89,7 @@ struct SolidAnswer {
   int row = -1;  ///< -1: there was nothing to find out
   bool was_touching = false, joint_changed = false;
   SolidResponse response;
+  Vec3 moment_a = Vec3::Zero(), moment_b = Vec3::Zero();  ///< on both bodies, about their nodes [N m]
 };
 
 /// What the general contact of one row in the plane came to, before it is added to anything.
@@ -124,6 +126,12 @@ struct ElementRange {
   int first, count;
 };
 
+/// Stiffnesses, friction and damping of a law whose pressure goes with the overlap.
+struct LawNumbers {
+  double kn, ks, mu, beta;  ///< [Pa/m], [Pa/m], [1], [s]
+  bool is_linear;
+};
+
 /// Solids in space where they stand, and what their contacts give.
 template <int D>
 struct SolidWork {};
@@ -135,6 +143,9 @@ struct SolidWork<3> {
   std::vector<double> speed2;            ///< [piece] largest square of the speeds of its corners [m2/s2]. Writer: place
   std::vector<Separation3> separation;   ///< [contact] along the axis that parted them last. Writer: respond
   std::vector<Separation3> spare;        ///< room
+  std::vector<FacePair> faces;           ///< [contact] that may lie flat on each other. Writer: respond
+  std::vector<FacePair> spare_faces;     ///< room
+  std::vector<LawNumbers> law;           ///< [law] what faces that lie flat ask of it. Writer: respond
   std::vector<ContactArea> areas;        ///< one for each of general_touching. Writer: respond
   std::vector<Vec3> force, moment;       ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
   std::vector<Fitted> fitted;            ///< [fit]. Writer: place

@@ -59,6 +59,7 @@ class SolidRun {
     }
     return false;
   }
+  StepOptions& options() { return options_; }
   void drop_work() { work_ = {}, evaluate(model_, state_, work_, state_.last_dt); }
   Model<3>& model() { return model_; }
   State<3>& state() { return state_; }

@@ -27,6 +27,33 @@ SolidRun collision(std::mt19937_64& bits, double dt) {
   return {builder.build(), dt};
 }
 
+/// Pairs by chance until `count` have struck each other; returns the deepest overlap [m].
+double strike_by_chance(int count, unsigned seed) {
+  std::mt19937_64 bits(seed);
+  int struck = 0;
+  double deepest = 0;
+  while (struck < count) {
+    SolidRun run = collision(bits, 2e-5);
+    const double energy = run.moving_energy();
+    const Vec3 momentum = run.momentum(), turning = run.angular_momentum();
+    bool touched = false;
+    run.run_until(2.5, [&] {
+      for (const GeneralContact<3>& g : run.work().general_touching)
+        touched = true, deepest = std::max(deepest, g.depth);
+      return touched && run.work().general_touching.empty();
+    });
+    if (!touched) continue;
+    ++struck;
+    REQUIRE(run.work().general_touching.empty());
+    CHECK(near(run.moving_energy(), energy, 1e-2));
+    CHECK((run.momentum() - momentum).norm() < 1e-9 * run.model().mass[0]);
+    CHECK((run.angular_momentum() - turning).norm() < 1e-9 * run.model().mass[0]);
+    // Of two that have passed through each other one would be where the other came from.
+    CHECK(run.shared_volume() == 0);
+  }
+  return deepest;
+}
+
 }  // namespace
 
 TEST_CASE("corners of a solid are where its node takes them, and the fastest of them is known") {
@@ -51,28 +78,13 @@ TEST_CASE("corners of a solid are where its node takes them, and the fastest of 
 }
 
 TEST_CASE("two solids by chance that strike each other keep energy and momenta, and do not pass") {
-  std::mt19937_64 bits(2026);
-  int struck = 0;
-  double deepest = 0;
-  while (struck < 150) {
-    SolidRun run = collision(bits, 2e-5);
-    const double energy = run.moving_energy();
-    const Vec3 momentum = run.momentum(), turning = run.angular_momentum();
-    bool touched = false;
-    run.run_until(2.5, [&] {
-      for (const GeneralContact<3>& g : run.work().general_touching)
-        touched = true, deepest = std::max(deepest, g.depth);
-      return touched && run.work().general_touching.empty();
-    });
-    if (!touched) continue;
-    ++struck;
-    REQUIRE(run.work().general_touching.empty());
-    CHECK(near(run.moving_energy(), energy, 1e-2));
-    CHECK((run.momentum() - momentum).norm() < 1e-9 * run.model().mass[0]);
-    CHECK((run.angular_momentum() - turning).norm() < 1e-9 * run.model().mass[0]);
-    // Of two that have passed through each other one would be where the other came from.
-    CHECK(run.shared_volume() == 0);
-  }
+  const double deepest = strike_by_chance(150, 2026);
+  CHECK(deepest < 0.1);
+  MESSAGE("deepest overlap " << deepest << " m");
+}
+
+TEST_CASE("2,000 pairs of solids by chance keep energy and momenta, and do not pass" * doctest::test_suite("long")) {
+  const double deepest = strike_by_chance(2000, 20261125);
   CHECK(deepest < 0.1);
   MESSAGE("deepest overlap " << deepest << " m");
 }

@@ -43,9 +43,13 @@ double largest_distance(const PlacedSolid& a, const PlacedSolid& b) {
   };
   for (const Vec3& n : a.normals) along(n);
   for (const Vec3& n : b.normals) along(n);
-  for (const Vec3& p : a.along)
-    for (const Vec3& q : b.along)
-      if (const Vec3 n = cross(p, q); n.norm() > 1e-5 * p.norm() * q.norm()) along(n.normalized());
+  const auto edge = [](const PlacedSolid& of, const SolidEdge& e) {
+    return Vec3(of.corners[static_cast<std::size_t>(e.to)] - of.corners[static_cast<std::size_t>(e.from)]);
+  };
+  for (const SolidEdge& of_a : a.solid->edges)
+    for (const SolidEdge& of_b : b.solid->edges)
+      if (const Vec3 p = edge(a, of_a), q = edge(b, of_b), n = cross(p, q); n.norm() > 1e-5 * p.norm() * q.norm())
+        along(n.normalized());
   return best;
 }
 

@@ -25,7 +25,7 @@ namespace {
 double worst_entry(const Model<2>& model, State<2> state, double dt, double rate) {
   Work<2> work;
   evaluate(model, state, work, dt);
-  Tangent tangent;
+  Tangent<2> tangent;
   tangent.shape(model, work);
   const TangentOptions options{dt, rate, 1, 0, 1.5e-9};
   const std::uint64_t before = state_hash(state);
