@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "body_reading.hpp"
 #include "model_binding.hpp"
+#include "solid_makers.hpp"
 #include "step/stable_step.hpp"
 #include "world/motion_hash.hpp"
 

@@ -91,7 +91,8 @@ TEST_CASE("a step as long as is found stable is so, and half as long again is no
 void press_stack(const std::array<int, 3>& lower, ElementShape lower_shape, const std::array<int, 3>& upper,
                  ElementShape upper_shape) {
   const double kn = 1e9, young = 1e8, pressure = 1e4;
-  SolidModelBuilder builder = soft_world(frictional(kn, kn, 0.5, 1e-4), young, 0, 2e-4);
+  // Without friction, which would keep what the first shake of the load has slid.
+  SolidModelBuilder builder = soft_world(frictional(kn, kn, 0, 1e-4), young, 0, 2e-4);
   builder.gravity = Vec3::Zero();
   builder.add_body(fixed_box("ground", box_solid(Vec3(-1, -1, -0.5), Vec3(2, 2, 0))));
   const auto add = [&](const std::string& name, const Vec3& low, const Vec3& high, const std::array<int, 3>& divisions,
