@@ -117,17 +117,21 @@ SortedRows sort_stretch(const ContactHistory& before, const Work<2>& work, const
   constexpr std::uint32_t shapeless = contact_touching | contact_general;
   int* const end = fresh + stretch_room;
   std::size_t touched = 0, rest = 0, tumbling = 0;
+  std::uint32_t seen = 0;
   for (std::size_t i = 0; i < count; ++i) {  // without branches: which rows touch is hard to guess
     const int row = facing[i];
-    const ContactMemory& memory = before.memory[row];
-    const bool was = (memory.state & (contact_touching | contact_kept)) != 0;
+    const std::uint32_t state = before.memory[row].state;
+    const bool was = (state & (contact_touching | contact_kept)) != 0;
     rows[touched] = fresh[rest] = row;
-    *(end - 1 - tumbling) = row;
     touched += was ? 1 : 0;
     rest += was ? 0 : 1;
-    tumbling += (memory.state & shapeless) == shapeless && memory.bonds == 0 ? 1 : 0;
+    seen |= state;
   }
-  if (tumbling > 0) {
+  if ((seen & contact_general) != 0) {  // in a wall that stands there is none
+    for (std::size_t i = 0; i < touched; ++i) {
+      const ContactMemory& memory = before.memory[rows[i]];
+      if ((memory.state & shapeless) == shapeless && memory.bonds == 0) *(end - ++tumbling) = rows[i];
+    }
     tumbling = keep_tumbling(work, end, tumbling);
     touched = without(end, tumbling, rows, touched);
   }
