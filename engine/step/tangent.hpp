@@ -2,11 +2,10 @@
 //
 //   A = m (1 - alpha_m) / (b dt^2) - (1 - alpha_f) (dF/dx + c dF/dv),   c = g / (b dt)
 //
-// with b, g, alpha of step/alpha_scheme.hpp. dF is found by central differences of `evaluate` itself, many nodes at a
-// time: nodes that act on no common node move together (Curtis, Powell and Reid 1974). So it is that of every law,
-// branch and load there is, one that is added included; rounding leaves it exact to about 1e-6. Beams have theirs by
-// hand (step/beam_tangent.hpp), which costs less, and is of one side of a kink where a fibre or a hinge begins to
-// yield.
+// with b, g, alpha of step/alpha_scheme.hpp. dF is found term by term (step/term_tangent.hpp), each by central
+// differences of what finds it in a step. So it is that of every law, branch and load there is, one that is added
+// included; rounding leaves it exact to about 1e-6. Beams have theirs by hand (step/beam_tangent.hpp), which is of one
+// side of a kink where a fibre or a hinge begins to yield.
 #pragma once
 
 #include <Eigen/SparseCore>
