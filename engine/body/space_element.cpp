@@ -241,6 +241,8 @@ struct FacePoint {
   std::array<double, max_face_nodes> n{};
   std::array<Vec2, max_face_nodes> d;
   double weight = 0;
+
+  FacePoint() { d.fill(Vec2::Zero()); }
 };
 
 std::vector<FacePoint> quadrilateral_points() {

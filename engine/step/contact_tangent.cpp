@@ -360,11 +360,10 @@ class GeneralTerm {
 };
 
 void add_general(TermSum& sum, Work<2>& work, const ContactHistory& before) {
-  if (work.general_rows.empty()) return;  // then the list is of an earlier evaluation
-  // No corner goes farther than some disturbances as its body turns.
+  // What sleeps longer touches in no copy: no corner goes farther than some disturbances as its body turns.
   const double near = work.travel + 10 * (sum.options.move > 0 ? sum.options.move : 1e-8);
   TermNodes nodes;
-  for (const int row : work.awake_rows) {
+  for (const int row : work.general_rows) {
     const bool touches = (work.contacts.memory[row].state & contact_touching) != 0;
     if (!touches && (work.pairs[row].replaced || work.asleep_until[row] > near)) continue;
     PairSkins skins(sum.model, work, work.pairs[row]);

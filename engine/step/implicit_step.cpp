@@ -29,8 +29,10 @@ constexpr double growth = 2;
 /// Rounding of a place, as a share of it.
 constexpr double digits = std::numeric_limits<double>::epsilon();
 /// The tangent is found anew where an iteration has left more than this share of the forces, and more of them lie ahead
-/// at that rate than it costs with its factors.
-constexpr double slow_share = 0.1, tangent_cost = 1;
+/// at that rate than it costs with its factors: in space, where all is evaluated for each colour, much more.
+constexpr double slow_share = 0.1;
+template <int D>
+constexpr double tangent_cost = D == 2 ? 1 : 12;
 
 /// What moves and what is stored [J].
 double held(const Energy& e) {
@@ -262,7 +264,7 @@ bool Trial<D>::serves_on(double merit_before) const {
   if (rate <= slow_share || share_left_ <= options_.tolerance) return true;
   if (!(rate < 1)) return false;
   const double ahead = portable::log(options_.tolerance / share_left_) / portable::log(rate);
-  return ahead <= tangent_cost;
+  return ahead <= tangent_cost<D>;
 }
 
 template <int D>

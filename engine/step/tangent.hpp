@@ -81,6 +81,10 @@ class Tangent {
 };
 
 template <>
+void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options);
+template <>
+void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options);
+template <>
 void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
 template <>
 void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work, const TangentOptions& options);
