@@ -249,6 +249,12 @@ class FaceTerms {
   TermForces more_, less_;
 };
 
+/// True where the last evaluation answered the row as one of general shape.
+bool is_general(const Work<2>& work, int row) {
+  if (work.general.empty() && work.general_now.empty()) return false;
+  return work.is_general[static_cast<std::size_t>(row)] != 0;
+}
+
 /// The rows that evaluation asks the laws of: what touches, and what is so near that it may. Faces that just meet, as
 /// those of blocks that are put on each other do, may count as closed and sticking: with half of their stiffness, the
 /// mean of both sides, and no friction yet, statics would send what they carry far away.
@@ -257,11 +263,8 @@ void add_faces(TermSum& sum, Work<2>& work, const ContactHistory& before) {
     FaceTerms terms(sum, work, before, law_in_use(sum.model, batch.law, sum.options.dt));
     const std::vector<int>& facing = batch.choice.empty() ? batch.row : batch.now;
     const std::size_t count = sort_out(before, work, facing, work.face_rows, work.fresh_rows);
-    const auto is_general = [&](int row) {
-      return std::binary_search(work.general_now.begin(), work.general_now.end(), row);
-    };
     for (std::size_t i = 0; i < count; ++i)
-      if (const int row = work.face_rows[i]; !is_general(row)) terms.add(row);
+      if (const int row = work.face_rows[i]; !is_general(work, row)) terms.add(row);
     terms.flush();
   }
 }
@@ -363,7 +366,8 @@ void add_general(TermSum& sum, Work<2>& work, const ContactHistory& before) {
   // What sleeps longer touches in no copy: no corner goes farther than some disturbances as its body turns.
   const double near = work.travel + 10 * (sum.options.move > 0 ? sum.options.move : 1e-8);
   TermNodes nodes;
-  for (const int row : work.general_rows) {
+  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
+    if (!is_general(work, row)) continue;
     const bool touches = (work.contacts.memory[row].state & contact_touching) != 0;
     if (!touches && (work.pairs[row].replaced || work.asleep_until[row] > near)) continue;
     PairSkins skins(sum.model, work, work.pairs[row]);

@@ -44,8 +44,8 @@ do
   local m = model("wall", trilith.bonded { kn = 2e9, ks = 1e9, mu = 0.6, beta = 2e-4, tension = 1e5, cohesion = 1e5 })
   local wall = m:wall { name = "wall", length = 0.8, courses = 3, at = { 0, 0, 0 }, material = "stone", body = "brick" }
   assert(wall[1].kind == "brick")
-  local path = os.tmpname()
-  m:results { file = path, frames = 0.01, overwrite = true }
+  local path = os.tmpname() .. ".h5"
+  m:results { file = path, frames = 0.01 }
   m:consolidate { ratio = 1e-2 }
   m:drive { body = "ground", x = trilith.ramp { by = 0.01, duration = 0.05 } }
   m:run { duration = 0.05 }
