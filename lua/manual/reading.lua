@@ -43,6 +43,7 @@ joints      flag = true       with opening, slip and damage of each joint]] },
     args = "bodies  bodies  in order", gives = "table[]" },
   { "model:modes", "Natural frequencies as it stands, lowest first: { frequency, period, square, mass_x, mass_y, "
     .. "factor_x, factor_y, damping, shape }; shape by body's name: { x, y, rotation }. "
+    .. "In space mass_z and factor_z too, and shapes { x, y, z, turn_x, turn_y, turn_z }. "
     .. "Prints as a table; goes to the results file.",
     keys = "count  integer = 10  how many", gives = "table[]" },
   { "model:damping", "Share of critical damping for each mode as it stands: { frequency, ratio, contacts, bearings, "
