@@ -126,8 +126,9 @@ void load_memory(const std::array<const SolidMemory*, lane_count>& m, FlatMemory
 }
 
 /// All that the kernel of flat faces asks of four rows.
-[[gnu::target_clones("avx2", "default")]] void load_flat(const Model<3>& model, const State<3>& state, const Work<3>& work,
-               const std::array<int, lane_count>& row, double dt, FlatContacts& in) {
+[[gnu::target_clones("avx2", "default")]] void load_flat(const Model<3>& model, const State<3>& state,
+                                                         const Work<3>& work, const std::array<int, lane_count>& row,
+                                                         double dt, FlatContacts& in) {
   const std::vector<SolidMemory>& before = contacts_before(state, work).memory;
   FourFacesOfSolids a, b;
   std::array<int, lane_count> node_a, node_b;
