@@ -1,4 +1,6 @@
 // Deformable bodies in space: free flight, contact with each other and with rigid ones, waves, bearings, bits.
+#include <fmt/format.h>
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -213,7 +215,7 @@ TEST_CASE("mortar between bricks that deform carries tension and bending, and ho
   builder.gravity = Vec3::Zero();
   builder.add_body(fixed_box("root", box_solid(Vec3(-0.4, 0, 0), Vec3(0, 0.2, 0.2))));
   for (int i = 0; i < 3; ++i)
-    builder.add_body(box_of("u" + std::to_string(i), box_solid(Vec3(0.4 * i, 0, 0), Vec3(0.4 * (i + 1), 0.2, 0.2)),
+    builder.add_body(box_of(fmt::format("u{}", i), box_solid(Vec3(0.4 * i, 0, 0), Vec3(0.4 * (i + 1), 0.2, 0.2)),
                             "soft", {1, 1, 1}));
   Model<3> model = builder.build();
   const double load = -50;
@@ -270,7 +272,7 @@ TEST_CASE("the ledger of a wall of bricks in mortar, one element for each, close
       const double from = course % 2 == 0 ? 0.4 * i : std::max(0.0, 0.4 * i - 0.2),
                    to = course % 2 == 0 ? 0.4 * (i + 1) : std::min(2.0, 0.4 * i + 0.2);
       SolidSpec unit =
-          box_of("c" + std::to_string(course) + ".u" + std::to_string(i),
+          box_of(fmt::format("c{}.u{}", course, i),
                  box_solid(Vec3(from, 0, 0.2 * course), Vec3(to, 0.2, 0.2 * (course + 1))), "soft", {1, 1, 1});
       builder.add_body(std::move(unit));
     }
@@ -352,8 +354,8 @@ Model<3> heap() {
   for (int i = 0; i < 9; ++i) {
     const Polyhedron box = box_at(Vec3(0.5, 0.4, 0.3), Vec3(0.1 * (i % 3), 0.08 * (i % 2), 0.4 + 0.72 * i),
                                   rotation_by(Vec3(0.2 * i, 0.1, 0.3 * i)));
-    SolidSpec spec = i % 4 == 3 ? rigid_box("s" + std::to_string(i), box)
-                                : box_of("s" + std::to_string(i), box, "soft", {1, 1, 1},
+    SolidSpec spec = i % 4 == 3 ? rigid_box(fmt::format("s{}", i), box)
+                                : box_of(fmt::format("s{}", i), box, "soft", {1, 1, 1},
                                          all_shapes[static_cast<std::size_t>(i % 3)]);
     spec.floating = true;
     builder.add_body(std::move(spec));

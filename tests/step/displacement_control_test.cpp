@@ -96,10 +96,10 @@ struct SpinningStone {
 
   explicit SpinningStone(bool held = false) {
     SpaceBuilder builder;
-    builder.gravity = {0, 0, -standard_gravity};
+    builder.gravity({0, 0, -standard_gravity});
     SolidBody body = stone("stone", box_at({0.4, 0.6, 1.0}, {0.1, 0.2, 3}, rotation_by({0.3, -0.5, 0.8})));
     body.velocity = {0.2, -0.1, 0.3}, body.spin = {0.4, 1.1, -0.7};
-    builder.add_body(body);
+    builder.add(body);
     model = builder.build();
     if (held) {
       model.support[0][3] = Support::fixed;

@@ -12,8 +12,8 @@ namespace {
 /// One free stone without weight.
 Model<3> lone(const Polyhedron& shape) {
   SpaceBuilder builder;
-  builder.gravity.setZero();
-  builder.add_body(stone("b", shape));
+  builder.gravity(Vec3::Zero());
+  builder.add(stone("b", shape));
   return builder.build();
 }
 
