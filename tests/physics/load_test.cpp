@@ -181,7 +181,7 @@ Pushed push_block(Scene& scene, double way, double speed, const std::optional<Ve
   const auto motion = std::make_shared<GroundMotion>(even_motion(std::abs(way), speed));
   const int block = model.find_body("block");
   add_push(model, sim.state(), "push", push_rows(model, {block}, at, PushPattern::mass, direction), direction, motion);
-  PushoverRecorder recorder("push", motion->duration() / 200, {}, [](const Instant<2>&) { return 0.0; });
+  PushoverRecorder<2> recorder("push", motion->duration() / 200, {}, [](const Instant<2>&) { return 0.0; });
   StageOptions options;
   options.duration = motion->duration(), options.rest_share = 0.8;
   sim.run(options, each_step([&](const Instant<2>& now) { recorder.step(now); }));
