@@ -26,7 +26,7 @@ namespace trilith {
 struct SphereSide {
   const Sphere& sphere;       ///< radius 0: it is the polyhedron
   const PlacedSolid& placed;  ///< read of a polyhedron alone
-  const Vec3 &origin, &velocity, &spin;
+  Vec3 origin, velocity, spin;
   const StepBehind* behind = nullptr;  ///< see MovingSolid
 
   [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - origin)); }

@@ -35,8 +35,7 @@ body      bodies?       bodies whose supports go; or
 load      text?         a load; or
 push      text?         a push
 x         flag = false  of bodies: this direction; all where none is given
-y         flag = false  this direction
-z         flag = false  this one, in space
+y         flag = false  this direction; z too in space
 rotation  flag = false  this direction
 fade      number s = 1  over which it goes]] },
   { "model:pushover", "A stage that pushes bodies steadily, and what that takes.", keys = [[
