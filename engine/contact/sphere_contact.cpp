@@ -110,7 +110,8 @@ void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMe
   }
   Vec3 old = Vec3::Zero(), old_total = Vec3::Zero();
   if (before.shear.area > 0) {
-    const CarriedShear carried(before.normal, n, 0.5 * law.dt * n.dot(Vec3(mean_spin(a, law.dt) + mean_spin(b, law.dt))));
+    const CarriedShear carried(before.normal, n,
+                               0.5 * law.dt * n.dot(Vec3(mean_spin(a, law.dt) + mean_spin(b, law.dt))));
     old = carried(before.shear.elastic), old_total = carried(before.shear.total);
   }
   const double stiffness = law.ks * at.area, compliance = stiffness > 0 ? 1 / stiffness : 0,

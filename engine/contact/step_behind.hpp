@@ -1,7 +1,7 @@
 // How far bodies in space went in a step that an implicit scheme took.
 //
-// In a leapfrog step the velocity of now, times the step, is the way that was gone. An implicit step leads from place to
-// place, with velocities of its end; what contacts slide by is then the way itself: of the point x of a body, which
+// In a leapfrog step the velocity of now, times the step, is the way that was gone. An implicit step leads from place
+// to place, with velocities of its end; what contacts slide by is then the way itself: of the point x of a body, which
 // stands at p and was turned by R, and stood at p0 with R0,
 //
 //   x - p0 - R0 R' (x - p)

@@ -60,7 +60,8 @@ double scale_in_space(const Header& header, const ModeRow& mode) {
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
       const auto n = static_cast<std::size_t>(header.vertex_node[static_cast<std::size_t>(v)]);
       const Vec3 place = at.vertex(v), turn = Vec3::Map(&mode.turn[3 * n]);
-      const Vec3 way = Vec3::Map(&mode.displacement[3 * n]) + cross(turn, Vec3(place - Vec3::Map(&mode.position[3 * n])));
+      const Vec3 way =
+          Vec3::Map(&mode.displacement[3 * n]) + cross(turn, Vec3(place - Vec3::Map(&mode.position[3 * n])));
       low = low.cwiseMin(place), high = high.cwiseMax(place);
       most = std::max(most, way.norm()), most_turn = std::max(most_turn, turn.norm());
     }
@@ -145,8 +146,7 @@ Scene mode_scene(const Header& header, const ModeRow& mode, double magnify) {
   return scene_of_mode(header, mode, magnify, {});
 }
 
-Scene mode_scene(const results::ResultsReader& reader, const ModeRow& mode, double magnify,
-                 const SceneChoice& choice) {
+Scene mode_scene(const results::ResultsReader& reader, const ModeRow& mode, double magnify, const SceneChoice& choice) {
   const Header& header = reader.header();
   const results::Presence presence(reader.events(), header.bodies.size());
   std::vector<bool> gone(header.bodies.size());

@@ -15,7 +15,8 @@ std::vector<results::ModeRow> modes_found(const results::ResultsReader& reader,
 /// structure's size, and less where a body would turn by more than half a radian.
 double mode_scale(const results::Header& header, const results::ModeRow& mode);
 
-/// The structure in a mode, in the plane, `magnify` times mode_scale(), over its outline as it stood when the mode was found.
+/// The structure in a mode, in the plane, `magnify` times mode_scale(), over its outline as it stood when the mode was
+/// found.
 Scene mode_scene(const results::Header& header, const results::ModeRow& mode, double magnify = 1);
 
 /// The same, in the plane or in space, without bodies that were not there when the mode was found: removed, not added

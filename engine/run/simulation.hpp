@@ -72,9 +72,9 @@ class Simulation {
   /// What listeners throw ends the run and is passed on; the state is then that of the last whole step. Throws
   /// InputError too after a stage that diverged: its state means nothing.
   StageReport run(const StageOptions& options, const RunListener<D>& listener = {});
-  /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Where none is found the state is as it was, and the report says what fails. Of `options`
-  /// name, must_rest and intervals count. `way`: what has led here, each of its points a frame and a sample, all of
-  /// them at the present time.
+  /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Where
+  /// none is found the state is as it was, and the report says what fails. Of `options` name, must_rest and intervals
+  /// count. `way`: what has led here, each of its points a frame and a sample, all of them at the present time.
   StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener = {},
                      const LoadWay<D>* way = nullptr);
   /// Runs a stage that restore() has brought back to its end.
@@ -169,10 +169,10 @@ class Simulation {
   bool evaluated_ = false;  // work_, next_ and swept_ are those of state_ and model_
   std::unique_ptr<Watch> watch_;
   std::unique_ptr<Tangent<D>> tangent_;  // of implicit steps
-  std::string stuck_;                 // why an implicit step could not be taken
-  std::string changed_;               // why the integrator has changed within the stage, until that is told
-  std::vector<Event> leaving_;        // events of what left or was changed at this instant, to be told
-  bool all_left_ = false;             // nothing is free to move any more, as all of that has left
+  std::string stuck_;                    // why an implicit step could not be taken
+  std::string changed_;                  // why the integrator has changed within the stage, until that is told
+  std::vector<Event> leaving_;           // events of what left or was changed at this instant, to be told
+  bool all_left_ = false;                // nothing is free to move any more, as all of that has left
   std::atomic<bool> stop_{false};
   bool running_ = false, at_border_ = false;
 };

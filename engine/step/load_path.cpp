@@ -128,8 +128,7 @@ template <int D>
 double Path<D>::followed_place() const {
   double sum = 0;
   const State<D>& s = trial_.state();
-  for (const auto& [f, weight] : options_.followed)
-    sum += weight * place_along(s, f.node, f.k);
+  for (const auto& [f, weight] : options_.followed) sum += weight * place_along(s, f.node, f.k);
   return sum - origin_;
 }
 

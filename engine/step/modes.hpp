@@ -3,7 +3,8 @@
 // K is the tangent of all forces at the present state (step/tangent.hpp): of elements and beams with what loads and
 // weight make of their geometry, of bearings on their present branch, of contacts that are closed and stick. Where
 // faces stand apart there is no stiffness; where friction slides just now, K is not symmetric, and its symmetric part
-// is taken. M is lumped but for frames with consistent mass. Shift and invert (Lanczos), by Spectra; all at once where there are few.
+// is taken. M is lumped but for frames with consistent mass. Shift and invert (Lanczos), by Spectra; all at once where
+// there are few.
 #pragma once
 
 #include <array>

@@ -37,7 +37,8 @@ std::size_t bytes_of(const Model<D>& m) {
          bytes_in(m.mass, m.inertia, m.support, m.start_position, m.start_rotation, m.start_velocity, m.start_spin,
                   m.load, m.bodies, m.body_radius, m.skin_place, m.skin_node, m.skin_turn, m.piece_body, m.piece_first,
                   m.corner_skin, m.edge_is_face, m.edge_corner, m.elements, m.element_batches, m.element_number,
-                  m.beams, m.space_elements, m.fits, m.fit_number, m.element_bound, m.laws, m.law_of, m.bearings, m.seats, m.drives, m.drive_of);
+                  m.beams, m.space_elements, m.fits, m.fit_number, m.element_bound, m.laws, m.law_of, m.bearings,
+                  m.seats, m.drives, m.drive_of);
 }
 
 std::size_t Checkpoints::bytes() const {

@@ -11,7 +11,7 @@ impact_speed     number m/s = 0.5    a contact made faster than this is an impac
 apart_time       number s = 0.02     a contact that has been open this long is lost
 still_speed      number m/s?         a body slower than this for still_time is at rest
 still_time       number s = 0.5      see still_speed
-body             body form = "rigid"  what bodies are made as: "rigid", "quad" or { mesh = {nx, ny} }; in space "brick" or so
+body             body form = "rigid"  what bodies are made as: "rigid", "quad", { mesh = {nx, ny} }; in space "brick"
 overlap_allowed  number = 1e-6  share of a body's size by which bodies may overlap at the start]],
     gives = "model" },
   { "model:close", "Ends the recording and frees the model." },

@@ -58,7 +58,8 @@ do
   m:pressure { name = "water", body = block, face = "all", value = 5e3, course = { ramp = 0.1 } }
   rest(m)
   assert(math.abs(block.uy) < 1e-10 and math.abs(block.z - z) < 1e-10, block.uy)
-  m:pressure { name = "snow", body = block, face = "top", value = 3e3, direction = { 0, 0, -1 }, course = { ramp = 0.1 } }
+  m:pressure { name = "snow", body = block, face = "top", value = 3e3, direction = { 0, 0, -1 },
+    course = { ramp = 0.1 } }
   rest(m)
   near(z - block.z, 3e3/1e9, 1e-3)
 end
@@ -88,9 +89,11 @@ says("pushover: 'direction' is 'up', must be one of x, -x, y, -y, z, -z",
   function() m:pushover { body = block, direction = "up", rate = 1e-3, displacement = 1e-3 } end)
 says("push: body 'ground' is held or driven in the direction in which it is to be pushed",
   function() m:pushover { body = "ground", rate = 1e-3, displacement = 1e-3 } end)
-says("pressure: 'face' is missing; give top, bottom, left, right, front, back or all", function() m:pressure { body = block, value = 1 } end)
+says("pressure: 'face' is missing; give top, bottom, left, right, front, back or all",
+  function() m:pressure { body = block, value = 1 } end)
 says("pressure: 'face' is 'side', must be", function() m:pressure { body = block, face = "side", value = 1 } end)
-says("pressure: unknown key 'from'", function() m:pressure { body = block, face = "top", from = { 0, 0 }, value = 1 } end)
+says("pressure: unknown key 'from'",
+  function() m:pressure { body = block, face = "top", from = { 0, 0 }, value = 1 } end)
 says("release: body 'block' is free already in z, so there is nothing to let go",
   function() m:release { body = block, z = true } end)
 local ball = m:sphere { name = "ball", radius = 0.1, at = { 2, 2, 1 }, material = "stone", floating = true }

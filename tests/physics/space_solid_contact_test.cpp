@@ -354,9 +354,9 @@ Model<3> heap() {
   for (int i = 0; i < 9; ++i) {
     const Polyhedron box = box_at(Vec3(0.5, 0.4, 0.3), Vec3(0.1 * (i % 3), 0.08 * (i % 2), 0.4 + 0.72 * i),
                                   rotation_by(Vec3(0.2 * i, 0.1, 0.3 * i)));
-    SolidSpec spec = i % 4 == 3 ? rigid_box(fmt::format("s{}", i), box)
-                                : box_of(fmt::format("s{}", i), box, "soft", {1, 1, 1},
-                                         all_shapes[static_cast<std::size_t>(i % 3)]);
+    SolidSpec spec =
+        i % 4 == 3 ? rigid_box(fmt::format("s{}", i), box)
+                   : box_of(fmt::format("s{}", i), box, "soft", {1, 1, 1}, all_shapes[static_cast<std::size_t>(i % 3)]);
     spec.floating = true;
     builder.add_body(std::move(spec));
   }
