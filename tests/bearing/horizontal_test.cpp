@@ -123,6 +123,33 @@ TEST_CASE("both directions: friction round a circle is mu N, and drags behind th
   CHECK(near(again.lost - led.lost, mu * compression * 2 * M_PI * std::sqrt(radius * radius - 1.6e-3 * 1.6e-3), 1e-5));
 }
 
+TEST_CASE("R4: a friction pendulum led round a circle carries N r / R across it and mu N against its motion") {
+  const double radius = 0.2, compression = 1e6;
+  LedBoth<Pendulum> led{{.radius = 2, .mu = 0.05, .stiffness = 1e9}, 1e-4, compression};
+  led.round(radius, 1, 100000);
+  const LedBoth<Pendulum> before = led;
+  led.round(radius, 1, 100000);  // at (radius, 0), going along y
+  CHECK(near(led.now.force.x(), 1e5, 0.005));
+  CHECK(near(led.now.force.y(), 5e4, 0.005));
+  CHECK(near(led.now.force.norm(), 111.80e3, 0.005));
+  CHECK(near(std::atan2(led.now.force.y(), led.now.force.x()), 26.565 * M_PI / 180, 0.005));
+  CHECK(near(led.lost - before.lost, 62.832e3, 0.005));
+}
+
+TEST_CASE("R5: a bearing that yields, led round a circle, drags behind by its elastic reach") {
+  const double radius = 0.02;
+  LedBoth<ElasticPlastic> led{{1e7, 5e4, 0, 0}};
+  led.at = {radius, 0}, led.now.memory.inner = along_across(led.at);  // unloaded on the circle
+  led.round(radius, 2, 40000);
+  for (int turn = 3; turn <= 4; ++turn) {
+    const double before = led.lost;
+    led.round(radius, 1, 20000);
+    CHECK(near(led.now.force.x(), 12.5e3, 0.002));
+    CHECK(near(led.now.force.y(), 48.412e3, 0.002));
+    CHECK(near(led.lost - before, 6083.67, 0.002));
+  }
+}
+
 TEST_CASE("both directions: yield is one resultant in every azimuth, where two laws of one direction make a square") {
   const ElasticPlastic steel{2e7, 1e5, 0, 0};
   for (const double azimuth : {0.0, 0.4, M_PI / 4, 1.3}) {
