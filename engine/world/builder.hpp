@@ -99,6 +99,7 @@ class ModelBuilder {
   [[nodiscard]] const std::vector<SeatSpec>& seats() const { return seats_; }
   [[nodiscard]] std::vector<std::string> body_names() const;
   [[nodiscard]] std::vector<std::string> law_names() const { return rules_.law_names(); }
+  [[nodiscard]] const ContactRules& contact_rules() const { return rules_; }
 
  private:
   Model<2> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;

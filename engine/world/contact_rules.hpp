@@ -19,6 +19,7 @@ class ContactRules {
   /// that fits a pair of bodies wins. `law` "none": they never touch. Throws InputError where there is no such law.
   void set_contact(const std::string& a, const std::string& b, const std::string& law);
   [[nodiscard]] std::vector<std::string> law_names() const;
+  [[nodiscard]] const std::vector<std::pair<std::string, ContactLaw>>& laws() const { return laws_; }
 
   /// A line for each statement about a name that nothing has; `bodies` have a name and groups.
   template <class Bodies>

@@ -24,6 +24,11 @@ void SolidModelBuilder::add_law(const std::string& name, const ContactLaw& law) 
   rules_.add_law(name, law, notes_);
 }
 
+void SolidModelBuilder::take_contacts(const ContactRules& rules) {
+  for (const auto& [name, law] : rules.laws()) require_law_for_solids(name, law);
+  rules_ = rules;
+}
+
 double SolidModelBuilder::density_of(const SolidSpec& spec) const {
   const std::string owner = fmt::format("body '{}'", spec.name);
   if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");

@@ -61,6 +61,8 @@ class SolidModelBuilder {
   void set_contact(const std::string& a, const std::string& b, const std::string& law) {
     rules_.set_contact(a, b, law);
   }
+  /// Laws and statements of another model instead of those given so far; refuses laws that crush.
+  void take_contacts(const ContactRules& rules);
   void add_bearing(const BearingSpecOf<3>& spec);
   void add_seat(const SeatSpecOf<3>& spec);
   /// Adds a line to notes(): what was repaired or chosen before bodies came here.

@@ -183,6 +183,7 @@ void open_core(lua_State* L) {
     lua_setfield(L, -2, kind);
   }
   set_function(L, "model", guarded<make_model>);
+  set_function(L, "extruded", guarded<make_extruded>);
   set_function(L, "fail", guarded<fail>);
   set_function(L, "listen", guarded<listen>);
   set_function(L, "timer", guarded<timer>);

@@ -16,8 +16,7 @@ end
 core.module = trilith
 core.made = {} -- functions called with each new model
 
-function trilith.model(options)
-  local model = core.model(options)
+local function made(model)
   local own = core.own(model)
   own.bearings = rows(model, core.bearing, core.bearing_count)
   own.seats = rows(model, core.seat, core.seat_count)
@@ -25,6 +24,12 @@ function trilith.model(options)
   for _, prepare in ipairs(core.made) do prepare(model, own) end
   return model
 end
+
+function trilith.model(options) return made(core.model(options)) end
+
+--- m:extruded{ name =, held = }: the model in space that one of the plane is.
+local model_methods = core.members "model"
+function model_methods.extruded(model, options) return made(core.extruded(model, options)) end
 
 local declare, exit = trilith.params, os.exit
 --- trilith.params{...}; without values they were listed, as asked of a stock interpreter, and the script is done.

@@ -19,6 +19,10 @@ hold         list?            of one that deforms: { { from = , to = , x = , y =
 fixed        names?           names or groups of parts that are fixed
 by_group     table?           { name = { ... } }: what holds instead for parts of that name or group]],
   },
+  { "model:extruded", "The model in space that one of the plane is: bodies reach over their thickness about y = 0, "
+    .. "and the plane's y is z.", keys = [[
+name  text?        what messages call it; without it, as the other
+held  flag = true  bodies stay in the plane: none moves along y or turns about x or z]], gives = "model" },
   { "space:beam", "A straight beam that bends about both axes, stretches and twists.", keys = [[
 name          text             its name
 from          vector           its start, on the axis of the section
