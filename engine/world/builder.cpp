@@ -35,12 +35,6 @@ double mass_of(const BodySpec& spec, double area, double thickness, const std::v
 
 }  // namespace
 
-bool is_supported_at(const NodeSupport& hold, const Vec2& place) {
-  const Vec2 low = hold.low.cwiseMin(hold.high), high = hold.low.cwiseMax(hold.high);
-  const double reach = 1e-9 * (high - low).norm();
-  return ((place - low).array() >= -reach).all() && ((high - place).array() >= -reach).all();
-}
-
 std::vector<std::string> ModelBuilder::body_names() const {
   std::vector<std::string> names;
   for (const BodySpec& b : bodies_) names.push_back(b.name);

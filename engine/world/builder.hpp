@@ -16,17 +16,10 @@
 #include "world/material.hpp"
 #include "world/model.hpp"
 #include "world/names.hpp"
+#include "world/node_support.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
-
-/// Holds the nodes of a deformable body that stand in a box at the start.
-struct NodeSupport {
-  Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< opposite corners [m]
-  std::array<Support, 2> support{};              ///< x, y; free leaves as it is
-};
-/// True where `place` [m] is in its box.
-bool is_supported_at(const NodeSupport& hold, const Vec2& place);
 
 /// A body to be. Give at most one of density, mass, weight; without any, the material's density counts.
 struct BodySpec {

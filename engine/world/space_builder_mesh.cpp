@@ -8,12 +8,6 @@
 namespace trilith {
 namespace {
 
-bool is_held(const SpaceNodeSupport& hold, const Vec3& place) {
-  const Vec3 low = hold.low.cwiseMin(hold.high), high = hold.low.cwiseMax(hold.high);
-  const double reach = 1e-9 * (high - low).norm();
-  return ((place - low).array() >= -reach).all() && ((high - place).array() >= -reach).all();
-}
-
 /// Without rotation; masses come with the elements.
 void append_nodes(const SpaceMeshBody& body, Model<3>& model) {
   for (const Vec3& place : body.mesh.mesh.node) {
@@ -21,7 +15,7 @@ void append_nodes(const SpaceMeshBody& body, Model<3>& model) {
                                    Support::fixed,  Support::fixed,  Support::fixed};
     for (const SpaceNodeSupport& hold : body.supports)
       for (std::size_t k = 0; k < 3; ++k)
-        if (is_held(hold, place) && hold.support[k] != Support::free) support[k] = hold.support[k];
+        if (is_supported_at(hold, place) && hold.support[k] != Support::free) support[k] = hold.support[k];
     model.mass.push_back(0), model.inertia.push_back(Vec3::Zero());
     model.support.push_back(support);
     model.drive_of.emplace_back().fill(-1);

@@ -17,6 +17,18 @@ double volume_of(const SpaceMesh& mesh) {
   return sum;
 }
 
+Vec3 centre_of(const SpaceMesh& mesh) {
+  double volume = 0;
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t e = 0; e < mesh.cell.size(); ++e) {
+    const std::vector<Vec3> nodes = nodes_of(mesh, e);
+    const ElementVolume shares = node_shares(mesh.cell[e].shape, nodes);
+    volume += shares.volume;
+    for (std::size_t i = 0; i < nodes.size(); ++i) sum += shares.share[i] * shares.volume * nodes[i];
+  }
+  return sum / volume;
+}
+
 std::vector<Polyhedron> skin_of(const CheckedSpaceMesh& checked) {
   std::vector<Polyhedron> out;
   for (std::size_t e = 0; e < checked.mesh.cell.size(); ++e) {

@@ -7,14 +7,9 @@
 
 #include "body/space_mesh.hpp"
 #include "world/model.hpp"
+#include "world/node_support.hpp"
 
 namespace trilith {
-
-/// Holds the nodes of a deformable body that stand in a box at the start.
-struct SpaceNodeSupport {
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< opposite corners [m]
-  std::array<Support, 3> support{};              ///< x, y, z; free leaves as it is
-};
 
 /// Which elements a body is divided into.
 struct SpaceForm {
@@ -46,6 +41,8 @@ inline BodyKind mesh_kind(const SpaceMesh& mesh) {
 
 /// Volume of all elements [m3].
 double volume_of(const SpaceMesh& mesh);
+/// Where the centre of mass of one density is, with its mass lumped at the nodes as the elements do [m].
+Vec3 centre_of(const SpaceMesh& mesh);
 
 /// The elements on the skin as solids, for what wants to know how near a point is. Their faces may be warped.
 std::vector<Polyhedron> skin_of(const CheckedSpaceMesh& mesh);

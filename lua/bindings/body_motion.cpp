@@ -23,7 +23,8 @@ BodyMotion motion_in_space(const SpaceModel& m, int body) {
   const Simulation<3>* s = m.has_body(body) ? m.if_built() : nullptr;
   if (s == nullptr) {
     const SolidSpec& spec = m.spec(body);
-    return {mass_of(spec.pieces, 1, spec.spheres).centroid, Vec3::Zero(), Vec3::Zero(), spec.velocity, spec.spin};
+    const Vec3 centre = spec.mesh ? centre_of(*spec.mesh) : mass_of(spec.pieces, 1, spec.spheres).centroid;
+    return {centre, Vec3::Zero(), Vec3::Zero(), spec.velocity, spec.spin};
   }
   const Pose3 pose = body_pose(s->model(), s->state(), body);
   return {pose.place, pose.moved, angle_of(pose.turned), pose.velocity, pose.spin};

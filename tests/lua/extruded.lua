@@ -1,0 +1,184 @@
+-- Models of the plane taken into space by m:extruded: held in their plane they do what they do there.
+local trilith = require "trilith"
+
+local friction = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.5, beta = 1e-4 }
+
+--- Whether `value` is within `share` of `size` of what it should be.
+local function near(value, expected, share, size)
+  if not (math.abs(value - expected) <= share*(size or math.abs(expected))) then
+    error(("%.9g, expected %.9g"):format(value, expected), 2)
+  end
+end
+--- One period of a sine.
+local function pulse(peak, period)
+  local samples = {}
+  for i = 0, 400 do
+    local t = i*0.005
+    samples[i + 1] = t < period and peak*math.sin(2*math.pi*t/period) or 0
+  end
+  return trilith.motion { acceleration = samples, dt = 0.005 }
+end
+--- Blocks { width, height }, one on the other, on a ground.
+local function stack(law, blocks, options)
+  options = options or {}
+  options.name, options.thickness = "plane", options.thickness or 0.5
+  local m = trilith.model(options)
+  m:material { name = "stone", density = 2400 }
+  m:contact { between = { "*", "*" }, law = law }
+  m:block { name = "ground", width = 6, height = 0.5, at = { -3, -0.5 }, material = "stone", support = "fixed" }
+  local y = 0
+  for i, b in ipairs(blocks) do
+    m:block { name = "b" .. i, width = b[1], height = b[2], at = { -b[1]/2, y }, material = "stone", groups = "top" }
+    y = y + b[2]
+  end
+  return m
+end
+--- What `go` tells of both, it being given the model and functions for the height and the turn of a body.
+local function both(m, go)
+  local space = m:extruded()
+  return go(m, function(b) return b.y end, function(b) return b.rotation end),
+    go(space, function(b) return b.z end, function(b) return -b.turn_y end)
+end
+
+-- It is what the plane was given: bodies by name, with groups, materials, mass and place; the plane goes on by itself.
+do
+  local m = stack(friction, { { 1, 0.4 }, { 0.5, 0.3 } }, { thickness = 0.3 })
+  m:bearing { name = "link", between = { "b1", "b2" }, at = { 0, 0.4 }, along = trilith.linear { stiffness = 1e5 } }
+  local s = m:extruded { name = "deep" }
+  assert(s.name == "deep" and s.dim == 3 and m.dim == 2 and #s:bodies() == #m:bodies() and #s:bodies { group = "top" } == 2)
+  assert(m:extruded().name == "plane" and #s.bearings == 1 and s.bearings.link.bodies[2] == s:body "b2")
+  for _, name in ipairs { "b1", "b2" } do
+    local flat, solid = m:body(name), s:body(name)
+    near(solid.mass, flat.mass, 1e-12)
+    near(solid.x, flat.x, 1e-12, 1)
+    near(solid.y, 0, 1e-12, 1)
+    near(solid.z, flat.y, 1e-12)
+  end
+  s:block { name = "more", size = { 1, 1, 1 }, at = { 2, -0.5, 0 }, material = "stone" }
+  s:run { duration = 0.01 }
+  m:run { duration = 0.01 }
+  near(s.time, m.time, 1e-9)
+end
+
+-- It slides and rocks as in the plane.
+do
+  local flat, space = both(stack(friction, { { 1, 0.4 } }), function(m, height)
+    m:consolidate { ratio = 1e-6 }
+    local most, block, ground = 0, m:body "b1", m:body "ground"
+    m:on_step(function() most = math.max(most, math.abs(block.x - ground.x)) end)
+    m:shake { body = "ground", x = pulse(8, 1), duration = 1 }
+    return { most, height(block) }
+  end)
+  assert(flat[1] > 0.1)
+  near(space[1], flat[1], 1e-3)
+  near(space[2], flat[2], 1e-9)
+
+  flat, space = both(stack(friction, { { 0.5, 2 } }), function(m, _, turn)
+    m:consolidate { ratio = 1e-6 }
+    local most, tower = 0, m:body "b1"
+    m:on_step(function() most = math.max(most, math.abs(turn(tower))) end)
+    m:shake { body = "ground", x = pulse(3.4, 0.6), duration = 1.2 }
+    return { most, tower.x }
+  end)
+  assert(flat[1] > 0.05)
+  near(space[1], flat[1], 2e-3)
+  near(space[2], flat[2], 1e-3)
+end
+
+-- A bearing acts as in the plane, also where its axes are turned and it turns itself; it fails at the same time.
+for _, angle in ipairs { 0, 0.4 } do
+  local m = stack(friction, { { 1, 0.4 } })
+  local slab = m:block { name = "slab", width = 2, height = 0.2, at = { -1, 0.6 }, material = "stone" }
+  for i, x in ipairs { -0.6, 0.7 } do
+    m:bearing { name = "n" .. i, between = { "ground", slab }, from = { x, 0 }, to = { x, 0.6 }, angle = angle,
+      along = trilith.bouc_wen { stiffness = 2e5, yield = 2e3, hardening = 0.1 },
+      axial = trilith.linear { stiffness = 2e6, damping = 1e3 }, turning = trilith.linear { stiffness = 1e5 },
+      limit = { along = 0.06 } }
+  end
+  local flat, space = both(m, function(model, height, turn)
+    model:consolidate { ratio = 1e-4, duration = 5 }
+    local failed, start = nil, model.time
+    model:on("bearing.failed", function(e) failed = failed or e.time - start end)
+    model:shake { body = "ground", x = pulse(6, 0.6), duration = 0.3 }
+    local b = model.bearings.n1
+    return { model:body("slab").x, height(model:body "slab"), turn(model:body "slab"), b.displacement_along, failed or 0 }
+  end)
+  for i = 1, 5 do near(space[i], flat[i], 1e-5, math.max(math.abs(flat[i]), 1e-3)) end
+end
+
+-- Mortar holds and breaks as in the plane.
+do
+  local law = trilith.bonded { kn = 1e9, ks = 4e8, mu = 0.5, beta = 1e-4, tension = 2e4, cohesion = 3e4 }
+  local flat, space = both(stack(law, { { 0.5, 0.6 }, { 0.5, 0.6 }, { 0.5, 0.6 } }), function(m, height)
+    m:consolidate { ratio = 1e-6, fresh = true }
+    local broken, first, start = 0, nil, m.time
+    m:on("bond.broken", function(e) broken, first = broken + 1, first or e.time - start end)
+    m:shake { body = "ground", x = pulse(4.5, 0.6), duration = 1 }
+    return { first, broken, m:body("b3").x, height(m:body "b3") }
+  end)
+  near(space[1], flat[1], 0.01)
+  assert(space[2] == flat[2])
+  near(space[3], flat[3], 5e-3)
+  near(space[4], flat[4], 5e-3)
+end
+
+-- Elements: a tower of them under its weight and a pull sideways swings as in the plane, in plane strain and in
+-- plane stress, where it grows thicker and is thin enough for it. Its foot is held, as friction under a soft face is one spring in space and one
+-- to each half in the plane.
+for _, plane in ipairs { "stress", "strain" } do
+  for _, kind in ipairs { "quad", "mesh" } do
+    local m = stack(friction, {}, { gravity = { 3, -9.81 }, thickness = 0.1 })
+    m:material { name = "soft", density = 2400, E = 5e6, nu = 0.3, plane = plane }
+    m:block { name = "tower", width = 0.6, height = 1.2, at = { 1, 0 }, material = "soft",
+      body = kind == "quad" and "quad" or { mesh = { 2, 4 } }, hold = { { from = { 1, 0 }, to = { 1.6, 0 } } } }
+    local flat, space = both(m, function(model, height)
+      local b, up = model:body "tower", model.dim == 3
+      local low, most, shear = height(b), b.x, 0
+      model:on_step(function()
+        low, most = math.min(low, height(b)), math.max(most, b.x)
+        shear = math.max(shear, math.abs(up and b.szx or b.sxy))
+      end)
+      model:run { duration = 0.2 }
+      return { 0.6 - low, most - 1.3, shear }
+    end)
+    assert(flat[1] > 1e-3 and flat[2] > 5e-3)
+    local share = plane == "strain" and 1e-4 or 6e-3
+    for i = 1, 3 do near(space[i], flat[i], share) end
+  end
+end
+
+-- Not held, it may leave its plane: a load across does it.
+do
+  local m = stack(trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.1, beta = 1e-4 }, { { 1, 0.4 } })
+  for _, held in ipairs { true, false } do
+    local s = m:extruded { held = held }
+    s:consolidate { ratio = 1e-5 }
+    s:point_load { body = "b1", force = { 0, 4e3, 0 } }
+    s:run { duration = 0.2 }
+    local y = s:body("b1").y
+    assert(held and math.abs(y) < 1e-12 or not held and y > 0.02)
+  end
+end
+
+-- What there is not in space, or what has to be said otherwise.
+local function refused(expected, f, ...)
+  local fine, message = pcall(f, ...)
+  if fine or message:gsub("^[^:]*:%d+: ", "") ~= expected then error(tostring(message), 2) end
+end
+do
+  local m = stack(friction, { { 1, 1 } })
+  refused("extruded: model 'plane' is in space already", function() m:extruded():extruded() end)
+  refused("extruded: unknown key 'hold'; did you mean 'held'?", function() m:extruded { hold = true } end)
+  m:material { name = "steel", density = 7850, E = 2e11, nu = 0.3 }
+  m:beam { name = "beam", from = { 2, 1 }, to = { 3, 1 }, section = trilith.rectangle_section { width = 0.1, depth = 0.1 },
+    material = "steel" }
+  refused("extruded: body 'beam' is a frame, whose sections do not say how they bend across and twist; add it to a "
+    .. "model in space by m:frame", function() m:extruded() end)
+end
+do
+  local m = stack(friction, { { 1, 1 } })
+  m:bearing { name = "one way", between = { "ground", "b1" }, at = { 0, 0 },
+    turning = trilith.gap { stiffness = 1e6, opening = 0.01 } }
+  refused("extruded: bearing 'one way': its law of turning resists one way otherwise than the other, and turns count "
+    .. "the other way in space; add it to the model in space by m:bearing", function() m:extruded() end)
+end
