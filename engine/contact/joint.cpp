@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/laid_shear.hpp"
 #include "contact/solid_faces.hpp"
 #include "contact/sound_joint.hpp"
 
@@ -188,7 +189,8 @@ JointChange joint_change(const JointMemory& before, const JointMemory& now) {
 
 // The shear that a contact has carried so far goes over to the joint, in its own axes, so that mortar that sets sets
 // off nothing.
-JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b, const SolidMemory& before) {
+JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b, const SolidMemory& before,
+                      const ContactLaw& law) {
   const auto plan = std::make_shared<JointPlan>(plan_joint(faces, a, b));
   const JointMotion motion(*plan, a, b);
   const auto along_axes = [&](const Vec3& force) {
@@ -197,6 +199,7 @@ JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const Body
   JointMemory joint;
   joint.plan = plan, joint.bonds = all_bonds(*plan), joint.sound = true;
   joint.elastic = along_axes(before.shear.elastic), joint.total = along_axes(before.shear.total);
+  lay_shear(joint, law);
   return joint;
 }
 

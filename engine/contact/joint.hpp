@@ -36,8 +36,9 @@ double joint_energy(const JointMemory& joint, const LawInUse& law);
 /// What happened to a joint between two instants.
 JointChange joint_change(const JointMemory& before, const JointMemory& now);
 
-/// Mortar sets between faces as they stand, whole and undamaged. The shear that the contact carried, spread over all of
-/// the area, stays.
-JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b, const SolidMemory& before);
+/// Mortar of a law sets between faces as they stand, whole and undamaged. The shear that the contact carried stays
+/// (contact/laid_shear.hpp).
+JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b, const SolidMemory& before,
+                      const ContactLaw& law);
 
 }  // namespace trilith

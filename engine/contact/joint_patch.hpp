@@ -61,9 +61,17 @@ TRILITH_INLINE PatchStress where_closed(const JointPlan& plan, const JointPatch&
 
 /// The overlaps of a patch that has gained `moved` since the mortar set.
 struct PatchOverlaps {
-  LinearOverlap bond, faces;
+  LinearOverlap gained, bond, faces;
   PatchOverlaps(const JointPlan& plan, const JointPatch& p, const LinearOverlap& moved)
-      : bond(moved.plus(p.laid)), faces(moved.plus(plan.standing)) {}
+      : gained(moved), bond(moved.plus(p.laid)), faces(moved.plus(plan.standing)) {}
+
+  /// What the strength of the bond is asked with at a point of the patch, and at its places [m].
+  [[nodiscard]] double asked(const JointPatch& p, const Vec2& x) const {
+    return p.filled ? gained(x) + std::max(p.laid(x), 0.0) : bond(x);
+  }
+  [[nodiscard]] TRILITH_INLINE Lanes asked_at_points(const JointPatch& p) const {
+    return p.filled ? at_points(p, gained) + larger(at_points(p, p.laid), Lanes{}) : at_points(p, bond);
+  }
 };
 
 /// `hold`: shares of the stiffness that its places hold.

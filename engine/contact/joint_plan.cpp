@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/solid_pressure.hpp"
 
@@ -100,7 +99,6 @@ void complete(JointPlan& plan, JointPatch& patch, const OutlineMoments& m) {
   patch.laid = patch.filled ? laid_on(plan.standing, patch, corners) : plan.standing;
   plan.filled = plan.filled || patch.filled;
   plan.laid.add(over_all(patch, patch.laid), 1);
-  for (const Vec2& p : corners) plan.least_laid = std::min(plan.least_laid, patch.laid(p));
 }
 
 /// Where the plane of the joint lies in the axes of a body, so that it goes with it.
@@ -125,7 +123,7 @@ void divide_joint(JointPlan& plan) {
   plan.whole.area = all.area, plan.whole.middle = all.middle;
   plan.whole.xx = all.xx, plan.whole.xy = all.xy, plan.whole.yy = all.yy;
   plan.width = std::sqrt(all.area);
-  plan.filled = false, plan.least_laid = std::numeric_limits<double>::max();
+  plan.filled = false;
   const double trace = (all.xx + all.yy) / all.area;
   plan.radius = std::sqrt(trace);
   plan.friction_arm = mean_distance(trace, (all.xx * all.yy - all.xy * all.xy) / (all.area * all.area));

@@ -11,7 +11,8 @@
 //                                  second moments: of a rectangle they are the points of Gauss.
 //
 // Where the faces stood apart mortar fills the gap. A patch's bond then begins with the linear pressure that has the
-// resultant and the moments of what the faces pressed before.
+// resultant and the moments of what the faces pressed before. That may pull at one side, where nothing did: strength is
+// asked with what is gained since, and with no pull of then.
 #pragma once
 
 #include <span>
@@ -92,10 +93,9 @@ struct JointPlan {
   double radius = 0;        ///< of gyration about the origin [m]
   double friction_arm = 0;  ///< mean distance of the area from the origin [m]
   bool filled = false;      ///< some patch is
-  double least_laid = 0;    ///< least that any bond feels as the mortar sets [m]
 
-  /// What the bond at a corner of the outline feels as the mortar sets, or less [m].
-  [[nodiscard]] double least_at(const Vec2& p) const { return filled ? least_laid : standing(p); }
+  /// What the strength of the bond at a corner of the outline is asked with as the mortar sets, or less [m].
+  [[nodiscard]] double least_at(const Vec2& p) const { return filled ? 0 : standing(p); }
   [[nodiscard]] std::span<const Vec2> corners(const JointPatch& p) const {
     return std::span<const Vec2>(corner).subspan(static_cast<std::size_t>(p.first), static_cast<std::size_t>(p.count));
   }

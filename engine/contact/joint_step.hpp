@@ -79,8 +79,8 @@ class JointStep {
       const PatchOverlaps o = overlaps(k, motion_.moved);
       double opening = -std::numeric_limits<double>::max();
       if (law_.kn * widest > law_.tension)
-        for (const Vec2& x : plan_.corners(p)) opening = std::max(opening, -o.bond(x));
-      const Lanes zero{}, u = at_points(p, o.bond), closed = larger(u, zero), open = closed - u;
+        for (const Vec2& x : plan_.corners(p)) opening = std::max(opening, -o.asked(p, x));
+      const Lanes zero{}, u = o.asked_at_points(p), closed = larger(u, zero), open = closed - u;
       const PatchTrial trial(law_, p, before_.patch[k], p.area, motion_);
       const Lanes shear_now = root(trial.elastic.dot(trial.elastic)), size = zero + 0.25 * p.area;
       if (any(law_.exceeded(zero + opening, shear_now, law_.shear_strength(closed, open), size))) gone |= 1U << k;
@@ -92,7 +92,7 @@ class JointStep {
   TRILITH_INLINE void open_patch(std::size_t k, const PatchOverlaps& o) {
     if constexpr (is_softening<K>) {
       PatchMemory& m = after_.patch[k];
-      const Lanes damage = lanes_of(m.damage), opening = -at_points(plan_.patch[k], o.bond), one = Lanes{} + 1.0;
+      const Lanes damage = lanes_of(m.damage), opening = -o.asked_at_points(plan_.patch[k]), one = Lanes{} + 1.0;
       const Lanes left = law_.strength_left(opening, one - damage);
       store_lanes(select(left < one - damage, one - left, damage), m.damage);
       keep_bond(k);

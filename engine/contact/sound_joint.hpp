@@ -27,6 +27,12 @@ inline PatchStress sound_stress(const JointPlan& plan, const LinearOverlap& move
   return out;
 }
 
+/// Shear stress of a sound joint at an arm from its middle [Pa]; `shear`: force and couple about the middle.
+inline Vec2 sound_shear_at(const JointPlan& plan, const Vec3& shear, const Vec2& arm) {
+  const double twist = shear.z() / polar_moment(plan.whole);
+  return {shear.x() / plan.whole.area - twist * arm.y(), shear.y() / plan.whole.area + twist * arm.x()};
+}
+
 /// Elastic energy of its shear [J].
 inline double sound_shear_energy(const JointPlan& plan, const Vec3& elastic, double ks) {
   if (!(ks > 0)) return 0;
@@ -72,12 +78,8 @@ bool step_sound(const JointPlan& plan, const JointMotion& motion, const K& law, 
     for (const Vec2& p : plan.outline) {
       const double overlap = motion.moved(p) + plan.least_at(p);
       least = std::min({least, overlap, overlap + law.beta * motion.rate(p)});
-      for (const Vec3* shear : {&after.elastic, &after.total}) {
-        const double twist = shear->z() / polar_moment(whole);
-        const double x = shear->x() / whole.area - twist * (p.y() - middle.y()),
-                     y = shear->y() / whole.area + twist * (p.x() - middle.x());
-        most = std::max(most, x * x + y * y);
-      }
+      for (const Vec3* shear : {&after.elastic, &after.total})
+        most = std::max(most, sound_shear_at(plan, *shear, p - middle).squaredNorm());
     }
     const double strength = law.shear_strength(std::max(least, 0.0), std::max(-least, 0.0));
     if (!(-law.kn * least < law.tension) || !(strength > 0) || !(most < strength * strength)) return false;

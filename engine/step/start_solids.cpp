@@ -48,7 +48,7 @@ JointMemory joint_between(const Model<3>& model, const State<3>& state, const Ne
   if (!model.is_fitted(pair.piece_a)) faces.face_a = -1;
   if (!model.is_fitted(pair.piece_b)) faces.face_b = -1;
   return set_joint(faces, body_motion(model, state, pair.piece_a, faces.face_a),
-                   body_motion(model, state, pair.piece_b, faces.face_b), memory);
+                   body_motion(model, state, pair.piece_b, faces.face_b), memory, model.laws[pair.law]);
 }
 
 /// change() alters what a row remembers; the ledger has the difference of the elastic energy.

@@ -1,5 +1,6 @@
 // What m:lint() asks of a model: its faults, numbers that are not usual, contacts that are hardly damped.
 #include "bindings.hpp"
+#include "build/check_solids.hpp"
 #include "run/contact_damping.hpp"
 #include "table_fields.hpp"
 #include "world/usual.hpp"
@@ -118,6 +119,22 @@ int is_held(lua_State* L) {
   return 1;
 }
 
+/// core.solid_faults(model): what a run in space may stumble over of its solids, a line each; {} in the plane. Spheres,
+/// elements and frames have checks of their own as they are added, and so have overlaps.
+int solid_faults(lua_State* L) {
+  const SpaceModel* m = as_space(this_model(L));
+  std::vector<std::string> list;
+  if (m != nullptr) {
+    std::vector<SolidPart> parts;
+    for (const SolidSpec& spec : m->builder.bodies())
+      if (!spec.mesh && !spec.frame && !spec.pieces.empty()) parts.push_back({spec.name, spec.pieces, {}});
+    for (const SolidFinding& found : check_solids(parts, {.repair = false, .touching = false}))
+      if (found.fault != SolidFault::overlapping && found.fault != SolidFault::unchecked) list.push_back(found.text);
+  }
+  push_texts(L, list);
+  return 1;
+}
+
 /// core.usual(name, unit): what is usual for such a number, in words; "" where all that is allowed is.
 int usual(lua_State* L) {
   const std::string name = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "",
@@ -134,6 +151,7 @@ void open_lint(lua_State* L) {
   set_function(L, "damping", guarded<damping>);
   set_function(L, "usual", guarded<usual>);
   set_function(L, "is_held", guarded<is_held>);
+  set_function(L, "solid_faults", guarded<solid_faults>);
 }
 
 }  // namespace trilith::script

@@ -90,6 +90,12 @@ function checks.edges(model, add)
   end
 end
 
+function checks.solids(model, add)
+  local faults = core.solid_faults(model)
+  for i = 1, math.min(#faults, most_faults) do add(faults[i]) end
+  if #faults > most_faults then add(("and %d more like it"):format(#faults - most_faults)) end
+end
+
 function checks.masses(model, add)
   local lightest, heaviest
   for body in model:bodies {} do
@@ -176,7 +182,7 @@ end
 local of_any = { "doubts", "laws", "damping" }
 -- Of outlines, areas and unbalanced bodies models in the plane alone tell.
 local of_whole = { [2] = { "edges", "masses", "sinking", "slipping", "bearings", "rest", "recording" },
-  [3] = { "masses", "bearings", "recording" } }
+  [3] = { "solids", "masses", "bearings", "recording" } }
 
 --- The slip that is expected [m], as m:lint{ slip = } says; nil where it does not.
 local function expected_slip(options)

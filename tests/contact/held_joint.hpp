@@ -8,21 +8,32 @@
 
 namespace trilith::testing {
 
+/// How the upper box stands on the lower one as the mortar sets.
+struct LaidBox {
+  double overlap = 0;         ///< in the middle [m]
+  Vec3 tilt = Vec3::Zero();   ///< [rad]
+  Vec3 shear = Vec3::Zero();  ///< that friction carries [N]
+};
+
 /// A box on another, the joint in the middle of the world at z = 0; the upper one is moved.
 class HeldJoint {
  public:
   /// `x`, `y`: sides of the joint; `overlap` as the mortar sets [m].
   HeldJoint(const ContactLaw& law, double x = 1, double y = 1, double overlap = 0, double step = 1e-3)
-      : law_(law), dt_(step), start_(0, 0, 0.5 - overlap) {
+      : HeldJoint(law, x, y, LaidBox{overlap}, step) {}
+  HeldJoint(const ContactLaw& law, double x, double y, const LaidBox& laid, double step = 1e-3)
+      : law_(law), dt_(step), start_(0, 0, 0.5 - laid.overlap), turn_(laid.tilt) {
     const ConvexSolid box = convex_solid(box_solid(Vec3(-x / 2, -y / 2, -0.5), Vec3(x / 2, y / 2, 0.5)), "box");
-    a_ = {Vec3(0, 0, -0.5), {}, Vec3::Zero(), Vec3::Zero()}, b_ = {start_, {}, Vec3::Zero(), Vec3::Zero()};
+    a_ = {Vec3(0, 0, -0.5), {}, Vec3::Zero(), Vec3::Zero()}, b_ = {start_, rotation_by(laid.tilt), Vec3::Zero(), Vec3::Zero()};
+    b_.place = Turn3(b_.rotation).apply(start_);
     PlacedSolid below, above;
-    place(box, Turn3(UnitQuaternion{}), a_.place, below), place(box, Turn3(UnitQuaternion{}), b_.place, above);
+    place(box, Turn3(UnitQuaternion{}), a_.place, below), place(box, Turn3(b_.rotation), b_.place, above);
     FaceOverlap3 faces;
     const bool meet = meeting_faces(below, above, 1e-2, 1e-3, faces);
-    if (meet) joint_ = set_joint(faces, a_, b_, memory_);
+    memory_.shear.elastic = memory_.shear.total = laid.shear;
+    if (meet) joint_ = set_joint(faces, a_, b_, memory_, law);
     stored_at_first = stored();
-    to(Vec3::Zero());
+    to(Vec3::Zero(), laid.tilt);
   }
 
   /// To a place and a turn about the middle of the joint, in one step.

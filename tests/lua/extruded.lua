@@ -178,7 +178,7 @@ end
 do
   local m = stack(friction, { { 1, 1 } })
   m:bearing { name = "one way", between = { "ground", "b1" }, at = { 0, 0 },
-    turning = trilith.gap { stiffness = 1e6, opening = 0.01 } }
+    turning = trilith.gap { stiffness = 1e6, opening = 0.01, side = 1 } }
   refused("extruded: bearing 'one way': its law of turning resists one way otherwise than the other, and turns count "
     .. "the other way in space; add it to the model in space by m:bearing", function() m:extruded() end)
 end
