@@ -103,7 +103,10 @@ void Simulation<D>::refresh() {
   swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   clock.mark(StepPart::estimate);
   if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
-  if constexpr (D == 2) add_inertia(model_, state_, work_, {swept_.dt, rest_});
+  if constexpr (D == 2) {
+    add_inertia(model_, state_, work_, {swept_.dt, rest_});
+    if (!state_.added_share.empty()) clock.mark(StepPart::advance);
+  }
   evaluated_ = true;
 }
 

@@ -16,8 +16,8 @@ struct Local {
 
 /// A spring of stiffness k along unit direction e at `arm` from the node, spread over `length` along `spread`. Without
 /// matrices in between: this is done four times for every contact.
-inline void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, double beta, double length, const Vec2& spread,
-                double weight) {
+inline void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, double beta, double length,
+                       const Vec2& spread, double weight) {
   // K += k b b', b = (e, arm x e) as the spring is stretched by e . (u + theta x arm); springs spread over `length`
   // turn about their middle with k length^2 / 12 more.
   const double stiffness = weight * k, lever = cross(spread, e);
@@ -47,8 +47,7 @@ inline ContactTangent spring_tangent(const Model<2>& model, int law, double dept
 /// Largest row sum of what is free, scaled by mass and inertia: at least the largest eigenvalue [1/s2], [1/s].
 /// `is_free`: along x, along y, turning.
 inline double row_bound(const Eigen::Matrix3d& m, double mass, double inertia, const std::array<bool, 3>& is_free) {
-  const std::array<double, 3> scale = {1 / std::sqrt(mass), 1 / std::sqrt(mass),
-                           1 / std::sqrt(inertia)};
+  const std::array<double, 3> scale = {1 / std::sqrt(mass), 1 / std::sqrt(mass), 1 / std::sqrt(inertia)};
   double most = 0;
   for (int r = 0; r < 3; ++r) {
     double row = 0;

@@ -29,7 +29,7 @@ double plain_step(const BodyRates& r, double mass_damping) {
                   r.contacts.damping + (r.elements.damping + mass_damping));
 }
 
-/// Calls f(n, v, free) for the nodes of a body with the part of their velocities that deforms it, on the free degrees
+/// Calls f(n, v) for the nodes of a body with the part of their velocities that deforms it, on the free degrees
 /// of freedom.
 template <class F>
 void each_deforming(const Model<2>& model, const State<2>& state, int body, F&& f) {
@@ -65,8 +65,8 @@ bool may_be_scaled(const Model<2>& model, const State<2>& state, const MassScali
 }
 
 /// "mass_scaling: ..." of a body that would take more than it may.
-[[noreturn]] void refuse(const Model<2>& model, const BodyRates& rates, const MassScaling& asked, double safety, int body,
-                         double share) {
+[[noreturn]] void refuse(const Model<2>& model, const BodyRates& rates, const MassScaling& asked, double safety,
+                         int body, double share) {
   const double allowed = safety * scaled_step(rates, asked.most, model.mass_damping);
   const std::string& name = model.bodies[body].name;
   if (share < unbounded)
@@ -167,16 +167,19 @@ void add_inertia(const Model<2>& model, const State<2>& state, Work<2>& work, co
   std::vector<Vec2>& added = work.added_inertia;
   added.assign(model.mass.size(), Vec2::Zero());
   const Outside<2> outside(model, state, work);
+  const bool is_plain = !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.correction == nullptr;
   share(work.threads, static_cast<int>(model.bodies.size()), body_stretch, [&](int first, int last, int /*thread*/) {
     for (int b = first; b < last; ++b) {
       const double part = state.added_share[b] / (1 + state.added_share[b]);
       if (!(part > 0)) continue;
       const Body& body = model.bodies[b];
+      const WholeBody whole = whole_body(model, state, b);
       for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
-        added[n] = along_of(
-            node_forces(model, state, work, n, velocity_of(state, n), outside, options.rest).force);
-      const RigidPart rigid =
-          rigid_part(model, state, b, whole_body(model, state, b), [&](int n) { return added[n]; });
+        added[n] =
+            is_plain && whole.is_free
+                ? work.force[n]
+                : along_of(node_forces(model, state, work, n, velocity_of(state, n), outside, options.rest).force);
+      const RigidPart rigid = rigid_part(model, state, b, whole, [&](int n) { return added[n]; });
       for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
         added[n] = part * (model.mass[n] * rigid.at(state.position[n]) - added[n]);
     }

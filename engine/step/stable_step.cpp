@@ -16,7 +16,8 @@
 namespace trilith {
 namespace {
 
-/// Of the nodes, and where that is asked for, of element bodies that are free in all their nodes, as if they were rigid.
+/// Of the nodes, and where that is asked for, of element bodies that are free in all their nodes, as if they were
+/// rigid.
 struct Locals {
   std::vector<Local> node;
   std::vector<Local> whole;     ///< [body] about its centre of mass; empty: not asked for
@@ -221,7 +222,7 @@ Local around_outline(const Model<2>& model, const Work<2>& work, int body, const
     for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
       if (!model.edge_is_face[first + c]) continue;
       const SkinMotion<2>&p = work.skin[model.corner_skin[first + c]],
-                         &q = work.skin[model.corner_skin[first + (c + 1) % count]];
+            &q = work.skin[model.corner_skin[first + (c + 1) % count]];
       const Vec2 along(q.x - p.x, q.y - p.y), middle(0.5 * (p.x + q.x), 0.5 * (p.y + q.y));
       const double length = along.norm();
       const Vec2 t = along / length, n(t.y(), -t.x()), arm = middle - centre;

@@ -168,6 +168,8 @@ struct Model {
   std::vector<Vec<D>> skin_place;   ///< [skin] from skin_node, in the axes of skin_turn m
   std::vector<int> skin_node;       ///< [skin]
   std::vector<int> skin_turn;       ///< [skin] the node whose axes those are: skin_node but at the pinned end of a beam
+  std::vector<int> skin_before, skin_after;  ///< [skin] of a side of a mesh that goes straight on there, the skin point
+                                             ///< before and after it; else itself. Empty where no side does
 
   // Convex pieces of the bodies' skins.
   std::vector<int> piece_body;             ///< [piece]

@@ -62,7 +62,8 @@ class Writer {
   template <int D>
   [[nodiscard]] bool changed(const State<D>& s) const {
     const auto later = std::span(s.given.value).subspan(plain_energy_terms);
-    return !s.removed_at.empty() || !s.added_share.empty() || std::any_of(later.begin(), later.end(), [](double v) { return v != 0; });
+    return !s.removed_at.empty() || !s.added_share.empty() ||
+           std::any_of(later.begin(), later.end(), [](double v) { return v != 0; });
   }
 };
 

@@ -174,7 +174,8 @@ int consolidate(lua_State* L) {
   const bool by_statics = keys.choice("integrator", {"explicit", "static"}, 0) == 1;
   EquilibriumOptions how;
   how.shares = keys.count("shares", how.shares), how.tolerance = keys.number("tolerance", "1", how.tolerance);
-  if (by_statics && o.mass_scaling) keys.problem("mass_scaling is of explicit steps; integrator = \"static\" takes none");
+  if (by_statics && o.mass_scaling)
+    keys.problem("mass_scaling is of explicit steps; integrator = \"static\" takes none");
   if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a stage of its own");
   o.must_rest = !or_go_on;
   const StageUntil until = read_until(keys, m);
