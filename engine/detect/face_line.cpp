@@ -23,11 +23,17 @@ double distance(const SkinMotion<2>* skin, int p, int q) {
 }  // namespace
 
 bool is_flat_in_line(const FaceLine& line, const SkinMotion<2>* skin, const NearPair& pair) {
+  const SkinMotion<2>&a0 = skin[pair.a0], &a1 = skin[pair.a1], &b0 = skin[pair.b0], &b1 = skin[pair.b1];
+  return is_flat_in_line(
+      line, skin, pair,
+      FaceOverlap<double>({a0.x, a0.y, a1.x, a1.y, 0, 0, 0, 0}, {b0.x, b0.y, b1.x, b1.y, 0, 0, 0, 0}));
+}
+
+bool is_flat_in_line(const FaceLine& line, const SkinMotion<2>* skin, const NearPair& pair,
+                     const FaceOverlap<double>& o) {
   const int before_a = line.before[pair.a0], after_a = line.after[pair.a1];
   const int before_b = line.before[pair.b0], after_b = line.after[pair.b1];
   if (before_a == pair.a0 && after_a == pair.a1 && before_b == pair.b0 && after_b == pair.b1) return false;
-  const SkinMotion<2>&a0 = skin[pair.a0], &a1 = skin[pair.a1], &b0 = skin[pair.b0], &b1 = skin[pair.b1];
-  const FaceOverlap<double> o({a0.x, a0.y, a1.x, a1.y, 0, 0, 0, 0}, {b0.x, b0.y, b1.x, b1.y, 0, 0, 0, 0});
   // They look at each other, and are nearly parallel.
   if (!(o.inv_a > 0 && o.inv_b > 0 && o.tilt < face_pair_max_tilt)) return false;
   const double end_a = 1 / o.inv_a, end_b = o.sb1 + 1 / o.inv_b;

@@ -32,7 +32,9 @@ inline FaceLine face_line(const Model<2>& model) {
 }
 
 /// Whether the faces of a pair, which are no pair of faces by themselves, are flat with their neighbours in line.
-/// `skin`: as Work is placed.
+/// `skin`: as Work is placed; `overlap`: of the two faces alone.
+bool is_flat_in_line(const FaceLine& line, const SkinMotion<2>* skin, const NearPair& pair,
+                     const FaceOverlap<double>& overlap);
 bool is_flat_in_line(const FaceLine& line, const SkinMotion<2>* skin, const NearPair& pair);
 
 /// How much longer the two faces get by their neighbours, at most [m].

@@ -99,7 +99,10 @@ struct FourRows {
   for (int i = 0; i < lane_count; ++i) {
     const int row = rows.row[i];
     if ((o.sane[i] != 0 && motion.flat[i] != 0) || pass.before[row].bonds != 0) continue;
-    if (pass.known != nullptr ? pass.known[row] == 0 : !is_flat_in_line(pass.line, pass.skin, pass.pairs[row]))
+    FaceOverlap<double> one;
+    one.dx = o.dx[i], one.dy = o.dy[i], one.sb1 = o.sb1[i], one.inv_a = o.inv_a[i], one.inv_b = o.inv_b[i];
+    one.gap_lo = o.gap_lo[i], one.gap_hi = o.gap_hi[i], one.tilt = o.tilt[i];
+    if (pass.known != nullptr ? pass.known[row] == 0 : !is_flat_in_line(pass.line, pass.skin, pass.pairs[row], one))
       continue;
     motion.flat[i] = -1;
     if (o.sane[i] != 0) continue;
