@@ -289,6 +289,8 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
     const double k = rates[b].contacts.stiffness + rates[b].elements.stiffness;
     const double c = rates[b].contacts.damping + (rates[b].elements.damping + model.mass_damping);
     const bool has_share = is_scaled && state.added_share[b] > 0;
+    // One that takes a longer step than the shortest so far is not asked how long.
+    if (has_share && share_for(rates[b], model.mass_damping, found.dt) <= state.added_share[b]) continue;
     const double dt = has_share ? scaled_step(rates[b], state.added_share[b], model.mass_damping) : step_for(k, c);
     if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
   }

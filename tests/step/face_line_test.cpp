@@ -72,7 +72,9 @@ State<2> pressed(const Model<2>& model, double depth, double slid, double tilt, 
 }
 
 TEST_CASE("faces of a mesh in line: a flat joint has the forces of its overlap, with no contact of general shape") {
-  for (const auto& [low, top] : {std::pair{2, 2}, std::pair{4, 2}, std::pair{3, 4}, std::pair{5, 5}}) {
+  double worst = 0;
+  for (const std::pair<int, int>& elements : {std::pair{2, 2}, std::pair{4, 2}, std::pair{3, 4}, std::pair{5, 5}}) {
+    const int low = elements.first, top = elements.second;
     const Model<2> model = two_meshes(low, top);
     REQUIRE(!model.skin_after.empty());
     for (const double slid : {0.0, 1e-9, -1e-7, 1e-5, -1e-4, 1e-3})
@@ -81,22 +83,18 @@ TEST_CASE("faces of a mesh in line: a flat joint has the forces of its overlap, 
           const double depth = 1e-5;
           const State<2> state = pressed(model, depth, slid, tilt, apart);
           const Evaluated line = evaluated(model, state, false), alone = evaluated(model, state, true);
-          CAPTURE(low), CAPTURE(top), CAPTURE(slid), CAPTURE(apart), CAPTURE(tilt);
+          INFO("elements ", low, " and ", top, ", slid ", slid, ", nodes apart ", apart, ", tilt ", tilt);
           CHECK(line.general == 0);
-          // Closed form: kn times the overlap of both lines, whose nodes have moved along them.
-          const auto end = [&](const Vec2& at) { return state.position[node_at(model, at)].x(); };
-          const int corner = model.bodies[1].first_node;
-          double left = unbounded, right = -unbounded;
-          for (int n = corner; n < model.nodes(); ++n)
-            if (std::abs(model.start_position[n].y() - high) < 1e-9)
-              left = std::min(left, state.position[n].x()), right = std::max(right, state.position[n].x());
-          const double from = std::max(left, end({0, high})), to = std::min(right, end({size, high}));
-          (void)from, (void)to;
-          CHECK(near(line.on_top.force.y(), alone.on_top.force.y(), 1e-6));
-          CHECK(std::abs(line.on_top.force.x() - alone.on_top.force.x()) < 1e-6 * alone.on_top.force.y());
-          CHECK(std::abs(line.on_top.moment - alone.on_top.moment) < 1e-6 * size * alone.on_top.force.y());
+          const double carried = alone.on_top.force.y();
+          const double off = (line.on_top.force - alone.on_top.force).norm() / carried,
+                       turned = std::abs(line.on_top.moment - alone.on_top.moment) / (size * carried);
+          // Bevels of slivers, of the second order in their depth, are all that may differ.
+          CHECK(off < 1e-8);
+          CHECK(turned < 1e-8);
+          worst = std::max({worst, off, turned});
         }
   }
+  MESSAGE("forces and moments differ by ", worst, " of what the joint carries");
 }
 
 TEST_CASE("faces of a mesh in line: the pressure of a joint is kn times depth over the length that both lines share") {
@@ -117,8 +115,8 @@ TEST_CASE("faces of a mesh in line: both sides of the limits of tilt and depth")
   // Two faces of 0.2 m and a neighbour each: 0.4 m in line, deep by up to 0.005 of it.
   CHECK(general(0.9 * face_pair_max_depth * size, 0) == 0);
   CHECK(general(1.1 * face_pair_max_depth * size, 0) > 0);
-  CHECK(general(1.2e-3, 0.9 * face_pair_max_tilt) == 0);
-  CHECK(general(1.2e-3, 1.1 * face_pair_max_tilt) > 0);
+  CHECK(general(0.5e-3, 0.9 * face_pair_max_tilt) == 0);
+  CHECK(general(0.5e-3, 1.1 * face_pair_max_tilt) > 0);
 }
 
 TEST_CASE("faces of a mesh in line: a side that is bent by more than the limit is no line any more") {
@@ -136,12 +134,12 @@ TEST_CASE("faces of a mesh in line: a side that is bent by more than the limit i
 TEST_CASE("faces of a mesh in line: rigid bodies, quads and corners of meshes have no neighbours") {
   Scene scene(Frictional{1e10, 4e9, 0.6, 0});
   scene.builder.add_material(elastic("soft", 2000, 1e10, 0));
-  scene.block("rigid", rectangle({0, 0}, {1, 1}), 1);
+  scene.fixed("rigid", rectangle({0, 0}, {1, 1}));
   BodySpec quad = grid_body("quad", rectangle({2, 0}, {3, 1}), "soft", 1, 1);
   scene.add(quad);
   CHECK(scene.builder.build().skin_after.empty());
   scene.add(grid_body("mesh", rectangle({4, 0}, {5, 1}), "soft", 2, 1));
-  scene.block("later", rectangle({6, 0}, {7, 1}), 1);
+  scene.fixed("later", rectangle({6, 0}, {7, 1}));
   const Model<2> model = scene.builder.build();
   REQUIRE(model.skin_after.size() == model.skin_place.size());
   int linked = 0;
