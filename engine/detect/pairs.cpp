@@ -7,6 +7,7 @@
 #include "base/portable.hpp"
 #include "contact/face_overlap.hpp"
 #include "detect/bearing_rules.hpp"
+#include "detect/face_line.hpp"
 #include "detect/lookup.hpp"
 
 namespace trilith {
@@ -73,8 +74,9 @@ void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, i
 
 /// Could the faces come to touch flatly before they are looked at again? Until then no two points come nearer than the
 /// margin.
-bool may_touch(const FaceOverlap<double>& o, double margin) {
-  const double depth = -std::min(o.gap_lo, o.gap_hi), shared = o.shared + margin;
+/// `in_line`: what neighbours in line may add to their length.
+bool may_touch(const FaceOverlap<double>& o, double margin, double in_line) {
+  const double depth = -std::min(o.gap_lo, o.gap_hi), shared = o.shared + margin + in_line;
   return shared > 0 && depth > -margin && depth <= face_pair_max_depth * shared + margin;
 }
 
@@ -111,10 +113,13 @@ int count_facing(const Model<2>& model, const Work<2>& work, double reach_a, dou
                                                    turn_within(model, work, pair.piece_a, reach_a) +
                                                    turn_within(model, work, pair.piece_b, reach_b);
   const bool any = angle >= 1;
+  const FaceLine line = face_line(model);
   int count = 0;
   for_facing_edges(model, work, pair.piece_a, pair.piece_b, any ? unbounded : tangent_or_more(angle),
                    [&](const Edge& a, const Edge& b) {
-                     if (!any && !may_touch({ends(work, a.s0, a.s1), ends(work, b.s0, b.s1)}, margin)) return true;
+                     if (!any && !may_touch({ends(work, a.s0, a.s1), ends(work, b.s0, b.s1)}, margin,
+                                            length_in_line(line, work.skin.data(), a.s0, a.s1, b.s0, b.s1)))
+                       return true;
                      if (count == 0) set_faces(pair, a, b);
                      count = any ? 2 : count + 1;
                      return count < 2;
@@ -295,13 +300,18 @@ bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
   int found = 0, touching = 0;
   double nearest = unbounded;
+  const FaceLine line = face_line(model);
   static const double angle = portable::tan(face_pair_max_tilt);
   for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
     const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
-    if (!overlap.sane) return true;
+    if (!overlap.sane || !(bonded || overlap.is_flat(std::max(a.corner, b.corner)))) {
+      if (bonded || !line.is_there()) return true;
+      NearPair faces{};
+      set_faces(faces, a, b);
+      if (!is_flat_in_line(line, work.skin.data(), faces)) return true;
+    }
     const double gap = 0.5 * std::abs(overlap.gap_lo + overlap.gap_hi);
-    const bool touches = std::min(overlap.gap_lo, overlap.gap_hi) < 0;
-    if (!bonded && !overlap.is_flat(std::max(a.corner, b.corner))) return true;
+    const bool touches = overlap.shared > 0 && std::min(overlap.gap_lo, overlap.gap_hi) < 0;
     if (!bonded && touches && touching++ == 0) nearest = unbounded;  // rather than any that does not
     if (gap >= nearest || (!bonded && !touches && touching > 0)) return true;
     nearest = gap;

@@ -12,6 +12,7 @@ namespace trilith {
 template <int D>
 template <class Change>
 void Simulation<D>::change_parts(Change&& change) {
+  unscale_masses();
   refresh();
   const std::vector<Event> events = change(StepOptions{swept_.dt, rest_});
   leaving_.insert(leaving_.end(), events.begin(), events.end());

@@ -68,7 +68,41 @@ NextStep Simulation<D>::choose_step() const {
   const bool other = state_.safety != safety || (given > 0 && state_.dt != given);
   if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return {state_.dt, state_.safety, 0};
   const double longest = stable_step(model_, state_, work_).dt;
-  return {given > 0 ? given : settled_step(longest, options.safety), safety, longest};
+  // With scaled masses the step is the one asked for, as long as bodies have what they need for it.
+  const double asked = options.mass_scaling ? options.mass_scaling->step : 0;
+  const bool as_asked = asked > 0 && options.safety * longest >= (1 - 1e-9) * asked;
+  return {given > 0 ? given : as_asked ? asked : settled_step(longest, options.safety), safety, longest};
+}
+
+/// Where a stage asks for it: bodies are given what they lack for its step, whenever that is looked at. A run that is
+/// continued does so at the same steps.
+template <int D>
+void Simulation<D>::scale_masses() {
+  if (!stage_->options.mass_scaling) return;
+  if (!model_.pushes.empty())
+    throw InputError(
+        fmt::format("stage '{}': push '{}' controls a displacement, which does not know of mass_scaling; keep one",
+                    stage_->options.name, model_.pushes.front().name));
+  if constexpr (D == 2) {
+    refresh();
+    const bool due = state_.added_share.empty() || state_.dt == 0 || state_.step % steps_between_estimates == 0;
+    if (!due) return;
+    if (!stage_->report.scaled) stage_->report.scaled.emplace();
+    const bool changed = trilith::scale_masses(model_, state_, work_, *stage_->options.mass_scaling,
+                                               stage_->options.safety, stage_->first, *stage_->report.scaled);
+    if (!changed) return;
+    state_.dt = 0;
+    evaluated_ = false;
+  }
+}
+
+/// Masses are the model's own again.
+template <int D>
+void Simulation<D>::unscale_masses() {
+  if (state_.added_share.empty()) return;
+  if constexpr (D == 2) trilith::unscale_masses(model_, state_);
+  state_.dt = 0;
+  evaluated_ = false;
 }
 
 /// In a stage that leaves it open. The state alone decides, so that a run that is continued decides alike.
@@ -152,6 +186,10 @@ bool Simulation<D>::take_step(double dt, const Energy& energy) {
   return true;
 }
 
+template void Simulation<2>::scale_masses();
+template void Simulation<2>::unscale_masses();
+template void Simulation<3>::scale_masses();
+template void Simulation<3>::unscale_masses();
 template bool Simulation<2>::wants_implicit() const;
 template bool Simulation<2>::goes_implicitly() const;
 template NextStep Simulation<2>::choose_step() const;

@@ -57,6 +57,7 @@ Simulation<D>::~Simulation() = default;
 template <int D>
 Model<D>& Simulation<D>::edit_model() {
   assert(!running_ || at_border_);
+  unscale_masses();
   edited();
   return model_;
 }
@@ -102,6 +103,10 @@ void Simulation<D>::refresh() {
   swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   clock.mark(StepPart::estimate);
   if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
+  if constexpr (D == 2) {
+    add_inertia(model_, state_, work_, {swept_.dt, rest_});
+    if (!state_.added_share.empty()) clock.mark(StepPart::advance);
+  }
   evaluated_ = true;
 }
 
@@ -191,6 +196,7 @@ void Simulation<D>::begin_stage(const StageOptions& options) {
 template <int D>
 StageReport Simulation<D>::run(const StageOptions& options, const RunListener<D>& listener) {
   begin_stage(options);
+  if (!options.mass_scaling) unscale_masses();
   if (const bool implicit = wants_implicit(); implicit != state_.implicit()) change_integrator(implicit);
   return go_on(listener);
 }
@@ -210,9 +216,11 @@ StageReport Simulation<D>::go_on(const RunListener<D>& listener) {
   try {
     while (!stage_->over) pass(listener);
   } catch (...) {
+    unscale_masses();
     stage_.reset();
     throw;
   }
+  unscale_masses();
   const StageReport report = std::move(stage_->report);
   stage_.reset();
   return report;
@@ -265,11 +273,17 @@ template <int D>
 void Simulation<D>::see_off() {
   const std::vector<int> bodies = watch_->leaving(model_, state_, work_);
   if (bodies.empty()) return;
+  const bool is_scaled = !state_.added_share.empty();
+  if (is_scaled) unscale_masses(), refresh();
   const std::vector<Event> events = take_out(model_, state_, work_, {swept_.dt, rest_}, bodies);
   leaving_.insert(leaving_.end(), events.begin(), events.end());
   all_left_ = hold_left(model_, state_);
   tangent_->forget();
   kept_model_.reset();
+  if (!is_scaled) return;
+  evaluated_ = false;
+  scale_masses();
+  refresh();
 }
 
 /// Sets the report where the stage ends at this instant.
@@ -314,7 +328,7 @@ void Simulation<D>::tell_step(const RunListener<D>& listener) {
   const Instant<D> now = instant();
   for (const Event& e : work_.events) tell(e, listener, now);
   if (listener.on_step) listener.on_step(now);
-  if (listener.change_model && listener.change_model(model_)) edited();
+  if (listener.change_model && listener.change_model(model_)) unscale_masses(), edited();
   clock.mark(StepPart::listen);
 }
 
@@ -335,6 +349,7 @@ void Simulation<D>::pass(const RunListener<D>& listener) {
   StageProgress& stage = *stage_;
   StageReport& report = stage.report;
   if (stage.options.may_change && !stage.first) choose_integrator();
+  scale_masses();
   refresh();
   require_step(stage.options);
   std::vector<Event> passed = notice_passed(model_, state_, work_);  // before what has left is taken out

@@ -139,6 +139,8 @@ class Simulation {
   [[nodiscard]] NextStep choose_step() const;
   [[nodiscard]] bool wants_implicit() const;
   [[nodiscard]] bool goes_implicitly() const;
+  void scale_masses();
+  void unscale_masses();
   void choose_integrator();
   void change_integrator(bool implicit);
   void leave_implicit();

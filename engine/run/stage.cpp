@@ -10,6 +10,19 @@ namespace {
 /// The largest share of the longest stable step: above it impacts miss their energy by a fifth.
 constexpr double longest_safety = 0.9;
 
+void require_valid_scaling(const StageOptions& o, const std::string& owner) {
+  if (!o.mass_scaling) return;
+  require_positive(o.mass_scaling->step, owner + ": mass_scaling: step", "s");
+  require_positive(o.mass_scaling->most, owner + ": mass_scaling: most", "1");
+  if (o.dt > 0)
+    throw InputError(
+        fmt::format("{}: dt is {:g} s and mass_scaling has a step of {:g} s; leave dt out, the step is that of "
+                    "mass_scaling",
+                    owner, o.dt, o.mass_scaling->step));
+  if (o.implicit)
+    throw InputError(owner + ": mass_scaling is of explicit steps, and implicit ones are as long without it; keep one");
+}
+
 }  // namespace
 
 void require_valid(const StageOptions& o) {
@@ -28,6 +41,7 @@ void require_valid(const StageOptions& o) {
         fmt::format("{}: damping is {:g}, which only explicit steps have; leave it out, or take "
                     "integrator = \"explicit\"",
                     owner, o.rest_share));
+  require_valid_scaling(o, owner);
   for (const double v : {o.frame_interval, o.history_interval, o.energy_interval})
     require_not_negative(v, owner + ": interval", "s");
   if (o.until_rest) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "step/alpha_scheme.hpp"
+#include "step/mass_scaling.hpp"
 #include "world/event.hpp"
 #include "world/work.hpp"
 
@@ -26,6 +27,8 @@ struct StageOptions {
   double safety = 0.5;    ///< share of the longest stable step that is taken, above 0 to 0.9. At 0.5 a bounce keeps its
                           ///< energy to some percent, at 0.1 to a tenth of one
   double rest_share = 0;  ///< damping of consolidation (RestDamping), 0 to below 1
+
+  std::optional<MassScaling> mass_scaling;  ///< longer explicit steps of bodies of elements in the plane
 
   std::optional<AlphaScheme> implicit;  ///< steps of this scheme; else explicit central differences
   bool may_change = false;              ///< with `implicit`: explicit steps where those do not pay
@@ -56,6 +59,7 @@ struct StageReport {
   std::int64_t steps = 0;
   double shortest_dt = 0, longest_dt = 0;  ///< [s]
   double speed = 0, ratio = 0;             ///< fastest skin point and unbalanced ratio at the end
+  std::optional<ScaledMass> scaled;        ///< with StageOptions::mass_scaling
   std::string reason;                      ///< in words, where it did not end as asked: what, where, what to try
   std::string found;                       ///< where it diverged: what and where alone
   double sound_until = 0;                  ///< where it diverged: the last instant that was looked at and sound [s]

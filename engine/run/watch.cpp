@@ -176,21 +176,6 @@ double sound_speed(const Model<D>& model) {
   return most;
 }
 
-const std::vector<Element>& elements_of(const Model<2>& model) {
-  return model.elements;
-}
-const std::vector<SpaceElement>& elements_of(const Model<3>& model) {
-  return model.space_elements;
-}
-
-/// As many of its nodes as there are.
-int nodes_of(const Element& e) {
-  return e.nodes;
-}
-int nodes_of(const SpaceElement& e) {
-  return info_of(e.shape).nodes;
-}
-
 template <int D>
 std::string element_name(const Model<D>& model, int element) {
   int first = element;

@@ -6,6 +6,7 @@
 #include "base/team.hpp"
 #include "body/rigid_turn_lanes.hpp"
 #include "step/implicit_step.hpp"
+#include "step/mass_scaling.hpp"
 #include "step/node_forces.hpp"
 #include "step/stored_energy.hpp"
 
@@ -121,10 +122,11 @@ template <bool turns, class Taken>
 int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside<2>& outside,
                  const StepSpan& span, int n, int last, Taken taken) {
   const Vec2* damping = work.element_damping.empty() ? nullptr : work.element_damping.data();
+  const Vec2* added = work.added_inertia.empty() ? nullptr : work.added_inertia.data();
   const double* couple = work.element_damping_moment.empty() ? nullptr : work.element_damping_moment.data();
   for (; n < last && is_free<turns>(model, state, n); ++n) {
     const double mass = model.mass[n];
-    const Vec2 &force = work.force[n], &steady = outside.load[n];
+    const Vec2 force = added == nullptr ? work.force[n] : Vec2(work.force[n] + added[n]), &steady = outside.load[n];
     Vec2 &v = state.velocity[n], &place = state.position[n];
     const double u = v.x() + force.x() / mass * span.between, w = v.y() + force.y() / mass * span.between;
     const double x = 0.5 * (span.last * v.x() + span.next * u), y = 0.5 * (span.last * v.y() + span.next * w);
@@ -306,6 +308,8 @@ Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& w
     add_work(f, path, energy);
     kinetic += kinetic_energy(model, state, n, v, speed_ahead(model, state, n, v, f, span, options.dt));
   }
+  if constexpr (D == 2)
+    if (!state.added_share.empty()) kinetic += added_kinetic(model, state, work, state.last_dt > 0 ? span : 0);
   energy[EnergyTerm::kinetic] = kinetic;
   add_stored(model, state, work, energy);
   return energy;

@@ -26,6 +26,7 @@ class FaceCopies {
 
   void clear() {
     skin_.clear(), mean_.clear(), arm_.clear(), pairs_.clear(), before_.clear(), law_row_.clear(), law_before_.clear();
+    line_.clear();
   }
   [[nodiscard]] std::size_t size() const { return pairs_.size(); }
 
@@ -59,6 +60,7 @@ class FaceCopies {
   std::vector<ContactMemory> before_, after_;
   std::vector<LawRow> law_row_;
   std::vector<double> law_before_, law_after_;
+  std::vector<std::uint8_t> line_;  // [copy] 1: its row is flat with its neighbours in line as it stands
   std::vector<int> list_;
   std::vector<FourFaces> answer_;
 };
@@ -97,6 +99,8 @@ void FaceCopies::add(const State<2>& state, int row, const Move* move) {
   NearPair& copy = pairs_.emplace_back(p);
   copy.a0 = first, copy.a1 = first + 1, copy.b0 = first + 2, copy.b1 = first + 3;
   before_.push_back(history_.memory[row]);
+  const FaceLine line = face_line(model_);
+  line_.push_back(line.is_there() && is_flat_in_line(line, work_.skin.data(), p) ? 1 : 0);
   const LawRow of = history_.law_row[row];
   law_row_.push_back({of.place, static_cast<std::uint32_t>(law_before_.size())});
   const double* const numbers = history_.law_numbers(row);
@@ -131,6 +135,8 @@ void FaceCopies::respond(const LawInUse& law) {
                       law_after_.data(),
                       nullptr,
                       work_,
+                      {},
+                      line_.data(),
                       answer_.data()};
   respond_face_rows(pass, law, std::span(list_).first(count));
 }
@@ -262,7 +268,8 @@ void add_faces(TermSum& sum, Work<2>& work, const ContactHistory& before) {
   for (const FaceBatch& batch : work.batches) {
     FaceTerms terms(sum, work, before, law_in_use(sum.model, batch.law, sum.options.dt));
     const std::vector<int>& facing = batch.choice.empty() ? batch.row : batch.now;
-    const std::size_t count = sort_out(before, work, facing, work.face_rows, work.fresh_rows);
+    const std::size_t count =
+        sort_out(face_line(sum.model), before, work, facing, work.face_rows, work.fresh_rows);
     for (std::size_t i = 0; i < count; ++i)
       if (const int row = work.face_rows[i]; !is_general(work, row)) terms.add(row);
     terms.flush();

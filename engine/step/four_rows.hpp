@@ -9,6 +9,7 @@
 
 #include "contact/face_pair.hpp"
 #include "contact/memory.hpp"
+#include "detect/face_line.hpp"
 #include "step/face_columns.hpp"
 #include "world/work.hpp"
 
@@ -76,6 +77,8 @@ struct FacePass {
   double* law_after;
   Vec2* skin_force;
   Work<2>& work;
+  FaceLine line;                        // faces of meshes in line ...
+  const std::uint8_t* known = nullptr;  // ... or, instead, for each row whether its faces are flat by that
   FourFaces* kept = nullptr;  // where threads share the rows: forces, energies and lists are kept, to be added in order
 };
 
@@ -88,6 +91,27 @@ struct FourRows {
     for (std::size_t i = left; i < lane_count; ++i) valid[i] = 0;
   }
 };
+
+/// Rows that are no pairs of faces by themselves and are so with their neighbours in line: flat, or where they share no
+/// length open. What a bond holds together goes by itself.
+[[gnu::noinline]] inline void join_lines(const FacePass& pass, const FourRows& rows, FaceMotion<Lanes>& motion) {
+  FaceOverlap<Lanes>& o = motion.overlap;
+  for (int i = 0; i < lane_count; ++i) {
+    const int row = rows.row[i];
+    if ((o.sane[i] != 0 && motion.flat[i] != 0) || pass.before[row].bonds != 0) continue;
+    FaceOverlap<double> one;
+    one.dx = o.dx[i], one.dy = o.dy[i], one.sb1 = o.sb1[i], one.inv_a = o.inv_a[i], one.inv_b = o.inv_b[i];
+    one.gap_lo = o.gap_lo[i], one.gap_hi = o.gap_hi[i], one.tilt = o.tilt[i];
+    if (pass.known != nullptr ? pass.known[row] == 0 : !is_flat_in_line(pass.line, pass.skin, pass.pairs[row], one))
+      continue;
+    motion.flat[i] = -1;
+    if (o.sane[i] != 0) continue;
+    constexpr double open = 1, least = 1e-12;  // [m]
+    o.sane[i] = -1;
+    o.hi[i] = o.lo[i] + least, o.shared[i] = least;
+    o.gap_lo[i] = o.gap_hi[i] = open;
+  }
+}
 
 /// Places and velocities of the four face ends of each row, as columns. After an implicit step the mean velocities over
 /// it are read too; in a leapfrog step both are the same and nothing more is read.
@@ -114,6 +138,8 @@ TRILITH_INLINE FaceMotion<Lanes> load_motion(const FacePass& pass, const FourRow
     mean(&NearPair::b0, b.u0, b.v0), mean(&NearPair::b1, b.u1, b.v1);
     motion.over_step(a, b);
   }
+  if (pass.line.is_there() || pass.known != nullptr)
+    if (any(flip(motion.overlap.sane & motion.flat))) join_lines(pass, rows, motion);
   return motion;
 }
 

@@ -83,14 +83,16 @@ constexpr std::size_t stretch_room = sorted_stretch + lane_count;
 
 /// A list that grows downwards from `end`, of `count` rows that were of general shape at the last step: keeps those
 /// that still are, which need no kernel to find that out. Returns how many.
-std::size_t keep_tumbling(const Work<2>& work, int* end, std::size_t count) {
+std::size_t keep_tumbling(const FaceLine& line, const Work<2>& work, int* end, std::size_t count) {
   std::size_t kept = 0;
   for (std::size_t from = 0; from < count; from += lane_count) {
     int four[lane_count];
     for (std::size_t i = 0; i < lane_count; ++i) four[i] = *(end - 1 - (from + i < count ? from + i : from));
     const unsigned faces = are_faces(work.skin.data(), work.pairs.data(), four);
     for (std::size_t i = 0; i < lane_count && from + i < count; ++i)
-      if ((faces >> i & 1U) == 0) *(end - ++kept) = four[i];
+      if ((faces >> i & 1U) == 0 &&
+          !(line.is_there() && is_flat_in_line(line, work.skin.data(), work.pairs[static_cast<std::size_t>(four[i])])))
+        *(end - ++kept) = four[i];
   }
   return kept;
 }
@@ -112,8 +114,8 @@ std::size_t without(const int* end, std::size_t tumbling, int* rows, std::size_t
 /// `count` facing rows: those that touched go to `rows`, of the rest those that may touch now to `fresh`, and those
 /// that are of general shape, as they were at the last step, to the end of the room of `fresh`; both lists have room
 /// for all of them and for the padding.
-SortedRows sort_stretch(const ContactHistory& before, const Work<2>& work, const int* facing, std::size_t count,
-                        int* rows, int* fresh) {
+SortedRows sort_stretch(const FaceLine& line, const ContactHistory& before, const Work<2>& work, const int* facing,
+                        std::size_t count, int* rows, int* fresh) {
   constexpr std::uint32_t shapeless = contact_touching | contact_general;
   int* const end = fresh + stretch_room;
   std::size_t touched = 0, rest = 0, tumbling = 0;
@@ -132,7 +134,7 @@ SortedRows sort_stretch(const ContactHistory& before, const Work<2>& work, const
       const ContactMemory& memory = before.memory[rows[i]];
       if ((memory.state & shapeless) == shapeless && memory.bonds == 0) *(end - ++tumbling) = rows[i];
     }
-    tumbling = keep_tumbling(work, end, tumbling);
+    tumbling = keep_tumbling(line, work, end, tumbling);
     touched = without(end, tumbling, rows, touched);
   }
   pad(fresh, rest);
@@ -143,7 +145,7 @@ SortedRows sort_stretch(const ContactHistory& before, const Work<2>& work, const
 
 /// Rows that touched, or keep something, go first and are always worked on; of the rest only what may touch now. Both
 /// in their order, whatever stretches threads take them by. What comes out is padded to be read by fours.
-std::size_t sort_out(const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
+std::size_t sort_out(const FaceLine& line, const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
                      std::vector<int>& rows, std::vector<int>& fresh) {
   const std::size_t stretches = (facing.size() + sorted_stretch - 1) / sorted_stretch;
   constexpr std::size_t room = stretch_room;
@@ -152,9 +154,9 @@ std::size_t sort_out(const ContactHistory& before, Work<2>& work, const std::vec
   share(work.threads, static_cast<int>(stretches), 1, [&](int first, int last, int /*thread*/) {
     for (int s = first; s < last; ++s) {
       const std::size_t from = static_cast<std::size_t>(s) * sorted_stretch, to = static_cast<std::size_t>(s) * room;
-      work.sorted_rows[static_cast<std::size_t>(s)] =
-          sort_stretch(before, work, facing.data() + from, std::min<std::size_t>(sorted_stretch, facing.size() - from),
-                       rows.data() + to, fresh.data() + to);
+      work.sorted_rows[static_cast<std::size_t>(s)] = sort_stretch(
+          line, before, work, facing.data() + from, std::min<std::size_t>(sorted_stretch, facing.size() - from),
+          rows.data() + to, fresh.data() + to);
     }
   });
   std::size_t count = 0;

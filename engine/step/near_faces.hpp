@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "detect/face_line.hpp"
 #include "world/work.hpp"
 
 namespace trilith {
@@ -12,7 +13,7 @@ namespace trilith {
 /// Beyond their count, which is returned, the list repeats its last row, so that it can be read by fours. `fresh`:
 /// room. Rows that were of general shape at the last step, and are so now, go to Work::general_now at once. Threads
 /// share it.
-std::size_t sort_out(const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
+std::size_t sort_out(const FaceLine& line, const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
                      std::vector<int>& rows, std::vector<int>& fresh);
 
 }  // namespace trilith

@@ -158,6 +158,9 @@ template <int D>
   f.damped = rest.share > 0 || model.mass_damping > 0;
   if (f.damped) add_dampings(model, state, n, v, rest, f);
   if (outside.correction != nullptr) add_correction(outside, support, n, f);
+  if (!work.added_inertia.empty())
+    for (int k = 0; k < Space<D>::translations; ++k)
+      if (support[k] == Support::free) f.force[k] += work.added_inertia[n][k];
   return f;
 }
 

@@ -226,8 +226,8 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
   const ContactHistory& before = contacts_before(state, work);
   work.general_now.clear();
   for (FaceBatch& batch : work.batches) {
-    const std::size_t count =
-        sort_out(before, work, facing_now(model, before, work, batch), work.face_rows, work.fresh_rows);
+    const std::size_t count = sort_out(face_line(model), before, work, facing_now(model, before, work, batch),
+                                       work.face_rows, work.fresh_rows);
     if (count == 0) continue;
     const std::span<const int> rows(work.face_rows.data(), count);
     const FacePass pass{work.skin.data(),
@@ -239,7 +239,8 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
                         before.law_memory.data(),
                         work.contacts.law_memory.data(),
                         work.skin_force.data(),
-                        work};
+                        work,
+                        face_line(model)};
     with_kernel(law_in_use(model, batch.law, dt), [&]<class K>(const K& law) { respond_all<K>(pass, law, rows); });
     clock.mark_law(batch.law);
   }

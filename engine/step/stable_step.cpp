@@ -8,45 +8,23 @@
 #include <set>
 
 #include "step/contact_rows.hpp"
+#include "step/local_springs.hpp"
+#include "step/mass_scaling.hpp"
+#include "step/whole_body.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
 namespace {
 
-/// Symmetric 3 x 3 of one body about its node: (x, y, rotation).
-struct Local {
-  Eigen::Matrix3d k = Eigen::Matrix3d::Zero(), c = Eigen::Matrix3d::Zero();
+/// Of the nodes, and where that is asked for, of element bodies that are free in all their nodes, as if they were
+/// rigid.
+struct Locals {
+  std::vector<Local> node;
+  std::vector<Local> whole;     ///< [body] about its centre of mass; empty: not asked for
+  std::vector<WholeBody> body;  ///< [body] likewise
+
+  Local* whole_of(int b) { return whole.empty() || !body[b].is_free ? nullptr : &whole[b]; }
 };
-
-/// A spring of stiffness k along unit direction e at `arm` from the node, spread over `length` along `spread`. Without
-/// matrices in between: this is done four times for every contact.
-void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, double beta, double length, const Vec2& spread,
-                double weight) {
-  // K += k b b', b = (e, arm x e) as the spring is stretched by e . (u + theta x arm); springs spread over `length`
-  // turn about their middle with k length^2 / 12 more.
-  const double stiffness = weight * k, lever = cross(spread, e);
-  const double b[3] = {e.x(), e.y(), cross(arm, e)};
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row) {
-      double m = stiffness * b[row] * b[column];
-      // row = column = 2, the rotation.
-      if (row + column == 4) m += stiffness * lever * lever * length * length / 12;
-      local.k(row, column) += m;
-      local.c(row, column) += beta * m;
-    }
-}
-
-/// Where a contact is and how stiff: `length` along left_of(normal), its middle at `at`.
-struct ContactSprings {
-  Vec2 at, normal;
-  double length;
-  ContactTangent law;
-};
-
-/// Of law `law` at an overlap of `depth` [m] or less.
-ContactTangent tangent(const Model<2>& model, int law, double depth) {
-  return with_kernel(law_in_use(model, law), [&](const auto& kernel) { return kernel.tangent(depth); });
-}
 
 /// On the two end nodes of a face of a deformable body: rows of w w' + (l/L)^2/12 [1 -1; -1 1] for the shares w of the
 /// contact's middle, by their sums without signs, and the smaller mass for both.
@@ -107,7 +85,7 @@ std::array<int, 2> nearest_face(const Model<2>& model, const Work<2>& work, int 
 /// Normal and shear springs of a contact for both of its bodies. `face`: skin points of either side's face; {-1, -1}
 /// where the contact is of general shape.
 void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& work, const NearPair& pair,
-                 const ContactSprings& c, const std::array<std::array<int, 2>, 2>& face, std::vector<Local>& locals) {
+                 const ContactSprings& c, const std::array<std::array<int, 2>, 2>& face, Locals& locals) {
   const Vec2 &at = c.at, &n = c.normal, t = left_of(n);
   const double length = c.length;
   const ContactTangent& law = c.law;
@@ -116,19 +94,24 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
   const int node[2] = {model.bodies[body[0]].first_node, model.bodies[body[1]].first_node};
   for (const int side : {0, 1}) {
     const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
+    if (Local* whole = locals.whole_of(body[side])) {
+      const Vec2 arm = at - locals.body[body[side]].centre;
+      add_spring(*whole, n, arm, law.normal * length, law.beta, length, t, weight);
+      add_spring(*whole, t, arm, law.shear * length, law.beta, length, t, weight);
+    }
     if (!model.bodies[body[side]].is_rigid()) {
       const std::array<int, 2> ends = face[side][0] >= 0 ? face[side] : nearest_face(model, work, piece[side], at);
       if (model.bodies[body[side]].skin_is_sections()) {
-        add_to_sections(model, state, work, ends, weight, c, locals);
+        add_to_sections(model, state, work, ends, weight, c, locals.node);
         continue;
       }
       const auto place = [&](int s) { return Vec2(work.skin[s].x, work.skin[s].y); };
       add_to_face(model, {model.skin_node[ends[0]], model.skin_node[ends[1]]}, place(ends[0]), place(ends[1]), weight,
-                  c, locals);
+                  c, locals.node);
       continue;
     }
     // A rigid body: springs along n and t at the middle of the contact, both spread over its length.
-    Local& local = locals[node[side]];
+    Local& local = locals.node[node[side]];
     const Vec2 arm = at - state.position[node[side]];
     add_spring(local, n, arm, law.normal * length, law.beta, length, t, weight);
     add_spring(local, t, arm, law.shear * length, law.beta, length, t, weight);
@@ -137,14 +120,14 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
 
 /// Springs of all that touches now: those of two faces by the length they share, those of general shape by the length
 /// in contact; each as stiff as its law can be at the depth of now.
-void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work, std::vector<Local>& locals) {
+void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work, Locals& locals) {
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     const ContactMemory& m = work.contacts.memory[row];
     if ((m.state & contact_touching) == 0 || (m.state & contact_general) != 0) continue;
     const NearPair& p = work.pairs[row];
     const FaceOverlap<double> o = face_overlap(work, p);
     const Vec2 d(o.dx, o.dy), n(o.dy, -o.dx), origin(work.skin[p.a0].x, work.skin[p.a0].y);
-    const ContactTangent law = tangent(model, p.law, -std::min(o.gap_lo, o.gap_hi));
+    const ContactTangent law = spring_tangent(model, p.law, -std::min(o.gap_lo, o.gap_hi));
     add_contact(model, state, work, p, {origin + 0.5 * (o.lo + o.hi) * d, n, o.shared, law},
                 {{{p.a0, p.a1}, {p.b0, p.b1}}}, locals);
   }
@@ -153,7 +136,7 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
     const double size = g.force.norm();
     if (!(size > 0)) continue;
     const NearPair& p = work.pairs[g.row];
-    const ContactTangent law = tangent(model, p.law, g.depth);
+    const ContactTangent law = spring_tangent(model, p.law, g.depth);
     add_contact(model, state, work, p, {g.centre, g.force / size, g.size, law}, {{{-1, -1}, {-1, -1}}}, locals);
   }
 }
@@ -183,7 +166,7 @@ void add_to_nodes(const Model<2>& model, const State<2>& state, const Tie<2>& ti
     }
 }
 
-void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& work, std::vector<Local>& locals) {
+void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& work, Locals& locals) {
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     // One that waits counts already: it may go live between two estimates.
     if (!is_live(work.bearing[i].status) && work.bearing[i].status != BearingStatus::waiting) continue;
@@ -203,92 +186,62 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
       const Vec2 e = k == turning ? Vec2::Zero() : axes.apply(k == along ? Vec2::UnitX() : Vec2::UnitY());
       for (const int side : {0, 1}) {
         const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
+        const auto add = [&](Local& local, const Vec2& arm) {
+          const Eigen::Vector3d v(e.x(), e.y(), k == turning ? 1.0 : cross(arm, e));
+          local.k += weight * tangent * v * v.transpose();
+          local.c += weight * dashpot * v * v.transpose();
+        };
+        if (Local* whole = locals.whole_of(body[side])) add(*whole, at - locals.body[body[side]].centre);
         if (!tie[side]->is_rigid()) {
-          add_to_nodes(model, state, *tie[side], at, e, weight * tangent, weight * dashpot, locals);
+          add_to_nodes(model, state, *tie[side], at, e, weight * tangent, weight * dashpot, locals.node);
           continue;
         }
-        const int node = tie[side]->node[0];
-        const Vec2 arm = at - state.position[node];
-        const Eigen::Vector3d v(e.x(), e.y(), k == turning ? 1.0 : cross(arm, e));
-        locals[node].k += weight * tangent * v * v.transpose();
-        locals[node].c += weight * dashpot * v * v.transpose();
+        add(locals.node[tie[side]->node[0]], at - state.position[tie[side]->node[0]]);
       }
     }
   }
 }
 
-/// Largest row sum of the free degrees of freedom, scaled by mass and inertia: at least the largest eigenvalue.
+/// The largest row sum of a node's own springs.
 double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
-  const double scale[3] = {1 / std::sqrt(model.mass[node]), 1 / std::sqrt(model.mass[node]),
-                           1 / std::sqrt(model.inertia[node])};
-  double most = 0;
-  for (int r = 0; r < 3; ++r) {
-    double row = 0;
-    for (int c = 0; c < 3; ++c)
-      // What is held or driven does not swing.
-      if (model.support[node][c] == Support::free && model.support[node][r] == Support::free)
-        row += std::abs(m(r, c)) * scale[r] * scale[c];
-    most = std::max(most, row);
-  }
-  return most;
+  const auto& s = model.support[node];
+  return row_bound(m, model.mass[node], model.inertia[node],
+                   {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
 }
 
-/// A face of a deformable body in full contact: what its end with the smaller mass feels, per mass.
-void add_stiffer_face(const Model<2>& model, int from, int to, const ContactTangent& law, Local& stiffest) {
-  const double length = (model.start_position[to] - model.start_position[from]).norm();
-  const double k =
-      2 * (0.5 + 1.0 / 6) * length * std::max(law.normal, law.shear) / std::min(model.mass[from], model.mass[to]);
-  if (k <= stiffest.k(0, 0)) return;
-  stiffest.k(0, 0) = k;
-  stiffest.c(0, 0) = law.beta * k;
-}
-
-/// A face of a frame in full contact: what the sections at its ends feel, per mass.
-void add_stiffer_section(const Model<2>& model, int from, int to, const ContactTangent& law, Local& stiffest) {
-  const double length = (skin_start(model, to) - skin_start(model, from)).norm();
-  for (const int skin : {from, to}) {
-    const int n = model.skin_node[skin], t = model.skin_turn[skin];
-    const double pinned = n == t ? 1 : 2, arm = model.skin_place[skin].squaredNorm() / model.inertia[t];
-    const double k = pinned * 2 * (0.5 + 1.0 / 6) * length *
-                     (std::max(law.normal, law.shear) / model.mass[n] + std::max(law.normal, law.shear) * arm);
-    if (k <= stiffest.k(0, 0)) continue;
-    stiffest.k(0, 0) = k;
-    stiffest.c(0, 0) = law.beta * k;
-  }
-}
-
-/// The stiffest face of a body under the stiffest law its surface has, as if in full contact with a body like it. In
-/// the body's own axes.
-Local on_stiffest_face(const Model<2>& model, int body) {
-  Local stiffest;
+/// Springs all around a body as if it were rigid, half as stiff as in full contact with bodies that move: at least as
+/// much as its longest side gives, as no side is longer than half the outline.
+Local around_outline(const Model<2>& model, const Work<2>& work, int body, const Vec2& centre) {
+  ContactTangent stiffest{0, 0, 0};
   const Body& b = model.bodies[body];
-  for (int other = 0; other < model.surfaces; ++other) {
-    const int law = model.law_of[b.surface * model.surfaces + other];
-    if (law < 0) continue;
-    const ContactTangent numbers = tangent(model, law, 0);
-    for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
-      for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
-        if (!model.edge_is_face[first + c]) continue;
-        const int from = model.corner_skin[first + c], to = model.corner_skin[first + (c + 1) % count];
-        if (b.skin_is_sections()) {
-          add_stiffer_section(model, from, to, numbers, stiffest);
-          continue;
-        }
-        if (!b.is_rigid()) {
-          add_stiffer_face(model, model.skin_node[from], model.skin_node[to], numbers, stiffest);
-          continue;
-        }
-        // Weight 2: against a body that moves as well.
-        const Vec2 &p = model.skin_place[from], &q = model.skin_place[to];
-        const double length = (q - p).norm();
-        const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);
-        Local local;
-        add_spring(local, n, arm, numbers.normal * length, numbers.beta, length, t, 2);
-        add_spring(local, t, arm, numbers.shear * length, numbers.beta, length, t, 2);
-        if (local.k.trace() > stiffest.k.trace()) stiffest = local;
-      }
-  }
-  return stiffest;
+  for (int other = 0; other < model.surfaces; ++other)
+    if (const int law = model.law_of[b.surface * model.surfaces + other]; law >= 0)
+      if (const ContactTangent t = spring_tangent(model, law, 0); t.normal > stiffest.normal) stiffest = t;
+  Local out;
+  for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
+    for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
+      if (!model.edge_is_face[first + c]) continue;
+      const SkinMotion<2>&p = work.skin[model.corner_skin[first + c]],
+            &q = work.skin[model.corner_skin[first + (c + 1) % count]];
+      const Vec2 along(q.x - p.x, q.y - p.y), middle(0.5 * (p.x + q.x), 0.5 * (p.y + q.y));
+      const double length = along.norm();
+      const Vec2 t = along / length, n(t.y(), -t.x()), arm = middle - centre;
+      add_spring(out, n, arm, stiffest.normal * length, stiffest.beta, length, t, 1);
+      add_spring(out, t, arm, stiffest.shear * length, stiffest.beta, length, t, 1);
+    }
+  return out;
+}
+
+/// What contacts and bearings can do to a body of elements that moves as if it were rigid.
+RateBound rigid_rates(const Model<2>& model, const Work<2>& work, int body, const Locals& locals) {
+  const WholeBody& whole = locals.body[body];
+  if (!whole.is_free) return {};
+  const Local around = around_outline(model, work, body, whole.centre);
+  const auto most = [&](const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+    constexpr std::array all{true, true, true};
+    return std::max(row_bound(a, whole.mass, whole.inertia, all), row_bound(b, whole.mass, whole.inertia, all));
+  };
+  return {most(locals.whole[body].k, around.k), most(locals.whole[body].c, around.c)};
 }
 
 }  // namespace
@@ -298,26 +251,17 @@ double step_for(double stiffness, double damping) {
   return std::min(longest_step, (std::sqrt(4 * stiffness + damping * damping) - damping) / stiffness);
 }
 
-void bound_faces(const Model<2>& model, Work<2>& work) {
-  work.face_bound.resize(model.bodies.size());
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const int node = model.bodies[b].first_node;
-    if (!model.body_moves(static_cast<int>(b))) continue;
-    const Local local = on_stiffest_face(model, static_cast<int>(b));
-    if (!model.bodies[b].is_rigid()) {
-      work.face_bound[b] = {local.k(0, 0), local.c(0, 0)};
-      continue;
-    }
-    work.face_bound[b] = {bound(model, node, local.k), bound(model, node, local.c)};
+std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, const Work<2>& work, bool as_rigid) {
+  Locals locals;
+  locals.node.resize(static_cast<std::size_t>(model.nodes()));
+  if (as_rigid) {
+    locals.whole.resize(model.bodies.size()), locals.body.resize(model.bodies.size());
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+      if (is_of_elements(model.bodies[b])) locals.body[b] = whole_body(model, state, static_cast<int>(b));
   }
-}
-
-StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<2>& work) {
-  std::vector<Local> locals(static_cast<std::size_t>(model.nodes()));
   add_faces(model, state, work, locals);
   add_bearings(model, state, work, locals);
-  StableStep found;
-  found.dt = longest_step;
+  std::vector<BodyRates> out(model.bodies.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];
     if (!model.body_moves(static_cast<int>(b))) continue;
@@ -326,12 +270,28 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
     // The largest of its nodes' bounds bounds the whole.
     for (int node = body.first_node; node < body.first_node + body.nodes; ++node) {
       if (!model.moves(node)) continue;
-      k = std::max(k, bound(model, node, locals[node].k));
-      c = std::max(c, bound(model, node, locals[node].c));
+      k = std::max(k, bound(model, node, locals.node[node].k));
+      c = std::max(c, bound(model, node, locals.node[node].c));
     }
-    k += model.element_bound[b].stiffness;
-    c += model.element_bound[b].damping + model.mass_damping;
-    const double dt = step_for(k, c);
+    out[b] = {model.element_bound[b], {k, c}, {}};
+    if (as_rigid && is_of_elements(body)) out[b].rigid = rigid_rates(model, work, static_cast<int>(b), locals);
+  }
+  return out;
+}
+
+StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+  const bool is_scaled = !state.added_share.empty();
+  const std::vector<BodyRates> rates = body_rates(model, state, work, is_scaled);
+  StableStep found;
+  found.dt = longest_step;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (!model.body_moves(static_cast<int>(b))) continue;
+    const double k = rates[b].contacts.stiffness + rates[b].elements.stiffness;
+    const double c = rates[b].contacts.damping + (rates[b].elements.damping + model.mass_damping);
+    const bool has_share = is_scaled && state.added_share[b] > 0;
+    // One that takes a longer step than the shortest so far is not asked how long.
+    if (has_share && share_for(rates[b], model.mass_damping, found.dt) <= state.added_share[b]) continue;
+    const double dt = has_share ? scaled_step(rates[b], state.added_share[b], model.mass_damping) : step_for(k, c);
     if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
   }
   return found;
@@ -354,6 +314,29 @@ double settled_step(double stable, double safety) {
   return std::ldexp(*(std::upper_bound(rungs.begin(), rungs.end(), share) - 1), exponent);
 }
 
+namespace {
+
+/// " (element 3 of 4, at 0.1, 0.2)": the one of the highest frequency, and its middle; nothing of beams.
+template <int D>
+std::string stiffest_element(const Model<D>& model, const State<D>& state, int body) {
+  const auto& elements = elements_of(model);
+  int worst = -1, first = -1, count = 0;
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
+    if (elements[e].body != body) continue;
+    if (first < 0) first = e;
+    if (worst < 0 || model.element_rate[e] > model.element_rate[worst]) worst = e;
+    ++count;
+  }
+  if (worst < 0) return "";
+  Vec<D> middle = Vec<D>::Zero();
+  const int nodes = nodes_of(elements[worst]);
+  for (int i = 0; i < nodes; ++i) middle += state.position[elements[worst].node[i]] / nodes;
+  return fmt::format(" (element {} of {}, at {:.4g})", worst - first + 1, count,
+                     fmt::join(middle.data(), middle.data() + D, ", "));
+}
+
+}  // namespace
+
 template <int D>
 std::string explain_step(const Model<D>& model, const State<D>& state, const Work<D>& work) {
   const StableStep s = stable_step(model, state, work);
@@ -363,10 +346,10 @@ std::string explain_step(const Model<D>& model, const State<D>& state, const Wor
   if (!model.bodies[s.body].is_rigid()) {
     const RateBound& own = model.element_bound[s.body];
     text = fmt::format(
-        "body '{}' ({}) governs: stable step {:.4g} s, {:.4g} s without damping, {:.4g} s by its elements alone; its "
+        "body '{}' ({}) governs: stable step {:.4g} s, {:.4g} s without damping, {:.4g} s by its elements alone{}; its "
         "contacts:",
         model.bodies[s.body].name, name_of(model.bodies[s.body].kind), s.dt, step_for(s.stiffness, 0),
-        step_for(own.stiffness, own.damping));
+        step_for(own.stiffness, own.damping), stiffest_element(model, state, s.body));
   }
   int named = 0;
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "world/model.hpp"
 #include "world/state.hpp"
@@ -30,6 +31,13 @@ struct StableStep {
   double stiffness = 0;  ///< its lambda_K [1/s2]
   double damping = 0;    ///< its lambda_C [1/s]
 };
+
+/// What bounds the step of one body, by its own masses: its elements, contacts and bearings on its nodes, and the same
+/// of the body as if it were rigid (of quads and meshes that are held nowhere, else nothing).
+struct BodyRates {
+  RateBound elements, contacts, rigid;
+};
+std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, const Work<2>& work, bool as_rigid);
 
 /// Fills work.face_bound: every body on its stiffest face.
 void bound_faces(const Model<2>& model, Work<2>& work);

@@ -126,6 +126,16 @@ std::vector<std::string> ModelBuilder::faults() const {
   return faults;
 }
 
+namespace {
+
+/// Skin points are their own neighbours, but where a side goes straight on.
+void fill_lines(Model<2>& model) {
+  for (std::vector<int>* of : {&model.skin_before, &model.skin_after})
+    for (std::size_t s = of->size(); s < model.skin_place.size(); ++s) of->push_back(static_cast<int>(s));
+}
+
+}  // namespace
+
 /// Each part is tried, so that all faults are found; of use only where there is none. Without bearings and seats.
 Model<2> ModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   Model<2> model;
@@ -145,6 +155,7 @@ Model<2> ModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   model.drive_of.assign(model.mass.size(), {-1, -1, -1});
   rules_.fill(model);
   find_thickness(model);
+  if (!model.skin_after.empty()) fill_lines(model);
   return model;
 }
 
@@ -194,10 +205,26 @@ void append_node(const BodySpec& spec, const Vec2& place, const Vec2& centre, Mo
   model.load.push_back(Vec2::Zero());
 }
 
+/// Neighbours on sides of a mesh that go straight on from one element to the next, see detect/face_line.hpp. `edges`:
+/// its surface edges, from one skin point to the next.
+void link_straight_sides(const std::vector<std::array<int, 2>>& edges, Model<2>& model) {
+  std::vector<int> before(model.skin_place.size(), -1), after = before;
+  for (const auto& [from, to] : edges) after[from] = to, before[to] = from;
+  const auto at = [&](int skin) { return model.start_position[model.skin_node[skin]]; };
+  for (const auto& [from, to] : edges) {
+    if (after[to] < 0) continue;
+    const Vec2 in = at(to) - at(from), out = at(after[to]) - at(to);
+    if (!(in.dot(out) > 0 && std::abs(cross(in, out)) <= kStraightAngle * in.norm() * out.norm())) continue;
+    fill_lines(model);
+    model.skin_before[to] = from, model.skin_after[to] = after[to];
+  }
+}
+
 /// The elements with an edge on the boundary, as pieces for contact.
 void append_boundary_pieces(const Mesh& mesh, int body, Model<2>& model) {
   const CheckedMesh checked = check_mesh(mesh, "");
   const int first_skin = model.bodies[body].first_skin;
+  std::vector<std::array<int, 2>> surface;
   for (std::size_t e = 0; e < mesh.element.size(); ++e) {
     if (checked.boundary_edges[e] == 0) continue;
     const std::vector<Vec2> corners = corners_of(mesh, e);
@@ -210,11 +237,16 @@ void append_boundary_pieces(const Mesh& mesh, int body, Model<2>& model) {
     model.piece_body.push_back(body);
     model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
     for (std::size_t c = 0; c < edges.corner.size(); ++c) {
-      model.corner_skin.push_back(first_skin + mesh.element[e][edges.corner[c]]);
+      const auto skin = [&](std::size_t k) {
+        return first_skin + mesh.element[e][edges.corner[k % edges.corner.size()]];
+      };
+      if (edges.is_face[c] != 0) surface.push_back({skin(c), skin(c + 1)});
+      model.corner_skin.push_back(skin(c));
       model.edge_is_face.push_back(edges.is_face[c]);
       model.edge_corner.push_back(edges.flatness[c]);
     }
   }
+  link_straight_sides(surface, model);
 }
 
 }  // namespace

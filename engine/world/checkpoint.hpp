@@ -15,7 +15,7 @@
 //           5 numbers of DirectionMemory), points of inelastic elements (5 numbers of PlasticMemory), seats (lost),
 //           bodies (moved at, resting), bodies (left the bounds), the first 19 terms of the energy ledger; and where
 //           bodies or bearings were added or removed, the other terms and the times at which bodies were removed (-1:
-//           not). Numbers are IEEE doubles.
+//           not); and where masses are scaled these two, and shares by body. Numbers are IEEE doubles.
 //   6 + n   digest of all words before (base/hash.hpp)
 #pragma once
 

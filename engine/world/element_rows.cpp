@@ -75,6 +75,7 @@ void append_element(Model<2>& model, Element element, double density) {
       largest_frequency2(stiffness, std::span<const double>(mass).first(static_cast<std::size_t>(element.nodes)));
   bound.stiffness = std::max(bound.stiffness, most);
   bound.damping = std::max(bound.damping, solid.damping() * most);
+  model.element_rate.push_back(most);
   add_to_batch(model, element);
   model.elements.push_back(element);
 }

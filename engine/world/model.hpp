@@ -168,6 +168,8 @@ struct Model {
   std::vector<Vec<D>> skin_place;   ///< [skin] from skin_node, in the axes of skin_turn m
   std::vector<int> skin_node;       ///< [skin]
   std::vector<int> skin_turn;       ///< [skin] the node whose axes those are: skin_node but at the pinned end of a beam
+  std::vector<int> skin_before, skin_after;  ///< [skin] of a side of a mesh that goes straight on there, the skin point
+                                             ///< before and after it; else itself. Empty where no side does
 
   // Convex pieces of the bodies' skins.
   std::vector<int> piece_body;             ///< [piece]
@@ -196,6 +198,7 @@ struct Model {
   std::vector<DampingBranches> bands;         ///< of beams that are damped over a band
   std::vector<BeamInertia> beam_inertias;     ///< of beams with consistent mass, which implicit steps and modes know
   std::vector<RateBound> element_bound;       ///< [body] of its elements or beams; 0 where it is rigid
+  std::vector<double> element_rate;           ///< [element] bound of its highest frequency squared 1/s2
   int plastic_points = 0;                     ///< rows of State::plastic
   int beam_memory = 0;                        ///< rows of State::beam_memory
 
@@ -257,5 +260,19 @@ struct Model {
     return -1;
   }
 };
+
+/// The elements of a model, and as many nodes as one has.
+inline const std::vector<Element>& elements_of(const Model<2>& model) {
+  return model.elements;
+}
+inline const std::vector<SpaceElement>& elements_of(const Model<3>& model) {
+  return model.space_elements;
+}
+inline int nodes_of(const Element& e) {
+  return e.nodes;
+}
+inline int nodes_of(const SpaceElement& e) {
+  return info_of(e.shape).nodes;
+}
 
 }  // namespace trilith

@@ -97,6 +97,7 @@ void append_element(Model<3>& model, SpaceElement element, double density) {
   const double most = largest_frequency2(stiffness, std::span<const double>(mass).first(nodes.size()));
   bound.stiffness = std::max(bound.stiffness, most);
   bound.damping = std::max(bound.damping, solid.damping() * most);
+  model.element_rate.push_back(most);
   model.space_elements.push_back(element);
 }
 

@@ -50,6 +50,7 @@ void extend_state(State<D>& state, const Model<D>& grown) {
   extend(state.bearing, fresh.bearing), extend(state.plastic, fresh.plastic);
   extend(state.beam_memory, fresh.beam_memory), extend(state.seat_lost, fresh.seat_lost);
   extend(state.moved_at, fresh.moved_at), extend(state.resting, fresh.resting), extend(state.left, fresh.left);
+  if (!state.added_share.empty()) state.added_share.resize(fresh.left.size(), 0);
   if (!state.removed_at.empty()) state.removed_at.resize(fresh.left.size(), never_removed);
 }
 

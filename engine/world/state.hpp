@@ -69,6 +69,10 @@ struct State {
   std::vector<double> removed_at;  ///< [body] when it was removed [s], never_removed where it was not, or is back;
                                    ///< empty where nothing was ever removed
 
+  /// [body] what its deformation has in mass on top of its own, as a share of it, see step/mass_scaling.hpp; empty but
+  /// in stages that scale masses.
+  std::vector<double> added_share;
+
   Energy given;  ///< running sums of the ledger (the terms that are not found from the state)
 
   [[nodiscard]] bool is_removed(std::size_t body) const {

@@ -53,11 +53,17 @@ class Writer {
   void contacts(const ContactHistory& s);
   void contacts(const SolidHistory& s);
   void tangent(const std::shared_ptr<const KeptTangent>& kept);
-  /// Whether there is anything that only models that change have, which then follows.
+  /// Whether masses are scaled, whose shares then follow.
+  template <int D>
+  [[nodiscard]] bool scaled(const State<D>& s) const {
+    return !s.added_share.empty();
+  }
+  /// Whether there is anything that only models that change have or stages that scale masses, which then follows.
   template <int D>
   [[nodiscard]] bool changed(const State<D>& s) const {
     const auto later = std::span(s.given.value).subspan(plain_energy_terms);
-    return !s.removed_at.empty() || std::any_of(later.begin(), later.end(), [](double v) { return v != 0; });
+    return !s.removed_at.empty() || !s.added_share.empty() ||
+           std::any_of(later.begin(), later.end(), [](double v) { return v != 0; });
   }
 };
 
@@ -113,6 +119,10 @@ class Reader {
   template <int D>
   [[nodiscard]] bool changed(const State<D>& /*s*/) const {
     return at_ < words_.size();
+  }
+  template <int D>
+  [[nodiscard]] bool scaled(const State<D>& s) const {
+    return changed(s);
   }
   void done() const {
     if (at_ != words_.size()) fail("is longer than its contents");
@@ -317,6 +327,8 @@ void walk(File& file, S& s) {
   if (!file.changed(s)) return;
   for (std::size_t k = plain_energy_terms; k < s.given.value.size(); ++k) file.number(s.given.value[k]);
   for (std::size_t i = 0, n = file.open_count(s.removed_at, 1); i < n; ++i) file.number(s.removed_at[i]);
+  if (!file.scaled(s)) return;
+  for (std::size_t i = 0, n = file.open_count(s.added_share, 1); i < n; ++i) file.number(s.added_share[i]);
 }
 
 }  // namespace

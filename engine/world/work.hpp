@@ -236,6 +236,7 @@ struct Work {
   // Writer: sum
   std::vector<Vec<D>> force;           ///< [node] N
   std::vector<Moment<D>> moment;       ///< [node] N m
+  std::vector<Vec<D>> added_inertia;   ///< [node] see step/mass_scaling.hpp; empty without it N. Writer: it
   double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
 
   std::vector<NodeWork> node_work;  ///< room of advance, for what threads take

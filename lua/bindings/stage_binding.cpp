@@ -47,6 +47,52 @@ void read_step(Keys& keys, StageOptions& o) {
   o.watched = keys.flag("watch", true);
 }
 
+/// mass_scaling = { step =, most =, bodies = }
+void read_scaling(Keys& keys, const ScriptModel& m, StageOptions& o) {
+  lua_State* L = keys.lua();
+  const int type = keys.push("mass_scaling");
+  if (type == LUA_TTABLE) {
+    Keys own(L, -1, "mass_scaling");
+    MassScaling asked;
+    try {
+      asked.step = own.number("step", "s");
+      asked.most = own.number("most", "1", asked.most);
+      if (own.push("bodies") != LUA_TNIL) asked.bodies = some_bodies_at(L, -1, m, "mass_scaling: bodies");
+      lua_pop(L, 1);
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+    o.mass_scaling = std::move(asked);
+    if (m.dim() != 2) keys.problem("mass_scaling is for models in the plane; in space leave it out");
+  } else if (type != LUA_TNIL) {
+    keys.wrong("mass_scaling", "a table { step = , most = , bodies = }");
+  }
+  lua_pop(L, 1);
+}
+
+/// "added mass: ..." for the screen and the results, where a stage scaled masses.
+std::string scaling_text(const StageReport& report, const ScaledMass& s, const std::string& worst) {
+  std::string text = fmt::format("{}: mass scaling: steps of {:.3g} s at most, {:.3g} s without it; ", report.name,
+                                 report.longest_dt, s.before);
+  if (s.bodies == 0) return text + "no body needed any";
+  text += fmt::format(
+      "{} bodies are slowed in what deforms them by added mass, {:.3g} times that of all that moves, at most {:.3g} "
+      "times that of a body ('{}'); it held at most {:.2g} J, the model {:.3g} J of motion",
+      s.bodies, s.share, s.most, worst, s.energy, s.kinetic);
+  if (s.kinetic > 0) text += fmt::format(" ({:.2g} %)", 100 * s.energy / s.kinetic);
+  return text;
+}
+
+/// What mass scaling came to is said, and kept with the results.
+void tell_scaling(lua_State* L, ScriptModel& m, const StageReport& report) {
+  if (!report.scaled) return;
+  const int worst = report.scaled->body;
+  const std::string said = scaling_text(report, *report.scaled, worst >= 0 ? m.body_name(worst) : "");
+  m.note(said);
+  if (host(L).observer != nullptr) host(L).observer->note(said);
+}
+
 /// { integrator =, alpha =, spectral_radius =, tolerance = }: which scheme takes the steps.
 void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
@@ -69,6 +115,7 @@ void read_integrator(Keys& keys, StageOptions& o) {
 
 int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o, const StageUntil& until = {}) {
   const StageReport report = run_stage(L, m, o, until);
+  tell_scaling(L, m, report);
   if (report.end == StageEnd::not_converged) throw InputError(fmt::format("{}: {}", o.name, report.reason));
   push_report(L, report);
   return 1;
@@ -99,6 +146,7 @@ int run(lua_State* L) {
     keys.problem(fmt::format("'to' is {:g} s, must be after the present {:g} s", to, m.time()));
   o.rest_share = keys.number("damping", "1", 0);
   read_step(keys, o);
+  read_scaling(keys, m, o);
   read_integrator(keys, o);
   o.until_rest = read_rest_table(keys, "until_rest", o);
   const StageUntil until = read_until(keys, m);
@@ -119,12 +167,15 @@ int consolidate(lua_State* L) {
   o.until_rest = true;
   read_rest(keys, o);
   read_step(keys, o);
+  read_scaling(keys, m, o);
   const double grow = keys.number("grow", "s", 0.5);
   if (!(grow >= 0)) keys.problem(fmt::format("'grow' is {:g} s, must not be below 0", grow));
   const bool fresh = keys.flag("fresh", false), or_go_on = keys.flag("or_go_on", false);
   const bool by_statics = keys.choice("integrator", {"explicit", "static"}, 0) == 1;
   EquilibriumOptions how;
   how.shares = keys.count("shares", how.shares), how.tolerance = keys.number("tolerance", "1", how.tolerance);
+  if (by_statics && o.mass_scaling)
+    keys.problem("mass_scaling is of explicit steps; integrator = \"static\" takes none");
   if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a stage of its own");
   o.must_rest = !or_go_on;
   const StageUntil until = read_until(keys, m);
@@ -137,6 +188,7 @@ int consolidate(lua_State* L) {
   }
   if (fresh) m.lift_bonds();
   const StageReport report = by_statics ? settle_stage(L, m, o, how) : run_stage(L, m, o, until);
+  tell_scaling(L, m, report);
   if (report.end == StageEnd::not_at_rest && !or_go_on)
     throw InputError(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
                                  by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
@@ -162,6 +214,7 @@ int shake(lua_State* L) {
   o.until_rest = read_rest_table(keys, "still", o);
   o.duration = keys.number("duration", "s", o.until_rest ? end + 60 : end);
   read_step(keys, o);
+  read_scaling(keys, m, o);
   read_integrator(keys, o);
   const StageUntil until = read_until(keys, m);
   keys.finish();

@@ -284,7 +284,7 @@ void push_report(lua_State* L, const StageReport& r) {
     lua_pushnumber(L, value);
     lua_setfield(L, -2, key);
   };
-  lua_createtable(L, 0, 12);
+  lua_createtable(L, 0, 13);
   lua_pushstring(L, r.name.c_str());
   lua_setfield(L, -2, "name");
   lua_pushstring(L, name_of(r.end));
@@ -301,6 +301,16 @@ void push_report(lua_State* L, const StageReport& r) {
   number("longest_dt", r.longest_dt);
   number("speed", r.speed);
   number("ratio", r.ratio);
+  if (r.scaled) {
+    lua_createtable(L, 0, 6);
+    number("bodies", r.scaled->bodies);
+    number("share", r.scaled->share);
+    number("most", r.scaled->most);
+    number("before", r.scaled->before);
+    number("energy", r.scaled->energy);
+    number("kinetic", r.scaled->kinetic);
+    lua_setfield(L, -2, "mass_scaling");
+  }
   if (luaL_newmetatable(L, "trilith.report") != 0) set_function(L, "__tostring", guarded<report_text>);
   lua_setmetatable(L, -2);
 }

@@ -12,7 +12,8 @@ ended        number s  when it ended
 shortest_dt  number s  shortest step
 longest_dt   number s  longest step
 speed        number m/s  fastest point at the end
-ratio        number    unbalanced force over the largest carried one]],
+ratio        number    unbalanced force over the largest carried one
+mass_scaling  table?   where it was asked for: bodies, share of added mass in all that moves, most of a body, before (the step without it, s), energy and kinetic (the most that the added mass and the model held of motion, J)]],
     event = [[
 type        text      such as "bearing.failed"
 time        number s  when

@@ -1,0 +1,205 @@
+#include "step/mass_scaling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/team.hpp"
+#include "step/node_forces.hpp"
+#include "step/whole_body.hpp"
+
+namespace trilith {
+namespace {
+
+/// A step that falls short of what was asked for by less is as asked: roundings of the bound.
+constexpr double near_enough = 1 - 1e-9;
+/// Bodies that threads take at a time.
+constexpr int body_stretch = 16;
+
+/// Of k dt^2 + 2 c dt <= 4, the left side over the right one.
+double demand(const RateBound& rate, double dt) {
+  return 0.25 * dt * dt * rate.stiffness + 0.5 * dt * rate.damping;
+}
+
+/// The step of its own masses.
+double plain_step(const BodyRates& r, double mass_damping) {
+  return step_for(r.contacts.stiffness + r.elements.stiffness,
+                  r.contacts.damping + (r.elements.damping + mass_damping));
+}
+
+/// Calls f(n, v) for the nodes of a body with the part of their velocities that deforms it, on the free degrees
+/// of freedom.
+template <class F>
+void each_deforming(const Model<2>& model, const State<2>& state, int body, F&& f) {
+  const WholeBody whole = whole_body(model, state, body);
+  const RigidPart rigid =
+      rigid_part(model, state, body, whole, [&](int n) { return Vec2(model.mass[n] * state.velocity[n]); });
+  const Body& b = model.bodies[body];
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
+    Vec2 v = state.velocity[n] - rigid.at(state.position[n]);
+    for (const int k : {0, 1})
+      if (model.support[n][k] != Support::free) v[k] = 0;
+    f(n, v);
+  }
+}
+
+/// Energy of motion of what deforms a body [J].
+double deforming_energy(const Model<2>& model, const State<2>& state, int body) {
+  double sum = 0;
+  each_deforming(model, state, body, [&](int n, const Vec2& v) { sum += 0.5 * model.mass[n] * v.squaredNorm(); });
+  return sum;
+}
+
+double moving_mass(const Model<2>& model, int body) {
+  const Body& b = model.bodies[body];
+  double sum = 0;
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) sum += model.moves(n) ? model.mass[n] : 0;
+  return sum;
+}
+
+bool may_be_scaled(const Model<2>& model, const State<2>& state, const MassScaling& asked, int body) {
+  if (!is_of_elements(model.bodies[body]) || !model.body_moves(body) || state.left[body] != 0) return false;
+  return asked.bodies.empty() || std::find(asked.bodies.begin(), asked.bodies.end(), body) != asked.bodies.end();
+}
+
+/// "mass_scaling: ..." of a body that would take more than it may.
+[[noreturn]] void refuse(const Model<2>& model, const BodyRates& rates, const MassScaling& asked, double safety,
+                         int body, double share) {
+  const double allowed = safety * scaled_step(rates, asked.most, model.mass_damping);
+  const std::string& name = model.bodies[body].name;
+  if (share < unbounded)
+    throw InputError(fmt::format(
+        "mass_scaling: step is {:g} s, which takes {:.3g} times the mass of body '{}' in what deforms it, must be at "
+        "most {:g} times; take a step of at most {:.2g} s, or a larger 'most'",
+        asked.step, share, name, asked.most, allowed));
+  throw InputError(fmt::format(
+      "mass_scaling: step is {:g} s, must be at most {:.2g} s: body '{}' could not take it even if it were rigid; take "
+      "a shorter step, or a larger safety",
+      asked.step, allowed, name));
+}
+
+/// What the shares come to by now.
+void describe(const Model<2>& model, const State<2>& state, ScaledMass& found) {
+  double mass = 0, added = 0;
+  int bodies = 0;
+  for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
+    const double own = moving_mass(model, b), share = state.added_share[b];
+    mass += own, added += share * own, bodies += share > 0 ? 1 : 0;
+    if (share > found.most) found.most = share, found.body = b;
+  }
+  found.bodies = std::max(found.bodies, bodies);
+  if (mass > 0) found.share = std::max(found.share, added / mass);
+}
+
+void find_energies(const Model<2>& model, const State<2>& state, ScaledMass& found) {
+  double own = 0;
+  for (int n = 0; n < model.nodes(); ++n)
+    if (model.moves(n))
+      own += 0.5 * (model.mass[n] * state.velocity[n].squaredNorm() + model.inertia[n] * state.spin[n] * state.spin[n]);
+  found.kinetic = std::max(found.kinetic, own);
+  found.energy = std::max(found.energy, added_energy(model, state));
+}
+
+}  // namespace
+
+double share_for(const BodyRates& rates, double mass_damping, double dt) {
+  const double braked = 0.5 * dt * mass_damping;
+  const double elements = demand(rates.elements, dt) + braked, contacts = demand(rates.contacts, dt);
+  if (elements + contacts <= 1) return 0;
+  const double rigid = demand(rates.rigid, dt) + braked;
+  return rigid < 1 ? std::max(0.0, elements + contacts / (1 - rigid) - 1) : unbounded;
+}
+
+/// The share rises with the step, so that this is found by halving.
+double scaled_step(const BodyRates& rates, double share, double mass_damping) {
+  double low = plain_step(rates, mass_damping), high = longest_step;
+  for (int i = 0; i < 60 && low < high * (1 - 1e-15); ++i) {
+    const double middle = 0.5 * (low + high);
+    (share_for(rates, mass_damping, middle) <= share ? low : high) = middle;
+  }
+  return low;
+}
+
+bool scale_masses(const Model<2>& model, State<2>& state, const Work<2>& work, const MassScaling& asked, double safety,
+                  bool must, ScaledMass& found) {
+  const std::vector<BodyRates> rates = body_rates(model, state, work, true);
+  const double wanted = asked.step / safety;
+  bool changed = state.added_share.empty();
+  if (changed) state.added_share.assign(model.bodies.size(), 0);
+  double plain = longest_step;
+  for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
+    if (!model.body_moves(b)) continue;
+    plain = std::min(plain, plain_step(rates[b], model.mass_damping));
+    if (!may_be_scaled(model, state, asked, b)) continue;
+    double& share = state.added_share[b];
+    double needed = share_for(rates[b], model.mass_damping, wanted);
+    if (must && needed > asked.most) refuse(model, rates[b], asked, safety, b, needed);
+    if (!(needed < unbounded)) continue;
+    needed = std::min(needed, asked.most);
+    if (needed <= share) continue;
+    state.given[EnergyTerm::added] += (needed - share) * deforming_energy(model, state, b);
+    share = needed, changed = true;
+  }
+  const double before = settled_step(plain, safety);
+  found.before = found.before > 0 ? std::min(found.before, before) : before;
+  const StableStep stable = must ? stable_step(model, state, work) : StableStep{};
+  if (must && stable.dt < near_enough * wanted)
+    throw InputError(fmt::format(
+        "mass_scaling: step is {:g} s, must be at most {:.2g} s: body '{}' ({}), whose masses are not scaled, takes no "
+        "longer one",
+        asked.step, safety * stable.dt, model.bodies[stable.body].name, name_of(model.bodies[stable.body].kind)));
+  describe(model, state, found);
+  find_energies(model, state, found);
+  return changed;
+}
+
+void unscale_masses(const Model<2>& model, State<2>& state) {
+  state.given[EnergyTerm::removed] += added_energy(model, state);
+  state.added_share.clear();
+}
+
+/// f, then f' = m a - f with a = P' f + (f / m - P' f) / (1 + share): what is to be added to f.
+void add_inertia(const Model<2>& model, const State<2>& state, Work<2>& work, const StepOptions& options) {
+  work.added_inertia.clear();
+  if (state.added_share.empty()) return;
+  std::vector<Vec2>& added = work.added_inertia;
+  added.assign(model.mass.size(), Vec2::Zero());
+  const Outside<2> outside(model, state, work);
+  const bool is_plain = !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.correction == nullptr;
+  share(work.threads, static_cast<int>(model.bodies.size()), body_stretch, [&](int first, int last, int /*thread*/) {
+    for (int b = first; b < last; ++b) {
+      const double part = state.added_share[b] / (1 + state.added_share[b]);
+      if (!(part > 0)) continue;
+      const Body& body = model.bodies[b];
+      const WholeBody whole = whole_body(model, state, b);
+      for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+        added[n] =
+            is_plain && whole.is_free
+                ? work.force[n]
+                : along_of(node_forces(model, state, work, n, velocity_of(state, n), outside, options.rest).force);
+      const RigidPart rigid = rigid_part(model, state, b, whole, [&](int n) { return added[n]; });
+      for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+        added[n] = part * (model.mass[n] * rigid.at(state.position[n]) - added[n]);
+    }
+  });
+}
+
+double added_energy(const Model<2>& model, const State<2>& state) {
+  double sum = 0;
+  for (std::size_t b = 0; b < state.added_share.size(); ++b)
+    if (state.added_share[b] > 0) sum += state.added_share[b] * deforming_energy(model, state, static_cast<int>(b));
+  return sum;
+}
+
+/// With M v(+) = M v(-) + f span and D v(+) = D v(-) + (f + f') span, the part that D alone has not.
+double added_kinetic(const Model<2>& model, const State<2>& state, const Work<2>& work, double span) {
+  double sum = added_energy(model, state);
+  for (std::size_t n = 0; n < work.added_inertia.size(); ++n)
+    for (const int k : {0, 1})
+      if (model.support[n][k] == Support::free) sum -= 0.5 * span * work.added_inertia[n][k] * state.velocity[n][k];
+  return sum;
+}
+
+}  // namespace trilith
