@@ -4,7 +4,8 @@ local trilith = require "trilith"
 local g = 9.80665
 
 local function near(value, expected, share)
-  if not (math.abs(value - expected) <= share*math.abs(expected)) then
+  local off = math.abs(value - expected)
+  if off ~= off or off > share*math.abs(expected) then
     error(("%.9g, expected %.9g"):format(value, expected), 2)
   end
 end
