@@ -24,7 +24,8 @@ class HeldJoint {
   HeldJoint(const ContactLaw& law, double x, double y, const LaidBox& laid, double step = 1e-3)
       : law_(law), dt_(step), start_(0, 0, 0.5 - laid.overlap), turn_(laid.tilt) {
     const ConvexSolid box = convex_solid(box_solid(Vec3(-x / 2, -y / 2, -0.5), Vec3(x / 2, y / 2, 0.5)), "box");
-    a_ = {Vec3(0, 0, -0.5), {}, Vec3::Zero(), Vec3::Zero()}, b_ = {start_, rotation_by(laid.tilt), Vec3::Zero(), Vec3::Zero()};
+    a_ = {Vec3(0, 0, -0.5), {}, Vec3::Zero(), Vec3::Zero()},
+    b_ = {start_, rotation_by(laid.tilt), Vec3::Zero(), Vec3::Zero()};
     b_.place = Turn3(b_.rotation).apply(start_);
     PlacedSolid below, above;
     place(box, Turn3(UnitQuaternion{}), a_.place, below), place(box, Turn3(b_.rotation), b_.place, above);

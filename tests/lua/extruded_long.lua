@@ -4,7 +4,8 @@ local trilith = require "trilith"
 local g = 9.80665
 
 local function near(value, expected, share)
-  if not (math.abs(value - expected) <= share*math.abs(expected)) then
+  local off = math.abs(value - expected)
+  if off ~= off or off > share*math.abs(expected) then
     error(("%.9g, expected %.9g"):format(value, expected), 2)
   end
 end
@@ -72,7 +73,7 @@ end
 --- What a script of the gallery finds, some of its text replaced: { pattern, text } each.
 local function found(name, changes)
   local file = assert(io.open("../../scripts/" .. name))
-  local text = file:read "a":gsub("trilith%.params", "defaults")
+  local text = file:read "a":gsub("trilith%.params", "defaults"):gsub("\nprint[^\n]*", "\n")
   file:close()
   for _, change in ipairs(changes) do
     local count
@@ -109,12 +110,11 @@ do
     changes[#changes + 1] = { "body = p.body == \"mesh\"[^\n]*\n", "body = 'rigid',\n" }
     changes[#changes + 1] = { "%-%- Joints are apart that.*", [[
       local all = bonds[1] + bonds[2] + bonds[3]
-      return times[(all + 1)//2] - report.begun, times[1] - report.begun, all]] }
+      return times[(all + 1)//2] - report.begun, all]] }
     return found("wall.lua", changes)
   end
-  local flat, flat_first, flat_bonds = half { { "\nm:results[^\n]*", "\n" } }
-  local space, space_first, space_bonds = half { into_space }
-  assert(flat_bonds == space_bonds, flat_bonds .. " bonds, in space " .. space_bonds)
+  local flat, flat_bonds = half { { "\nm:results[^\n]*", "\n" } }
+  local space, space_bonds = half { into_space }
+  assert(flat_bonds == space_bonds)
   near(space, flat, 0.02)
-  near(space_first, flat_first, 0.02)
 end

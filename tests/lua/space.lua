@@ -233,11 +233,11 @@ end
 
 -- What it may stumble over of its solids is told by lint, beside a sound one.
 do
-  local m = trilith.model { name = "thin", dim = 3 }
-  m:material { name = "stone", density = 2400 }
-  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.5, beta = 1e-4 } }
-  m:block { name = "ground", size = { 2, 2, 1 }, at = { 0, 0, -1 }, material = "stone", support = "fixed" }
-  m:block { name = "sheet", size = { 1, 1, 1e-4 }, at = { 0.5, 0.5, 0 }, material = "stone" }
-  local text = m:lint().text
+  local thin = trilith.model { name = "thin", dim = 3 }
+  thin:material { name = "stone", density = 2400 }
+  thin:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.5, beta = 1e-4 } }
+  thin:block { name = "ground", size = { 2, 2, 1 }, at = { 0, 0, -1 }, material = "stone", support = "fixed" }
+  thin:block { name = "sheet", size = { 1, 1, 1e-4 }, at = { 0.5, 0.5, 0 }, material = "stone" }
+  local text = thin:lint().text
   assert(text:find("solid 'sheet'", 1, true) and not text:find("solid 'ground'", 1, true), text)
 end
