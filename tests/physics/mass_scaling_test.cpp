@@ -15,11 +15,11 @@
 namespace trilith::testing {
 namespace {
 
-constexpr double young = 20e9, density = 2000, length = 2, deep = 0.1;
+constexpr double bar_young = 20e9, bar_density = 2000, bar_length = 2, bar_depth = 0.1;
 
-Model<2> bar(bool is_held) {
-  Model<2> model =
-      alone(elastic("m", density, young, 0), grid_body("bar", rectangle({0, 0}, {length, deep}), "", 40, 1));
+Model<2> lone_bar(bool is_held) {
+  Model<2> model = alone(elastic("m", bar_density, bar_young, 0),
+                         grid_body("bar", rectangle({0, 0}, {bar_length, bar_depth}), "", 40, 1));
   if (is_held)
     for (int n = 0; n < model.nodes(); ++n)
       if (model.start_position[n].x() < 1e-9) model.support[n][0] = Support::fixed;
@@ -42,8 +42,8 @@ StageOptions scaled_stage(const Model<2>& model, double times, double duration) 
 }
 
 /// Time between two passages of the right end's velocity through 0 in the same sense, twice half of that [s].
-double period_of(Simulation<2>& sim, const StageOptions& options, StageReport& report) {
-  const int end = node_at(sim.model(), {length, 0});
+double swing_period(Simulation<2>& sim, const StageOptions& options, StageReport& report) {
+  const int end = node_at(sim.model(), {bar_length, 0});
   double first = -1, last = -1, before = 0;
   int passages = 0;
   report = sim.run(options, [&] {
@@ -64,14 +64,14 @@ double period_of(Simulation<2>& sim, const StageOptions& options, StageReport& r
 }
 
 TEST_CASE("mass scaling: a held bar swings slower by the root of its mass and the added one over its mass") {
-  const double c = std::sqrt(young / density), period = 4 * length / c;
-  Model<2> model = bar(true);
+  const double c = std::sqrt(bar_young / bar_density), period = 4 * bar_length / c;
+  Model<2> model = lone_bar(true);
   for (int n = 0; n < model.nodes(); ++n)
-    model.start_velocity[n].x() = 0.01 * std::sin(0.5 * M_PI * model.start_position[n].x() / length);
+    model.start_velocity[n].x() = 0.01 * std::sin(0.5 * M_PI * model.start_position[n].x() / bar_length);
   const StageOptions options = scaled_stage(model, 4, 30 * period);
   Simulation<2> sim(model);
   StageReport report;
-  const double found = period_of(sim, options, report);
+  const double found = swing_period(sim, options, report);
   REQUIRE(report.scaled);
   const double share = report.scaled->most;
   MESSAGE("added ", share, " times the mass, period ", found / period, " of the plain one");
@@ -84,24 +84,24 @@ TEST_CASE("mass scaling: a held bar swings slower by the root of its mass and th
 }
 
 TEST_CASE("mass scaling: a free bar swings slower by the same, and its flight and turns are those of before") {
-  const double c = std::sqrt(young / density), period = 2 * length / c;
-  Model<2> model =
-      alone(elastic("m", density, young, 0), grid_body("bar", rectangle({0, 0}, {length, deep}), "", 40, 1));
+  const double c = std::sqrt(bar_young / bar_density), period = 2 * bar_length / c;
+  Model<2> model = alone(elastic("m", bar_density, bar_young, 0),
+                         grid_body("bar", rectangle({0, 0}, {bar_length, bar_depth}), "", 40, 1));
   for (int n = 0; n < model.nodes(); ++n)
-    model.start_velocity[n].x() = 0.01 * std::cos(M_PI * model.start_position[n].x() / length);
+    model.start_velocity[n].x() = 0.01 * std::cos(M_PI * model.start_position[n].x() / bar_length);
   Simulation<2> sim(model);
   const StageOptions options = scaled_stage(model, 3, 30 * period);
   StageReport report;
-  const double found = period_of(sim, options, report);
+  const double found = swing_period(sim, options, report);
   CHECK(near(found, period * std::sqrt(1 + report.scaled->most), 2e-3));
 
   // Thrown and spinning: the same place and angle as without it, the same momenta.
   std::array<Pose, 2> pose;
   std::array<double, 2> angular{};
   for (const bool scaled : {false, true}) {
-    BodySpec spec = grid_body("bar", rectangle({0, 0}, {length, deep}), "", 10, 2);
+    BodySpec spec = grid_body("bar", rectangle({0, 0}, {bar_length, bar_depth}), "", 10, 2);
     spec.velocity = {3, 4}, spec.spin = 5;
-    Model<2> thrown = alone(elastic("m", density, young, 0), spec);
+    Model<2> thrown = alone(elastic("m", bar_density, bar_young, 0), spec);
     thrown.gravity.field = {0, -standard_gravity};
     StageOptions flight = scaled_stage(thrown, 5, 0.5);
     if (!scaled) flight.mass_scaling.reset();
@@ -121,23 +121,23 @@ TEST_CASE("mass scaling: a free bar swings slower by the same, and its flight an
 TEST_CASE("mass scaling: what hangs stretches by rho g L^2 / 2E all the same, as weight is that of its own mass") {
   std::array<double, 2> stretch{};
   for (const bool scaled : {false, true}) {
-    Model<2> model = bar(true);
+    Model<2> model = lone_bar(true);
     model.gravity.field = {standard_gravity, 0};
     StageOptions options = scaled_stage(model, 4, 0.2);
     options.rest_share = 0.8;
     if (!scaled) options.mass_scaling.reset();
     Simulation<2> sim(model);
     sim.run(options);
-    stretch[scaled] = sim.state().position[node_at(model, {length, 0})].x() - length;
+    stretch[scaled] = sim.state().position[node_at(model, {bar_length, 0})].x() - bar_length;
   }
-  CHECK(near(stretch[1], density * standard_gravity * length * length / (2 * young), 1e-3));
+  CHECK(near(stretch[1], bar_density * standard_gravity * bar_length * bar_length / (2 * bar_young), 1e-3));
   CHECK(near(stretch[1], stretch[0], 1e-6));
 }
 
 /// Three meshed blocks on each other and a rigid one, on a base that is shaken.
 Simulation<2> shaken_stack() {
   Scene scene(Frictional{1e10, 4e9, 0.5, 2e-5});
-  scene.builder.add_material(elastic("soft", density, 1e10, 0.2));
+  scene.builder.add_material(elastic("soft", bar_density, 1e10, 0.2));
   scene.fixed("base", rectangle({-2, -1}, {2, 0}));
   for (int i = 0; i < 3; ++i) {
     BodySpec spec = grid_body("b" + std::to_string(i), rectangle({0.02 * i, 0.2 * i}, {0.4 + 0.02 * i, 0.2 * (i + 1)}),
@@ -151,7 +151,7 @@ Simulation<2> shaken_stack() {
   return Simulation<2>(model);
 }
 
-StageOptions shaking(double step) {
+StageOptions shaking_stage(double step) {
   StageOptions options;
   options.duration = 0.2, options.energy_interval = 1e-3;
   if (step > 0) options.mass_scaling.emplace().step = step;
@@ -171,7 +171,7 @@ TEST_CASE("mass scaling: the ledger of a shaken stack closes, in the stage and w
       if (!begun) first = e.balance(), begun = true;
       check.add(e, e.balance() - first);
     };
-    const StageReport report = sim.run(shaking(scaled ? 3e-5 : 0), listener);
+    const StageReport report = sim.run(shaking_stage(scaled ? 3e-5 : 0), listener);
     top[scaled] = sim.state().position[sim.model().bodies[4].first_node];
     if (scaled) {
       REQUIRE(report.scaled);
@@ -183,7 +183,7 @@ TEST_CASE("mass scaling: the ledger of a shaken stack closes, in the stage and w
       CHECK(sim.state().added_share.empty());
       CHECK(sim.state().given[EnergyTerm::removed] >= 0);
     }
-    StageOptions after = shaking(0);
+    StageOptions after = shaking_stage(0);
     after.duration = 0.05;
     const StageReport later = sim.run(after, listener);
     if (scaled) CHECK(later.longest_dt < 2e-5);
@@ -195,7 +195,7 @@ TEST_CASE("mass scaling: the ledger of a shaken stack closes, in the stage and w
 }
 
 TEST_CASE("mass scaling: same bits for any threads, from a snapshot, from a file within the stage, with work dropped") {
-  const StageOptions options = shaking(3e-5);
+  const StageOptions options = shaking_stage(3e-5);
   Simulation<2> plain = shaken_stack();
   plain.run(options);
   const std::uint64_t hash = state_hash(plain.state());
@@ -232,7 +232,7 @@ TEST_CASE("mass scaling: same bits for any threads, from a snapshot, from a file
   CHECK(state_hash(sim.state()) == hash);
 }
 
-std::string refusal(const StageOptions& options) {
+std::string scaling_refusal(const StageOptions& options) {
   Simulation<2> sim = shaken_stack();
   try {
     sim.run(options);
@@ -244,23 +244,23 @@ std::string refusal(const StageOptions& options) {
 }
 
 TEST_CASE("mass scaling: what cannot be is refused with the step that can") {
-  CHECK(refusal(shaking(1e-3)).find("even if it were rigid") != std::string::npos);
-  StageOptions little = shaking(3e-5);
+  CHECK(scaling_refusal(shaking_stage(1e-3)).find("even if it were rigid") != std::string::npos);
+  StageOptions little = shaking_stage(3e-5);
   little.mass_scaling->most = 0.5;
-  CHECK(refusal(little).find("must be at most 0.5 times") != std::string::npos);
-  StageOptions both = shaking(3e-5);
+  CHECK(scaling_refusal(little).find("must be at most 0.5 times") != std::string::npos);
+  StageOptions both = shaking_stage(3e-5);
   both.dt = 1e-6;
-  CHECK(refusal(both).find("leave dt out") != std::string::npos);
-  StageOptions implicit = shaking(3e-5);
+  CHECK(scaling_refusal(both).find("leave dt out") != std::string::npos);
+  StageOptions implicit = shaking_stage(3e-5);
   implicit.implicit = AlphaScheme::hht(-0.05);
-  CHECK(refusal(implicit).find("explicit steps") != std::string::npos);
-  StageOptions none = shaking(3e-5);
+  CHECK(scaling_refusal(implicit).find("explicit steps") != std::string::npos);
+  StageOptions none = shaking_stage(3e-5);
   none.mass_scaling->step = -1;
-  CHECK(refusal(none).find("mass_scaling: step") != std::string::npos);
+  CHECK(scaling_refusal(none).find("mass_scaling: step") != std::string::npos);
   // Of chosen bodies the others are as they were.
-  StageOptions one = shaking(3e-5);
+  StageOptions one = shaking_stage(3e-5);
   one.mass_scaling->bodies = {1};
-  CHECK(refusal(one).find("whose masses are not scaled") != std::string::npos);
+  CHECK(scaling_refusal(one).find("whose masses are not scaled") != std::string::npos);
 }
 
 }  // namespace

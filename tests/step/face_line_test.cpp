@@ -14,59 +14,61 @@
 namespace trilith::testing {
 namespace {
 
-constexpr double size = 0.4, high = 0.2;
+constexpr double joint_size = 0.4, mesh_height = 0.2;
 
 /// Two meshes on each other: the lower of `low` elements along the joint, the upper of `top`.
 Model<2> two_meshes(int low, int top, const ContactLaw& law = Frictional{1e10, 4e9, 0.6, 0}) {
   Scene scene(law);
   scene.set_gravity(Vec2::Zero());
   scene.builder.add_material(elastic("soft", 2000, 1e10, 0));
-  scene.add(grid_body("low", rectangle({0, 0}, {size, high}), "soft", low, 2));
-  scene.add(grid_body("top", rectangle({0, high}, {size, 2 * high}), "soft", top, 2));
+  scene.add(grid_body("low", rectangle({0, 0}, {joint_size, mesh_height}), "soft", low, 2));
+  scene.add(grid_body("top", rectangle({0, mesh_height}, {joint_size, 2 * mesh_height}), "soft", top, 2));
   return scene.builder.build();
 }
 
 /// What one body gets at its skin in all: force, and moment about the middle of the joint.
-struct Total {
+struct SkinTotal {
   Vec2 force = Vec2::Zero();
   double moment = 0;
 };
 
-struct Evaluated {
-  Total on_top;
+struct JointAnswer {
+  SkinTotal on_top;
   int general = 0, faces = 0;
 };
 
 /// `alone`: faces are not told of their neighbours, so that slivers are contacts of general shape.
-Evaluated evaluated(Model<2> model, const State<2>& state, bool alone) {
+JointAnswer joint_answer(Model<2> model, const State<2>& state, bool alone) {
   if (alone) model.skin_before.clear(), model.skin_after.clear();
   Work<2> work;
   evaluate(model, state, work, 0);
-  Evaluated out;
+  JointAnswer out;
   out.general = static_cast<int>(work.general_touching.size());
   for (const ContactMemory& m : work.contacts.memory)
     out.faces += (m.state & contact_touching) != 0 && (m.state & contact_general) == 0 ? 1 : 0;
   const Body& top = model.bodies[1];
   for (int s = top.first_skin; s < top.first_skin + top.skins; ++s) {
     out.on_top.force += work.skin_force[s];
-    out.on_top.moment += cross(Vec2(work.skin[s].x - 0.5 * size, work.skin[s].y - high), work.skin_force[s]);
+    out.on_top.moment +=
+        cross(Vec2(work.skin[s].x - 0.5 * joint_size, work.skin[s].y - mesh_height), work.skin_force[s]);
   }
   return out;
 }
 
 /// The upper body is set `depth` into the lower one and slid by `slid`, turned by `tilt`; then all nodes of the joint
 /// are moved along it by up to `apart` in a pattern.
-State<2> pressed(const Model<2>& model, double depth, double slid, double tilt, double apart) {
+State<2> pressed_meshes(const Model<2>& model, double depth, double slid, double tilt, double apart) {
   State<2> state = initial_state(model);
   const Body& top = model.bodies[1];
   for (int n = 0; n < model.nodes(); ++n) {
     Vec2& x = state.position[n];
     const bool is_top = n >= top.first_node;
     if (is_top) {
-      const Vec2 from = x - Vec2(0.5 * size, high);
+      const Vec2 from = x - Vec2(0.5 * joint_size, mesh_height);
       x += Vec2(slid - tilt * from.y(), tilt * from.x() - depth);
     }
-    if (std::abs(model.start_position[n].y() - high) < 1e-9) x.x() += apart * std::sin(3.0 * n + (is_top ? 1 : 0));
+    if (std::abs(model.start_position[n].y() - mesh_height) < 1e-9)
+      x.x() += apart * std::sin(3.0 * n + (is_top ? 1 : 0));
   }
   return state;
 }
@@ -81,13 +83,13 @@ TEST_CASE("faces of a mesh in line: a flat joint has the forces of its overlap, 
       for (const double apart : {0.0, 1e-8, 1e-6, 2e-5})
         for (const double tilt : {0.0, 1e-5, -2e-5}) {
           const double depth = 1e-5;
-          const State<2> state = pressed(model, depth, slid, tilt, apart);
-          const Evaluated line = evaluated(model, state, false), alone = evaluated(model, state, true);
+          const State<2> state = pressed_meshes(model, depth, slid, tilt, apart);
+          const JointAnswer line = joint_answer(model, state, false), alone = joint_answer(model, state, true);
           INFO("elements ", low, " and ", top, ", slid ", slid, ", nodes apart ", apart, ", tilt ", tilt);
           CHECK(line.general == 0);
           const double carried = alone.on_top.force.y();
           const double off = (line.on_top.force - alone.on_top.force).norm() / carried,
-                       turned = std::abs(line.on_top.moment - alone.on_top.moment) / (size * carried);
+                       turned = std::abs(line.on_top.moment - alone.on_top.moment) / (joint_size * carried);
           // Bevels of slivers, of the second order in their depth, are all that may differ.
           CHECK(off < 1e-8);
           CHECK(turned < 1e-8);
@@ -101,20 +103,20 @@ TEST_CASE("faces of a mesh in line: the pressure of a joint is kn times depth ov
   const Model<2> model = two_meshes(3, 4);
   for (const double slid : {0.0, 1e-6, 1e-3, 0.05}) {
     const double depth = 2e-5;
-    const Evaluated line = evaluated(model, pressed(model, depth, slid, 0, 1e-7), false);
+    const JointAnswer line = joint_answer(model, pressed_meshes(model, depth, slid, 0, 1e-7), false);
     CHECK(line.general == 0);
-    CHECK(near(line.on_top.force.y(), 1e10 * depth * (size - slid), 1e-5));
+    CHECK(near(line.on_top.force.y(), 1e10 * depth * (joint_size - slid), 1e-5));
   }
 }
 
 TEST_CASE("faces of a mesh in line: both sides of the limits of tilt and depth") {
   const Model<2> model = two_meshes(2, 2);
   const auto general = [&](double depth, double tilt) {
-    return evaluated(model, pressed(model, depth, 1e-7, tilt, 0), false).general;
+    return joint_answer(model, pressed_meshes(model, depth, 1e-7, tilt, 0), false).general;
   };
   // Two faces of 0.2 m and a neighbour each: 0.4 m in line, deep by up to 0.005 of it.
-  CHECK(general(0.9 * face_pair_max_depth * size, 0) == 0);
-  CHECK(general(1.1 * face_pair_max_depth * size, 0) > 0);
+  CHECK(general(0.9 * face_pair_max_depth * joint_size, 0) == 0);
+  CHECK(general(1.1 * face_pair_max_depth * joint_size, 0) > 0);
   CHECK(general(0.5e-3, 0.9 * face_pair_max_tilt) == 0);
   CHECK(general(0.5e-3, 1.1 * face_pair_max_tilt) > 0);
 }
@@ -122,13 +124,13 @@ TEST_CASE("faces of a mesh in line: both sides of the limits of tilt and depth")
 TEST_CASE("faces of a mesh in line: a side that is bent by more than the limit is no line any more") {
   const Model<2> model = two_meshes(2, 2);
   const auto bent = [&](double by) {
-    State<2> state = pressed(model, 2e-5, 1e-7, 0, 0);
+    State<2> state = pressed_meshes(model, 2e-5, 1e-7, 0, 0);
     // The middle of the lower side goes down, and the upper one with it less: faces tilt against their neighbours.
-    state.position[node_at(model, {0.5 * size, high})].y() -= by;
-    return evaluated(model, state, false).general;
+    state.position[node_at(model, {0.5 * joint_size, mesh_height})].y() -= by;
+    return joint_answer(model, state, false).general;
   };
   CHECK(bent(0) == 0);
-  CHECK(bent(0.2 * face_pair_max_tilt * 0.5 * size) == 0);
+  CHECK(bent(0.2 * face_pair_max_tilt * 0.5 * joint_size) == 0);
 }
 
 TEST_CASE("faces of a mesh in line: rigid bodies, quads and corners of meshes have no neighbours") {
