@@ -32,15 +32,18 @@ struct NearPair {
   // What was found last, tried first: of general contact. No result depends on it. Writer: respond
   CornerOnFace corner_at = {};  ///< the one corner that lies in the other piece
   std::int16_t apart_by = -1;   ///< the edge that kept the two apart, see OverlapResponse::apart_by
+  // Likewise. Writer: respond, see detect/tilted.hpp
+  float tilted_from = 1, tilted_to = 0;  ///< no faces oppose each other while b's rotation less a's is between [rad]
 };
 
 /// Rows of `pairs` that are handled alike: one contact law, faces that look at each other.
 struct FaceBatch {
   int law;
-  std::vector<int> row;     ///< one pair of facing faces
-  std::vector<int> choice;  ///< several: one of them may be chosen at each step
-  std::vector<int> chosen;  ///< those of `choice` that have a pair of faces at this step. Writer: respond
-  std::vector<int> now;     ///< rows of this step, where `choice` is not empty. Writer: respond
+  std::vector<int> row;                 ///< one pair of facing faces
+  std::vector<int> choice;              ///< several: one of them may be chosen at each step
+  std::vector<std::uint8_t> has_faces;  ///< [choice] 1: it has a pair of faces at this step. Writer: respond
+  std::vector<int> chosen;              ///< those of `choice` that have a pair of faces at this step. Writer: respond
+  std::vector<int> now;                 ///< rows of this step, where `choice` is not empty. Writer: respond
 };
 
 /// A skin point's position [m] and velocity [m/s], in the order the contact kernel loads them.
