@@ -23,6 +23,14 @@ void rest_a_moment() {
 #endif
 }
 
+}  // namespace
+
+void wait_a_moment(int looks) {
+  looks < spins_before_yielding ? rest_a_moment() : std::this_thread::yield();
+}
+
+namespace {
+
 /// Threads that wait for work: for a while awake, as the next loop of a step follows the last one in some
 /// microseconds, then asleep. Whoever asks works too and waits for none that has not come: where the machine is busy
 /// with other things the one who asked does it all. One asks at a time; who asks meanwhile works alone.
@@ -40,8 +48,7 @@ class Crew {
     bell_.notify_all();
     guarded(0);
     gate_.fetch_and(~open_bit);
-    for (int waits = 0; (gate_.load() & count_mask) != 0; ++waits)
-      waits < spins_before_yielding ? rest_a_moment() : std::this_thread::yield();
+    for (int looks = 0; (gate_.load() & count_mask) != 0; ++looks) wait_a_moment(looks);
     const std::exception_ptr thrown = thrown_;
     busy_ = false;
     if (thrown) std::rethrow_exception(thrown);
@@ -214,7 +221,7 @@ void share_slots(int threads, int count, int stretch, SlotCall call, SlotCall th
       }
       line.take_up([&](int turn) { pass(then, turn); });
       waits = s >= 0 ? 0 : waits + 1;
-      if (waits > 0) waits < spins_before_yielding ? rest_a_moment() : std::this_thread::yield();
+      if (waits > 0) wait_a_moment(waits);
     }
   });
 }

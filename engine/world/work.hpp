@@ -195,17 +195,17 @@ struct Work {
   SolidWork<D> solids;  ///< in space
 
   // Writer: respond
-  Contacts<D> contacts;                       ///< [contact] trial
-  std::vector<BearingMemory<D>> bearing;      ///< [bearing] trial
-  std::vector<int> face_rows, fresh_rows;     ///< of a batch: rows that touched or may touch now; the latter alone
-  std::vector<SortedRows> sorted_rows;        ///< room, by stretch
-  std::vector<FourFaces> four_faces;          ///< room for what threads take
-  std::vector<int> general_now;               ///< rows that were to be faces and are of general shape now
-  std::vector<Vec2> answer_force;             ///< room of `answer` N
-  std::vector<std::uint8_t> is_general;       ///< [contact] room: 1: one of those or of `general`
-  std::vector<int> awake_rows, awake_pieces;  ///< those of them that are worked on, and their pieces
-  std::vector<OverlapAnswer> answer;          ///< of rows that threads take
-  PlacedPieces placed;                        ///< the pieces of these rows
+  Contacts<D> contacts;                    ///< [contact] trial
+  std::vector<BearingMemory<D>> bearing;   ///< [bearing] trial
+  std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
+  std::vector<SortedRows> sorted_rows;     ///< room, by stretch
+  std::vector<FourFaces> four_faces;       ///< room for what threads take
+  std::vector<int> general_now;            ///< rows that were to be faces and are of general shape now
+  std::vector<Vec2> answer_force;          ///< room of `answer` N
+  std::vector<std::uint8_t> is_general;    ///< [contact] room: 1: one of those or of `general`
+  std::vector<int> awake_rows;             ///< those of them that are worked on
+  std::vector<OverlapAnswer> answer;       ///< of rows that threads take
+  PlacedPieces placed;                     ///< the pieces of these rows
   std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch
   std::vector<int> changed_rows;                    ///< rows that began or ceased to touch, or lost a bond
   std::vector<Vec<D>> skin_force;                   ///< [skin] N; in space none
