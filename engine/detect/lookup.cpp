@@ -180,13 +180,14 @@ static void find_due(const Model<2>& model, Work<2>& work, const Vec2& common, d
   std::array<double, most_threads> by;
   by.fill(unbounded);
   share(work.threads, model.pieces(), looked_stretch, [&](int first, int last, int thread) {
-    double& least = by[static_cast<std::size_t>(thread)];
+    double least = by[static_cast<std::size_t>(thread)];  // of its own: beside those of others it would go to and fro
     for (int p = first; p < last; ++p) {
       const double now = left_to(model, work, p, 0, common);
       const bool due = now < 0 || left_to(model, work, p, ahead, common) < 0;
       search.is_due[p] = due ? 1 : 0;
       least = std::min(least, due ? allowed_share * search.margin[p] : now);
     }
+    by[static_cast<std::size_t>(thread)] = least;
   });
   for (int p = 0; p < model.pieces(); ++p)
     if (search.is_due[p] != 0) search.due.push_back(p);
@@ -202,8 +203,9 @@ bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work) {
   std::array<double, most_threads> by;
   by.fill(unbounded);
   share(work.threads, pieces, looked_stretch, [&](int first, int last, int thread) {
-    double& least = by[static_cast<std::size_t>(thread)];
+    double least = by[static_cast<std::size_t>(thread)];
     for (int p = first; p < last; ++p) least = std::min(least, left_to(model, work, p, 0, Vec2::Zero()));
+    by[static_cast<std::size_t>(thread)] = least;
   });
   const double left = *std::min_element(by.begin(), by.end());
   work.look_again = put_off(work, left);

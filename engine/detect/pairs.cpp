@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "base/portable.hpp"
 #include "base/team.hpp"
@@ -174,6 +176,15 @@ ContactKey key_of(const NearPair& pair) {
 /// Pieces and rows that threads take at a time: some ten microseconds.
 constexpr int due_stretch = 16, scanned_stretch = 2048, faced_stretch = 64;
 
+/// Runs f(list) with what a thread has found so far: taken out, as the ends of lists that lie beside each other would
+/// go to and fro between threads.
+template <class F>
+void add_found(PieceSearch<2>& search, int thread, F&& f) {
+  std::vector<ContactKey> found = std::move(search.found_by[static_cast<std::size_t>(thread)]);
+  f(found);
+  search.found_by[static_cast<std::size_t>(thread)] = std::move(found);
+}
+
 /// Keys of the pairs of the pieces from `first` to before `last` of those that are due, by their boxes.
 void find_by_boxes(const Model<2>& model, const State<2>& state, const PieceSearch<2>& search, int first, int last,
                    std::vector<ContactKey>& found) {
@@ -200,9 +211,10 @@ void find_remembered(const Model<2>& model, const State<2>& state, Work<2>& work
   }
   const ContactHistory& before = contacts_before(state, work);
   share(work.threads, static_cast<int>(work.pairs.size()), scanned_stretch, [&](int first, int last, int thread) {
-    std::vector<ContactKey>& found = search.found_by[static_cast<std::size_t>(thread)];
-    for (int row = first; row < last; ++row)
-      if (is_due(search, work.pairs[row]) && !before.memory[row].empty()) found.push_back(key_of(work.pairs[row]));
+    add_found(search, thread, [&](std::vector<ContactKey>& found) {
+      for (int row = first; row < last; ++row)
+        if (is_due(search, work.pairs[row]) && !before.memory[row].empty()) found.push_back(key_of(work.pairs[row]));
+    });
   });
 }
 
@@ -214,7 +226,8 @@ void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
   search.found_by.resize(static_cast<std::size_t>(std::clamp(work.threads, 1, most_threads)));
   for (std::vector<ContactKey>& of_thread : search.found_by) of_thread.clear();
   share(work.threads, static_cast<int>(search.due.size()), due_stretch, [&](int first, int last, int thread) {
-    find_by_boxes(model, state, search, first, last, search.found_by[static_cast<std::size_t>(thread)]);
+    add_found(search, thread,
+              [&](std::vector<ContactKey>& found) { find_by_boxes(model, state, search, first, last, found); });
   });
   find_remembered(model, state, work);
   for (const std::vector<ContactKey>& of_thread : search.found_by)

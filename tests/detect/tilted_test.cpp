@@ -14,20 +14,33 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Two polygons of any shape and turn, one over the other.
-Scene two_stones(std::mt19937_64& bits) {
-  Scene scene(Frictional{1e8, 5e7, 0.6, 0});
-  scene.builder.overlap_allowed = 1;
-  for (const char* name : {"lower", "upper"}) {
-    RandomConvex wanted;
-    wanted.slenderest = 3;
-    BodySpec spec;
-    spec.name = name, spec.floating = true;
-    spec.outline = random_convex(bits, wanted);
-    scene.add(spec);
+/// Two polygons of any shape and turn, and the pair of both.
+struct TwoStones {
+  Model<2> model;
+  State<2> state;
+  Work<2> work;
+  NearPair pair{0, 1, 0, 0, 0, 0, 0, 0, 1.0, false};
+
+  explicit TwoStones(std::mt19937_64& bits) : model(build(bits)), state(initial_state(model)) {
+    // Over each other, as no model may begin.
+    state.position[1] = state.position[0] + random_between(bits, 0, 1.5) * random_direction(bits);
+    evaluate(model, state, work, 1e-3);
   }
-  return scene;
-}
+
+ private:
+  static Model<2> build(std::mt19937_64& bits) {
+    Scene scene(Frictional{1e8, 5e7, 0.6, 0});
+    for (const double x : {0.0, 10.0}) {
+      RandomConvex wanted;
+      wanted.slenderest = 3;
+      BodySpec spec;
+      spec.name = "stone" + std::to_string(static_cast<int>(x)), spec.floating = true;
+      spec.outline = placed(random_convex(bits, wanted), random_direction(bits), {x, 0});
+      scene.add(spec);
+    }
+    return scene.builder.build();
+  }
+};
 
 /// The least angle that two faces of the pair lack to run against each other [rad], from their directions themselves.
 double least_angle(const Work<2>& work, const Model<2>& model) {
@@ -48,15 +61,12 @@ double least_angle(const Work<2>& work, const Model<2>& model) {
 
 TEST_CASE("a pair is remembered as tilted only while none of its faces can oppose each other, however it turns") {
   std::mt19937_64 bits(11);
-  int remembered = 0, asked = 0, wrong = 0, chosen = 0, faces = 0;
+  int remembered = 0, asked = 0, wrong = 0, chosen = 0, faces = 0, found = 0;
   for (int k = 0; k < 60; ++k) {
-    const Model<2> model = two_stones(bits).builder.build();
-    State<2> state = initial_state(model);
+    TwoStones stones(bits);
+    auto& [model, state, work, pair] = stones;
     // Many turns away from the start, where floats are coarse.
     if (k % 3 == 0) state.rotation[1] = random_between(bits, -3000, 3000);
-    Work<2> work;
-    evaluate(model, state, work, 1e-3);
-    NearPair pair = work.pairs.at(0);
     for (int turn = 0; turn < 400; ++turn) {
       const double most = std::pow(10.0, random_between(bits, -4, 0));
       for (int n = 0; n < 2; ++n) state.rotation[n] += random_between(bits, -most, most);
@@ -70,13 +80,16 @@ TEST_CASE("a pair is remembered as tilted only while none of its faces can oppos
         wrong += opposed ? 1 : 0;
         chosen += choose_face_pair(model, work, false, free) || choose_face_pair(model, work, true, bonded) ? 1 : 0;
       } else {
+        NearPair bonded = pair;
+        found += choose_face_pair(model, work, true, bonded) ? 1 : 0;
         remember_tilt(model, state, work, pair);
       }
     }
   }
   CHECK(wrong == 0);
   CHECK(chosen == 0);
-  CHECK(faces > 300);             // faces do come to oppose each other
+  CHECK(faces > 300);             // faces do come to oppose each other ...
+  CHECK(found > 100);             // ... and to be chosen
   CHECK(remembered > asked / 4);  // and it is of use
 }
 
@@ -84,11 +97,8 @@ TEST_CASE("a tilted pair is remembered up to where its next faces oppose each ot
   std::mt19937_64 bits(12);
   int ends = 0;
   for (int k = 0; k < 200; ++k) {
-    const Model<2> model = two_stones(bits).builder.build();
-    State<2> state = initial_state(model);
-    Work<2> work;
-    evaluate(model, state, work, 1e-3);
-    NearPair pair = work.pairs.at(0);
+    TwoStones stones(bits);
+    auto& [model, state, work, pair] = stones;
     remember_tilt(model, state, work, pair);
     if (!(pair.tilted_from < pair.tilted_to)) continue;
     const double start = state.rotation[1];
