@@ -23,6 +23,68 @@ void rest_a_moment() {
 #endif
 }
 
+}  // namespace
+
+void wait_a_moment(int looks) {
+  looks < spins_before_yielding ? rest_a_moment() : std::this_thread::yield();
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What the one who asks has lost by waiting for others that the machine held up, and whether threads pay at all.
+///
+/// A loop is not over before all stretches are, and where other programs run on all processors a thread may be held up
+/// for milliseconds at one of microseconds. Each such wait is a loss; losses of less than a third of the time are
+/// forgotten as it goes by, as two threads bring more than that. Beyond, the one who asks works alone for a while,
+/// twice as long if it has to again soon after.
+class Losses {
+ public:
+  /// While this holds nobody is to be waited for.
+  [[nodiscard]] bool are_high() {
+    if (alone_until_ == Clock::time_point{}) return false;
+    const Clock::time_point now = Clock::now();
+    if (now < alone_until_) return true;
+    if (now - alone_until_ > 4 * alone_for_) alone_until_ = {}, alone_for_ = shortest;
+    return false;
+  }
+  void add(Clock::time_point from, Clock::time_point to) {
+    lost_ = std::max(Clock::duration::zero(), lost_ - (from - last_) / 3) + (to - from);
+    last_ = to;
+    if (lost_ < most) return;
+    alone_for_ = std::min<Clock::duration>(alone_until_ == Clock::time_point{} ? shortest : 2 * alone_for_, longest);
+    alone_until_ = to + alone_for_;
+    lost_ = {};
+  }
+
+ private:
+  static constexpr Clock::duration most = std::chrono::milliseconds(2), shortest = std::chrono::milliseconds(20),
+                                   longest = std::chrono::milliseconds(640);
+  Clock::duration lost_{}, alone_for_ = shortest;
+  Clock::time_point last_ = Clock::now(), alone_until_{};
+};
+
+/// One wait for others, look by look; `losses` hear of it where it outlasts the first looks. nullptr: nobody does.
+class Wait {
+ public:
+  explicit Wait(Losses* losses) : losses_(losses) {}
+  void look() {
+    if (looks_ == spins_before_yielding && losses_ != nullptr) from_ = Clock::now();
+    wait_a_moment(looks_++);
+  }
+  /// What was waited for has come.
+  void end() {
+    if (looks_ > spins_before_yielding && losses_ != nullptr) losses_->add(from_, Clock::now());
+    looks_ = 0;
+  }
+
+ private:
+  Losses* losses_;
+  int looks_ = 0;
+  Clock::time_point from_;
+};
+
 /// Threads that wait for work: for a while awake, as the next loop of a step follows the last one in some
 /// microseconds, then asleep. Whoever asks works too and waits for none that has not come: where the machine is busy
 /// with other things the one who asked does it all. One asks at a time; who asks meanwhile works alone.
@@ -33,19 +95,13 @@ class Crew {
   void run(int threads, void (*call)(void*, int), void* f) {
     if (threads <= 1 || busy_.exchange(true)) return call(f, 0);
     call_ = call, f_ = f, thrown_ = nullptr;
-    hire(threads - 1);
-    const std::uint64_t epoch = (gate_.load() >> epoch_shift) + 1;
-    gate_ = epoch << epoch_shift | open_bit | static_cast<std::uint64_t>(threads - 1) << seats_shift;
-    ++bell_;
-    bell_.notify_all();
-    guarded(0);
-    gate_.fetch_and(~open_bit);
-    for (int waits = 0; (gate_.load() & count_mask) != 0; ++waits)
-      waits < spins_before_yielding ? rest_a_moment() : std::this_thread::yield();
+    losses_.are_high() ? guarded(0) : run_with_others(threads - 1);
     const std::exception_ptr thrown = thrown_;
     busy_ = false;
     if (thrown) std::rethrow_exception(thrown);
   }
+  /// Of the one who asks now.
+  [[nodiscard]] Losses& losses() { return losses_; }
 
  private:
   // The gate holds, from the lowest bits: how many are inside, how many have come in, how many may, whether it is open,
@@ -62,7 +118,20 @@ class Crew {
   std::mutex throwing_;
   std::exception_ptr thrown_;
   int hired_ = 0;
+  Losses losses_;  ///< of whoever has set busy_
 
+  void run_with_others(int others) {
+    hire(others);
+    const std::uint64_t epoch = (gate_.load() >> epoch_shift) + 1;
+    gate_ = epoch << epoch_shift | open_bit | static_cast<std::uint64_t>(others) << seats_shift;
+    ++bell_;
+    bell_.notify_all();
+    guarded(0);
+    gate_.fetch_and(~open_bit);
+    Wait wait(&losses_);
+    while ((gate_.load() & count_mask) != 0) wait.look();
+    wait.end();
+  }
   void hire(int count) {
     for (; hired_ < count; ++hired_) std::thread([this] { serve(); }).detach();
   }
@@ -89,7 +158,6 @@ class Crew {
     return false;
   }
   [[noreturn]] void serve() {
-    using Clock = std::chrono::steady_clock;
     std::uint64_t last_epoch = 0;
     Clock::time_point until = Clock::now() + awake;
     for (;;) {
@@ -206,15 +274,14 @@ void share_slots(int threads, int count, int stretch, SlotCall call, SlotCall th
     const auto pass = [&](SlotCall to, int s) {
       to(both, s * stretch, std::min(count, (s + 1) * stretch), thread, s % line.slots);
     };
-    int waits = 0;
+    Wait wait(thread == 0 ? &crew().losses() : nullptr);  // others wait where the one who asks works
     for (int s = line.claim(); s < stretches && !failed; s = line.claim()) {
       if (s >= 0) {
         pass(call, s);
         line.worked[static_cast<std::size_t>(s % line.slots)] = s + 1;
       }
       line.take_up([&](int turn) { pass(then, turn); });
-      waits = s >= 0 ? 0 : waits + 1;
-      if (waits > 0) waits < spins_before_yielding ? rest_a_moment() : std::this_thread::yield();
+      s < 0 ? wait.look() : wait.end();
     }
   });
 }

@@ -1,6 +1,8 @@
 // Loops whose items several threads share.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <type_traits>
 
 namespace trilith {
@@ -63,6 +65,40 @@ void share_in_order(int threads, int count, int stretch, F&& f, G&& then) {
       },
       [](void* b, int first, int last, int /*thread*/, int slot) { (*static_cast<Both*>(b)->then)(first, last, slot); },
       &both);
+}
+
+/// One look of a thread that waits for another, the `looks`th: it keeps its processor at first, and then lets others
+/// have it.
+void wait_a_moment(int looks);
+
+/// What several threads may ask for at the same time and the first one makes, by f(). `made` is 0 before and 2 after;
+/// whoever comes meanwhile waits. With one thread there is nobody to wait for, and nothing is paid for it. Where f
+/// throws it is as if nobody had asked.
+template <class F>
+void make_once(int threads, std::uint8_t& made, F&& f) {
+  constexpr std::uint8_t being_made = 1, is_made = 2;
+  if (threads <= 1) {
+    if (made == is_made) return;
+    f();
+    made = is_made;
+    return;
+  }
+  const std::atomic_ref<std::uint8_t> shared(made);
+  for (int looks = 0; shared.load(std::memory_order_acquire) != is_made; ++looks) {
+    std::uint8_t now = 0;
+    if (!shared.compare_exchange_strong(now, being_made)) {
+      wait_a_moment(looks);
+      continue;
+    }
+    try {
+      f();
+    } catch (...) {
+      shared.store(0);
+      throw;
+    }
+    shared.store(is_made, std::memory_order_release);
+    return;
+  }
 }
 
 }  // namespace trilith

@@ -9,7 +9,7 @@ namespace trilith {
 
 /// Of no meaning outside the evaluation that fills it; kept for its room. Spans and pointers in `piece` point here.
 struct PlacedPieces {
-  std::vector<std::uint8_t> is_placed;  ///< [piece] 1: the rest is of now
+  std::vector<std::uint8_t> is_placed;  ///< [piece] see make_once: the rest is of now
   std::vector<PlacedPiece> piece;       ///< [piece]
   std::vector<PlacedPiece> over_step;   ///< [piece] with mean velocities; empty in explicit stages
   std::vector<Vec2> place;              ///< [corner] m

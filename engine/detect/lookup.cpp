@@ -173,6 +173,27 @@ void look_up_all(const Model<2>& model, const State<2>& /*state*/, Work<2>& work
 /// Pieces that threads take at a time: some five microseconds.
 static constexpr int looked_stretch = 512;
 
+/// Lists all that have left their boxes or will within `ahead` [s], and puts the next look off until one of the others
+/// may, or of those once they are looked up. Threads mark their pieces; they are listed in order.
+static void find_due(const Model<2>& model, Work<2>& work, const Vec2& common, double ahead) {
+  PieceSearch<2>& search = work.search;
+  std::array<double, most_threads> by;
+  by.fill(unbounded);
+  share(work.threads, model.pieces(), looked_stretch, [&](int first, int last, int thread) {
+    double least = by[static_cast<std::size_t>(thread)];  // of its own: beside those of others it would go to and fro
+    for (int p = first; p < last; ++p) {
+      const double now = left_to(model, work, p, 0, common);
+      const bool due = now < 0 || left_to(model, work, p, ahead, common) < 0;
+      search.is_due[p] = due ? 1 : 0;
+      least = std::min(least, due ? allowed_share * search.margin[p] : now);
+    }
+    by[static_cast<std::size_t>(thread)] = least;
+  });
+  for (int p = 0; p < model.pieces(); ++p)
+    if (search.is_due[p] != 0) search.due.push_back(p);
+  work.look_again = put_off(work, *std::min_element(by.begin(), by.end()));
+}
+
 /// Each thread keeps the least of what it looks at: the least of these is the same in any order.
 bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (work.travel < work.look_again) return false;
@@ -182,23 +203,14 @@ bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work) {
   std::array<double, most_threads> by;
   by.fill(unbounded);
   share(work.threads, pieces, looked_stretch, [&](int first, int last, int thread) {
-    double& least = by[static_cast<std::size_t>(thread)];
+    double least = by[static_cast<std::size_t>(thread)];
     for (int p = first; p < last; ++p) least = std::min(least, left_to(model, work, p, 0, Vec2::Zero()));
+    by[static_cast<std::size_t>(thread)] = least;
   });
-  double left = *std::min_element(by.begin(), by.end());
+  const double left = *std::min_element(by.begin(), by.end());
   work.look_again = put_off(work, left);
   if (left >= 0) return false;
-  const Vec2 common = common_velocity(work, search);
-  const double ahead = steps_due * state.last_dt;
-  left = unbounded;
-  for (int p = 0; p < pieces; ++p) {
-    const double now = left_to(model, work, p, 0, common);
-    if (now < 0 || left_to(model, work, p, ahead, common) < 0)
-      set_due(search, p), left = std::min(left, allowed_share * search.margin[p]);
-    else
-      left = std::min(left, now);
-  }
-  work.look_again = put_off(work, left);
+  find_due(model, work, common_velocity(work, search), steps_due * state.last_dt);
   return true;
 }
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "base/portable.hpp"
+#include "base/team.hpp"
 #include "contact/face_overlap.hpp"
 #include "detect/bearing_rules.hpp"
 #include "detect/face_line.hpp"
@@ -175,30 +178,65 @@ ContactKey key_of(const NearPair& pair) {
   return contact_key(pair.piece_a, pair.piece_b);
 }
 
-/// Keys of the pairs of pieces that are due, by their boxes; and of those that remember something, wherever they are.
-void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
-  PieceSearch<2>& search = work.search;
-  search.found.clear();
-  for (const int p : search.due) {
+/// Pieces and rows that threads take at a time: some ten microseconds.
+constexpr int due_stretch = 16, scanned_stretch = 2048, faced_stretch = 64;
+
+/// Runs f(list) with what a thread has found so far: taken out, as the ends of lists that lie beside each other would
+/// go to and fro between threads.
+template <class F>
+void add_found(PieceSearch<2>& search, int thread, F&& f) {
+  std::vector<ContactKey> found = std::move(search.found_by[static_cast<std::size_t>(thread)]);
+  f(found);
+  search.found_by[static_cast<std::size_t>(thread)] = std::move(found);
+}
+
+/// Keys of the pairs of the pieces from `first` to before `last` of those that are due, by their boxes.
+void find_by_boxes(const Model<2>& model, const State<2>& state, const PieceSearch<2>& search, int first, int last,
+                   std::vector<ContactKey>& found) {
+  for (int i = first; i < last; ++i) {
+    const int p = search.due[i];
     if (!search.boxes.holds(p)) continue;
     search.boxes.for_meeting(search.boxes.box(p), [&](int q) {
       if (q == p || (search.is_due[q] != 0 && q < p)) return;  // two that are due are met from the lower one
-      if (may_ever_touch(model, state, search, p, q))
-        search.found.push_back(contact_key(std::min(p, q), std::max(p, q)));
+      if (may_ever_touch(model, state, search, p, q)) found.push_back(contact_key(std::min(p, q), std::max(p, q)));
     });
   }
-  if (work.valid) {
-    const ContactHistory& before = contacts_before(state, work);
-    for (std::size_t row = 0; row < work.pairs.size(); ++row)
-      if (is_due(search, work.pairs[row]) && !before.memory[row].empty())
-        search.found.push_back(key_of(work.pairs[row]));
-  } else {
+}
+
+/// Keys of the pairs that remember something, wherever they are; of a piece that is due.
+void find_remembered(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  PieceSearch<2>& search = work.search;
+  if (!work.valid) {
     const ContactHistory& before = state.contacts;
     for (std::size_t row = 0; row < before.size(); ++row)
       if (const ContactKey key = before.key[row];
           !before.memory[row].empty() && may_ever_touch(model, state, search, first_piece(key), second_piece(key)))
         search.found.push_back(key);
+    return;
   }
+  const ContactHistory& before = contacts_before(state, work);
+  share(work.threads, static_cast<int>(work.pairs.size()), scanned_stretch, [&](int first, int last, int thread) {
+    add_found(search, thread, [&](std::vector<ContactKey>& found) {
+      for (int row = first; row < last; ++row)
+        if (is_due(search, work.pairs[row]) && !before.memory[row].empty()) found.push_back(key_of(work.pairs[row]));
+    });
+  });
+}
+
+/// Keys of the pairs of pieces that are due, by their boxes; and of those that remember something. Each thread has a
+/// list of its own: sorted they are the same, whoever found which.
+void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  PieceSearch<2>& search = work.search;
+  search.found.clear();
+  search.found_by.resize(static_cast<std::size_t>(std::clamp(work.threads, 1, most_threads)));
+  for (std::vector<ContactKey>& of_thread : search.found_by) of_thread.clear();
+  share(work.threads, static_cast<int>(search.due.size()), due_stretch, [&](int first, int last, int thread) {
+    add_found(search, thread,
+              [&](std::vector<ContactKey>& found) { find_by_boxes(model, state, search, first, last, found); });
+  });
+  find_remembered(model, state, work);
+  for (const std::vector<ContactKey>& of_thread : search.found_by)
+    search.found.insert(search.found.end(), of_thread.begin(), of_thread.end());
   std::sort(search.found.begin(), search.found.end());
   search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
 }
@@ -214,19 +252,30 @@ bool same_keys(const Work<2>& work) {
   return next == work.search.found.size();
 }
 
+/// Looks at the faces of the rows `to_face`. Each asks its own pieces and writes itself alone.
+void face_rows(const Model<2>& model, Work<2>& work) {
+  const std::vector<int>& rows = work.search.to_face;
+  share(work.threads, static_cast<int>(rows.size()), faced_stretch, [&](int first, int last, int /*thread*/) {
+    for (int i = first; i < last; ++i) find_facing(model, work, work.pairs[rows[i]]);
+  });
+}
+
 /// Looks at the faces of the rows anew of which a piece was looked up.
 void face_again(const Model<2>& model, Work<2>& work) {
+  work.search.to_face.clear();
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     if (!is_due(work.search, work.pairs[row])) continue;
-    find_facing(model, work, work.pairs[row]);
+    work.search.to_face.push_back(static_cast<int>(row));
     work.clear_until[row] = 0;
   }
+  face_rows(model, work);
 }
 
 /// Merges what was found into the list: rows of pieces that are not due stay, of the others those that were found.
 void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
   const std::vector<ContactKey>& found = work.search.found;
-  work.spare_pairs.clear(), work.spare_asleep.clear(), work.spare_clear.clear();
+  std::vector<int>& to_face = work.search.to_face;
+  work.spare_pairs.clear(), work.spare_asleep.clear(), work.spare_clear.clear(), to_face.clear();
   const auto add = [&](const NearPair& pair, double asleep, double clear) {
     work.spare_pairs.push_back(pair), work.spare_asleep.push_back(asleep), work.spare_clear.push_back(clear);
   };
@@ -234,7 +283,7 @@ void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
     const int p = first_piece(key), q = second_piece(key);
     NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
     apply_bearings<2>(model, work.search, state.bearing, pair);
-    find_facing(model, work, pair);
+    to_face.push_back(static_cast<int>(work.spare_pairs.size()));
     add(pair, -1.0, 0.0);
   };
   std::size_t next = 0;
@@ -246,8 +295,8 @@ void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
     if (!due) {
       add(pair, work.asleep_until[row], work.clear_until[row]);
     } else if (next < found.size() && found[next] == key) {
+      to_face.push_back(static_cast<int>(work.spare_pairs.size()));
       add(pair, work.asleep_until[row], 0.0);
-      find_facing(model, work, work.spare_pairs.back());
       ++next;
     }
   }
@@ -255,6 +304,7 @@ void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.pairs.swap(work.spare_pairs);
   work.asleep_until.swap(work.spare_asleep);
   work.clear_until.swap(work.spare_clear);
+  face_rows(model, work);
 }
 
 /// Lets paths begin at 0 again, so that they keep their digits; rounded to the safe side.

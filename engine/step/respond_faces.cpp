@@ -9,6 +9,7 @@
 #include "base/team.hpp"
 #include "contact/face_pair.hpp"
 #include "detect/pairs.hpp"
+#include "detect/tilted.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
 #include "step/face_rows.hpp"
@@ -197,16 +198,35 @@ void respond_all(const FacePass& pass, const K& law, std::span<const int> rows) 
   work.given[EnergyTerm::contact_fracture] += given.fracture;
 }
 
+/// Rows of which threads choose faces at a time: some five microseconds.
+constexpr int chosen_stretch = 256;
+
+/// Which rows of several pairs of faces have one now, and which. Each row asks its own pieces and writes itself alone.
+void choose_faces(const Model<2>& model, const State<2>& state, const ContactHistory& before, Work<2>& work,
+                  FaceBatch& batch) {
+  batch.has_faces.resize(batch.choice.size());
+  share(work.threads, static_cast<int>(batch.choice.size()), chosen_stretch, [&](int first, int last, int /*thread*/) {
+    for (int i = first; i < last; ++i) {
+      const int row = batch.choice[i];
+      NearPair& pair = work.pairs[row];
+      std::uint8_t& has = batch.has_faces[i];
+      has = 0;
+      if (is_tilted(model, state, work, pair)) continue;
+      has = choose_face_pair(model, work, before.memory[row].bonds != 0, pair) ? 1 : 0;
+      if (has == 0) remember_tilt(model, state, work, pair);
+    }
+  });
+}
+
 /// Rows of a batch: those with one pair of facing faces, and those of several of which one is chosen now. In the
 /// order of rows either way, so that sums do not depend on when the pairs were found.
-const std::vector<int>& facing_now(const Model<2>& model, const ContactHistory& before, Work<2>& work,
-                                   FaceBatch& batch) {
+const std::vector<int>& facing_now(const Model<2>& model, const State<2>& state, const ContactHistory& before,
+                                   Work<2>& work, FaceBatch& batch) {
   if (batch.choice.empty()) return batch.row;
+  choose_faces(model, state, before, work, batch);
   batch.chosen.clear();
-  for (const int row : batch.choice) {
-    const bool bonded = before.memory[row].bonds != 0;
-    (choose_face_pair(model, work, bonded, work.pairs[row]) ? batch.chosen : work.general_now).push_back(row);
-  }
+  for (std::size_t i = 0; i < batch.choice.size(); ++i)
+    (batch.has_faces[i] != 0 ? batch.chosen : work.general_now).push_back(batch.choice[i]);
   // Both lists rise, and so does what they are merged to.
   batch.now.resize(batch.row.size() + batch.chosen.size());
   std::merge(batch.row.begin(), batch.row.end(), batch.chosen.begin(), batch.chosen.end(), batch.now.begin());
@@ -226,7 +246,7 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
   const ContactHistory& before = contacts_before(state, work);
   work.general_now.clear();
   for (FaceBatch& batch : work.batches) {
-    const std::size_t count = sort_out(face_line(model), before, work, facing_now(model, before, work, batch),
+    const std::size_t count = sort_out(face_line(model), before, work, facing_now(model, state, before, work, batch),
                                        work.face_rows, work.fresh_rows);
     if (count == 0) continue;
     const std::span<const int> rows(work.face_rows.data(), count);

@@ -27,13 +27,10 @@ void place_none(const Model<2>& model, bool means, PlacedPieces& placed) {
   placed.row.resize(fours * lane_count);
 }
 
-/// A piece with its edges, placed by the first of its contacts that asks.
-const PlacedPiece& place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece) {
-  PlacedPieces& all = work.placed;
+/// A piece with its edges, made where it belongs in `all`.
+void place_sides(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, PlacedPieces& all) {
   const auto p = static_cast<std::size_t>(piece);
   PlacedPiece& placed = all.piece[p];
-  if (all.is_placed[p] != 0) return placed;
-  all.is_placed[p] = 1;
   const int first = model.piece_first[piece];
   const bool means = !all.mean.empty();
   place_piece(model, state, work, piece,
@@ -43,7 +40,12 @@ const PlacedPiece& place_once(const Model<2>& model, const State<2>& state, Work
   const std::size_t four = PlacedPieces::first_four(piece, first);
   placed.sides = {&all.four[four], &all.row[four * lane_count], surface_bits(placed.is_face)};
   place_edges(placed.corner, &all.four[four], &all.row[four * lane_count]);
-  return placed;
+}
+
+/// A piece as it stands now, placed by the first of its contacts that asks, in whatever thread.
+void place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece) {
+  make_once(work.threads, work.placed.is_placed[static_cast<std::size_t>(piece)],
+            [&] { place_sides(model, state, work, piece, work.placed); });
 }
 
 void add_to_skin(const Model<2>& model, int piece, const Vec2* force, Work<2>& work) {
@@ -294,8 +296,8 @@ void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
   work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
 }
 
-/// Rows and pieces that threads take at a time: some ten microseconds.
-constexpr int general_stretch = 32, awake_stretch = 128;
+/// Rows that threads take at a time: some five microseconds.
+constexpr int general_stretch = 32;
 
 /// Rows of general shape, and those that were to be faces and are not now, in the order of rows: those that are worked
 /// on.
@@ -313,22 +315,6 @@ void list_rows(const GeneralPass& pass, Work<2>& work) {
   work.awake_rows.resize(awake);
 }
 
-/// All pieces of the rows to come: where several threads respond, none may place what another reads.
-void place_awake(const GeneralPass& pass, Work<2>& work) {
-  work.awake_pieces.clear();
-  for (const int row : work.awake_rows)
-    for (const int piece : {work.pairs[row].piece_a, work.pairs[row].piece_b}) {
-      std::uint8_t& listed = work.placed.is_placed[static_cast<std::size_t>(piece)];
-      if (listed == 0) work.awake_pieces.push_back(piece);
-      listed = 1;
-    }
-  for (const int piece : work.awake_pieces) work.placed.is_placed[static_cast<std::size_t>(piece)] = 0;
-  share(work.threads, static_cast<int>(work.awake_pieces.size()), awake_stretch,
-        [&](int first, int last, int /*thread*/) {
-          for (int i = first; i < last; ++i) place_once(pass.model, pass.state, work, work.awake_pieces[i]);
-        });
-}
-
 }  // namespace
 
 /// Several threads answer the rows; the answers are taken up in the order of rows, so that sums and lists have the bits
@@ -339,7 +325,6 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
   const GeneralPass pass{model, state, contacts_before(state, work), work, dt, forgets_all(model)};
   list_rows(pass, work);
   place_none(model, !work.skin_mean.empty(), work.placed);
-  if (work.threads > 1) place_awake(pass, work);
   const auto slots = static_cast<std::size_t>(stretches_under_way(work.threads));
   work.answer.resize(slots * general_stretch);
   constexpr std::size_t forces = std::size_t{general_stretch} * 2 * max_piece_corners;

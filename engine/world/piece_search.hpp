@@ -26,12 +26,14 @@ struct PieceSearch {
   std::vector<Vec<D>> sample_at;     ///< [sample] where they were when `together` was found last m
 
   double beside = 0;  ///< faces whose corners are to move by no more than this to touch lie beside each other m
-  std::vector<double> margin;          ///< [piece] how far it may go however slow it is m
-  std::vector<double> arm;             ///< [piece] half its longest diagonal; 0 of a body that deforms m
-  std::vector<std::uint8_t> may_move;  ///< [piece] 1: its body does
-  std::vector<std::uint8_t> is_due;    ///< [piece] 1: to be looked up now
-  std::vector<int> due;                ///< those pieces
-  std::vector<ContactKey> found;       ///< pairs of which one piece is due, sorted
+  std::vector<double> margin;                     ///< [piece] how far it may go however slow it is m
+  std::vector<double> arm;                        ///< [piece] half its longest diagonal; 0 of a body that deforms m
+  std::vector<std::uint8_t> may_move;             ///< [piece] 1: its body does
+  std::vector<std::uint8_t> is_due;               ///< [piece] 1: to be looked up now
+  std::vector<int> due;                           ///< those pieces
+  std::vector<ContactKey> found;                  ///< pairs of which one piece is due, sorted
+  std::vector<std::vector<ContactKey>> found_by;  ///< [thread] room: the same as they come
+  std::vector<int> to_face;                       ///< room: rows whose faces are to be looked at
 
   /// Bearings that alter the contact of the two pieces they sit between, by these, then by bearing.
   std::vector<std::pair<ContactKey, int>> bearing;

@@ -32,15 +32,18 @@ struct NearPair {
   // What was found last, tried first: of general contact. No result depends on it. Writer: respond
   CornerOnFace corner_at = {};  ///< the one corner that lies in the other piece
   std::int16_t apart_by = -1;   ///< the edge that kept the two apart, see OverlapResponse::apart_by
+  // Likewise. Writer: respond, see detect/tilted.hpp
+  float tilted_from = 1, tilted_to = 0;  ///< no faces oppose each other while b's rotation less a's is between [rad]
 };
 
 /// Rows of `pairs` that are handled alike: one contact law, faces that look at each other.
 struct FaceBatch {
   int law;
-  std::vector<int> row;     ///< one pair of facing faces
-  std::vector<int> choice;  ///< several: one of them may be chosen at each step
-  std::vector<int> chosen;  ///< those of `choice` that have a pair of faces at this step. Writer: respond
-  std::vector<int> now;     ///< rows of this step, where `choice` is not empty. Writer: respond
+  std::vector<int> row;                 ///< one pair of facing faces
+  std::vector<int> choice;              ///< several: one of them may be chosen at each step
+  std::vector<std::uint8_t> has_faces;  ///< [choice] 1: it has a pair of faces at this step. Writer: respond
+  std::vector<int> chosen;              ///< those of `choice` that have a pair of faces at this step. Writer: respond
+  std::vector<int> now;                 ///< rows of this step, where `choice` is not empty. Writer: respond
 };
 
 /// A skin point's position [m] and velocity [m/s], in the order the contact kernel loads them.
@@ -192,17 +195,17 @@ struct Work {
   SolidWork<D> solids;  ///< in space
 
   // Writer: respond
-  Contacts<D> contacts;                       ///< [contact] trial
-  std::vector<BearingMemory<D>> bearing;      ///< [bearing] trial
-  std::vector<int> face_rows, fresh_rows;     ///< of a batch: rows that touched or may touch now; the latter alone
-  std::vector<SortedRows> sorted_rows;        ///< room, by stretch
-  std::vector<FourFaces> four_faces;          ///< room for what threads take
-  std::vector<int> general_now;               ///< rows that were to be faces and are of general shape now
-  std::vector<Vec2> answer_force;             ///< room of `answer` N
-  std::vector<std::uint8_t> is_general;       ///< [contact] room: 1: one of those or of `general`
-  std::vector<int> awake_rows, awake_pieces;  ///< those of them that are worked on, and their pieces
-  std::vector<OverlapAnswer> answer;          ///< of rows that threads take
-  PlacedPieces placed;                        ///< the pieces of these rows
+  Contacts<D> contacts;                    ///< [contact] trial
+  std::vector<BearingMemory<D>> bearing;   ///< [bearing] trial
+  std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
+  std::vector<SortedRows> sorted_rows;     ///< room, by stretch
+  std::vector<FourFaces> four_faces;       ///< room for what threads take
+  std::vector<int> general_now;            ///< rows that were to be faces and are of general shape now
+  std::vector<Vec2> answer_force;          ///< room of `answer` N
+  std::vector<std::uint8_t> is_general;    ///< [contact] room: 1: one of those or of `general`
+  std::vector<int> awake_rows;             ///< those of them that are worked on
+  std::vector<OverlapAnswer> answer;       ///< of rows that threads take
+  PlacedPieces placed;                     ///< the pieces of these rows
   std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch
   std::vector<int> changed_rows;                    ///< rows that began or ceased to touch, or lost a bond
   std::vector<Vec<D>> skin_force;                   ///< [skin] N; in space none

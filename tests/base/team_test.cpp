@@ -5,8 +5,11 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 using namespace trilith;
@@ -62,4 +65,60 @@ TEST_CASE("what an item of a shared loop throws comes to the one who asked") {
     share(threads, 10, 10, [&](int, int, int) { ++after; });
     CHECK(after == 1);
   }
+}
+
+TEST_CASE("what several threads ask for is made once, and is there for all of them") {
+  constexpr int things = 97, asked = 20000;
+  for (const int threads : {1, 2, 4}) {
+    std::vector<std::uint8_t> made(things, 0);
+    std::vector<int> thing(things, 0);
+    std::atomic<int> missing = 0;
+    share(threads, asked, 3, [&](int first, int last, int /*thread*/) {
+      for (int i = first; i < last; ++i) {
+        const auto k = static_cast<std::size_t>(i * 31 % things);
+        make_once(threads, made[k], [&] { ++thing[k]; });
+        if (thing[k] != 1) ++missing;
+      }
+    });
+    CHECK(missing == 0);
+    CHECK(std::accumulate(thing.begin(), thing.end(), 0) == things);
+  }
+}
+
+TEST_CASE("what could not be made is made by the next who asks") {
+  for (const int threads : {1, 2}) {
+    std::uint8_t made = 0;
+    int thing = 0;
+    CHECK_THROWS_AS(make_once(threads, made, [] { throw std::runtime_error("item"); }), std::runtime_error);
+    make_once(threads, made, [&] { ++thing; });
+    make_once(threads, made, [&] { ++thing; });
+    CHECK(thing == 1);
+  }
+}
+
+TEST_CASE("who has waited long for another thread works alone for a while, and then not any more") {
+  using Clock = std::chrono::steady_clock;
+  using std::chrono::milliseconds;
+  const std::thread::id asking = std::this_thread::get_id();
+  // A loop in which the other thread, where it comes, is held up as by a machine with other work; true if it came.
+  const auto company_came = [&](milliseconds held_up) {
+    std::atomic<bool> came = false;
+    share(2, 64, 1, [&](int, int, int) {
+      if (std::this_thread::get_id() != asking && !came.exchange(true)) std::this_thread::sleep_for(held_up);
+      const Clock::time_point end = Clock::now() + std::chrono::microseconds(20);
+      while (Clock::now() < end) {
+      }
+    });
+    return came.load();
+  };
+  const Clock::time_point begin = Clock::now();
+  const auto wait_for_company = [&](milliseconds held_up) {
+    while (Clock::now() - begin < std::chrono::seconds(60))
+      if (company_came(held_up)) return true;
+    return false;
+  };
+  REQUIRE(wait_for_company(milliseconds(50)));
+  const Clock::time_point alone = Clock::now();
+  while (Clock::now() - alone < milliseconds(10)) CHECK(!company_came(milliseconds(0)));
+  CHECK(wait_for_company(milliseconds(0)));
 }
