@@ -13,7 +13,7 @@
 namespace trilith {
 namespace {
 
-/// Corners of a piece within a little of its outermost, seen along a direction and across it.
+/// The part of a piece within a little of its outermost, seen along a direction and across it.
 template <int D>
 struct Front {
   double outermost = -unbounded;                            ///< along the direction [m]
@@ -45,6 +45,8 @@ struct Side<2> {
   [[nodiscard]] std::size_t corners() const { return static_cast<std::size_t>(piece.corners); }
   [[nodiscard]] const Vec2& at(std::size_t i) const { return piece.at[i]; }
   [[nodiscard]] const Vec2& velocity(std::size_t i) const { return piece.velocity[i]; }
+  [[nodiscard]] std::size_t edges() const { return corners(); }
+  [[nodiscard]] std::array<std::size_t, 2> edge(std::size_t e) const { return {e, e + 1 == corners() ? 0 : e + 1}; }
 };
 template <>
 struct Side<3> {
@@ -54,6 +56,11 @@ struct Side<3> {
   [[nodiscard]] std::size_t corners() const { return placed.corners.size(); }
   [[nodiscard]] const Vec3& at(std::size_t i) const { return placed.corners[i]; }
   [[nodiscard]] Vec3 velocity(std::size_t i) const { return motion.velocity_at(placed.corners[i]); }
+  [[nodiscard]] std::size_t edges() const { return placed.solid->edges.size(); }
+  [[nodiscard]] std::array<std::size_t, 2> edge(std::size_t e) const {
+    const SolidEdge& edge = placed.solid->edges[e];
+    return {static_cast<std::size_t>(edge.from), static_cast<std::size_t>(edge.to)};
+  }
 };
 
 /// What lies within `depth` of the outermost. `along`: 1, or -1 to look the other way.
@@ -64,43 +71,55 @@ Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double
   const auto reach = [&](std::size_t i) { return along * axes[0].dot(side.at(i)) + side.radius; };
   for (std::size_t i = 0; i < side.corners(); ++i) front.outermost = std::max(front.outermost, reach(i));
   // Of the cap that is cut off so deep, at most the equator of its sphere.
-  const double half = std::sqrt(2 * side.radius * std::min(depth, side.radius));
-  for (std::size_t i = 0; i < side.corners(); ++i) {
-    if (reach(i) < front.outermost - depth) continue;
-    front.fastest = std::max(front.fastest, along * axes[0].dot(side.velocity(i)));
+  const double half = std::sqrt(2 * side.radius * std::min(depth, side.radius)), level = front.outermost - depth;
+  const auto add = [&](const Vec<D>& x) {
     for (std::size_t k = 0; k < front.low.size(); ++k) {
-      const double x = axes[k + 1].dot(side.at(i));
-      front.low[k] = std::min(front.low[k], x - half), front.high[k] = std::max(front.high[k], x + half);
+      const double across = axes[k + 1].dot(x);
+      front.low[k] = std::min(front.low[k], across - half), front.high[k] = std::max(front.high[k], across + half);
     }
+  };
+  for (std::size_t i = 0; i < side.corners(); ++i) {
+    if (reach(i) < level) continue;
+    front.fastest = std::max(front.fastest, along * axes[0].dot(side.velocity(i)));
+    add(side.at(i));
+  }
+  // Where edges go below.
+  for (std::size_t e = 0; e < side.edges(); ++e) {
+    const auto [i, j] = side.edge(e);
+    const double from = reach(i) - level, to = reach(j) - level;
+    if ((from < 0) == (to < 0)) continue;
+    add(side.at(i) + from / (from - to) * (side.at(j) - side.at(i)));
   }
   return front;
 }
 
-/// Length in the plane, area in space that two fronts share; corners and edges grow a patch as they go in.
+/// Length in the plane, area in space that two fronts share, or at least that of a dent as wide as it is deep.
 template <int D>
 double shared(const Front<D>& a, const Front<D>& b, double depth) {
   double measure = 1;
   for (std::size_t k = 0; k < a.low.size(); ++k)
-    measure *= std::max(0.0, std::min(a.high[k], b.high[k]) - std::max(a.low[k], b.low[k])) + 2 * depth;
+    measure *= std::max(depth, std::min(a.high[k], b.high[k]) - std::max(a.low[k], b.low[k]));
   return measure;
 }
 
 /// `kn`: stiffness by length or area. How deep the two will get is not known before the area is, nor the area before
-/// the depth: once with all that they have, then with what lies within that depth.
+/// the depth: first with all that they have, then with what lies within a depth that is drawn near to its own result.
 template <int D>
 Nearing meet(const Side<D>& a, const Side<D>& b, const Vec<D>& normal, double kn) {
+  constexpr int looks = 4;
   const Axes<D> axes = axes_of(normal);
   Nearing m;
   m.mass = 1 / (1 / a.mass + 1 / b.mass);
   double depth = unbounded;
-  for (const bool all : {true, false}) {
+  for (int look = 0; look < looks; ++look) {
     const Front<D> of_a = front_of(a, axes, 1, depth), of_b = front_of(b, axes, -1, depth);
     m.gap = -of_b.outermost - of_a.outermost;
     m.speed = of_a.fastest + of_b.fastest;
-    m.stiffness = kn * shared(of_a, of_b, all ? 0 : depth);
+    m.stiffness = kn * shared(of_a, of_b, look == 0 ? 0 : depth);
+    if (!(m.stiffness > 0)) break;
     // Elastic: v sqrt(m/k), beside what they overlap by already.
-    if (all) depth = std::max(-m.gap, 0.0) + std::abs(m.speed) * std::sqrt(m.mass / m.stiffness);
-    if (!(depth < unbounded)) break;
+    const double found = std::max(-m.gap, 0.0) + std::abs(m.speed) * std::sqrt(m.mass / m.stiffness);
+    depth = look == 0 ? found : std::sqrt(depth * found);
   }
   return m;
 }
