@@ -15,6 +15,7 @@
 #include "step/commit.hpp"
 #include "step/displacement_control.hpp"
 #include "step/evaluate.hpp"
+#include "step/impact_step.hpp"
 #include "step/implicit_step.hpp"
 #include "step/passed.hpp"
 #include "step/stable_step.hpp"
@@ -101,6 +102,8 @@ void Simulation<D>::refresh() {
   StepClock clock(times_);
   next_ = choose_step();
   swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
+  if (const double accuracy = impact_accuracy(); accuracy > 0)
+    swept_.dt = impact_step(model_, state_, work_, swept_.dt, {accuracy, next_.safety});
   clock.mark(StepPart::estimate);
   if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
   if constexpr (D == 2) {
@@ -121,6 +124,13 @@ template <int D>
 double Simulation<D>::whole_step() const {
   if (!stage_ || state_.time >= stage_->end - 1e-9 * stage_->options.duration) return next_.dt;
   return std::min(next_.dt, stage_->end - state_.time);
+}
+
+/// Of blows, where the step is found: 0 where they are not looked at. What is braked to rest gives off more than that.
+template <int D>
+double Simulation<D>::impact_accuracy() const {
+  if (!stage_ || state_.implicit() || rest_.share > 0 || !(next_.safety > 0)) return 0;
+  return stage_->options.accuracy;
 }
 
 /// Throws InputError where the step to come is longer than a stable one, or so short that no stage would end.

@@ -148,6 +148,7 @@ class Simulation {
   bool step_implicitly(double dt, const Energy& energy);
   void get_stuck(const RunListener<D>& listener);
   [[nodiscard]] double whole_step() const;
+  [[nodiscard]] double impact_accuracy() const;
   [[nodiscard]] Instant<D> instant() const;
   void require_step(const StageOptions& options) const;
   void tell_step(const RunListener<D>& listener);

@@ -3,6 +3,7 @@
 
 #include "detect/solid_pairs.hpp"
 #include "step/evaluate.hpp"
+#include "step/impact_step.hpp"
 #include "step/stable_step.hpp"
 
 namespace trilith {
@@ -32,7 +33,7 @@ void match_solids(const SolidHistory& state, Work<3>& work) {
 /// Does nothing while the list of pairs still holds.
 void find(const Model<3>& model, const State<3>& state, Work<3>& work) {
   if (!solids_are_due(model, work)) return;
-  if (!work.valid) bound_faces(model, work);
+  if (!work.valid) bound_faces(model, work), list_masses(model, work);
   find_solid_pairs(model, state, work);
   match_solids(state.contacts, work);
   work.contacts = {work.matched.key, std::vector<SolidMemory>(work.pairs.size()), work.matched.joint_of,

@@ -124,6 +124,23 @@ struct SpaceElementAnswer {
   double stored, plastic;                            ///< [J]
 };
 
+/// A contact that closes, opens or is pressed by a blow: see step/impact_step.hpp.
+struct Blow {
+  double begins;  ///< from now [s]
+  double power;   ///< k v^2 / 2 + k^2 d^2 / 2 mu: times the square of a step what it may miss [J/s2]
+};
+
+/// What the step estimate knows of blows.
+struct ImpactWork {
+  std::vector<double> mass;          ///< [body] 0 where it does not move. Writer: find kg
+  double total = 0, lightest = 0;    ///< of those that move, and of their nodes the lightest. Writer: find kg
+  int still = -1;                    ///< the first node of a body that does not move, -1: all do. Writer: find
+  std::vector<double> speed;         ///< room: [body] m/s
+  std::vector<std::uint8_t> counts;  ///< room: [body] 1: it could miss more than it may
+  std::vector<ContactKey> key;       ///< room: pairs of pieces
+  std::vector<Blow> blows;           ///< room
+};
+
 /// Elements in a row, all of some bodies.
 struct ElementRange {
   int first, count;
@@ -185,12 +202,13 @@ struct Work {
   std::vector<NearPair> spare_pairs;  ///< room for the list to come
   std::vector<double> spare_asleep, spare_clear;
   std::vector<RateBound> face_bound;  ///< [body] lying on its stiffest face
-  Contacts<D> matched;                ///< the state's contacts in the rows of the pairs, where these were found after
-                                      ///< the last commit; else room for them
-  bool is_matched = false;            ///< they were
-  double travel = 0;      ///< path of the skin point that went farthest since the pairs were found anew, from one
-                          ///< evaluated pose to the next, an upper bound. Writer: place m
-  double look_again = 0;  ///< no piece has left its box while `travel` is below this m
+  ImpactWork impacts;
+  Contacts<D> matched;      ///< the state's contacts in the rows of the pairs, where these were found after
+                            ///< the last commit; else room for them
+  bool is_matched = false;  ///< they were
+  double travel = 0;        ///< path of the skin point that went farthest since the pairs were found anew, from one
+                            ///< evaluated pose to the next, an upper bound. Writer: place m
+  double look_again = 0;    ///< no piece has left its box while `travel` is below this m
 
   SolidWork<D> solids;  ///< in space
 

@@ -51,14 +51,14 @@ void read_step(Keys& keys, StageOptions& o) {
 /// { integrator =, alpha =, spectral_radius =, tolerance = }: which scheme takes the steps.
 void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
-  if (name == "explicit") return keys.know({"alpha", "spectral_radius", "tolerance", "accuracy"});
+  o.accuracy = keys.number("accuracy", "1", o.accuracy);
+  if (!(o.accuracy >= 0)) keys.problem(fmt::format("'accuracy' is {:g}, must not be below 0", o.accuracy));
+  if (name == "explicit") return keys.know({"alpha", "spectral_radius", "tolerance"});
   if (name != "implicit" && name != "auto")
     keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\", \"implicit\" or \"auto\"", name));
   o.may_change = name == "auto";
   const double alpha = keys.number("alpha", "1", -0.05), radius = keys.number("spectral_radius", "1", unbounded);
   o.tolerance = keys.number("tolerance", "1", o.tolerance);
-  o.accuracy = keys.number("accuracy", "1", o.accuracy);
-  if (!(o.accuracy >= 0)) keys.problem(fmt::format("'accuracy' is {:g}, must not be below 0", o.accuracy));
   if (!(alpha >= -1.0 / 3 && alpha <= 0))
     keys.problem(fmt::format("'alpha' is {:g}, must be from -1/3 to 0, where nothing is damped", alpha));
   if (std::isfinite(radius) && !(radius >= 0 && radius <= 1))

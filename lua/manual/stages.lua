@@ -25,7 +25,7 @@ integrator       text = "explicit"   or "implicit": long steps by Newton's metho
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest
-accuracy         number = 1e-3       implicit: share of energies and velocities a step may miss; 0: any
+accuracy         number = 1e-3       share of energies a blow, and an implicit step, may miss; 0: any
 watch       flag = true   speeds and energies that nothing gave end it as diverged
 until_rest  rest?         end at rest: ]] .. rest .. until_keys, gives = "report" },
   { "model:consolidate", "To rest under dead load, with a damping of its own.", keys = [[
@@ -59,7 +59,7 @@ integrator       text = "explicit"   or "implicit": long steps by Newton's metho
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest
-accuracy         number = 1e-3       implicit: share of energies and velocities a step may miss; 0: any
+accuracy         number = 1e-3       share of energies a blow, and an implicit step, may miss; 0: any
 watch     flag = true     speeds and energies that nothing gave end it as diverged]] .. until_keys,
     beside = { z = true }, gives = "report" },
   { "model:drive", "A body follows a motion from now on.", keys = drive, beside = { z = true } },

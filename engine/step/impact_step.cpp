@@ -1,0 +1,210 @@
+#include "step/impact_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "detect/solid_pairs.hpp"
+#include "step/nearing.hpp"
+#include "step/stable_step.hpp"
+
+namespace trilith {
+namespace {
+
+/// What falls by less than this share of the least thickness strikes nothing: it settles.
+constexpr double least_fall = 1e-3;
+
+/// What has been put in so far, but for what moves now, found from the ledger's sums [J].
+template <int D>
+double given_off(const Work<D>& work) {
+  double sum = 0;
+  for (std::size_t i = 0; i < energy_term_info.size(); ++i)
+    if (energy_term_info[i].given_off) sum += work.given.value[i];
+  return sum;
+}
+
+/// How fast a body may be beside `common` by the end of a step [m/s].
+template <int D>
+double speed_of(const Model<D>& model, const State<D>& state, const Work<D>& work, std::size_t body,
+                const Vec<D>& common, double dt) {
+  const BodyRow& row = work.body[body];
+  double most = 0;
+  for (int n = row.node; n < row.node + row.nodes; ++n) {
+    double speed = (state.velocity[n] - common).norm();
+    if (row.layout != SkinLayout::node_each) {
+      if constexpr (D == 2)
+        speed += std::abs(state.spin[n]) * model.body_radius[body];
+      else
+        speed += state.spin[n].norm() * model.body_radius[body];
+    }
+    if (model.moves(n)) speed += work.force[n].norm() / model.mass[n] * dt;
+    most = std::max(most, speed);
+  }
+  return most;
+}
+
+/// m v^2 / 2 of all nodes [J].
+template <int D>
+double moving_energy(const Model<D>& model, const State<D>& state) {
+  double sum = 0;
+  for (int n = 0; n < model.nodes(); ++n) sum += 0.5 * model.mass[n] * state.velocity[n].squaredNorm();
+  return sum;
+}
+
+/// The box that the tree of pieces would have a piece in, widened.
+FatBox<2> reached_box(const Model<2>& model, const Work<2>& work, int piece, double by) {
+  FatBox<2> box;
+  box.low.fill(unbounded), box.high.fill(-unbounded);
+  for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c) {
+    const SkinMotion<2>& s = work.skin[model.corner_skin[c]];
+    const Vec2 at = Vec2(s.x, s.y) - work.search.together;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double x = at[static_cast<Eigen::Index>(k)];
+      box.low[k] = std::min(box.low[k], x - by), box.high[k] = std::max(box.high[k], x + by);
+    }
+  }
+  return box;
+}
+FatBox<3> reached_box(const Model<3>& /*model*/, const Work<3>& work, int piece, double by) {
+  return widened(box_around(work.solids.placed[piece]), by);
+}
+
+/// True where mortar holds the two together: their contact neither closes nor opens.
+bool are_bonded(const State<2>& state, ContactKey key) {
+  const int row = state.contacts.find(key);
+  return row >= 0 && state.contacts.memory[row].bonds != 0;
+}
+bool are_bonded(const State<3>& state, ContactKey key) {
+  const auto& all = state.contacts.key;
+  const auto at = std::lower_bound(all.begin(), all.end(), key);
+  if (at == all.end() || *at != key) return false;
+  const JointMemory* joint = state.contacts.joint_at(static_cast<std::size_t>(at - all.begin()));
+  return joint != nullptr && joint->bonds != 0;
+}
+
+/// Of two bodies, one of which moves, between which a law holds.
+template <int D>
+bool may_strike(const Model<D>& model, const State<D>& state, const ImpactWork& own, int p, int q) {
+  const int a = model.piece_body[p], b = model.piece_body[q];
+  if (a == b || state.left[a] != 0 || state.left[b] != 0 || (own.mass[a] == 0 && own.mass[b] == 0)) return false;
+  return model.law_of[model.bodies[a].surface * model.surfaces + model.bodies[b].surface] >= 0;
+}
+
+/// Pairs of pieces one of which is of a body that could miss more than it may, and which may meet within the step: in
+/// the order of their keys, each once.
+template <int D>
+void list_pairs(const Model<D>& model, const State<D>& state, Work<D>& work, double dt) {
+  ImpactWork& own = work.impacts;
+  own.key.clear();
+  double fastest = 0;
+  for (const double v : own.speed) fastest = std::max(fastest, v);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (own.counts[b] == 0) continue;
+    const Body& body = model.bodies[b];
+    for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
+      const double by = (own.speed[b] + fastest) * dt;
+      work.search.boxes.for_meeting(reached_box(model, work, p, by), [&](int q) {
+        if (may_strike(model, state, own, p, q)) own.key.push_back(contact_key(std::min(p, q), std::max(p, q)));
+      });
+    }
+  }
+  std::sort(own.key.begin(), own.key.end());
+  own.key.erase(std::unique(own.key.begin(), own.key.end()), own.key.end());
+}
+
+/// What each of the pairs asks for: from when on, and how much. Returns the energy that they have stored [J].
+template <int D>
+double list_blows(const Model<D>& model, const State<D>& state, Work<D>& work, double dt) {
+  ImpactWork& own = work.impacts;
+  own.blows.clear();
+  double stored = 0;
+  for (const ContactKey key : own.key) {
+    const Nearing m = nearing(model, state, work, first_piece(key), second_piece(key));
+    const bool apart = m.gap > 0 && !(m.gap < m.speed * dt);  // all along the step
+    if (apart || are_bonded(state, key)) continue;
+    const double depth = std::max(-m.gap, 0.0), force = m.stiffness * depth;
+    stored += 0.5 * force * depth;
+    own.blows.push_back(
+        {m.gap > 0 ? m.gap / m.speed : 0, 0.5 * (m.stiffness * m.speed * m.speed + force * force / m.mass)});
+  }
+  return stored;
+}
+
+/// The longest time up to `dt` [s] within which all blows that have begun by its end keep to the budget,
+/// sum power time^2 <= budget [J].
+double time_for(std::vector<Blow>& blows, double dt, double budget) {
+  std::stable_sort(blows.begin(), blows.end(), [](const Blow& a, const Blow& b) { return a.begins < b.begins; });
+  double power = 0, time = dt;
+  for (const Blow& blow : blows) {
+    if (blow.begins >= time) return time;
+    power += blow.power;
+    const double allowed = std::sqrt(budget / power);
+    // Not before it has begun: the step then ends there.
+    time = std::min(time, std::max(allowed, blow.begins));
+  }
+  return time;
+}
+
+}  // namespace
+
+template <int D>
+void list_masses(const Model<D>& model, Work<D>& work) {
+  ImpactWork& own = work.impacts;
+  own.mass.assign(model.bodies.size(), 0);
+  own.total = 0, own.lightest = unbounded, own.still = -1;
+  for (std::size_t b = 0; b < own.mass.size(); ++b) {
+    const Body& body = model.bodies[b];
+    if (!model.body_moves(static_cast<int>(b))) {
+      if (own.still < 0) own.still = body.first_node;
+      continue;
+    }
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+      own.mass[b] += model.mass[n];
+      own.lightest = std::min(own.lightest, model.mass[n]);
+    }
+    own.total += own.mass[b];
+  }
+}
+
+/// Three looks, each only where the one before it left something: at the fastest point of all, at each body, and at the
+/// pairs of pieces of those bodies.
+template <int D>
+double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, double dt,
+                   const ImpactOptions& options) {
+  ImpactWork& own = work.impacts;
+  // A blow of the energy e misses e (w dt)^2 / 2 in closing and opening, and w dt is at most 2 safety.
+  const double share = options.accuracy / (2 * options.safety * options.safety);
+  const double settles = own.total * model.gravity.field.norm() * least_fall * std::min(model.least_thickness, 1.0);
+  const double lost = given_off(work), fallen = -work.given[EnergyTerm::gravity];
+  double put_in = std::max({settles, lost, fallen});
+  const double fastest = work.fastest + work.unbalanced / own.lightest * dt;
+  if (!(own.total * fastest * fastest > share * put_in)) return dt;
+
+  put_in = std::max(put_in, moving_energy(model, state) + lost);
+  // Beside what stands, or goes with the ground.
+  const Vec<D> common = own.still >= 0 ? state.velocity[own.still] : Vec<D>(Vec<D>::Zero());
+  own.speed.assign(own.mass.size(), 0), own.counts.assign(own.mass.size(), 0);
+  bool any = false;
+  for (std::size_t b = 0; b < own.mass.size(); ++b) {
+    if (state.left[b] != 0) continue;
+    const double speed = own.speed[b] = speed_of(model, state, work, b, common, dt);
+    // Of two that meet, m_a m_b (v_a - v_b)^2 / 2 (m_a + m_b) <= m_a v_a^2 / 2 + m_b v_b^2 / 2: one has half of it.
+    // What does not move and goes elsewhere than the ground has the mass of all.
+    const double mass = own.mass[b] > 0 ? own.mass[b] : own.total;
+    own.counts[b] = mass * speed * speed > share * put_in ? 1 : 0;
+    any = any || own.counts[b] != 0;
+  }
+  if (!any) return dt;
+
+  list_pairs(model, state, work, dt);
+  put_in += list_blows(model, state, work, dt);
+  const double time = time_for(own.blows, dt, 2 * options.accuracy * put_in);
+  return time < dt ? settled_step(time, 1) : dt;
+}
+
+template void list_masses(const Model<2>&, Work<2>&);
+template void list_masses(const Model<3>&, Work<3>&);
+template double impact_step(const Model<2>&, const State<2>&, Work<2>&, double, const ImpactOptions&);
+template double impact_step(const Model<3>&, const State<3>&, Work<3>&, double, const ImpactOptions&);
+
+}  // namespace trilith

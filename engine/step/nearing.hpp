@@ -1,0 +1,22 @@
+// Two pieces that may be about to touch, or do: how far apart, how fast, and how stiff the contact between them is.
+#pragma once
+
+#include "world/model.hpp"
+#include "world/state.hpp"
+#include "world/work.hpp"
+
+namespace trilith {
+
+/// Along the direction that parts two convex pieces best.
+struct Nearing {
+  double gap = 0;        ///< below 0 where they overlap [m]
+  double speed = 0;      ///< at which their nearest parts close, below 0 where they open [m/s]
+  double stiffness = 0;  ///< of the contact over the area that they would share, at least what it will be [N/m]
+  double mass = 0;       ///< m_a m_b / (m_a + m_b), of what does not move without end [kg]
+};
+
+/// Of pieces p and q, between whose bodies a contact law holds. Work must be placed. From State alone.
+Nearing nearing(const Model<2>& model, const State<2>& state, const Work<2>& work, int p, int q);
+Nearing nearing(const Model<3>& model, const State<3>& state, const Work<3>& work, int p, int q);
+
+}  // namespace trilith
