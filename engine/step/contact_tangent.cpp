@@ -268,8 +268,7 @@ void add_faces(TermSum& sum, Work<2>& work, const ContactHistory& before) {
   for (const FaceBatch& batch : work.batches) {
     FaceTerms terms(sum, work, before, law_in_use(sum.model, batch.law, sum.options.dt));
     const std::vector<int>& facing = batch.choice.empty() ? batch.row : batch.now;
-    const std::size_t count =
-        sort_out(face_line(sum.model), before, work, facing, work.face_rows, work.fresh_rows);
+    const std::size_t count = sort_out(face_line(sum.model), before, work, facing, work.face_rows, work.fresh_rows);
     for (std::size_t i = 0; i < count; ++i)
       if (const int row = work.face_rows[i]; !is_general(work, row)) terms.add(row);
     terms.flush();
