@@ -153,11 +153,11 @@ bool is_linear(const ContactLaw& law) {
 FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) {
   FacePair found{FacePair::none, FacePair::none, unbounded};
   const double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
+  double enough = unbounded;  // of turning: another pair may be one before
   for (int f = 0; f < a.solid->shape.faces.count(); ++f)
     for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
-      if (!fits_faces(a, f) || !fits_faces(b, g)) continue;
       const double beyond = opposed(a, f, b, g) - opposed_enough;
-      if (beyond > 0 && beyond >= found.until * turns) continue;  // another pair may be one before
+      if ((beyond > 0 && beyond >= enough) || !fits_faces(a, f) || !fits_faces(b, g)) continue;
       const PlaneDistance distance(a, f, b, g);
       if (beyond <= 0 && distance.depth <= near) {
         if (found.a >= 0) return {};
@@ -165,7 +165,7 @@ FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) 
         continue;
       }
       const double by_turn = beyond / turns, by_way = (distance.depth - near) / (2 + distance.corner * turns);
-      found.until = std::min(found.until, std::max(by_turn, by_way));
+      found.until = std::min(found.until, std::max(by_turn, by_way)), enough = found.until * turns;
     }
   found.until = travel + (1 - 1e-6) * found.until;
   return found;
