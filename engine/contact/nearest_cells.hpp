@@ -101,15 +101,16 @@ class CellCutter {
 
   /// A face that all of the rim is deeper below than below some other is nearest nowhere.
   void list_near_faces() {
-    std::array<double, most> low;
-    double reach = std::numeric_limits<double>::infinity();
-    const int columns = std::min(owner_.columns(), static_cast<int>(most));
-    for (int k = 0; k < columns; ++k) {
-      const Range depth = range_of([&](std::size_t i) { return row_[i][k]; });
-      low[static_cast<std::size_t>(k)] = depth.low, reach = std::min(reach, std::max(0.0, depth.high));
-    }
-    for (int k = 0; k < columns; ++k)
-      if (low[static_cast<std::size_t>(k)] <= reach && !owner_.has_first_like(k)) column_[faces_++] = k;
+    std::array<double, most> low, high;
+    const auto columns = static_cast<std::size_t>(std::min(owner_.columns(), static_cast<int>(most)));
+    constexpr double far = std::numeric_limits<double>::infinity();
+    std::fill_n(low.begin(), columns, far), std::fill_n(high.begin(), columns, -far);
+    for (std::size_t i = 0; i < rim_.count; ++i)
+      for (std::size_t k = 0; k < columns; ++k)
+        low[k] = std::min(low[k], row_[i][k]), high[k] = std::max(high[k], row_[i][k]);
+    const double reach = std::max(0.0, *std::min_element(high.begin(), high.begin() + static_cast<int>(columns)));
+    for (std::size_t k = 0; k < columns; ++k)
+      if (low[k] <= reach && !owner_.has_first_like(static_cast<int>(k))) column_[faces_++] = static_cast<int>(k);
   }
 
   /// Those that may cut something away; false where one takes all.

@@ -45,16 +45,6 @@ bool may_meet(const PlacedSolid& a, int face_a, const PlacedSolid& b, int face_b
   return std::abs(depth_below(a, face_a, corner)) <= reach;
 }
 
-/// Radius of a ball about the mean of its corners that a solid holds [m]: no solid is thinner than twice it.
-double inner_radius(const PlacedSolid& solid) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& x : solid.corners) sum += x;
-  const Vec3 middle = sum / static_cast<double>(solid.corners.size());
-  double least = unbounded;
-  for (int f = 0; f < solid.solid->shape.faces.count(); ++f) least = std::min(least, depth_below(solid, f, middle));
-  return std::max(least, 0.0);
-}
-
 /// The largest overlap and the largest gap over the shared polygon, its area, and its width: that over its longest
 /// extent.
 struct FlatMeasures {
@@ -156,18 +146,18 @@ bool is_linear(const ContactLaw& law) {
   return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::linear; }, law);
 }
 
-/// Corners that have gone by at most t have turned a body of inner radius r, which no way is thinner than 2 r, by so
+/// Corners that have gone by at most t have turned a body of inner radius r (ConvexSolid) by so
 /// little that a unit vector in it has moved by t / r or less. So the product of two normals changes by t / r of both
 /// together, and the depth of a corner x below a plane through c by 2 t + |c - x| t / r. A pair that is none stays none
 /// until either could have made it one.
 FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) {
   FacePair found{FacePair::none, FacePair::none, unbounded};
-  const double near = near_faces(a, b), radius_a = inner_radius(a), radius_b = inner_radius(b),
-               turns = 1 / radius_a + 1 / radius_b;
+  const double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
+  double enough = unbounded;  // of turning: another pair may be one before
   for (int f = 0; f < a.solid->shape.faces.count(); ++f)
     for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
-      if (!fits_faces(a, f) || !fits_faces(b, g)) continue;
       const double beyond = opposed(a, f, b, g) - opposed_enough;
+      if ((beyond > 0 && beyond >= enough) || !fits_faces(a, f) || !fits_faces(b, g)) continue;
       const PlaneDistance distance(a, f, b, g);
       if (beyond <= 0 && distance.depth <= near) {
         if (found.a >= 0) return {};
@@ -175,7 +165,7 @@ FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) 
         continue;
       }
       const double by_turn = beyond / turns, by_way = (distance.depth - near) / (2 + distance.corner * turns);
-      found.until = std::min(found.until, std::max(by_turn, by_way));
+      found.until = std::min(found.until, std::max(by_turn, by_way)), enough = found.until * turns;
     }
   found.until = travel + (1 - 1e-6) * found.until;
   return found;

@@ -8,13 +8,14 @@
 
 #include "base/lanes.hpp"
 #include "contact/nearest_cells.hpp"
+#include "contact/pressed_triangles.hpp"
 
 namespace trilith {
 namespace {
 
 // Stages of one call: depths of all points of the shared solid below the faces of both; for each face of the shared
-// solid, its rim as triangles about one of its points; for each triangle, the cells in which one face of the other
-// solid is nearest; over each cell the pressure and its moments.
+// solid, its rim as a loop of points; of each rim the cells in which one face of the other solid is nearest; over the
+// triangles of each cell the pressure and its moments, four triangles at a time where the law is linear.
 
 /// Integrals over a triangle, over kn: of the pressure and of its first moment about some point, of the pressure times
 /// the closing speed, of its second moments (xx, yy, zz, xy, yz, zx).
@@ -28,28 +29,6 @@ struct TriangleSums {
 template <class F>
 TRILITH_INLINE void for_products(F&& f) {
   f(0, 0, 0), f(1, 1, 1), f(2, 2, 2), f(3, 0, 1), f(4, 1, 2), f(5, 2, 0);
-}
-
-/// Of a pressure that is linear over the triangle; arms are from the point the moment is about, and their sum.
-TRILITH_INLINE void add_linear(double area, const std::array<double, 3>& p, const std::array<Vec3, 3>& arm,
-                               const Vec3& arms, const std::array<double, 3>& closing, TriangleSums& sums) {
-  const double sum = p[0] + p[1] + p[2], speed = closing[0] + closing[1] + closing[2], twelfth = area / 12;
-  sums.force += 4 * twelfth * sum;
-  sums.first += twelfth * (sum * arms + p[0] * arm[0] + p[1] * arm[1] + p[2] * arm[2]);
-  sums.power += twelfth * (sum * speed + p[0] * closing[0] + p[1] * closing[1] + p[2] * closing[2]);
-}
-
-/// ... its second moments, as of faces that lie flat (shape/face_overlap_3d).
-TRILITH_INLINE void add_second(double area, const std::array<double, 3>& p, const std::array<Vec3, 3>& arm,
-                               const Vec3& arms, TriangleSums& sums) {
-  const double share = area / 60, sum = p[0] + p[1] + p[2];
-  const std::array<double, 3> own{sum + 2 * p[0], sum + 2 * p[1], sum + 2 * p[2]};
-  const Vec3 weighted = p[0] * arm[0] + p[1] * arm[1] + p[2] * arm[2];
-  for_products([&](std::size_t k, int i, int j) {
-    sums.second[k] +=
-        share * (sum * arms[i] * arms[j] + arms[i] * weighted[j] + arms[j] * weighted[i] +
-                 own[0] * arm[0][i] * arm[0][j] + own[1] * arm[1][i] * arm[1][j] + own[2] * arm[2][i] * arm[2][j]);
-  });
 }
 
 /// Six points of a triangle, exact to degree 4 (Dunavant 1985, as in contact/power.hpp), for laws that are not linear.
@@ -71,123 +50,92 @@ void add_sampled(double area, const PressedPolygon& cell, const std::array<std::
     }
 }
 
-/// Calls visit(area, corners) for the triangles of a polygon about its first corner.
-template <class Visit>
-void for_triangles(const PressedPolygon& polygon, const Vec3& normal, Visit&& visit) {
-  if (polygon.count < 3) return;
-  const Vec3& first = polygon.corner[0].arm;
-  Vec3 before = polygon.corner[1].arm - first;
-  for (std::size_t i = 2; i < polygon.count; ++i) {
-    const Vec3 now = polygon.corner[i].arm - first;
-    visit(0.5 * normal.dot(cross(before, now)), std::array<std::size_t, 3>{0, i - 1, i});
-    before = now;
-  }
+/// Adds a triangle to the area in contact.
+void add_area(double area, const Vec3& p, const Vec3& q, const Vec3& r, PressedSums& sums) {
+  const Vec3 sum = p + q + r;
+  sums.area += area, sums.area_arm += area / 3 * sum;
+  for_products([&](std::size_t k, int i, int j) {
+    sums.area_second[k] += area / 12 * (sum[i] * sum[j] + p[i] * p[j] + q[i] * q[j] + r[i] * r[j]);
+  });
 }
 
-/// Of an area: its size, the integral of the arm over it and of the arm's square (xx, yy, zz, xy, yz, zx).
-struct AreaSums {
-  double area = 0;
-  Vec3 arm = Vec3::Zero();
-  std::array<double, 6> second{};
-
-  void add_triangle(double of, const Vec3& p, const Vec3& q, const Vec3& r) {
-    const Vec3 sum = p + q + r;
-    const double share = of / 12;
-    area += of, arm += of / 3 * sum;
-    const auto product = [&](int i, int j) {
-      return share * (sum[i] * sum[j] + p[i] * p[j] + q[i] * q[j] + r[i] * r[j]);
-    };
-    second[0] += product(0, 0), second[1] += product(1, 1), second[2] += product(2, 2);
-    second[3] += product(0, 1), second[4] += product(1, 2), second[5] += product(2, 0);
-  }
+/// Where what is pressed is summed up: triangles by lanes, and apart from them what laws come to that are not linear.
+struct PressedParts {
+  PressedTriangles triangles;
+  PressedSums sampled;
 };
 
-/// Sums over all pressed faces. Moments are about `origin`, a point near the contact.
-struct SolidSums {
-  SolidPressure out;
-  Vec3 arm_sum = Vec3::Zero();         // integral of pressure times arm
-  std::array<double, 6> arm_second{};  // ... of its products
-  AreaSums area;                       // of both sides
-};
-
-/// A face of the walker inside the owner, and what its cells come to.
+/// A face of the walker inside the owner.
 template <class K>
 struct PressedFace {
   const K& law;
   Vec3 normal;  // out of the walker
   bool walker_is_b;
-  TriangleSums springs{}, total{};
-  double depth = 0;
+  PressedParts& parts;
+
+  /// On b acts -n where b walks, as n then points from b into a, and +n where a does.
+  [[nodiscard]] double sign() const { return walker_is_b ? -1 : 1; }
 
   /// Adds one cell, over which depth and closing speed are linear.
-  void add_cell(const PressedPolygon& cell) {
+  void add_cell(const PressedPolygon& cell) const {
     if constexpr (K::linear)
       add_linear_cell(cell);
     else
       add_sampled_cell(cell);
-    for (std::size_t i = 0; i < cell.count; ++i) depth = std::max(depth, cell.corner[i].depth);
-  }
-
-  /// Adds what the cells came to. k is half of kn, as the faces of the other solid bring the other half. On b acts -n
-  /// where b walks, as n then points from b into a, and +n where a does.
-  void add_to(SolidSums& sums) const {
-    const double k = 0.5 * law.kn, sign = walker_is_b ? -1 : 1;
-    const Vec3 n = sign * k * normal;
-    SolidPressure& out = sums.out;
-    out.force += total.force * n, out.moment += cross(total.first, n);
-    out.damping += (total.force - springs.force) * n;
-    out.damping_moment += cross(Vec3(total.first - springs.first), n);
-    out.damped += k * (total.power - springs.power);
-    out.pressure += k * total.force, sums.arm_sum += k * total.first;
-    for (std::size_t i = 0; i < 6; ++i) sums.arm_second[i] += k * total.second[i];
-    out.depth = std::max(out.depth, depth);
   }
 
  private:
-  static void add_springs(const PressedPolygon& cell, const std::array<std::size_t, 3>& at, double area,
-                          const std::array<double, 3>& pressure, TriangleSums& sums) {
-    const PressedPoint &p = cell.corner[at[0]], &q = cell.corner[at[1]], &r = cell.corner[at[2]];
-    add_linear(area, pressure, {p.arm, q.arm, r.arm}, p.arm + q.arm + r.arm, {p.closing, q.closing, r.closing}, sums);
-  }
-  static void add_pressure(const PressedPolygon& cell, const std::array<std::size_t, 3>& at, double area,
-                           const std::array<double, 3>& pressure, TriangleSums& sums) {
-    const Vec3 &p = cell.corner[at[0]].arm, &q = cell.corner[at[1]].arm, &r = cell.corner[at[2]].arm;
-    add_springs(cell, at, area, pressure, sums);
-    add_second(area, pressure, {p, q, r}, p + q + r, sums);
+  /// The triangles of a polygon about its first corner.
+  void add_triangles(const PressedPolygon& of, TriangleShare share) const {
+    const auto corner = [&](std::size_t i) -> TriangleCorner {
+      const PressedPoint& p = of.corner[i];
+      return {p.arm, p.depth, p.closing};
+    };
+    for (std::size_t i = 2; i < of.count; ++i)
+      parts.triangles.add(normal, sign(), share, {corner(0), corner(i - 1), corner(i)});
   }
 
-  void add_linear_cell(const PressedPolygon& cell) {
+  /// The damped pressure acts over the part of a cell where it is above 0.
+  void add_linear_cell(const PressedPolygon& cell) const {
     CornerHeights damped;
     bool some = false, all = true;
     for (std::size_t i = 0; i < cell.count; ++i) {
       damped[i] = cell.corner[i].depth + law.beta * cell.corner[i].closing;
       some = some || damped[i] > 0, all = all && damped[i] >= 0;
     }
-    for_triangles(cell, normal, [&](double area, const std::array<std::size_t, 3>& at) {
-      const auto& [p, q, r] = at;
-      add_springs(cell, at, area, {cell.corner[p].depth, cell.corner[q].depth, cell.corner[r].depth}, springs);
-      if (all) add_pressure(cell, at, area, {damped[p], damped[q], damped[r]}, total);
-    });
-    if (some && !all) add_part(cell, damped);
-  }
-
-  /// The pressure with its damping over the part of a cell where that is above 0.
-  void add_part(const PressedPolygon& cell, const CornerHeights& damped) {
+    add_triangles(cell, all ? TriangleShare::both : TriangleShare::springs);
+    if (all || !some) return;
     PressedPolygon pressed;
     keep_above(cell, damped, pressed);
-    const auto pressure = [&](std::size_t i) { return pressed.corner[i].depth + law.beta * pressed.corner[i].closing; };
-    for_triangles(pressed, normal, [&](double area, const std::array<std::size_t, 3>& at) {
-      add_pressure(pressed, at, area, {pressure(at[0]), pressure(at[1]), pressure(at[2])}, total);
-    });
+    add_triangles(pressed, TriangleShare::damped);
   }
 
-  void add_sampled_cell(const PressedPolygon& cell) {
-    for_triangles(cell, normal, [&](double area, const std::array<std::size_t, 3>& at) {
+  void add_sampled_cell(const PressedPolygon& cell) const {
+    TriangleSums springs, total;
+    const Vec3& p = cell.corner[0].arm;
+    for (std::size_t i = 2; i < cell.count; ++i) {
+      const Vec3 &q = cell.corner[i - 1].arm, &r = cell.corner[i].arm;
+      const double area = 0.5 * normal.dot(cross(Vec3(q - p), Vec3(r - p)));
+      const std::array<std::size_t, 3> at{0, i - 1, i};
       add_sampled(
           area, cell, at, [&](double d, double) { return law.effective(d); }, springs);
       add_sampled(
           area, cell, at, [&](double d, double c) { return std::max(0.0, law.effective(d) + law.beta * c); }, total);
-    });
+      add_area(area, p, q, r, parts.sampled);
+    }
+    for (std::size_t i = 0; i < cell.count; ++i)
+      parts.sampled.depth = std::max(parts.sampled.depth, cell.corner[i].depth);
+    add_to(parts.sampled, springs, total);
+  }
+
+  void add_to(PressedSums& sums, const TriangleSums& springs, const TriangleSums& total) const {
+    const Vec3 n = sign() * normal;
+    sums.force += total.force * n, sums.moment += cross(total.first, n);
+    sums.damping += (total.force - springs.force) * n;
+    sums.damping_moment += cross(Vec3(total.first - springs.first), n);
+    sums.damped += total.power - springs.power;
+    sums.pressure += total.force, sums.arm += total.first;
+    for (std::size_t i = 0; i < 6; ++i) sums.arm_second[i] += total.second[i];
   }
 };
 
@@ -220,7 +168,7 @@ struct PressedSolid {
 /// Presses a part of a face of the walker against the owner's nearest faces. Where one face is nearest to all corners
 /// it is so to all of the part, as depths are linear.
 template <class K>
-void press_rim(const PressedSolid& solid, const DepthTable& owner, const Rim& rim, PressedFace<K>& face) {
+void press_rim(const PressedSolid& solid, const DepthTable& owner, const Rim& rim, const PressedFace<K>& face) {
   const int nearest = owner.nearest(rim.point[0]);
   const auto end = rim.point.begin() + static_cast<std::ptrdiff_t>(rim.count);
   if (std::all_of(rim.point.begin(), end, [&](int p) { return owner.nearest(p) == nearest; })) {
@@ -258,7 +206,7 @@ bool make_rim(RimEdges edges, Closing&& closing, Rim& rim) {
 /// One face of the shared solid: whole, or as triangles about one of its points, as laws are that are not linear, whose
 /// sums are the better the smaller the cells.
 template <class K>
-void press_face(const PressedSolid& solid, PressedFace<K> face, RimEdges edges, SolidSums& sums) {
+void press_face(const PressedSolid& solid, const PressedFace<K>& face, RimEdges edges) {
   const DepthTable& owner = solid.depths[face.walker_is_b ? 0 : 1];
   if (owner.columns() == 0) return;  // a piece without a surface presses nothing
   const auto closing_at = [&](int point) {
@@ -266,20 +214,14 @@ void press_face(const PressedSolid& solid, PressedFace<K> face, RimEdges edges, 
     return face.walker_is_b ? along : -along;
   };
   Rim rim;
-  const bool is_loop = K::linear && make_rim(edges, closing_at, rim);
-  if (is_loop) press_rim(solid, owner, rim, face);
+  if (K::linear && make_rim(edges, closing_at, rim)) return press_rim(solid, owner, rim, face);
   const int base = edges[0].from;
-  const Vec3& about = solid.arm(base);
   for (const auto& [from, to] : edges) {
     if (from == base || to == base) continue;
-    const Vec3 &p = solid.arm(from), &q = solid.arm(to);
-    sums.area.add_triangle(0.5 * face.normal.dot(cross(Vec3(p - about), Vec3(q - about))), about, p, q);
-    if (is_loop) continue;
     Rim triangle;
     for (const int point : {base, from, to}) triangle.add(point, closing_at(point));
     press_rim(solid, owner, triangle, face);
   }
-  face.add_to(sums);
 }
 
 /// Second moments of unit area or force about `middle`.
@@ -290,26 +232,29 @@ Eigen::Matrix3d spread_about(const std::array<double, 6>& second, double whole, 
   return about / whole - middle * middle.transpose();
 }
 
-/// Moves the moments to the centre of pressure and finds how area and pressure are spread. `origin`: of arms.
-SolidPressure finished(const Vec3& origin, SolidSums& sums) {
-  SolidPressure& out = sums.out;
-  const AreaSums& all = sums.area;
-  if (!(all.area > 0)) return {};
-  out.area = 0.5 * all.area;
-  const Vec3 middle = all.arm / all.area;
-  const Vec3 arm = out.pressure > 0 ? Vec3(sums.arm_sum / out.pressure) : middle;
+/// Moves the moments to the centre of pressure and finds how area and pressure are spread. `origin`: of arms; k: half
+/// of kn, as the faces of the other solid bring the other half.
+SolidPressure finished(const Vec3& origin, double k, const PressedSums& sums) {
+  if (!(sums.area > 0)) return {};
+  SolidPressure out;
+  out.force = k * sums.force, out.damping = k * sums.damping;
+  out.damped = k * sums.damped, out.pressure = k * sums.pressure, out.depth = sums.depth;
+  out.area = 0.5 * sums.area;
+  const Vec3 middle = sums.area_arm / sums.area;
+  const Vec3 arm = sums.pressure > 0 ? Vec3(sums.arm / sums.pressure) : middle;
   out.centre = origin + arm, out.middle = origin + middle;
-  out.moment -= cross(arm, out.force), out.damping_moment -= cross(arm, out.damping);
+  out.moment = k * sums.moment - cross(arm, out.force);
+  out.damping_moment = k * sums.damping_moment - cross(arm, out.damping);
   const Vec3 n = out.force.squaredNorm() > 0 ? Vec3(out.force.normalized()) : Vec3(Vec3::UnitZ());
   const Vec3 x = line_across(n), y = cross(n, x);
   const auto in_plane = [&](const Eigen::Matrix3d& of, const auto& take) {
     return take(x.dot(of * x), x.dot(of * y), y.dot(of * y));
   };
-  in_plane(spread_about(all.second, all.area, middle), [&](double xx, double xy, double yy) {
+  in_plane(spread_about(sums.area_second, sums.area, middle), [&](double xx, double xy, double yy) {
     out.radius = std::sqrt(std::max(0.0, xx + yy)), out.arm = spread_arms(xx, xy, yy, x, y);
   });
-  if (out.pressure > 0)
-    in_plane(spread_about(sums.arm_second, out.pressure, arm),
+  if (sums.pressure > 0)
+    in_plane(spread_about(sums.arm_second, sums.pressure, arm),
              [&](double xx, double xy, double yy) { out.friction_arm = mean_distance(xx + yy, xx * yy - xy * xy); });
   return out;
 }
@@ -325,18 +270,18 @@ bool on_surface(const PlacedSolid& a, const PlacedSolid& b, int of) {
 template <class K>
 SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, SolidOverlapBuffer& shared) {
   const PressedSolid solid(a, b, shared);
-  SolidSums sums;
+  PressedParts parts{PressedTriangles(law.beta), {}};
   int first = 0;
   for (const auto& [of, end] : shared.faces) {
     const bool of_b = of < 0;
     if (on_surface(a.placed, b.placed, of)) {
       const RimEdges edges =
           RimEdges(shared.edges).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
-      press_face(solid, PressedFace<K>{law, normal_of(a.placed, b.placed, of), of_b}, edges, sums);
+      press_face(solid, PressedFace<K>{law, normal_of(a.placed, b.placed, of), of_b, parts}, edges);
     }
     first = end;
   }
-  return finished(solid.origin, sums);
+  return finished(solid.origin, 0.5 * law.kn, K::linear ? parts.triangles.sums() : parts.sampled);
 }
 
 }  // namespace

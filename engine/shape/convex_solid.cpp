@@ -1,5 +1,7 @@
 #include "shape/convex_solid.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace trilith {
@@ -14,6 +16,19 @@ bool some_alike(const std::vector<Vec3>& normals) {
   return false;
 }
 
+/// See ConvexSolid::inner_radius.
+double inner_radius_of(const Polyhedron& shape, const std::vector<Vec3>& normals) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& x : shape.corners) sum += x;
+  const Vec3 middle = sum / static_cast<double>(shape.corners.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < shape.faces.count(); ++f) {
+    const Vec3& on_face = shape.corners[static_cast<std::size_t>(shape.faces[f][0])];
+    least = std::min(least, normals[static_cast<std::size_t>(f)].dot(on_face - middle));
+  }
+  return std::max(least, 0.0);
+}
+
 }  // namespace
 
 /// All that contact asks of a shape again and again, found once: normals, edges, size, and whether any two faces lie in
@@ -22,7 +37,8 @@ ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double
   check_convex(shape, owner, flat);
   std::vector<Vec3> normals = face_normals(shape);
   const bool may_repeat = some_alike(normals);
-  return {shape, std::move(normals), solid_edges(shape.faces), {}, solid_size(shape.corners), may_repeat};
+  const double inner = inner_radius_of(shape, normals);
+  return {shape, std::move(normals), solid_edges(shape.faces), {}, solid_size(shape.corners), may_repeat, inner};
 }
 
 ConvexSolid convex_sphere(const Sphere& sphere) {

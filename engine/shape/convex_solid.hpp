@@ -22,7 +22,9 @@ struct ConvexSolid {
   std::vector<std::uint8_t> surface;
   double size = 0;         ///< see solid_size [m]
   bool may_repeat = true;  ///< false where no two faces look nearly the same way, see has_first_like
-  double radius = 0;       ///< of a sphere about its one corner; 0 of a polyhedron [m]
+  double inner_radius =
+      0;              ///< of a ball about the mean of its corners that it holds [m]: nowhere thinner than twice it
+  double radius = 0;  ///< of a sphere about its one corner; 0 of a polyhedron [m]
 
   [[nodiscard]] bool is_sphere() const { return radius > 0; }
   [[nodiscard]] bool is_surface(int face) const {

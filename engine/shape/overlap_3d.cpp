@@ -1,29 +1,87 @@
 #include "shape/overlap_3d.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+#include "base/lane_vectors.hpp"
 
 namespace trilith {
 namespace {
 
 using Buffer3 = SolidOverlapBuffer;
 
-// The part that two convex solids share is a, cut by the half-spaces of b one after the other (Sutherland and Hodgman
-// 1974, in three dimensions). A solid in the making is its points, and of each face a run of directed edges; nothing
-// else is needed, as volumes and areas are sums over edges. Faces of a keep their numbers (0, 1, ...), those from b are
-// -1, -2, ...; so that what each body is pressed on can be told apart afterwards.
-void begin_with(const PlacedSolid& solid, Buffer3& s) {
+// The part that two convex solids share is one, cut by the half-spaces of the other one after the other (Sutherland and
+// Hodgman 1974, in three dimensions). A solid in the making is its points, and of each face a run of directed edges;
+// nothing else is needed, as volumes and areas are sums over edges. Faces of a keep their numbers (0, 1, ...), those
+// from b are -1, -2, ...; so that what each body is pressed on can be told apart afterwards.
+/// Half-space under a face of a solid; `face`: what a cut along it counts as.
+TRILITH_INLINE HalfSpace under_face(const PlacedSolid& solid, int f, int face) {
+  const Vec3& normal = solid.normals[static_cast<std::size_t>(f)];
+  return {normal, normal.dot(solid.corners[static_cast<std::size_t>(solid.solid->shape.faces[f][0])]), face};
+}
+
+/// The faces of a solid that come under a plane, whole; their numbers by `number_of`.
+template <class NumberOf>
+void begin_with(const PlacedSolid& solid, const HalfSpace& half, NumberOf&& number_of, Buffer3& s) {
   s.points.assign(solid.corners.begin(), solid.corners.end());
-  s.edges.clear(), s.faces.clear();
+  s.edges.clear(), s.faces.clear(), s.height.clear();
+  for (const Vec3& p : s.points) s.height.push_back(half.normal.dot(p) - half.offset);
   const FaceLoops& faces = solid.solid->shape.faces;
   for (int f = 0; f < faces.count(); ++f) {
     const auto loop = faces[f];
+    if (std::all_of(loop.begin(), loop.end(), [&](int i) { return s.height[static_cast<std::size_t>(i)] > 0; }))
+      continue;
     int from = loop.back();
     for (const int to : loop) {
       s.edges.push_back({from, to});
       from = to;
     }
-    s.faces.push_back({f, static_cast<int>(s.edges.size())});
+    s.faces.push_back({number_of(f), static_cast<int>(s.edges.size())});
   }
+}
+
+/// Corners of a solid four by four, as many as there is room for; those beyond its last repeat the last.
+struct CornersInLanes {
+  static constexpr std::size_t room = 8;
+  std::array<Triple<Lanes>, room> four;
+  std::size_t fours;
+  std::span<const Vec3> rest;
+
+  TRILITH_INLINE explicit CornersInLanes(const std::vector<Vec3>& corners)
+      : fours(std::min(room, (corners.size() + lane_count - 1) / lane_count)) {
+    const auto at = [&](std::size_t i) -> const Vec3& { return corners[std::min(i, corners.size() - 1)]; };
+    for (std::size_t k = 0; k < fours; ++k) four[k] = four_of(at(4 * k), at(4 * k + 1), at(4 * k + 2), at(4 * k + 3));
+    if (corners.size() > room * lane_count) rest = std::span(corners).subspan(room * lane_count);
+  }
+  /// The least of their products with a direction.
+  [[nodiscard]] TRILITH_INLINE double lowest(const Vec3& up) const {
+    const Triple<Lanes> n = four_of(up, up, up, up);
+    Lanes least = n.dot(four[0]);
+    for (std::size_t k = 1; k < fours; ++k) least = smaller<Lanes>(least, n.dot(four[k]));
+    double of_all = std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+    for (const Vec3& x : rest) of_all = std::min(of_all, up.dot(x));
+    return of_all;
+  }
+};
+
+/// The face of a solid above which another reaches down the least: how far its lowest corner lies over it [m], below 0
+/// where it comes under all of them.
+struct TopFace {
+  double lowest = -std::numeric_limits<double>::infinity();
+  int face = 0;
+};
+
+[[gnu::target_clones("avx2", "default")]] TopFace top_face(const PlacedSolid& solid, const PlacedSolid& other) {
+  TopFace top;
+  const CornersInLanes corners(other.corners);
+  for (int f = 0; f < solid.solid->shape.faces.count() && top.lowest < 0; ++f) {
+    const HalfSpace half = under_face(solid, f, f);
+    const double least = corners.lowest(half.normal) - half.offset;
+    if (least > top.lowest) top = {least, f};
+  }
+  return top;
 }
 
 /// Heights of all points over the plane; the range of them.
@@ -176,16 +234,30 @@ SolidMeasure measured(const SolidOverlapBuffer& buffer) {
 
 namespace {
 
-/// Cuts `a` by all half-spaces of b; false where nothing is left.
-bool cut_by_all(const PlacedSolid& a, const PlacedSolid& b, Buffer3& buffer) {
-  begin_with(a, buffer);
-  const FaceLoops& faces = b.solid->shape.faces;
-  for (int f = 0; f < faces.count(); ++f) {
-    const Vec3& normal = b.normals[static_cast<std::size_t>(f)];
-    const double offset = normal.dot(b.corners[static_cast<std::size_t>(faces[f][0])]);
-    if (!cut({normal, offset, -1 - f}, buffer) || buffer.edges.empty()) return false;
-  }
+/// Cuts a solid by all half-spaces of another, by that under face `first` first; false where nothing is left.
+template <class NumberOf, class NumberOfCut>
+bool cut_from(const PlacedSolid& solid, const PlacedSolid& other, int first, NumberOf&& number_of,
+              NumberOfCut&& number_of_cut, Buffer3& buffer) {
+  const HalfSpace half = under_face(other, first, number_of_cut(first));
+  begin_with(solid, half, number_of, buffer);
+  if (!cut(half, buffer) || buffer.edges.empty()) return false;
+  for (int f = 0; f < other.solid->shape.faces.count(); ++f)
+    if (f != first && (!cut(under_face(other, f, number_of_cut(f)), buffer) || buffer.edges.empty())) return false;
   return true;
+}
+
+/// What two solids share; false where it is nothing. The first cut is that which leaves the least: by the face, of
+/// either, under which the other comes the least. Of a corner under a face, or an edge, nothing else is to be cut, and
+/// the planes that follow are asked of a few points.
+bool cut_by_all(const PlacedSolid& a, const PlacedSolid& b, Buffer3& buffer) {
+  const auto of_a = [](int f) { return f; };
+  const auto of_b = [](int f) { return -1 - f; };
+  const TopFace top_b = top_face(b, a);
+  if (top_b.lowest >= 0) return false;
+  const TopFace top_a = top_face(a, b);
+  if (top_a.lowest >= 0) return false;
+  return top_a.lowest > top_b.lowest ? cut_from(b, a, top_a.face, of_b, of_a, buffer)
+                                     : cut_from(a, b, top_b.face, of_a, of_b, buffer);
 }
 
 void clear(Buffer3& buffer) {

@@ -35,7 +35,7 @@ struct SolidOverlapBuffer {
   };
   std::vector<Vec3> points;  ///< m
   std::vector<Edge> edges;
-  std::vector<Face> faces;  ///< those of a first; empty where nothing is shared
+  std::vector<Face> faces;  ///< in no order; empty where nothing is shared
   // scratch
   std::vector<Vec3> points_before;
   std::vector<Edge> edges_before, lid;
@@ -73,7 +73,7 @@ struct SolidOverlap {
   Vec3 area_moment = Vec3::Zero();  ///< ... of (x - centroid) x normal over it, m3
 };
 
-/// Cuts `a` by the half-spaces of b's faces, one after the other. The surface stays closed to the bit whatever
+/// Cuts one by the half-spaces of the other's faces, in turn. The surface stays closed to the bit whatever
 /// rounding does (each cut point is found from its inner end in both faces it belongs to), so faces that are flush or
 /// nearly so do no harm; of two that are flush and look the same way, the surface counts as a's or b's as rounding has
 /// it. Exact to rounding, about a point of the shared solid, so that nothing is lost far from the origin but what the

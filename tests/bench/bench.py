@@ -19,6 +19,7 @@ import time
 
 UNIT = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
 WALL, PILE, SPACE = "tests/bench/wall.lua", "tests/bench/pile.lua", "tests/bench/wall3d.lua"
+SPACE_PILE = "tests/bench/pile3d.lua"
 
 
 class Case:
@@ -58,6 +59,9 @@ CASES = [
          before="duration=8 out=out/bench_wall.h5"),
     Case("wall of 444 in space", SPACE, "courses=24 seconds=0.1"),
     Case("wall of 1752 in space", SPACE, "courses=48 columns=36 seconds=0.05"),
+    Case("pile of 5000 boxes in space", SPACE_PILE, "seconds=1.5", True, brief="boxes=300 across=6 seconds=0.3"),
+    Case("pile of 50000 boxes in space", SPACE_PILE, "boxes=50000 across=58 seconds=1.5", True,
+         brief="boxes=300 across=6 seconds=0.3"),
     bridge_of_beams("explicit"), bridge_of_beams("implicit"),
     Case("frame of 2000 beams, implicit", "tests/bench/frame.lua", "steps=40", before="steps=20"),
     Case("gallery wall set down by statics", "tests/bench/statics.lua", "", told=True),

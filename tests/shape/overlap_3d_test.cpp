@@ -33,6 +33,19 @@ ConvexSolid solid_by_chance(std::mt19937_64& bits) {
                       "solid");
 }
 
+/// All of a solid, to be cut.
+void begin_whole(const PlacedSolid& solid, SolidOverlapBuffer& buffer) {
+  buffer.points = solid.corners;
+  buffer.edges.clear(), buffer.faces.clear();
+  const FaceLoops& faces = solid.solid->shape.faces;
+  for (int f = 0; f < faces.count(); ++f) {
+    const auto loop = faces[f];
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      buffer.edges.push_back({loop[k], loop[k + 1 == loop.size() ? 0 : k + 1]});
+    buffer.faces.push_back({f, static_cast<int>(buffer.edges.size())});
+  }
+}
+
 /// Two solids near each other.
 struct SolidPair {
   ConvexSolid a, b;
@@ -134,6 +147,32 @@ TEST_CASE("prisms share the overlap of their plans times that of their heights")
     CHECK(near_zero((o.centroid - at - Turn3(q).apply(centre)).norm(), 1e-11));
   }
   CHECK(meeting > 200);
+}
+
+TEST_CASE("the cut that leaves the least first gives what cuts in turn give") {
+  std::mt19937_64 bits(36);
+  SolidOverlapBuffer buffer, in_turn;
+  int meeting = 0;
+  for (int trial = 0; trial < 10000; ++trial) {
+    const SolidPair pair(bits);
+    const PlacedSolid a = standing(pair.a, {}, Vec3(0, 0, 0)), b = standing(pair.b, pair.turn, 1.5 * pair.at);
+    const SolidOverlap o = solid_overlap(a, b, buffer);
+    begin_whole(a, in_turn);
+    bool some = true;
+    for (int f = 0; f < pair.b.shape.faces.count() && some; ++f) {
+      const Vec3& n = b.normals[static_cast<std::size_t>(f)];
+      const double offset = n.dot(b.corners[static_cast<std::size_t>(pair.b.shape.faces[f][0])]);
+      some = cut({n, offset, -1 - f}, in_turn) && !in_turn.edges.empty();
+    }
+    const SolidMeasure all = some ? measured(in_turn) : SolidMeasure{0, Vec3(0, 0, 0)};
+    CHECK(near_zero(o.volume - all.volume, 1e-14));
+    if (o.volume < 1e-6) continue;
+    ++meeting;
+    CHECK((o.centroid - all.centroid).norm() < 1e-9);
+    // a corner of many faces is several points where cuts have made it, so these may not be as many
+    CHECK(buffer.faces.size() == in_turn.faces.size());
+  }
+  CHECK(meeting > 1500);
 }
 
 TEST_CASE("the shared volume is symmetric, and its two parts of surface close it") {
