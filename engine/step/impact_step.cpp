@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "body/rigid_turn.hpp"
 #include "detect/solid_pairs.hpp"
 #include "step/nearing.hpp"
 #include "step/stable_step.hpp"
@@ -43,11 +44,22 @@ double speed_of(const Model<D>& model, const State<D>& state, const Work<D>& wor
   return most;
 }
 
-/// m v^2 / 2 of all nodes [J].
+double turning_energy(const Model<2>& model, const State<2>& state, int n) {
+  return 0.5 * model.inertia[n] * state.spin[n] * state.spin[n];
+}
+double turning_energy(const Model<3>& model, const State<3>& state, int n) {
+  return 0.5 * state.spin[n].dot(momentum_of(model.inertia[n], state.rotation[n], state.spin[n]));
+}
+
+/// Of all nodes that move [J].
 template <int D>
 double moving_energy(const Model<D>& model, const State<D>& state) {
   double sum = 0;
-  for (int n = 0; n < model.nodes(); ++n) sum += 0.5 * model.mass[n] * state.velocity[n].squaredNorm();
+  for (int n = 0; n < model.nodes(); ++n) {
+    if (!model.moves(n)) continue;
+    sum += 0.5 * model.mass[n] * state.velocity[n].squaredNorm();
+    if (state.spin[n] != nothing<Spin<D>>()) sum += turning_energy(model, state, n);
+  }
   return sum;
 }
 
@@ -199,7 +211,9 @@ double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, 
   list_pairs(model, state, work, dt);
   put_in += list_blows(model, state, work, dt);
   const double time = time_for(own.blows, dt, 2 * options.accuracy * put_in);
-  return time < dt ? settled_step(time, 1) : dt;
+  // No more than a blow of all the energy asks for at the highest frequency there is, w dt = 2 safety.
+  const double shortest = dt * std::sqrt(2 * options.accuracy) / (2 * options.safety);
+  return time < dt ? settled_step(std::max(time, std::min(dt, shortest)), 1) : dt;
 }
 
 template void list_masses(const Model<2>&, Work<2>&);
