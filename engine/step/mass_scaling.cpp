@@ -16,7 +16,7 @@ namespace {
 /// A step that falls short of what was asked for by less is as asked: roundings of the bound.
 constexpr double near_enough = 1 - 1e-9;
 /// Bodies that threads take at a time.
-constexpr int body_stretch = 16;
+constexpr int scaled_stretch = 16;
 
 /// Of k dt^2 + 2 c dt <= 4, the left side over the right one.
 double demand(const RateBound& rate, double dt) {
@@ -168,7 +168,7 @@ void add_inertia(const Model<2>& model, const State<2>& state, Work<2>& work, co
   added.assign(model.mass.size(), Vec2::Zero());
   const Outside<2> outside(model, state, work);
   const bool is_plain = !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.correction == nullptr;
-  share(work.threads, static_cast<int>(model.bodies.size()), body_stretch, [&](int first, int last, int /*thread*/) {
+  share(work.threads, static_cast<int>(model.bodies.size()), scaled_stretch, [&](int first, int last, int /*thread*/) {
     for (int b = first; b < last; ++b) {
       const double part = state.added_share[b] / (1 + state.added_share[b]);
       if (!(part > 0)) continue;
