@@ -130,7 +130,7 @@ double Simulation<D>::whole_step() const {
 template <int D>
 double Simulation<D>::impact_accuracy() const {
   if (!stage_ || state_.implicit() || rest_.share > 0 || !(next_.safety > 0)) return 0;
-  return stage_->options.accuracy;
+  return stage_->options.impact_accuracy;
 }
 
 /// Throws InputError where the step to come is longer than a stable one, or so short that no stage would end.

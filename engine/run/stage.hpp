@@ -33,9 +33,10 @@ struct StageOptions {
   std::optional<AlphaScheme> implicit;  ///< steps of this scheme; else explicit central differences
   bool may_change = false;              ///< with `implicit`: explicit steps where those do not pay
   double tolerance = 1e-8;              ///< of implicit steps: largest force left over, as a share of that carried
-  /// Share of the energies that an implicit step may miss, see ImplicitOptions, and a blow in explicit ones, see
-  /// ImpactOptions, where dt is not given; 0: not looked at.
-  double accuracy = 1e-3;
+  double accuracy = 1e-3;               ///< ... and what a step may miss of its energies, see ImplicitOptions
+  /// Share of the energies put in that a blow may miss in explicit steps, see ImpactOptions, where dt is not given; 0:
+  /// blows do not shorten steps.
+  double impact_accuracy = 0;
 
   bool until_rest = false;       ///< end when all is at rest
   double still_from = 0;         ///< rest is looked for from this time after the stage's start [s]

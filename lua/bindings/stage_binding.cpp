@@ -51,8 +51,9 @@ void read_step(Keys& keys, StageOptions& o) {
 /// { integrator =, alpha =, spectral_radius =, tolerance = }: which scheme takes the steps.
 void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
-  o.accuracy = keys.number("accuracy", "1", o.accuracy);
-  if (!(o.accuracy >= 0)) keys.problem(fmt::format("'accuracy' is {:g}, must not be below 0", o.accuracy));
+  double& accuracy = name == "explicit" ? o.impact_accuracy : o.accuracy;
+  accuracy = keys.number("accuracy", "1", accuracy);
+  if (!(accuracy >= 0)) keys.problem(fmt::format("'accuracy' is {:g}, must not be below 0", accuracy));
   if (name == "explicit") return keys.know({"alpha", "spectral_radius", "tolerance"});
   if (name != "implicit" && name != "auto")
     keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\", \"implicit\" or \"auto\"", name));

@@ -74,21 +74,21 @@ end
 
 -- Mass scaling: longer steps of meshes, told with what they cost; afterwards all is as it was.
 do
-  local m = trilith.model { name = "two meshes" }
-  m:material { name = "stone", density = 2000, E = 10e9, nu = 0.2 }
-  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e10, ks = 4e9, mu = 0.7, beta = 2e-5 } }
-  m:block { name = "base", width = 2, height = 0.4, at = { -1, -0.4 }, material = "stone", support = "fixed" }
-  m:block { name = "low", width = 0.4, height = 0.2, material = "stone", body = { mesh = { 2, 2 } } }
-  m:block { name = "top", width = 0.4, height = 0.2, at = { 0, 0.2 }, material = "stone", body = { mesh = { 2, 2 } } }
-  local plain = m:run { duration = 0.01, damping = 0.8 }
+  local two = trilith.model { name = "two meshes" }
+  two:material { name = "stone", density = 2000, E = 10e9, nu = 0.2 }
+  two:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e10, ks = 4e9, mu = 0.7, beta = 2e-5 } }
+  two:block { name = "base", width = 2, height = 0.4, at = { -1, -0.4 }, material = "stone", support = "fixed" }
+  two:block { name = "low", width = 0.4, height = 0.2, material = "stone", body = { mesh = { 2, 2 } } }
+  two:block { name = "top", width = 0.4, height = 0.2, at = { 0, 0.2 }, material = "stone", body = { mesh = { 2, 2 } } }
+  local plain = two:run { duration = 0.01, damping = 0.8 }
   assert(plain.mass_scaling == nil and plain.longest_dt < 2e-5)
-  assert(m:explain_dt():find "element %d of 4, at ")
-  local report = m:run { duration = 0.01, damping = 0.8, mass_scaling = { step = 4e-5 } }
+  assert(two:explain_dt():find "element %d of 4, at ")
+  local report = two:run { duration = 0.01, damping = 0.8, mass_scaling = { step = 4e-5 } }
   local scaled = report.mass_scaling
   assert(report.longest_dt == 4e-5 and scaled.before < 2e-5 and scaled.bodies == 2)
   assert(scaled.share > 0 and scaled.most < 30 and scaled.energy < scaled.kinetic)
-  assert(m:run { duration = 0.01, damping = 0.8 }.longest_dt < 2e-5)
-  local said = select(2, pcall(m.run, m, { duration = 0.01, mass_scaling = { step = 4e-5, bodies = "low" } }))
+  assert(two:run { duration = 0.01, damping = 0.8 }.longest_dt < 2e-5)
+  local said = select(2, pcall(two.run, two, { duration = 0.01, mass_scaling = { step = 4e-5, bodies = "low" } }))
   assert(said:find "body 'top' %(mesh%), whose masses are not scaled", said)
-  assert(m:run { duration = 0.001, mass_scaling = { step = 1e-6 } }.mass_scaling.bodies == 0)
+  assert(two:run { duration = 0.001, mass_scaling = { step = 1e-6 } }.mass_scaling.bodies == 0)
 end

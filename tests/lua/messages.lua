@@ -60,14 +60,15 @@ local cases = {
   -- mass scaling
   { function() late():run { duration = 1, mass_scaling = 2 } end,
     "run: 'mass_scaling' is 2, must be a table { step = , most = , bodies = }" },
-  { function() late():run { duration = 1, mass_scaling = { most = 2 } } end, 
+  { function() late():run { duration = 1, mass_scaling = { most = 2 } } end,
     "run: mass_scaling: 'step' is missing; give a number in s" },
   { function() late():run { duration = 1, mass_scaling = { step = 1e-5, steps = 1 } } end,
     "run: mass_scaling: unknown key 'steps'; did you mean 'step'?" },
   { function() late():run { duration = 1, mass_scaling = { step = 0 } } end,
     "stage 'run': mass_scaling: step is 0 s, must be finite and above 0" },
   { function() late():run { duration = 1, dt = 1e-6, mass_scaling = { step = 1e-5 } } end,
-    "stage 'run': dt is 1e-06 s and mass_scaling has a step of 1e-05 s; leave dt out, the step is that of mass_scaling" },
+    "stage 'run': dt is 1e-06 s and mass_scaling has a step of 1e-05 s; leave dt out, the step is that of mass_scaling"
+  },
   { function() late():run { duration = 1, integrator = "implicit", mass_scaling = { step = 1e-5 } } end,
     "stage 'run': mass_scaling is of explicit steps, and implicit ones are as long without it; keep one" },
   { function() trilith.model { dim = 3 }:run { duration = 1, mass_scaling = { step = 1e-5 } } end,
