@@ -1,5 +1,5 @@
--- Asked for an accuracy of a thousandth, what strikes keeps its energy: the ledger closes to a thousandth of what was put
--- in, flat, on a corner, rubbing, damped, breaking mortar, deforming, in the plane and in space.
+-- Asked for an accuracy of a thousandth, what strikes keeps its energy: the ledger closes to that share of what was
+-- put in, flat, on a corner, rubbing, damped, breaking mortar, deforming, in the plane and in space.
 local trilith = require "trilith"
 local g = 9.80665
 
