@@ -20,7 +20,7 @@ name        text = "run"  what results call it
 damping     number = 0    share of the unbalanced force that brakes each body
 dt          number s?     fixed step; found by itself where left out. Of implicit ones the longest (5 ms)
 safety      number = 0.5  share of the longest stable step, at most 0.9
-mass_scaling table?       { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
+mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
 integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
@@ -43,7 +43,7 @@ tolerance  number = 1e-8          static: force left over, as a share of the lar
 name      text = "consolidation"  what results call it
 dt        number s?               fixed step
 safety    number = 0.5            share of the longest stable step, at most 0.9
-mass_scaling table?       { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
+mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
 watch     flag = true             speeds and energies that nothing gave end it as diverged]] .. until_keys,
     gives = "report" },
   { "model:shake", "Bodies follow ground motions.", keys = drive .. [[
@@ -54,7 +54,7 @@ still     rest?           end at rest after the motions: ]] .. rest .. [[
 name      text = "shake"  what results call it
 dt        number s?       fixed step
 safety    number = 0.5    share of the longest stable step, at most 0.9
-mass_scaling table?       { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
+mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
 integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1

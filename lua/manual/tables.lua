@@ -13,7 +13,7 @@ shortest_dt  number s  shortest step
 longest_dt   number s  longest step
 speed        number m/s  fastest point at the end
 ratio        number    unbalanced force over the largest carried one
-mass_scaling table?    bodies, share of added mass, most of a body, before (its step, s), energy and kinetic (J)]],
+mass_scaling  table?  bodies, share of added mass, most of a body, before (its step, s), energy and kinetic (J)]],
     event = [[
 type        text      such as "bearing.failed"
 time        number s  when
