@@ -7,7 +7,7 @@
 //
 //     f_q = w_q / (sum of w) V + (T - (c - m) x V) w_q / (sum of w |r - c|^2)  z x (r_q - c)
 //
-// which is at most mu times the pressure where V was, and has the same sums.
+// which has the same sums, and is at most mu times the pressure where V was and its line goes through c.
 #pragma once
 
 #include "contact/joint_memory.hpp"
