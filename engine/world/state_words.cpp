@@ -285,6 +285,31 @@ void walk_numbers(File& file, V& v) {
   for_each_number(v, [&](auto& number) { file.number(number); });
 }
 
+/// What bearings remember, one after the other.
+template <class File, class S>
+void walk_bearings(File& file, S& s) {
+  for (std::size_t i = 0, n = file.count(s.bearing); i < n; ++i) {
+    file.pair(s.bearing[i].status, s.bearing[i].failed_direction);
+    for (auto& d : s.bearing[i].direction)
+      for (auto* v : {&d.inner, &d.force, &d.damping, &d.travelled, &d.compression}) file.number(*v);
+    if constexpr (requires { s.bearing[i].turned; }) {
+      for (auto& v : s.bearing[i].turned) file.number(v);
+      for (auto& v : s.bearing[i].horizontal) file.number(v);
+    }
+  }
+}
+
+/// Plastic strains of the points of elements.
+template <class File, class S>
+void walk_plastic(File& file, S& s) {
+  for (std::size_t i = 0, n = file.count(s.plastic); i < n; ++i) {
+    auto& p = s.plastic[i];
+    for (auto* v : {&p.xx, &p.yy, &p.zz, &p.xy}) file.number(*v);
+    if constexpr (requires { p.yz; }) file.number(p.yz), file.number(p.zx);
+    file.number(p.measure);
+  }
+}
+
 /// Every field of a state, in order, for the writer and for the reader alike. `S`: State<D>, const or not.
 template <class File, class S>
 void walk(File& file, S& s) {
@@ -303,21 +328,7 @@ void walk(File& file, S& s) {
   for (std::size_t i = 0, n = file.open_count(s.parted, 2); i < n; ++i)
     file.key(s.parted[i].contact), file.number(s.parted[i].time);
   for (std::size_t i = 0, n = file.open_count(s.passed, 1); i < n; ++i) file.key(s.passed[i]);
-  for (std::size_t i = 0, n = file.count(s.bearing); i < n; ++i) {
-    file.pair(s.bearing[i].status, s.bearing[i].failed_direction);
-    for (auto& d : s.bearing[i].direction)
-      for (auto* v : {&d.inner, &d.force, &d.damping, &d.travelled, &d.compression}) file.number(*v);
-    if constexpr (requires { s.bearing[i].turned; }) {
-      for (auto& v : s.bearing[i].turned) file.number(v);
-      for (auto& v : s.bearing[i].horizontal) file.number(v);
-    }
-  }
-  for (std::size_t i = 0, n = file.count(s.plastic); i < n; ++i) {
-    auto& p = s.plastic[i];
-    for (auto* v : {&p.xx, &p.yy, &p.zz, &p.xy}) file.number(*v);
-    if constexpr (requires { p.yz; }) file.number(p.yz), file.number(p.zx);
-    file.number(p.measure);
-  }
+  walk_bearings(file, s), walk_plastic(file, s);
   for (std::size_t i = 0, n = file.count(s.beam_memory); i < n; ++i) file.number(s.beam_memory[i]);
   for (std::size_t i = 0, n = file.count(s.seat_lost); i < n; ++i) file.flag(s.seat_lost[i]);
   for (std::size_t i = 0, n = file.count(s.moved_at); i < n; ++i) file.number(s.moved_at[i]), file.flag(s.resting[i]);
