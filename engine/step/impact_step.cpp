@@ -145,7 +145,11 @@ double list_blows(const Model<D>& model, const State<D>& state, Work<D>& work, d
 /// The longest time up to `dt` [s] within which all blows that have begun by its end keep to the budget,
 /// sum power time^2 <= budget [J].
 double time_for(std::vector<Blow>& blows, double dt, double budget) {
-  std::stable_sort(blows.begin(), blows.end(), [](const Blow& a, const Blow& b) { return a.begins < b.begins; });
+  // Sorted in place, equal ones in their order: nearly all have begun and stay where they are, and std::stable_sort
+  // would ask for memory within a step.
+  const auto earlier = [](const Blow& a, const Blow& b) { return a.begins < b.begins; };
+  for (auto at = blows.begin(); at != blows.end(); ++at)
+    std::rotate(std::upper_bound(blows.begin(), at, *at, earlier), at, at + 1);
   double power = 0, time = dt;
   for (const Blow& blow : blows) {
     if (blow.begins >= time) return time;

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "energy_watch.hpp"
 #include "near.hpp"
 #include "physics/solids.hpp"
-#include "world/energy_check.hpp"
 #include "world/state_words.hpp"
 
 namespace trilith::testing {
@@ -163,14 +163,9 @@ TEST_CASE("mass scaling: the ledger of a shaken stack closes, in the stage and w
   std::array<Vec2, 2> top;
   for (const bool scaled : {false, true}) {
     Simulation<2> sim = shaken_stack();
-    EnergyCheck check;
-    double first = 0;
-    bool begun = false;
+    EnergyWatch watch;
     RunListener<2> listener;
-    listener.on_energy = [&](const Instant<2>&, const Energy& e) {
-      if (!begun) first = e.balance(), begun = true;
-      check.add(e, e.balance() - first);
-    };
+    watch.listen(listener);
     const StageReport report = sim.run(shaking_stage(scaled ? 3e-5 : 0), listener);
     top[scaled] = sim.state().position[sim.model().bodies[4].first_node];
     if (scaled) {
@@ -187,7 +182,7 @@ TEST_CASE("mass scaling: the ledger of a shaken stack closes, in the stage and w
     after.duration = 0.05;
     const StageReport later = sim.run(after, listener);
     if (scaled) CHECK(later.longest_dt < 2e-5);
-    residual[scaled] = check.share();
+    residual[scaled] = watch.check.share();
   }
   MESSAGE("residuals ", residual[0], " and ", residual[1], ", the top's places part by ", (top[1] - top[0]).norm());
   CHECK(residual[1] < 5e-3);

@@ -1,0 +1,24 @@
+// The ledger of a run against what it had at its first entry.
+#pragma once
+
+#include <optional>
+
+#include "run/simulation.hpp"
+#include "world/energy_check.hpp"
+
+namespace trilith::testing {
+
+/// Listens to a run; outlives it.
+struct EnergyWatch {
+  EnergyCheck check;
+  std::optional<double> first;  ///< balance of the first entry [J]
+
+  void listen(RunListener<2>& listener) {
+    listener.on_energy = [this](const Instant<2>&, const Energy& e) {
+      if (!first) first = e.balance();
+      check.add(e, e.balance() - *first);
+    };
+  }
+};
+
+}  // namespace trilith::testing
