@@ -59,7 +59,7 @@ class Losses {
   }
 
  private:
-  static constexpr Clock::duration most = std::chrono::milliseconds(2), shortest = std::chrono::milliseconds(20),
+  static constexpr Clock::duration most = std::chrono::milliseconds(16), shortest = std::chrono::milliseconds(20),
                                    longest = std::chrono::milliseconds(640);
   Clock::duration lost_{}, alone_for_ = shortest;
   Clock::time_point last_ = Clock::now(), alone_until_{};
@@ -211,37 +211,88 @@ int threads_here() {
   return std::clamp(tbb::info::default_concurrency(), 1, most_threads);
 }
 
-/// Threads take one stretch after the other as they come free: one that the machine holds up delays no more than the
-/// stretch it is at, where a fixed share for each would make all others wait.
+namespace {
+
+/// Stretches [first, last) that belong to one thread: it takes them from the front, and others that have come to the
+/// end of theirs from the back.
+class alignas(64) Share {
+ public:
+  void set(int first, int last) { ends_ = packed(first, last); }
+  /// The next one; -1 where none is left.
+  int take_front() {
+    return take([](std::uint32_t& first, std::uint32_t& /*last*/) { return first++; });
+  }
+  int take_back() {
+    return take([](std::uint32_t& /*first*/, std::uint32_t& last) { return --last; });
+  }
+
+ private:
+  std::atomic<std::uint64_t> ends_ = 0;
+
+  static std::uint64_t packed(std::uint64_t first, std::uint64_t last) { return first << 32 | last; }
+  template <class Take>
+  int take(Take&& one) {
+    for (std::uint64_t ends = ends_;;) {
+      auto first = static_cast<std::uint32_t>(ends >> 32), last = static_cast<std::uint32_t>(ends);
+      if (first >= last) return -1;
+      const std::uint32_t taken = one(first, last);
+      if (ends_.compare_exchange_weak(ends, packed(first, last))) return static_cast<int>(taken);
+    }
+  }
+};
+
+}  // namespace
+
+/// Each thread has a share of its own, the same in every step, so that what it works on stays in its own cache; one
+/// that comes to the end of it takes from the others, so that one that the machine holds up delays no more than the
+/// stretch it is at.
 void share_stretches(int threads, int count, int stretch, StretchCall call, void* f) {
-  const int stretches = (count + stretch - 1) / stretch;
-  std::atomic<int> next = 0;
+  const int stretches = (count + stretch - 1) / stretch, shares = std::min({threads, stretches, most_threads});
+  std::array<Share, most_threads> share;
+  const auto first_of = [&](int t) { return static_cast<int>(static_cast<std::int64_t>(stretches) * t / shares); };
+  for (int t = 0; t < shares; ++t) share[static_cast<std::size_t>(t)].set(first_of(t), first_of(t + 1));
   std::atomic<bool> failed = false;
-  together(std::min(threads, stretches), [&](int thread) {
+  together(shares, [&](int thread) {
     const Failing failing(failed);
-    for (int s = next++; s < stretches && !failed; s = next++)
-      call(f, s * stretch, std::min(count, (s + 1) * stretch), thread);
+    for (int k = 0; k < shares; ++k) {
+      Share& of = share[static_cast<std::size_t>((thread + k) % shares)];
+      const auto next = [&] { return failed ? -1 : k == 0 ? of.take_front() : of.take_back(); };
+      for (int s = next(); s >= 0; s = next()) call(f, s * stretch, std::min(count, (s + 1) * stretch), thread);
+    }
   });
 }
 
 namespace {
 
-/// Stretches under way. Their numbers run on, and slot s % slots holds what stretch s is at.
+/// Stretches under way. Their numbers run on, and slot s % slots holds what stretch s is at. Thread t of n works on
+/// stretches t, t + n, t + 2n ..., in every step the same, so that what they hold stays in its cache, and on those of
+/// others where its own next one has to wait.
 struct Line {
-  Line(int stretches, int slots) : stretches(stretches), slots(slots) {}
+  Line(int stretches, int slots, int threads) : stretches(stretches), slots(slots), threads(threads) {
+    for (int t = 0; t < threads; ++t) next[static_cast<std::size_t>(t)].of = t;
+  }
 
-  const int stretches, slots;
-  alignas(64) std::atomic<int> next = 0;                                     ///< to be worked on
+  struct alignas(64) Next {
+    std::atomic<int> of = 0;
+  };
+  const int stretches, slots, threads;
+  std::array<Next, most_threads> next;                                       ///< [thread] to be worked on
   alignas(64) std::atomic<int> taken = 0;                                    ///< taken up, all before it included
   std::atomic<bool> taking = false;                                          ///< some thread takes up
   std::array<std::atomic<int>, stretches_under_way(most_threads)> worked{};  ///< [slot] 1 + the stretch last done
 
-  /// A stretch whose slot is free; -1 where all slots are in use, `stretches` where there are no more.
-  int claim() {
-    int s = next;
-    while (s < stretches && s - taken < slots)
-      if (next.compare_exchange_weak(s, s + 1)) return s;
-    return s < stretches ? -1 : stretches;
+  /// A stretch whose slot is free, if possible of this thread; -1 where all slots are in use, `stretches` where there
+  /// are no more.
+  int claim(int thread) {
+    bool some_left = false;
+    for (int k = 0; k < threads; ++k) {
+      std::atomic<int>& of = next[static_cast<std::size_t>((thread + k) % threads)].of;
+      int s = of;
+      while (s < stretches && s - taken < slots)
+        if (of.compare_exchange_weak(s, s + threads)) return s;
+      some_left = some_left || s < stretches;
+    }
+    return some_left ? -1 : stretches;
   }
   [[nodiscard]] bool has_turn() const {
     const int turn = taken;
@@ -263,19 +314,20 @@ struct Line {
 
 }  // namespace
 
-/// Each thread takes the next stretch, works on it, and then takes up all that have come to their turn. One that
+/// Each thread takes its next stretch, works on it, and then takes up all that have come to their turn. One that
 /// waits for its turn stays in its slot; where all slots wait for one that is held up, the others wait too.
 void share_slots(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both) {
   const int stretches = (count + stretch - 1) / stretch;
-  Line line(stretches, stretches_under_way(std::min(threads, most_threads)));
+  const int workers = std::min({threads, stretches, most_threads});
+  Line line(stretches, stretches_under_way(std::min(threads, most_threads)), workers);
   std::atomic<bool> failed = false;
-  together(std::min(threads, stretches), [&](int thread) {
+  together(workers, [&](int thread) {
     const Failing failing(failed);
     const auto pass = [&](SlotCall to, int s) {
       to(both, s * stretch, std::min(count, (s + 1) * stretch), thread, s % line.slots);
     };
     Wait wait(thread == 0 ? &crew().losses() : nullptr);  // others wait where the one who asks works
-    for (int s = line.claim(); s < stretches && !failed; s = line.claim()) {
+    for (int s = line.claim(thread); s < stretches && !failed; s = line.claim(thread)) {
       if (s >= 0) {
         pass(call, s);
         line.worked[static_cast<std::size_t>(s % line.slots)] = s + 1;

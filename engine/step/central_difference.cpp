@@ -258,25 +258,23 @@ void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const 
           model, state, work, options, span, outside, 0, model.nodes(), [&] { return AddedWork{state}; },
           [&](int /*n*/, const NodeWork& w) { add(w, state.given); });
   std::vector<NodeWork>& done = work.node_work;
-  done.resize(static_cast<std::size_t>(stretches_under_way(work.threads) * stretch));
-  share_in_order(
-      work.threads, model.nodes(), stretch,
-      [&](int first, int last, int /*thread*/, int slot) {
-        NodeWork* const room = &done[static_cast<std::size_t>(slot * stretch)];
-        if constexpr (D == 2) {
-          advance_range(
-              model, state, work, options, span, outside, first, last,
-              [&] {
-                return KeptWork{room, first};
-              },
-              [&](int n, const NodeWork& w) { room[n - first] = w; });
-        } else {
-          advance_range(model, state, work, options, span, outside, first, last, room);
-        }
-      },
-      [&](int first, int last, int slot) {
-        for (int i = 0; i < last - first; ++i) add(done[static_cast<std::size_t>(slot * stretch + i)], state.given);
-      });
+  done.resize(static_cast<std::size_t>(model.nodes()));
+  share(work.threads, model.nodes(), stretch, [&](int first, int last, int /*thread*/) {
+    NodeWork* const room = &done[static_cast<std::size_t>(first)];
+    if constexpr (D == 2) {
+      advance_range(
+          model, state, work, options, span, outside, first, last,
+          [&] {
+            return KeptWork{room, first};
+          },
+          [&](int n, const NodeWork& w) { room[n - first] = w; });
+    } else {
+      advance_range(model, state, work, options, span, outside, first, last, room);
+    }
+  });
+  Energy given = state.given;  // in registers, as nothing else can write it
+  for (const NodeWork& one : done) add(one, given);
+  state.given = given;
 }
 
 /// Elastic energies that are found from the state [J].

@@ -44,7 +44,9 @@ class FaceCopies {
   [[nodiscard]] bool is_faces(std::size_t copy) const {
     return !answer_[copy / lane_count].is_general[copy % lane_count];
   }
-  [[nodiscard]] bool touches(std::size_t copy) const { return answer_[copy / lane_count].touches[copy % lane_count]; }
+  [[nodiscard]] bool touches(std::size_t copy) const {
+    return answer_[copy / lane_count].later[copy % lane_count] != 0;
+  }
   /// Its forces at the nodes: the force as it is, its moment by the arm.
   void take(std::size_t copy, const TermNodes& nodes, TermForces& out) const;
 
@@ -63,6 +65,7 @@ class FaceCopies {
   std::vector<std::uint8_t> line_;  // [copy] 1: its row is flat with its neighbours in line as it stands
   std::vector<int> list_;
   std::vector<FourFaces> answer_;
+  std::vector<FourForces> force_;
 };
 
 /// What a skin point goes by as an unknown is moved: along an axis, or round the node by the turn of its arm, of which
@@ -124,7 +127,7 @@ void FaceCopies::respond(const LawInUse& law) {
   std::iota(list_.begin(), list_.begin() + static_cast<std::ptrdiff_t>(count), 0);
   std::fill(list_.begin() + static_cast<std::ptrdiff_t>(count), list_.end(), static_cast<int>(count) - 1);
   after_.resize(count), law_after_.resize(law_before_.size());
-  answer_.resize(fours);
+  answer_.resize(fours), force_.resize(answer_.size());
   const FacePass pass{skin_.data(),
                       means_ ? mean_.data() : nullptr,
                       pairs_.data(),
@@ -137,17 +140,17 @@ void FaceCopies::respond(const LawInUse& law) {
                       work_,
                       {},
                       line_.data(),
-                      answer_.data()};
+                      {answer_.data(), force_.data()}};
   respond_face_rows(pass, law, std::span(list_).first(count));
 }
 
 void FaceCopies::take(std::size_t copy, const TermNodes& nodes, TermForces& out) const {
   out.assign(3 * nodes.size(), 0.0);
   if (!touches(copy)) return;
-  const FourFaces& four = answer_[copy / lane_count];
+  const FourForces& four = force_[copy / lane_count];
   for (std::size_t e = 0; e < ends; ++e) {
     const int s = source_[copy][e];
-    const Vec2& f = four.force[copy % lane_count][e];
+    const Vec2& f = four[copy % lane_count][e];
     double* const on = &out[3 * nodes.place_of(model_.skin_node[s])];
     on[0] += f.x(), on[1] += f.y();
     out[3 * nodes.place_of(model_.skin_turn[s]) + 2] += cross(arm_[ends * copy + e], f);
@@ -268,7 +271,8 @@ void add_faces(TermSum& sum, Work<2>& work, const ContactHistory& before) {
   for (const FaceBatch& batch : work.batches) {
     FaceTerms terms(sum, work, before, law_in_use(sum.model, batch.law, sum.options.dt));
     const std::vector<int>& facing = batch.choice.empty() ? batch.row : batch.now;
-    const std::size_t count = sort_out(face_line(sum.model), before, work, facing, work.face_rows, work.fresh_rows);
+    const std::size_t count =
+        sort_out(face_line(sum.model), before, work, facing, work.face_rows, work.fresh_rows).count;
     for (std::size_t i = 0; i < count; ++i)
       if (const int row = work.face_rows[i]; !is_general(work, row)) terms.add(row);
     terms.flush();

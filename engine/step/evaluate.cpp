@@ -1,12 +1,10 @@
 #include "step/evaluate.hpp"
 
-#include <algorithm>
-
 namespace trilith {
 
 /// The stages of a step in the plane, each writing the parts of Work that the next ones read:
 ///
-///     place    State          -> skin points and their velocities, how far anything has moved
+///     place    State          -> skin points and their velocities, how far anything has moved; no forces yet
 ///     find     skin points    -> near pairs, where something has left its box
 ///     respond  pairs          -> forces on skin points; bearings: forces on their ends
 ///     resist   nodes          -> forces of elements and beams on nodes
@@ -25,7 +23,6 @@ void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, doubl
   // Rows that are not worked on hold an empty memory, before and after: those that turned last are cleared here.
   for (const int row : work.changed_rows) work.contacts.clear(static_cast<std::size_t>(row));
   work.changed_rows.clear();
-  std::fill(work.skin_force.begin(), work.skin_force.end(), Vec2::Zero());
   clock.mark(StepPart::place);
   respond_faces(model, state, work, dt, times);
   clock.skip();

@@ -70,6 +70,7 @@ void find(const Model<2>& model, const State<2>& state, Work<2>& work) {
   match_contacts(model, state.contacts, work);
   copy_emptied(work.matched, work.contacts);
   work.changed_rows.clear();
+  work.row_shares.forget();
   work.general_now.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());
   work.changed_rows.reserve(work.pairs.size());

@@ -65,6 +65,15 @@ TRILITH_INLINE LaneMask has_bit(const LaneMask& word, std::int64_t bit) {
 constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
                        general_bit = std::int64_t{contact_general} << 32, kept_bit = std::int64_t{contact_kept} << 32;
 
+/// Where what four rows come to is kept; nowhere if it is added at once.
+struct KeptFour {
+  FourFaces* four = nullptr;
+  FourForces* force = nullptr;
+
+  [[nodiscard]] bool is_asked() const { return four != nullptr; }
+  void to_next() { ++four, ++force; }
+};
+
 /// Arrays of State and Work that the rows of a batch are read from and written to.
 struct FacePass {
   const SkinMotion<2>* skin;
@@ -79,7 +88,8 @@ struct FacePass {
   Work<2>& work;
   FaceLine line;                        // faces of meshes in line ...
   const std::uint8_t* known = nullptr;  // ... or, instead, for each row whether its faces are flat by that
-  FourFaces* kept = nullptr;  // where threads share the rows: forces, energies and lists are kept, to be added in order
+  KeptFour kept;  // where threads share the rows: forces, energies and lists are kept, to be added in order
+  const std::uint8_t* border = nullptr;  // ... forces on these sides of rows alone, see RowShares; nullptr: on all
 };
 
 /// Four rows of a list at once. Beyond its end the list holds its last row again, which is not `valid` there.
@@ -214,23 +224,30 @@ struct RowResponse {
   }
 };
 
-/// One row after the other: two of four may have a skin point in common.
+/// The sides of a row, as bits.
+constexpr std::uint8_t side_a = 1, side_b = 2, both_sides = side_a | side_b;
+
+/// One row after the other: two of four may have a skin point in common. `sides`: to which forces are added.
 TRILITH_INLINE void add_forces(const FacePass& pass, int row, const LanePair& a0, const LanePair& a1,
-                               const LanePair& b0, const LanePair& b1) {
+                               const LanePair& b0, const LanePair& b1, unsigned sides = both_sides) {
   const NearPair& p = pass.pairs[row];
   const auto add = [&](int skin, const LanePair& force) {
     double* on = pass.skin_force[skin].data();
     store_pair(on, load_pair(on) + force);
   };
-  add(p.a0, a0);
-  add(p.a1, a1);
-  add(p.b0, b0);
-  add(p.b1, b1);
+  if ((sides & side_a) != 0) {
+    add(p.a0, a0);
+    add(p.a1, a1);
+  }
+  if ((sides & side_b) != 0) {
+    add(p.b0, b0);
+    add(p.b1, b1);
+  }
 }
 
 /// Lane i of a response to the row it belongs to. `kept`: see FacePass.
 template <std::size_t pairs>
-TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<pairs>& r, int i, FourFaces* kept) {
+TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<pairs>& r, int i, const KeptFour& kept) {
   ContactMemory& after = pass.after[row];
   store_pair(after.shear_elastic, r.elastic.of(i));
   store_pair(after.shear_total, r.total.of(i));
@@ -242,14 +259,17 @@ TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<p
     double* own = pass.law_after + pass.law_row[row].first;
     for (std::size_t k = 0; k < pairs; ++k) store_pair(own + 2 * k, r.own[k].of(i));
   }
-  if (kept != nullptr) {
-    std::array<Vec2, 4>& force = kept->force[static_cast<std::size_t>(i)];
+  std::uint8_t later = 0;
+  if (kept.is_asked()) {
+    later = pass.border == nullptr ? both_sides : pass.border[row];
+    kept.four->later[static_cast<std::size_t>(i)] = later;
+  }
+  if (later != 0) {
+    std::array<Vec2, 4>& force = (*kept.force)[static_cast<std::size_t>(i)];
     store_pair(force[0].data(), r.a0.of(i)), store_pair(force[1].data(), r.a1.of(i));
     store_pair(force[2].data(), r.b0.of(i)), store_pair(force[3].data(), r.b1.of(i));
-    kept->touches[static_cast<std::size_t>(i)] = true;
-  } else {
-    add_forces(pass, row, r.a0.of(i), r.a1.of(i), r.b0.of(i), r.b1.of(i));
   }
+  if (later != both_sides) add_forces(pass, row, r.a0.of(i), r.a1.of(i), r.b0.of(i), r.b1.of(i), both_sides & ~later);
 }
 
 }  // namespace trilith

@@ -145,8 +145,8 @@ SortedRows sort_stretch(const FaceLine& line, const ContactHistory& before, cons
 
 /// Rows that touched, or keep something, go first and are always worked on; of the rest only what may touch now. Both
 /// in their order, whatever stretches threads take them by. What comes out is padded to be read by fours.
-std::size_t sort_out(const FaceLine& line, const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
-                     std::vector<int>& rows, std::vector<int>& fresh) {
+NearRows sort_out(const FaceLine& line, const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
+                  std::vector<int>& rows, std::vector<int>& fresh) {
   const std::size_t stretches = (facing.size() + sorted_stretch - 1) / sorted_stretch;
   constexpr std::size_t room = stretch_room;
   rows.resize(stretches * room), fresh.resize(stretches * room);
@@ -173,9 +173,10 @@ std::size_t sort_out(const FaceLine& line, const ContactHistory& before, Work<2>
   }
   count = stretches == 0 ? 0 : work.sorted_rows[0].touched;  // they are where they belong
   for (std::size_t s = 1; s < stretches; ++s) append(s, rows, work.sorted_rows[s].touched);
+  const std::size_t touched = count;
   for (std::size_t s = 0; s < stretches; ++s) append(s, fresh, work.sorted_rows[s].fresh);
   pad(rows, count);
-  return count;
+  return {count, touched};
 }
 
 }  // namespace trilith

@@ -116,8 +116,9 @@ void list_spheres(const Model<3>& model, std::vector<Sphere>& sphere) {
   for (const ConvexSolid& piece : pieces) sphere.push_back({Vec3::Zero(), piece.radius});
 }
 
-/// The largest squares of all that is placed, of its speeds and of those of bodies that are free to move.
-struct PlacedReach {
+/// The largest squares of all that is placed, of its speeds and of those of bodies that are free to move. One to each
+/// thread: none has part of another's in a line of its cache.
+struct alignas(64) PlacedReach {
   SkinReach all;
   double moving = 0;  ///< [m2/s2]
 
@@ -155,6 +156,8 @@ PlacedReach place_all(const Model<2>& model, const State<2>& state, Work<2>& wor
       place_shared(work, static_cast<int>(work.body.size()), body_stretch, [&](int b, PlacedReach& to) {
         const BodyRow& body = work.body[static_cast<std::size_t>(b)];
         const SkinReach of = place_body(model, state, body, work);
+        // By the thread that will add to them, mostly.
+        std::fill_n(work.skin_force.begin() + body.skin, body.skins, Vec2::Zero());
         to.add(of, of.speed2 > to.moving && moves(model, body));
       });
   work.skin_mean.clear();

@@ -15,6 +15,7 @@
 #include "step/face_rows.hpp"
 #include "step/four_rows.hpp"
 #include "step/near_faces.hpp"
+#include "step/share_rows.hpp"
 
 namespace trilith {
 namespace {
@@ -46,11 +47,11 @@ TRILITH_INLINE void keep_lanes(std::array<double, 4>& kept, const LaneMask& coun
 }
 
 template <class K, class R>
-TRILITH_INLINE void give_off(const LaneMask& counts, const R& r, GivenOff& given, FourFaces* kept) {
-  if (kept != nullptr) {
-    keep_lanes(kept->damping, counts, r.lost_damping);
-    keep_lanes(kept->friction, counts, r.lost_friction);
-    if constexpr (K::bonds) keep_lanes(kept->fracture, counts, r.lost_fracture);
+TRILITH_INLINE void give_off(const LaneMask& counts, const R& r, GivenOff& given, const KeptFour& kept) {
+  if (kept.is_asked()) {
+    keep_lanes(kept.four->damping, counts, r.lost_damping);
+    keep_lanes(kept.four->friction, counts, r.lost_friction);
+    if constexpr (K::bonds) keep_lanes(kept.four->fracture, counts, r.lost_fracture);
     return;
   }
   add_lanes(given.damping, counts, r.lost_damping);
@@ -60,7 +61,7 @@ TRILITH_INLINE void give_off(const LaneMask& counts, const R& r, GivenOff& given
 
 template <class K>
 TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourRows& rows,
-                                 const FaceMotion<Lanes>& motion, GivenOff& given, FourFaces* kept) {
+                                 const FaceMotion<Lanes>& motion, GivenOff& given, const KeptFour& kept) {
   using M = typename K::template Memory<Lanes>;
   const LaneMemory<M> memory = load_memory<M>(pass, rows);
   FaceResponse<Lanes, M> r = respond_face_motion<K>(motion, memory.face, memory.own, law);
@@ -70,9 +71,9 @@ TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourR
   // What may be an event or needs care, row by row: a contact made or lost, a bond or the mortar that changes.
   const LaneMask turns = (r.touching ^ memory.touching) | K::changes(memory.face, memory.own, r.memory, r.own);
   const RowResponse<law_numbers<K> / 2> out(r, K::template keeps<Lanes>(r.own));
-  if (kept != nullptr) {
-    kept->touches = kept->turns = kept->is_general = {};
-    for (int i = 0; i < lane_count; ++i) kept->row[static_cast<std::size_t>(i)] = rows.row[i];
+  if (kept.is_asked()) {
+    kept.four->later = {}, kept.four->turns = kept.four->is_general = {};
+    for (int i = 0; i < lane_count; ++i) kept.four->row[static_cast<std::size_t>(i)] = rows.row[i];
   }
   if (!any(flip(found & r.touching) | turns)) {  // as nearly always
     for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i, kept);
@@ -83,7 +84,7 @@ TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourR
     const int row = rows.row[i];
     // Too tilted or too deep for faces: it is found by overlap in this same evaluation.
     if (r.is_face_pair[i] == 0) {
-      kept != nullptr ? void(kept->is_general[static_cast<std::size_t>(i)] = true)
+      kept.is_asked() ? void(kept.four->is_general[static_cast<std::size_t>(i)] = true)
                       : pass.work.general_now.push_back(row);
       continue;
     }
@@ -92,22 +93,23 @@ TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourR
     else
       part_row<K>(pass, row);
     if (turns[i] == 0) continue;
-    kept != nullptr ? void(kept->turns[static_cast<std::size_t>(i)] = true) : pass.work.changed_rows.push_back(row);
+    kept.is_asked() ? void(kept.four->turns[static_cast<std::size_t>(i)] = true)
+                    : pass.work.changed_rows.push_back(row);
   }
 }
 
 /// Adds what four rows came to, as it would have been added at once.
 template <class K>
-void take_up(const FacePass& pass, const FourFaces& four, GivenOff& given) {
+void take_up(const FacePass& pass, const FourFaces& four, const FourForces& force, GivenOff& given) {
   for (std::size_t i = 0; i < four.row.size(); ++i) {
     given.damping += four.damping[i];
     given.friction += four.friction[i];
     if constexpr (K::bonds) given.fracture += four.fracture[i];
     const int row = four.row[i];
-    const std::array<Vec2, 4>& f = four.force[i];
-    if (four.touches[i])
+    const std::array<Vec2, 4>& f = force[i];
+    if (four.later[i] != 0)
       add_forces(pass, row, load_pair(f[0].data()), load_pair(f[1].data()), load_pair(f[2].data()),
-                 load_pair(f[3].data()));
+                 load_pair(f[3].data()), four.later[i]);
     if (four.turns[i]) pass.work.changed_rows.push_back(row);
     if (four.is_general[i]) pass.work.general_now.push_back(row);
   }
@@ -119,15 +121,17 @@ TRILITH_INLINE void respond_batch(const FacePass& pass, const K& kernel, std::sp
   // Copies of its own: nothing that the loops write can change them.
   const K law = kernel;
   GivenOff given = sums;
-  FourFaces* kept = pass.kept;
+  KeptFour kept = pass.kept;
   constexpr std::size_t block = 16;
   std::array<FaceMotion<Lanes>, block> motion;
   for (std::size_t from = 0; from < rows.size(); from += block * lane_count) {
     const std::size_t to = std::min(rows.size(), from + block * lane_count);
     const auto rows_at = [&](std::size_t i) { return FourRows(rows.data() + i, rows.size() - i); };
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) motion[k] = load_motion(pass, rows_at(i));
-    for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k)
-      respond_rows<K>(pass, law, rows_at(i), motion[k], given, kept == nullptr ? nullptr : kept++);
+    for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) {
+      respond_rows<K>(pass, law, rows_at(i), motion[k], given, kept);
+      if (kept.is_asked()) kept.to_next();
+    }
   }
   sums = given;
 }
@@ -163,36 +167,91 @@ void respond_as_here(const FacePass& pass, const K& law, std::span<const int> ro
   respond_narrow<K>(pass, law, rows, given);
 }
 
+void make_room(Work<2>& work, std::size_t fours) {
+  work.four_faces.resize(fours), work.four_forces.resize(fours);
+}
+KeptFour kept_at(Work<2>& work, std::size_t four) {
+  return {&work.four_faces[four], &work.four_forces[four]};
+}
+
+/// `touched` of the rows come first and then the rest, both in their order: what of either belongs to each share, in
+/// the order in which they are added.
+void list_runs(const RowShares& shares, std::span<const int> rows, std::size_t touched, std::vector<RowRun>& runs) {
+  runs.clear();
+  std::size_t four = 0;
+  for (const auto& part : {rows.first(touched), rows.subspan(touched)})
+    for (int t = 0; t < shares.threads; ++t) {
+      const auto end_of = [&](int share) {
+        const auto at = std::lower_bound(part.begin(), part.end(), shares.first[static_cast<std::size_t>(share)]);
+        return static_cast<std::size_t>(part.data() - rows.data() + (at - part.begin()));
+      };
+      runs.push_back({end_of(t), end_of(t + 1), four});
+      four += (runs.back().last - runs.back().first + lane_count - 1) / lane_count;
+    }
+}
+
+/// Each thread answers its share of the rows and adds forces where no other thread does; what else they come to is
+/// added in the order of rows.
+template <class K>
+void respond_shares(const FacePass& pass, const K& law, std::span<const int> rows, std::size_t touched,
+                    GivenOff& given) {
+  Work<2>& work = pass.work;
+  const RowShares& shares = work.row_shares;
+  list_runs(shares, rows, touched, work.row_runs);
+  const auto parts = static_cast<std::size_t>(shares.threads);
+  make_room(work, rows.size() / lane_count + 2 * parts);
+  share(work.threads, shares.threads, 1, [&](int first, int last, int /*thread*/) {
+    for (auto t = static_cast<std::size_t>(first); t < static_cast<std::size_t>(last); ++t)
+      for (const std::size_t r : {t, parts + t}) {
+        const RowRun& run = work.row_runs[r];
+        FacePass own = pass;
+        own.kept = kept_at(work, run.four), own.border = shares.border.data();
+        GivenOff none;
+        // One that ends within the list reads beyond its end what is not its own, and leaves it out.
+        respond_as_here<K>(own, law, rows.subspan(run.first, run.last - run.first), none);
+      }
+  });
+  for (const RowRun& run : work.row_runs)
+    for (std::size_t i = run.first, four = run.four; i < run.last; i += lane_count, ++four)
+      take_up<K>(pass, work.four_faces[four], work.four_forces[four], given);
+}
+
 /// Rows that threads take at a time: some five microseconds.
 constexpr int face_stretch = 128;
 
 /// Each stretch of rows as single rows would be answered; what they come to is added in the order of rows.
 template <class K>
-void respond_all(const FacePass& pass, const K& law, std::span<const int> rows) {
+void respond_stretches(const FacePass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
+  Work<2>& work = pass.work;
+  constexpr int fours = face_stretch / lane_count;
+  make_room(work, static_cast<std::size_t>(stretches_under_way(work.threads) * fours));
+  const auto part = [&](int first, int last) {
+    return rows.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
+  };
+  share_in_order(
+      work.threads, static_cast<int>(rows.size()), face_stretch,
+      [&](int first, int last, int /*thread*/, int slot) {
+        FacePass own = pass;
+        own.kept = kept_at(work, static_cast<std::size_t>(slot * fours));
+        GivenOff none;
+        respond_as_here<K>(own, law, part(first, last), none);
+      },
+      [&](int first, int last, int slot) {
+        auto four = static_cast<std::size_t>(slot * fours);
+        for (int i = first; i < last; i += lane_count, ++four)
+          take_up<K>(pass, work.four_faces[four], work.four_forces[four], given);
+      });
+}
+
+/// The rows of a law, of which `touched` come first: by this thread, or by several with the same bits.
+template <class K>
+void respond_all(const FacePass& pass, const K& law, std::span<const int> rows, std::size_t touched, bool are_shared) {
   Work<2>& work = pass.work;
   GivenOff given;
-  if (work.threads <= 1 || rows.size() <= face_stretch) {
+  if (work.threads <= 1 || rows.size() <= face_stretch)
     respond_as_here<K>(pass, law, rows, given);
-  } else {
-    constexpr int fours = face_stretch / lane_count;
-    work.four_faces.resize(static_cast<std::size_t>(stretches_under_way(work.threads) * fours));
-    const auto part = [&](int first, int last) {
-      // One that ends within the list reads beyond its end what is not its own, and leaves it out.
-      return rows.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
-    };
-    share_in_order(
-        work.threads, static_cast<int>(rows.size()), face_stretch,
-        [&](int first, int last, int /*thread*/, int slot) {
-          FacePass own = pass;
-          own.kept = &work.four_faces[static_cast<std::size_t>(slot * fours)];
-          GivenOff none;
-          respond_as_here<K>(own, law, part(first, last), none);
-        },
-        [&](int first, int last, int slot) {
-          const FourFaces* four = &work.four_faces[static_cast<std::size_t>(slot * fours)];
-          for (int i = first; i < last; i += lane_count) take_up<K>(pass, *four++, given);
-        });
-  }
+  else
+    are_shared ? respond_shares<K>(pass, law, rows, touched, given) : respond_stretches<K>(pass, law, rows, given);
   work.given[EnergyTerm::contact_damping] += given.damping;
   work.given[EnergyTerm::contact_friction] += given.friction;
   work.given[EnergyTerm::contact_fracture] += given.fracture;
@@ -245,11 +304,12 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
   StepClock clock(times);
   const ContactHistory& before = contacts_before(state, work);
   work.general_now.clear();
+  const bool are_shared = share_rows(model, work);
   for (FaceBatch& batch : work.batches) {
-    const std::size_t count = sort_out(face_line(model), before, work, facing_now(model, state, before, work, batch),
-                                       work.face_rows, work.fresh_rows);
-    if (count == 0) continue;
-    const std::span<const int> rows(work.face_rows.data(), count);
+    const NearRows near = sort_out(face_line(model), before, work, facing_now(model, state, before, work, batch),
+                                   work.face_rows, work.fresh_rows);
+    if (near.count == 0) continue;
+    const std::span<const int> rows(work.face_rows.data(), near.count);
     const FacePass pass{work.skin.data(),
                         work.skin_mean.empty() ? nullptr : work.skin_mean.data(),
                         work.pairs.data(),
@@ -261,7 +321,8 @@ void respond_faces(const Model<2>& model, const State<2>& state, Work<2>& work, 
                         work.skin_force.data(),
                         work,
                         face_line(model)};
-    with_kernel(law_in_use(model, batch.law, dt), [&]<class K>(const K& law) { respond_all<K>(pass, law, rows); });
+    with_kernel(law_in_use(model, batch.law, dt),
+                [&]<class K>(const K& law) { respond_all<K>(pass, law, rows, near.touched, are_shared); });
     clock.mark_law(batch.law);
   }
 }

@@ -107,8 +107,8 @@ double squared_size(const LanePair& v) {
   return squares[0] + squares[1];
 }
 
-/// The largest forces carried and left over, squared.
-struct LargestForces {
+/// The largest forces carried and left over, squared; one to each thread, each in a line of its own of the cache.
+struct alignas(64) LargestForces {
   double unbalanced = 0, carried = 0;  ///< [N2]
 };
 

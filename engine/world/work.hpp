@@ -17,6 +17,7 @@
 #include "world/event.hpp"
 #include "world/model.hpp"
 #include "world/piece_search.hpp"
+#include "world/row_shares.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
@@ -104,13 +105,16 @@ struct OverlapAnswer {
   Vec2 *on_a = nullptr, *on_b = nullptr;  ///< [corner] forces, in Work::answer_force [N]
 };
 
-/// What the contacts of faces of four rows came to, where threads take them, before it is added to anything.
-struct FourFaces {
+/// What the contacts of faces of four rows came to beside forces, where threads take them, before it is added to
+/// anything: as much as two lines of a cache hold.
+struct alignas(64) FourFaces {
   std::array<int, 4> row;
-  std::array<bool, 4> touches, turns, is_general;     ///< forces are those of rows that touch; see Work::changed_rows
-  std::array<std::array<Vec2, 4>, 4> force;           ///< [row] on a0, a1, b0, b1 [N]
+  std::array<std::uint8_t, 4> later;      ///< sides that forces are still to be added to, see step/four_rows.hpp
+  std::array<bool, 4> turns, is_general;  ///< see Work::changed_rows
   std::array<double, 4> damping, friction, fracture;  ///< given off [J]
 };
+/// Forces of four rows on a0, a1, b0, b1 that are added later [N].
+using FourForces = std::array<std::array<Vec2, 4>, 4>;
 
 /// Facing rows of a stretch that go on to the kernel: those that touched, and of the others those that may now; and
 /// those that do not, as they are of general shape and were so at the last step.
@@ -217,7 +221,10 @@ struct Work {
   std::vector<BearingMemory<D>> bearing;   ///< [bearing] trial
   std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
   std::vector<SortedRows> sorted_rows;     ///< room, by stretch
-  std::vector<FourFaces> four_faces;       ///< room for what threads take
+  std::vector<FourFaces> four_faces;       ///< room for what threads take ...
+  std::vector<FourForces> four_forces;     ///< ... and their forces
+  RowShares row_shares;                    ///< of the rows of faces, between them
+  std::vector<RowRun> row_runs;            ///< of a batch, room
   std::vector<int> general_now;            ///< rows that were to be faces and are of general shape now
   std::vector<Vec2> answer_force;          ///< room of `answer` N
   std::vector<std::uint8_t> is_general;    ///< [contact] room: 1: one of those or of `general`
