@@ -242,6 +242,23 @@ void advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, 
   }
 }
 
+/// Adds what nodes came to, with the bits of one after the other: sums in registers take half the time of sums in
+/// memory.
+void add_all(const std::vector<NodeWork>& all, Energy& given) {
+  double gravity = given[EnergyTerm::gravity], load = given[EnergyTerm::load], support = given[EnergyTerm::support],
+         element_damping = given[EnergyTerm::element_damping], rest = given[EnergyTerm::rest_damping],
+         mass = given[EnergyTerm::mass_damping];
+  for (const NodeWork& w : all) {
+    gravity -= w.weight, load += w.load, support -= w.support;
+    element_damping -= w.element_damping;
+    if (w.turn_damping != 0) element_damping -= w.turn_damping;
+    rest -= w.rest, mass -= w.mass;
+  }
+  given[EnergyTerm::gravity] = gravity, given[EnergyTerm::load] = load, given[EnergyTerm::support] = support;
+  given[EnergyTerm::element_damping] = element_damping;
+  given[EnergyTerm::rest_damping] = rest, given[EnergyTerm::mass_damping] = mass;
+}
+
 /// Nodes that threads take at a time: some ten microseconds.
 template <int D>
 constexpr int node_stretch = D == 2 ? 128 : 64;
@@ -272,9 +289,7 @@ void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const 
       advance_range(model, state, work, options, span, outside, first, last, room);
     }
   });
-  Energy given = state.given;  // in registers, as nothing else can write it
-  for (const NodeWork& one : done) add(one, given);
-  state.given = given;
+  add_all(done, state.given);
 }
 
 /// Elastic energies that are found from the state [J].

@@ -88,7 +88,7 @@ struct FacePass {
   Work<2>& work;
   FaceLine line;                        // faces of meshes in line ...
   const std::uint8_t* known = nullptr;  // ... or, instead, for each row whether its faces are flat by that
-  KeptFour kept;  // where threads share the rows: forces, energies and lists are kept, to be added in order
+  KeptFour kept = {};  // where threads share the rows: forces, energies and lists are kept, to be added in order
   const std::uint8_t* border = nullptr;  // ... forces on these sides of rows alone, see RowShares; nullptr: on all
 };
 

@@ -100,7 +100,7 @@ TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourR
 
 /// Adds what four rows came to, as it would have been added at once.
 template <class K>
-void take_up(const FacePass& pass, const FourFaces& four, const FourForces& force, GivenOff& given) {
+TRILITH_INLINE void take_up(const FacePass& pass, const FourFaces& four, const FourForces& force, GivenOff& given) {
   for (std::size_t i = 0; i < four.row.size(); ++i) {
     given.damping += four.damping[i];
     given.friction += four.friction[i];
@@ -211,9 +211,11 @@ void respond_shares(const FacePass& pass, const K& law, std::span<const int> row
         respond_as_here<K>(own, law, rows.subspan(run.first, run.last - run.first), none);
       }
   });
+  GivenOff sums = given;  // kept in registers: no force that is written can change it
   for (const RowRun& run : work.row_runs)
     for (std::size_t i = run.first, four = run.four; i < run.last; i += lane_count, ++four)
-      take_up<K>(pass, work.four_faces[four], work.four_forces[four], given);
+      take_up<K>(pass, work.four_faces[four], work.four_forces[four], sums);
+  given = sums;
 }
 
 /// Rows that threads take at a time: some five microseconds.
