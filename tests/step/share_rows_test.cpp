@@ -32,7 +32,7 @@ TEST_CASE("every row belongs to one share, and a side is at a border where its b
   const Model<2> model = wall();
   for (const int threads : {2, 3, 5}) {
     CAPTURE(threads);
-    State<2> state = start(model);
+    State<2> state = initial_state(model);
     Work<2> work;
     work.threads = threads;
     for (int i = 0; i < 20; ++i) evaluate(model, state, work, 1e-4);
@@ -61,7 +61,7 @@ TEST_CASE("every row belongs to one share, and a side is at a border where its b
 
 TEST_CASE("rows have no shares where one thread works, nor before their pairs have stood for a while") {
   const Model<2> model = wall();
-  const State<2> state = start(model);
+  const State<2> state = initial_state(model);
   Work<2> alone, found;
   found.threads = 2;
   for (int i = 0; i < 20; ++i) evaluate(model, state, alone, 1e-4);
