@@ -328,17 +328,22 @@ void SolidPass::respond_faces(std::span<const int> rows, int first, SolidOverlap
   }
 }
 
-/// Rows one by one, and those of faces that lie flat four at a time, those of few corners and those of many apart.
+/// Rows one by one, and those of faces that lie flat four at a time, those of few corners and those of many apart. How
+/// many corners they have is asked of all in a row: solids that are far in memory are waited for together.
 void SolidPass::respond(int first, int last, SolidOverlapBuffer& room, SolidAnswer* answers) const {
-  std::array<std::array<int, solid_row_stretch>, 2> rows;
-  std::array<std::size_t, 2> count{};
+  std::array<int, solid_row_stretch> flat;
+  std::size_t flat_rows = 0;
   for (int row = first; row < last; ++row) {
     SolidAnswer& answer = answers[row - first];
     answer.row = -1;
     if (respond_alone(row, room, answer)) finish(answer);
-    if (answer.row != faces_to_come) continue;
-    const std::size_t kind = corners_of(work, row) > 4 ? 1 : 0;
-    rows[kind][count[kind]++] = row;
+    if (answer.row == faces_to_come) flat[flat_rows++] = row;
+  }
+  std::array<std::array<int, solid_row_stretch>, 2> rows;
+  std::array<std::size_t, 2> count{};
+  for (std::size_t i = 0; i < flat_rows; ++i) {
+    const std::size_t kind = corners_of(work, flat[i]) > 4 ? 1 : 0;
+    rows[kind][count[kind]++] = flat[i];
   }
   for (std::size_t kind = 0; kind < 2; ++kind)
     for (std::size_t i = 0; i < count[kind]; i += lane_count)
