@@ -10,6 +10,7 @@
 #include <limits>
 #include <span>
 
+#include "base/lanes.hpp"
 #include "shape/depth_table.hpp"
 
 namespace trilith {
@@ -109,7 +110,7 @@ class CellCutter {
   /// below the first of them are kept.
   bool list_cutters(std::size_t f) {
     cutters_ = 0;
-    for (std::size_t i = 0; i < rim_.count; ++i) own_[i] = std::max(0.0, row_[i][column_[f]]);
+    for (std::size_t i = 0; i < rim_.count; ++i) own_[i] = larger(row_[i][column_[f]], 0.0);
     for (std::size_t g = 0; g < faces_; ++g) {
       if (g == f) continue;
       RimHeights& height = height_[cutters_ == 0 ? 0 : 1];
