@@ -32,7 +32,7 @@ struct FlatMemory {
   Lanes slip;
 };
 
-struct FlatContacts {
+struct alignas(32) FlatContacts {
   FacesInLanes faces;
   LaneMask b_is_larger;  ///< see near_faces of contact/solid_faces.hpp
   Lanes near;            ///< likewise [m]
@@ -42,7 +42,7 @@ struct FlatContacts {
   double dt = 0;
 };
 
-struct FlatResponses {
+struct alignas(32) FlatResponses {
   LaneMask flat;                            ///< one pair of faces that touch, within the limits of faces that lie flat
   LaneMask rough;                           ///< rounding keeps the kernel from an answer: the one by one form has it
   LaneMask presses;                         ///< there is an area in contact

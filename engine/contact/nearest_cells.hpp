@@ -10,6 +10,7 @@
 #include <limits>
 #include <span>
 
+#include "base/lanes.hpp"
 #include "shape/depth_table.hpp"
 
 namespace trilith {
@@ -64,6 +65,8 @@ struct Rim {
 
 /// What of a rim is nearest to one of the faces of the owner. `noise` is well above what rounding does to a depth [m]:
 /// of most other faces the corners tell that they cut nothing away, or all of it.
+///
+/// Depths below two faces are compared, and the first cut is taken from what that gave, before any point is copied.
 class CellCutter {
  public:
   CellCutter(const DepthTable& owner, std::span<const Vec3> arms, const Rim& rim, double noise)
@@ -76,62 +79,77 @@ class CellCutter {
 
   /// The cell of one of these faces; null where there is none.
   const PressedPolygon* cell(std::size_t f) {
-    cell_ = &polygon_[0], spare_ = &polygon_[1];
-    cell_->count = 0;
-    for (std::size_t i = 0; i < rim_.count; ++i)
-      cell_->add({arms_[static_cast<std::size_t>(rim_.point[i])], std::max(0.0, row_[i][column_[f]]), rim_.closing[i]});
     if (!list_cutters(f)) return nullptr;
-    for (std::size_t c = 0; c < cutters_ && cell_->count > 2; ++c) cut_by(cutter_[c], c == 0);
+    cell_ = &polygon_[0], spare_ = &polygon_[1];
+    begin_cell();
+    for (std::size_t c = 1; c < cutters_ && cell_->count > 2; ++c) cut_by(cutter_[c]);
     return cell_->count > 2 ? cell_ : nullptr;
   }
 
  private:
-  struct Range {
-    double low, high;
-  };
-  template <class Value>
-  [[nodiscard]] Range range_of(Value&& value) const {
-    Range range{value(0), value(0)};
-    for (std::size_t i = 1; i < rim_.count; ++i) {
-      const double at = value(i);
-      range.low = std::min(range.low, at), range.high = std::max(range.high, at);
-    }
-    return range;
-  }
+  static constexpr std::size_t most = 256;           // faces of the owner
+  using RimHeights = std::array<double, Rim::most>;  ///< of a function at the points of the rim
 
   /// A face that all of the rim is deeper below than below some other is nearest nowhere.
   void list_near_faces() {
-    std::array<double, most> low, high;
+    std::array<double, most> low;
     const auto columns = static_cast<std::size_t>(std::min(owner_.columns(), static_cast<int>(most)));
-    constexpr double far = std::numeric_limits<double>::infinity();
-    std::fill_n(low.begin(), columns, far), std::fill_n(high.begin(), columns, -far);
-    for (std::size_t i = 0; i < rim_.count; ++i)
-      for (std::size_t k = 0; k < columns; ++k)
-        low[k] = std::min(low[k], row_[i][k]), high[k] = std::max(high[k], row_[i][k]);
-    const double reach = std::max(0.0, *std::min_element(high.begin(), high.begin() + static_cast<int>(columns)));
+    double reach = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < columns; ++k) {
+      double least = row_[0][k], most_of_all = least;
+      for (std::size_t i = 1; i < rim_.count; ++i)
+        least = std::min(least, row_[i][k]), most_of_all = std::max(most_of_all, row_[i][k]);
+      low[k] = least, reach = std::min(reach, most_of_all);
+    }
+    reach = std::max(0.0, reach);
     for (std::size_t k = 0; k < columns; ++k)
       if (low[k] <= reach && !owner_.has_first_like(static_cast<int>(k))) column_[faces_++] = static_cast<int>(k);
   }
 
-  /// Those that may cut something away; false where one takes all.
+  /// Those that may cut something away; false where one takes all. The heights above face f's own depth of the depths
+  /// below the first of them are kept.
   bool list_cutters(std::size_t f) {
     cutters_ = 0;
+    for (std::size_t i = 0; i < rim_.count; ++i) own_[i] = larger(row_[i][column_[f]], 0.0);
     for (std::size_t g = 0; g < faces_; ++g) {
       if (g == f) continue;
-      const Range height = range_of([&](std::size_t i) { return row_[i][column_[g]] - cell_->corner[i].depth; });
-      if (height.high < -noise_) return false;
-      if (height.low <= noise_) cutter_[cutters_++] = column_[g];
+      RimHeights& height = height_[cutters_ == 0 ? 0 : 1];
+      bool some_above = false, some_low = false;
+      for (std::size_t i = 0; i < rim_.count; ++i) {
+        const double at = row_[i][column_[g]] - own_[i];
+        height[i] = at, some_above |= at >= -noise_, some_low |= at <= noise_;
+      }
+      if (!some_above) return false;
+      if (some_low) cutter_[cutters_++] = column_[g];
     }
     return true;
   }
 
-  /// Depths of the corners of a whole rim are those of its rows.
-  void cut_by(int column, bool whole) {
+  [[nodiscard]] PressedPoint point(std::size_t i) const {
+    return {arms_[static_cast<std::size_t>(rim_.point[i])], own_[i], rim_.closing[i]};
+  }
+
+  /// The rim, cut by the first of the cutters if there is one.
+  void begin_cell() {
+    cell_->count = 0;
+    for (std::size_t i = 0; i < rim_.count; ++i) {
+      if (cutters_ == 0) {
+        cell_->add(point(i));
+        continue;
+      }
+      const std::size_t next = i + 1 == rim_.count ? 0 : i + 1;
+      const double hp = height_[0][i], hq = height_[0][next];
+      if (hp >= 0) cell_->add(point(i));
+      if ((hp > 0 && hq < 0) || (hp < 0 && hq > 0)) cell_->add(between(point(i), point(next), hp / (hp - hq)));
+    }
+  }
+
+  void cut_by(int column) {
     CornerHeights height;
     bool all = true;
     for (std::size_t i = 0; i < cell_->count; ++i) {
       const PressedPoint& p = cell_->corner[i];
-      height[i] = (whole ? row_[i][column] : owner_.below(column, p.arm)) - p.depth;
+      height[i] = owner_.below(column, p.arm) - p.depth;
       all = all && height[i] >= 0;
     }
     if (all) return;
@@ -139,12 +157,13 @@ class CellCutter {
     std::swap(cell_, spare_);
   }
 
-  static constexpr std::size_t most = 256;  // faces of the owner
   const DepthTable& owner_;
   std::span<const Vec3> arms_;
   const Rim& rim_;
   double noise_;
-  std::array<const double*, Rim::most> row_;
+  std::array<const double*, Rim::most> row_;  // depths below all faces
+  RimHeights own_;                            // depths below the face asked for
+  std::array<RimHeights, 2> height_;          // above them, of depths below the first cutter and another face
   std::array<int, most> column_, cutter_;
   std::size_t faces_ = 0, cutters_ = 0;
   std::array<PressedPolygon, 2> polygon_;

@@ -31,6 +31,24 @@ double opposed(const PlacedSolid& a, int f, const PlacedSolid& b, int g) {
   return a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]);
 }
 
+/// Two faces, and by how much the product of their normals is beyond that of faces that may lie flat.
+struct PairOfFaces {
+  int f = 0, g = 0;
+  double beyond = unbounded;
+};
+
+/// Of those that are beyond it the one that is so by the least.
+PairOfFaces least_to_turn(const PlacedSolid& a, const PlacedSolid& b) {
+  PairOfFaces least;
+  for (int f = 0; f < a.solid->shape.faces.count(); ++f)
+    for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
+      const double beyond = opposed(a, f, b, g) - opposed_enough;
+      const bool is_less = (beyond > 0) & (beyond < least.beyond);
+      least = {is_less ? f : least.f, is_less ? g : least.g, is_less ? beyond : least.beyond};
+    }
+  return least;
+}
+
 /// Whether two faces may lie flat on each other: see near_faces.
 bool may_touch_flatly(const PlacedSolid& a, int f, const PlacedSolid& b, int g) {
   return opposed(a, f, b, g) <= opposed_enough && fits_faces(a, f) && fits_faces(b, g) &&
@@ -154,18 +172,25 @@ FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) 
   FacePair found{FacePair::none, FacePair::none, unbounded};
   const double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
   double enough = unbounded;  // of turning: another pair may be one before
+  const auto may_become_one = [&](double beyond, const PlaneDistance& distance) {
+    const double by_turn = beyond / turns, by_way = (distance.depth - near) / (2 + distance.corner * turns);
+    found.until = std::min(found.until, std::max(by_turn, by_way)), enough = found.until * turns;
+  };
+  // The pair that has the least far to turn comes first: of most others it then is known that they come later.
+  const PairOfFaces nearest = least_to_turn(a, b);
+  if (nearest.beyond < unbounded && fits_faces(a, nearest.f) && fits_faces(b, nearest.g))
+    may_become_one(nearest.beyond, PlaneDistance(a, nearest.f, b, nearest.g));
   for (int f = 0; f < a.solid->shape.faces.count(); ++f)
     for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
       const double beyond = opposed(a, f, b, g) - opposed_enough;
       if ((beyond > 0 && beyond >= enough) || !fits_faces(a, f) || !fits_faces(b, g)) continue;
       const PlaneDistance distance(a, f, b, g);
-      if (beyond <= 0 && distance.depth <= near) {
-        if (found.a >= 0) return {};
-        found.a = f, found.b = g;
+      if (beyond > 0 || distance.depth > near) {
+        may_become_one(beyond, distance);
         continue;
       }
-      const double by_turn = beyond / turns, by_way = (distance.depth - near) / (2 + distance.corner * turns);
-      found.until = std::min(found.until, std::max(by_turn, by_way)), enough = found.until * turns;
+      if (found.a >= 0) return {};
+      found.a = f, found.b = g;
     }
   found.until = travel + (1 - 1e-6) * found.until;
   return found;

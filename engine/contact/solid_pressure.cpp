@@ -174,7 +174,7 @@ void press_rim(const PressedSolid& solid, const DepthTable& owner, const Rim& ri
   if (std::all_of(rim.point.begin(), end, [&](int p) { return owner.nearest(p) == nearest; })) {
     PressedPolygon cell;
     for (std::size_t i = 0; i < rim.count; ++i)
-      cell.add({solid.arm(rim.point[i]), std::max(0.0, owner.row(rim.point[i])[nearest]), rim.closing[i]});
+      cell.add({solid.arm(rim.point[i]), larger(owner.row(rim.point[i])[nearest], 0.0), rim.closing[i]});
     return face.add_cell(cell);
   }
   CellCutter cutter(owner, solid.shared.arm, rim, solid.noise);

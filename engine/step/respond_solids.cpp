@@ -9,6 +9,7 @@
 #include "contact/sphere_contact.hpp"
 #include "detect/bearing_rules.hpp"
 #include "step/evaluate.hpp"
+#include "step/flat_rows.hpp"
 #include "step/solid_joints.hpp"
 
 namespace trilith {
@@ -55,6 +56,11 @@ void add_to_bodies(const Model<3>& model, const NearPair& pair, const SolidAnswe
   add_to_carrier(model.carrier_of(pair.piece_b, r.face_b), r.force, answer.moment_b, work.solids);
 }
 
+/// Each of two that are apart may come nearer by the path of the fastest point.
+void let_sleep(Work<3>& work, std::size_t row) {
+  work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * work.solids.separation[row].distance;
+}
+
 /// Adds what a contact gives to forces, ledger and lists.
 void take_up(const Model<3>& model, Work<3>& work, const SolidAnswer& answer) {
   const auto r = static_cast<std::size_t>(answer.row);
@@ -63,11 +69,7 @@ void take_up(const Model<3>& model, Work<3>& work, const SolidAnswer& answer) {
   work.given[EnergyTerm::contact_damping] += response.lost_damping;
   work.given[EnergyTerm::contact_friction] += response.lost_friction;
   work.given[EnergyTerm::contact_fracture] += response.lost_fracture;
-  if (!response.touching) {
-    // Each of the two may come nearer by the path of the fastest point.
-    work.asleep_until[r] = work.travel + 0.5 * (1 - 1e-9) * work.solids.separation[r].distance;
-    return;
-  }
+  if (!response.touching) return let_sleep(work, r);
   add_to_bodies(model, work.pairs[r], answer, work);
   work.general_touching.push_back({answer.row, response.area, response.depth, response.centre, response.normal_force});
   const JointMemory* joint = work.contacts.joint_at(r);
@@ -85,44 +87,6 @@ int corners_of(const Work<3>& work, int row) {
     return static_cast<int>(work.solids.placed[piece].solid->shape.faces[face].size());
   };
   return std::max(corners(near.piece_a, pair.a), corners(near.piece_b, pair.b));
-}
-
-/// A face of each of four solids into lanes; corners beyond a face's own repeat its last.
-struct FourFacesOfSolids {
-  std::array<const PlacedSolid*, lane_count> solid;
-  std::array<std::span<const int>, lane_count> loop;
-  std::array<int, lane_count> face;
-
-  int load(std::array<Triple<Lanes>, max_face_corners>& corners, Triple<Lanes>& normal) const {
-    std::size_t most = 0;
-    for (const auto& l : loop) most = std::max(most, l.size());
-    const auto corner = [&](std::size_t lane, std::size_t k) -> const Vec3& {
-      const std::span<const int> l = loop[lane];
-      return solid[lane]->corners[static_cast<std::size_t>(l[k < l.size() ? k : l.size() - 1])];
-    };
-    const auto normal_of = [&](std::size_t lane) -> const Vec3& {
-      return solid[lane]->normals[static_cast<std::size_t>(face[lane])];
-    };
-    for (std::size_t k = 0; k < most; ++k) corners[k] = four_of(corner(0, k), corner(1, k), corner(2, k), corner(3, k));
-    normal = four_of(normal_of(0), normal_of(1), normal_of(2), normal_of(3));
-    return static_cast<int>(most);
-  }
-};
-
-MovingInLanes four_nodes(const State<3>& state, const std::array<int, lane_count>& n) {
-  const auto four = [&](const std::vector<Vec3>& v) { return four_of(v[n[0]], v[n[1]], v[n[2]], v[n[3]]); };
-  return {four(state.position), four(state.velocity), four(state.spin)};
-}
-
-void load_memory(const std::array<const SolidMemory*, lane_count>& m, FlatMemory& out) {
-  const auto four = [&](const auto& of) { return four_of(of(*m[0]), of(*m[1]), of(*m[2]), of(*m[3])); };
-  out.shear.elastic = four([](const SolidMemory& s) -> const Vec3& { return s.shear.elastic; });
-  out.shear.total = four([](const SolidMemory& s) -> const Vec3& { return s.shear.total; });
-  out.normal = four([](const SolidMemory& s) -> const Vec3& { return s.normal; });
-  out.damping = four([](const SolidMemory& s) -> const Vec3& { return s.damping; });
-  out.damping_moment = four([](const SolidMemory& s) -> const Vec3& { return s.damping_moment; });
-  out.shear.area = Lanes{m[0]->shear.area, m[1]->shear.area, m[2]->shear.area, m[3]->shear.area};
-  out.slip = Lanes{m[0]->slip, m[1]->slip, m[2]->slip, m[3]->slip};
 }
 
 /// All that the kernel of flat faces asks of four rows.
@@ -155,30 +119,6 @@ void load_memory(const std::array<const SolidMemory*, lane_count>& m, FlatMemory
   load_memory(memory, in.before);
 }
 
-/// What a lane came to.
-void store_flat(const FlatResponses& out, int lane, SolidAnswer& answer, SolidMemory& memory) {
-  SolidResponse& r = answer.response;
-  answer.joint_changed = false;
-  r.touching = out.presses[lane] != 0;
-  r.face_a = r.face_b = -1;
-  r.lost_damping = out.lost_damping[lane], r.lost_friction = out.lost_friction[lane], r.lost_fracture = 0;
-  if (!r.touching) {
-    memory = {};
-    return;
-  }
-  answer.moment_a = lane_of(out.moment_a, lane), answer.moment_b = lane_of(out.moment_b, lane);
-  r.force = lane_of(out.force, lane), r.normal_force = lane_of(out.normal_force, lane);
-  r.centre = lane_of(out.centre, lane), r.middle = lane_of(out.middle, lane), r.normal = lane_of(out.normal, lane);
-  r.area = out.area[lane], r.depth = out.depth[lane];
-  r.radius = out.radius[lane], r.friction_arm = out.friction_arm[lane];
-  r.arm = {lane_of(out.arm[0], lane), lane_of(out.arm[1], lane)};
-  const FlatMemory& m = out.memory;
-  memory.shear = {lane_of(m.shear.elastic, lane), lane_of(m.shear.total, lane), m.shear.area[lane]};
-  memory.normal = lane_of(m.normal, lane), memory.damping = lane_of(m.damping, lane);
-  memory.damping_moment = lane_of(m.damping_moment, lane);
-  memory.slip = m.slip[lane], memory.state = contact_touching | contact_general;
-}
-
 /// What the rows of one evaluation are found from. Each writes what is its own row's alone, and `room`.
 struct SolidPass {
   const Model<3>& model;
@@ -193,6 +133,7 @@ struct SolidPass {
   bool respond_alone(int row, SolidOverlapBuffer& room, SolidAnswer& answer) const;
   void respond_shapes(int row, bool may_be_flat, SolidOverlapBuffer& room, SolidAnswer& answer) const;
   void respond_faces(std::span<const int> rows, int first, SolidOverlapBuffer& room, SolidAnswer* answers) const;
+  [[nodiscard]] bool stays_apart(int row) const;
   [[nodiscard]] bool looks_flat(int row) const;
   void finish(SolidAnswer& answer) const;
 };
@@ -257,6 +198,7 @@ bool SolidPass::respond_alone(int row, SolidOverlapBuffer& room, SolidAnswer& an
     answer.row = row, answer.was_touching = was, answer.joint_changed = false;
     return true;
   }
+  if (!was && stays_apart(row)) return false;
   if (looks_flat(row)) {
     answer.row = faces_to_come;
     return false;
@@ -278,6 +220,21 @@ void SolidPass::respond_shapes(int row, bool may_be_flat, SolidOverlapBuffer& ro
   const bool held_off = pair.replaced && presses_flat(model, state, work.search, state.bearing, pair, pressed.force);
   answer.row = row, answer.was_touching = (before.state & contact_touching) != 0, answer.joint_changed = false;
   answer.response = held_off ? SolidResponse{} : respond_solids(a, b, before, law, pressed);
+}
+
+/// Whether two that were apart are so still by more than rounding, mostly along the axis that parted them last: then no
+/// faces need to be looked at. Who goes on is asked with every figure, so the axis remembered changes no answer.
+bool SolidPass::stays_apart(int row) const {
+  const auto r = static_cast<std::size_t>(row);
+  const NearPair& pair = work.pairs[r];
+  const PlacedSolid &a = work.solids.placed[pair.piece_a], &b = work.solids.placed[pair.piece_b];
+  const double enough = 1e-9 * (a.solid->size + b.solid->size);
+  Separation3& apart = work.solids.separation[r];
+  if (!(apart.distance > enough)) return false;
+  apart = separation_from(apart, a, b, enough);
+  if (!(apart.distance > enough)) return false;
+  let_sleep(work, r);
+  return true;
 }
 
 /// Whether a row may be one of two faces that lie flat, and no other pair of faces of the two. Who asks anew, and when,
@@ -328,17 +285,22 @@ void SolidPass::respond_faces(std::span<const int> rows, int first, SolidOverlap
   }
 }
 
-/// Rows one by one, and those of faces that lie flat four at a time, those of few corners and those of many apart.
+/// Rows one by one, and those of faces that lie flat four at a time, those of few corners and those of many apart. How
+/// many corners they have is asked of all in a row: solids that are far in memory are waited for together.
 void SolidPass::respond(int first, int last, SolidOverlapBuffer& room, SolidAnswer* answers) const {
-  std::array<std::array<int, solid_row_stretch>, 2> rows;
-  std::array<std::size_t, 2> count{};
+  std::array<int, solid_row_stretch> flat;
+  std::size_t flat_rows = 0;
   for (int row = first; row < last; ++row) {
     SolidAnswer& answer = answers[row - first];
     answer.row = -1;
     if (respond_alone(row, room, answer)) finish(answer);
-    if (answer.row != faces_to_come) continue;
-    const std::size_t kind = corners_of(work, row) > 4 ? 1 : 0;
-    rows[kind][count[kind]++] = row;
+    if (answer.row == faces_to_come) flat[flat_rows++] = row;
+  }
+  std::array<std::array<int, solid_row_stretch>, 2> rows;
+  std::array<std::size_t, 2> count{};
+  for (std::size_t i = 0; i < flat_rows; ++i) {
+    const std::size_t kind = corners_of(work, flat[i]) > 4 ? 1 : 0;
+    rows[kind][count[kind]++] = flat[i];
   }
   for (std::size_t kind = 0; kind < 2; ++kind)
     for (std::size_t i = 0; i < count[kind]; i += lane_count)
