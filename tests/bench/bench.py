@@ -25,8 +25,8 @@ SPACE_PILE, TOWER, SPHERES = "tests/bench/pile3d.lua", "tests/bench/tower3d.lua"
 
 class Case:
     """A script and its parameters. `before`: those of a shorter run that is taken off, where only what follows is
-    asked for. `motion`: how long that is in the model, where steps are of different lengths [s]. `whole`: how long a run
-    is asked for of which this is a part [s]. `told`: its figures are the lines that it prints."""
+    asked for. `motion`: how long that is in the model, where steps are of different lengths [s]. `whole`: how long a
+    run is asked for of which this is a part [s]. `told`: its figures are the lines that it prints."""
 
     def __init__(self, name, script, words, long=False, before=None, brief="", motion=None, told=False, whole=None):
         self.name, self.script, self.words, self.long, self.before = name, script, words, long, before
@@ -65,11 +65,12 @@ CASES = [
     Case("pile of 5000 boxes in space", SPACE_PILE, "seconds=1.5", True, brief="boxes=300 across=6 seconds=0.3"),
     Case("pile of 50000 boxes in space", SPACE_PILE, "boxes=50000 across=58 seconds=1.5", True,
          brief="boxes=300 across=6 seconds=0.3"),
-    Case("chute of 20000 grains", "scripts/chute.lua", CHUTE + "flow=0.1", True, before=CHUTE + "flow=0.02", motion=0.08,
+    Case("chute of 20000 grains", "scripts/chute.lua", CHUTE + "flow=0.1", True, before=CHUTE + "flow=0.02",
+         motion=0.08,
          brief="count=200 settle=0.1 flow=0.1 out=out/bench_chute.h5"),
     Case("tower of 11520 blocks, shaken", TOWER, "seconds=0.15", True, before="seconds=0.05", motion=0.1, whole=15,
          brief="courses=12 side=3 seconds=0.1"),
-    Case("50000 spheres settle", SPHERES, "seconds=0.6", True, before="seconds=0.3", motion=0.3,
+    Case("50000 spheres settle", SPHERES, "seconds=0.4", True, before="seconds=0.2", motion=0.2,
          brief="spheres=2000 across=12 seconds=0.1"),
     bridge_of_beams("explicit"), bridge_of_beams("implicit"),
     Case("frame of 2000 beams, implicit", "tests/bench/frame.lua", "steps=40", before="steps=20"),

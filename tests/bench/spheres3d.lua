@@ -3,7 +3,8 @@
 -- `trilith run tests/bench/spheres3d.lua --profile` says what a step costs; `spheres=5000 across=17` is a tenth of it.
 local trilith = require "trilith"
 local p = trilith.params {
-  spheres = { 50000, "spheres" }, seconds = { 0.5, "of fall" }, across = { 36, "spheres in a row, and rows in a layer" },
+  spheres = { 50000, "spheres" }, seconds = { 0.5, "of fall" },
+  across = { 36, "spheres in a row, and rows in a layer" },
 }
 
 local m = trilith.model { name = "spheres in space", dim = 3 }
@@ -12,13 +13,14 @@ m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e
 
 local pitch, layer = 0.125, p.across*p.across
 local width, height = p.across*pitch, math.ceil(p.spheres/layer)*pitch + 1
-for name, at in pairs { floor = { { -1, -1, -1 }, { width + 1, width + 1, 0 } }, left = { { -1, 0, 0 }, { 0, width, height } },
-  right = { { width, 0, 0 }, { width + 1, width, height } }, front = { { -1, -1, 0 }, { width + 1, 0, height } },
-  back = { { -1, width, 0 }, { width + 1, width + 1, height } } } do
-  local low, high = at[1], at[2]
-  m:block { name = name, size = { high[1] - low[1], high[2] - low[2], high[3] - low[3] }, at = low, material = "stone",
-    support = "fixed" }
+local function wall(name, size, at)
+  m:block { name = name, size = size, at = at, material = "stone", support = "fixed" }
 end
+wall("floor", { width + 2, width + 2, 1 }, { -1, -1, -1 })
+wall("left", { 1, width, height }, { -1, 0, 0 })
+wall("right", { 1, width, height }, { width, 0, 0 })
+wall("front", { width + 2, 1, height }, { -1, -1, 0 })
+wall("back", { width + 2, 1, height }, { -1, width, 0 })
 
 -- Numbers between 0 and 1 that are the same everywhere (Lehmer's generator).
 local seed = 41
@@ -34,4 +36,5 @@ for i = 0, p.spheres - 1 do
     velocity = { random() - 0.5, random() - 0.5, -1 } }
 end
 local report = m:run { duration = p.seconds }
-print(("%d bodies, %d contacts, %g s: %d steps, hash %s"):format(p.spheres, #m:contacts(), p.seconds, report.steps, m.hash))
+local told = "%d bodies, %d contacts, %g s: %d steps, hash %s"
+print(told:format(p.spheres, #m:contacts(), p.seconds, report.steps, m.hash))

@@ -1,6 +1,6 @@
 -- A square tower of dry blocks in running bond, shaken by the three components of El Centro 1940.
 --
--- The defaults are 11,520 blocks of .5 x .25 x .25 m, 144 courses, 36 m high, 10 m wide; `courses=12 side=3` is a small one.
+-- The defaults are 11,520 blocks of .5 x .25 x .25 m, 144 courses, 36 m high, 10 m wide; `courses=12 side=3` is small.
 -- `trilith run tests/bench/tower3d.lua --profile` says what a step costs.
 local trilith = require "trilith"
 local p = trilith.params {
@@ -14,15 +14,16 @@ local m = trilith.model { name = "tower", dim = 3 }
 m:material { name = "stone", density = 2200 }
 local beta = 2*0.05/math.sqrt(p.kn/(2200*high)) -- 5 % of critical for a block on its bed
 m:contact { between = { "*", "*" }, law = trilith.frictional { kn = p.kn, ks = 0.4*p.kn, mu = 0.7, beta = beta } }
-m:block { name = "base", size = { p.side + 2, p.side + 2, 1 }, at = { -1, -1, -1 }, material = "stone", support = "fixed" }
+m:block { name = "base", size = { p.side + 2, p.side + 2, 1 }, at = { -1, -1, -1 }, material = "stone",
+  support = "fixed" }
 
--- A course is four rows that go round: each begins behind the end of the one before. Odd courses begin from the other end of
--- each side, so that corners interlock and blocks lie half over half.
+-- A course is four rows that go round: each begins behind the end of the one before. Odd courses leave out the other
+-- end of each side, so that corners interlock and blocks lie half over half.
 local count, last = 0, p.side - high
 local function block(course, x0, y0, x1, y1)
   count = count + 1
-  m:block { name = ("c%d.%d"):format(course, count), size = { x1 - x0, y1 - y0, high }, at = { x0, y0, (course - 1)*high },
-    material = "stone" }
+  m:block { name = ("c%d.%d"):format(course, count), size = { x1 - x0, y1 - y0, high },
+    at = { x0, y0, (course - 1)*high }, material = "stone" }
 end
 for course = 1, p.courses do
   -- Along a side from its corner: even courses from the corner to the last quarter metre, odd ones from the first on.
