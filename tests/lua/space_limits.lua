@@ -129,9 +129,9 @@ local cases = {}
 
 -- Here friction decides, and the references are limits that no sliding without dilation has to reach, with forces that
 -- gather at the corners of joints: they are bounds from above. What the engine must find lies within the limits of the
--- same rigid blocks with areas that press and slide as its joints do (docs/theory/contact_in_space.md), less what joints
--- of finite stiffness lose. That falls with the cube root of kn: twice the figure at 8 kn, less that at kn, is of rigid
--- blocks.
+-- same rigid blocks with areas that press and slide as its joints do (docs/theory/contact_in_space.md), less what
+-- joints of finite stiffness lose. That falls with the cube root of kn: of rigid blocks is twice the figure at 8 kn
+-- less that at kn.
 local function rigid_limit(list, mu, azimuth, expected, from)
   local found = {}
   for i, kn in ipairs { 1e10, 8e10 } do
