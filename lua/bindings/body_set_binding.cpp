@@ -132,8 +132,9 @@ int set_damage(lua_State* L) {
   for (const auto& [key, value] : {std::pair{"apart", limits.apart}, {"out_of_place", limits.out_of_place}})
     if (!(value >= 0)) keys.problem(fmt::format("'{}' is {:g} m, must not be below 0", key, value));
   keys.finish();
-  const Simulation<2>& sim = set.plane().evaluated();
-  const Findings& findings = set.plane().findings();
+  PlaneModel& plane = require_plane(set.model(), "damage_by_storey");
+  const Simulation<2>& sim = plane.evaluated();
+  const Findings& findings = plane.findings();
   const std::vector<StoreyDamage> rows = damage_by_storey(sim.model(), sim.state(), sim.work(), set.bodies,
                                                           findings.storeys, findings.base, findings.joints, limits);
   if (rows.empty())

@@ -65,7 +65,6 @@ struct BodySet {
   std::vector<int> bodies = {};
   [[nodiscard]] bool open() const { return owner.open(); }
   [[nodiscard]] ScriptModel& model() const { return owner.get(); }
-  [[nodiscard]] PlaneModel& plane() const;
 };
 
 /// A ground motion; `steady` ones need not come to rest.
@@ -173,9 +172,6 @@ template <class H>
 int row_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
 inline PlaneModel& ModelBox::plane() const {
   return require_plane(get(), "this");
-}
-inline PlaneModel& BodySet::plane() const {
-  return require_plane(model(), "this");
 }
 inline PlaneModel& Row::plane() const {
   return require_plane(model(), "this");

@@ -15,21 +15,22 @@ import shutil
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 
 UNIT = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
 WALL, PILE, SPACE = "tests/bench/wall.lua", "tests/bench/pile.lua", "tests/bench/wall3d.lua"
-SPACE_PILE = "tests/bench/pile3d.lua"
+SPACE_PILE, TOWER, SPHERES = "tests/bench/pile3d.lua", "tests/bench/tower3d.lua", "tests/bench/spheres3d.lua"
 
 
 class Case:
     """A script and its parameters. `before`: those of a shorter run that is taken off, where only what follows is
-    asked for. `motion`: how long that is in the model, where steps are of different lengths [s]. `told`: its figures are
-    the lines that it prints."""
+    asked for. `motion`: how long that is in the model, where steps are of different lengths [s]. `whole`: how long a
+    run is asked for of which this is a part [s]. `told`: its figures are the lines that it prints."""
 
-    def __init__(self, name, script, words, long=False, before=None, brief="", motion=None, told=False):
+    def __init__(self, name, script, words, long=False, before=None, brief="", motion=None, told=False, whole=None):
         self.name, self.script, self.words, self.long, self.before = name, script, words, long, before
-        self.motion, self.told = motion, told
+        self.motion, self.told, self.whole = motion, told, whole
         self.brief = brief or words  # for counting instructions
 
 
@@ -44,6 +45,8 @@ def bridge_of_beams(integrator):
     return Case(f"bridge of beams, {integrator}", "scripts/bridge_frames.lua", words + "5", before=words + "1", motion=4,
                 brief=words + "0.1")
 
+
+CHUTE = "count=20000 least=0.0045 most=0.006 settle=0.1 out=out/bench_chute.h5 "
 
 CASES = [
     wall(444, 24, 18, "rigid", 1.0), wall(444, 24, 18, "quad", 0.4), wall(444, 24, 18, "mesh", 0.1),
@@ -62,6 +65,13 @@ CASES = [
     Case("pile of 5000 boxes in space", SPACE_PILE, "seconds=1.5", True, brief="boxes=300 across=6 seconds=0.3"),
     Case("pile of 50000 boxes in space", SPACE_PILE, "boxes=50000 across=58 seconds=1.5", True,
          brief="boxes=300 across=6 seconds=0.3"),
+    Case("chute of 20000 grains", "scripts/chute.lua", CHUTE + "flow=0.1", True, before=CHUTE + "flow=0.02",
+         motion=0.08,
+         brief="count=200 settle=0.1 flow=0.1 out=out/bench_chute.h5"),
+    Case("tower of 11520 blocks, shaken", TOWER, "seconds=0.15", True, before="seconds=0.05", motion=0.1, whole=15,
+         brief="courses=12 side=3 seconds=0.1"),
+    Case("50000 spheres settle", SPHERES, "seconds=0.4", True, before="seconds=0.2", motion=0.2,
+         brief="spheres=2000 across=12 seconds=0.1"),
     bridge_of_beams("explicit"), bridge_of_beams("implicit"),
     Case("frame of 2000 beams, implicit", "tests/bench/frame.lua", "steps=40", before="steps=20"),
     Case("gallery wall set down by statics", "tests/bench/statics.lua", "", told=True),
@@ -69,16 +79,20 @@ CASES = [
 
 
 class Cost:
-    """What a run took: steps, seconds by part, pairs that touch at its end, where the script tells them."""
+    """What a run took: steps, seconds by part, memory at its peak [kB]; pairs that touch at its end and bodies, where
+    the script tells them."""
 
-    def __init__(self, text=""):
+    def __init__(self, text="", peak=0):
         self.steps, self.seconds, self.parts, self.pairs, self.hash = 0, 0.0, {}, None, None
+        self.peak, self.bodies = peak, None
         if head := re.search(r"^profile of (\d+) steps in ([\d.]+) (\S+),", text, re.M):
             self.steps, self.seconds = int(head[1]), float(head[2]) * UNIT[head[3]]
         for part, number, unit in re.findall(r"^  (\S.*?) +[\d.]+ % +([\d.]+) (s|ms|µs|ns) ", text, re.M):
             self.parts[part] = self.parts.get(part, 0) + float(number) * UNIT[unit]
         if pairs := re.search(r"(\d+) contacts", text):
             self.pairs = int(pairs[1])
+        if bodies := re.search(r"(\d+) (?:bodies|boxes|grains)", text):
+            self.bodies = int(bodies[1])
         if digest := re.search(r"hash ([0-9a-f]+)", text):
             self.hash = digest[1]
 
@@ -109,15 +123,26 @@ def order(program, case, words, threads):
     return [program, "run", case.script, *words.split(), "--profile", "--threads", str(threads)]
 
 
+def watched(command):
+    """A finished run: its code, what it said, and the most memory that it held [kB]."""
+    with tempfile.TemporaryFile("w+") as said:
+        child = subprocess.Popen(command, stdout=said, stderr=subprocess.STDOUT)
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        said.seek(0)
+        return child.returncode, said.read(), usage.ru_maxrss
+
+
 def run(program, case, threads):
     """One run, and the share of the machine that others took during it."""
     begun, worked, ours = time.monotonic(), busy(), own()
     costs = []
     for words in filter(None, (case.words, case.before)):
-        done = subprocess.run(order(program, case, words, threads), capture_output=True, text=True, check=False)
-        costs.append(Cost(done.stdout + done.stderr))
-        if done.returncode != 0 or costs[-1].steps == 0:
-            sys.exit(f"bench: {' '.join(done.args)} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+        command = order(program, case, words, threads)
+        code, text, peak = watched(command)
+        costs.append(Cost(text, peak))
+        if code != 0 or costs[-1].steps == 0:
+            sys.exit(f"bench: {' '.join(command)} ended with {code}:\n{text}")
     others = max(0.0, busy() - worked - (own() - ours)) / (time.monotonic() - begun) / os.cpu_count()
     return (costs[0].less(costs[1]) if case.before else costs[0]), others
 
@@ -155,6 +180,10 @@ def tell(case, threads, runs, alone):
     if case.motion:
         seconds = statistics.median(cost.seconds for cost in costs)
         line += f", {costs[0].steps} steps, {seconds / case.motion:.3g} s for a second of motion"
+        if case.whole:
+            line += f", {seconds / case.motion * case.whole / 3600:.2g} h for {case.whole} s"
+    if costs[0].bodies:
+        line += f", {max(cost.peak for cost in costs) / costs[0].bodies:.1f} kB a body at most ({costs[0].bodies})"
     others = max(share for _, share in runs)
     print(line + (f"; others took {100 * others:.0f} % of the machine" if others > 0.05 else ""), flush=True)
     return steps

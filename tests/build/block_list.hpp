@@ -35,22 +35,57 @@ inline std::vector<double> numbers_of_list(const std::string& text, std::size_t 
   return numbers;
 }
 
-/// A file of tests/build/blocks: blocks as boxes (low corner, high corner) or as lists of corners, m.
+/// The text of a file of tests/build/blocks.
+inline std::string text_of_blocks(const std::string& name) {
+  return text_of_file(fmt::format("{}/tests/build/blocks/{}", source_dir(), name), "blocks", 1U << 20);
+}
+
+/// Corners out of numbers, three each [m].
+inline BlockCorners corners_of(const std::vector<double>& n) {
+  BlockCorners corners;
+  for (std::size_t k = 0; k + 2 < n.size(); k += 3) corners.emplace_back(n[k], n[k + 1], n[k + 2]);
+  return corners;
+}
+
+/// Such a file: blocks as boxes (low corner, high corner) or as lists of corners, m.
 inline std::vector<BlockCorners> block_list(const std::string& name) {
-  const std::string text =
-      text_of_file(fmt::format("{}/tests/build/blocks/{}", source_dir(), name), "blocks", 1U << 20);
+  const std::string text = text_of_blocks(name);
   std::vector<BlockCorners> blocks;
   for (const bool is_box : {true, false}) {
     const std::string key = is_box ? "\"box\":" : "\"verts\":";
     for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
       const std::vector<double> n = numbers_of_list(text, at + key.size());
+      if (!is_box) {
+        blocks.push_back(corners_of(n));
+        continue;
+      }
       blocks.emplace_back();
-      if (is_box)
-        for (int i = 0; i < 8; ++i)
-          blocks.back().emplace_back(n[(i & 1) == 0 ? 0U : 3U], n[(i & 2) == 0 ? 1U : 4U], n[(i & 4) == 0 ? 2U : 5U]);
-      else
-        for (std::size_t k = 0; k + 2 < n.size(); k += 3) blocks.back().emplace_back(n[k], n[k + 1], n[k + 2]);
+      for (int i = 0; i < 8; ++i)
+        blocks.back().emplace_back(n[(i & 1) == 0 ? 0U : 3U], n[(i & 2) == 0 ? 1U : 4U], n[(i & 4) == 0 ? 2U : 5U]);
     }
+  }
+  return blocks;
+}
+
+/// A block that flies at the start of a test.
+struct FlyingBlock {
+  BlockCorners corners;  ///< [m]
+  Vec3 velocity, spin;   ///< of its centre of mass [m/s], of it [rad/s]
+  double mass = 0;       ///< as the file has it [kg]
+};
+
+/// Such a file of blocks that fly.
+inline std::vector<FlyingBlock> flying_blocks(const std::string& name) {
+  const std::string text = text_of_blocks(name);
+  std::vector<FlyingBlock> blocks;
+  const auto after = [&](const char* key, std::size_t from) { return text.find(key, from) + std::string(key).size(); };
+  for (std::size_t at = text.find("\"verts\":"); at != std::string::npos; at = text.find("\"verts\":", at + 1)) {
+    FlyingBlock block;
+    block.corners = corners_of(numbers_of_list(text, after("\"verts\":", at)));
+    block.velocity = corners_of(numbers_of_list(text, after("\"v\":", at))).at(0);
+    block.spin = corners_of(numbers_of_list(text, after("\"w\":", at))).at(0);
+    block.mass = std::strtod(text.c_str() + after("\"mass\":", at), nullptr);
+    blocks.push_back(block);
   }
   return blocks;
 }

@@ -3,6 +3,7 @@
 
 #include "near.hpp"
 #include "physics/frames.hpp"
+#include "physics/grid_frequencies.hpp"
 #include "step/equilibrium.hpp"
 #include "step/modes.hpp"
 
@@ -58,22 +59,6 @@ Model<2> sprung_grid(const std::array<int, 3>& count, const std::array<double, 3
           scene.builder.add_bearing(spring);
         }
   return scene.builder.build();
-}
-
-/// w^2 = (4/m) sum k_i sin^2(pi n_i / (2 (N_i + 1))), by rising frequency [Hz].
-std::vector<double> grid_frequencies(const std::array<int, 3>& count, const std::array<double, 3>& stiffness) {
-  std::vector<double> out;
-  std::array<int, 3> n{};
-  for (n[0] = 1; n[0] <= count[0]; ++n[0])
-    for (n[1] = 1; n[1] <= count[1]; ++n[1])
-      for (n[2] = 1; n[2] <= count[2]; ++n[2]) {
-        double square = 0;
-        for (int k = 0; k < 3; ++k)
-          square += 4 / 10.0 * stiffness[k] * std::pow(std::sin(M_PI * n[k] / (2 * (count[k] + 1))), 2);
-        out.push_back(std::sqrt(square) / (2 * M_PI));
-      }
-  std::sort(out.begin(), out.end());
-  return out;
 }
 
 TEST_CASE("M7: a grid of masses on springs has the frequencies of its sines") {

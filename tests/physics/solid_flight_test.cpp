@@ -1,12 +1,14 @@
-// VALIDATION T27 to T30, and solids by chance that fly at each other: impacts keep energy and momenta.
+// VALIDATION T27 to T30, T36, and solids by chance that fly at each other: impacts keep energy and momenta.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
+#include "build/block_list.hpp"
 #include "near.hpp"
 #include "physics/solid_bodies.hpp"
+#include "shape/convex_hull.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
@@ -51,6 +53,32 @@ double strike_by_chance(int count, unsigned seed) {
     // Of two that have passed through each other one would be where the other came from.
     CHECK(run.shared_volume() == 0);
   }
+  return deepest;
+}
+
+/// T36: the 27 stones of the list, which fly at each other.
+SolidRun flying_stones(const Frictional& law) {
+  SpaceBuilder builder;
+  builder.gravity(Vec3::Zero());
+  int count = 0;
+  for (const FlyingBlock& block : flying_blocks("polyhedra27.json")) {
+    SolidBody body = stone("stone " + std::to_string(count++), convex_hull(block.corners, "stone"), 1000);
+    body.velocity = block.velocity, body.spin = block.spin;
+    builder.add(body);
+  }
+  builder.contact(0, 0, law, "joint");
+  return {builder.build(), 2e-5};
+}
+
+/// Until all have met and are apart; the deepest overlap [m].
+double fly_apart(SolidRun& run) {
+  double deepest = 0;
+  run.run_until(4, [&] {
+    for (const GeneralContact<3>& g : run.work().general_touching) deepest = std::max(deepest, g.depth);
+    return run.time() > 1.5 && run.work().general_touching.empty();
+  });
+  CHECK(run.work().general_touching.empty());
+  CHECK(run.shared_volume() == 0);
   return deepest;
 }
 
@@ -179,5 +207,42 @@ TEST_CASE("T30: a block let go on one corner falls flat in time, in the plane of
     CHECK(near(std::sqrt(spin * spin + gains), rate, 1e-2));
     const Vec3 turn = run.turned(1);
     CHECK((turn - across.dot(turn) * across).norm() < 1e-4);
+  }
+}
+
+TEST_CASE("T36: 27 stones of a list have its mass and momenta, and keep them and their energy through their impacts") {
+  const std::vector<FlyingBlock> blocks = flying_blocks("polyhedra27.json");
+  REQUIRE(blocks.size() == 27);
+  const Vec3 momentum(167.0182, 142.255903, -33.474807), turning(-.952148, 11.106096, 7.611844);
+  for (const bool rough : {false, true}) {
+    CAPTURE(rough);
+    SolidRun run = flying_stones(rough ? frictional(1e9, 5e8, 0.5, 2e-5) : frictional(1e9, 0, 0));
+    double mass = 0;
+    for (std::size_t i = 0; i < 27; ++i) {
+      CHECK(near(run.model().mass[i], blocks[i].mass, 1e-9));
+      mass += run.model().mass[i];
+    }
+    CHECK(near(mass, 916.930629, 1e-9));
+    const auto same_momenta = [&] {
+      // The list rounds momenta to 1e-6; how much they drift is held to rounding below.
+      CHECK((run.momentum() - momentum).norm() < 1e-6);
+      CHECK((run.angular_momentum() - turning).norm() < 1e-4 * turning.norm());
+    };
+    same_momenta();
+    CHECK(near(run.moving_energy(), 1853.776451, 1e-9));
+    const Vec3 begun = run.momentum(), begun_turning = run.angular_momentum();
+    const double balance = run.energy().balance();
+    const double deepest = fly_apart(run);
+    same_momenta();
+    CHECK((run.momentum() - begun).norm() < 1e-9 * begun.norm());
+    CHECK((run.angular_momentum() - begun_turning).norm() < 1e-9 * begun.norm());
+    if (rough)
+      CHECK(run.moving_energy() < 0.95 * 1853.776451);
+    else
+      CHECK(near(run.moving_energy(), 1853.776451, 1e-2));
+    CHECK(near_zero(run.energy().balance() - balance, 1e-2 * 1853.776451));
+    MESSAGE("T36 " << std::string(rough ? "rough" : "smooth") << ": apart after " << run.time()
+                   << " s, energy of motion " << run.moving_energy() << " J, ledger off by "
+                   << run.energy().balance() - balance << " J, deepest " << deepest << " m");
   }
 }

@@ -1,5 +1,5 @@
-// Natural frequencies in space (VALIDATION M1, M4, M5, M8, M10, F6, F7): blocks on joints, a slab on columns, beams and
-// frames by themselves and under load.
+// Natural frequencies in space (VALIDATION M1, M4, M5, M7 to M10, F6, F7): blocks on joints, a slab on columns, a grid
+// of masses, hanging chains, beams and frames by themselves and under load.
 #include "step/modes.hpp"
 
 #include <doctest/doctest.h>
@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "near.hpp"
+#include "physics/grid_frequencies.hpp"
 #include "physics/space_frames.hpp"
 #include "physics/space_implicit.hpp"
 #include "step/equilibrium.hpp"
@@ -110,6 +111,100 @@ TEST_CASE("M8: a storey of a slab on four columns sways both ways and twists") {
   const Model<3> model = builder.build();
   // The slab as a plate: 20 t (6^2 + 4^2) / 12 about its axis, as its box has it.
   check_frequencies_in_space(modes(model, initial_state(model), 3), {2.25079, 2.57587, 4.62851}, 1e-4);
+}
+
+/// Masses of 10 kg in a grid, 1 m apart, that move along x alone; between neighbours, and to walls all round, bearings
+/// that resist by their displacement along x.
+Model<3> sprung_grid_in_space(const std::array<int, 3>& count, const std::array<double, 3>& stiffness) {
+  SolidModelBuilder builder;
+  builder.gravity = Vec3::Zero();
+  SolidSpec wall;
+  wall.name = "wall", wall.pieces = {box_at({9, 9, 0.2}, {1, 1, -5})}, wall.mass = 1, wall.floating = true;
+  wall.support.fill(Support::fixed);
+  builder.add_body(wall);
+  const auto name = [&](const std::array<int, 3>& at) -> std::string {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (at[k] < 0 || at[k] >= count[k]) return "wall";
+    return fmt::format("{} {} {}", at[0], at[1], at[2]);
+  };
+  std::array<int, 3> at{};
+  for (at[0] = 0; at[0] < count[0]; ++at[0])
+    for (at[1] = 0; at[1] < count[1]; ++at[1])
+      for (at[2] = 0; at[2] < count[2]; ++at[2]) {
+        SolidSpec body;
+        body.name = name(at), body.pieces = {box_at({0.2, 0.2, 0.2}, Vec3(at[0], at[1], at[2]))}, body.mass = 10;
+        body.support.fill(Support::fixed), body.support[0] = Support::free, body.floating = true;
+        builder.add_body(body);
+      }
+  int springs = 0;
+  for (std::size_t way = 0; way < 3; ++way)
+    for (at[0] = way == 0 ? -1 : 0; at[0] < count[0]; ++at[0])
+      for (at[1] = way == 1 ? -1 : 0; at[1] < count[1]; ++at[1])
+        for (at[2] = way == 2 ? -1 : 0; at[2] < count[2]; ++at[2]) {
+          std::array<int, 3> next = at;
+          ++next[way];
+          BearingSpecOf<3> spring;
+          spring.name = fmt::format("spring {}", ++springs), spring.body_a = name(at), spring.body_b = name(next);
+          spring.point_a = Vec3(at[0], at[1], at[2]), spring.point_b = Vec3(next[0], next[1], next[2]);
+          spring.law[0] = Linear{stiffness[way], 0};
+          builder.add_bearing(spring);
+        }
+  return builder.build();
+}
+
+TEST_CASE("M7: a grid of masses in space has the frequencies of its sines") {
+  const std::array<int, 3> count{3, 2, 2};
+  const std::array<double, 3> stiffness{1e6, 2e6, 3e6};
+  const Model<3> model = sprung_grid_in_space(count, stiffness);
+  const std::vector<NaturalMode<3>> found = modes(model, initial_state(model), 12);
+  check_frequencies_in_space(found, grid_frequencies(count, stiffness), 1e-4);
+  check_frequencies_in_space(found, {118.949, 133.159, 145.991, 155.824}, 1e-4);
+  CHECK(near(found.back().frequency(), 215.972, 1e-4));
+}
+
+/// Links of 3 kg/m that hang on each other by spherical hinges at their ends: slender rods, or the mass of each as a
+/// small ball at its lower end. They do not turn about the vertical, which nothing resists.
+Model<3> hanging_chain(int links, double length, bool rods) {
+  SolidModelBuilder builder;
+  builder.gravity = Vec3(0, 0, -standard_gravity);
+  SolidSpec top;
+  top.name = "link 0", top.pieces = {box_at({1, 1, 0.2}, {0, 0, 1})}, top.mass = 1, top.floating = true;
+  top.support.fill(Support::fixed);
+  builder.add_body(top);
+  const double side = 0.01 * length;
+  for (int i = 1; i <= links; ++i) {
+    const double upper = -length * (i - 1);
+    SolidSpec link;
+    link.name = fmt::format("link {}", i), link.mass = 3 * length, link.floating = true;
+    if (rods)
+      link.pieces = {box_at({side, side, length}, {0, 0, upper - 0.5 * length})};
+    else
+      link.spheres = {{Vec3(0, 0, upper - length), side}};
+    link.support[5] = Support::fixed;
+    builder.add_body(link);
+    BearingSpecOf<3> hinge;
+    hinge.name = fmt::format("hinge {}", i), hinge.body_a = fmt::format("link {}", i - 1), hinge.body_b = link.name;
+    hinge.point_a = hinge.point_b = {0, 0, upper};
+    for (std::size_t k = 0; k < 3; ++k) hinge.law[k] = Linear{1e8, 0};
+    builder.add_bearing(hinge);
+  }
+  return builder.build();
+}
+
+/// At rest under its weight a chain swings by each of these frequencies [Hz] twice, along x and along y.
+void check_hanging(const Model<3>& model, const std::vector<double>& expected) {
+  State<3> state = initial_state(model);
+  REQUIRE(find_equilibrium(model, state).converged);
+  std::vector<double> twice;
+  for (const double f : expected) twice.insert(twice.end(), 2, f);
+  check_frequencies_in_space(modes(model, state, static_cast<int>(twice.size())), twice, 1e-3);
+}
+
+TEST_CASE("M9: hanging chains in space swing both ways by their weight alone") {
+  check_hanging(hanging_chain(3, 0.5, false), {.45449, 1.06762, 1.76774});
+  check_hanging(hanging_chain(2, 1, true), {.42648, 1.14392});
+  check_hanging(hanging_chain(4, 0.5, true), {.42453, 1.02373, 1.79717, 2.95906});
+  check_hanging(hanging_chain(80, 2.0 / 80, true), {.42376, .97270, 1.52489});
 }
 
 /// Frequencies of modes that move nodes mostly along one axis, by axis.
