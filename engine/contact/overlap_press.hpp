@@ -14,8 +14,9 @@
 
 namespace trilith {
 
-TRILITH_INLINE Lanes all_lanes(double v) {
-  return Lanes{v, v, v, v};
+template <class T = Lanes>
+TRILITH_INLINE T all_lanes(double v) {
+  return v - T{};
 }
 
 /// A part of an edge, in shares of it.
@@ -63,14 +64,59 @@ TRILITH_INLINE Lanes load_four(const double* four) {
   return v;
 }
 
-/// Four edges, a lane each.
-struct alignas(32) EdgeColumns {
-  Lanes x, y, along_x, along_y, nx, ny, length2;
-  TRILITH_INLINE explicit EdgeColumns(const EdgeRow* const* e) {
-    const FourByFour ways(load_four(&e[0]->x), load_four(&e[1]->x), load_four(&e[2]->x), load_four(&e[3]->x));
-    const FourByFour normals(load_four(&e[0]->nx), load_four(&e[1]->nx), load_four(&e[2]->nx), load_four(&e[3]->nx));
-    x = ways.v[0], y = ways.v[1], along_x = ways.v[2], along_y = ways.v[3];
-    nx = normals.v[0], ny = normals.v[1], length2 = normals.v[2];
+/// A row of four numbers for each lane of T, as four columns; row(i): that of lane i.
+template <class T>
+struct alignas(32) RowColumns {
+  T v[4];
+  template <class Row>
+  TRILITH_INLINE explicit RowColumns(Row&& row) {
+    const FourByFour low(row(0), row(1), row(2), row(3));
+    if constexpr (lane_count_of<T> == lane_count)
+      for (int k = 0; k < 4; ++k) v[k] = low.v[k];
+    else {
+      const FourByFour high(row(4), row(5), row(6), row(7));
+      for (int k = 0; k < 4; ++k) v[k] = join(low.v[k], high.v[k]);
+    }
+  }
+};
+
+/// The other way: four columns as a row for each lane.
+template <class T>
+struct alignas(32) ColumnRows {
+  Lanes v[lane_count_of<T>];
+  TRILITH_INLINE ColumnRows(const T& a, const T& b, const T& c, const T& d) {
+    if constexpr (lane_count_of<T> == lane_count)
+      write(FourByFour(a, b, c, d), v);
+    else {
+      write(FourByFour(low_lanes(a), low_lanes(b), low_lanes(c), low_lanes(d)), v);
+      write(FourByFour(high_lanes(a), high_lanes(b), high_lanes(c), high_lanes(d)), v + lane_count);
+    }
+  }
+
+ private:
+  TRILITH_INLINE static void write(const FourByFour& rows, Lanes* out) {
+    for (int k = 0; k < lane_count; ++k) out[k] = rows.v[k];
+  }
+};
+
+/// Where edges begin and their normals, a lane each.
+template <class T>
+struct EdgeStarts {
+  T x, y, nx, ny;
+  TRILITH_INLINE explicit EdgeStarts(const EdgeRow* const* e)
+      : EdgeStarts(RowColumns<T>([&](int i) { return load_four(&e[i]->x); })) {}
+
+ private:
+  TRILITH_INLINE explicit EdgeStarts(const RowColumns<T>& c) : x(c.v[0]), y(c.v[1]), nx(c.v[2]), ny(c.v[3]) {}
+};
+
+/// Edges, a lane each: with the way to where the next one begins [m] and its square [m2].
+template <class T>
+struct EdgeColumns {
+  T x, y, along_x, along_y, nx, ny, length2;
+  TRILITH_INLINE EdgeColumns(const EdgeStarts<T>& e, const EdgeStarts<T>& next)
+      : x(e.x), y(e.y), along_x(next.x - e.x), along_y(next.y - e.y), nx(e.nx), ny(e.ny) {
+    length2 = along_x * along_x + along_y * along_y;
   }
 };
 
@@ -78,11 +124,12 @@ struct alignas(32) EdgeColumns {
 /// row(i): of lane i, first x and y, second x and y.
 struct alignas(32) CornerForces {
   FourByFour row;
-  TRILITH_INLINE CornerForces(const EdgeColumns& e, const Lanes& x, const Lanes& y, const Lanes& fx, const Lanes& fy)
+  TRILITH_INLINE CornerForces(const EdgeColumns<Lanes>& e, const Lanes& x, const Lanes& y, const Lanes& fx,
+                              const Lanes& fy)
       : row(of(e, x, y, fx, fy)) {}
 
  private:
-  TRILITH_INLINE static FourByFour of(const EdgeColumns& e, const Lanes& x, const Lanes& y, const Lanes& fx,
+  TRILITH_INLINE static FourByFour of(const EdgeColumns<Lanes>& e, const Lanes& x, const Lanes& y, const Lanes& fx,
                                       const Lanes& fy) {
     const Lanes share = (e.along_x * (x - e.x) + e.along_y * (y - e.y)) / e.length2, rest = 1.0 - share;
     const Lanes off_x = x - (e.x + share * e.along_x), off_y = y - (e.y + share * e.along_y);
@@ -92,9 +139,14 @@ struct alignas(32) CornerForces {
   }
 };
 
+/// The edge after that with this number, or the corner it ends at.
+TRILITH_INLINE int edge_after(const PlacedPiece& piece, int e) {
+  return e + 1 < static_cast<int>(piece.corner.size()) ? e + 1 : 0;
+}
+
 /// To the corners of edge e of a piece.
 TRILITH_INLINE void add_row(std::span<Vec2> on, const PlacedPiece& piece, int e, const Lanes& row) {
-  const int e1 = e + 1 < static_cast<int>(piece.corner.size()) ? e + 1 : 0;
+  const int e1 = edge_after(piece, e);
   double *first = on[e].data(), *second = on[e1].data();
   store_pair(first, load_pair(first) + LanePair{row[0], row[1]});
   store_pair(second, load_pair(second) + LanePair{row[2], row[3]});
@@ -117,7 +169,7 @@ struct OverlapPress {
  private:
   /// Speed along n at which b moves against a at points of the stretches, a lane each [m/s].
   [[nodiscard]] TRILITH_INLINE Lanes speed(const PlacedPiece& p, const PlacedPiece& q, const OverlapStretch* const* s,
-                                           const EdgeColumns& walker, const Lanes& x, const Lanes& y) const {
+                                           const EdgeColumns<Lanes>& walker, const Lanes& x, const Lanes& y) const {
     Lanes u, v;
     if (p.corner_velocity.empty() && q.corner_velocity.empty()) {
       u = (q.velocity.x() - q.spin * (y - q.origin.y())) - (p.velocity.x() - p.spin * (y - p.origin.y()));
@@ -138,18 +190,21 @@ struct OverlapPress {
 template <class K>
 TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int count, OverlapSums& sums) const {
   const OverlapStretch* s[lane_count];
-  const EdgeRow *walkers[lane_count], *owners[lane_count];
+  const EdgeRow *walkers[lane_count], *owners[lane_count], *past_walkers[lane_count], *past_owners[lane_count];
   Lanes sign{};
   for (int i = 0; i < lane_count; ++i) {  // beyond the last it stands again, and counts nothing
     s[i] = &list[i < count ? i : 0];
-    walkers[i] = (s[i]->walker_is_b ? sides_b : sides_a).row + s[i]->edge;
-    owners[i] = (s[i]->walker_is_b ? sides_a : sides_b).row + s[i]->face;
+    const bool b_walks = s[i]->walker_is_b;
+    const PieceSides &walks = b_walks ? sides_b : sides_a, &owns = b_walks ? sides_a : sides_b;
+    walkers[i] = walks.row + s[i]->edge, past_walkers[i] = walks.row + edge_after(b_walks ? b : a, s[i]->edge);
+    owners[i] = owns.row + s[i]->face, past_owners[i] = owns.row + edge_after(b_walks ? a : b, s[i]->face);
     sign[i] = s[i]->walker_is_b ? 1.0 : -1.0;
   }
   const FourByFour parts(load_four(&s[0]->span.from), load_four(&s[1]->span.from), load_four(&s[2]->span.from),
                          load_four(&s[3]->span.from));
   const Lanes from = parts.v[0], to = parts.v[1], d0 = parts.v[2], d1 = parts.v[3];
-  const EdgeColumns walker(walkers), owner(owners);
+  const EdgeColumns<Lanes> walker{EdgeStarts<Lanes>(walkers), EdgeStarts<Lanes>(past_walkers)},
+      owner{EdgeStarts<Lanes>(owners), EdgeStarts<Lanes>(past_owners)};
   const Lanes zero{}, nx = walker.nx, ny = walker.ny;  // out of the walker, into the owner
   const Lanes x0 = walker.x + from * walker.along_x, y0 = walker.y + from * walker.along_y;
   const Lanes x1 = walker.x + to * walker.along_x, y1 = walker.y + to * walker.along_y;

@@ -29,40 +29,40 @@ void fit_rigid(PlacedPiece& piece) {
 
 }  // namespace
 
-void place_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
-                 PlacedPiece& placed) {
+void lay_piece(const Model<2>& model, const Work<2>& work, int piece, const PieceRoom& room, PlacedPiece& placed) {
   const auto first = static_cast<std::size_t>(model.piece_first[piece]),
              count = static_cast<std::size_t>(model.corners_of(piece));
-  const int* const skin = &model.corner_skin[first];
-  for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion<2>& s = work.skin[skin[c]];
-    room.place[c] = {s.x, s.y};
-  }
-  const BodyRow& body = work.body[model.piece_body[piece]];
-  const int node = body.node;
   placed.corner = {room.place, count}, placed.is_face = {&model.edge_is_face[first], count};
+  const bool deforms = work.body[model.piece_body[piece]].layout != SkinLayout::one_node;
+  placed.corner_velocity = deforms ? std::span<const Vec2>(room.velocity, count) : std::span<const Vec2>{};
+  placed.over_step = work.skin_mean.empty() ? nullptr : room.over_step;
+  placed.sides = {};
+}
+
+void move_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
+                PlacedPiece& placed) {
+  const std::size_t count = placed.corner.size();
+  const int *skin = &model.corner_skin[model.piece_first[piece]], node = work.body[model.piece_body[piece]].node;
+  const SkinMotion<2>* const of = work.skin.data();
+  for (std::size_t c = 0; c < count; ++c) store_pair(room.place[c].data(), load_pair(&of[skin[c]].x));
   placed.origin = state.position[node], placed.velocity = state.velocity[node], placed.spin = state.spin[node];
-  placed.corner_velocity = {}, placed.over_step = nullptr, placed.sides = {};
-  if (!work.skin_mean.empty()) {
+  if (placed.over_step != nullptr) {
     for (std::size_t c = 0; c < count; ++c) room.mean[c] = work.skin_mean[skin[c]];
     *room.over_step = placed;
+    room.over_step->over_step = nullptr;
     room.over_step->corner_velocity = std::span(room.mean, count);
     fit_rigid(*room.over_step);
-    placed.over_step = room.over_step;
   }
-  if (body.layout == SkinLayout::one_node) return;
-  for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion<2>& s = work.skin[skin[c]];
-    room.velocity[c] = {s.u, s.v};
-  }
-  placed.corner_velocity = std::span(room.velocity, count);
+  if (placed.corner_velocity.empty()) return;
+  for (std::size_t c = 0; c < count; ++c) store_pair(room.velocity[c].data(), load_pair(&of[skin[c]].u));
   fit_rigid(placed);
 }
 
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
                          const PieceRoom& room) {
   PlacedPiece placed;
-  place_piece(model, state, work, piece, room, placed);
+  lay_piece(model, work, piece, room, placed);
+  move_piece(model, state, work, piece, room, placed);
   return placed;
 }
 

@@ -13,10 +13,18 @@ namespace trilith {
 
 namespace {
 
-/// Room for all pieces, none of which is placed.
-void place_none(const Model<2>& model, bool means, PlacedPieces& placed) {
+/// Where corners and velocities of a piece go in `all`.
+PieceRoom room_of(const Model<2>& model, int piece, PlacedPieces& all) {
+  const int first = model.piece_first[piece];
+  const bool means = !all.mean.empty();
+  return {&all.place[first], &all.velocity[first], means ? &all.mean[first] : nullptr,
+          means ? &all.over_step[piece] : nullptr};
+}
+
+/// Room for all pieces, with their views into it: what does not change from step to step.
+void lay_pieces(const Model<2>& model, const Work<2>& work, PlacedPieces& placed) {
   const auto pieces = static_cast<std::size_t>(model.pieces()), corners = model.corner_skin.size();
-  placed.is_placed.assign(pieces, 0);
+  const bool means = !work.skin_mean.empty();
   placed.piece.resize(pieces);
   placed.over_step.resize(means ? pieces : 0);
   placed.place.resize(corners);
@@ -25,20 +33,34 @@ void place_none(const Model<2>& model, bool means, PlacedPieces& placed) {
   const std::size_t fours = PlacedPieces::first_four(model.pieces(), static_cast<int>(corners));
   placed.four.resize(fours);
   placed.row.resize(fours * lane_count);
+  for (int p = 0; p < model.pieces(); ++p) {
+    PlacedPiece& piece = placed.piece[p];
+    lay_piece(model, work, p, room_of(model, p, placed), piece);
+    const std::size_t four = PlacedPieces::first_four(p, model.piece_first[p]);
+    piece.sides = {&placed.four[four], &placed.row[four * lane_count], surface_bits(piece.is_face)};
+  }
+}
+
+/// True where the views of the pieces point into this room and this model: those of a copy of Work point into another.
+bool are_laid(const Model<2>& model, const Work<2>& work, const PlacedPieces& placed) {
+  const auto pieces = static_cast<std::size_t>(model.pieces());
+  if (placed.piece.size() != pieces || placed.over_step.size() != (work.skin_mean.empty() ? 0 : pieces)) return false;
+  return pieces == 0 || (placed.piece[0].corner.data() == placed.place.data() &&
+                         placed.piece[0].is_face.data() == model.edge_is_face.data());
+}
+
+/// None of the pieces is placed.
+void place_none(const Model<2>& model, const Work<2>& work, PlacedPieces& placed) {
+  const auto pieces = static_cast<std::size_t>(model.pieces());
+  placed.is_placed.assign(pieces, 0);
+  if (!are_laid(model, work, placed)) lay_pieces(model, work, placed);
 }
 
 /// A piece with its edges, made where it belongs in `all`.
 void place_sides(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, PlacedPieces& all) {
-  const auto p = static_cast<std::size_t>(piece);
-  PlacedPiece& placed = all.piece[p];
-  const int first = model.piece_first[piece];
-  const bool means = !all.mean.empty();
-  place_piece(model, state, work, piece,
-              {&all.place[first], &all.velocity[first], means ? &all.mean[first] : nullptr,
-               means ? &all.over_step[p] : nullptr},
-              placed);
-  const std::size_t four = PlacedPieces::first_four(piece, first);
-  placed.sides = {&all.four[four], &all.row[four * lane_count], surface_bits(placed.is_face)};
+  PlacedPiece& placed = all.piece[piece];
+  move_piece(model, state, work, piece, room_of(model, piece, all), placed);
+  const std::size_t four = PlacedPieces::first_four(piece, model.piece_first[piece]);
   place_edges(placed.corner, &all.four[four], &all.row[four * lane_count]);
 }
 
@@ -55,6 +77,14 @@ void add_to_skin(const Model<2>& model, int piece, const Vec2* force, Work<2>& w
     double* const at = on[skin[c]].data();
     store_pair(at, load_pair(at) + load_pair(force[c].data()));
   }
+}
+
+/// To the corners at both ends of edge e.
+void add_to_edge(const Model<2>& model, int piece, int e, const std::array<Vec2, 2>& force, Work<2>& work) {
+  const int *skin = &model.corner_skin[model.piece_first[piece]], next = e + 1 < model.corners_of(piece) ? e + 1 : 0;
+  double *const first = work.skin_force[skin[e]].data(), *const second = work.skin_force[skin[next]].data();
+  store_pair(first, load_pair(first) + load_pair(force[0].data()));
+  store_pair(second, load_pair(second) + load_pair(force[1].data()));
 }
 
 /// What two faces held that their contact does not as one of general shape.
@@ -122,6 +152,8 @@ struct GeneralPass {
   }
   void respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const;
   void respond(int row, CornerOnFace tried, OverlapAnswer& answer) const;
+  [[nodiscard]] CornerCase corner_case(int row, CornerOnFace at, OverlapAnswer& answer) const;
+  void finish_corner(int row, CornerOnFace at, OverlapAnswer& answer) const;
   [[nodiscard]] bool holds_off(int row, OverlapAnswer& answer) const;
   CornerOnFace respond_any(int row, OverlapAnswer& answer, bool may_be_corner) const;
   void finish(int row, OverlapAnswer& answer) const;
@@ -131,9 +163,9 @@ struct GeneralPass {
 /// Rows of one law in which one corner is below a face, or one of each piece in the other, or was last: to be answered
 /// together.
 struct CornerRows {
-  std::array<CornerCase, lane_count> pair;
-  std::array<int, lane_count> row;
-  std::array<OverlapAnswer*, lane_count> answer;
+  std::array<CornerCase, most_corner_cases> pair;
+  std::array<int, most_corner_cases> row;
+  std::array<OverlapAnswer*, most_corner_cases> answer;
   std::size_t count = 0;
   int law = -1;
 
@@ -161,14 +193,13 @@ Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece&
   answer.counts = true;
   answer.changed = answer.touching = false;
   answer.let_go = {};
+  answer.corner_at = {};
   answer.on_a = force, answer.on_b = force + a.corner.size();
-  Vec2* const end = answer.on_b + b.corner.size();
-  std::fill(force, end, Vec2::Zero());
-  return end;
+  return answer.on_b + b.corner.size();
 }
 
-/// One corner below one face, or one of each piece in the other, is answered for four rows at once: for those in which
-/// it was so last, and those in which it is found to be so now. What it does not hold for is looked at by itself.
+/// One corner below one face, or one of each piece in the other, is answered for several rows at once: for those in
+/// which it was so last, and those in which it is found to be so now. What it does not hold for is looked at by itself.
 /// `answers`: one for each row; `force`: room for the forces of all of them.
 void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const {
   // Pieces of all of them first: a short loop leaves the processor more to fetch at once.
@@ -182,7 +213,7 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
     if (waiting.count == 0) return;
     const std::uint32_t done = respond_corners(std::span(waiting.pair).first(waiting.count), friction_of(waiting.law));
     for (std::size_t k = 0; k < waiting.count; ++k)
-      (done >> k & 1U) != 0 ? finish(waiting.row[k], *waiting.answer[k])
+      (done >> k & 1U) != 0 ? finish_corner(waiting.row[k], waiting.pair[k].at, *waiting.answer[k])
                             : respond(waiting.row[k], waiting.pair[k].at, *waiting.answer[k]);
     waiting.count = 0;
   };
@@ -209,8 +240,7 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
     }
     CornerRows& waiting = kinds[at.both ? 1 : 0];
     if (waiting.count > 0 && waiting.law != pair.law) answer_waiting(waiting);
-    waiting.add(row, pair.law,
-                {&a, &b, at, &memory, &answer.response, forces_on(answer.on_a, a), forces_on(answer.on_b, b)}, answer);
+    waiting.add(row, pair.law, corner_case(row, at, answer), answer);
     if (waiting.count == waiting.pair.size()) answer_waiting(waiting);
   }
   for (CornerRows& waiting : kinds) answer_waiting(waiting);
@@ -235,11 +265,8 @@ void GeneralPass::respond(int row, CornerOnFace tried, OverlapAnswer& answer) co
   if (!at.is_there()) return;
   const NearPair& pair = work.pairs[row];
   if (!(at == tried)) {
-    const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
-                      &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
-    const CornerCase one{
-        &a, &b, at, &before.memory[row], &answer.response, forces_on(answer.on_a, a), forces_on(answer.on_b, b)};
-    if (respond_corners({&one, 1}, friction_of(pair.law)) != 0) return finish(row, answer);
+    const CornerCase one = corner_case(row, at, answer);
+    if (respond_corners({&one, 1}, friction_of(pair.law)) != 0) return finish_corner(row, at, answer);
   }
   respond_any(row, answer, false);
 }
@@ -254,6 +281,7 @@ CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_b
   const LawInUse law = law_in_use(model, pair.law, dt);
   const Remembered remembered{memory, before.law_numbers(row)};
   CornerOnFace alone;
+  std::fill(answer.on_a, answer.on_b + b.corner.size(), Vec2::Zero());
   answer.response = respond_overlap(a, b, remembered, law, forces_on(answer.on_a, a), forces_on(answer.on_b, b),
                                     work.contacts.law_numbers(row), may_be_corner ? &alone : nullptr);
   if (may_be_corner) pair.corner_at = alone;
@@ -262,6 +290,22 @@ CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_b
     answer.let_go = change_of_shape(work, pair, remembered, law);
   finish(row, answer);
   return {};
+}
+
+/// The pair of a row with that corner, and where its answer goes.
+CornerCase GeneralPass::corner_case(int row, CornerOnFace at, OverlapAnswer& answer) const {
+  const NearPair& pair = work.pairs[row];
+  const std::vector<PlacedPiece>& placed = work.placed.piece;
+  return {&placed[pair.piece_a],      &placed[pair.piece_b], at,          &before.memory[row],
+          &work.contacts.memory[row], &answer.response,      &answer.push};
+}
+
+/// As finish(), of a row that was answered by a corner: it touches, and what it remembers is written.
+void GeneralPass::finish_corner(int row, CornerOnFace at, OverlapAnswer& answer) const {
+  const ContactMemory& memory = before.memory[row];
+  answer.changed = (memory.state & contact_touching) == 0 || memory.bonds != 0 || (memory.state & contact_kept) != 0;
+  answer.touching = true;
+  answer.corner_at = at;
 }
 
 /// What a response means for its row: whether anything changed, what is remembered, how long it may sleep.
@@ -291,8 +335,15 @@ void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
   work.given[EnergyTerm::contact_fracture] += r.lost_fracture;
   if (!answer.touching) return;
-  add_to_skin(model, work.pairs[row].piece_a, answer.on_a, work);
-  add_to_skin(model, work.pairs[row].piece_b, answer.on_b, work);
+  const NearPair& pair = work.pairs[row];
+  if (const CornerOnFace at = answer.corner_at; at.is_there()) {
+    const int wedge = at.wedge_is_b ? pair.piece_b : pair.piece_a, owner = at.wedge_is_b ? pair.piece_a : pair.piece_b;
+    add_to_edge(model, wedge, at.corner > 0 ? at.corner - 1 : model.corners_of(wedge) - 1, answer.push.on_wedge, work);
+    add_to_edge(model, owner, at.face, answer.push.on_owner, work);
+  } else {
+    add_to_skin(model, pair.piece_a, answer.on_a, work);
+    add_to_skin(model, pair.piece_b, answer.on_b, work);
+  }
   work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
 }
 
@@ -324,7 +375,7 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
   if (work.general.empty() && work.general_now.empty()) return;
   const GeneralPass pass{model, state, contacts_before(state, work), work, dt, forgets_all(model)};
   list_rows(pass, work);
-  place_none(model, !work.skin_mean.empty(), work.placed);
+  place_none(model, work, work.placed);
   const auto slots = static_cast<std::size_t>(stretches_under_way(work.threads));
   work.answer.resize(slots * general_stretch);
   constexpr std::size_t forces = std::size_t{general_stretch} * 2 * max_piece_corners;
