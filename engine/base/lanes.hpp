@@ -14,9 +14,6 @@ inline constexpr int lane_count = 4;
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
 using LanePair = double __attribute__((vector_size(2 * sizeof(double))));  ///< one register on any machine
 using LaneMask = std::int64_t __attribute__((vector_size(lane_count * sizeof(std::int64_t))));
-// Twice as many, for kernels that have enough to do at once and run where one register holds them.
-using WideLanes = double __attribute__((vector_size(2 * lane_count * sizeof(double))));
-using WideMask = std::int64_t __attribute__((vector_size(2 * lane_count * sizeof(std::int64_t))));
 
 /// The result of comparing two T.
 template <class T>
@@ -27,16 +24,8 @@ template <>
 struct MaskOf<Lanes> {
   using type = LaneMask;
 };
-template <>
-struct MaskOf<WideLanes> {
-  using type = WideMask;
-};
 template <class T>
 using Mask = typename MaskOf<T>::type;
-
-/// How many doubles a T holds.
-template <class T>
-inline constexpr int lane_count_of = static_cast<int>(sizeof(T) / sizeof(double));
 
 #define TRILITH_INLINE [[gnu::always_inline]] inline
 
@@ -56,21 +45,12 @@ TRILITH_INLINE double select(bool m, double a, double b) {
 TRILITH_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) {
   return m ? a : b;
 }
-/// By bits: the other way would be taken apart into eight choices.
-TRILITH_INLINE WideLanes select(WideMask m, WideLanes a, WideLanes b) {
-  return WideLanes((m & WideMask(a)) | (~m & WideMask(b)));
-}
 TRILITH_INLINE double root(double x) {
   return std::sqrt(x);
 }
 TRILITH_INLINE Lanes root(Lanes x) {
   Lanes r;
   for (int i = 0; i < lane_count; ++i) r[i] = __builtin_sqrt(x[i]);
-  return r;
-}
-TRILITH_INLINE WideLanes root(WideLanes x) {
-  WideLanes r;
-  for (int i = 0; i < lane_count_of<WideLanes>; ++i) r[i] = __builtin_sqrt(x[i]);
   return r;
 }
 template <class T>
@@ -92,27 +72,9 @@ TRILITH_INLINE bool flip(bool m) {
 TRILITH_INLINE LaneMask flip(LaneMask m) {
   return ~m;
 }
-TRILITH_INLINE WideMask flip(WideMask m) {
-  return ~m;
-}
-/// The lanes of both, one after the other; and back.
-TRILITH_INLINE WideLanes join(Lanes low, Lanes high) {
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-TRILITH_INLINE Lanes low_lanes(WideLanes v) {
-  return __builtin_shufflevector(v, v, 0, 1, 2, 3);
-}
-TRILITH_INLINE Lanes high_lanes(WideLanes v) {
-  return __builtin_shufflevector(v, v, 4, 5, 6, 7);
-}
 /// True where `m` is true in some lane.
 TRILITH_INLINE bool any(bool m) {
   return m;
-}
-TRILITH_INLINE bool any(WideMask m) {
-  const LaneMask fours = __builtin_shufflevector(m, m, 0, 1, 2, 3) | __builtin_shufflevector(m, m, 4, 5, 6, 7);
-  const LaneMask pairs = fours | __builtin_shufflevector(fours, fours, 2, 3, 0, 1);
-  return (pairs[0] | pairs[1]) != 0;
 }
 TRILITH_INLINE bool any(LaneMask m) {
   const LaneMask pairs = m | __builtin_shufflevector(m, m, 2, 3, 0, 1);

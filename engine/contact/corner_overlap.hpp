@@ -1,5 +1,5 @@
 // One corner of a convex piece under one face of another, or one corner of each in the other: the usual contacts of
-// rubble, several pairs at once.
+// rubble, four pairs at once.
 //
 //         p                     n       The corner v of one piece, the wedge, lies below the face f of the other, the
 //          \                   /        owner, and nothing else of either lies in the other. What they share is the
@@ -55,7 +55,7 @@ struct CornerCase {
 };
 
 /// Most pairs that are answered at once.
-inline constexpr int most_corner_cases = 8;
+inline constexpr int most_corner_cases = lane_count;
 
 /// Answers up to most_corner_cases pairs under one law, all with `at.both` alike. Bit i of what is returned: pair i was
 /// answered; of the others nothing is written.

@@ -1,5 +1,4 @@
-// What two convex pieces share where one corner of either lies in the other, or one of both; several pairs, a lane each
-// of T, which is Lanes or WideLanes.
+// What two convex pieces share where one corner of either lies in the other, or one of both; four pairs, a lane each.
 //
 // Comes in: the edges at those corners, where they stand; how the pieces move; a law of friction alone. Goes out: the
 // stretches over which the pressure is linear, the forces on the wedge about its corner v and what goes with them, and
@@ -18,35 +17,29 @@ namespace trilith {
 /// Where an edge crosses a face, as a share of either: nearer than this to an end is not clear.
 inline constexpr double clear_share = 1e-9;
 
-template <class T>
 struct Plane2 {
-  T x, y;
+  Lanes x, y;
   TRILITH_INLINE Plane2 operator+(const Plane2& o) const { return {x + o.x, y + o.y}; }
   TRILITH_INLINE Plane2 operator-(const Plane2& o) const { return {x - o.x, y - o.y}; }
 };
-template <class T>
-TRILITH_INLINE Plane2<T> operator*(const T& s, const Plane2<T>& v) {
+TRILITH_INLINE Plane2 operator*(const Lanes& s, const Plane2& v) {
   return {s * v.x, s * v.y};
 }
-template <class T>
-TRILITH_INLINE T dot_of(const Plane2<T>& a, const Plane2<T>& b) {
+TRILITH_INLINE Lanes dot_of(const Plane2& a, const Plane2& b) {
   return a.x * b.x + a.y * b.y;
 }
-template <class T>
-TRILITH_INLINE T cross_of(const Plane2<T>& a, const Plane2<T>& b) {
+TRILITH_INLINE Lanes cross_of(const Plane2& a, const Plane2& b) {
   return a.x * b.y - a.y * b.x;
 }
-template <class T>
-TRILITH_INLINE Plane2<T> select_point(const Mask<T>& m, const Plane2<T>& a, const Plane2<T>& b) {
+TRILITH_INLINE Plane2 select_point(const LaneMask& m, const Plane2& a, const Plane2& b) {
   return {select(m, a.x, b.x), select(m, a.y, b.y)};
 }
 
 /// The motion of the wedge against the owner about the corner v.
-template <class T>
 struct RelativeMotion {
-  Plane2<T> at_corner;
-  T spin;
-  [[nodiscard]] TRILITH_INLINE Plane2<T> at(const Plane2<T>& arm) const {
+  Plane2 at_corner;
+  Lanes spin;
+  [[nodiscard]] TRILITH_INLINE Plane2 at(const Plane2& arm) const {
     return {at_corner.x - spin * arm.y, at_corner.y + spin * arm.x};
   }
 };
@@ -58,9 +51,8 @@ TRILITH_INLINE int edge_before(const PlacedPiece& piece, int e) {
 
 /// Four edges of one piece of each pair: those before and after a corner, the one after these, and the one left of a
 /// piece with four; of one with three the former again.
-template <class T>
 struct CornerRowsOf {
-  const EdgeRow *before[lane_count_of<T>], *after[lane_count_of<T>], *next[lane_count_of<T>], *far[lane_count_of<T>];
+  const EdgeRow *before[lane_count], *after[lane_count], *next[lane_count], *far[lane_count];
   TRILITH_INLINE void set(int lane, const PlacedPiece& piece, int corner) {
     const EdgeRow* const row = piece.sides.row;
     const int one = edge_after(piece, corner);
@@ -70,19 +62,18 @@ struct CornerRowsOf {
 };
 
 /// These as columns.
-template <class T>
 struct CornerEdges {
-  EdgeStarts<T> before, after, next, far;
-  TRILITH_INLINE explicit CornerEdges(const CornerRowsOf<T>& e)
+  EdgeStarts before, after, next, far;
+  TRILITH_INLINE explicit CornerEdges(const CornerRowsOf& e)
       : before(e.before), after(e.after), next(e.next), far(e.far) {}
 
-  [[nodiscard]] TRILITH_INLINE EdgeColumns<T> edge_before() const { return {before, after}; }
-  [[nodiscard]] TRILITH_INLINE EdgeColumns<T> edge_after() const { return {after, next}; }
+  [[nodiscard]] TRILITH_INLINE EdgeColumns edge_before() const { return {before, after}; }
+  [[nodiscard]] TRILITH_INLINE EdgeColumns edge_after() const { return {after, next}; }
   /// Where a point of the world is deeper than `depth` below the two edges that do not meet in the corner.
-  [[nodiscard]] TRILITH_INLINE Mask<T> is_nearer(const Plane2<T>& at, const T& depth) const {
+  [[nodiscard]] TRILITH_INLINE LaneMask is_nearer(const Plane2& at, const Lanes& depth) const {
     return ~(below(next, at) <= depth) & ~(below(far, at) <= depth);
   }
-  [[nodiscard]] TRILITH_INLINE static T below(const EdgeStarts<T>& e, const Plane2<T>& at) {
+  [[nodiscard]] TRILITH_INLINE static Lanes below(const EdgeStarts& e, const Plane2& at) {
     return e.nx * (e.x - at.x) + e.ny * (e.y - at.y);
   }
 };
@@ -102,16 +93,15 @@ TRILITH_INLINE bool is_deeper(const PlacedPiece& piece, double x, double y, doub
 
 /// The two pieces of each pair, and the edges that matter: about the corner of the wedge; of the owner, about the
 /// corner that its face begins at.
-template <class T>
 struct PiecesOfPairs {
-  const PlacedPiece *wedge[lane_count_of<T>], *owner[lane_count_of<T>];
-  CornerRowsOf<T> of_wedge, of_owner;
+  const PlacedPiece *wedge[lane_count], *owner[lane_count];
+  CornerRowsOf of_wedge, of_owner;
   std::uint64_t wedge_is_b = 0;  ///< bit i: of lane i
   std::uint64_t many = 0;        ///< bit i: a piece of lane i has more than four corners
 
   /// Beyond the last pair the first again.
   TRILITH_INLINE explicit PiecesOfPairs(std::span<const CornerCase> pairs) {
-    for (int i = 0; i < lane_count_of<T>; ++i) {
+    for (int i = 0; i < lane_count; ++i) {
       const CornerCase& pair = pairs[static_cast<std::size_t>(i) < pairs.size() ? static_cast<std::size_t>(i) : 0];
       const CornerOnFace at = pair.at;
       const PlacedPiece &w = at.wedge_is_b ? *pair.b : *pair.a, &o = at.wedge_is_b ? *pair.a : *pair.b;
@@ -124,32 +114,33 @@ struct PiecesOfPairs {
 };
 
 /// The triangle of every lane, about the corner v, and where it is none.
-template <class T>
 struct Triangle {
-  EdgeColumns<T> before, after, face;  ///< edges p v and v n of the wedge; the face of the owner
-  Plane2<T> corner;                    ///< v in the world [m]
-  T depth, depth_b;                    ///< of v below f, of B below both edges [m]
-  T share_before, share_after;         ///< what of both edges is below f
-  Plane2<T> p1, p2, b;                 ///< from v [m]
-  T share_b;                           ///< of B on the way from P2 to P1
-  Mask<T> clear;                       ///< that is what they share, and no other edges are as near
+  EdgeColumns before, after, face;  ///< edges p v and v n of the wedge; the face of the owner
+  Plane2 corner;                    ///< v in the world [m]
+  Lanes depth, depth_b;             ///< of v below f, of B below both edges [m]
+  Lanes share_before, share_after;  ///< what of both edges is below f
+  Plane2 p1, p2, b;                 ///< from v [m]
+  Lanes share_b;                    ///< of B on the way from P2 to P1
+  LaneMask clear;                   ///< that is what they share, and no other edges are as near
 
-  TRILITH_INLINE Triangle(const CornerEdges<T>& wedge, const CornerEdges<T>& owner)
+  TRILITH_INLINE Triangle(const CornerEdges& wedge, const CornerEdges& owner)
       : before(wedge.edge_before()), after(wedge.edge_after()), face(owner.edge_after()), corner{after.x, after.y} {
-    const T zero{}, one = all_lanes<T>(1);
+    const Lanes zero{}, one = all_lanes(1);
     depth = face.nx * (face.x - corner.x) + face.ny * (face.y - corner.y);
-    const T out_before = face.nx * (face.x - before.x) + face.ny * (face.y - before.y);
-    const T out_after = depth - (face.nx * after.along_x + face.ny * after.along_y);
+    const Lanes out_before = face.nx * (face.x - before.x) + face.ny * (face.y - before.y);
+    const Lanes out_after = depth - (face.nx * after.along_x + face.ny * after.along_y);
     clear = (depth > zero) & (out_before < zero) & (out_after < zero);
     share_before = depth / select(clear, depth - out_before, one);
     share_after = depth / select(clear, depth - out_after, one);
-    p1 = -share_before * Plane2<T>{before.along_x, before.along_y};
-    p2 = share_after * Plane2<T>{after.along_x, after.along_y};
-    const Plane2<T> from_start{corner.x - face.x, corner.y - face.y}, along{face.along_x, face.along_y};
-    const T at1 = dot_of(from_start + p1, along) / face.length2, at2 = dot_of(from_start + p2, along) / face.length2;
-    const auto is_clear = [&](const T& share) { return (share > clear_share) & (share < 1 - clear_share); };
+    p1 = -share_before * Plane2{before.along_x, before.along_y};
+    p2 = share_after * Plane2{after.along_x, after.along_y};
+    const Plane2 from_start{corner.x - face.x, corner.y - face.y}, along{face.along_x, face.along_y};
+    const Lanes at1 = dot_of(from_start + p1, along) / face.length2,
+                at2 = dot_of(from_start + p2, along) / face.length2;
+    const auto is_clear = [&](const Lanes& share) { return (share > clear_share) & (share < 1 - clear_share); };
     // How deep each end of the base lies below the edge that the other one is on.
-    const T below_before = -(before.nx * p2.x + before.ny * p2.y), below_after = -(after.nx * p1.x + after.ny * p1.y);
+    const Lanes below_before = -(before.nx * p2.x + before.ny * p2.y),
+                below_after = -(after.nx * p1.x + after.ny * p1.y);
     clear &= is_clear(share_before) & is_clear(share_after) & is_clear(at1) & is_clear(at2) & (below_before > zero) &
              (below_after > zero);
     share_b = below_before / select(clear, below_before + below_after, one);
@@ -159,9 +150,9 @@ struct Triangle {
     clear &= ~(owner.below(owner.before, corner) <= depth) & owner.is_nearer(corner, depth) &
              wedge.is_nearer(corner + b, depth_b);
   }
-  [[nodiscard]] TRILITH_INLINE T deepest() const { return larger(depth, depth_b); }
+  [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(depth, depth_b); }
   /// The last two of all edges, of pieces with many.
-  [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PiecesOfPairs<T>& pairs, const CornerOnFace& at) const {
+  [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PiecesOfPairs& pairs, const CornerOnFace& at) const {
     const PlacedPiece &wedge = *pairs.wedge[i], &owner = *pairs.owner[i];
     return is_deeper(owner, corner.x[i], corner.y[i], depth[i], at.face, at.face) &&
            is_deeper(wedge, corner.x[i] + b.x[i], corner.y[i] + b.y[i], depth_b[i], edge_before(wedge, at.corner),
@@ -170,33 +161,31 @@ struct Triangle {
 };
 
 /// One of the four stretches: the force over it, where it acts, and the damping part of it, along one normal.
-template <class T>
 struct PressedStretch {
-  T total, share;             ///< [N]; where on the way it acts
-  T damping, damping_moment;  ///< [N]; its first moment, over the way
-  T power, length;            ///< of the damping [W]; [m]
+  Lanes total, share;             ///< [N]; where on the way it acts
+  Lanes damping, damping_moment;  ///< [N]; its first moment, over the way
+  Lanes power, length;            ///< of the damping [W]; [m]
 
-  TRILITH_INLINE PressedStretch(const Coulomb& law, const T& d0, const T& d1, const T& c0, const T& c1, const T& way)
+  TRILITH_INLINE PressedStretch(const Coulomb& law, const Lanes& d0, const Lanes& d1, const Lanes& c0, const Lanes& c1,
+                                const Lanes& way)
       : length(way) {
     const auto [stress, spring] = law.stretch(d0, d1, c0, c1);
-    const T force = (0.5 * law.kn) * way, zero{};
+    const Lanes force = (0.5 * law.kn) * way, zero{};
     total = larger(force * stress.sum, zero);
-    share = stress.moment / select(stress.sum > zero, stress.sum, all_lanes<T>(1));
+    share = stress.moment / select(stress.sum > zero, stress.sum, all_lanes(1));
     damping = force * (stress.sum - spring.sum), damping_moment = force * (stress.moment - spring.moment);
     power = damping * c0 + damping_moment * (c1 - c0);
   }
 };
 
 /// Forces on the wedge and what goes with them, about v.
-template <class T>
 struct WedgeSums {
-  Plane2<T> force{}, damping{}, arm{};  ///< [N], [N]; pressure times place [N m]
-  T moment{}, damping_moment{}, pressure{}, power{}, length{};
+  Plane2 force{}, damping{}, arm{};  ///< [N], [N]; pressure times place [N m]
+  Lanes moment{}, damping_moment{}, pressure{}, power{}, length{};
 
   /// A stretch that begins at `from` and goes `way`, whose force on the wedge is along `normal`.
-  TRILITH_INLINE void add(const PressedStretch<T>& s, const Plane2<T>& normal, const Plane2<T>& from,
-                          const Plane2<T>& way) {
-    const Plane2<T> at = from + s.share * way;
+  TRILITH_INLINE void add(const PressedStretch& s, const Plane2& normal, const Plane2& from, const Plane2& way) {
+    const Plane2 at = from + s.share * way;
     force = force + s.total * normal, moment += s.total * cross_of(at, normal);
     arm = arm + s.total * at, pressure += s.total;
     damping = damping + s.damping * normal;
@@ -205,20 +194,19 @@ struct WedgeSums {
   }
 };
 
-template <class T>
-TRILITH_INLINE WedgeSums<T> press(const Triangle<T>& t, const RelativeMotion<T>& motion, const Coulomb& law) {
-  const Plane2<T> zero{}, e{t.before.nx, t.before.ny}, g{t.after.nx, t.after.ny}, f{t.face.nx, t.face.ny};
-  const Plane2<T> at1 = motion.at(t.p1), at2 = motion.at(t.p2), at_b = motion.at(t.b);
-  const T none{}, base = root(dot_of(t.p1 - t.p2, t.p1 - t.p2));
+TRILITH_INLINE WedgeSums press(const Triangle& t, const RelativeMotion& motion, const Coulomb& law) {
+  const Plane2 zero{}, e{t.before.nx, t.before.ny}, g{t.after.nx, t.after.ny}, f{t.face.nx, t.face.ny};
+  const Plane2 at1 = motion.at(t.p1), at2 = motion.at(t.p2), at_b = motion.at(t.b);
+  const Lanes none{}, base = root(dot_of(t.p1 - t.p2, t.p1 - t.p2));
   // The wedge walks: it closes as it moves along its own normal, and is pushed back against it.
-  const PressedStretch<T> a(law, none, t.depth, dot_of(e, at1), dot_of(e, motion.at_corner),
-                            t.share_before * root(t.before.length2));
-  const PressedStretch<T> b(law, t.depth, none, dot_of(g, motion.at_corner), dot_of(g, at2),
-                            t.share_after * root(t.after.length2));
+  const PressedStretch a(law, none, t.depth, dot_of(e, at1), dot_of(e, motion.at_corner),
+                         t.share_before * root(t.before.length2));
+  const PressedStretch b(law, t.depth, none, dot_of(g, motion.at_corner), dot_of(g, at2),
+                         t.share_after * root(t.after.length2));
   // The owner walks along f: it closes as the wedge comes against its normal.
-  const PressedStretch<T> c(law, none, t.depth_b, -dot_of(f, at2), -dot_of(f, at_b), t.share_b * base);
-  const PressedStretch<T> d(law, t.depth_b, none, -dot_of(f, at_b), -dot_of(f, at1), (1.0 - t.share_b) * base);
-  WedgeSums<T> sums;
+  const PressedStretch c(law, none, t.depth_b, -dot_of(f, at2), -dot_of(f, at_b), t.share_b * base);
+  const PressedStretch d(law, t.depth_b, none, -dot_of(f, at_b), -dot_of(f, at1), (1.0 - t.share_b) * base);
+  WedgeSums sums;
   sums.add(a, zero - e, t.p1, zero - t.p1);
   sums.add(b, zero - g, zero, t.p2);
   sums.add(c, f, t.p2, t.b - t.p2);
@@ -232,68 +220,67 @@ TRILITH_INLINE WedgeSums<T> press(const Triangle<T>& t, const RelativeMotion<T>&
 /// Depths are linear on each of both ways:
 ///
 ///     first: 0 .. d0 at the corner .. d0_out      last: d1_in .. d1 at the corner .. 0
-template <class T>
 struct CornerChain {
-  EdgeColumns<T> before, after;
-  Plane2<T> corner, in, out, turn;  ///< all from v [m]
-  T share_in, share_out;            ///< what of both edges is inside
-  T d0, d1, depth, on_way;          ///< [m]; [m] at `turn`; share of its way there
-  Mask<T> early, clear;
+  EdgeColumns before, after;
+  Plane2 corner, in, out, turn;  ///< all from v [m]
+  Lanes share_in, share_out;     ///< what of both edges is inside
+  Lanes d0, d1, depth, on_way;   ///< [m]; [m] at `turn`; share of its way there
+  LaneMask early, clear;
 
   /// `v`: of the wedge, in the world [m].
-  TRILITH_INLINE CornerChain(const EdgeColumns<T>& w0, const EdgeColumns<T>& w1, const EdgeColumns<T>& first,
-                             const EdgeColumns<T>& last, const Plane2<T>& v)
+  TRILITH_INLINE CornerChain(const EdgeColumns& w0, const EdgeColumns& w1, const EdgeColumns& first,
+                             const EdgeColumns& last, const Plane2& v)
       : before(w0), after(w1), corner{after.x - v.x, after.y - v.y} {
-    const T zero{}, one = all_lanes<T>(1);
-    const auto below = [](const EdgeColumns<T>& e, const EdgeColumns<T>& at) {
+    const Lanes zero{}, one = all_lanes(1);
+    const auto below = [](const EdgeColumns& e, const EdgeColumns& at) {
       return e.nx * (e.x - at.x) + e.ny * (e.y - at.y);
     };
-    const auto along = [](const EdgeColumns<T>& e, const EdgeColumns<T>& way) {
+    const auto along = [](const EdgeColumns& e, const EdgeColumns& way) {
       return e.nx * way.along_x + e.ny * way.along_y;
     };
     d0 = below(first, after), d1 = below(last, after);
-    const T d0_start = below(first, before), d1_start = below(last, before);
-    const T d0_end = d0 - along(first, after), d1_end = d1 - along(last, after);
+    const Lanes d0_start = below(first, before), d1_start = below(last, before);
+    const Lanes d0_end = d0 - along(first, after), d1_end = d1 - along(last, after);
     clear = (d0 > zero) & (d1 > zero) & (d0_start < zero) & (d1_end < zero);
     share_in = d0 / select(clear, d0 - d0_start, one), share_out = d1 / select(clear, d1 - d1_end, one);
-    in = corner - share_in * Plane2<T>{before.along_x, before.along_y};
-    out = corner + share_out * Plane2<T>{after.along_x, after.along_y};
-    const T d1_in = d1 + share_in * (d1_start - d1), d0_out = d0 + share_out * (d0_end - d0);
-    const auto is_clear = [&](const T& share) { return (share > clear_share) & (share < 1 - clear_share); };
+    in = corner - share_in * Plane2{before.along_x, before.along_y};
+    out = corner + share_out * Plane2{after.along_x, after.along_y};
+    const Lanes d1_in = d1 + share_in * (d1_start - d1), d0_out = d0 + share_out * (d0_end - d0);
+    const auto is_clear = [&](const Lanes& share) { return (share > clear_share) & (share < 1 - clear_share); };
     clear &= is_clear(share_in) & is_clear(share_out) & (d1_in > zero) & (d0_out > zero);
     early = d0 > d1;
-    const T nearer = magnitude(d0 - d1), beside = select(early, d1_in, d0_out);
+    const Lanes nearer = magnitude(d0 - d1), beside = select(early, d1_in, d0_out);
     on_way = select(early, beside, nearer) / select(clear, nearer + beside, one);
     turn = select_point(early, in + on_way * (corner - in), corner + on_way * (out - corner));
     depth = select(early, on_way * d0, (1.0 - on_way) * d1);
   }
-  [[nodiscard]] TRILITH_INLINE T deepest() const { return larger(select(early, d1, d0), depth); }
+  [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(select(early, d1, d0), depth); }
   /// Where the edges of the other piece but those two are deeper below at the corner and where it turns.
-  [[nodiscard]] TRILITH_INLINE Mask<T> are_nearest(const CornerEdges<T>& other, const Plane2<T>& v) const {
+  [[nodiscard]] TRILITH_INLINE LaneMask are_nearest(const CornerEdges& other, const Plane2& v) const {
     return other.is_nearer(v + corner, smaller(d0, d1)) & other.is_nearer(v + turn, depth);
   }
   /// The same of lane i and of all edges of a piece with many; `at`: the corner of the other piece.
-  [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PlacedPiece& other, int at, const Plane2<T>& v) const {
+  [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PlacedPiece& other, int at, const Plane2& v) const {
     const int before_it = edge_before(other, at);
     return is_deeper(other, v.x[i] + corner.x[i], v.y[i] + corner.y[i], smaller(d0[i], d1[i]), before_it, at) &&
            is_deeper(other, v.x[i] + turn.x[i], v.y[i] + turn.y[i], depth[i], before_it, at);
   }
   /// Its three stretches. `way` is 1.0 for the edges of the wedge, -1.0 for those of the owner.
-  TRILITH_INLINE void press(const RelativeMotion<T>& motion, const Coulomb& law, double way, WedgeSums<T>& sums) const {
-    const T zero{}, one = all_lanes<T>(1);
-    const Plane2<T> n0{way * before.nx, way * before.ny}, n1{way * after.nx, way * after.ny},
+  TRILITH_INLINE void press(const RelativeMotion& motion, const Coulomb& law, double way, WedgeSums& sums) const {
+    const Lanes zero{}, one = all_lanes(1);
+    const Plane2 n0{way * before.nx, way * before.ny}, n1{way * after.nx, way * after.ny},
         n = select_point(early, n0, n1);
-    const Plane2<T> x = select_point(early, turn, corner), y = select_point(early, corner, turn);
-    const T at_x = select(early, depth, d0), at_y = select(early, d1, depth);
-    const T long_in = share_in * root(before.length2), long_out = share_out * root(after.length2);
-    const T rest = one - on_way;
-    const Plane2<T> moves_x = motion.at(x), moves_y = motion.at(y), none{};
-    const PressedStretch<T> a(law, zero, at_x, dot_of(n0, motion.at(in)), dot_of(n0, moves_x),
-                              long_in * select(early, on_way, one));
-    const PressedStretch<T> b(law, at_x, at_y, dot_of(n, moves_x), dot_of(n, moves_y),
-                              select(early, long_in * rest, long_out * on_way));
-    const PressedStretch<T> c(law, at_y, zero, dot_of(n1, moves_y), dot_of(n1, motion.at(out)),
-                              long_out * select(early, one, rest));
+    const Plane2 x = select_point(early, turn, corner), y = select_point(early, corner, turn);
+    const Lanes at_x = select(early, depth, d0), at_y = select(early, d1, depth);
+    const Lanes long_in = share_in * root(before.length2), long_out = share_out * root(after.length2);
+    const Lanes rest = one - on_way;
+    const Plane2 moves_x = motion.at(x), moves_y = motion.at(y), none{};
+    const PressedStretch a(law, zero, at_x, dot_of(n0, motion.at(in)), dot_of(n0, moves_x),
+                           long_in * select(early, on_way, one));
+    const PressedStretch b(law, at_x, at_y, dot_of(n, moves_x), dot_of(n, moves_y),
+                           select(early, long_in * rest, long_out * on_way));
+    const PressedStretch c(law, at_y, zero, dot_of(n1, moves_y), dot_of(n1, motion.at(out)),
+                           long_out * select(early, one, rest));
     // The wedge is pushed back against its normals, and where the owner walks along them.
     sums.add(a, none - n0, in, x - in);
     sums.add(b, none - n, x, y - x);
@@ -303,27 +290,25 @@ struct CornerChain {
 
 /// One corner of each of two pieces in the other: what they share has these two corners and the two points at which
 /// their edges cross. Comes in: four edges; goes out: the way of each piece through the other.
-template <class T>
 struct CornerPair {
-  EdgeColumns<T> before, after, face;  ///< of the wedge; the edge after the owner's corner
-  Plane2<T> corner;                    ///< v of the wedge in the world [m]
-  CornerChain<T> wedge, owner;
-  Mask<T> clear;  ///< see Triangle
+  EdgeColumns before, after, face;  ///< of the wedge; the edge after the owner's corner
+  Plane2 corner;                    ///< v of the wedge in the world [m]
+  CornerChain wedge, owner;
+  LaneMask clear;  ///< see Triangle
 
-  TRILITH_INLINE CornerPair(const CornerEdges<T>& w, const CornerEdges<T>& o)
+  TRILITH_INLINE CornerPair(const CornerEdges& w, const CornerEdges& o)
       : CornerPair(w.edge_before(), w.edge_after(), o.edge_before(), o.edge_after()) {
     clear &= wedge.are_nearest(o, corner) & owner.are_nearest(w, corner);
   }
-  [[nodiscard]] TRILITH_INLINE T deepest() const { return larger(wedge.deepest(), owner.deepest()); }
+  [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(wedge.deepest(), owner.deepest()); }
   /// See Triangle.
-  [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PiecesOfPairs<T>& pairs, const CornerOnFace& at) const {
+  [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PiecesOfPairs& pairs, const CornerOnFace& at) const {
     return wedge.is_nearest(i, *pairs.owner[i], at.face, corner) &&
            owner.is_nearest(i, *pairs.wedge[i], at.corner, corner);
   }
 
  private:
-  TRILITH_INLINE CornerPair(const EdgeColumns<T>& w0, const EdgeColumns<T>& w1, const EdgeColumns<T>& o0,
-                            const EdgeColumns<T>& o1)
+  TRILITH_INLINE CornerPair(const EdgeColumns& w0, const EdgeColumns& w1, const EdgeColumns& o0, const EdgeColumns& o1)
       : before(w0),
         after(w1),
         face(o1),
@@ -333,9 +318,8 @@ struct CornerPair {
         clear(wedge.clear & owner.clear) {}
 };
 
-template <class T>
-TRILITH_INLINE WedgeSums<T> press(const CornerPair<T>& t, const RelativeMotion<T>& motion, const Coulomb& law) {
-  WedgeSums<T> sums;
+TRILITH_INLINE WedgeSums press(const CornerPair& t, const RelativeMotion& motion, const Coulomb& law) {
+  WedgeSums sums;
   t.wedge.press(motion, law, 1.0, sums);
   t.owner.press(motion, law, -1.0, sums);
   return sums;

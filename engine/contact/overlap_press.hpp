@@ -14,9 +14,8 @@
 
 namespace trilith {
 
-template <class T = Lanes>
-TRILITH_INLINE T all_lanes(double v) {
-  return v - T{};
+TRILITH_INLINE Lanes all_lanes(double v) {
+  return Lanes{v, v, v, v};
 }
 
 /// A part of an edge, in shares of it.
@@ -64,57 +63,19 @@ TRILITH_INLINE Lanes load_four(const double* four) {
   return v;
 }
 
-/// A row of four numbers for each lane of T, as four columns; row(i): that of lane i.
-template <class T>
-struct alignas(32) RowColumns {
-  T v[4];
-  template <class Row>
-  TRILITH_INLINE explicit RowColumns(Row&& row) {
-    const FourByFour low(row(0), row(1), row(2), row(3));
-    if constexpr (lane_count_of<T> == lane_count)
-      for (int k = 0; k < 4; ++k) v[k] = low.v[k];
-    else {
-      const FourByFour high(row(4), row(5), row(6), row(7));
-      for (int k = 0; k < 4; ++k) v[k] = join(low.v[k], high.v[k]);
-    }
-  }
-};
-
-/// The other way: four columns as a row for each lane.
-template <class T>
-struct alignas(32) ColumnRows {
-  Lanes v[lane_count_of<T>];
-  TRILITH_INLINE ColumnRows(const T& a, const T& b, const T& c, const T& d) {
-    if constexpr (lane_count_of<T> == lane_count)
-      write(FourByFour(a, b, c, d), v);
-    else {
-      write(FourByFour(low_lanes(a), low_lanes(b), low_lanes(c), low_lanes(d)), v);
-      write(FourByFour(high_lanes(a), high_lanes(b), high_lanes(c), high_lanes(d)), v + lane_count);
-    }
-  }
-
- private:
-  TRILITH_INLINE static void write(const FourByFour& rows, Lanes* out) {
-    for (int k = 0; k < lane_count; ++k) out[k] = rows.v[k];
-  }
-};
-
 /// Where edges begin and their normals, a lane each.
-template <class T>
-struct EdgeStarts {
-  T x, y, nx, ny;
-  TRILITH_INLINE explicit EdgeStarts(const EdgeRow* const* e)
-      : EdgeStarts(RowColumns<T>([&](int i) { return load_four(&e[i]->x); })) {}
-
- private:
-  TRILITH_INLINE explicit EdgeStarts(const RowColumns<T>& c) : x(c.v[0]), y(c.v[1]), nx(c.v[2]), ny(c.v[3]) {}
+struct alignas(32) EdgeStarts {
+  Lanes x, y, nx, ny;
+  TRILITH_INLINE explicit EdgeStarts(const EdgeRow* const* e) {
+    const FourByFour rows(load_four(&e[0]->x), load_four(&e[1]->x), load_four(&e[2]->x), load_four(&e[3]->x));
+    x = rows.v[0], y = rows.v[1], nx = rows.v[2], ny = rows.v[3];
+  }
 };
 
 /// Edges, a lane each: with the way to where the next one begins [m] and its square [m2].
-template <class T>
-struct EdgeColumns {
-  T x, y, along_x, along_y, nx, ny, length2;
-  TRILITH_INLINE EdgeColumns(const EdgeStarts<T>& e, const EdgeStarts<T>& next)
+struct alignas(32) EdgeColumns {
+  Lanes x, y, along_x, along_y, nx, ny, length2;
+  TRILITH_INLINE EdgeColumns(const EdgeStarts& e, const EdgeStarts& next)
       : x(e.x), y(e.y), along_x(next.x - e.x), along_y(next.y - e.y), nx(e.nx), ny(e.ny) {
     length2 = along_x * along_x + along_y * along_y;
   }
@@ -124,12 +85,11 @@ struct EdgeColumns {
 /// row(i): of lane i, first x and y, second x and y.
 struct alignas(32) CornerForces {
   FourByFour row;
-  TRILITH_INLINE CornerForces(const EdgeColumns<Lanes>& e, const Lanes& x, const Lanes& y, const Lanes& fx,
-                              const Lanes& fy)
+  TRILITH_INLINE CornerForces(const EdgeColumns& e, const Lanes& x, const Lanes& y, const Lanes& fx, const Lanes& fy)
       : row(of(e, x, y, fx, fy)) {}
 
  private:
-  TRILITH_INLINE static FourByFour of(const EdgeColumns<Lanes>& e, const Lanes& x, const Lanes& y, const Lanes& fx,
+  TRILITH_INLINE static FourByFour of(const EdgeColumns& e, const Lanes& x, const Lanes& y, const Lanes& fx,
                                       const Lanes& fy) {
     const Lanes share = (e.along_x * (x - e.x) + e.along_y * (y - e.y)) / e.length2, rest = 1.0 - share;
     const Lanes off_x = x - (e.x + share * e.along_x), off_y = y - (e.y + share * e.along_y);
@@ -169,7 +129,7 @@ struct OverlapPress {
  private:
   /// Speed along n at which b moves against a at points of the stretches, a lane each [m/s].
   [[nodiscard]] TRILITH_INLINE Lanes speed(const PlacedPiece& p, const PlacedPiece& q, const OverlapStretch* const* s,
-                                           const EdgeColumns<Lanes>& walker, const Lanes& x, const Lanes& y) const {
+                                           const EdgeColumns& walker, const Lanes& x, const Lanes& y) const {
     Lanes u, v;
     if (p.corner_velocity.empty() && q.corner_velocity.empty()) {
       u = (q.velocity.x() - q.spin * (y - q.origin.y())) - (p.velocity.x() - p.spin * (y - p.origin.y()));
@@ -203,8 +163,8 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
   const FourByFour parts(load_four(&s[0]->span.from), load_four(&s[1]->span.from), load_four(&s[2]->span.from),
                          load_four(&s[3]->span.from));
   const Lanes from = parts.v[0], to = parts.v[1], d0 = parts.v[2], d1 = parts.v[3];
-  const EdgeColumns<Lanes> walker{EdgeStarts<Lanes>(walkers), EdgeStarts<Lanes>(past_walkers)},
-      owner{EdgeStarts<Lanes>(owners), EdgeStarts<Lanes>(past_owners)};
+  const EdgeColumns walker{EdgeStarts(walkers), EdgeStarts(past_walkers)},
+      owner{EdgeStarts(owners), EdgeStarts(past_owners)};
   const Lanes zero{}, nx = walker.nx, ny = walker.ny;  // out of the walker, into the owner
   const Lanes x0 = walker.x + from * walker.along_x, y0 = walker.y + from * walker.along_y;
   const Lanes x1 = walker.x + to * walker.along_x, y1 = walker.y + to * walker.along_y;
