@@ -53,4 +53,10 @@ inline PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, co
   return placed_piece(model, state, work, piece, corners.room());
 }
 
+/// None of the pieces of work.placed is placed; there is room for all.
+void place_none(const Model<2>& model, Work<2>& work);
+/// A piece as it stands now, with its edges, in work.placed: placed by the first of its contacts that asks, in whatever
+/// thread.
+void place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece);
+
 }  // namespace trilith

@@ -1,6 +1,7 @@
 // Pieces where they stand, for contacts of general shape.
 #include <span>
 
+#include "base/team.hpp"
 #include "step/contact_rows.hpp"
 
 namespace trilith {
@@ -64,6 +65,66 @@ PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Wor
   lay_piece(model, work, piece, room, placed);
   move_piece(model, state, work, piece, room, placed);
   return placed;
+}
+
+namespace {
+
+/// Where corners and velocities of a piece go in `all`.
+PieceRoom piece_room(const Model<2>& model, int piece, PlacedPieces& all) {
+  const int first = model.piece_first[piece];
+  const bool means = !all.mean.empty();
+  return {&all.place[first], &all.velocity[first], means ? &all.mean[first] : nullptr,
+          means ? &all.over_step[piece] : nullptr};
+}
+
+/// Room for all pieces, with their views into it: what does not change from step to step.
+void lay_pieces(const Model<2>& model, const Work<2>& work, PlacedPieces& placed) {
+  const auto pieces = static_cast<std::size_t>(model.pieces()), corners = model.corner_skin.size();
+  const bool means = !work.skin_mean.empty();
+  placed.piece.resize(pieces);
+  placed.over_step.resize(means ? pieces : 0);
+  placed.place.resize(corners);
+  placed.velocity.resize(corners);
+  placed.mean.resize(means ? corners : 0);
+  const std::size_t fours = PlacedPieces::first_four(model.pieces(), static_cast<int>(corners));
+  placed.four.resize(fours);
+  placed.row.resize(fours * lane_count);
+  for (int p = 0; p < model.pieces(); ++p) {
+    PlacedPiece& piece = placed.piece[p];
+    lay_piece(model, work, p, piece_room(model, p, placed), piece);
+    const std::size_t four = PlacedPieces::first_four(p, model.piece_first[p]);
+    piece.sides = {&placed.four[four], &placed.row[four * lane_count], surface_bits(piece.is_face)};
+  }
+}
+
+/// True where the views of the pieces point into this room and this model: those of a copy of Work point into another.
+bool are_laid(const Model<2>& model, const Work<2>& work, const PlacedPieces& placed) {
+  const auto pieces = static_cast<std::size_t>(model.pieces());
+  if (placed.piece.size() != pieces || placed.over_step.size() != (work.skin_mean.empty() ? 0 : pieces)) return false;
+  return pieces == 0 || (placed.piece[0].corner.data() == placed.place.data() &&
+                         placed.piece[0].is_face.data() == model.edge_is_face.data());
+}
+
+/// A piece with its edges, made where it belongs in `all`.
+void place_sides(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, PlacedPieces& all) {
+  PlacedPiece& placed = all.piece[piece];
+  move_piece(model, state, work, piece, piece_room(model, piece, all), placed);
+  const std::size_t four = PlacedPieces::first_four(piece, model.piece_first[piece]);
+  place_edges(placed.corner, &all.four[four], &all.row[four * lane_count]);
+}
+
+}  // namespace
+
+void place_none(const Model<2>& model, Work<2>& work) {
+  PlacedPieces& placed = work.placed;
+  const auto pieces = static_cast<std::size_t>(model.pieces());
+  placed.is_placed.assign(pieces, 0);
+  if (!are_laid(model, work, placed)) lay_pieces(model, work, placed);
+}
+
+void place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece) {
+  make_once(work.threads, work.placed.is_placed[static_cast<std::size_t>(piece)],
+            [&] { place_sides(model, state, work, piece, work.placed); });
 }
 
 }  // namespace trilith
