@@ -1,7 +1,5 @@
 #include "contact/corner_overlap.hpp"
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cstddef>
@@ -141,7 +139,7 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   const Plane2 from_a = t.corner - select_point(wedge_is_b, o.at, w.at);
   r.damping_moment = sign * (sums.damping_moment + cross_of(from_a, sums.damping));
   const ContactMemory* memory[lane_count];
-  for (std::size_t i = 0; i < std::size(memory); ++i) memory[i] = pairs[i < pairs.size() ? i : 0].before;
+  for (std::size_t i = 0; i < lane_count; ++i) memory[i] = pairs[i < pairs.size() ? i : 0].before;
   const RememberedFour before(memory);
   // The mean of the damping force of before and of now does the work, the former at the motion of b against a now.
   const Plane2 at_a = sign * motion.at(Plane2{} - from_a);

@@ -1,7 +1,10 @@
 // Pieces where they stand, for contacts of general shape.
+#include <cstddef>
 #include <span>
 
+#include "base/lanes.hpp"
 #include "base/team.hpp"
+#include "contact/edge_lanes.hpp"
 #include "step/contact_rows.hpp"
 
 namespace trilith {
