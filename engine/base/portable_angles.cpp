@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/lanes.hpp"
 #include "base/portable.hpp"
+#include "base/portable_lanes.hpp"
 #include "base/two_doubles.hpp"
 
 namespace trilith::portable {
@@ -16,21 +18,49 @@ namespace {
 
 constexpr TwoDoubles kHalfPi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54}, kPi{2 * kHalfPi.high, 2 * kHalfPi.low};
 
-/// An angle less a whole number of quarter turns: within +-pi/4 (to rounding), `low` below half an ulp of `high`.
-struct Reduced {
-  double high, low;
-  unsigned quarters;  ///< modulo 4
+/// Whole numbers as wide as the numbers of T.
+template <class T>
+struct BitsOf {
+  using type = std::uint64_t;
 };
+template <>
+struct BitsOf<Lanes> {
+  using type = LaneMask;
+};
+template <class T>
+using Bits = typename BitsOf<T>::type;
+
+TRILITH_INLINE std::uint64_t bits_of(double v) {
+  return std::bit_cast<std::uint64_t>(v);
+}
+TRILITH_INLINE LaneMask bits_of(const Lanes& v) {
+  return LaneMask(v);
+}
+
+/// An angle less a whole number of quarter turns: within +-pi/4 (to rounding), `low` below half an ulp of `high`.
+/// `T`: double or Lanes.
+template <class T>
+struct ReducedTo {
+  T high, low;
+  Bits<T> quarters;  ///< modulo 4
+};
+using Reduced = ReducedTo<double>;
+
+/// Up to this nothing is taken off: pi/4.
+constexpr double kLeastReduced = 0x1.921fb54442d18p-1;
+/// Up to this reduce_near() does.
+constexpr double kMostNear = 0x1p20;
 
 /// For up to 2^20: pi/2 in three parts of 33 bits, so that their products are exact, and a fourth.
-Reduced reduce_near(double angle) {
+template <class T>
+TRILITH_INLINE ReducedTo<T> reduce_near(T angle) {
   constexpr double first = 0x1.921fb544p+0, second = 0x1.0b4611a6p-34, third = 0x1.3198a2ep-69,
                    fourth = 0x1.b839a252049c1p-104, to_whole = 0x1.8p52;
-  // Adding and taking off 1.5 2^52 leaves the nearest whole number.
-  const double n = (angle * 0x1.45f306dc9c883p-1 + to_whole) - to_whole;
-  const TwoDoubles a = exact_sum(angle - n * first, -n * second), b = exact_sum(a.high, -n * third);
-  const TwoDoubles sum = ordered_sum(b.high, (a.low + b.low) - n * fourth);
-  return {sum.high, sum.low, static_cast<unsigned>(static_cast<int>(n)) & 3U};
+  // Adding and taking off 1.5 2^52 leaves the nearest whole number; in between its last bits are those of the sum.
+  const T sum_with = angle * 0x1.45f306dc9c883p-1 + to_whole, n = sum_with - to_whole;
+  const TwoOf<T> a = exact_sum<T>(angle - n * first, -n * second), b = exact_sum<T>(a.high, -n * third);
+  const TwoOf<T> sum = ordered_sum<T>(b.high, (a.low + b.low) - n * fourth);
+  return {sum.high, sum.low, bits_of(sum_with) & 3};
 }
 
 __extension__ using Wide = unsigned __int128;
@@ -107,21 +137,22 @@ Reduced reduce_far(double angle) {
   }
   const TwoDoubles found = angle_of(turn);
   const double sign = above != (angle < 0) ? -1 : 1;
-  return {sign * found.high, sign * found.low, (angle < 0 ? 4 - quarters % 4 : quarters) & 3U};
+  return {sign * found.high, sign * found.low, (angle < 0 ? 4U - quarters % 4 : quarters) & 3U};
 }
 
 Reduced reduce(double angle) {
-  if (std::abs(angle) <= 0x1.921fb54442d18p-1) return {angle, 0, 0};
-  if (std::abs(angle) <= 0x1p20) return reduce_near(angle);
+  if (std::abs(angle) <= kLeastReduced) return {angle, 0, 0};
+  if (std::abs(angle) <= kMostNear) return reduce_near(angle);
   if (std::abs(angle) <= std::numeric_limits<double>::max()) return reduce_far(angle);
   return {std::numeric_limits<double>::quiet_NaN(), 0, 0};
 }
 
 /// c[0] + c[1] z + c[2] z^2 + ... + c[7] z^7, the odd and the even powers each by themselves.
-double series(const std::array<double, 8>& c, double z) {
-  const double square = z * z;
-  const double even = c[0] + square * (c[2] + square * (c[4] + square * c[6]));
-  const double odd = c[1] + square * (c[3] + square * (c[5] + square * c[7]));
+template <class T>
+TRILITH_INLINE T series(const std::array<double, 8>& c, T z) {
+  const T square = z * z;
+  const T even = c[0] + square * (c[2] + square * (c[4] + square * c[6]));
+  const T odd = c[1] + square * (c[3] + square * (c[5] + square * c[7]));
   return even + z * odd;
 }
 
@@ -131,16 +162,18 @@ constexpr std::array<double, 8> kOfCosine{
     1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000, -1.0 / 6402373705728000};
 
 /// Sine and cosine of a reduced angle, each as a sum.
+template <class T>
 struct Sums {
-  TwoDoubles sine, cosine;
+  TwoOf<T> sine, cosine;
 };
-Sums sums(const Reduced& a) {
+template <class T>
+TRILITH_INLINE Sums<T> sums(const ReducedTo<T>& a) {
   static constexpr std::array<double, 8> of_sine{
       -1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
       -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
-  const double z = a.high * a.high, half = 0.5 * z, near_one = 1 - half;
+  const T z = a.high * a.high, half = 0.5 * z, near_one = 1.0 - half;
   return {{a.high, a.high * z * series(of_sine, z) + a.low * near_one},
-          {near_one, ((1 - near_one) - half) + (z * z * series(kOfCosine, z) - a.high * a.low)}};
+          {near_one, ((1.0 - near_one) - half) + (z * z * series(kOfCosine, z) - a.high * a.low)}};
 }
 
 /// atan(small / big) for 0 <= small <= big.
@@ -195,7 +228,7 @@ TwoDoubles other_leg(double x) {
 SineCosine sine_cosine(double angle) {
   // sin and cos of r + n pi/2 are +-sin or +-cos of r, by n modulo 4.
   const Reduced reduced = reduce(angle);
-  const Sums found = sums(reduced);
+  const Sums<double> found = sums(reduced);
   const double s = std::copysign(found.sine.high + found.sine.low, reduced.high),
                c = found.cosine.high + found.cosine.low;
   switch (reduced.quarters) {
@@ -208,6 +241,34 @@ SineCosine sine_cosine(double angle) {
     default:
       return {-c, s};
   }
+}
+
+/// The same of four angles: each is reduced in both of the ways that there are for what is not far, and one is kept;
+/// sine and cosine change places and signs by their bits. What is far, or no number, is left to the other.
+[[gnu::target_clones("avx2", "default")]] FourTurns sines_cosines(const std::array<double, lane_count>& angle) {
+  Lanes of;
+  __builtin_memcpy(&of, angle.data(), sizeof of);
+  const LaneMask sign = bits_of(-Lanes{});
+  const Lanes size = magnitude(of);
+  ReducedTo<Lanes> reduced = reduce_near(of);
+  const LaneMask small = size <= Lanes{} + kLeastReduced;
+  reduced.high = select(small, of, reduced.high), reduced.low = select(small, Lanes{}, reduced.low);
+  reduced.quarters = reduced.quarters & ~small;
+  const Sums<Lanes> found = sums(reduced);
+  const LaneMask s = (bits_of(found.sine.high + found.sine.low) & ~sign) | (bits_of(reduced.high) & sign),
+                 c = bits_of(found.cosine.high + found.cosine.low);
+  const LaneMask odd = (reduced.quarters & 1) != LaneMask{}, upper = (reduced.quarters & 2) != LaneMask{};
+  const LaneMask sine = ((odd & c) | (~odd & s)) ^ (upper & sign),
+                 cosine = ((odd & s) | (~odd & c)) ^ ((odd ^ upper) & sign);
+  FourTurns out;
+  __builtin_memcpy(out.sine.data(), &sine, sizeof sine);
+  __builtin_memcpy(out.cosine.data(), &cosine, sizeof cosine);
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    if (std::abs(angle[i]) <= kMostNear) continue;
+    const SineCosine one = sine_cosine(angle[i]);
+    out.sine[i] = one.sine, out.cosine[i] = one.cosine;
+  }
+  return out;
 }
 
 double tan(double angle) {

@@ -24,7 +24,7 @@ double exp_of(const TwoDoubles& x) {
     for (int i = 2; i <= k; ++i) factorial *= i;
     sum = sum * rest.high + 1 / factorial;
   }
-  const TwoDoubles one = ordered_sum(1, rest.high);
+  const TwoDoubles one = ordered_sum(1.0, rest.high);
   return std::ldexp(one.high + (one.low + (rest.low + rest.high * rest.high * sum)), static_cast<int>(n));
 }
 
@@ -33,7 +33,7 @@ TwoDoubles log_of(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);
   if (m < 0x1.6a09e667f3bcdp-1) m *= 2, --exponent;  // from sqrt(1/2) to sqrt(2)
-  const TwoDoubles s = TwoDoubles{m - 1, 0} / exact_sum(m, 1), square = s * s;
+  const TwoDoubles s = TwoDoubles{m - 1, 0} / exact_sum(m, 1.0), square = s * s;
   TwoDoubles sum;
   for (int k = 15; k >= 1; --k) sum = (sum + TwoDoubles{1, 0} / TwoDoubles{2.0 * k + 1, 0}) * square;
   const TwoDoubles of_m = TwoDoubles{2 * s.high, 2 * s.low} * (TwoDoubles{1, 0} + sum);

@@ -15,18 +15,23 @@ static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
 #error "sums must keep their order: no -ffast-math"
 #endif
 
-struct TwoDoubles {
-  double high = 0, low = 0;
+/// `T`: double, or several of them at once.
+template <class T>
+struct TwoOf {
+  T high{}, low{};
 };
+using TwoDoubles = TwoOf<double>;
 
 /// a + b, exactly.
-inline TwoDoubles exact_sum(double a, double b) {
-  const double sum = a + b, of_b = sum - a;
+template <class T>
+[[gnu::always_inline]] inline TwoOf<T> exact_sum(T a, T b) {
+  const T sum = a + b, of_b = sum - a;
   return {sum, (a - (sum - of_b)) + (b - of_b)};
 }
 /// a + b, exactly, where |a| >= |b| or a is 0.
-inline TwoDoubles ordered_sum(double a, double b) {
-  const double sum = a + b;
+template <class T>
+[[gnu::always_inline]] inline TwoOf<T> ordered_sum(T a, T b) {
+  const T sum = a + b;
   return {sum, b - (sum - a)};
 }
 /// a b, exactly, where both are below 2^996 and the product is above 2^-969.

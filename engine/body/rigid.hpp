@@ -29,10 +29,12 @@ struct SkinReach {
 };
 
 /// place: skin points fixed in the body's axes to where they are and how fast they move.
-/// `Point` has x, y [m], u, v [m/s], side by side at a multiple of 16; of before, and overwritten.
+/// `turn`: of the node's rotation. `Point` has x, y [m], u, v [m/s], side by side at a multiple of 16; of before, and
+/// overwritten.
 template <class Point>
-SkinReach place_rigid(const NodeMotion<2>& node, std::span<const Vec2> skin, std::span<Point> out) {
-  const auto [s, c] = portable::sine_cosine(node.rotation);
+SkinReach place_rigid(const NodeMotion<2>& node, const portable::SineCosine& turn, std::span<const Vec2> skin,
+                      std::span<Point> out) {
+  const auto [s, c] = turn;
   const LanePair to_x{c, s}, to_y{-s, c}, spin{-node.spin, node.spin};  // columns of the turn; spin x (y, x)
   const LanePair origin{node.position.x(), node.position.y()}, velocity{node.velocity.x(), node.velocity.y()};
   SkinReach reach;

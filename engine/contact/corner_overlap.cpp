@@ -1,6 +1,9 @@
 #include "contact/corner_overlap.hpp"
 
+#include <bit>
 #include <cassert>
+#include <cstddef>
+#include <cstdint>
 
 #include "base/registers.hpp"
 #include "contact/corner_shapes.hpp"
@@ -8,40 +11,46 @@
 namespace trilith {
 namespace {
 
-/// Two numbers beside each other, twice, of four lanes: as columns.
+/// Points of pieces and how they move, as columns.
 struct PieceMotions {
-  Lanes x, y, u, v, spin;
+  Plane2 at, velocity;
+  Lanes spin;
   TRILITH_INLINE explicit PieceMotions(const PlacedPiece* const* p) {
     const auto row = [&](int i) {
-      const LanePair at = load_pair(p[i]->origin.data()), velocity = load_pair(p[i]->velocity.data());
-      return __builtin_shufflevector(at, velocity, 0, 1, 2, 3);
+      const LanePair place = load_pair(p[i]->origin.data()), rate = load_pair(p[i]->velocity.data());
+      return Lanes(__builtin_shufflevector(place, rate, 0, 1, 2, 3));
     };
     const FourByFour columns(row(0), row(1), row(2), row(3));
-    x = columns.v[0], y = columns.v[1], u = columns.v[2], v = columns.v[3];
+    at = {columns.v[0], columns.v[1]}, velocity = {columns.v[2], columns.v[3]};
     spin = Lanes{p[0]->spin, p[1]->spin, p[2]->spin, p[3]->spin};
+  }
+  /// Of what moves with the piece at a point of the world.
+  [[nodiscard]] TRILITH_INLINE Plane2 velocity_at(const Plane2& x) const {
+    return {velocity.x - spin * (x.y - at.y), velocity.y + spin * (x.x - at.x)};
   }
 };
 
-/// What four contacts remembered, both halves as one.
+/// What contacts remembered, both halves as one.
 struct RememberedFour {
   ShearBefore<Lanes> shear;
   Plane2 damping;
   Lanes damping_moment;
 
   TRILITH_INLINE explicit RememberedFour(const ContactMemory* const* m) {
-    for (int i = 0; i < lane_count; ++i) {
-      const ContactMemory& own = *m[i];
-      shear.elastic[i] = own.shear_elastic[0] + own.shear_elastic[1];
-      shear.total[i] = own.shear_total[0] + own.shear_total[1];
-      shear.active[i] = own.active[0] + own.active[1];
-      damping.x[i] = own.damping_force[0], damping.y[i] = own.damping_force[1];
-      damping_moment[i] = own.damping_moment;
-    }
+    static_assert(offsetof(ContactMemory, shear_total) == offsetof(ContactMemory, shear_elastic) + sizeof(LanePair) &&
+                  offsetof(ContactMemory, active) == offsetof(ContactMemory, damping_force) + sizeof(LanePair));
+    const auto shear_of = [&](int i) { return load_four(m[i]->shear_elastic); };
+    const auto damping_of = [&](int i) { return load_four(m[i]->damping_force); };
+    const FourByFour shears(shear_of(0), shear_of(1), shear_of(2), shear_of(3)),
+        others(damping_of(0), damping_of(1), damping_of(2), damping_of(3));
+    shear = {shears.v[0] + shears.v[1], shears.v[2] + shears.v[3], others.v[2] + others.v[3]};
+    damping = {others.v[0], others.v[1]};
+    damping_moment = Lanes{m[0]->damping_moment, m[1]->damping_moment, m[2]->damping_moment, m[3]->damping_moment};
   }
 };
 
-/// A force at v with a moment about it, as forces on the two corners of an edge, a lane each: first x and y, second x
-/// and y.
+/// A force at v with a moment about it, as forces on the two corners of an edge, a row for each lane: first x and y,
+/// second x and y.
 TRILITH_INLINE FourByFour on_edge(const EdgeColumns& e, const Plane2& v, const Plane2& force, const Lanes& moment) {
   const Plane2 along{e.along_x, e.along_y}, from_start{v.x - e.x, v.y - e.y};
   const Lanes share = dot_of(along, from_start) / e.length2;
@@ -51,87 +60,92 @@ TRILITH_INLINE FourByFour on_edge(const EdgeColumns& e, const Plane2& v, const P
   return {first.x, first.y, second.x, second.y};
 }
 
-/// What every lane came to, to be written row by row.
+TRILITH_INLINE void write_row(const Lanes& row, double* first_two, double* last_two) {
+  store_pair(first_two, LanePair{row[0], row[1]});
+  store_pair(last_two, LanePair{row[2], row[3]});
+}
+
+/// What every lane came to.
 struct CornerAnswer {
   Plane2 force, centre, damping;  ///< on b [N], [m], [N]
   Lanes damping_moment, length, depth, lost_damping;
   HalfResponse<Lanes> shear;
 };
 
-/// `on_wedge`, `on_owner`: forces on the corners of the edge before v and of the face, see on_edge().
-TRILITH_INLINE void write_lane(const CornerCase& pair, const CornerAnswer& r, const Lanes& on_wedge,
-                               const Lanes& on_owner, int i) {
-  OverlapResponse& out = *pair.out;
-  out = {};
-  out.touching = true;
-  out.force = {r.force.x[i], r.force.y[i]}, out.centre = {r.centre.x[i], r.centre.y[i]};
-  out.length = r.length[i], out.depth = r.depth[i];
-  out.lost_damping = r.lost_damping[i] + r.shear.lost_damping[i], out.lost_friction = r.shear.lost_friction[i];
-  ContactMemory& m = out.memory;
-  for (const int h : {0, 1}) {
-    m.shear_elastic[h] = 0.5 * r.shear.shear_elastic[i], m.shear_total[h] = 0.5 * r.shear.shear_total[i];
-    m.active[h] = 0.5 * r.length[i];
+/// The same, row by row, as it is written.
+struct AnswerRows {
+  FourByFour force_and_centre, sizes_and_losses, shears, dampings, others;
+  TRILITH_INLINE explicit AnswerRows(const CornerAnswer& r)
+      : force_and_centre(r.force.x, r.force.y, r.centre.x, r.centre.y),
+        sizes_and_losses(r.length, r.depth, r.lost_damping + r.shear.lost_damping, r.shear.lost_friction),
+        shears(0.5 * r.shear.shear_elastic, 0.5 * r.shear.shear_elastic, 0.5 * r.shear.shear_total,
+               0.5 * r.shear.shear_total),
+        dampings(r.damping.x, r.damping.y, 0.5 * r.length, 0.5 * r.length),
+        others(r.shear.slip, r.damping_moment, r.shear.slip, r.damping_moment) {}
+
+  TRILITH_INLINE void write(int i, const CornerCase& pair) const {
+    OverlapResponse& out = *pair.out;
+    write_row(force_and_centre.v[i], out.force.data(), out.centre.data());
+    out.length = sizes_and_losses.v[i][0], out.depth = sizes_and_losses.v[i][1];
+    out.lost_damping = sizes_and_losses.v[i][2], out.lost_friction = sizes_and_losses.v[i][3];
+    out.lost_fracture = out.separation = 0, out.apart_by = -1;
+    out.touching = true;
+    ContactMemory& m = *pair.after;
+    write_row(shears.v[i], m.shear_elastic, m.shear_total);
+    write_row(dampings.v[i], m.damping_force, m.active);
+    m.slip = pair.before->slip + others.v[i][0], m.damping_moment = others.v[i][1];
+    m.bonds = 0, m.state = contact_touching | contact_general;
   }
-  m.damping_force[0] = r.damping.x[i], m.damping_force[1] = r.damping.y[i];
-  m.damping_moment = r.damping_moment[i];
-  m.slip = pair.before->slip + r.shear.slip[i];
-  m.state = contact_touching | contact_general;
-  const CornerOnFace at = pair.at;
-  const PlacedPiece &wedge = at.wedge_is_b ? *pair.b : *pair.a, &owner = at.wedge_is_b ? *pair.a : *pair.b;
-  add_row(at.wedge_is_b ? pair.on_b : pair.on_a, wedge, edge_before(wedge, at.corner), on_wedge);
-  add_row(at.wedge_is_b ? pair.on_a : pair.on_b, owner, at.face, on_owner);
-}
+};
 
-/// Lanes in which no other edges are as near as those of the shape.
+/// Lanes in which the shape is clearly the one that was said.
 template <class Shape>
-TRILITH_INLINE std::uint32_t nearest_lanes(const Shape& t, const FourPairs& four, std::span<const CornerCase> pairs) {
-  std::uint32_t sound = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (t.clear[i] != 0 && t.is_nearest(i, four, pairs[i].at)) sound |= 1U << i;
-  return sound;
+TRILITH_INLINE std::uint64_t clear_lanes(const Shape& t, const PiecesOfPairs& pieces,
+                                         std::span<const CornerCase> pairs) {
+  std::uint64_t clear = bits_of_mask(t.clear) & ((std::uint64_t{1} << pairs.size()) - 1);
+  for (std::uint64_t left = clear & pieces.many; left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    if (!t.is_nearest(i, pieces, pairs[static_cast<std::size_t>(i)].at)) clear &= ~(std::uint64_t{1} << i);
+  }
+  return clear;
 }
 
-/// Four pairs, a lane each; beyond the last one the first again. `Shape`: of what they share, Triangle or CornerPair.
+/// Four pairs, a lane each; beyond the last one the first again. `Shape`: of what they share, Triangle or
+/// CornerPair.
 template <class Shape>
 TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, const Coulomb& given) {
   const Coulomb law = given;
-  const FourPairs four(pairs);
-  const ContactMemory* memory[lane_count];
-  Lanes sign{};  // of the force on b to that on the wedge
-  Plane2 a_origin;
-  for (std::size_t i = 0; i < lane_count; ++i) {
-    const CornerCase& pair = pairs[i < pairs.size() ? i : 0];
-    memory[i] = pair.before;
-    sign[i] = pair.at.wedge_is_b ? 1.0 : -1.0;
-    a_origin.x[i] = pair.a->origin.x(), a_origin.y[i] = pair.a->origin.y();
-  }
-  const Shape t(four);
-  if (!any(t.clear)) return 0;
-  std::uint32_t sound = nearest_lanes(t, four, pairs);
+  const PiecesOfPairs pieces(pairs);
+  const Shape t{CornerEdges(pieces.of_wedge), CornerEdges(pieces.of_owner)};
+  std::uint64_t sound = clear_lanes(t, pieces, pairs);
   if (sound == 0) return 0;
-  const PieceMotions w(four.wedge), o(four.owner);
+  const Lanes zero{}, one = all_lanes(1);
+  const LaneMask wedge_is_b = mask_of_bits(pieces.wedge_is_b);
+  const Lanes sign = select(wedge_is_b, one, -one);  // of the force on b to that on the wedge
+  const PieceMotions w(pieces.wedge), o(pieces.owner);
   RelativeMotion motion;
-  motion.at_corner = {(w.u - w.spin * (t.corner.y - w.y)) - (o.u - o.spin * (t.corner.y - o.y)),
-                      (w.v + w.spin * (t.corner.x - w.x)) - (o.v + o.spin * (t.corner.x - o.x))};
+  motion.at_corner = w.velocity_at(t.corner) - o.velocity_at(t.corner);
   motion.spin = w.spin - o.spin;
   const WedgeSums sums = press(t, motion, law);
-  const Lanes zero{}, normal = root(dot_of(sums.force, sums.force));
+  const Lanes normal = root(dot_of(sums.force, sums.force));
   // Where the damping of pieces that part takes all the pressure away, the other one says what is left.
   const LaneMask pressed = (sums.pressure > zero) & (normal > zero);
   CornerAnswer r;
   r.force = sign * sums.force;
-  const Plane2 arm = (1.0 / select(pressed, sums.pressure, all_lanes(1))) * sums.arm;
+  const Plane2 arm = (1.0 / select(pressed, sums.pressure, one)) * sums.arm;
   r.centre = t.corner + arm;
   r.length = sums.length, r.depth = t.deepest();
   r.damping = sign * sums.damping;
-  const Plane2 from_a = t.corner - a_origin;
+  const Plane2 from_a = t.corner - select_point(wedge_is_b, o.at, w.at);
   r.damping_moment = sign * (sums.damping_moment + cross_of(from_a, sums.damping));
-  // The mean of the damping force of before and of now does the work, the former at the motion of b against a now.
+  const ContactMemory* memory[lane_count];
+  for (std::size_t i = 0; i < lane_count; ++i) memory[i] = pairs[i < pairs.size() ? i : 0].before;
   const RememberedFour before(memory);
+  // The mean of the damping force of before and of now does the work, the former at the motion of b against a now.
   const Plane2 at_a = sign * motion.at(Plane2{} - from_a);
   const Lanes power_before = dot_of(before.damping, at_a) + before.damping_moment * (sign * motion.spin);
   r.lost_damping = (0.5 * law.dt) * (sums.power - power_before);
-  const Plane2 direction = (1.0 / select(pressed, normal, all_lanes(1))) * r.force, along{-direction.y, direction.x};
+  const Plane2 direction = (1.0 / select(pressed, normal, one)) * r.force, along{-direction.y, direction.x};
   HalfState<Lanes> state{};
   state.length = sums.length;
   state.slip_rate = state.slip_mean = dot_of(along, sign * motion.at(arm));
@@ -140,13 +154,18 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   // Shear above 0 drives a along t and b against it.
   const Plane2 friction = (-sign * r.shear.shear_total) * along, whole = sums.force + friction;
   const Lanes moment = sums.moment + cross_of(arm, friction);
-  const FourByFour on_wedge = on_edge(t.before, t.corner, whole, moment);
-  const FourByFour on_owner = on_edge(t.face, t.corner, Plane2{} - whole, -moment);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (pressed[i] == 0) sound &= ~(1U << i);
-    if ((sound >> i & 1U) != 0) write_lane(pairs[i], r, on_wedge.v[i], on_owner.v[i], static_cast<int>(i));
+  const FourByFour on_wedge = on_edge(t.before, t.corner, whole, moment),
+                   on_owner = on_edge(t.face, t.corner, Plane2{} - whole, -moment);
+  const AnswerRows rows(r);
+  sound &= bits_of_mask(pressed);
+  for (std::uint64_t left = sound; left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
+    const CornerCase& pair = pairs[static_cast<std::size_t>(i)];
+    rows.write(i, pair);
+    write_row(on_wedge.v[i], pair.push->on_wedge[0].data(), pair.push->on_wedge[1].data());
+    write_row(on_owner.v[i], pair.push->on_owner[0].data(), pair.push->on_owner[1].data());
   }
-  return sound;
+  return static_cast<std::uint32_t>(sound);
 }
 
 // One copy for each width of registers: the same operations, so the same bits.
@@ -169,7 +188,7 @@ std::uint32_t respond_narrow(std::span<const CornerCase> pairs, const Coulomb& l
 }  // namespace
 
 std::uint32_t respond_corners(std::span<const CornerCase> pairs, const Coulomb& law) {
-  assert(!pairs.empty() && pairs.size() <= static_cast<std::size_t>(lane_count));
+  assert(!pairs.empty() && pairs.size() <= static_cast<std::size_t>(most_corner_cases));
 #ifdef __x86_64__
   static const Registers here = registers_here();
   if (here == Registers::widest) return respond_widest(pairs, law);

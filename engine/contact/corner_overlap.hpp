@@ -16,6 +16,7 @@
 // anybody did.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <type_traits>
@@ -37,17 +38,27 @@ inline bool has_plain_corners(const PlacedPiece& piece) {
          piece.sides.surface == (edges < 64 ? (std::uint64_t{1} << edges) - 1 : ~std::uint64_t{0});
 }
 
+/// Forces at the corners that such a contact presses on: those at the ends of the edge before the corner of the wedge,
+/// and of the face of the owner [N].
+struct alignas(32) CornerPush {
+  std::array<Vec2, 2> on_wedge, on_owner;
+};
+
 /// One pair, and where its answer goes.
 struct CornerCase {
   const PlacedPiece *a, *b;     ///< with plain corners
   CornerOnFace at;              ///< with a corner
   const ContactMemory* before;  ///< of a contact of general shape, or empty
-  OverlapResponse* out;
-  std::span<Vec2> on_a, on_b;  ///< [corner] forces are added [N]
+  ContactMemory* after;         ///< what it remembers from now on
+  OverlapResponse* out;         ///< but for its memory
+  CornerPush* push;
 };
 
-/// Answers up to four pairs under one law, all with `at.both` alike. Bit i of what is returned: pair i was answered; of
-/// the others nothing is written.
+/// Most pairs that are answered at once.
+inline constexpr int most_corner_cases = lane_count;
+
+/// Answers up to most_corner_cases pairs under one law, all with `at.both` alike. Bit i of what is returned: pair i was
+/// answered; of the others nothing is written.
 std::uint32_t respond_corners(std::span<const CornerCase> pairs, const Coulomb& law);
 
 }  // namespace trilith

@@ -17,30 +17,6 @@ namespace trilith {
 /// Where an edge crosses a face, as a share of either: nearer than this to an end is not clear.
 inline constexpr double clear_share = 1e-9;
 
-/// How deep a point lies below the edges of a piece, four at a time: f(first edge, depths). Lanes beyond the last edge
-/// are as the first one.
-template <class F>
-TRILITH_INLINE void for_depths(const PlacedPiece& piece, double x, double y, F&& f) {
-  const Lanes px = all_lanes(x), py = all_lanes(y);
-  const int edges = static_cast<int>(piece.corner.size());
-  for (int k = 0; k < edge_blocks(edges); ++k) {
-    const EdgeLanes& e = piece.sides.four[k];
-    f(k * lane_count, Lanes(e.nx * (e.x - px) + e.ny * (e.y - py)));
-  }
-}
-
-/// Edges of a piece, as bits, but for these two.
-TRILITH_INLINE std::uint64_t edges_but(const PlacedPiece& piece, int one, int other) {
-  return piece.sides.surface & ~(std::uint64_t{1} << one | std::uint64_t{1} << other);
-}
-
-/// True where a point is deeper than `depth` below all `edges`.
-TRILITH_INLINE bool is_deeper(const PlacedPiece& piece, double x, double y, double depth, std::uint64_t edges) {
-  std::uint64_t shallow = 0;
-  for_depths(piece, x, y, [&](int first, const Lanes& d) { shallow |= bits_of_mask(d <= all_lanes(depth)) << first; });
-  return (shallow & edges) == 0;
-}
-
 struct Plane2 {
   Lanes x, y;
   TRILITH_INLINE Plane2 operator+(const Plane2& o) const { return {x + o.x, y + o.y}; }
@@ -54,6 +30,9 @@ TRILITH_INLINE Lanes dot_of(const Plane2& a, const Plane2& b) {
 }
 TRILITH_INLINE Lanes cross_of(const Plane2& a, const Plane2& b) {
   return a.x * b.y - a.y * b.x;
+}
+TRILITH_INLINE Plane2 select_point(const LaneMask& m, const Plane2& a, const Plane2& b) {
+  return {select(m, a.x, b.x), select(m, a.y, b.y)};
 }
 
 /// The motion of the wedge against the owner about the corner v.
@@ -70,19 +49,66 @@ TRILITH_INLINE int edge_before(const PlacedPiece& piece, int e) {
   return (e > 0 ? e : static_cast<int>(piece.corner.size())) - 1;
 }
 
-/// The two pieces of each pair, and the edges that matter: those before and after the corner of the wedge; the face of
-/// the owner, which is also the edge after its corner, and the edge before that.
-struct FourPairs {
-  const PlacedPiece *wedge[lane_count], *owner[lane_count];
-  const EdgeRow *before[lane_count], *after[lane_count], *face[lane_count], *face_before[lane_count];
+/// Four edges of one piece of each pair: those before and after a corner, the one after these, and the one left of a
+/// piece with four; of one with three the former again.
+struct CornerRowsOf {
+  const EdgeRow *before[lane_count], *after[lane_count], *next[lane_count], *far[lane_count];
+  TRILITH_INLINE void set(int lane, const PlacedPiece& piece, int corner) {
+    const EdgeRow* const row = piece.sides.row;
+    const int one = edge_after(piece, corner);
+    before[lane] = row + edge_before(piece, corner), after[lane] = row + corner;
+    next[lane] = row + one, far[lane] = row + (piece.corner.size() > 3 ? edge_after(piece, one) : one);
+  }
+};
 
-  TRILITH_INLINE explicit FourPairs(std::span<const CornerCase> pairs) {
-    for (std::size_t i = 0; i < lane_count; ++i) {
-      const CornerCase& pair = pairs[i < pairs.size() ? i : 0];
+/// These as columns.
+struct CornerEdges {
+  EdgeStarts before, after, next, far;
+  TRILITH_INLINE explicit CornerEdges(const CornerRowsOf& e)
+      : before(e.before), after(e.after), next(e.next), far(e.far) {}
+
+  [[nodiscard]] TRILITH_INLINE EdgeColumns edge_before() const { return {before, after}; }
+  [[nodiscard]] TRILITH_INLINE EdgeColumns edge_after() const { return {after, next}; }
+  /// Where a point of the world is deeper than `depth` below the two edges that do not meet in the corner.
+  [[nodiscard]] TRILITH_INLINE LaneMask is_nearer(const Plane2& at, const Lanes& depth) const {
+    return ~(below(next, at) <= depth) & ~(below(far, at) <= depth);
+  }
+  [[nodiscard]] TRILITH_INLINE static Lanes below(const EdgeStarts& e, const Plane2& at) {
+    return e.nx * (e.x - at.x) + e.ny * (e.y - at.y);
+  }
+};
+
+/// How deep a point of the world lies below the edges of a piece with many, four at a time: true where it is deeper
+/// than `depth` below all but two.
+TRILITH_INLINE bool is_deeper(const PlacedPiece& piece, double x, double y, double depth, int but, int and_but) {
+  const Lanes px = all_lanes(x), py = all_lanes(y);
+  std::uint64_t shallow = 0;
+  for (int k = 0; k < edge_blocks(static_cast<int>(piece.corner.size())); ++k) {
+    const EdgeLanes& e = piece.sides.four[k];
+    const Lanes d = e.nx * (e.x - px) + e.ny * (e.y - py);
+    shallow |= bits_of_mask(d <= all_lanes(depth)) << (k * lane_count);
+  }
+  return (shallow & piece.sides.surface & ~(std::uint64_t{1} << but | std::uint64_t{1} << and_but)) == 0;
+}
+
+/// The two pieces of each pair, and the edges that matter: about the corner of the wedge; of the owner, about the
+/// corner that its face begins at.
+struct PiecesOfPairs {
+  const PlacedPiece *wedge[lane_count], *owner[lane_count];
+  CornerRowsOf of_wedge, of_owner;
+  std::uint64_t wedge_is_b = 0;  ///< bit i: of lane i
+  std::uint64_t many = 0;        ///< bit i: a piece of lane i has more than four corners
+
+  /// Beyond the last pair the first again.
+  TRILITH_INLINE explicit PiecesOfPairs(std::span<const CornerCase> pairs) {
+    for (int i = 0; i < lane_count; ++i) {
+      const CornerCase& pair = pairs[static_cast<std::size_t>(i) < pairs.size() ? static_cast<std::size_t>(i) : 0];
       const CornerOnFace at = pair.at;
-      wedge[i] = at.wedge_is_b ? pair.b : pair.a, owner[i] = at.wedge_is_b ? pair.a : pair.b;
-      after[i] = wedge[i]->sides.row + at.corner, before[i] = wedge[i]->sides.row + edge_before(*wedge[i], at.corner);
-      face[i] = owner[i]->sides.row + at.face, face_before[i] = owner[i]->sides.row + edge_before(*owner[i], at.face);
+      const PlacedPiece &w = at.wedge_is_b ? *pair.b : *pair.a, &o = at.wedge_is_b ? *pair.a : *pair.b;
+      wedge[i] = &w, owner[i] = &o;
+      of_wedge.set(i, w, at.corner), of_owner.set(i, o, at.face);
+      wedge_is_b |= std::uint64_t{at.wedge_is_b ? 1U : 0U} << i;
+      many |= std::uint64_t{w.corner.size() > lane_count || o.corner.size() > lane_count ? 1U : 0U} << i;
     }
   }
 };
@@ -95,10 +121,10 @@ struct Triangle {
   Lanes share_before, share_after;  ///< what of both edges is below f
   Plane2 p1, p2, b;                 ///< from v [m]
   Lanes share_b;                    ///< of B on the way from P2 to P1
-  LaneMask clear;
+  LaneMask clear;                   ///< that is what they share, and no other edges are as near
 
-  TRILITH_INLINE explicit Triangle(const FourPairs& four)
-      : before(four.before), after(four.after), face(four.face), corner{after.x, after.y} {
+  TRILITH_INLINE Triangle(const CornerEdges& wedge, const CornerEdges& owner)
+      : before(wedge.edge_before()), after(wedge.edge_after()), face(owner.edge_after()), corner{after.x, after.y} {
     const Lanes zero{}, one = all_lanes(1);
     depth = face.nx * (face.x - corner.x) + face.ny * (face.y - corner.y);
     const Lanes out_before = face.nx * (face.x - before.x) + face.ny * (face.y - before.y);
@@ -120,14 +146,17 @@ struct Triangle {
     share_b = below_before / select(clear, below_before + below_after, one);
     depth_b = share_b * below_after;
     b = p2 + share_b * (p1 - p2);
+    // No other face of the owner is as near to v, and no other edge of the wedge as near to B.
+    clear &= ~(owner.below(owner.before, corner) <= depth) & owner.is_nearer(corner, depth) &
+             wedge.is_nearer(corner + b, depth_b);
   }
   [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(depth, depth_b); }
-  /// In lane i no other face of the owner is as near to v, and no other edge of the wedge as near to B.
-  [[nodiscard]] TRILITH_INLINE bool is_nearest(std::size_t i, const FourPairs& four, const CornerOnFace& at) const {
-    const PlacedPiece &wedge = *four.wedge[i], &owner = *four.owner[i];
-    return is_deeper(owner, corner.x[i], corner.y[i], depth[i], edges_but(owner, at.face, at.face)) &&
-           is_deeper(wedge, corner.x[i] + b.x[i], corner.y[i] + b.y[i], depth_b[i],
-                     edges_but(wedge, edge_before(wedge, at.corner), at.corner));
+  /// The last two of all edges, of pieces with many.
+  [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PiecesOfPairs& pairs, const CornerOnFace& at) const {
+    const PlacedPiece &wedge = *pairs.wedge[i], &owner = *pairs.owner[i];
+    return is_deeper(owner, corner.x[i], corner.y[i], depth[i], at.face, at.face) &&
+           is_deeper(wedge, corner.x[i] + b.x[i], corner.y[i] + b.y[i], depth_b[i], edge_before(wedge, at.corner),
+                     at.corner);
   }
 };
 
@@ -225,15 +254,16 @@ struct CornerChain {
     turn = select_point(early, in + on_way * (corner - in), corner + on_way * (out - corner));
     depth = select(early, on_way * d0, (1.0 - on_way) * d1);
   }
-  TRILITH_INLINE static Plane2 select_point(const LaneMask& m, const Plane2& a, const Plane2& b) {
-    return {select(m, a.x, b.x), select(m, a.y, b.y)};
-  }
   [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(select(early, d1, d0), depth); }
-  /// Lane i: the edges of the other piece but these two are deeper below at the corner and where it turns.
-  [[nodiscard]] TRILITH_INLINE bool is_nearest(std::size_t i, const PlacedPiece& other, const Plane2& v,
-                                               std::uint64_t edges) const {
-    return is_deeper(other, v.x[i] + corner.x[i], v.y[i] + corner.y[i], smaller(d0[i], d1[i]), edges) &&
-           is_deeper(other, v.x[i] + turn.x[i], v.y[i] + turn.y[i], depth[i], edges);
+  /// Where the edges of the other piece but those two are deeper below at the corner and where it turns.
+  [[nodiscard]] TRILITH_INLINE LaneMask are_nearest(const CornerEdges& other, const Plane2& v) const {
+    return other.is_nearer(v + corner, smaller(d0, d1)) & other.is_nearer(v + turn, depth);
+  }
+  /// The same of lane i and of all edges of a piece with many; `at`: the corner of the other piece.
+  [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PlacedPiece& other, int at, const Plane2& v) const {
+    const int before_it = edge_before(other, at);
+    return is_deeper(other, v.x[i] + corner.x[i], v.y[i] + corner.y[i], smaller(d0[i], d1[i]), before_it, at) &&
+           is_deeper(other, v.x[i] + turn.x[i], v.y[i] + turn.y[i], depth[i], before_it, at);
   }
   /// Its three stretches. `way` is 1.0 for the edges of the wedge, -1.0 for those of the owner.
   TRILITH_INLINE void press(const RelativeMotion& motion, const Coulomb& law, double way, WedgeSums& sums) const {
@@ -264,23 +294,28 @@ struct CornerPair {
   EdgeColumns before, after, face;  ///< of the wedge; the edge after the owner's corner
   Plane2 corner;                    ///< v of the wedge in the world [m]
   CornerChain wedge, owner;
-  LaneMask clear;
+  LaneMask clear;  ///< see Triangle
 
-  TRILITH_INLINE explicit CornerPair(const FourPairs& four) : CornerPair(four, EdgeColumns(four.face_before)) {}
-  TRILITH_INLINE CornerPair(const FourPairs& four, const EdgeColumns& face_before)
-      : before(four.before),
-        after(four.after),
-        face(four.face),
-        corner{after.x, after.y},
-        wedge(before, after, face, face_before, corner),
-        owner(face_before, face, after, before, corner),
-        clear(wedge.clear & owner.clear) {}
-  [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(wedge.deepest(), owner.deepest()); }
-  [[nodiscard]] TRILITH_INLINE bool is_nearest(std::size_t i, const FourPairs& four, const CornerOnFace& at) const {
-    const PlacedPiece &w = *four.wedge[i], &o = *four.owner[i];
-    return wedge.is_nearest(i, o, corner, edges_but(o, edge_before(o, at.face), at.face)) &&
-           owner.is_nearest(i, w, corner, edges_but(w, edge_before(w, at.corner), at.corner));
+  TRILITH_INLINE CornerPair(const CornerEdges& w, const CornerEdges& o)
+      : CornerPair(w.edge_before(), w.edge_after(), o.edge_before(), o.edge_after()) {
+    clear &= wedge.are_nearest(o, corner) & owner.are_nearest(w, corner);
   }
+  [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(wedge.deepest(), owner.deepest()); }
+  /// See Triangle.
+  [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PiecesOfPairs& pairs, const CornerOnFace& at) const {
+    return wedge.is_nearest(i, *pairs.owner[i], at.face, corner) &&
+           owner.is_nearest(i, *pairs.wedge[i], at.corner, corner);
+  }
+
+ private:
+  TRILITH_INLINE CornerPair(const EdgeColumns& w0, const EdgeColumns& w1, const EdgeColumns& o0, const EdgeColumns& o1)
+      : before(w0),
+        after(w1),
+        face(o1),
+        corner{after.x, after.y},
+        wedge(w0, w1, o1, o0, corner),
+        owner(o0, o1, w1, w0, corner),
+        clear(wedge.clear & owner.clear) {}
 };
 
 TRILITH_INLINE WedgeSums press(const CornerPair& t, const RelativeMotion& motion, const Coulomb& law) {

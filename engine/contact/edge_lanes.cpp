@@ -17,17 +17,14 @@ TRILITH_INLINE void place_four_edges(const Vec2* corner, EdgeLanes& four, EdgeRo
   const Lanes along_x = next(four.x) - four.x, along_y = next(four.y) - four.y;
   const Lanes length2 = along_x * along_x + along_y * along_y, length = root(length2);
   four.nx = along_y / length, four.ny = -along_x / length;
-  const FourByFour ways(four.x, four.y, along_x, along_y), normals(four.nx, four.ny, length2, Lanes{});
-  for (int e = 0; e < lane_count; ++e) {
-    __builtin_memcpy(&row[e].x, &ways.v[e], sizeof ways.v[e]);
-    __builtin_memcpy(&row[e].nx, &normals.v[e], sizeof normals.v[e]);
-  }
+  const FourByFour rows(four.x, four.y, four.nx, four.ny);
+  for (int e = 0; e < lane_count; ++e) __builtin_memcpy(&row[e], &rows.v[e], sizeof rows.v[e]);
 }
 
 }  // namespace
 
-/// Edges of a convex piece four at once: start, outward unit normal (the edge turned to the right, as corners run
-/// counter-clockwise) and squared length. They are written twice, in columns for kernels that ask one point against
+/// Edges of a convex piece four at once: start and outward unit normal (the edge turned to the right, as corners run
+/// counter-clockwise). They are written twice, in columns for kernels that ask one point against
 /// many edges, and in rows for those that take one edge after the other. Beyond the last edge the first is repeated.
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void place_edges(std::span<const Vec2> corner,
                                                                              EdgeLanes* four, EdgeRow* row) {
@@ -40,16 +37,12 @@ TRILITH_INLINE void place_four_edges(const Vec2* corner, EdgeLanes& four, EdgeRo
       const int e = from + lane < count ? from + lane : 0, w = e + 1 < count ? e + 1 : 0;
       const LanePair at = load_pair(corner[e].data()), along = load_pair(corner[w].data()) - at;
       store_pair(&row[lane].x, at);
-      store_pair(&row[lane].along_x, along);
       out.x[lane] = at[0], out.y[lane] = at[1];
       along_x[lane] = along[0], along_y[lane] = along[1];
     }
     const Lanes length2 = along_x * along_x + along_y * along_y, length = root(length2);
     out.nx = along_y / length, out.ny = -along_x / length;
-    for (int lane = 0; lane < lane_count; ++lane) {
-      store_pair(&row[lane].nx, LanePair{out.nx[lane], out.ny[lane]});
-      store_pair(&row[lane].length2, LanePair{length2[lane], 0});
-    }
+    for (int lane = 0; lane < lane_count; ++lane) store_pair(&row[lane].nx, LanePair{out.nx[lane], out.ny[lane]});
   }
 }
 

@@ -18,10 +18,9 @@ struct alignas(32) EdgeLanes {
   Lanes x, y, nx, ny;
 };
 
-/// One edge: the corner it begins at, the way to the next [m], its unit outward normal [1], the way's square [m2].
-struct alignas(64) EdgeRow {
-  double x, y, along_x, along_y;
-  double nx, ny, length2, unused;
+/// One edge: the corner it begins at [m] and its unit outward normal [1]. It ends where the next one begins.
+struct alignas(32) EdgeRow {
+  double x, y, nx, ny;
 };
 
 /// How many fours hold so many edges.

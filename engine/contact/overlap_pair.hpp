@@ -53,14 +53,14 @@ struct PlacedPiece {
 /// What the general contact gives; forces on the corners of both pieces are added to `on_a` and `on_b`.
 struct OverlapResponse {
   ContactMemory memory;
-  bool touching = false;
-  double separation = 0;       ///< lower bound of the distance where not touching [m]
-  int apart_by = -1;           ///< where it is above 0 the edge that showed it: of a, or of b from max_piece_corners on
   Vec2 force = Vec2::Zero();   ///< normal resultant on b [N]
   Vec2 centre = Vec2::Zero();  ///< centre of pressure [m]
   double length = 0;           ///< length in contact [m]
   double depth = 0;            ///< greatest depth of a pressed face in the other piece [m]
   double lost_damping = 0, lost_friction = 0, lost_fracture = 0;  ///< [J]
+  double separation = 0;  ///< lower bound of the distance where not touching [m]
+  int apart_by = -1;      ///< where it is above 0 the edge that showed it: of a, or of b from max_piece_corners on
+  bool touching = false;
 };
 
 /// What a contact remembers: what every one does, and the row of its law (see law_memory).

@@ -63,14 +63,21 @@ TRILITH_INLINE Lanes load_four(const double* four) {
   return v;
 }
 
-/// Four edges, a lane each.
+/// Where edges begin and their normals, a lane each.
+struct alignas(32) EdgeStarts {
+  Lanes x, y, nx, ny;
+  TRILITH_INLINE explicit EdgeStarts(const EdgeRow* const* e) {
+    const FourByFour rows(load_four(&e[0]->x), load_four(&e[1]->x), load_four(&e[2]->x), load_four(&e[3]->x));
+    x = rows.v[0], y = rows.v[1], nx = rows.v[2], ny = rows.v[3];
+  }
+};
+
+/// Edges, a lane each: with the way to where the next one begins [m] and its square [m2].
 struct alignas(32) EdgeColumns {
   Lanes x, y, along_x, along_y, nx, ny, length2;
-  TRILITH_INLINE explicit EdgeColumns(const EdgeRow* const* e) {
-    const FourByFour ways(load_four(&e[0]->x), load_four(&e[1]->x), load_four(&e[2]->x), load_four(&e[3]->x));
-    const FourByFour normals(load_four(&e[0]->nx), load_four(&e[1]->nx), load_four(&e[2]->nx), load_four(&e[3]->nx));
-    x = ways.v[0], y = ways.v[1], along_x = ways.v[2], along_y = ways.v[3];
-    nx = normals.v[0], ny = normals.v[1], length2 = normals.v[2];
+  TRILITH_INLINE EdgeColumns(const EdgeStarts& e, const EdgeStarts& next)
+      : x(e.x), y(e.y), along_x(next.x - e.x), along_y(next.y - e.y), nx(e.nx), ny(e.ny) {
+    length2 = along_x * along_x + along_y * along_y;
   }
 };
 
@@ -92,9 +99,14 @@ struct alignas(32) CornerForces {
   }
 };
 
+/// The edge after that with this number, or the corner it ends at.
+TRILITH_INLINE int edge_after(const PlacedPiece& piece, int e) {
+  return e + 1 < static_cast<int>(piece.corner.size()) ? e + 1 : 0;
+}
+
 /// To the corners of edge e of a piece.
 TRILITH_INLINE void add_row(std::span<Vec2> on, const PlacedPiece& piece, int e, const Lanes& row) {
-  const int e1 = e + 1 < static_cast<int>(piece.corner.size()) ? e + 1 : 0;
+  const int e1 = edge_after(piece, e);
   double *first = on[e].data(), *second = on[e1].data();
   store_pair(first, load_pair(first) + LanePair{row[0], row[1]});
   store_pair(second, load_pair(second) + LanePair{row[2], row[3]});
@@ -138,18 +150,21 @@ struct OverlapPress {
 template <class K>
 TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int count, OverlapSums& sums) const {
   const OverlapStretch* s[lane_count];
-  const EdgeRow *walkers[lane_count], *owners[lane_count];
+  const EdgeRow *walkers[lane_count], *owners[lane_count], *past_walkers[lane_count], *past_owners[lane_count];
   Lanes sign{};
   for (int i = 0; i < lane_count; ++i) {  // beyond the last it stands again, and counts nothing
     s[i] = &list[i < count ? i : 0];
-    walkers[i] = (s[i]->walker_is_b ? sides_b : sides_a).row + s[i]->edge;
-    owners[i] = (s[i]->walker_is_b ? sides_a : sides_b).row + s[i]->face;
+    const bool b_walks = s[i]->walker_is_b;
+    const PieceSides &walks = b_walks ? sides_b : sides_a, &owns = b_walks ? sides_a : sides_b;
+    walkers[i] = walks.row + s[i]->edge, past_walkers[i] = walks.row + edge_after(b_walks ? b : a, s[i]->edge);
+    owners[i] = owns.row + s[i]->face, past_owners[i] = owns.row + edge_after(b_walks ? a : b, s[i]->face);
     sign[i] = s[i]->walker_is_b ? 1.0 : -1.0;
   }
   const FourByFour parts(load_four(&s[0]->span.from), load_four(&s[1]->span.from), load_four(&s[2]->span.from),
                          load_four(&s[3]->span.from));
   const Lanes from = parts.v[0], to = parts.v[1], d0 = parts.v[2], d1 = parts.v[3];
-  const EdgeColumns walker(walkers), owner(owners);
+  const EdgeColumns walker{EdgeStarts(walkers), EdgeStarts(past_walkers)},
+      owner{EdgeStarts(owners), EdgeStarts(past_owners)};
   const Lanes zero{}, nx = walker.nx, ny = walker.ny;  // out of the walker, into the owner
   const Lanes x0 = walker.x + from * walker.along_x, y0 = walker.y + from * walker.along_y;
   const Lanes x1 = walker.x + to * walker.along_x, y1 = walker.y + to * walker.along_y;

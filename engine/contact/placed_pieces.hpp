@@ -10,7 +10,7 @@ namespace trilith {
 /// Of no meaning outside the evaluation that fills it; kept for its room. Spans and pointers in `piece` point here.
 struct PlacedPieces {
   std::vector<std::uint8_t> is_placed;  ///< [piece] see make_once: the rest is of now
-  std::vector<PlacedPiece> piece;       ///< [piece]
+  std::vector<PlacedPiece> piece;       ///< [piece] their views stay from step to step. Emptied where pairs are new
   std::vector<PlacedPiece> over_step;   ///< [piece] with mean velocities; empty in explicit stages
   std::vector<Vec2> place;              ///< [corner] m
   std::vector<Vec2> velocity;           ///< [corner] where a body deforms; else empty m/s

@@ -39,17 +39,24 @@ struct PieceCorners {
   PieceRoom room() { return {place.data(), velocity.data(), mean.data(), &over_step}; }
 };
 
-/// Makes `placed` a piece where it stands and how it moves; views into Model and `room`. Where an implicit step was
-/// taken it comes with its mean velocities over the step, by which slip and losses go. It is written in place: a copy
-/// of all of it for each piece would cost as much as the rest.
-void place_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
-                 PlacedPiece& placed);
-/// The same as a value.
+/// Makes `placed` a piece that move_piece() will find: views into Model and `room`, which stay from step to step.
+void lay_piece(const Model<2>& model, const Work<2>& work, int piece, const PieceRoom& room, PlacedPiece& placed);
+/// Writes to `room` and to `placed`, which was laid in it, where a piece stands and how it moves. Where an implicit
+/// step was taken it comes with its mean velocities over the step, by which slip and losses go.
+void move_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
+                PlacedPiece& placed);
+/// Both, as a value.
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
                          const PieceRoom& room);
 inline PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
                                 PieceCorners& corners) {
   return placed_piece(model, state, work, piece, corners.room());
 }
+
+/// None of the pieces of work.placed is placed; there is room for all.
+void place_none(const Model<2>& model, Work<2>& work);
+/// A piece as it stands now, with its edges, in work.placed: placed by the first of its contacts that asks, in whatever
+/// thread.
+void place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece);
 
 }  // namespace trilith

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/lane_vectors.hpp"
+#include "base/portable_lanes.hpp"
 #include "base/team.hpp"
 #include "body/rigid.hpp"
 #include "step/evaluate.hpp"
@@ -40,11 +41,12 @@ SkinReach place_sections(const Model<2>& model, const State<2>& state, const Bod
   return reach;
 }
 
-/// place of a rigid body.
-SkinReach place_one_node(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+/// place of a rigid body. `turn`: of its node's rotation.
+SkinReach place_one_node(const Model<2>& model, const State<2>& state, const BodyRow& body,
+                         const portable::SineCosine& turn, Work<2>& work) {
   const int n = body.node;
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
-  return place_rigid(NodeMotion<2>{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]},
+  return place_rigid(NodeMotion<2>{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]}, turn,
                      std::span(model.skin_place).subspan(first, count), std::span(work.skin).subspan(first, count));
 }
 
@@ -75,16 +77,27 @@ void list_element_stretches(const Model<2>& model, Work<2>& work) {
 /// In space they need no cutting: see step/resist_space.cpp.
 void list_element_stretches(const Model<3>& /*model*/, Work<3>& /*work*/) {}
 
-SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+/// `turn`: of the rotation of its first node, where the body is rigid.
+SkinReach place_body(const Model<2>& model, const State<2>& state, const BodyRow& body,
+                     const portable::SineCosine& turn, Work<2>& work) {
   switch (body.layout) {
     case SkinLayout::one_node:
-      return place_one_node(model, state, body, work);
+      return place_one_node(model, state, body, turn, work);
     case SkinLayout::node_each:
       return place_nodes(state, body, work);
     case SkinLayout::sections:
       break;
   }
   return place_sections(model, state, body, work);
+}
+
+/// The sines and cosines by which four bodies are turned that stand side by side in the list; beyond its end none are.
+portable::FourTurns turns_of(const State<2>& state, const Work<2>& work, int first) {
+  std::array<double, lane_count> angle{};
+  for (std::size_t i = 0; i < angle.size() && first + i < work.body.size(); ++i)
+    if (const BodyRow& body = work.body[first + i]; body.layout == SkinLayout::one_node)
+      angle[i] = state.rotation[body.node];
+  return portable::sines_cosines(angle);
 }
 
 /// True where some node of the body is free to move.
@@ -136,12 +149,13 @@ struct alignas(64) PlacedReach {
 constexpr int body_stretch = 64, piece_stretch = 128;
 
 /// Each thread keeps the largest of what it places: the largest of these is the same in any order.
+/// place(first, last, reach).
 template <int D, class Place>
 PlacedReach place_shared(const Work<D>& work, int count, int stretch, Place&& place) {
   std::array<PlacedReach, most_threads> by{};
   share(work.threads, count, stretch, [&](int first, int last, int thread) {
     PlacedReach reach;
-    for (int i = first; i < last; ++i) place(i, reach);
+    place(first, last, reach);
     by[static_cast<std::size_t>(thread)].add(reach);
   });
   PlacedReach reach;
@@ -153,12 +167,17 @@ PlacedReach place_all(const Model<2>& model, const State<2>& state, Work<2>& wor
   work.skin.resize(model.skin_place.size());
   work.skin_force.resize(model.skin_place.size());
   const PlacedReach reach =
-      place_shared(work, static_cast<int>(work.body.size()), body_stretch, [&](int b, PlacedReach& to) {
-        const BodyRow& body = work.body[static_cast<std::size_t>(b)];
-        const SkinReach of = place_body(model, state, body, work);
-        // By the thread that will add to them, mostly.
-        std::fill_n(work.skin_force.begin() + body.skin, body.skins, Vec2::Zero());
-        to.add(of, of.speed2 > to.moving && moves(model, body));
+      place_shared(work, static_cast<int>(work.body.size()), body_stretch, [&](int first, int last, PlacedReach& to) {
+        portable::FourTurns turns;
+        for (int b = first; b < last; ++b) {
+          const auto lane = static_cast<std::size_t>((b - first) % lane_count);
+          if (lane == 0) turns = turns_of(state, work, b);
+          const BodyRow& body = work.body[static_cast<std::size_t>(b)];
+          const SkinReach of = place_body(model, state, body, {turns.sine[lane], turns.cosine[lane]}, work);
+          // By the thread that will add to them, mostly.
+          std::fill_n(work.skin_force.begin() + body.skin, body.skins, Vec2::Zero());
+          to.add(of, of.speed2 > to.moving && moves(model, body));
+        }
       });
   work.skin_mean.clear();
   if (state.implicit()) place_means(model, state, work);
@@ -263,9 +282,11 @@ PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& wor
   if (!model.fits.empty()) work.solids.before.resize(pieces);
   if (!work.valid) list_spheres(model, work.solids.sphere);
   place_behind(model, state, work.solids.behind);
-  return place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int p, PlacedReach& to) {
-    const SkinReach of = place_piece(model, state, p, work.solids);
-    to.add(of, piece_moves(model, p));
+  return place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int first, int last, PlacedReach& to) {
+    for (int p = first; p < last; ++p) {
+      const SkinReach of = place_piece(model, state, p, work.solids);
+      to.add(of, piece_moves(model, p));
+    }
   });
 }
 
@@ -273,7 +294,7 @@ PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& wor
 
 template <int D>
 void place(const Model<D>& model, const State<D>& state, Work<D>& work) {
-  if (!work.valid) list_bodies(model, work), list_element_stretches(model, work);
+  if (!work.valid) list_bodies(model, work), list_element_stretches(model, work), work.placed.piece.clear();
   const PlacedReach reach = place_all(model, state, work);
   work.fastest = std::sqrt(reach.all.speed2);
   work.fastest_moving = std::sqrt(reach.moving);

@@ -1,6 +1,10 @@
 // Pieces where they stand, for contacts of general shape.
+#include <cstddef>
 #include <span>
 
+#include "base/lanes.hpp"
+#include "base/team.hpp"
+#include "contact/edge_lanes.hpp"
 #include "step/contact_rows.hpp"
 
 namespace trilith {
@@ -29,41 +33,101 @@ void fit_rigid(PlacedPiece& piece) {
 
 }  // namespace
 
-void place_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
-                 PlacedPiece& placed) {
+void lay_piece(const Model<2>& model, const Work<2>& work, int piece, const PieceRoom& room, PlacedPiece& placed) {
   const auto first = static_cast<std::size_t>(model.piece_first[piece]),
              count = static_cast<std::size_t>(model.corners_of(piece));
-  const int* const skin = &model.corner_skin[first];
-  for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion<2>& s = work.skin[skin[c]];
-    room.place[c] = {s.x, s.y};
-  }
-  const BodyRow& body = work.body[model.piece_body[piece]];
-  const int node = body.node;
   placed.corner = {room.place, count}, placed.is_face = {&model.edge_is_face[first], count};
+  const bool deforms = work.body[model.piece_body[piece]].layout != SkinLayout::one_node;
+  placed.corner_velocity = deforms ? std::span<const Vec2>(room.velocity, count) : std::span<const Vec2>{};
+  placed.over_step = work.skin_mean.empty() ? nullptr : room.over_step;
+  placed.sides = {};
+}
+
+void move_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
+                PlacedPiece& placed) {
+  const std::size_t count = placed.corner.size();
+  const int *skin = &model.corner_skin[model.piece_first[piece]], node = work.body[model.piece_body[piece]].node;
+  const SkinMotion<2>* const of = work.skin.data();
+  for (std::size_t c = 0; c < count; ++c) store_pair(room.place[c].data(), load_pair(&of[skin[c]].x));
   placed.origin = state.position[node], placed.velocity = state.velocity[node], placed.spin = state.spin[node];
-  placed.corner_velocity = {}, placed.over_step = nullptr, placed.sides = {};
-  if (!work.skin_mean.empty()) {
+  if (placed.over_step != nullptr) {
     for (std::size_t c = 0; c < count; ++c) room.mean[c] = work.skin_mean[skin[c]];
     *room.over_step = placed;
+    room.over_step->over_step = nullptr;
     room.over_step->corner_velocity = std::span(room.mean, count);
     fit_rigid(*room.over_step);
-    placed.over_step = room.over_step;
   }
-  if (body.layout == SkinLayout::one_node) return;
-  for (std::size_t c = 0; c < count; ++c) {
-    const SkinMotion<2>& s = work.skin[skin[c]];
-    room.velocity[c] = {s.u, s.v};
-  }
-  placed.corner_velocity = std::span(room.velocity, count);
+  if (placed.corner_velocity.empty()) return;
+  for (std::size_t c = 0; c < count; ++c) store_pair(room.velocity[c].data(), load_pair(&of[skin[c]].u));
   fit_rigid(placed);
 }
 
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
                          const PieceRoom& room) {
   PlacedPiece placed;
-  place_piece(model, state, work, piece, room, placed);
+  lay_piece(model, work, piece, room, placed);
+  move_piece(model, state, work, piece, room, placed);
   return placed;
+}
+
+namespace {
+
+/// Where corners and velocities of a piece go in `all`.
+PieceRoom piece_room(const Model<2>& model, int piece, PlacedPieces& all) {
+  const int first = model.piece_first[piece];
+  const bool means = !all.mean.empty();
+  return {&all.place[first], &all.velocity[first], means ? &all.mean[first] : nullptr,
+          means ? &all.over_step[piece] : nullptr};
+}
+
+/// Room for all pieces, with their views into it: what does not change from step to step.
+void lay_pieces(const Model<2>& model, const Work<2>& work, PlacedPieces& placed) {
+  const auto pieces = static_cast<std::size_t>(model.pieces()), corners = model.corner_skin.size();
+  const bool means = !work.skin_mean.empty();
+  placed.piece.resize(pieces);
+  placed.over_step.resize(means ? pieces : 0);
+  placed.place.resize(corners);
+  placed.velocity.resize(corners);
+  placed.mean.resize(means ? corners : 0);
+  const std::size_t fours = PlacedPieces::first_four(model.pieces(), static_cast<int>(corners));
+  placed.four.resize(fours);
+  placed.row.resize(fours * lane_count);
+  for (int p = 0; p < model.pieces(); ++p) {
+    PlacedPiece& piece = placed.piece[p];
+    lay_piece(model, work, p, piece_room(model, p, placed), piece);
+    const std::size_t four = PlacedPieces::first_four(p, model.piece_first[p]);
+    piece.sides = {&placed.four[four], &placed.row[four * lane_count], surface_bits(piece.is_face)};
+  }
+}
+
+/// True where the views of the pieces point into this room and this model: those of a copy of Work point into another.
+bool are_laid(const Model<2>& model, const Work<2>& work, const PlacedPieces& placed) {
+  const auto pieces = static_cast<std::size_t>(model.pieces());
+  if (placed.piece.size() != pieces || placed.over_step.size() != (work.skin_mean.empty() ? 0 : pieces)) return false;
+  return pieces == 0 || (placed.piece[0].corner.data() == placed.place.data() &&
+                         placed.piece[0].is_face.data() == model.edge_is_face.data());
+}
+
+/// A piece with its edges, made where it belongs in `all`.
+void place_sides(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, PlacedPieces& all) {
+  PlacedPiece& placed = all.piece[piece];
+  move_piece(model, state, work, piece, piece_room(model, piece, all), placed);
+  const std::size_t four = PlacedPieces::first_four(piece, model.piece_first[piece]);
+  place_edges(placed.corner, &all.four[four], &all.row[four * lane_count]);
+}
+
+}  // namespace
+
+void place_none(const Model<2>& model, Work<2>& work) {
+  PlacedPieces& placed = work.placed;
+  const auto pieces = static_cast<std::size_t>(model.pieces());
+  placed.is_placed.assign(pieces, 0);
+  if (!are_laid(model, work, placed)) lay_pieces(model, work, placed);
+}
+
+void place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece) {
+  make_once(work.threads, work.placed.is_placed[static_cast<std::size_t>(piece)],
+            [&] { place_sides(model, state, work, piece, work.placed); });
 }
 
 }  // namespace trilith

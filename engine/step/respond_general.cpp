@@ -1,6 +1,7 @@
 // Contacts of general shape: corners, deep overlap, pieces that tumble.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <span>
 
@@ -13,41 +14,6 @@ namespace trilith {
 
 namespace {
 
-/// Room for all pieces, none of which is placed.
-void place_none(const Model<2>& model, bool means, PlacedPieces& placed) {
-  const auto pieces = static_cast<std::size_t>(model.pieces()), corners = model.corner_skin.size();
-  placed.is_placed.assign(pieces, 0);
-  placed.piece.resize(pieces);
-  placed.over_step.resize(means ? pieces : 0);
-  placed.place.resize(corners);
-  placed.velocity.resize(corners);
-  placed.mean.resize(means ? corners : 0);
-  const std::size_t fours = PlacedPieces::first_four(model.pieces(), static_cast<int>(corners));
-  placed.four.resize(fours);
-  placed.row.resize(fours * lane_count);
-}
-
-/// A piece with its edges, made where it belongs in `all`.
-void place_sides(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, PlacedPieces& all) {
-  const auto p = static_cast<std::size_t>(piece);
-  PlacedPiece& placed = all.piece[p];
-  const int first = model.piece_first[piece];
-  const bool means = !all.mean.empty();
-  place_piece(model, state, work, piece,
-              {&all.place[first], &all.velocity[first], means ? &all.mean[first] : nullptr,
-               means ? &all.over_step[p] : nullptr},
-              placed);
-  const std::size_t four = PlacedPieces::first_four(piece, first);
-  placed.sides = {&all.four[four], &all.row[four * lane_count], surface_bits(placed.is_face)};
-  place_edges(placed.corner, &all.four[four], &all.row[four * lane_count]);
-}
-
-/// A piece as it stands now, placed by the first of its contacts that asks, in whatever thread.
-void place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece) {
-  make_once(work.threads, work.placed.is_placed[static_cast<std::size_t>(piece)],
-            [&] { place_sides(model, state, work, piece, work.placed); });
-}
-
 void add_to_skin(const Model<2>& model, int piece, const Vec2* force, Work<2>& work) {
   const int *skin = &model.corner_skin[model.piece_first[piece]], count = model.corners_of(piece);
   Vec2* const on = work.skin_force.data();  // read once: the compiler cannot know that sums do not change it
@@ -55,6 +21,14 @@ void add_to_skin(const Model<2>& model, int piece, const Vec2* force, Work<2>& w
     double* const at = on[skin[c]].data();
     store_pair(at, load_pair(at) + load_pair(force[c].data()));
   }
+}
+
+/// To the corners at both ends of edge e.
+void add_to_edge(const Model<2>& model, int piece, int e, const std::array<Vec2, 2>& force, Work<2>& work) {
+  const int *skin = &model.corner_skin[model.piece_first[piece]], next = e + 1 < model.corners_of(piece) ? e + 1 : 0;
+  double *const first = work.skin_force[skin[e]].data(), *const second = work.skin_force[skin[next]].data();
+  store_pair(first, load_pair(first) + load_pair(force[0].data()));
+  store_pair(second, load_pair(second) + load_pair(force[1].data()));
 }
 
 /// What two faces held that their contact does not as one of general shape.
@@ -120,8 +94,11 @@ struct GeneralPass {
   [[nodiscard]] Coulomb friction_of(int law) const {
     return with_kernel(law_in_use(model, law, dt), [](const Coulomb& kernel) { return kernel; });
   }
+  void fetch(std::span<const int> rows) const;
   void respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const;
   void respond(int row, CornerOnFace tried, OverlapAnswer& answer) const;
+  [[nodiscard]] CornerCase corner_case(int row, CornerOnFace at, OverlapAnswer& answer) const;
+  void finish_corner(int row, CornerOnFace at, OverlapAnswer& answer) const;
   [[nodiscard]] bool holds_off(int row, OverlapAnswer& answer) const;
   CornerOnFace respond_any(int row, OverlapAnswer& answer, bool may_be_corner) const;
   void finish(int row, OverlapAnswer& answer) const;
@@ -131,9 +108,9 @@ struct GeneralPass {
 /// Rows of one law in which one corner is below a face, or one of each piece in the other, or was last: to be answered
 /// together.
 struct CornerRows {
-  std::array<CornerCase, lane_count> pair;
-  std::array<int, lane_count> row;
-  std::array<OverlapAnswer*, lane_count> answer;
+  std::array<CornerCase, most_corner_cases> pair;
+  std::array<int, most_corner_cases> row;
+  std::array<OverlapAnswer*, most_corner_cases> answer;
   std::size_t count = 0;
   int law = -1;
 
@@ -161,28 +138,49 @@ Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece&
   answer.counts = true;
   answer.changed = answer.touching = false;
   answer.let_go = {};
+  answer.corner_at = {};
   answer.on_a = force, answer.on_b = force + a.corner.size();
-  Vec2* const end = answer.on_b + b.corner.size();
-  std::fill(force, end, Vec2::Zero());
-  return end;
+  return answer.on_b + b.corner.size();
 }
 
-/// One corner below one face, or one of each piece in the other, is answered for four rows at once: for those in which
-/// it was so last, and those in which it is found to be so now. What it does not hold for is looked at by itself.
+/// Asks for what rows to come begin with, while others are worked on: they are too far apart in memory for the
+/// processor to see by itself which will be next. Of their pieces, what placing reads and writes.
+void GeneralPass::fetch(std::span<const int> rows) const {
+  for (const int row : rows) {
+    const NearPair& pair = work.pairs[row];
+    __builtin_prefetch(&before.memory[row]), __builtin_prefetch(&work.contacts.memory[row], 1);
+    for (const int piece : {pair.piece_a, pair.piece_b}) {
+      // Another thread may be placing it; then nothing is lost but the asking.
+      if (std::atomic_ref(work.placed.is_placed[piece]).load(std::memory_order_relaxed) != 0) continue;
+      const int first = model.piece_first[piece], skin = model.corner_skin[first];
+      __builtin_prefetch(&work.skin[skin]), __builtin_prefetch(&work.skin[skin] + 2);
+      __builtin_prefetch(&work.placed.piece[piece], 1), __builtin_prefetch(&work.placed.place[first], 1);
+      __builtin_prefetch(&work.skin_force[skin], 1);
+      const std::size_t four = PlacedPieces::first_four(piece, first);
+      const auto* const lanes = reinterpret_cast<const char*>(&work.placed.four[four]);
+      const auto* const edges = reinterpret_cast<const char*>(&work.placed.row[four * lane_count]);
+      constexpr int line = 64;
+      __builtin_prefetch(lanes, 1), __builtin_prefetch(lanes + line, 1);
+      __builtin_prefetch(edges, 1), __builtin_prefetch(edges + line, 1);
+    }
+  }
+}
+
+/// One corner below one face, or one of each piece in the other, is answered for several rows at once: for those in
+/// which it was so last, and those in which it is found to be so now. What it does not hold for is looked at by itself.
 /// `answers`: one for each row; `force`: room for the forces of all of them.
 void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const {
   // Pieces of all of them first: a short loop leaves the processor more to fetch at once.
   for (const int row : rows) {
     const NearPair& pair = work.pairs[row];
     place_once(model, state, work, pair.piece_a), place_once(model, state, work, pair.piece_b);
-    __builtin_prefetch(&before.memory[row]), __builtin_prefetch(&work.contacts.memory[row], 1);
   }
   std::array<CornerRows, 2> kinds;  // of one corner, of one of each
   const auto answer_waiting = [&](CornerRows& waiting) {
     if (waiting.count == 0) return;
     const std::uint32_t done = respond_corners(std::span(waiting.pair).first(waiting.count), friction_of(waiting.law));
     for (std::size_t k = 0; k < waiting.count; ++k)
-      (done >> k & 1U) != 0 ? finish(waiting.row[k], *waiting.answer[k])
+      (done >> k & 1U) != 0 ? finish_corner(waiting.row[k], waiting.pair[k].at, *waiting.answer[k])
                             : respond(waiting.row[k], waiting.pair[k].at, *waiting.answer[k]);
     waiting.count = 0;
   };
@@ -209,8 +207,7 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
     }
     CornerRows& waiting = kinds[at.both ? 1 : 0];
     if (waiting.count > 0 && waiting.law != pair.law) answer_waiting(waiting);
-    waiting.add(row, pair.law,
-                {&a, &b, at, &memory, &answer.response, forces_on(answer.on_a, a), forces_on(answer.on_b, b)}, answer);
+    waiting.add(row, pair.law, corner_case(row, at, answer), answer);
     if (waiting.count == waiting.pair.size()) answer_waiting(waiting);
   }
   for (CornerRows& waiting : kinds) answer_waiting(waiting);
@@ -235,11 +232,8 @@ void GeneralPass::respond(int row, CornerOnFace tried, OverlapAnswer& answer) co
   if (!at.is_there()) return;
   const NearPair& pair = work.pairs[row];
   if (!(at == tried)) {
-    const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
-                      &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
-    const CornerCase one{
-        &a, &b, at, &before.memory[row], &answer.response, forces_on(answer.on_a, a), forces_on(answer.on_b, b)};
-    if (respond_corners({&one, 1}, friction_of(pair.law)) != 0) return finish(row, answer);
+    const CornerCase one = corner_case(row, at, answer);
+    if (respond_corners({&one, 1}, friction_of(pair.law)) != 0) return finish_corner(row, at, answer);
   }
   respond_any(row, answer, false);
 }
@@ -254,6 +248,7 @@ CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_b
   const LawInUse law = law_in_use(model, pair.law, dt);
   const Remembered remembered{memory, before.law_numbers(row)};
   CornerOnFace alone;
+  std::fill(answer.on_a, answer.on_b + b.corner.size(), Vec2::Zero());
   answer.response = respond_overlap(a, b, remembered, law, forces_on(answer.on_a, a), forces_on(answer.on_b, b),
                                     work.contacts.law_numbers(row), may_be_corner ? &alone : nullptr);
   if (may_be_corner) pair.corner_at = alone;
@@ -262,6 +257,22 @@ CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_b
     answer.let_go = change_of_shape(work, pair, remembered, law);
   finish(row, answer);
   return {};
+}
+
+/// The pair of a row with that corner, and where its answer goes.
+CornerCase GeneralPass::corner_case(int row, CornerOnFace at, OverlapAnswer& answer) const {
+  const NearPair& pair = work.pairs[row];
+  const std::vector<PlacedPiece>& placed = work.placed.piece;
+  return {&placed[pair.piece_a],      &placed[pair.piece_b], at,          &before.memory[row],
+          &work.contacts.memory[row], &answer.response,      &answer.push};
+}
+
+/// As finish(), of a row that was answered by a corner: it touches, and what it remembers is written.
+void GeneralPass::finish_corner(int row, CornerOnFace at, OverlapAnswer& answer) const {
+  const ContactMemory& memory = before.memory[row];
+  answer.changed = (memory.state & contact_touching) == 0 || memory.bonds != 0 || (memory.state & contact_kept) != 0;
+  answer.touching = true;
+  answer.corner_at = at;
 }
 
 /// What a response means for its row: whether anything changed, what is remembered, how long it may sleep.
@@ -291,13 +302,26 @@ void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
   work.given[EnergyTerm::contact_friction] += r.lost_friction;
   work.given[EnergyTerm::contact_fracture] += r.lost_fracture;
   if (!answer.touching) return;
-  add_to_skin(model, work.pairs[row].piece_a, answer.on_a, work);
-  add_to_skin(model, work.pairs[row].piece_b, answer.on_b, work);
+  const NearPair& pair = work.pairs[row];
+  if (const CornerOnFace at = answer.corner_at; at.is_there()) {
+    const int wedge = at.wedge_is_b ? pair.piece_b : pair.piece_a, owner = at.wedge_is_b ? pair.piece_a : pair.piece_b;
+    add_to_edge(model, wedge, at.corner > 0 ? at.corner - 1 : model.corners_of(wedge) - 1, answer.push.on_wedge, work);
+    add_to_edge(model, owner, at.face, answer.push.on_owner, work);
+  } else {
+    add_to_skin(model, pair.piece_a, answer.on_a, work);
+    add_to_skin(model, pair.piece_b, answer.on_b, work);
+  }
   work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
 }
 
 /// Rows that threads take at a time: some five microseconds.
 constexpr int general_stretch = 32;
+
+/// The stretch that begins there, or what there is of it.
+std::span<const int> rows_after(const std::vector<int>& rows, int first) {
+  const auto from = static_cast<std::size_t>(first);
+  return std::span(rows).subspan(from, std::min<std::size_t>(general_stretch, rows.size() - from));
+}
 
 /// Rows of general shape, and those that were to be faces and are not now, in the order of rows: those that are worked
 /// on.
@@ -324,7 +348,7 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
   if (work.general.empty() && work.general_now.empty()) return;
   const GeneralPass pass{model, state, contacts_before(state, work), work, dt, forgets_all(model)};
   list_rows(pass, work);
-  place_none(model, !work.skin_mean.empty(), work.placed);
+  place_none(model, work);
   const auto slots = static_cast<std::size_t>(stretches_under_way(work.threads));
   work.answer.resize(slots * general_stretch);
   constexpr std::size_t forces = std::size_t{general_stretch} * 2 * max_piece_corners;
@@ -334,6 +358,7 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
       work.threads, static_cast<int>(work.awake_rows.size()), general_stretch,
       [&](int first, int last, int /*thread*/, int slot) {
         const auto count = static_cast<std::size_t>(last - first);
+        pass.fetch(rows_after(work.awake_rows, last));
         pass.respond_rows(std::span(work.awake_rows).subspan(static_cast<std::size_t>(first), count), answers_of(slot),
                           &work.answer_force[static_cast<std::size_t>(slot) * forces]);
       },

@@ -100,9 +100,11 @@ struct SolidAnswer {
 struct OverlapAnswer {
   bool counts = false;                     ///< false: there was nothing to find out, and the rest is of no meaning
   bool changed = false, touching = false;  ///< see Work::changed_rows
+  CornerOnFace corner_at = {};             ///< where it is there, that answered, and forces are those of `push`; else
+  Vec2 *on_a = nullptr, *on_b = nullptr;   ///< [corner] forces, in Work::answer_force [N]
+  CornerPush push;
   OverlapResponse response;
-  ShapeLoss let_go;                       ///< what faces held, where they are of general shape now [J]
-  Vec2 *on_a = nullptr, *on_b = nullptr;  ///< [corner] forces, in Work::answer_force [N]
+  ShapeLoss let_go;  ///< what faces held, where they are of general shape now [J]
 };
 
 /// What the contacts of faces of four rows came to beside forces, where threads take them, before it is added to

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/portable_lanes.hpp"
 #include "shape/random_convex.hpp"
 
 using namespace trilith;
@@ -52,6 +54,28 @@ bool same(double a, double b) {
 }
 
 }  // namespace
+
+TEST_CASE("sines and cosines of four angles are those of each by itself to the bit") {
+  std::mt19937_64 bits(2);
+  const std::vector<Arguments> kinds = angles(bits);
+  const double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> few{0.0, -0.0, 0x1p-1074, M_PI_4, -M_PI_4, M_PI_2, -M_PI, 0x1p20, -0x1p20, infinite, none};
+  for (int round = 0; round < 20000; ++round) {
+    std::array<double, 4> angle{};
+    // Kinds side by side: a far one beside a near one changes nothing for that.
+    for (double& a : angle) {
+      const auto kind = static_cast<std::size_t>(random_count(bits, 0, static_cast<int>(kinds.size())));
+      a = kind < kinds.size() ? kinds[kind].next() : few[bits() % few.size()];
+    }
+    const portable::FourTurns turns = portable::sines_cosines(angle);
+    for (std::size_t i = 0; i < angle.size(); ++i) {
+      const portable::SineCosine one = portable::sine_cosine(angle[i]);
+      CAPTURE(angle[i]);
+      const bool both = same(turns.sine[i], one.sine) && same(turns.cosine[i], one.cosine);
+      CHECK((both || (std::isnan(one.sine) && std::isnan(turns.sine[i]) && std::isnan(turns.cosine[i]))));
+    }
+  }
+}
 
 TEST_CASE("sine and cosine and tangent of any angle are right to less than 1 ulp and symmetric to the bit") {
   std::mt19937_64 bits(1);
