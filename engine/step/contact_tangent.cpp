@@ -44,9 +44,7 @@ class FaceCopies {
   [[nodiscard]] bool is_faces(std::size_t copy) const {
     return !answer_[copy / lane_count].is_general[copy % lane_count];
   }
-  [[nodiscard]] bool touches(std::size_t copy) const {
-    return answer_[copy / lane_count].later[copy % lane_count] != 0;
-  }
+  [[nodiscard]] bool touches(std::size_t c) const { return answer_[c / lane_count].later[c % lane_count] != 0; }
   /// Its forces at the nodes: the force as it is, its moment by the arm.
   void take(std::size_t copy, const TermNodes& nodes, TermForces& out) const;
 
