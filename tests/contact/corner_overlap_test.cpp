@@ -144,7 +144,7 @@ void check_corners(bool both) {
   const double dt = 1e-4;
   const Coulomb kernel(law, 1, dt);
   int found = 0, answered = 0, missed = 0, as_b = 0;
-  for (int round = 0; round < 750; ++round) {
+  for (int round = 0; round < 1500; ++round) {
     std::vector<StoneMeeting> meetings;
     for (int i = 0; i < most_corner_cases; ++i) meetings.push_back(random_meeting(bits));
     std::array<PairResponse, most_corner_cases> given;
