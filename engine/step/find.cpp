@@ -71,6 +71,8 @@ void find(const Model<2>& model, const State<2>& state, Work<2>& work) {
   copy_emptied(work.matched, work.contacts);
   work.changed_rows.clear();
   work.row_shares.forget();
+  if (work.threads > 1)  // what share_rows() will fill within a step
+    make_room(work.row_shares.border, work.pairs.size()), make_room(work.row_shares.share_of, model.bodies.size());
   work.general_now.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());
   work.changed_rows.reserve(work.pairs.size());
