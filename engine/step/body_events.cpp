@@ -50,28 +50,6 @@ Event event_now(const State<D>& state, EventType type, int body_a, int body_b) {
   return e;
 }
 
-/// A contact that closes again within apart_time has not been lost: the parting is forgotten.
-template <int D>
-bool take_back(State<D>& state, ContactKey contact) {
-  const auto found =
-      std::find_if(state.parted.begin(), state.parted.end(), [&](const Parted& p) { return p.contact == contact; });
-  if (found == state.parted.end()) return false;
-  state.parted.erase(found);
-  return true;
-}
-
-/// Partings that have lasted become events, at the time at which that is sure and not before.
-template <int D>
-void parted_events(const Model<D>& model, State<D>& state, Work<D>& work) {
-  const auto lasting = [&](const Parted& p) { return state.time - p.time >= model.apart_time; };
-  // They opened in the order of the list, so those that have lasted stand first.
-  auto end = state.parted.begin();
-  for (; end != state.parted.end() && lasting(*end); ++end)
-    work.events.push_back(event_now(state, EventType::contact_lost, model.piece_body[first_piece(end->contact)],
-                                    model.piece_body[second_piece(end->contact)]));
-  state.parted.erase(state.parted.begin(), end);
-}
-
 /// One look at each body at each step, so the quick answer comes first: nearly all that move at all move plainly.
 template <int D>
 void body_events(const Model<D>& model, State<D>& state, Work<D>& work) {
@@ -87,10 +65,6 @@ void body_events(const Model<D>& model, State<D>& state, Work<D>& work) {
 
 template Event event_now(const State<2>&, EventType, int, int);
 template Event event_now(const State<3>&, EventType, int, int);
-template bool take_back(State<2>&, ContactKey);
-template bool take_back(State<3>&, ContactKey);
-template void parted_events(const Model<2>&, State<2>&, Work<2>&);
-template void parted_events(const Model<3>&, State<3>&, Work<3>&);
 template void body_events(const Model<2>&, State<2>&, Work<2>&);
 template void body_events(const Model<3>&, State<3>&, Work<3>&);
 

@@ -2,6 +2,7 @@
 // they stand.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "contact/overlap_pair.hpp"
@@ -51,6 +52,14 @@ PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Wor
 inline PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
                                 PieceCorners& corners) {
   return placed_piece(model, state, work, piece, corners.room());
+}
+
+/// What a row that touches by its general shape came to; null of others. Their list rises with the row.
+template <int D>
+const GeneralContact<D>* general_contact(const Work<D>& work, int row) {
+  const auto found = std::lower_bound(work.general_touching.begin(), work.general_touching.end(), row,
+                                      [](const GeneralContact<D>& c, int r) { return c.row < r; });
+  return found != work.general_touching.end() && found->row == row ? &*found : nullptr;
 }
 
 /// None of the pieces of work.placed is placed; there is room for all.

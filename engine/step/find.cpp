@@ -76,6 +76,7 @@ void find(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.general_now.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());
   work.changed_rows.reserve(work.pairs.size());
+  work.closing.reserve(work.pairs.size()), work.closed_again.reserve(work.pairs.size());
 }
 
 }  // namespace trilith

@@ -12,6 +12,7 @@
 #include "step/contact_resultants.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
+#include "step/parted_contacts.hpp"
 #include "step/seat_events.hpp"
 #include "world/pose.hpp"
 
@@ -35,11 +36,10 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
   const auto velocity = [&](int piece, const Vec2& x) {
     return placed_piece(model, state, work, piece, corners).velocity_at(x);
   };
-  for (const GeneralContact<2>& g : work.general_touching) {
-    if (g.row != row) continue;
-    const double size = g.force.norm();
-    const Vec2 n = size > 0 ? Vec2(g.force / size) : Vec2::Zero();
-    return {g.centre, -n.dot(velocity(nb, g.centre) - velocity(na, g.centre))};
+  if (const GeneralContact<2>* g = general_contact(work, row); g != nullptr) {
+    const double size = g->force.norm();
+    const Vec2 n = size > 0 ? Vec2(g->force / size) : Vec2::Zero();
+    return {g->centre, -n.dot(velocity(nb, g->centre) - velocity(na, g->centre))};
   }
   const SkinMotion<2>&a0 = work.skin[p.a0], &a1 = work.skin[p.a1], &b0 = work.skin[p.b0], &b1 = work.skin[p.b1];
   const Vec2 along = Vec2(a1.x - a0.x, a1.y - a0.y).normalized(), n(along.y(), -along.x()), origin(a0.x, a0.y);
@@ -77,8 +77,8 @@ void bond_event(const Model<2>& model, const State<2>& state, Work<2>& work, int
 
 /// Of a contact that touches now.
 ContactResultant resultant_now(const Model<2>& model, const Work<2>& work, int row) {
-  for (const GeneralContact<2>& g : work.general_touching)
-    if (g.row == row) return general_resultant(g.centre, g.force, work.contacts.memory[row]);
+  if (const GeneralContact<2>* g = general_contact(work, row); g != nullptr)
+    return general_resultant(g->centre, g->force, work.contacts.memory[row]);
   return face_resultant(model, work, work.pairs[row], work.contacts.memory[row], work.contacts.law_numbers(row));
 }
 
@@ -117,7 +117,7 @@ void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int r
     return;
   }
   // A contact that closes again is told only where it strikes.
-  const bool again = take_back(state, work.contacts.key[row]);
+  const bool again = has_closed_again(work, work.contacts.key[row]);
   const Meeting m = meeting(model, state, work, row);
   const bool strikes = m.closing > model.impact_speed;
   if (again && !strikes) return;
@@ -133,6 +133,7 @@ void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   work.events.clear();
   // In the order of rows, as faces and general contacts have put theirs there one after the other.
   std::sort(work.changed_rows.begin(), work.changed_rows.end());
+  take_back(state, work);
   for (const int row : work.changed_rows) contact_events(model, state, work, row);
   if (!state.parted.empty()) parted_events(model, state, work);
   bearing_events(model, state, work);

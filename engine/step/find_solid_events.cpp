@@ -5,7 +5,9 @@
 #include "contact/joint_plan.hpp"
 #include "step/bearing_events.hpp"
 #include "step/body_events.hpp"
+#include "step/contact_rows.hpp"
 #include "step/find_events.hpp"
+#include "step/parted_contacts.hpp"
 #include "step/seat_events.hpp"
 
 namespace trilith {
@@ -27,10 +29,9 @@ bool are_grains(const Model<3>& model, const NearPair& pair) {
 
 /// A contact that begins: an impact where the bodies close faster than the model's impact_speed, else a contact made.
 void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) {
-  // A contact that closes again is told only where it strikes. The list rises with the row.
-  const bool again = take_back(state, work.contacts.key[row]);
-  const auto contact = std::lower_bound(work.general_touching.begin(), work.general_touching.end(), row,
-                                        [](const GeneralContact<3>& c, int r) { return c.row < r; });
+  // A contact that closes again is told only where it strikes.
+  const bool again = has_closed_again(work, work.contacts.key[row]);
+  const GeneralContact<3>* contact = general_contact(work, row);
   const double closing = closing_speed(model, state, work, *contact);
   const bool strikes = closing > model.impact_speed;
   if ((again || are_grains(model, work.pairs[row])) && !strikes) return;
@@ -62,9 +63,7 @@ void joint_events(const Model<3>& model, const State<3>& state, Work<3>& work, i
   const NearPair& pair = work.pairs[row];
   Event e = event_now(state, change.broken ? EventType::bond_broken : EventType::bond_cracked,
                       model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]);
-  const auto contact = std::lower_bound(work.general_touching.begin(), work.general_touching.end(), row,
-                                        [](const GeneralContact<3>& c, int i) { return c.row < i; });
-  if (contact != work.general_touching.end() && contact->row == row) {
+  if (const GeneralContact<3>* contact = general_contact(work, row); contact != nullptr) {
     e.set_place(contact->centre);
     e.value = (contact->force - work.contacts.memory[r].shear.total).norm();
   } else {
@@ -91,6 +90,7 @@ void contact_events(const Model<3>& model, State<3>& state, Work<3>& work, int r
 
 void find_events(const Model<3>& model, State<3>& state, Work<3>& work) {
   work.events.clear();
+  take_back(state, work);
   for (const int row : work.changed_rows) contact_events(model, state, work, row);
   if (!state.parted.empty()) parted_events(model, state, work);
   bearing_events(model, state, work);

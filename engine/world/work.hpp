@@ -271,10 +271,15 @@ struct Work {
 
   std::vector<NodeWork> node_work;  ///< room of advance, for what threads take
 
-  std::vector<Event> events;  ///< of this step. Writer: find_events
-  double clear_path = 0;      ///< no two pieces get too deep into each other while `travel` is below this, those of a
-                              ///< row while it is below clear_until. Writer: the watch of step/passed.hpp; detect puts
-                              ///< both back where it looks up a piece m
+  // Writer: find_events
+  std::vector<Event> events;             ///< of this step
+  std::vector<ContactKey> closing;       ///< contacts that begin to touch in this step, sorted
+  std::vector<ContactKey> closed_again;  ///< those of them that had parted a moment ago, sorted
+  std::vector<std::uint8_t> may_close;   ///< room: flags of them
+
+  double clear_path = 0;  ///< no two pieces get too deep into each other while `travel` is below this, those of a
+                          ///< row while it is below clear_until. Writer: the watch of step/passed.hpp; detect puts
+                          ///< both back where it looks up a piece m
 
   /// Drops everything; see above.
   void drop() {
