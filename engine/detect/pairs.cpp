@@ -10,6 +10,7 @@
 #include "base/team.hpp"
 #include "contact/face_overlap.hpp"
 #include "detect/bearing_rules.hpp"
+#include "detect/due_pairs.hpp"
 #include "detect/face_line.hpp"
 #include "detect/lookup.hpp"
 
@@ -170,14 +171,6 @@ bool may_ever_touch(const Model<2>& model, const State<2>& state, const PieceSea
          contact_law(model, a, b) >= 0;
 }
 
-bool is_due(const PieceSearch<2>& search, const NearPair& pair) {
-  return search.is_due[pair.piece_a] != 0 || search.is_due[pair.piece_b] != 0;
-}
-
-ContactKey key_of(const NearPair& pair) {
-  return contact_key(pair.piece_a, pair.piece_b);
-}
-
 /// Pieces and rows that threads take at a time: some ten microseconds.
 constexpr int due_stretch = 16, scanned_stretch = 2048, faced_stretch = 64;
 
@@ -239,17 +232,6 @@ void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
     search.found.insert(search.found.end(), of_thread.begin(), of_thread.end());
   std::sort(search.found.begin(), search.found.end());
   search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
-}
-
-/// True where the pairs found are those that were there.
-bool same_keys(const Work<2>& work) {
-  std::size_t next = 0;
-  for (const NearPair& pair : work.pairs) {
-    if (!is_due(work.search, pair)) continue;
-    if (next == work.search.found.size() || work.search.found[next] != key_of(pair)) return false;
-    ++next;
-  }
-  return next == work.search.found.size();
 }
 
 /// Looks at the faces of the rows `to_face`. Each asks its own pieces and writes itself alone.

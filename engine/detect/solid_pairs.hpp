@@ -1,7 +1,7 @@
 // Pairs of solids that may touch before the next search.
 //
-// As detect/lookup.hpp in the plane: each piece has a box that is wider than it by a margin, and only pieces that have
-// left theirs are looked up again.
+// As detect/lookup.hpp in the plane: each piece has a box that is wider than it by a margin, and along its way where it
+// is fast, and only pieces that have left theirs or will have shortly are looked up again.
 #pragma once
 
 #include "world/model.hpp"
@@ -16,10 +16,10 @@ FatBox<3> widened(FatBox<3> box, double by);
 
 /// True where some piece has left its box (work.solids must be placed); then `due` of work.search has them all. Else
 /// the next look is put off until the fastest point has gone as far as is left.
-bool solids_are_due(const Model<3>& model, Work<3>& work);
+bool solids_are_due(const Model<3>& model, const State<3>& state, Work<3>& work);
 
-/// Looks up the pieces that are due and patches the list of pairs, in the order of their keys. Writes the detect part
-/// of `work`. A pair that remembers something stays, however far apart it is.
-void find_solid_pairs(const Model<3>& model, const State<3>& state, Work<3>& work);
+/// Looks up the pieces that are due and patches the list of pairs, in the order of their keys; false where it is as it
+/// was. Writes the detect part of `work`. A pair that remembers something stays, however far apart it is.
+bool find_solid_pairs(const Model<3>& model, const State<3>& state, Work<3>& work);
 
 }  // namespace trilith

@@ -1,6 +1,7 @@
 // The pairs of pieces that may touch, and what the state remembers of their contacts.
 #include <algorithm>
 
+#include "base/make_room.hpp"
 #include "detect/pairs.hpp"
 #include "step/evaluate.hpp"
 #include "step/impact_step.hpp"
@@ -8,12 +9,6 @@
 
 namespace trilith {
 namespace {
-
-/// Pairs come and go: a list that has just room for them would move at every other search.
-template <class T>
-void make_room(std::vector<T>& list, std::size_t count) {
-  if (list.capacity() < count) list.reserve(count + count / 4);
-}
 
 /// Where the laws of the pairs keep what they remember: one after the other in one array, each as long as its law asks.
 /// Returns how long that is.

@@ -1,6 +1,7 @@
 // The pairs of solids that may touch, and what the state remembers of their contacts.
 #include <algorithm>
 
+#include "base/make_room.hpp"
 #include "detect/solid_pairs.hpp"
 #include "step/evaluate.hpp"
 #include "step/impact_step.hpp"
@@ -13,6 +14,7 @@ namespace {
 /// Both lists are sorted by key.
 void match_solids(const SolidHistory& state, Work<3>& work) {
   SolidHistory& now = work.matched;
+  make_room(now.key, work.pairs.size()), make_room(now.memory, work.pairs.size());
   now.key.resize(work.pairs.size());
   now.memory.assign(work.pairs.size(), {});
   now.joint_of.clear(), now.joint.clear();
@@ -28,18 +30,26 @@ void match_solids(const SolidHistory& state, Work<3>& work) {
   work.is_matched = true;
 }
 
+/// As many rows and joints, and all empty. In the room that is there: a flow has a new list every few steps.
+void copy_emptied(const SolidHistory& rows, SolidHistory& out) {
+  make_room(out.key, rows.size()), make_room(out.memory, rows.size());
+  out.key = rows.key, out.joint_of = rows.joint_of;
+  out.memory.assign(rows.size(), {});
+  out.joint.assign(rows.joint.size(), {});
+}
+
 }  // namespace
 
-/// Does nothing while the list of pairs still holds.
+/// Does nothing while the list of pairs still holds, or those that were looked up have the same neighbours as before.
 void find(const Model<3>& model, const State<3>& state, Work<3>& work) {
-  if (!solids_are_due(model, work)) return;
+  if (!solids_are_due(model, state, work)) return;
   if (!work.valid) bound_faces(model, work), list_masses(model, work);
-  find_solid_pairs(model, state, work);
+  if (!find_solid_pairs(model, state, work)) return;
   match_solids(state.contacts, work);
-  work.contacts = {work.matched.key, std::vector<SolidMemory>(work.pairs.size()), work.matched.joint_of,
-                   std::vector<JointMemory>(work.matched.joint.size())};
+  copy_emptied(work.matched, work.contacts);
   work.changed_rows.clear();
   work.changed_rows.reserve(work.pairs.size());
+  work.closing.reserve(work.pairs.size()), work.closed_again.reserve(work.pairs.size());
   work.general_touching.reserve(work.pairs.size());
 }
 
