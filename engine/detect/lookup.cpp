@@ -160,6 +160,7 @@ void look_up_all(const Model<2>& model, const State<2>& /*state*/, Work<2>& work
   search.low.assign(static_cast<std::size_t>(pieces), Vec2::Zero());
   search.high.assign(static_cast<std::size_t>(pieces), Vec2::Zero());
   search.arm.assign(static_cast<std::size_t>(pieces), 0);
+  search.until.assign(static_cast<std::size_t>(pieces), 0);
   search.is_due.assign(static_cast<std::size_t>(pieces), 0);
   search.due.clear();
   for (int p = 0; p < pieces; ++p) {
@@ -173,8 +174,9 @@ void look_up_all(const Model<2>& model, const State<2>& /*state*/, Work<2>& work
 /// Pieces that threads take at a time: some five microseconds.
 static constexpr int looked_stretch = 512;
 
-/// Lists all that have left their boxes or will within `ahead` [s], and puts the next look off until one of the others
-/// may, or of those once they are looked up. Threads mark their pieces; they are listed in order.
+/// Lists all that have left their boxes or will within `ahead` [s], and puts the next look at each of the others off
+/// until it may have; at those until they may have once they are looked up. Threads mark their pieces; they are listed
+/// in order.
 static void find_due(const Model<2>& model, Work<2>& work, const Vec2& common, double ahead) {
   PieceSearch<2>& search = work.search;
   std::array<double, most_threads> by;
@@ -185,16 +187,18 @@ static void find_due(const Model<2>& model, Work<2>& work, const Vec2& common, d
       const double now = left_to(model, work, p, 0, common);
       const bool due = now < 0 || left_to(model, work, p, ahead, common) < 0;
       search.is_due[p] = due ? 1 : 0;
-      least = std::min(least, due ? allowed_share * search.margin[p] : now);
+      search.until[p] = put_off(work, due ? allowed_share * search.margin[p] : now);
+      least = std::min(least, search.until[p]);
     }
     by[static_cast<std::size_t>(thread)] = least;
   });
   for (int p = 0; p < model.pieces(); ++p)
     if (search.is_due[p] != 0) search.due.push_back(p);
-  work.look_again = put_off(work, *std::min_element(by.begin(), by.end()));
+  work.look_again = *std::min_element(by.begin(), by.end());
 }
 
-/// Each thread keeps the least of what it looks at: the least of these is the same in any order.
+/// A piece is looked at only once it may have left its box. Each thread keeps the least of what it looks at: the least
+/// of these is the same in any order.
 bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (work.travel < work.look_again) return false;
   PieceSearch<2>& search = work.search;
@@ -204,12 +208,15 @@ bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work) {
   by.fill(unbounded);
   share(work.threads, pieces, looked_stretch, [&](int first, int last, int thread) {
     double least = by[static_cast<std::size_t>(thread)];
-    for (int p = first; p < last; ++p) least = std::min(least, left_to(model, work, p, 0, Vec2::Zero()));
+    for (int p = first; p < last; ++p) {
+      if (!(work.travel < search.until[p])) search.until[p] = put_off(work, left_to(model, work, p, 0, Vec2::Zero()));
+      least = std::min(least, search.until[p]);
+    }
     by[static_cast<std::size_t>(thread)] = least;
   });
-  const double left = *std::min_element(by.begin(), by.end());
-  work.look_again = put_off(work, left);
-  if (left >= 0) return false;
+  work.look_again = *std::min_element(by.begin(), by.end());
+  // Who has left has less than nothing left.
+  if (work.look_again >= work.travel) return false;
   find_due(model, work, common_velocity(work, search), steps_due * state.last_dt);
   return true;
 }

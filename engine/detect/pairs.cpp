@@ -294,6 +294,7 @@ void begin_paths(Work<2>& work) {
   const auto less = [&](double& path) { path -= (1 + 1e-12) * work.travel; };
   for (double& path : work.asleep_until) less(path);
   for (double& path : work.clear_until) less(path);
+  for (double& path : work.search.until) less(path);
   less(work.look_again), less(work.clear_path);
   work.travel = 0;
 }

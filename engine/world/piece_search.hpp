@@ -27,8 +27,8 @@ struct PieceSearch {
 
   double beside = 0;  ///< faces whose corners are to move by no more than this to touch lie beside each other m
   std::vector<double> margin;                     ///< [piece] how far it may go however slow it is m
-  std::vector<double> until;                      ///< [piece] it keeps within its box while Work::travel is below; in
-                                                  ///< space alone m
+  std::vector<double> until;                      ///< [piece] it keeps within its box while Work::travel is below
+                                                  ///< this m
   std::vector<double> arm;                        ///< [piece] half its longest diagonal; 0 of a body that deforms m
   std::vector<std::uint8_t> may_move;             ///< [piece] 1: its body does
   std::vector<std::uint8_t> is_due;               ///< [piece] 1: to be looked up now
