@@ -1,10 +1,10 @@
 #include "detect/solid_pairs.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "detect/bearing_rules.hpp"
 #include "detect/due_pairs.hpp"
+#include "world/carrier.hpp"
 
 namespace trilith {
 
@@ -101,12 +101,16 @@ void put_off(Work<3>& work, int piece, double left) {
   work.search.until[piece] = work.travel + left * (1 - 1e-6);
 }
 
+/// No piece leaves its box before the fastest point has gone as far as this.
+double next_look(const PieceSearch<3>& search) {
+  return search.until.empty() ? unbounded : *std::min_element(search.until.begin(), search.until.end());
+}
+
 /// What the middle of a piece's box goes by in `ahead` [s] as it moves now; nothing of one that deforms.
 Vec3 way_ahead(const Model<3>& model, const State<3>& state, int piece, const FatBox<3>& box, double ahead) {
   if (model.is_fitted(piece)) return Vec3::Zero();
-  const int node = model.node_of_piece(piece);
   const Vec3 middle = 0.5 * (Eigen::Map<const Vec3>(box.low.data()) + Eigen::Map<const Vec3>(box.high.data()));
-  return ahead * (state.velocity[node] + state.spin[node].cross(middle - state.position[node]));
+  return ahead * motion_of(model, state, model.node_of_piece(piece)).velocity_at(middle);
 }
 
 /// The box of a piece from now on: wider than it by its margin, and along its way.
@@ -234,7 +238,7 @@ bool solids_are_due(const Model<3>& model, const State<3>& state, Work<3>& work)
     }
     put_off(work, p, left);
   }
-  work.look_again = *std::min_element(search.until.begin(), search.until.end());
+  work.look_again = next_look(search);
   return false;
 }
 
@@ -244,8 +248,7 @@ bool find_solid_pairs(const Model<3>& model, const State<3>& state, Work<3>& wor
   const bool changes = !work.valid || !same_keys(work);
   if (changes) patch_pairs(model, state, work);
   for (const int p : work.search.due) work.search.is_due[p] = 0;
-  const std::vector<double>& until = work.search.until;
-  work.look_again = until.empty() ? unbounded : *std::min_element(until.begin(), until.end());
+  work.look_again = next_look(work.search);
   work.valid = true;
   return changes;
 }

@@ -5,6 +5,7 @@
 #include "detect/pairs.hpp"
 #include "step/evaluate.hpp"
 #include "step/impact_step.hpp"
+#include "step/parted_contacts.hpp"
 #include "step/stable_step.hpp"
 
 namespace trilith {
@@ -68,10 +69,10 @@ void find(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.row_shares.forget();
   if (work.threads > 1)  // what share_rows() will fill within a step
     make_room(work.row_shares.border, work.pairs.size()), make_room(work.row_shares.share_of, model.bodies.size());
-  work.general_now.reserve(work.pairs.size());
-  work.general_touching.reserve(work.pairs.size());
-  work.changed_rows.reserve(work.pairs.size());
-  work.closing.reserve(work.pairs.size()), work.closed_again.reserve(work.pairs.size());
+  make_room(work.general_now, work.pairs.size());
+  make_room(work.general_touching, work.pairs.size());
+  make_room(work.changed_rows, work.pairs.size());
+  make_room_for_closing(work);
 }
 
 }  // namespace trilith

@@ -5,6 +5,7 @@
 #include "detect/solid_pairs.hpp"
 #include "step/evaluate.hpp"
 #include "step/impact_step.hpp"
+#include "step/parted_contacts.hpp"
 #include "step/stable_step.hpp"
 
 namespace trilith {
@@ -48,9 +49,9 @@ void find(const Model<3>& model, const State<3>& state, Work<3>& work) {
   match_solids(state.contacts, work);
   copy_emptied(work.matched, work.contacts);
   work.changed_rows.clear();
-  work.changed_rows.reserve(work.pairs.size());
-  work.closing.reserve(work.pairs.size()), work.closed_again.reserve(work.pairs.size());
-  work.general_touching.reserve(work.pairs.size());
+  make_room(work.changed_rows, work.pairs.size());
+  make_room_for_closing(work);
+  make_room(work.general_touching, work.pairs.size());
 }
 
 }  // namespace trilith

@@ -1,8 +1,10 @@
 #include "step/parted_contacts.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 
+#include "base/make_room.hpp"
 #include "step/body_events.hpp"
 
 namespace trilith {
@@ -29,6 +31,12 @@ constexpr std::size_t flags = std::size_t{1} << 16U;
 
 }  // namespace
 
+template <int D>
+void make_room_for_closing(Work<D>& work) {
+  make_room(work.closing, work.pairs.size()), make_room(work.closed_again, work.pairs.size());
+  work.may_close.resize(flags);
+}
+
 /// Comes in: the contacts that parted, of a large wall some ten thousand, and those that close in this step, some
 /// hundreds. Goes out: what both have in common, taken out of the former. One pass: nearly all that parted are seen not
 /// to close by one flag, and only the others are looked for.
@@ -38,7 +46,7 @@ void take_back(State<D>& state, Work<D>& work) {
   if (state.parted.empty()) return;
   list_closing(state, work);
   if (work.closing.empty()) return;
-  work.may_close.resize(flags);
+  assert(work.may_close.size() == flags);
   for (const ContactKey contact : work.closing) work.may_close[flag_of(contact)] = 1;
   std::erase_if(state.parted, [&](const Parted& p) {
     if (work.may_close[flag_of(p.contact)] == 0) return false;
@@ -67,6 +75,8 @@ void parted_events(const Model<D>& model, State<D>& state, Work<D>& work) {
   state.parted.erase(state.parted.begin(), end);
 }
 
+template void make_room_for_closing(Work<2>&);
+template void make_room_for_closing(Work<3>&);
 template void take_back(State<2>&, Work<2>&);
 template void take_back(State<3>&, Work<3>&);
 template bool has_closed_again(const Work<2>&, ContactKey);

@@ -8,6 +8,10 @@
 
 namespace trilith {
 
+/// Room for what take_back() notes of a list of pairs, so that none is asked for within a step.
+template <int D>
+void make_room_for_closing(Work<D>& work);
+
 /// Of the contacts that parted a moment ago, forgets those that begin to touch in this step (State::parted), and notes
 /// them for has_closed_again(). Joints of rubble and of rocking units chatter; telling each time would bury what
 /// matters.

@@ -1,4 +1,4 @@
--- Limits of blocks in space that do not stick: walls and a vault that are tilted slowly, or too thin to stand.
+-- Limits of blocks in space that do not stick: walls, a vault and a dome that are tilted slowly, or too thin to stand.
 -- VALIDATION T17 to T21; `case` says which. The blocks are those of the lists of tests/build/blocks.
 local trilith = require "trilith"
 local deg, g = trilith.units "deg", 9.80665

@@ -27,6 +27,8 @@ struct ChanceStep {
       }
       work.changed_rows.push_back(row);
     }
+    work.pairs.resize(static_cast<std::size_t>(rows));
+    make_room_for_closing(work);
     std::vector<ContactKey> keys = state.contacts.key;
     std::shuffle(keys.begin(), keys.end(), chance);
     for (int i = 0; i < parted; ++i) state.parted.push_back({keys[static_cast<std::size_t>(i)], 1e-3 * i});
