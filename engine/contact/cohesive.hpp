@@ -138,10 +138,10 @@ struct Cohesive::Kernel : Mortar {
     return larger(own.crushed[0], own.crushed[1]) > T{};
   }
 
-  /// In a contact of any shape: the depth by which its mortar is crushed once `excess(depth)` [m], the mean overlap
-  /// above that at which it crushes, is none.
+  /// In a contact of any shape: the depth by which its mortar, up to now crushed by `before`, is crushed once
+  /// `excess(depth)` [m], the mean overlap above that at which it crushes, is none.
   template <class Excess>
-  [[nodiscard]] double crush(const Memory<double>& own, Excess&& excess) const;
+  [[nodiscard]] double crush(double before, Excess&& excess) const;
   /// ... and what that takes [J]. `touched`: some stress was carried before; `general`: as a contact of any shape;
   /// `force`: that crushes now [N].
   [[nodiscard]] static double crushed_by(const Memory<double>& own, double depth, double force, bool touched,

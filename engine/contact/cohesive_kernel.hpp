@@ -64,8 +64,7 @@ TRILITH_INLINE T Cohesive::Kernel::crushing_loss(const HalfState<T>& h, T deeper
 }
 
 template <class Excess>
-double Cohesive::Kernel::crush(const Memory<double>& own, Excess&& excess) const {
-  const double before = crushed(own);
+double Cohesive::Kernel::crush(double before, Excess&& excess) const {
   if (!(crushing > 0)) return before;
   double depth = before, over = excess(depth), fall = 1;
   for (int i = 0; i < 20 && over > 1e-9 * crushing; ++i) {

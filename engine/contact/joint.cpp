@@ -122,7 +122,7 @@ double energy_of(const JointMemory& joint, const K& law) {
   for (std::size_t k = 0; k < joint.plan->patch.size(); ++k) {
     const JointPatch& p = joint.plan->patch[k];
     const PatchMemory& m = joint.patch[k];
-    const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip)));
+    const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip) - joint.crushed[k]));
     sum += law.kn * elastic_stress(*joint.plan, p, o, joint.bonded(static_cast<int>(k)), holds_of(law, m)).energy;
     const Lanes x = lanes_of(m.elastic_x), y = lanes_of(m.elastic_y);
     if (law.ks * m.active > 0) sum += 2 * sum_of(x * x + y * y) / (law.ks * m.active);
@@ -170,7 +170,12 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
     contact.touching = after.bonds != 0 || contact.area > 0;
     out.ends = after.bonds == 0 && (!contact.touching || has_left(plan, motion, contact.depth));
     if (!contact.touching) contact.memory = {};
-    out.changed = joint.bonds != after.bonds || (sums.softened && joint_change(joint, after).cracked);
+    // A joint keeps what its mortar has lost, patch by patch; other solids the most of that for all of the contact.
+    contact.memory.keep_crushed(before.crushed + (out.ends ? after.most_crushed() : 0.0), 0);
+    if (joint.bonds != after.bonds || sums.softened) {
+      const JointChange change = joint_change(joint, after);
+      out.changed = change.broken || change.cracked || change.crushed;
+    }
     return out;
   });
 }
@@ -184,6 +189,7 @@ JointChange joint_change(const JointMemory& before, const JointMemory& now) {
   change.broken = before.bonds != now.bonds;
   change.cracked =
       !change.broken && before.bonds != 0 && !before.empty() && !now.empty() && !is_damaged(before) && is_damaged(now);
+  change.crushed = !(before.most_crushed() > 0) && now.most_crushed() > 0;
   return change;
 }
 
@@ -192,6 +198,10 @@ JointChange joint_change(const JointMemory& before, const JointMemory& now) {
 JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b, const SolidMemory& before,
                       const ContactLaw& law) {
   const auto plan = std::make_shared<JointPlan>(plan_joint(faces, a, b));
+  if (before.crushed > 0) {  // what was crushed is not there to be pressed
+    plan->standing = plan->standing.raised(-before.crushed);
+    divide_joint(*plan);
+  }
   const JointMotion motion(*plan, a, b);
   const auto along_axes = [&](const Vec3& force) {
     return Vec3(motion.x.dot(force), motion.y.dot(force), plan->radius * motion.normal.dot(force));

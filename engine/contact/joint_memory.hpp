@@ -1,6 +1,7 @@
 // What two solids remember whose faces mortar holds together: patch by patch of the area they share.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -59,9 +60,12 @@ struct JointMemory {
   bool sound = false;
   Vec3 elastic = Vec3::Zero(), total = Vec3::Zero();
   std::array<PatchMemory, most_patches> patch;
+  std::array<double, most_patches> crushed{};  ///< depth by which the mortar of each patch is crushed [m]
 
   [[nodiscard]] bool empty() const { return plan == nullptr; }
   [[nodiscard]] bool bonded(int k) const { return (bonds >> k & 1U) != 0; }
+  /// The greatest depth by which some patch is crushed [m].
+  [[nodiscard]] double most_crushed() const { return *std::max_element(crushed.begin(), crushed.end()); }
 };
 
 }  // namespace trilith

@@ -98,6 +98,8 @@ void complete(JointPlan& plan, JointPatch& patch, const OutlineMoments& m) {
                              [&](const Vec2& p) { return plan.standing(p) < -least_gap * plan.width; });
   patch.laid = patch.filled ? laid_on(plan.standing, patch, corners) : plan.standing;
   plan.filled = plan.filled || patch.filled;
+  if (patch.filled)
+    for (const Vec2& p : corners) plan.most_laid = std::max(plan.most_laid, patch.laid(p));
   plan.laid.add(over_all(patch, patch.laid), 1);
 }
 
@@ -123,7 +125,7 @@ void divide_joint(JointPlan& plan) {
   plan.whole.area = all.area, plan.whole.middle = all.middle;
   plan.whole.xx = all.xx, plan.whole.xy = all.xy, plan.whole.yy = all.yy;
   plan.width = std::sqrt(all.area);
-  plan.filled = false;
+  plan.filled = false, plan.most_laid = 0;
   const double trace = (all.xx + all.yy) / all.area;
   plan.radius = std::sqrt(trace);
   plan.friction_arm = mean_distance(trace, (all.xx * all.yy - all.xy * all.xy) / (all.area * all.area));

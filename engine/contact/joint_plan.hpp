@@ -15,6 +15,7 @@
 // asked with what is gained since, and with no pull of then.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -93,9 +94,12 @@ struct JointPlan {
   double radius = 0;        ///< of gyration about the origin [m]
   double friction_arm = 0;  ///< mean distance of the area from the origin [m]
   bool filled = false;      ///< some patch is
+  double most_laid = 0;     ///< of all patches that are filled, the most that a bond feels as the mortar sets [m]
 
   /// What the strength of the bond at a corner of the outline is asked with as the mortar sets, or less [m].
   [[nodiscard]] double least_at(const Vec2& p) const { return filled ? 0 : standing(p); }
+  /// What the bond at a corner of the outline is pressed by as the mortar sets, or more [m].
+  [[nodiscard]] double most_at(const Vec2& p) const { return filled ? std::max(standing(p), most_laid) : standing(p); }
   [[nodiscard]] std::span<const Vec2> corners(const JointPatch& p) const {
     return std::span<const Vec2>(corner).subspan(static_cast<std::size_t>(p.first), static_cast<std::size_t>(p.count));
   }

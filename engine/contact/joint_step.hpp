@@ -30,13 +30,26 @@ double opened_by(const K& law, double slip) {
   return 0;
 }
 
+/// The depth by which a patch is crushed once the mean pressure over the part of it that is pressed is no more than its
+/// mortar's strength, see contact/cohesive.hpp [m]. `f`: its overlap, crushed by `before` [m].
+template <class K>
+double crushed_patch(const K& law, const JointPlan& plan, const JointPatch& p, const LinearOverlap& f, double before) {
+  if constexpr (K::crushes) {
+    return law.crush(before, [&](double depth) {
+      const PatchStress pressed = where_closed(plan, p, f.raised(before - depth));
+      return pressed.area > 0 ? pressed.force / pressed.area - law.crushing : -law.crushing;
+    });
+  }
+  return before;
+}
+
 /// What a step of a joint adds up to.
 struct JointSums {
   PatchStress pressed, damping;  ///< of all patches, over the stiffness
   Vec2 shear = Vec2::Zero(), shear_elastic = Vec2::Zero();
   double couple = 0, couple_elastic = 0;  ///< about the origin [N m]
   double slip = 0;                        ///< mean of all patches in this step [m]
-  bool softened = false;                  ///< some place lost strength
+  bool softened = false;                  ///< some place lost strength, or depth
   PatchLosses lost;
 };
 /// The law of kernel K over one step of a joint.
@@ -59,8 +72,8 @@ class JointStep {
   JointSums sums;
 
  private:
-  [[nodiscard]] TRILITH_INLINE PatchOverlaps overlaps(std::size_t k, const LinearOverlap& moved) const {
-    return {plan_, plan_.patch[k], moved.raised(opened_by(law_, before_.patch[k].slip))};
+  [[nodiscard]] TRILITH_INLINE PatchOverlaps overlaps(std::size_t k, const LinearOverlap& moved, double crushed) const {
+    return {plan_, plan_.patch[k], moved.raised(opened_by(law_, before_.patch[k].slip) - crushed)};
   }
 
   /// Of any bond at a corner of its patch, or more [m].
@@ -76,7 +89,7 @@ class JointStep {
     for (std::size_t k = 0; k < plan_.patch.size(); ++k) {
       if (!before_.bonded(static_cast<int>(k))) continue;
       const JointPatch& p = plan_.patch[k];
-      const PatchOverlaps o = overlaps(k, motion_.moved);
+      const PatchOverlaps o = overlaps(k, motion_.moved, before_.crushed[k]);
       double opening = -std::numeric_limits<double>::max();
       if (law_.kn * widest > law_.tension)
         for (const Vec2& x : plan_.corners(p)) opening = std::max(opening, -o.asked(p, x));
@@ -108,9 +121,10 @@ class JointStep {
     const JointPatch& p = plan_.patch[k];
     const PatchMemory& was = before_.patch[k];
     PatchMemory& is = after_.patch[k];
-    const PatchOverlaps o = overlaps(k, motion_.moved);
-    is.damage = was.damage;
     const bool was_bonded = before_.bonded(static_cast<int>(k));
+    const double deeper = crush(k, was_bonded);
+    const PatchOverlaps o = overlaps(k, motion_.moved, after_.crushed[k]);
+    is.damage = was.damage;
     if (is_softening<K> && was_bonded && (widest > first_opening() || after_.bonds == 0)) open_patch(k, o);
     const bool bonded = after_.bonded(static_cast<int>(k));
     const Lanes hold = holds_of(law_, is);
@@ -120,14 +134,28 @@ class JointStep {
     LinearOverlap damped;
     if (law_.beta > 0 && stress.area > 0) {
       damped = damped.plus(motion_.rate, law_.beta);
+      if (deeper > 0 && law_.dt > 0) damped.at -= law_.beta * deeper / law_.dt;
       const PatchStress more = damping_stress(plan_, p, o, bonded, hold, damped);
       sums.damping.add(more, 1), force += more.force;
     }
     slide(k, stress, law_.kn * normal_at_points(p, o, bonded, hold, damped, force));
-    if (was_bonded && (!after_.bonded(static_cast<int>(k)) || is.damage != was.damage))
-      sums.lost.fracture += given_off(k, stress);
-    sums.softened = sums.softened || is.damage != was.damage;
+    const bool weaker = was_bonded && (!after_.bonded(static_cast<int>(k)) || is.damage != was.damage);
+    if (weaker || deeper > 0) sums.lost.fracture += given_off(k, stress);
+    sums.softened = sums.softened || is.damage != was.damage || deeper > 0;
     sum_shear(p, is, is.slip - was.slip);
+  }
+
+  /// Crushes a patch as far as its overlap asks; returns by how much [m].
+  TRILITH_INLINE double crush(std::size_t k, bool bonded) {
+    if constexpr (K::crushes) {
+      const double before = before_.crushed[k];
+      if (law_.crushing > 0) {
+        const PatchOverlaps o = overlaps(k, motion_.moved, before);
+        after_.crushed[k] = crushed_patch(law_, plan_, plan_.patch[k], bonded ? o.bond : o.faces, before);
+      }
+      return after_.crushed[k] - before;
+    }
+    return 0;
   }
 
   [[nodiscard]] double first_opening() const {
@@ -153,15 +181,16 @@ class JointStep {
     }
   }
 
-  /// What a bond that holds less than before gave off: its energy before and after the step, and the work between, with
-  /// the mean of the stresses of both instants, which is what a leapfrog step does [J]. `now`: the stress of now.
+  /// What a bond that holds less than before, or mortar that was crushed, gave off: its energy before and after the
+  /// step, and the work between, with the mean of the stresses of both instants, which is what a leapfrog step does
+  /// [J]. `now`: the stress of now.
   [[nodiscard]] double given_off(std::size_t k, const PatchStress& now) const {
     const JointPatch& p = plan_.patch[k];
-    const PatchOverlaps then = overlaps(k, before_.moved);
+    const PatchOverlaps then = overlaps(k, before_.moved, before_.crushed[k]);
     const PatchStress first =
         elastic_stress(plan_, p, then, before_.bonded(static_cast<int>(k)), holds_of(law_, before_.patch[k]));
-    const PatchStress last = elastic_stress(plan_, p, overlaps(k, motion_.moved), after_.bonded(static_cast<int>(k)),
-                                            holds_of(law_, after_.patch[k]));
+    const PatchStress last = elastic_stress(plan_, p, overlaps(k, motion_.moved, after_.crushed[k]),
+                                            after_.bonded(static_cast<int>(k)), holds_of(law_, after_.patch[k]));
     const LinearOverlap gained = motion_.moved.plus(before_.moved, -1);
     const double work = 0.5 * ((first.force + now.force) * gained.at + (first.moment + now.moment).dot(gained.slope));
     return law_.kn * (first.energy - last.energy + work);

@@ -87,6 +87,14 @@ inline bool may_bond(const ContactLaw& law) {
   return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::bonds; }, law);
 }
 
+/// True where mortar under the law loses depth for good once it is pressed by more than its strength.
+inline bool may_crush(const ContactLaw& law) {
+  return with_kernel({law}, []<class K>(const K& kernel) {
+    if constexpr (K::crushes) return kernel.crushing > 0;
+    return false;
+  });
+}
+
 /// f.template operator()<K>() for the kernel type of the law at a place of the list.
 template <class F>
 decltype(auto) with_kernel_type(std::size_t place, F&& f) {

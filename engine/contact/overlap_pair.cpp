@@ -249,7 +249,7 @@ struct Overlapping {
     else {
       K springs = law;
       springs.beta = 0;
-      return springs.crush(own, [&](double depth) { return excess(springs, depth); });
+      return springs.crush(K::crushed(own), [&](double depth) { return excess(springs, depth); });
     }
   }
 

@@ -82,18 +82,47 @@ bool overlap(const PlacedSolid& a, const PlacedSolid& b, Separation3& apart, Sol
   return true;
 }
 
-/// Two that part let their elastic shear go, and the last damping force works for half a step more.
+/// Two that part let their elastic shear go, and the last damping force works for half a step more. How far their
+/// mortar is crushed stays.
 SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const Coulomb& law) {
   SolidResponse out;
+  out.memory.keep_crushed(before.crushed, 0);
   out.lost_friction = sliding_energy(law.ks, before.shear);
   out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, law.dt);
   return out;
 }
 
+/// Crushes the mortar of the solid in `shared` until its mean pressure is no more than its strength: what it presses
+/// then, damping with it. The mean over what is pressed of the springs alone is asked.
+template <class K>
+SolidPressure crushed_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, const K& law,
+                               SolidOverlapBuffer& shared, double before) {
+  SolidPressure pressed;
+  const auto excess = [&](double depth) {
+    pressed = solid_pressure(a, b, use, shared, depth);
+    pressed.crushed = depth;
+    const double springs = (pressed.force - pressed.damping).norm();
+    return pressed.area > 0 ? springs / (law.kn * pressed.area) - law.crushing : -law.crushing;
+  };
+  const double depth = law.crush(before, excess);
+  if (pressed.crushed != depth) excess(depth);
+  return pressed;
+}
+
+/// What crushing takes as its depth has grown, with the mean of the forces that crush before and now, and what stays.
+void keep_crushed(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const LawInUse& use,
+                  double depth, SolidRoom& room, SolidResponse& out) {
+  const double force = solid_crushing_force(a.placed, b.placed, use, room.shared, room.part, depth);
+  const bool touched = (before.state & contact_touching) != 0;
+  const double last = !touched ? 0 : before.crushing_force > 0 ? before.crushing_force : force;
+  out.lost_fracture = 0.5 * (last + force) * (depth - before.crushed);
+  out.memory.keep_crushed(depth, force);
+}
+
 }  // namespace
 
 SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, Separation3& apart,
-                               SolidOverlapBuffer& shared, bool may_be_flat) {
+                               SolidOverlapBuffer& shared, bool may_be_flat, double crushed) {
   if (FaceOverlap3 faces; may_be_flat && is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
     apart.distance = 0;
     return with_kernel(use, [&](const Coulomb& law) {
@@ -101,11 +130,15 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
     });
   }
   if (!overlap(a.placed, b.placed, apart, shared)) return {};
-  return solid_pressure(a, b, use, shared);
+  return with_kernel(use, [&]<class K>(const K& law) {
+    if constexpr (K::crushes)
+      if (law.crushing > 0) return crushed_pressure(a, b, use, law, shared, crushed);
+    return solid_pressure(a, b, use, shared);
+  });
 }
 
 SolidResponse respond_solids(const MovingSolid& whole_a, const MovingSolid& whole_b, const SolidMemory& before,
-                             const LawInUse& use, const SolidPressure& pressed) {
+                             const LawInUse& use, const SolidPressure& pressed, SolidRoom& room) {
   const MovingSolid a = whole_a.by_face(pressed.face_a), b = whole_b.by_face(pressed.face_b);
   return with_kernel(use, [&](const Coulomb& law) {
     SolidResponse out = parted(a, b, before, law);
@@ -117,6 +150,7 @@ SolidResponse respond_solids(const MovingSolid& whole_a, const MovingSolid& whol
     out.middle = pressed.middle, out.normal = pressed.force.normalized();
     out.radius = pressed.radius, out.arm = pressed.arm, out.friction_arm = pressed.friction_arm;
     out.memory.state = contact_touching | contact_general;
+    if (pressed.crushed > 0) keep_crushed(a, b, before, use, pressed.crushed, room, out);
     out.memory.slip = before.slip;
     out.memory.damping = pressed.damping;
     out.memory.damping_moment = pressed.damping_moment + cross(Vec3(pressed.centre - a.origin), pressed.damping);
@@ -137,7 +171,7 @@ double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const So
   const bool flat = !sphere && is_linear(use.law) && flat_faces(a, b, faces);
   const double pressure = sphere ? sphere_energy(a, b, use)
                           : flat ? with_kernel(use, [&](const Coulomb& law) { return face_energy(law, faces); })
-                                 : solid_energy(a, b, use, shared, scratch);
+                                 : solid_energy(a, b, use, shared, scratch, memory.crushed);
   return pressure + with_kernel(use, [&](const Coulomb& law) { return sliding_energy(law.ks, memory.shear); });
 }
 

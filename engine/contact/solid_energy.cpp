@@ -25,12 +25,23 @@ double energy_of_tetrahedron(double volume, const std::array<double, 4>& depth, 
   return 6 * volume * sum;
 }
 
-/// Over one cell, in which depths below face `f` of `owner` are linear.
+/// Where a solid is pressed: the volume [m3], and the integral of what the law makes of the depth over it [m4].
+struct PressedVolume {
+  double volume = 0, depth = 0;
+
+  PressedVolume& operator+=(const PressedVolume& more) {
+    volume += more.volume, depth += more.depth;
+    return *this;
+  }
+};
+
+/// Over one cell, in which depths below face `f` of `owner` are linear and above `crushed`.
 template <class K>
-double energy_of_cell(const PlacedSolid& owner, const K& law, int f, const SolidOverlapBuffer& cell) {
+PressedVolume over_cell(const PlacedSolid& owner, const K& law, int f, const SolidOverlapBuffer& cell, double crushed) {
   if constexpr (K::linear) {
     const auto [volume, centroid] = measured(cell);
-    return volume > 0 ? volume * std::max(0.0, depth_below(owner, f, centroid)) : 0;
+    if (!(volume > 0)) return {};
+    return {volume, volume * std::max(0.0, depth_below(owner, f, centroid) - crushed)};
   } else {
     const auto point = [&](int i) -> const Vec3& { return cell.points[static_cast<std::size_t>(i)]; };
     const auto depth = [&](int i) { return std::max(0.0, depth_below(owner, f, point(i))); };
@@ -46,16 +57,17 @@ double energy_of_cell(const PlacedSolid& owner, const K& law, int f, const Solid
                                      {depth(top), depth(base), depth(from), depth(to)}, law);
       }
     }
-    return sum;
+    return {0, sum};
   }
 }
 
-/// Integral of e(phi) over the solid in `shared`, phi of `owner`, cell by cell.
+/// Over what of the solid in `shared` lies deeper in `owner` than its mortar is crushed, cell by cell.
 template <class K>
-double energy_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffer& shared, SolidOverlapBuffer& cell) {
+PressedVolume pressed_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffer& shared,
+                         SolidOverlapBuffer& cell, double crushed) {
   const FaceLoops& faces = owner.solid->shape.faces;
   const auto point_of = [&](int f) -> const Vec3& { return owner.corners[static_cast<std::size_t>(faces[f][0])]; };
-  double sum = 0;
+  PressedVolume sum;
   for (int f = 0; f < faces.count(); ++f) {
     if (!owner.solid->is_surface(f) || has_first_like(owner, f)) continue;
     cell = shared;
@@ -67,9 +79,18 @@ double energy_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffe
       const Vec3& m = owner.normals[static_cast<std::size_t>(g)];
       some = cut({m - n, m.dot(point_of(g)) - n.dot(point_of(f)), 0}, cell) && !cell.edges.empty();
     }
-    if (some) sum += energy_of_cell(owner, law, f, cell);
+    if (some && crushed > 0) some = cut({n, n.dot(point_of(f)) - crushed, 0}, cell) && !cell.edges.empty();
+    if (some) sum += over_cell(owner, law, f, cell, crushed);
   }
   return sum;
+}
+
+template <class K>
+PressedVolume pressed_in_both(const PlacedSolid& a, const PlacedSolid& b, const K& law, SolidOverlapBuffer& shared,
+                              SolidOverlapBuffer& scratch, double crushed) {
+  if (!(solid_overlap(a, b, shared).volume > 0)) return {};
+  PressedVolume sum = pressed_in(a, law, shared, scratch, crushed);
+  return sum += pressed_in(b, law, shared, scratch, crushed);
 }
 
 }  // namespace
@@ -78,12 +99,20 @@ double energy_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffe
 ///
 ///     E = kn / 2 (integral over the shared volume of e(phi_a) + the same of e(phi_b)),
 ///
-/// phi the depth below the nearest face of a solid, e the law's energy by depth over kn (e = phi where it is linear).
+/// phi the depth below the nearest face of a solid less that by which mortar is crushed, e the law's pressure at it
+/// over kn (e = phi where it is linear), both where above 0.
 double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
-                    SolidOverlapBuffer& scratch) {
-  if (!(solid_overlap(a, b, shared).volume > 0)) return 0;
+                    SolidOverlapBuffer& scratch, double crushed) {
   return with_kernel(law, [&](const auto& kernel) {
-    return 0.5 * kernel.kn * (energy_in(a, kernel, shared, scratch) + energy_in(b, kernel, shared, scratch));
+    return 0.5 * kernel.kn * pressed_in_both(a, b, kernel, shared, scratch, crushed).depth;
+  });
+}
+
+/// -dE/dz is kn / 2 times the volumes in which phi is above 0.
+double solid_crushing_force(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
+                            SolidOverlapBuffer& scratch, double crushed) {
+  return with_kernel(law, [&](const auto& kernel) {
+    return 0.5 * kernel.kn * pressed_in_both(a, b, kernel, shared, scratch, crushed).volume;
   });
 }
 

@@ -6,8 +6,13 @@
 
 namespace trilith {
 
-/// Of the normal pressures of two solids; without shear [J]. `shared`, `scratch`: room.
+/// Of the normal pressures of two solids; without shear [J]. `shared`, `scratch`: room; `crushed`: depth by which their
+/// mortar is crushed [m].
 double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
-                    SolidOverlapBuffer& scratch);
+                    SolidOverlapBuffer& scratch, double crushed = 0);
+
+/// The force with which that energy gives way as the depth crushed grows [N], of a law that is linear.
+double solid_crushing_force(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
+                            SolidOverlapBuffer& scratch, double crushed);
 
 }  // namespace trilith

@@ -161,7 +161,7 @@ double friction_arm(const FaceMoments& of, const Vec2& centre) {
 
 /// Whether the pressure of a law is kn times the overlap, so that integrals over polygons are exact.
 bool is_linear(const ContactLaw& law) {
-  return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::linear; }, law);
+  return !may_crush(law) && std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::linear; }, law);
 }
 
 /// Corners that have gone by at most t have turned a body of inner radius r (ConvexSolid) by so

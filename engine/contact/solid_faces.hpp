@@ -47,7 +47,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
 /// Elastic energy of that pressure [J].
 double face_energy(const Coulomb& law, const FaceOverlap3& faces);
 
-/// Whether the law's pressure goes with the overlap, which the form of faces asks for.
+/// Whether the law's pressure goes with the overlap, and nothing beside, which the form of faces asks for.
 bool is_linear(const ContactLaw& law);
 
 }  // namespace trilith

@@ -71,6 +71,7 @@ struct PressedFace {
   const K& law;
   Vec3 normal;  // out of the walker
   bool walker_is_b;
+  double crushed;  // [m]
   PressedParts& parts;
 
   /// On b acts -n where b walks, as n then points from b into a, and +n where a does.
@@ -78,6 +79,8 @@ struct PressedFace {
 
   /// Adds one cell, over which depth and closing speed are linear.
   void add_cell(const PressedPolygon& cell) const {
+    if constexpr (K::crushes)
+      if (crushed > 0) return add_deeper_part(cell);
     if constexpr (K::linear)
       add_linear_cell(cell);
     else
@@ -93,6 +96,17 @@ struct PressedFace {
     };
     for (std::size_t i = 2; i < of.count; ++i)
       parts.triangles.add(normal, sign(), share, {corner(0), corner(i - 1), corner(i)});
+  }
+
+  /// What of a cell lies deeper than the mortar is crushed, by the depth that is left to it.
+  void add_deeper_part(const PressedPolygon& cell) const {
+    CornerHeights left;
+    for (std::size_t i = 0; i < cell.count; ++i) left[i] = cell.corner[i].depth - crushed;
+    PressedPolygon deeper;
+    keep_above(cell, left, deeper);
+    for (std::size_t i = 0; i < deeper.count; ++i)
+      deeper.corner[i].depth = larger(deeper.corner[i].depth - crushed, 0.0);
+    if (deeper.count > 2) add_linear_cell(deeper);
   }
 
   /// The damped pressure acts over the part of a cell where it is above 0.
@@ -268,7 +282,8 @@ bool on_surface(const PlacedSolid& a, const PlacedSolid& b, int of) {
 }
 
 template <class K>
-SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, SolidOverlapBuffer& shared) {
+SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, SolidOverlapBuffer& shared,
+                    double crushed) {
   const PressedSolid solid(a, b, shared);
   PressedParts parts{PressedTriangles(law.beta), {}};
   int first = 0;
@@ -277,7 +292,7 @@ SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, So
     if (on_surface(a.placed, b.placed, of)) {
       const RimEdges edges =
           RimEdges(shared.edges).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
-      press_face(solid, PressedFace<K>{law, normal_of(a.placed, b.placed, of), of_b, parts}, edges);
+      press_face(solid, PressedFace<K>{law, normal_of(a.placed, b.placed, of), of_b, crushed, parts}, edges);
     }
     first = end;
   }
@@ -300,9 +315,9 @@ std::array<Vec3, 2> spread_arms(double xx, double xy, double yy, const Vec3& x, 
 }
 
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
-                             SolidOverlapBuffer& shared) {
+                             SolidOverlapBuffer& shared, double crushed) {
   if (shared.faces.empty()) return {};
-  return with_kernel(law, [&](const auto& kernel) { return press(a, b, kernel, shared); });
+  return with_kernel(law, [&](const auto& kernel) { return press(a, b, kernel, shared, crushed); });
 }
 
 }  // namespace trilith

@@ -62,11 +62,13 @@ struct SolidPressure {
   std::array<Vec3, 2> arm{Vec3::Zero(), Vec3::Zero()};
   double depth = 0;              ///< greatest depth of a pressed face in the other solid [m]
   int face_a = -1, face_b = -1;  ///< of faces that lie flat on each other; -1 of any other shape
+  double crushed = 0;            ///< depth by which their mortar is crushed now [m]
 };
 
 /// Of the solid they share, which solid_overlap has left in `shared`, whose room is used; all zero where it is empty.
+/// Mortar crushed by the depth `crushed` [m] presses by what lies deeper.
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
-                             SolidOverlapBuffer& shared);
+                             SolidOverlapBuffer& shared, double crushed = 0);
 
 /// Mean distance of a plane area from its centroid [m], from its second moments about it (of unit area, trace of the
 /// tensor and the product of its two principal values). A line of length l has l/4 and a gyration of l/sqrt(12), a

@@ -74,17 +74,21 @@ bool step_sound(const JointPlan& plan, const JointMotion& motion, const K& law, 
     after.elastic = before.elastic + stiffness.cwiseProduct(path);
     after.total = after.elastic + law.beta * stiffness.cwiseProduct(rate);
     if (motion.turn.squaredNorm() > longest_bond_turn * longest_bond_turn) return false;
-    double least = std::numeric_limits<double>::max(), most = 0;
+    double least = std::numeric_limits<double>::max(), most = 0, highest = 0;
     for (const Vec2& p : plan.outline) {
       const double overlap = motion.moved(p) + plan.least_at(p);
       least = std::min({least, overlap, overlap + law.beta * motion.rate(p)});
+      highest = std::max(highest, motion.moved(p) + plan.most_at(p));
       for (const Vec3* shear : {&after.elastic, &after.total})
         most = std::max(most, sound_shear_at(plan, *shear, p - middle).squaredNorm());
     }
+    if constexpr (K::crushes)
+      if (law.crushing > 0 && highest > law.crushing) return false;
     const double strength = law.shear_strength(std::max(least, 0.0), std::max(-least, 0.0));
     if (!(-law.kn * least < law.tension) || !(strength > 0) || !(most < strength * strength)) return false;
     if (after.plan != before.plan) after.plan = before.plan;
     after.moved = motion.moved, after.bonds = before.bonds, after.sound = true;
+    if constexpr (K::crushes) after.crushed = before.crushed;
     sums.pressed = sound_stress(plan, motion.moved);
     if (law.beta > 0) sums.damping = over_all(whole, LinearOverlap().plus(motion.rate, law.beta));
     sums.shear = after.total.head<2>(), sums.shear_elastic = after.elastic.head<2>();

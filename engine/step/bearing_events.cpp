@@ -83,8 +83,8 @@ double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>
   };
   if (pair.replaced) {
     Separation3 apart{0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0};
-    const SolidPressure pressed =
-        pressure_between(at_rest(first, pair.piece_a), at_rest(second, pair.piece_b), law, apart, shared);
+    const SolidPressure pressed = pressure_between(at_rest(first, pair.piece_a), at_rest(second, pair.piece_b), law,
+                                                   apart, shared, true, memory.crushed);
     if (presses_flat(model, state, work.search, bearings, pair, pressed.force)) return 0;
   }
   return solid_contact_energy(first, second, memory, law, shared, scratch);

@@ -52,6 +52,26 @@ JointMode mode_of(const Model<3>& model, const NearPair& pair, const JointMemory
   return kn * widest >= shear ? JointMode::tension : JointMode::shear;
 }
 
+/// The depth by which the mortar of a row is crushed somewhere [m].
+double crushed_depth(const Contacts<3>& contacts, std::size_t row) {
+  const JointMemory* joint = contacts.joint_at(row);
+  return contacts.memory[row].crushed + (joint != nullptr ? joint->most_crushed() : 0);
+}
+
+/// Mortar that begins to crush: what it carries now, and where.
+void crushing_event(const Model<3>& model, const State<3>& state, Work<3>& work, int row) {
+  const auto r = static_cast<std::size_t>(row);
+  if (crushed_depth(contacts_before(state, work), r) > 0 || !(crushed_depth(work.contacts, r) > 0)) return;
+  const GeneralContact<3>* contact = general_contact(work, row);
+  if (contact == nullptr) return;
+  const NearPair& pair = work.pairs[row];
+  Event e = event_now(state, EventType::joint_crushed, model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]);
+  e.set_place(contact->centre);
+  e.value = (contact->force - work.contacts.memory[r].shear.total).norm();
+  e.mode = JointMode::compression;
+  work.events.push_back(e);
+}
+
 /// A bond lost, or its first damage: what it carried up to now, where, and by which of its limits.
 void joint_events(const Model<3>& model, const State<3>& state, Work<3>& work, int row) {
   const auto r = static_cast<std::size_t>(row);
@@ -77,6 +97,7 @@ void joint_events(const Model<3>& model, const State<3>& state, Work<3>& work, i
 
 void contact_events(const Model<3>& model, State<3>& state, Work<3>& work, int row) {
   joint_events(model, state, work, row);
+  crushing_event(model, state, work, row);
   const bool was = (contacts_before(state, work).memory[row].state & contact_touching) != 0,
              is = (work.contacts.memory[row].state & contact_touching) != 0;
   if (was == is) return;

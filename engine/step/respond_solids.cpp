@@ -65,7 +65,7 @@ void let_sleep(Work<3>& work, std::size_t row) {
 void take_up(const Model<3>& model, Work<3>& work, const SolidAnswer& answer) {
   const auto r = static_cast<std::size_t>(answer.row);
   const SolidResponse& response = answer.response;
-  if (answer.was_touching != response.touching) work.changed_rows.push_back(answer.row);
+  if (answer.was_touching != response.touching || answer.joint_changed) work.changed_rows.push_back(answer.row);
   work.given[EnergyTerm::contact_damping] += response.lost_damping;
   work.given[EnergyTerm::contact_friction] += response.lost_friction;
   work.given[EnergyTerm::contact_fracture] += response.lost_fracture;
@@ -76,7 +76,6 @@ void take_up(const Model<3>& model, Work<3>& work, const SolidAnswer& answer) {
   const double area = joint != nullptr && joint->bonds != 0 ? joint->plan->whole.area : response.area;
   work.solids.areas.push_back({response.middle, response.normal, area, response.radius, response.friction_arm,
                                response.arm, response.face_a, response.face_b});
-  if (answer.joint_changed) work.changed_rows.push_back(answer.row);
 }
 
 /// Corners of the faces of a row that may lie flat on each other, of the one that has more.
@@ -126,21 +125,20 @@ struct SolidPass {
   Work<3>& work;
   double dt;
 
-  void respond(int first, int last, SolidOverlapBuffer& room, SolidAnswer* answers) const;
+  void respond(int first, int last, SolidRoom& room, SolidAnswer* answers) const;
 
  private:
-  void respond_bonded(int row, const JointMemory& before, SolidOverlapBuffer& room, SolidAnswer& answer) const;
-  bool respond_alone(int row, SolidOverlapBuffer& room, SolidAnswer& answer) const;
-  void respond_shapes(int row, bool may_be_flat, SolidOverlapBuffer& room, SolidAnswer& answer) const;
-  void respond_faces(std::span<const int> rows, int first, SolidOverlapBuffer& room, SolidAnswer* answers) const;
+  void respond_bonded(int row, const JointMemory& before, SolidRoom& room, SolidAnswer& answer) const;
+  bool respond_alone(int row, SolidRoom& room, SolidAnswer& answer) const;
+  void respond_shapes(int row, bool may_be_flat, SolidRoom& room, SolidAnswer& answer) const;
+  void respond_faces(std::span<const int> rows, int first, SolidRoom& room, SolidAnswer* answers) const;
   [[nodiscard]] bool stays_apart(int row) const;
   [[nodiscard]] bool looks_flat(int row) const;
   void finish(SolidAnswer& answer) const;
 };
 
 /// Faces that mortar holds together, or did until now.
-void SolidPass::respond_bonded(int row, const JointMemory& before, SolidOverlapBuffer& room,
-                               SolidAnswer& answer) const {
+void SolidPass::respond_bonded(int row, const JointMemory& before, SolidRoom& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
   const NearPair& pair = work.pairs[r];
   JointMemory& after = *work.contacts.joint_at(r);
@@ -151,12 +149,11 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidOverlapB
                     body_motion(model, state, work, pair.piece_b, before.plan->face_b), contact, before, law, after);
   joint.contact.face_a = before.plan->face_a, joint.contact.face_b = before.plan->face_b;
   if (joint.ends) {
-    SolidOverlapBuffer cell;  // room; joints end once
     // What the joint stores more than two other solids there do is given off as it ends.
     const double left = !joint.contact.touching
                             ? 0.0
                             : solid_contact_energy(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b],
-                                                   joint.contact.memory, law, room, cell);
+                                                   joint.contact.memory, law, room.shared, room.part);
     joint.contact.lost_friction += joint_energy(after, law) - left;
     after = {};
     work.solids.separation[r].distance = 0;
@@ -178,7 +175,7 @@ SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<
 
 /// False where there is nothing to be found out (the two were apart, and still are), or where the row is left to
 /// those of faces that lie flat.
-bool SolidPass::respond_alone(int row, SolidOverlapBuffer& room, SolidAnswer& answer) const {
+bool SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
   const Contacts<3>& contacts = contacts_before(state, work);
   if (const JointMemory* joint = contacts.joint_at(r); joint != nullptr) {
@@ -187,8 +184,10 @@ bool SolidPass::respond_alone(int row, SolidOverlapBuffer& room, SolidAnswer& an
   }
   const SolidMemory& before = contacts.memory[r];
   const bool was = (before.state & contact_touching) != 0;
-  // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
-  if (!was && work.travel < work.asleep_until[r]) return false;
+  // A pair found apart sleeps until the fastest point has gone far enough to have brought it together. One that
+  // remembers crushed mortar is answered in every step, so that both sides of the history have it.
+  const bool may_sleep = !was && before.crushed == 0;
+  if (may_sleep && work.travel < work.asleep_until[r]) return false;
   const NearPair& pair = work.pairs[r];
   if (has_sphere(work, pair)) {
     const LawInUse law{model.laws[pair.law], model.thickness, dt};
@@ -198,7 +197,7 @@ bool SolidPass::respond_alone(int row, SolidOverlapBuffer& room, SolidAnswer& an
     answer.row = row, answer.was_touching = was, answer.joint_changed = false;
     return true;
   }
-  if (!was && stays_apart(row)) return false;
+  if (may_sleep && stays_apart(row)) return false;
   if (looks_flat(row)) {
     answer.row = faces_to_come;
     return false;
@@ -208,18 +207,20 @@ bool SolidPass::respond_alone(int row, SolidOverlapBuffer& room, SolidAnswer& an
 }
 
 /// Two polyhedra of any shape and pose.
-void SolidPass::respond_shapes(int row, bool may_be_flat, SolidOverlapBuffer& room, SolidAnswer& answer) const {
+void SolidPass::respond_shapes(int row, bool may_be_flat, SolidRoom& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
   const NearPair& pair = work.pairs[r];
   const SolidMemory& before = contacts_before(state, work).memory[r];
   const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
                     b = moving_solid(model, state, work, pair.piece_b);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
-  const SolidPressure pressed = pressure_between(a, b, law, work.solids.separation[r], room, may_be_flat);
+  const SolidPressure pressed =
+      pressure_between(a, b, law, work.solids.separation[r], room.shared, may_be_flat, before.crushed);
   // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
   const bool held_off = pair.replaced && presses_flat(model, state, work.search, state.bearing, pair, pressed.force);
-  answer.row = row, answer.was_touching = (before.state & contact_touching) != 0, answer.joint_changed = false;
-  answer.response = held_off ? SolidResponse{} : respond_solids(a, b, before, law, pressed);
+  answer.row = row, answer.was_touching = (before.state & contact_touching) != 0;
+  answer.response = respond_solids(a, b, before, law, held_off ? SolidPressure{} : pressed, room);
+  answer.joint_changed = !(before.crushed > 0) && answer.response.memory.crushed > 0;
 }
 
 /// Whether two that were apart are so still by more than rounding, mostly along the axis that parted them last: then no
@@ -262,8 +263,7 @@ void SolidPass::finish(SolidAnswer& answer) const {
 }
 
 /// Four rows of faces into lanes and their answers out of them. Lanes beyond the last row repeat it.
-void SolidPass::respond_faces(std::span<const int> rows, int first, SolidOverlapBuffer& room,
-                              SolidAnswer* answers) const {
+void SolidPass::respond_faces(std::span<const int> rows, int first, SolidRoom& room, SolidAnswer* answers) const {
   FlatContacts in;
   FlatResponses out;
   std::array<int, lane_count> row;
@@ -287,7 +287,7 @@ void SolidPass::respond_faces(std::span<const int> rows, int first, SolidOverlap
 
 /// Rows one by one, and those of faces that lie flat four at a time, those of few corners and those of many apart. How
 /// many corners they have is asked of all in a row: solids that are far in memory are waited for together.
-void SolidPass::respond(int first, int last, SolidOverlapBuffer& room, SolidAnswer* answers) const {
+void SolidPass::respond(int first, int last, SolidRoom& room, SolidAnswer* answers) const {
   std::array<int, solid_row_stretch> flat;
   std::size_t flat_rows = 0;
   for (int row = first; row < last; ++row) {

@@ -51,6 +51,12 @@ JointMemory joint_between(const Model<3>& model, const State<3>& state, const Ne
                    body_motion(model, state, pair.piece_b, faces.face_b), memory, model.laws[pair.law]);
 }
 
+/// Lets a joint go, and with it what its patches remember: the most by which one is crushed stays with the contact.
+void forget_joint(JointMemory& joint, SolidMemory& memory) {
+  memory.keep_crushed(memory.crushed + joint.most_crushed(), 0);
+  joint = {};
+}
+
 /// change() alters what a row remembers; the ledger has the difference of the elastic energy.
 template <class Change>
 void change_row(const Model<3>& model, State<3>& state, Work<3>& work, std::size_t row, Change&& change) {
@@ -78,6 +84,7 @@ void set_bonds(const Model<3>& model, State<3>& state, double reach, int first_b
     change_row(model, state, work, row, [&] {
       SolidMemory& memory = state.contacts.memory[row];
       JointMemory* joint = state.contacts.joint_at(row);
+      if (joint != nullptr) forget_joint(*joint, memory);
       (joint != nullptr ? *joint : state.contacts.add_joint(row)) = joint_between(model, state, pair, faces, memory);
       memory.state |= contact_touching | contact_general;
     });
@@ -90,7 +97,7 @@ void lift_bonds(const Model<3>& model, State<3>& state) {
   find_near_solids(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row)
     if (JointMemory* joint = state.contacts.joint_at(row); joint != nullptr && !joint->empty())
-      change_row(model, state, work, row, [&] { *joint = {}; });
+      change_row(model, state, work, row, [&] { forget_joint(*joint, state.contacts.memory[row]); });
 }
 
 State<3> start_state(const Model<3>& model, double reach) {

@@ -23,7 +23,7 @@ bool in_known_state(const ContactMemory& m) {
   return !m.empty() && m.bonds <= 3 && m.state <= contact_states;
 }
 bool in_known_state(const SolidMemory& m) {
-  return !m.empty() && m.state <= contact_states;
+  return !m.empty() && m.state <= contact_states && m.crushed >= 0;
 }
 
 /// Rows are found by halving, so their keys must rise.

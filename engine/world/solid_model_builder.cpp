@@ -20,12 +20,10 @@ void SolidModelBuilder::add_material(const Material& material) {
 }
 
 void SolidModelBuilder::add_law(const std::string& name, const ContactLaw& law) {
-  require_law_for_solids(name, law);
   rules_.add_law(name, law, notes_);
 }
 
 void SolidModelBuilder::take_contacts(const ContactRules& rules) {
-  for (const auto& [name, law] : rules.laws()) require_law_for_solids(name, law);
   rules_ = rules;
 }
 

@@ -56,12 +56,12 @@ class SolidModelBuilder {
   // Each throws InputError, and leaves the builder as it was.
   void add_material(const Material& material);
   void add_body(SolidSpec spec);
-  /// See ContactRules; refuses laws that crush.
+  /// See ContactRules.
   void add_law(const std::string& name, const ContactLaw& law);
   void set_contact(const std::string& a, const std::string& b, const std::string& law) {
     rules_.set_contact(a, b, law);
   }
-  /// Laws and statements of another model instead of those given so far; refuses laws that crush.
+  /// Laws and statements of another model instead of those given so far.
   void take_contacts(const ContactRules& rules);
   void add_bearing(const BearingSpecOf<3>& spec);
   void add_seat(const SeatSpecOf<3>& spec);

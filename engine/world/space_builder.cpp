@@ -154,22 +154,10 @@ void SpaceBuilder::add_piece(const ConvexSolid& piece, int node, int body) {
   model_.piece_solid.push_back(piece);
 }
 
-/// Laws whose joints lose depth for good, which solids do not remember.
-void require_law_for_solids(const std::string& name, const ContactLaw& law) {
-  const bool loses_depth = with_kernel(LawInUse{law}, []<class K>(const K& kernel) {
-    if constexpr (K::crushes) return kernel.crushing > 0;
-    return false;
-  });
-  if (loses_depth)
-    throw InputError(
-        fmt::format("contact '{}' crushes, which solids in space do not do yet; leave out its compression", name));
-}
-
 void SpaceBuilder::contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name) {
   if (surface_a < 0 || surface_b < 0)
     throw InputError(fmt::format("contact '{}' is between surfaces {} and {}; they are numbered from 0", name,
                                  surface_a, surface_b));
-  require_law_for_solids(name, law);
   pairings_.push_back({surface_a, surface_b, static_cast<int>(model_.laws.size())});
   model_.laws.push_back(law), model_.law_names.push_back(name);
 }

@@ -31,9 +31,6 @@ struct SolidMass {
 };
 SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density, const std::vector<Sphere>& spheres = {});
 
-/// Throws InputError for a law that solids in space do not have yet: one that crushes.
-void require_law_for_solids(const std::string& name, const ContactLaw& law);
-
 /// Writes thicknesses and the usual bounds of a model in space whose bodies and table of laws are there.
 void complete_space(Model<3>& model);
 
@@ -56,7 +53,7 @@ class SpaceBuilder {
   /// ... and of a body of elements, whose mesh has been checked.
   int add(const SpaceMeshBody& body);
   /// The law between two surfaces, which are numbered from 0. Without one, bodies pass through each other. Throws
-  /// InputError: a law that crushes, which solids in space do not do yet; a surface below 0.
+  /// InputError: a surface below 0.
   void contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name);
   [[nodiscard]] Model<3> build() const;
 

@@ -178,6 +178,12 @@ void walk_patches(File& file, Joint& joint, std::uint32_t patches) {
       for (const int k : {0, 1, 2}) number((*shear)[k]);
   for (std::uint32_t k = 0; k < patches && !joint.sound; ++k) PatchMemory::fields(joint.patch[k], number);
 }
+/// The depths by which its patches are crushed, where some are.
+template <class File, class Joint>
+void walk_crushed(File& file, Joint& joint, std::uint32_t patches) {
+  for (std::uint32_t k = 0; k < patches; ++k) file.number(joint.crushed[k]);
+}
+constexpr std::uint32_t crushed_mark = 1U << 15U;
 
 /// One contact of solids, for the writer and for the reader alike. `patches`: of its joint, 0 where it has none.
 template <class File, class Memory>
@@ -200,8 +206,12 @@ void Writer::contacts(const SolidHistory& s) {
     if (!has) continue;
     walk_plan(*this, *joint->plan);
     const auto face = [](int f) { return static_cast<std::uint32_t>(f + 1); };
-    pair((joint->sound ? 1U : 0U) | face(joint->plan->face_a) << 1 | face(joint->plan->face_b) << 8, joint->bonds);
+    const bool crushed = joint->most_crushed() > 0;
+    pair((joint->sound ? 1U : 0U) | face(joint->plan->face_a) << 1 | face(joint->plan->face_b) << 8 |
+             (crushed ? crushed_mark : 0U),
+         joint->bonds);
     walk_patches(*this, *joint, patches);
+    if (crushed) walk_crushed(*this, *joint, patches);
   }
 }
 
@@ -211,13 +221,15 @@ void Reader::joint(JointMemory& s, std::uint32_t patches) {
   walk_plan(*this, *plan);
   if (plan->outline.size() < 3) fail("has a joint without an area");
   divide_joint(*plan);
-  std::uint32_t marks = 0;  // bit 0: it is sound; seven bits each for the faces that its seats go with, from 1 on
+  // Bit 0: it is sound; seven bits each for the faces that its seats go with, from 1 on; whether some patch is crushed.
+  std::uint32_t marks = 0;
   pair(marks, s.bonds);
   plan->face_a = static_cast<int>(marks >> 1 & 127U) - 1, plan->face_b = static_cast<int>(marks >> 8 & 127U) - 1;
-  if (plan->patch.size() != patches || s.bonds >> patches != 0 || marks >> 15 != 0)
+  if (plan->patch.size() != patches || s.bonds >> patches != 0 || marks >> 16 != 0)
     fail("has a joint that does not fit its faces");
   s.plan = plan, s.sound = (marks & 1U) == 1;
   walk_patches(*this, s, patches);
+  if ((marks & crushed_mark) != 0) walk_crushed(*this, s, patches);
 }
 
 void Reader::contacts(SolidHistory& s) {

@@ -9,8 +9,8 @@
 #include "bearing/bearing.hpp"
 #include "contact/corner_overlap.hpp"
 #include "contact/placed_pieces.hpp"
+#include "contact/solid_contact.hpp"
 #include "contact/solid_faces.hpp"
-#include "contact/solid_pressure.hpp"
 #include "contact/step_behind.hpp"
 #include "shape/overlap_3d.hpp"
 #include "shape/separation_3d.hpp"
@@ -178,7 +178,7 @@ struct SolidWork<3> {
   std::vector<MovingPlace> face_motion;  ///< [fit] of them what contact asks for. Writer: place
   std::vector<std::vector<Vec3>> before;    ///< [piece] room: corners as they were placed last
   std::vector<Vec3> fit_force, fit_moment;  ///< [fit] likewise, about its place [N], [N m]. Writer: respond
-  std::vector<SolidOverlapBuffer> room;     ///< [thread]
+  std::vector<SolidRoom> room;              ///< [thread]
   std::vector<SolidAnswer> answer;          ///< of the rows that are worked on
 };
 

@@ -10,19 +10,21 @@ namespace trilith::script {
 namespace {
 
 /// Two states at nearly one time, as late as there are.
+template <int D>
 struct Pair {
-  const State<2>*before, *now;
+  const State<D>*before, *now;
 };
 
-Pair latest_pair(const Branch& branch, const PlaneModel& m) {
-  std::vector<const State<2>*> now{&m.if_built()->state()};
+template <int D>
+Pair<D> latest_pair(const Branch& branch, const SimulatedModel<D>& m) {
+  std::vector<const State<D>*> now{&m.if_built()->state()};
   const auto& kept = m.checkpoints.list();
   for (auto c = kept.rbegin(); c != kept.rend() && c->time() > branch.from; ++c)
-    now.push_back(&c->snapshot_in<2>().state);
-  for (const State<2>* n : now) {
-    const State<2>* nearest = nullptr;
+    now.push_back(&c->template snapshot_in<D>().state);
+  for (const State<D>* n : now) {
+    const State<D>* nearest = nullptr;
     for (const Checkpoint& c : branch.checkpoints) {
-      const State<2>& s = c.snapshot_in<2>().state;
+      const State<D>& s = c.template snapshot_in<D>().state;
       if (nearest == nullptr || std::abs(s.time - n->time) < std::abs(nearest->time - n->time)) nearest = &s;
     }
     if (nearest != nullptr && std::abs(nearest->time - n->time) <= 1.5 * std::max(n->last_dt, nearest->last_dt))
@@ -36,11 +38,20 @@ struct Moved {
   double distance, turn;
 };
 
-std::vector<Moved> moved_most(const Model<2>& model, const Pair& pair) {
+/// By how much a body has turned more in one branch than in the other [rad]; in space of either sense.
+double turn_between(const Pose& before, const Pose& now) {
+  return now.rotation - before.rotation;
+}
+double turn_between(const Pose3& before, const Pose3& now) {
+  return angle_of(now.turned * inverse(before.turned)).norm();
+}
+
+template <int D>
+std::vector<Moved> moved_most(const Model<D>& model, const Pair<D>& pair) {
   std::vector<Moved> moved;
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
-    const Pose before = body_pose(model, *pair.before, b), now = body_pose(model, *pair.now, b);
-    moved.push_back({b, (now.place - before.place).norm(), now.rotation - before.rotation});
+    const auto before = body_pose(model, *pair.before, b), now = body_pose(model, *pair.now, b);
+    moved.push_back({b, (now.place - before.place).norm(), turn_between(before, now)});
   }
   std::stable_sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) { return a.distance > b.distance; });
   return moved;
@@ -92,16 +103,13 @@ void push_histories(lua_State* L, const Branch& branch, const ScriptModel& m) {
   }
 }
 
-/// core.compare(model): { from, before, now, same, moved, events_before, events_now, histories }; nothing where no run
-/// was taken back, without the times where the branches have no time in common.
-int compare(lua_State* L) {
-  PlaneModel& m = this_plane(L);
-  if (!m.undone) return 0;
-  const Branch& branch = *m.undone;
+/// Leaves a table of what has changed since `branch` was taken back.
+template <int D>
+void push_changes(lua_State* L, const Branch& branch, const SimulatedModel<D>& m) {
   lua_createtable(L, 0, 8);
   set_number(L, "from", branch.from);
-  const Pair pair = latest_pair(branch, m);
-  if (pair.now == nullptr) return 1;
+  const Pair<D> pair = latest_pair(branch, m);
+  if (pair.now == nullptr) return;
   set_number(L, "before", pair.before->time);
   set_number(L, "now", pair.now->time);
   lua_pushboolean(L, state_hash(*pair.before) == state_hash(*pair.now) ? 1 : 0);
@@ -114,6 +122,17 @@ int compare(lua_State* L) {
   lua_setfield(L, -2, "events_now");
   push_histories(L, branch, m);
   lua_setfield(L, -2, "histories");
+}
+
+/// core.compare(model): { from, before, now, same, moved, events_before, events_now, histories }; nothing where no run
+/// was taken back, without the times where the branches have no time in common.
+int compare(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  if (!m.undone) return 0;
+  if (const SpaceModel* space = as_space(m))
+    push_changes<3>(L, *m.undone, *space);
+  else
+    push_changes<2>(L, *m.undone, require_plane(m, "compare"));
   return 1;
 }
 

@@ -68,10 +68,11 @@ double largest_difference(const Laid& laid, const ContactLaw& law, int& flat, in
   double most = 0;
   SolidMemory memory;
   FaceOverlap3 faces;
+  SolidRoom room;
   for (int step = 0; step < 30 && flat_faces(laid.a, laid.b, faces); ++step) {
     const MovingSolid a = laid.lower(), b = laid.upper();
     const SolidPressure pressed = with_kernel(use, [&](const Coulomb& k) { return face_pressure(a, b, k, faces); });
-    const SolidResponse r = respond_solids(a, b, memory, use, pressed);
+    const SolidResponse r = respond_solids(a, b, memory, use, pressed, room);
     FlatResponses four;
     with_kernel(use, [&](const Coulomb& k) { respond_flat(flat_contact(a, b, pair, memory, k), four); });
     REQUIRE(four.flat[0] != 0);
