@@ -22,7 +22,9 @@ struct Beam3 {
   std::array<UnitQuaternion, 2> axes{};  ///< from the axes of a node to those of the beam at the start
   double length = 0;                     ///< at the start [m]
   BeamStiffness3 stiffness;
-  double damping = 0;  ///< damping over elastic force, of strain rate [s]
+  double damping = 0;     ///< damping over elastic force, of strain rate [s]
+  int fibre_row = -1;     ///< of BeamYields3::fibre_beams; -1: elastic, else `stiffness` is the stiffest it can be
+  int first_memory = -1;  ///< of State::beam_memory, where it is of fibres
 };
 
 }  // namespace trilith

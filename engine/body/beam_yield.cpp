@@ -1,10 +1,10 @@
 #include "body/beam_yield.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include "body/resisting_part.hpp"
 
 namespace trilith {
 namespace {
@@ -27,13 +27,6 @@ Eigen::Matrix3d stiffness_beside(const BeamStiffness& k, const std::array<bool, 
     own = left[1] = 0;
   }
   return matrix_of(left, k.axial);
-}
-
-/// The part of a tangent that resists.
-/// Where fibres soften some eigenvalues are below 0; a dashpot of those would feed the motion, so they count as 0.
-Eigen::Matrix3d resisting(const Eigen::Matrix3d& tangent) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(0.5 * (tangent + tangent.transpose()));
-  return modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() * modes.eigenvectors().transpose();
 }
 
 BeamStress times(const Eigen::Matrix3d& m, const BeamStrain& v) {
@@ -76,7 +69,7 @@ Answer answer(const BeamYields& yields, const Beam& beam, const BeamNow& now, st
         respond(row.beam, yields.sections[row.section], now.strain, before.subspan(1), after.subspan(1));
     after[0] = before[0] != 0 || r.yielding ? 1 : 0;
     t.stress = r.stress, t.by_strain = r.tangent, out.stored = r.stored, out.dissipated = r.dissipated;
-    if (beam.damping > 0) t.by_rate = beam.damping * resisting(r.tangent);
+    if (beam.damping > 0) t.by_rate = beam.damping * resisting_part(r.tangent);
   } else {
     const auto [first, second] = yields.hinged_beams[beam.yield_row];
     const EndHingeMemory was = hinge_memory(before);

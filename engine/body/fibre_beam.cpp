@@ -65,9 +65,13 @@ std::vector<RulePoint> gauss_points(int count) {
 
 FibreBeam make_fibre_beam(const FibreSection& section, double length, const std::array<bool, 2>& pinned,
                           double shear_stiffness, BeamRule rule, int stations) {
+  return fibre_beam_of(section.stiffest()(1, 1), length, pinned, shear_stiffness, rule, stations);
+}
+
+FibreBeam fibre_beam_of(double bending, double length, const std::array<bool, 2>& pinned, double shear_stiffness,
+                        BeamRule rule, int stations) {
   if (!(length > 0)) throw InputError(fmt::format("fibres: a beam of {:g} m, must be above 0", length));
   const std::vector<RulePoint> points = rule == BeamRule::lobatto ? lobatto_points(stations) : gauss_points(stations);
-  const double bending = section.stiffest()(1, 1);
   const double phi = shear_stiffness > 0 ? 12 * bending / (shear_stiffness * length * length) : 0;
   FibreBeam beam;
   beam.length = length, beam.stations = stations;
@@ -105,12 +109,18 @@ BeamStiffness stiffest_beam(const FibreBeam& beam, const FibreSection& section) 
   const double more = 1 + std::abs(k(0, 1)) / std::sqrt(k(0, 0) * k(1, 1));
   BeamStiffness out;
   out.axial = more * k(0, 0) / beam.length, out.bow = beam.bow;
+  out.bend = stiffest_bend(beam, more * k(1, 1));
+  return out;
+}
+
+std::array<double, 3> stiffest_bend(const FibreBeam& beam, double bending) {
+  std::array<double, 3> out{};
   const auto add = [&](double stiffness, const std::array<double, 2>& by) {
-    out.bend[0] += stiffness * by[0] * by[0], out.bend[1] += stiffness * by[0] * by[1];
-    out.bend[2] += stiffness * by[1] * by[1];
+    out[0] += stiffness * by[0] * by[0], out[1] += stiffness * by[0] * by[1];
+    out[2] += stiffness * by[1] * by[1];
   };
   for (int i = 0; i < beam.stations; ++i)
-    add(more * k(1, 1) * beam.station[i].weight * beam.length, beam.station[i].curvature);
+    add(bending * beam.station[i].weight * beam.length, beam.station[i].curvature);
   add(beam.shear, beam.slant);
   return out;
 }
@@ -119,10 +129,8 @@ FibreBeamResponse respond(const FibreBeam& beam, const FibreSection& section, co
                           std::span<const double> before, std::span<double> after) {
   FibreBeamResponse out;
   const double per = 1 / beam.length;
-  // L q and its derivatives by the bends.
-  const double bowed = (beam.bow[0] * d[1] + beam.bow[1] * d[2]) * d[1] + beam.bow[2] * d[2] * d[2];
-  const std::array<double, 2> by{2 * beam.bow[0] * d[1] + beam.bow[1] * d[2],
-                                 2 * beam.bow[2] * d[2] + beam.bow[1] * d[1]};
+  const FibreBow bow(beam, d[1], d[2]);
+  const auto& [bowed, by] = bow;
   const std::size_t size = before.size() / beam.stations;
   Eigen::Vector3d stress = Eigen::Vector3d::Zero();
   double normal = 0;

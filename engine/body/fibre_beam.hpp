@@ -19,6 +19,13 @@ namespace trilith {
 /// Where sections stand along a beam.
 enum class BeamRule : std::uint8_t { lobatto, gauss };
 
+/// A member of fibres, followed at stations along each of its beams.
+struct MemberFibres {
+  FibreSpec spec;
+  BeamRule rule = BeamRule::lobatto;
+  int stations = 4;
+};
+
 struct FibreStation {
   double weight = 0;                  ///< share of the length; all are 1 together
   std::array<double, 2> curvature{};  ///< by each bend [1/m]
@@ -38,6 +45,23 @@ struct FibreBeam {
 /// `stations`: 3 to 6 (lobatto) or 2 to 5 (gauss); `shear_stiffness` is G A_s [N], 0 without shear. Throws InputError.
 FibreBeam make_fibre_beam(const FibreSection& section, double length, const std::array<bool, 2>& pinned,
                           double shear_stiffness = 0, BeamRule rule = BeamRule::lobatto, int stations = 4);
+
+/// The same in one plane of bending: of the elastic bending stiffness EI [N m2].
+FibreBeam fibre_beam_of(double bending, double length, const std::array<bool, 2>& pinned, double shear_stiffness,
+                        BeamRule rule, int stations);
+
+/// L q of the bow of one plane [m], and its derivatives by both bends [m].
+struct FibreBow {
+  double stretch;
+  std::array<double, 2> by;
+
+  FibreBow(const FibreBeam& beam, double bend_0, double bend_1)
+      : stretch((beam.bow[0] * bend_0 + beam.bow[1] * bend_1) * bend_0 + beam.bow[2] * bend_1 * bend_1),
+        by{2 * beam.bow[0] * bend_0 + beam.bow[1] * bend_1, 2 * beam.bow[2] * bend_1 + beam.bow[1] * bend_0} {}
+};
+
+/// The bending of an elastic beam at least as stiff: EI at all stations and the shear [N m].
+std::array<double, 3> stiffest_bend(const FibreBeam& beam, double bending);
 
 /// An elastic beam at least as stiff in every way as this one can be, without its bow's part in bending: for the
 /// longest step (beam_frequency2).

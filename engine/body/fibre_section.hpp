@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +24,10 @@ namespace trilith {
 struct FibreBars {
   double area = 0;    ///< of all at one height [m2]
   double height = 0;  ///< above the bottom of the section [m]
+  // Where they stand in space:
+  int count = 1;      ///< so many, evenly over `spread`
+  double across = 0;  ///< their middle, from that of the section's width [m]
+  double spread = 0;  ///< from the first to the last [m]
 };
 
 /// What fibres are made from.
@@ -35,6 +40,7 @@ struct FibreSpec {
   std::optional<FibreShape> core = {};  ///< in place of what `cover` leaves; its bottom is `cover` above the shape's
   std::vector<FibreBars> bars = {};
   UniaxialLaw bar_law = {};
+  std::array<int, 2> cells{};  ///< of sections in space: up and across; 0: chosen, see body/fibre_section_3d.hpp
 };
 
 struct Fibre {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/solid_pressure.hpp"
+#include "shape/outline_moments.hpp"
 
 namespace trilith {
 namespace {
@@ -12,41 +13,15 @@ namespace {
 constexpr double least_patch = 1e-9;
 /// Gaps of less than this share of the joint's width are rounding, and are not filled.
 constexpr double least_gap = 1e-12;
-/// Second moments that differ by less than this share have no principal axis.
-constexpr double same_moment = 1e-6;
-
-/// Area, middle, and second moments about it.
-struct OutlineMoments {
-  double area = 0;
-  Vec2 middle = Vec2::Zero();
-  double xx = 0, xy = 0, yy = 0;
-
-  explicit OutlineMoments(std::span<const Vec2> corners) {
-    const FaceIntegrals sum = integrals_over_all(corners, 0, Vec2::Zero());
-    area = sum.area;
-    if (!(area > 0)) return;
-    middle = sum.area_moment / area;
-    xx = sum.xx - area * middle.x() * middle.x(), yy = sum.yy - area * middle.y() * middle.y();
-    xy = sum.xy - area * middle.x() * middle.y();
-  }
-  /// Half of what the principal moments differ by.
-  [[nodiscard]] double spread() const { return std::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy); }
-  [[nodiscard]] bool has_axis() const { return spread() > same_moment * (xx + yy); }
-  /// The axis of the larger one, of length 1: x where there is none.
-  [[nodiscard]] Vec2 axis() const {
-    if (!has_axis()) return Vec2::UnitX();
-    const double half = 0.5 * (xx - yy), t = spread();
-    const Vec2 along = half >= 0 ? Vec2(half + t, xy) : Vec2(xy, t - half);
-    return along.normalized();
-  }
-};
+/// Of sides that differ by less than this share the first is the longest.
+constexpr double same_length = 1e-6;
 
 /// The direction of the longest side, of sides as long the first.
 Vec2 longest_side(std::span<const Vec2> corners) {
   Vec2 best = Vec2::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 side = corners[i + 1 < corners.size() ? i + 1 : 0] - corners[i];
-    if (side.norm() > best.norm() * (1 + same_moment)) best = side;
+    if (side.norm() > best.norm() * (1 + same_length)) best = side;
   }
   return best.normalized();
 }
@@ -87,10 +62,7 @@ LinearOverlap laid_on(const LinearOverlap& standing, const JointPatch& patch, st
 void complete(JointPlan& plan, JointPatch& patch, const OutlineMoments& m) {
   patch.middle = m.middle, patch.area = m.area;
   patch.xx = m.xx, patch.xy = m.xy, patch.yy = m.yy;
-  const double mean = 0.5 * (m.xx + m.yy) / m.area, t = m.has_axis() ? m.spread() / m.area : 0;
-  const Vec2 axis = m.axis(), far = std::sqrt(mean + t) * axis,
-             near = std::sqrt(std::max(0.0, mean - t)) * Vec2(-axis.y(), axis.x());
-  const std::array<Vec2, patch_points> arm{-far - near, far - near, far + near, near - far};
+  const std::array<Vec2, patch_points> arm = m.arms();
   for (std::size_t q = 0; q < patch_points; ++q)
     patch.point_x[q] = m.middle.x() + arm[q].x(), patch.point_y[q] = m.middle.y() + arm[q].y();
   const std::span<const Vec2> corners = plan.corners(patch);

@@ -6,19 +6,28 @@
 #include <cmath>
 #include <utility>
 
+#include "base/portable.hpp"
 #include "step/beam_motion.hpp"
 #include "step/resist_beams.hpp"
 
 namespace trilith {
 namespace {
 
+double length_of(const Model<2>& model, int beam) {
+  return model.beams[static_cast<std::size_t>(beam)].length;
+}
+double length_of(const Model<3>& model, int beam) {
+  return model.beams_3d[static_cast<std::size_t>(beam)].length;
+}
+
 /// "column 1 at a"; of beams within a member, how far along they begin.
-std::string place_text(const Model<2>& model, const Member& m, int beam, int end) {
+template <int D>
+std::string place_text(const Model<D>& model, const Member& m, int beam, int end) {
   const std::string member = m.name == model.bodies[m.body].name ? "" : m.name + " ";
   if (end == 0 && beam == m.first_beam) return fmt::format("{}at {}", member, m.joint[0]);
   if (end == 1 && beam + 1 == m.first_beam + m.beams) return fmt::format("{}at {}", member, m.joint[1]);
   double along = 0;
-  for (int i = m.first_beam; i < beam; ++i) along += model.beams[i].length;
+  for (int i = m.first_beam; i < beam; ++i) along += length_of(model, i);
   return fmt::format("{}{:.3g} m from {}", member, along, m.joint[0]);
 }
 
@@ -69,6 +78,26 @@ void beam_events(const Model<2>& model, const State<2>& state, Work<2>& work) {
     for (int i = m.first_beam; i < m.first_beam + m.beams; ++i)
       for (const int end : {0, 1})
         if (can_yield(model, model.beams[i], end)) member_event(model, state, work, m, i, end);
+}
+
+/// A beam of fibres is told of at its end 0, for all of it.
+void beam_events(const Model<3>& model, const State<3>& state, Work<3>& work) {
+  if (model.beam_memory == 0) return;
+  for (const Member& m : model.members)
+    for (int i = m.first_beam; i < m.first_beam + m.beams; ++i) {
+      const Beam3& beam = model.beams_3d[static_cast<std::size_t>(i)];
+      if (beam.fibre_row < 0) continue;
+      const auto memory = static_cast<std::size_t>(beam.first_memory);
+      if (state.beam_memory[memory] != 0 || work.beam_memory[memory] == 0) continue;
+      const BeamStress3 stress = beam_stress(model, state, beam, now_of(state, beam));
+      Event e;
+      e.time = state.time, e.step = state.step, e.body_a = m.body;
+      e.type = EventType::member_yielded;
+      e.value = std::max(portable::hypot(stress[1], stress[2]), portable::hypot(stress[3], stress[4]));
+      e.set_place(state.position[static_cast<std::size_t>(beam.node[0])]);
+      e.text = place_text(model, m, i, 0);
+      work.events.push_back(std::move(e));
+    }
 }
 
 }  // namespace trilith

@@ -120,40 +120,84 @@ struct BeamNodes3 {
       spin[i][k - 3] += rate * by;
     }
   }
-  [[nodiscard]] Eigen::Matrix<double, 12, 1> forces(const Beam3& beam) const {
+  [[nodiscard]] BeamNow3 beam_now(const Beam3& beam) const {
     const auto end = [&](std::size_t i) {
       return BeamEnd3{place[i], turn_of(rotation[i] * beam.axes[i]), velocity[i], spin[i]};
     };
-    const BeamNow3 now(end(0), end(1), beam.length);
+    return {end(0), end(1), beam.length};
+  }
+};
+
+/// What an elastic beam carries as it stands and moves.
+struct ElasticAnswer {
+  const Beam3& beam;
+
+  [[nodiscard]] BeamStress3 operator()(const BeamNow3& now) const {
     BeamStress3 all = stress_of(beam.stiffness, now.strain());
     const BeamStress3 damping = linear_stress(beam.stiffness, now.rate());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] += beam.damping * damping[k];
-    const BeamAction3 action = now.action(all);
-    Eigen::Matrix<double, 12, 1> out;
-    out << action.force, action.moment[0], -action.force, action.moment[1];
-    return out;
+    return all;
   }
 };
+
+/// What fibres carry, by their tangent from where they are: the differences of it have no kinks of their laws.
+struct FibreAnswer {
+  BeamAnswer3 answer;
+  BeamStrain3 strain, rate;
+
+  FibreAnswer(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& now)
+      : strain(now.strain()), rate(now.rate()) {
+    const std::span before = memory_of(model, beam, std::span(state.beam_memory));
+    std::vector<double> after(before.size());
+    answer = respond(model.yields_3d, beam, strain, rate, before, after);
+  }
+  [[nodiscard]] BeamStress3 operator()(const BeamNow3& now) const {
+    BeamStress3 all;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      all[k] = answer.stress[k] + answer.damping[k];
+      for (std::size_t j = 0; j < all.size(); ++j) {
+        const auto row = static_cast<Eigen::Index>(k), column = static_cast<Eigen::Index>(j);
+        all[k] += answer.by_strain(row, column) * (now.strain()[j] - strain[j]) +
+                  answer.by_rate(row, column) * (now.rate()[j] - rate[j]);
+      }
+    }
+    return all;
+  }
+};
+
+Eigen::Matrix<double, 12, 1> forces_of(const BeamNow3& now, const BeamStress3& stress) {
+  const BeamAction3 action = now.action(stress);
+  Eigen::Matrix<double, 12, 1> out;
+  out << action.force, action.moment[0], -action.force, action.moment[1];
+  return out;
+}
 
 /// Of a beam's length, and of a turn [rad]: of differences of fourth order what they leave out and what rounding makes
 /// are both small then.
 constexpr double beam_disturbance = 1e-4;
 
-}  // namespace
-
-BeamBlock3 beam_block(const State<3>& state, const Beam3& beam, double rate) {
-  const BeamNodes3 now(state, beam);
+template <class Answer>
+BeamBlock3 block_by_differences(const BeamNodes3& now, const Beam3& beam, double rate, const Answer& answer) {
   BeamBlock3 out;
   for (int unknown = 0; unknown < 12; ++unknown) {
     const double by = beam_disturbance * (unknown % 6 < 3 ? beam.length : 1);
     const auto forces_at = [&](double way) {
       BeamNodes3 moved = now;
       moved.move(unknown, way, rate);
-      return moved.forces(beam);
+      const BeamNow3 there = moved.beam_now(beam);
+      return forces_of(there, answer(there));
     };
     out.col(unknown) = (8 * (forces_at(by) - forces_at(-by)) - (forces_at(2 * by) - forces_at(-2 * by))) / (12 * by);
   }
   return out;
+}
+
+}  // namespace
+
+BeamBlock3 beam_block(const Model<3>& model, const State<3>& state, const Beam3& beam, double rate) {
+  const BeamNodes3 now(state, beam);
+  if (beam.fibre_row < 0) return block_by_differences(now, beam, rate, ElasticAnswer{beam});
+  return block_by_differences(now, beam, rate, FibreAnswer(model, state, beam, now.beam_now(beam)));
 }
 
 }  // namespace trilith

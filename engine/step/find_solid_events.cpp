@@ -3,6 +3,7 @@
 
 #include "contact/joint.hpp"
 #include "contact/joint_plan.hpp"
+#include "step/beam_events.hpp"
 #include "step/bearing_events.hpp"
 #include "step/body_events.hpp"
 #include "step/contact_rows.hpp"
@@ -115,6 +116,7 @@ void find_events(const Model<3>& model, State<3>& state, Work<3>& work) {
   for (const int row : work.changed_rows) contact_events(model, state, work, row);
   if (!state.parted.empty()) parted_events(model, state, work);
   bearing_events(model, state, work);
+  beam_events(model, state, work);
   seat_events(model, state, work);
   body_events(model, state, work);
 }

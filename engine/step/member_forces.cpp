@@ -38,7 +38,7 @@ std::vector<SectionForces3> member_forces(const Model<3>& model, const State<3>&
   for (int i = m.first_beam; i < m.first_beam + m.beams; ++i) {
     const Beam3& beam = model.beams_3d[i];
     const BeamNow3 now = now_of(state, beam);
-    const BeamStress3 s = stress_of(beam.stiffness, now.strain());
+    const BeamStress3 s = beam_stress(model, state, beam, now);
     const std::array shear{(s[2] + s[4]) / now.length(), -(s[1] + s[3]) / now.length()};
     rows.push_back({along, state.position[beam.node[0]], s[0], shear, s[5], {-s[1], -s[2]}});
     along += beam.length;
@@ -98,6 +98,59 @@ std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& s
   }
   // Rules of stations name their ends first.
   std::ranges::stable_sort(rows, {}, &FibreReading::along);
+  return rows;
+}
+
+namespace {
+
+std::vector<FibreReading3::Fibre> read_fibres(const FibreSection3& section, const Eigen::Vector3d& strain,
+                                              std::span<const double> before) {
+  std::vector<FibreReading3::Fibre> out;
+  std::size_t place = 0;
+  for (const FibrePart& part : section.parts)
+    for (int i = part.first; i < part.first + part.count; ++i) {
+      const Fibre3& fibre = section.fibres[static_cast<std::size_t>(i)];
+      const FibreSection3 one{{fibre}, {{part.law, 0, 1}}};
+      const auto size = static_cast<std::size_t>(one.memory_size());
+      std::vector<double> after(size);
+      const SectionResponse3 r = respond(one, strain, before.subspan(place, size), after);
+      out.push_back({fibre.up, fibre.across, fibre.area, Eigen::Vector3d(1, fibre.across, -fibre.up).dot(strain),
+                     r.stress[0] / fibre.area});
+      place += size;
+    }
+  return out;
+}
+
+}  // namespace
+
+std::vector<FibreReading3> member_fibres(const Model<3>& model, const State<3>& state, int member) {
+  const Member& m = model.members[static_cast<std::size_t>(member)];
+  std::vector<FibreReading3> rows;
+  double start = 0;
+  for (int i = m.first_beam; i < m.first_beam + m.beams; ++i) {
+    const Beam3& beam = model.beams_3d[static_cast<std::size_t>(i)];
+    if (beam.fibre_row >= 0) {
+      const FibreBeamRow3& row = model.yields_3d.fibre_beams[static_cast<std::size_t>(beam.fibre_row)];
+      const FibreSection3& section = model.yields_3d.sections[static_cast<std::size_t>(row.section)];
+      const BeamNow3 now = now_of(state, beam);
+      const std::span<const double> memory = memory_of(model, beam, std::span(state.beam_memory)).subspan(1);
+      const auto size = static_cast<std::size_t>(section.memory_size());
+      std::vector<double> after(size);
+      for (int s = 0; s < row.beam.stations(); ++s) {
+        const Eigen::Vector3d strain = station_strain(row.beam, now.strain(), s).strain;
+        const auto before = memory.subspan(static_cast<std::size_t>(s) * size, size);
+        const SectionResponse3 r = respond(section, strain, before, after);
+        rows.push_back({start + 0.5 * (1 + place_of_station(row.beam.plane[0], s)) * beam.length,
+                        strain[0],
+                        {strain[1], strain[2]},
+                        r.stress[0],
+                        {r.stress[1], r.stress[2]},
+                        read_fibres(section, strain, before)});
+      }
+    }
+    start += beam.length;
+  }
+  std::ranges::stable_sort(rows, {}, &FibreReading3::along);
   return rows;
 }
 

@@ -64,4 +64,18 @@ struct FibreReading {
 /// Those of a member, beam by beam from its start; none where it is not of fibres.
 std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& state, int member);
 
+/// The same in space.
+struct FibreReading3 {
+  double along = 0;                   ///< from the member's start, as it was at the start of the run [m]
+  double axial = 0;                   ///< strain of the centroid, tension above 0 [1]
+  std::array<double, 2> curvature{};  ///< about y, above 0 where the side to z is in tension; about z, the bottom [1/m]
+  double normal = 0;                  ///< tension above 0 [N]
+  std::array<double, 2> moment{};     ///< with the signs of the curvatures [N m]
+  struct Fibre {
+    double up, across, area, strain, stress;  ///< from the centroid [m], [m2], [1], [Pa]
+  };
+  std::vector<Fibre> fibres;
+};
+std::vector<FibreReading3> member_fibres(const Model<3>& model, const State<3>& state, int member);
+
 }  // namespace trilith

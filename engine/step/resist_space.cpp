@@ -22,17 +22,34 @@ void add_action(const Beam3& beam, const BeamAction3& action, double share, std:
 
 }  // namespace
 
-/// s = K(d) of the strains d in axes that go with the chord, and beta K d' of their rates, which brakes; the transpose
-/// of d' brings both to the nodes.
+/// s = K(d) of the strains d in axes that go with the chord, and beta K d' of their rates, which brakes; of fibres what
+/// they carry, and their tangent for K. The transpose of d' brings both to the nodes.
 void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, ResistSums& sums) {
   for (const Beam3& beam : model.beams_3d) {
     const BeamNow3 now = now_of(state, beam);
+    if (beam.fibre_row >= 0) {
+      const BeamAnswer3 r =
+          respond(model.yields_3d, beam, now.strain(), now.rate(), memory_of(model, beam, std::span(state.beam_memory)),
+                  memory_of(model, beam, std::span(work.beam_memory)));
+      add_action(beam, now.action(r.stress), 1, work.element_force, work.element_moment);
+      if (beam.damping > 0)
+        add_action(beam, now.action(r.damping), 1, work.element_damping, work.element_damping_moment);
+      sums.stored += r.stored, sums.plastic += r.dissipated;
+      continue;
+    }
     add_action(beam, now.action(stress_of(beam.stiffness, now.strain())), 1, work.element_force, work.element_moment);
     sums.stored += stored_in(beam.stiffness, now.strain());
     if (beam.damping > 0)
       add_action(beam, now.action(linear_stress(beam.stiffness, now.rate())), beam.damping, work.element_damping,
                  work.element_damping_moment);
   }
+}
+
+BeamStress3 beam_stress(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& now) {
+  if (beam.fibre_row < 0) return stress_of(beam.stiffness, now.strain());
+  const std::span before = memory_of(model, beam, std::span(state.beam_memory));
+  std::vector<double> after(before.size());
+  return respond(model.yields_3d, beam, now.strain(), now.rate(), before, after).stress;
 }
 
 namespace {
@@ -149,7 +166,7 @@ void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double 
   const auto nodes = static_cast<std::size_t>(model.nodes());
   work.element_force.assign(nodes, Vec3::Zero()), work.element_damping.assign(nodes, Vec3::Zero());
   work.element_moment.assign(nodes, Vec3::Zero()), work.element_damping_moment.assign(nodes, Vec3::Zero());
-  work.plastic.resize(state.plastic.size());
+  work.plastic.resize(state.plastic.size()), work.beam_memory.resize(state.beam_memory.size());
   ResistSums sums;
   resist_elements(model, state, work, sums);
   if (!work.leave_out_beams) resist_beams(model, state, work, sums);

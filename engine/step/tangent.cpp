@@ -165,7 +165,7 @@ void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const T
 template <>
 void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options) {
   for (const Beam3& beam : model.beams_3d)
-    add_block(beam.node, BeamBlock3(-options.force * beam_block(state, beam, options.rate)));
+    add_block(beam.node, BeamBlock3(-options.force * beam_block(model, state, beam, options.rate)));
 }
 
 /// Without entries of 0, which are there for pairs that do not touch: so that it is the same whenever these were found.

@@ -48,6 +48,8 @@ void add(Hash& hash, const Beam& b);
 void add(Hash& hash, const Member& m);
 void add(Hash& hash, const FibreSection& s);
 void add(Hash& hash, const FibreBeamRow& r);
+void add(Hash& hash, const FibreSection3& s);
+void add(Hash& hash, const FibreBeamRow3& r);
 void add(Hash& hash, const HingeLaw& l);
 void add(Hash& hash, const Drive& d);
 template <int D>
@@ -149,18 +151,33 @@ void add(Hash& hash, const Beam& b) {
   if (b.inertia >= 0) hash.add(std::string_view("consistent"));
 }
 
+void add(Hash& hash, const FibrePart& p) {
+  std::visit([&](const auto& l) { add_law(hash, l); }, p.law);
+  add(hash, p.first), add(hash, p.count);
+}
+
 void add(Hash& hash, const FibreSection& s) {
   for (const Fibre& f : s.fibres) add(hash, f.area), add(hash, f.height);
-  for (const FibrePart& p : s.parts) {
-    std::visit([&](const auto& l) { add_law(hash, l); }, p.law);
-    add(hash, p.first), add(hash, p.count);
-  }
+  for (const FibrePart& p : s.parts) add(hash, p);
+}
+
+void add(Hash& hash, const FibreSection3& s) {
+  for (const Fibre3& f : s.fibres) add(hash, f.area), add(hash, f.up), add(hash, f.across);
+  for (const FibrePart& p : s.parts) add(hash, p);
+}
+
+void add(Hash& hash, const FibreBeam& b) {
+  add(hash, b.length), add(hash, b.bow), add(hash, b.shear), add(hash, b.slant), add(hash, b.stations);
+  for (const FibreStation& s : b.station) add(hash, s.weight), add(hash, s.curvature);
 }
 
 void add(Hash& hash, const FibreBeamRow& r) {
-  add(hash, r.section), add(hash, r.beam.length), add(hash, r.beam.bow), add(hash, r.beam.shear);
-  add(hash, r.beam.slant), add(hash, r.beam.stations);
-  for (const FibreStation& s : r.beam.station) add(hash, s.weight), add(hash, s.curvature);
+  add(hash, r.section), add(hash, r.beam);
+}
+
+void add(Hash& hash, const FibreBeamRow3& r) {
+  add(hash, r.section), add(hash, r.beam.torsion);
+  for (const FibreBeam& plane : r.beam.plane) add(hash, plane);
 }
 
 void add(Hash& hash, const HingeLaw& l) {
@@ -181,6 +198,7 @@ void add(Hash& hash, const Beam3& b) {
   add(hash, b.body), add(hash, b.node), add(hash, b.axes), add(hash, b.length), add(hash, b.damping);
   add(hash, b.stiffness.axial), add(hash, b.stiffness.torsion);
   for (const BeamStiffness& k : b.stiffness.bend) add(hash, k.bend), add(hash, k.bow);
+  if (b.fibre_row >= 0) add(hash, b.fibre_row), add(hash, b.first_memory);
 }
 
 void add(Hash& hash, const GroundMotion& m) {
@@ -239,6 +257,7 @@ std::uint64_t structure_of(const Model<D>& m) {
   add(hash, m.bearings), add(hash, m.seats);
   if constexpr (D == 3) add(hash, m.piece_solid);
   for (const Beam3& beam : m.beams_3d) add(hash, beam);
+  if (!m.yields_3d.fibre_beams.empty()) add(hash, m.yields_3d.sections), add(hash, m.yields_3d.fibre_beams);
   return hash.value();
 }
 

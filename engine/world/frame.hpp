@@ -27,13 +27,6 @@ struct FrameJoint {
   std::array<Support, 3> support{};      ///< x, y, rotation
 };
 
-/// A member of fibres, followed at stations along each of its beams.
-struct MemberFibres {
-  FibreSpec spec;
-  BeamRule rule = BeamRule::lobatto;
-  int stations = 4;
-};
-
 /// Plastic hinges where a member's flexible part begins and ends; without one, that end stays elastic.
 struct MemberHinges {
   std::array<std::optional<HingeLaw>, 2> end;

@@ -16,6 +16,7 @@
 #include "body/beam_3d.hpp"
 #include "body/beam_inertia.hpp"
 #include "body/beam_yield.hpp"
+#include "body/beam_yield_3d.hpp"
 #include "body/list.hpp"
 #include "body/space_element.hpp"
 #include "contact/list.hpp"
@@ -194,7 +195,8 @@ struct Model {
   std::vector<Member> members;                ///< of frames, body by body
   std::vector<Beam> beams;                    ///< [beam] of frames, body by body
   std::vector<Beam3> beams_3d;                ///< [beam] of frames in space, body by body
-  BeamYields yields;                          ///< of those that yield
+  BeamYields yields;                          ///< of those that yield ...
+  BeamYields3 yields_3d;                      ///< ... in space
   std::vector<DampingBranches> bands;         ///< of beams that are damped over a band
   std::vector<BeamInertia> beam_inertias;     ///< of beams with consistent mass, which implicit steps and modes know
   std::vector<RateBound> element_bound;       ///< [body] of its elements or beams; 0 where it is rigid

@@ -20,6 +20,17 @@ const std::string& material_of(const SolidSpec& spec, const SpaceMember& member)
   return member.material.empty() ? spec.material : member.material;
 }
 
+/// Throws InputError where a member cannot be of fibres as it says.
+void check_fibres(const SpaceMember& member, const std::string& owner) {
+  if (!member.fibres) return;
+  try {
+    make_fibre_beam_in_space(make_fibres_in_space(member.fibres->spec), 1, member.pinned, {}, 1, member.fibres->rule,
+                             member.fibres->stations);
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("{}: {}", owner, e.what()));
+  }
+}
+
 /// Where the body holds a degree of freedom, all of its joints are held.
 SpaceFrameSpec with_supports(const SolidSpec& spec) {
   SpaceFrameSpec frame = *spec.frame;
@@ -45,12 +56,13 @@ void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) c
                                    name.empty() ? "it" : "'" + name + "'"));
     if (!material->solid->is_elastic())
       throw InputError(
-          fmt::format("{}: the material of members is elastic, and '{}' is not ({}); in space members do not yield yet",
+          fmt::format("{}: the material of members is elastic, and '{}' is not ({}); members yield by a fibre_section",
                       owner, name, describe(*material->solid)));
     if (material->band)
       throw InputError(fmt::format(
           "{}: material '{}' is damped over a band, which members in space are not yet; give it damping =", owner,
           name));
+    check_fibres(m, owner);
   }
   spec.pieces.clear();
   for (std::size_t m = 0; m < spec.frame->members.size(); ++m)

@@ -69,6 +69,39 @@ void append_nodes(const SpaceFrameBody& body, const std::vector<NodeMass>& nodes
   }
 }
 
+/// Gives the beams of a member their rows of fibres.
+class FibreRows {
+ public:
+  FibreRows(const SpaceMember& member, const BeamMaterial3& elastic, Model<3>& model)
+      : member_(member), elastic_(elastic), model_(model) {
+    if (!member.fibres) return;
+    section_ = static_cast<int>(model.yields_3d.sections.size());
+    model.yields_3d.sections.push_back(make_fibres_in_space(member.fibres->spec));
+  }
+  /// Its elastic stiffness then is the stiffest it can have, for the longest step.
+  void add(Beam3& beam, const std::array<bool, 2>& pinned) const {
+    if (section_ < 0) return;
+    BeamYields3& yields = model_.yields_3d;
+    const FibreSection3& section = yields.sections[static_cast<std::size_t>(section_)];
+    std::array<double, 2> shear{};
+    if (elastic_.shears)
+      for (const std::size_t axis : {0, 1}) shear[axis] = elastic_.shear * member_.section.shear_area[axis];
+    const FibreBeam3 made =
+        make_fibre_beam_in_space(section, beam.length, pinned, shear, elastic_.shear * member_.section.torsion,
+                                 member_.fibres->rule, member_.fibres->stations);
+    beam.stiffness = stiffest_beam(made, section);
+    beam.fibre_row = static_cast<int>(yields.fibre_beams.size()), beam.first_memory = model_.beam_memory;
+    yields.fibre_beams.push_back({made, section_});
+    model_.beam_memory += memory_size(yields, beam);
+  }
+
+ private:
+  const SpaceMember& member_;
+  const BeamMaterial3& elastic_;
+  Model<3>& model_;
+  int section_ = -1;
+};
+
 /// Bounds of the beams' rates: of all of them no frequency is above the highest of one alone on its own share of the
 /// masses of its nodes.
 void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int first_node, Model<3>& model) {
@@ -85,6 +118,7 @@ void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int firs
   const double length = length_of(spec, member) / member.divisions;
   const HalfBeam half = half_beam(member, made.mass, length);
   RateBound& bound = model.element_bound.back();
+  const FibreRows fibres(member, made.elastic, model);
   for (int i = 0; i < member.divisions; ++i) {
     Beam3 beam;
     beam.body = index, beam.length = length, beam.damping = made.damping;
@@ -93,9 +127,9 @@ void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int firs
       beam.node[static_cast<std::size_t>(side)] = node;
       beam.axes[static_cast<std::size_t>(side)] = inverse(model.start_rotation[static_cast<std::size_t>(node)]) * axes;
     }
-    beam.stiffness =
-        beam_stiffness_in_space(made.elastic, member.section, length,
-                                {i == 0 && member.pinned[0], i + 1 == member.divisions && member.pinned[1]});
+    const std::array pinned{i == 0 && member.pinned[0], i + 1 == member.divisions && member.pinned[1]};
+    beam.stiffness = beam_stiffness_in_space(made.elastic, member.section, length, pinned);
+    fibres.add(beam, pinned);
     const double most = beam_frequency2(beam.stiffness, length, half.mass, half.inertia);
     bound.stiffness = std::max(bound.stiffness, most);
     bound.damping = std::max(bound.damping, beam.damping * most);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "body/beam_element_3d.hpp"
+#include "body/fibre_beam.hpp"
 #include "body/section_3d.hpp"
 #include "shape/polyhedron.hpp"
 #include "world/model.hpp"
@@ -32,11 +33,12 @@ struct SpaceMember {
   std::string name;        ///< for messages and readings
   int from = -1, to = -1;  ///< indices of joints
   Section3 section;
-  std::optional<Vec3> orientation;  ///< to the top of the section, not along the member; else see member_axes
-  std::string material;             ///< "": the body's
-  int divisions = 8;                ///< beam elements in a row
-  std::array<bool, 2> pinned{};     ///< carries no bending moment there
-  bool shear = false;               ///< with shear deformation
+  std::optional<Vec3> orientation;     ///< to the top of the section, not along the member; else see member_axes
+  std::string material;                ///< "": the body's
+  int divisions = 8;                   ///< beam elements in a row
+  std::array<bool, 2> pinned{};        ///< carries no bending moment there
+  bool shear = false;                  ///< with shear deformation
+  std::optional<MemberFibres> fibres;  ///< it yields, in these; else it is elastic
 };
 
 struct SpaceFrameSpec {

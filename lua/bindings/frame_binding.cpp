@@ -67,12 +67,9 @@ void read_hinges(Keys& keys, FrameMember& member) {
 
 /// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
 void read_member(Keys& keys, FrameMember& member) {
-  const bool gauss = keys.choice("rule", {"lobatto", "gauss"}, 0) == 1;
-  const int stations = keys.count("stations", 4);
   if (const auto* section = keys.maybe_handle<SectionValue>("section")) {
     member.section = section->numbers;
-    if (section->fibres)
-      member.yields = MemberFibres{*section->fibres, gauss ? BeamRule::gauss : BeamRule::lobatto, stations};
+    if (auto fibres = read_fibres(keys, *section)) member.yields = std::move(*fibres);
   } else if (!keys.has("section")) {
     keys.missing("section", "a section such as trilith.rectangle_section{width =, depth =}");
   }
@@ -315,13 +312,12 @@ int push_member_hinges(lua_State* L) {
 /// body:fibres "member": a list of { along, axial, curvature, normal, moment, fibres = { { height, area, strain, stress
 /// } } }.
 int push_member_fibres(lua_State* L) {
+  const auto& b = handle<BodyHandle>(L, 1);
+  if (SpaceModel* space = as_space(b.model())) return push_space_fibres(L, *space, b.index);
   const AskedMember asked = asked_member(L, "fibres");
   const Model<2>& model = asked.run.model();
   const std::vector<FibreReading> sections = member_fibres(model, asked.run.state(), asked.member);
-  if (sections.empty())
-    throw InputError(
-        fmt::format("fibres: member '{}' is not of fibres; give it section = trilith.fibre_section{{shape =, law =}}",
-                    model.members[asked.member].name));
+  if (sections.empty()) throw InputError(no_fibres_text(model.members[asked.member].name));
   lua_newtable(L);
   lua_Integer i = 0;
   for (const FibreReading& row : sections) {

@@ -52,6 +52,20 @@ inline std::string read_name(Keys& keys, const std::string& preset) {
   return name;
 }
 
+/// What is said of a member that is asked for its fibres and has none.
+inline std::string no_fibres_text(const std::string& member) {
+  return fmt::format("fibres: member '{}' is not of fibres; give it section = trilith.fibre_section{{shape =, law =}}",
+                     member);
+}
+
+/// How a member with that section yields: by its fibres, with the `rule` and the number of `stations` along each beam.
+inline std::optional<MemberFibres> read_fibres(Keys& keys, const SectionValue& section) {
+  const bool gauss = keys.choice("rule", {"lobatto", "gauss"}, 0) == 1;
+  const int stations = keys.count("stations", 4);
+  if (!section.fibres) return std::nullopt;
+  return MemberFibres{*section.fibres, gauss ? BeamRule::gauss : BeamRule::lobatto, stations};
+}
+
 /// A whole number or a list of them under `key`; {preset} where it is not there.
 inline std::vector<int> read_counts(Keys& keys, std::string_view key, int preset) {
   lua_State* L = keys.lua();

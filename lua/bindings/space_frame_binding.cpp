@@ -11,9 +11,9 @@ namespace trilith::script {
 namespace {
 
 /// Words of members in the plane that are of no meaning in space yet.
-void refuse_yielding(Keys& keys) {
+void refuse_hinges(Keys& keys) {
   for (const char* key : {"hinge", "from_hinge", "to_hinge"})
-    keys.refuse(key, fmt::format("'{}': members in space do not yield yet; leave it out", key));
+    keys.refuse(key, fmt::format("'{}': members in space have no hinges yet; they yield by a fibre_section", key));
 }
 
 /// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
@@ -21,6 +21,7 @@ void read_space_member(Keys& keys, SpaceMember& member) {
   if (const auto* section = keys.maybe_handle<SectionValue>("section")) {
     member.section = section->in_space;
     if (!section->not_in_space.empty()) keys.problem(section->not_in_space);
+    member.fibres = read_fibres(keys, *section);
   } else if (!keys.has("section")) {
     keys.missing("section", "a section such as trilith.rectangle_section{width =, depth =}");
   }
@@ -33,7 +34,7 @@ void read_space_member(Keys& keys, SpaceMember& member) {
     else
       keys.problem(fmt::format("'pinned' names '{}', must be \"from\", \"to\" or {{\"from\", \"to\"}}", end));
   }
-  refuse_yielding(keys);
+  refuse_hinges(keys);
 }
 
 void add_space_frame(lua_State* L, SpaceModel& m, const std::string& name, SolidSpec spec, SpaceFrameSpec frame) {
@@ -111,9 +112,9 @@ void read_space_members(Keys& keys, SpaceFrameSpec& frame) {
 }
 
 /// The member that is asked for by argument 2: the only one, or the one of that name.
-int space_member_asked(lua_State* L, const Model<3>& model, int body) {
+int space_member_asked(lua_State* L, const Model<3>& model, int body, std::string_view what) {
   if (lua_type(L, 2) != LUA_TSTRING && !lua_isnoneornil(L, 2))
-    throw InputError(fmt::format("forces: takes the name of a member; this is {}", what_is(L, 2)));
+    throw InputError(fmt::format("{}: takes the name of a member; this is {}", what, what_is(L, 2)));
   const std::string name = lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "";
   std::vector<std::string> known;
   int only = -1;
@@ -125,14 +126,25 @@ int space_member_asked(lua_State* L, const Model<3>& model, int body) {
   }
   const std::string& owner = model.bodies[body].name;
   if (known.empty())
-    throw InputError(fmt::format("forces: body '{}' is {}, which has no members; ask a beam or frame", owner,
+    throw InputError(fmt::format("{}: body '{}' is {}, which has no members; ask a beam or frame", what, owner,
                                  name_of(model.bodies[body].kind)));
   if (!name.empty())
-    throw InputError(fmt::format("forces: body '{}' has no member '{}'{}", owner, name, name_hint(name, known)));
+    throw InputError(fmt::format("{}: body '{}' has no member '{}'{}", what, owner, name, name_hint(name, known)));
   if (known.size() > 1)
-    throw InputError(fmt::format("forces: body '{}' has {} members; name one, such as forces \"{}\"", owner,
-                                 known.size(), known.front()));
+    throw InputError(fmt::format("{}: body '{}' has {} members; name one, such as {} \"{}\"", what, owner, known.size(),
+                                 what, known.front()));
   return only;
+}
+
+/// ... in a model that has run.
+struct AskedSpaceMember {
+  const Simulation<3>& run;
+  int member;
+};
+AskedSpaceMember asked_space_member(lua_State* L, const SpaceModel& m, int body, std::string_view what) {
+  const Simulation<3>* const run = m.if_built();
+  if (run == nullptr) throw InputError(fmt::format("{}: nothing has run yet; ask during a stage or after it", what));
+  return {*run, space_member_asked(L, run->model(), body, what)};
 }
 
 void push_place(lua_State* L, const Vec3& at) {
@@ -191,12 +203,10 @@ int add_frame_in_space(lua_State* L) {
 
 /// body:forces "member": a list of { along, x, y, z, normal, shear_y, shear_z, torque, moment_y, moment_z }.
 int push_space_forces(lua_State* L, SpaceModel& m, int body) {
-  const Simulation<3>* const run = m.if_built();
-  if (run == nullptr) throw InputError("forces: nothing has run yet; ask during a stage or after it");
-  const int member = space_member_asked(L, run->model(), body);
+  const AskedSpaceMember asked = asked_space_member(L, m, body, "forces");
   lua_newtable(L);
   lua_Integer i = 0;
-  for (const SectionForces3& row : member_forces(run->model(), run->state(), member)) {
+  for (const SectionForces3& row : member_forces(asked.run.model(), asked.run.state(), asked.member)) {
     lua_createtable(L, 0, 10);
     set_number(L, "along", row.along);
     set_number(L, "x", row.place.x()), set_number(L, "y", row.place.y()), set_number(L, "z", row.place.z());
@@ -204,6 +214,34 @@ int push_space_forces(lua_State* L, SpaceModel& m, int body) {
     set_number(L, "shear_y", row.shear[0]), set_number(L, "shear_z", row.shear[1]);
     set_number(L, "torque", row.torque);
     set_number(L, "moment_y", row.moment[0]), set_number(L, "moment_z", row.moment[1]);
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// body:fibres "member": a list of { along, axial, curvature_y, curvature_z, normal, moment_y, moment_z, fibres = { {
+/// up, across, area, strain, stress } } }.
+int push_space_fibres(lua_State* L, SpaceModel& m, int body) {
+  const AskedSpaceMember asked = asked_space_member(L, m, body, "fibres");
+  const Model<3>& model = asked.run.model();
+  const std::vector<FibreReading3> sections = member_fibres(model, asked.run.state(), asked.member);
+  if (sections.empty()) throw InputError(no_fibres_text(model.members[static_cast<std::size_t>(asked.member)].name));
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const FibreReading3& row : sections) {
+    lua_createtable(L, 0, 8);
+    set_number(L, "along", row.along), set_number(L, "axial", row.axial), set_number(L, "normal", row.normal);
+    set_number(L, "curvature_y", row.curvature[0]), set_number(L, "curvature_z", row.curvature[1]);
+    set_number(L, "moment_y", row.moment[0]), set_number(L, "moment_z", row.moment[1]);
+    lua_createtable(L, static_cast<int>(row.fibres.size()), 0);
+    lua_Integer j = 0;
+    for (const FibreReading3::Fibre& fibre : row.fibres) {
+      lua_createtable(L, 0, 5);
+      set_number(L, "up", fibre.up), set_number(L, "across", fibre.across), set_number(L, "area", fibre.area);
+      set_number(L, "strain", fibre.strain), set_number(L, "stress", fibre.stress);
+      lua_rawseti(L, -2, ++j);
+    }
+    lua_setfield(L, -2, "fibres");
     lua_rawseti(L, -2, ++i);
   }
   return 1;

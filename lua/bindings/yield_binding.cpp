@@ -37,19 +37,38 @@ std::optional<UniaxialLaw> read_fibre_law(Keys& keys, const char* key) {
   return law == nullptr ? std::nullopt : std::optional(law->law);
 }
 
-/// trilith.fibre_section{ shape =, law =, layers =, cover =, cover_law =, core =, bars =, bar_law = }
+/// The section of members in space that a shape is, their torsion and shear with it; `why` it is none.
+Section3 shape_in_space(const FibreShape& shape, std::string& why) {
+  try {
+    return std::visit(
+        [](const auto& s) {
+          if constexpr (requires { s.outline; })
+            return polygon_section_in_space(s.outline);
+          else
+            return section_in_space(s);
+        },
+        shape);
+  } catch (const InputError& e) {
+    why = e.what();
+    return {};
+  }
+}
+
+/// trilith.fibre_section{ shape =, law =, layers =, layers_across =, cover =, cover_law =, core =, bars =, bar_law = }
 int make_fibre_section(lua_State* L) {
   Keys keys(L, 1, "fibre_section");
   if (!keys.has("shape")) keys.missing("shape", "a section such as trilith.rectangle_section{width =, depth =}");
   if (!keys.has("law")) keys.missing("law", "a law of fibres such as trilith.kent_park{strength = 30e6}");
   const std::optional<FibreShape> shape = read_shape(keys, "shape");
   FibreSpec spec{shape.value_or(RectangleSection{1, 1}), read_fibre_law(keys, "law").value_or(UniaxialElastic{})};
-  spec.layers = keys.count("layers", spec.layers);
+  if (keys.has("layers")) spec.layers = spec.cells[0] = keys.count("layers", spec.layers);
+  if (keys.has("layers_across")) spec.cells[1] = keys.count("layers_across", 1);
   spec.cover = keys.number("cover", "m", 0);
   spec.core = read_shape(keys, "core");
   spec.cover_law = read_fibre_law(keys, "cover_law").value_or(spec.law);
   read_list(keys, "bars", "bars", [&](Keys& own) {
-    spec.bars.push_back({own.number("area", "m2"), own.number("height", "m")});
+    spec.bars.push_back({own.number("area", "m2"), own.number("height", "m"), own.count("count", 1),
+                         own.number("across", "m", 0), own.number("spread", "m", 0)});
   });
   const std::optional<UniaxialLaw> bar_law = read_fibre_law(keys, "bar_law");
   if (!spec.bars.empty() && !bar_law) keys.missing("bar_law", "the law of the bars, such as trilith.menegotto_pinto{}");
@@ -57,12 +76,9 @@ int make_fibre_section(lua_State* L) {
   keys.finish();
   const FibreSection made = make_fibres(spec);  // whatever is wrong is told here, and not by a member later
   const std::string text = fmt::format("fibre_section of {} fibres of {}", made.fibres.size(), law_text(spec.law));
-  push_handle(L, SectionValue{section_of(spec.shape),
-                              text,
-                              std::nullopt,
-                              spec,
-                              {},
-                              "fibre_section: members in space do not yield yet; give them an elastic section"});
+  std::string not_in_space;
+  const Section3 in_space = shape_in_space(spec.shape, not_in_space);
+  push_handle(L, SectionValue{section_of(spec.shape), text, std::nullopt, spec, in_space, not_in_space});
   return 1;
 }
 

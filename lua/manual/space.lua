@@ -27,11 +27,13 @@ held  flag = true  bodies stay in the plane: none moves along y or turns about x
 name          text             its name
 from          vector           its start, on the axis of the section
 to            vector           its end
-section       section          such as trilith.rectangle_section{...}; not of fibres
+section       section          such as trilith.rectangle_section{...}, or trilith.fibre_section{...}
 orientation   vector?          to the top of the section; without it up, of an upright member to x
 divisions     integer = 8      beam elements in a row
 shear         flag = false     with shear deformation (Timoshenko)
 pinned        names?           "from", "to" or both: carries no bending moment there
+stations      integer = 4      of fibres, along each beam element
+rule          text = "lobatto"  where those are: "lobatto" (ends too) or "gauss"
 from_support  text or table?   "fixed", "free" or { x = , y = , z = , turn_x = , turn_y = , turn_z = }
 to_support    text or table?   the same of its end]], with = "solid", gives = "body" },
   { "space:frame", "Beams that meet at joints, as one body.", keys = [[

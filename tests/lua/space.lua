@@ -171,10 +171,6 @@ says("'alpha' is -1, must be from -1/3 to 0",
   function() model():run { duration = 1, integrator = "implicit", alpha = -1 } end)
 says("control = \"arc\" is of the plane alone so far; leave it out, and give 'rate'",
   function() model():pushover { body = "ground", control = "arc", displacement = 1 } end)
-says("crushes, which solids in space do not do yet", function()
-  m:contact { between = { "stone", "stone" }, law = trilith.cohesive { kn = 1e9, ks = 4e8, mu = 0.6, cohesion = 1e5,
-    tension = 1e5, energy_tension = 10, energy_shear = 10, compression = 1e6, crushing_depth = 1e-3 } }
-end)
 
 -- Implicit steps, rest without time and modes.
 do
