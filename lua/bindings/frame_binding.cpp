@@ -67,9 +67,10 @@ void read_hinges(Keys& keys, FrameMember& member) {
 
 /// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
 void read_member(Keys& keys, FrameMember& member) {
-  if (const auto* section = keys.maybe_handle<SectionValue>("section")) {
+  const auto* section = keys.maybe_handle<SectionValue>("section");
+  if (auto fibres = read_fibres(keys, section)) member.yields = std::move(*fibres);
+  if (section != nullptr) {
     member.section = section->numbers;
-    if (auto fibres = read_fibres(keys, *section)) member.yields = std::move(*fibres);
   } else if (!keys.has("section")) {
     keys.missing("section", "a section such as trilith.rectangle_section{width =, depth =}");
   }

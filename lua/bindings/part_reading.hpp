@@ -59,11 +59,11 @@ inline std::string no_fibres_text(const std::string& member) {
 }
 
 /// How a member with that section yields: by its fibres, with the `rule` and the number of `stations` along each beam.
-inline std::optional<MemberFibres> read_fibres(Keys& keys, const SectionValue& section) {
+inline std::optional<MemberFibres> read_fibres(Keys& keys, const SectionValue* section) {
   const bool gauss = keys.choice("rule", {"lobatto", "gauss"}, 0) == 1;
   const int stations = keys.count("stations", 4);
-  if (!section.fibres) return std::nullopt;
-  return MemberFibres{*section.fibres, gauss ? BeamRule::gauss : BeamRule::lobatto, stations};
+  if (section == nullptr || !section->fibres) return std::nullopt;
+  return MemberFibres{*section->fibres, gauss ? BeamRule::gauss : BeamRule::lobatto, stations};
 }
 
 /// A whole number or a list of them under `key`; {preset} where it is not there.

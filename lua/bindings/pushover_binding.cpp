@@ -106,12 +106,13 @@ struct Watch {
 };
 
 /// The push as loads at its points, 1 N in all; those of a rigid body at a point of it turn it too.
-std::vector<PointLoad<2>> unit_loads(const Model<2>& model, const std::string& name, const Push<2>& push) {
-  std::vector<PointLoad<2>> out;
-  for (const PushRow<2>& row : push.rows) {
-    PointLoad<2> load;
+template <int D>
+std::vector<PointLoad<D>> unit_loads(const Model<D>& model, const std::string& name, const Push<D>& push) {
+  std::vector<PointLoad<D>> out;
+  for (const PushRow<D>& row : push.rows) {
+    PointLoad<D> load;
     load.name = name, load.body = body_of_node(model, row.node);
-    load.at = Tie<2>::to_node(row.node, row.place), load.at.turn[0] = row.turn;
+    load.at = Tie<D>::to_node(row.node, row.place), load.at.turn[0] = row.turn;
     load.force = row.weight * push.direction;
     out.push_back(std::move(load));
   }
@@ -119,13 +120,14 @@ std::vector<PointLoad<2>> unit_loads(const Model<2>& model, const std::string& n
 }
 
 /// Equilibria along a push, and when to end.
+template <int D>
 class ArcRecorder {
  public:
-  ArcRecorder(const Push<2>& push, const PushOrder<2>& order, std::function<double(const State<2>&)> drift)
+  ArcRecorder(const Push<D>& push, const PushOrder<D>& order, std::function<double(const State<D>&)> drift)
       : push_(push), order_(order), drift_(std::move(drift)) {}
 
   /// True where the path is to go on.
-  bool add(const PathPoint& point, const State<2>& state) {
+  bool add(const PathPoint& point, const State<D>& state) {
     const double place = push_place(state, push_), drift = drift_(state);
     if (curve_.force.empty()) first_place_ = place, first_drift_ = drift;
     curve_.time.push_back(state.time);
@@ -141,15 +143,15 @@ class ArcRecorder {
   }
   [[nodiscard]] const PushCurve& curve() const { return curve_; }
   [[nodiscard]] const std::string& limit() const { return limit_; }
-  [[nodiscard]] std::vector<Waypoint<2>> take_way() { return std::move(way_); }
+  [[nodiscard]] std::vector<Waypoint<D>> take_way() { return std::move(way_); }
 
  private:
-  const Push<2>& push_;
-  const PushOrder<2>& order_;
-  std::function<double(const State<2>&)> drift_;
+  const Push<D>& push_;
+  const PushOrder<D>& order_;
+  std::function<double(const State<D>&)> drift_;
   double first_place_ = 0, first_drift_ = 0;
   PushCurve curve_;
-  std::vector<Waypoint<2>> way_;
+  std::vector<Waypoint<D>> way_;
   std::string limit_;
 };
 
@@ -165,6 +167,11 @@ std::function<double(const State<2>&)> arc_drift(PlaneModel& m, const PushOrder<
     if (f.storeys[i].number == o.storey)
       return [&, i](const State<2>& s) { return storey_drift(model, s, f.storeys, f.base, i); };
   throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
+}
+
+std::function<double(const State<3>&)> arc_drift(SpaceModel& /*m*/, const PushOrder<3>& o, const Push<3>& push) {
+  if (o.storey != 0) throw InputError("pushover: storeys are of walls in the plane; leave 'storey' out");
+  return [&push](const State<3>& s) { return push_place(s, push); };
 }
 
 /// Ends of a path that its recorder did not ask for.
@@ -189,7 +196,7 @@ void set_limits(lua_State* L, const LoadPath& path) {
 }
 
 /// What broke and yielded on the way, in words.
-void set_happened(lua_State* L, const PlaneModel& m, const LoadPath& path) {
+void set_happened(lua_State* L, const ScriptModel& m, const LoadPath& path) {
   lua_createtable(L, static_cast<int>(path.events.size()), 0);
   for (std::size_t i = 0; i < path.events.size(); ++i) {
     lua_pushstring(L, m.text_of(path.events[i]).c_str());
@@ -199,45 +206,47 @@ void set_happened(lua_State* L, const PlaneModel& m, const LoadPath& path) {
 }
 
 /// The path's last equilibrium becomes the model's state, with the loads of there, so that it stands.
-void take_over(PlaneModel& m, State<2> state, std::vector<PointLoad<2>> loads, double factor) {
-  for (PointLoad<2>& load : loads) load.force *= factor;
-  m.change([&](Model<2>& model) {
+template <int D>
+void take_over(SimulatedModel<D>& m, State<D> state, std::vector<PointLoad<D>> loads, double factor) {
+  for (PointLoad<D>& load : loads) load.force *= factor;
+  m.change([&](Model<D>& model) {
     model.point_loads.insert(model.point_loads.end(), std::make_move_iterator(loads.begin()),
                              std::make_move_iterator(loads.end()));
   });
-  Simulation<2>& sim = m.simulation();
-  Snapshot<2> there = sim.snapshot();
+  Simulation<D>& sim = m.simulation();
+  Snapshot<D> there = sim.snapshot();
   there.state = std::move(state);
   sim.restore(there);
 }
 
 /// m:pushover{ control = "arc", ... }: by equilibria, past limit points (step/load_path.hpp).
-int push_by_arc(lua_State* L, PlaneModel& m, PushOrder<2>& o) {
-  const Simulation<2>& sim = m.evaluated();
+template <int D, class ModelOfScript>
+int push_by_arc(lua_State* L, ModelOfScript& m, PushOrder<D>& o) {
+  const Simulation<D>& sim = m.evaluated();
   const std::vector<std::string> names = load_names(sim.model());
   if (std::find(names.begin(), names.end(), o.stage.name) != names.end())
     throw InputError(fmt::format("pushover: there is a load or push '{}'; give another name", o.stage.name));
-  Push<2> push;
+  Push<D> push;
   push.rows = push_rows(sim.model(), o.bodies, o.at, o.pattern, o.direction), push.direction = o.direction;
-  LoadWay<2> way{unit_loads(sim.model(), o.stage.name, push), {}};
-  Model<2> model = sim.model();
+  LoadWay<D> way{unit_loads(sim.model(), o.stage.name, push), {}};
+  Model<D> model = sim.model();
   model.point_loads.insert(model.point_loads.end(), way.loads.begin(), way.loads.end());
-  ArcRecorder recorder(push, o, arc_drift(m, o, push));
-  LoadPathOptions how;
+  ArcRecorder<D> recorder(push, o, arc_drift(m, o, push));
+  LoadPathOptions<D> how;
   how.loads = o.stage.name;
   how.first = o.arc > 0 ? o.arc : 0.01 * o.displacement;
   how.longest = 5 * how.first, how.most_points = o.samples;
-  for (const PushRow<2>& row : push.rows)
-    for (const int k : {0, 1})
+  for (const PushRow<D>& row : push.rows)
+    for (int k = 0; k < D; ++k)
       if (push.direction[k] != 0) how.followed.push_back({{row.node, k}, row.weight * push.direction[k]});
-  how.goes_on = [&](const PathPoint& point, const State<2>& state) { return recorder.add(point, state); };
-  State<2> state = sim.state();
+  how.goes_on = [&](const PathPoint& point, const State<D>& state) { return recorder.add(point, state); };
+  State<D> state = sim.state();
   const LoadPath path = follow_loads(model, state, how);
   if (path.end == PathEnd::no_rest)
     throw InputError(
         "pushover: there is no rest to begin from; find it by m:consolidate{ integrator = \"static\" }, "
         "which tells what fails");
-  take_over(m, std::move(state), way.loads, path.points.back().factor);
+  take_over<D>(m, std::move(state), way.loads, path.points.back().factor);
   way.points = recorder.take_way();
   EquilibriumOptions rest;
   o.stage.duration = 1;  // none goes by
@@ -276,11 +285,10 @@ void require_stopped(const ScriptModel& m) {
 int push_in_space(lua_State* L, SpaceModel& m) {
   Keys keys(L, 2, "pushover");
   PushOrder<3> o = read_order<3>(keys, m);
-  const StageUntil until = read_until(keys, m);
-  if (o.by_arc) keys.problem("control = \"arc\" is of the plane alone so far; leave it out, and give 'rate'");
+  const StageUntil until = o.by_arc ? StageUntil{} : read_until(keys, m);
   keys.finish();
   require_stopped(m);
-  return push_by_time(L, m, o, until);
+  return o.by_arc ? push_by_arc(L, m, o) : push_by_time(L, m, o, until);
 }
 
 /// m:pushover{ body =, at =, direction =, pattern =, rate =, displacement =, drift =, storey =, drop =, ... }

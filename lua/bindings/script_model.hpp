@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "checkpoints.hpp"
@@ -46,6 +47,9 @@ struct StepNumbers {
   double speed = 0;  ///< fastest point of all moving bodies [m/s]
   double ratio = 0;  ///< unbalanced force over the largest carried one [1]
 };
+
+/// The way that loads have gone in a model of either dimension, or none.
+using AnyLoadWay = std::variant<std::monostate, const LoadWay<2>*, const LoadWay<3>*>;
 
 class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
  public:
@@ -145,7 +149,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   /// Runs a stage with `listener` wrapped by recording and observing; by `statics` one that takes no time, with the
   /// `way` that led to it.
   virtual StageReport run(const StageOptions& options, const ScriptListener& listener, Host& host,
-                          const EquilibriumOptions* statics = nullptr, const LoadWay<2>* way = nullptr) = 0;
+                          const EquilibriumOptions* statics = nullptr, AnyLoadWay way = {}) = 0;
   /// While the model is paused: further steps of its stage, up to `limit` or its end.
   virtual void run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) = 0;
   /// Runs the stage that rewind() has brought back to its end. InputError where there is none.

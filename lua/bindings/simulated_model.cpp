@@ -222,7 +222,7 @@ bool SimulatedModel<D>::apply_changes(Model<D>& model) {
 
 template <int D>
 StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListener& listener, Host& host,
-                                   const EquilibriumOptions* statics, const LoadWay<2>* way) {
+                                   const EquilibriumOptions* statics, AnyLoadWay way) {
   if (running_)
     throw InputError(fmt::format("{}: a stage runs already; begin the next one when it has ended", title()));
   Simulation<D>& s = simulation();
@@ -250,10 +250,8 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
   const auto go = [&] {
     const RunListener<D> all = listen_with(listener, host.observer);
     if (statics == nullptr) return s.run(options, all);
-    if constexpr (D == 2)
-      return s.settle(options, *statics, all, way);
-    else
-      return s.settle(options, *statics, all);
+    const auto* const own = std::get_if<const LoadWay<D>*>(&way);
+    return s.settle(options, *statics, all, own == nullptr ? nullptr : *own);
   };
   return guarded_run(go, host);
 }

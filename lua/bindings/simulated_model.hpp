@@ -64,7 +64,7 @@ class SimulatedModel : public ScriptModel {
   }
 
   StageReport run(const StageOptions& options, const ScriptListener& listener, Host& host,
-                  const EquilibriumOptions* statics, const LoadWay<2>* way) override;
+                  const EquilibriumOptions* statics, AnyLoadWay way) override;
   void run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) override;
   StageReport resume(const ScriptListener& listener, Host& host) override;
   double rewind(double time, Host& host) override;

@@ -18,10 +18,11 @@ void refuse_hinges(Keys& keys) {
 
 /// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
 void read_space_member(Keys& keys, SpaceMember& member) {
-  if (const auto* section = keys.maybe_handle<SectionValue>("section")) {
+  const auto* section = keys.maybe_handle<SectionValue>("section");
+  member.fibres = read_fibres(keys, section);
+  if (section != nullptr) {
     member.section = section->in_space;
     if (!section->not_in_space.empty()) keys.problem(section->not_in_space);
-    member.fibres = read_fibres(keys, *section);
   } else if (!keys.has("section")) {
     keys.missing("section", "a section such as trilith.rectangle_section{width =, depth =}");
   }

@@ -228,7 +228,7 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
 }
 
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how,
-                         const LoadWay<2>* way) {
+                         AnyLoadWay way) {
   Host& h = host(L);
   refuse_unread_arguments(h);
   return listen(L, model, h, [&](Handlers& /*handlers*/, const ScriptListener& listener) {

@@ -24,7 +24,7 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
 
 /// The same of a stage of statics, which takes no time.
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how,
-                         const LoadWay<2>* way = nullptr);
+                         AnyLoadWay way = {});
 
 /// The same of a stage that rewind has brought back.
 StageReport resume_stage(lua_State* L, ScriptModel& model);

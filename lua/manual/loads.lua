@@ -43,7 +43,7 @@ body          bodies           what is pushed
 at            place = "centroid"  a point {x, y} or the name of a place of one body; in space {x, y, z}
 direction     text = "x"       x, -x, y or -y; in space z or -z too
 pattern       text = "mass"    share of each body: mass, uniform or triangle
-control       text = "time"    "time": pushed steadily; "arc": by equilibria past limit points, in the plane
+control       text = "time"    "time": pushed steadily; "arc": by equilibria past limit points
 rate          number m/s?      how fast, by time
 arc           number m?        by arc: length of the first step; a hundredth of the displacement
 displacement  number m?        how far; or drift

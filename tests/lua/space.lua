@@ -169,8 +169,6 @@ says("'far' stands on nothing", function()
 end)
 says("'alpha' is -1, must be from -1/3 to 0",
   function() model():run { duration = 1, integrator = "implicit", alpha = -1 } end)
-says("control = \"arc\" is of the plane alone so far; leave it out, and give 'rate'",
-  function() model():pushover { body = "ground", control = "arc", displacement = 1 } end)
 
 -- Implicit steps, rest without time and modes.
 do

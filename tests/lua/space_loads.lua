@@ -99,3 +99,31 @@ says("release: body 'block' is free already in z, so there is nothing to let go"
 local ball = m:sphere { name = "ball", radius = 0.1, at = { 2, 2, 1 }, material = "stone", floating = true }
 says("pressure: no plane face of 'ball' looks to the top within 45 degrees",
   function() m:pressure { body = ball, face = "top", value = 1 } end)
+
+-- Pushed along its path of equilibria: two bars that snap through (von Mises), turned about the vertical. The force turns
+-- at the highest of 2 EA (L - l)/L h/l over the height h, and at the opposite of it.
+for _, angle in ipairs { 0, 0.7 } do
+  local s = trilith.model { name = "toggle", dim = 3, gravity = 0 }
+  s:material { name = "steel", density = 7850, E = 2e11, nu = 0 }
+  local x, y, section = math.cos(angle), math.sin(angle), trilith.rectangle_section { width = 0.02, depth = 0.02 }
+  local foot = { x = "fixed", y = "fixed", z = "fixed" }
+  s:frame { name = "toggle", material = "steel",
+    joints = { a = { at = { -x, -y, 0 }, support = foot }, c = { at = { x, y, 0 }, support = foot },
+      b = { at = { 0, 0, 0.1 }, support = { x = "fixed", y = "fixed", turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } } },
+    members = { { from = "a", to = "b", section = section, pinned = { "from", "to" }, divisions = 2 },
+      { from = "c", to = "b", section = section, pinned = { "from", "to" }, divisions = 2 } } }
+  local r = s:pushover { body = "toggle", at = { 0, 0, 0.1 }, direction = "-z", control = "arc", arc = 2e-4,
+    displacement = 0.21, samples = 2000 }
+  local length, highest = math.sqrt(1.01), 0
+  for i = 0, 1000 do
+    local h = 1e-4*i
+    local l = math.sqrt(1 + h*h)
+    highest = math.max(highest, 2*2e11*4e-4*(length - l)/length*h/l)
+  end
+  assert(#r.limits == 2 and r.limits[1].highest and not r.limits[2].highest)
+  assert(math.abs(r.limits[1].force/highest - 1) < 1e-3, r.limits[1].force)
+  assert(math.abs(r.limits[2].force/highest + 1) < 1e-3, r.limits[2].force)
+  local _, _, z = s:body "toggle":point "b"
+  assert(r.limit == "displacement" and z < -0.1, z)
+  s:close()
+end
