@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
 #include "draw/paint_order.hpp"
 #include "draw/scene_spheres.hpp"
+#include "draw/trimmed_ground.hpp"
 #include "results/placement.hpp"
 
 namespace trilith::draw {
@@ -42,77 +42,6 @@ SolidPiece piece_of(const Header& header, const Placement& at, int index) {
     if (face.normal.allFinite()) out.faces.push_back(std::move(face));
   }
   return out;
-}
-
-struct Box {
-  Vec3 low, high;
-};
-
-/// The box of nearly all free bodies, and as far again around it, but no larger than the box of all: beyond it ground
-/// is of no interest.
-std::optional<Box> box_of_free(const std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres,
-                               const Scene& scene) {
-  std::vector<double> along[3];
-  for (const SeenSphere& s : spheres)
-    if (scene.bodies[static_cast<std::size_t>(s.body)].role == BodyRole::free)
-      for (int k = 0; k < 3; ++k)
-        for (const double reach : {-s.radius, s.radius}) along[k].push_back(s.centre[k] + reach);
-  for (const SolidPiece& piece : pieces)
-    if (scene.bodies[static_cast<std::size_t>(piece.body)].role == BodyRole::free)
-      for (const PieceFace& face : piece.faces)
-        for (const Vec3& p : face.corners)
-          for (int k = 0; k < 3; ++k) along[k].push_back(p[k]);
-  if (along[0].empty()) return std::nullopt;
-  Box all, bulk;
-  for (int k = 0; k < 3; ++k) {
-    std::sort(along[k].begin(), along[k].end());
-    const auto last = static_cast<double>(along[k].size() - 1);
-    all.low[k] = along[k].front(), all.high[k] = along[k].back();
-    bulk.low[k] = along[k][static_cast<std::size_t>(0.04 * last)];
-    bulk.high[k] = along[k][static_cast<std::size_t>(0.96 * last)];
-  }
-  const Vec3 around = Vec3::Constant(0.5 * (bulk.high - bulk.low).maxCoeff());
-  return Box{all.low.cwiseMax(bulk.low - around), all.high.cwiseMin(bulk.high + around)};
-}
-
-bool is_held(const SolidPiece& piece, const Scene& scene) {
-  return scene.bodies[static_cast<std::size_t>(piece.body)].role != BodyRole::free;
-}
-
-/// Down to the ground that bodies in the air will fall on: the highest that lies below the box.
-void reach_ground(const std::vector<SolidPiece>& pieces, const Scene& scene, Box& box) {
-  double ground = -std::numeric_limits<double>::infinity();
-  for (const SolidPiece& piece : pieces) {
-    if (!is_held(piece, scene)) continue;
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const PieceFace& face : piece.faces)
-      for (const Vec3& p : face.corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    const bool beneath = low.x() < box.high.x() && high.x() > box.low.x() && low.y() < box.high.y() &&
-                         high.y() > box.low.y() && high.z() < box.low.z();
-    if (beneath) ground = std::max(ground, high.z());
-  }
-  if (std::isfinite(ground)) box.low.z() = ground;
-}
-
-/// Ground that reaches beyond the box by more than a border ends there; that depth is the least of what matters.
-void trim_ground(std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres, const Scene& scene) {
-  std::optional<Box> box = box_of_free(pieces, spheres, scene);
-  if (!box) return;
-  reach_ground(pieces, scene, *box);
-  const double size = (box->high - box->low).norm(), beside = 0.16 * size, below = 0.05 * size;
-  std::vector<SolidPiece> kept;
-  for (SolidPiece& piece : pieces) {
-    std::optional<SolidPiece> left = std::move(piece);
-    if (is_held(*left, scene))
-      for (int k = 0; k < 6 && left; ++k) {
-        const Vec3 normal = (k % 2 == 0 ? 1 : -1) * Vec3(Vec3::Unit(k / 2));
-        const double border = k / 2 == 2 ? below : beside;
-        const double end = border + (k % 2 == 0 ? box->high[k / 2] : -box->low[k / 2]);
-        left = divided(*left, {normal, end}, rounding * size, FaceKind::skin).first;
-      }
-    if (left) kept.push_back(std::move(*left));
-  }
-  pieces = std::move(kept);
 }
 
 /// Leaves out what is on the eye's side of the plane.
@@ -196,7 +125,7 @@ void set_outlines(const std::vector<SolidPiece>& pieces, const ViewAxes& view, S
 }  // namespace
 
 void add_solids(const Header& header, const Frame& frame, const SceneChoice& choice, const std::vector<bool>& left_out,
-                Scene& scene) {
+                const std::optional<SpaceBox>& around, Scene& scene) {
   const Placement at(header, frame);
   const ViewAxes view(choice.from);
   std::vector<SolidPiece> pieces;
@@ -210,7 +139,12 @@ void add_solids(const Header& header, const Frame& frame, const SceneChoice& cho
   if (pieces.empty() && spheres.empty())
     throw InputError("the results tell of no faces of their solids, so that there is nothing to draw");
   if (choice.cut) cut_away(pieces, *choice.cut, view), cut_away(spheres, *choice.cut, view);
-  trim_ground(pieces, spheres, scene);
+  if (around) {
+    const auto is_held = [&](const SolidPiece& piece) {
+      return scene.bodies[static_cast<std::size_t>(piece.body)].role != BodyRole::free;
+    };
+    pieces = trimmed_ground(std::move(pieces), is_held, *around);
+  }
   if (pieces.empty() && spheres.empty()) throw InputError("the cut leaves nothing to draw");
   pieces = paint_order(std::move(pieces), view);
   add_all_faces(pieces, spheres, view, scene);
@@ -224,7 +158,7 @@ void add_solid_ghosts(const Header& header, const Frame& start, const Frame& fra
   constexpr double least_share = 0.05;  // of a body's size, before it is worth a second outline
   const Placement before(header, start), now(header, frame);
   for (const BodyRow& body : header.bodies) {
-    if (body.support.find("free") == std::string::npos && !body.support.empty()) continue;
+    if (role_of(body.support) != BodyRole::free) continue;
     double moved = 0, size = 0;
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
       moved = std::max(moved, (now.vertex(v) - before.vertex(v)).norm());

@@ -123,10 +123,9 @@ std::vector<draw::Scene> scenes_of(const results::ResultsReader& reader, const D
   draw::SceneChoice choice = choice_of(options, reader.header().dim);
   const Window window = window_of(reader, options.stage, options.since);
   choice.origin = window.origin;  // what --at counts from, the caption does too
-  std::vector<draw::Scene> scenes;
-  for (const std::string& at : comma_list(options.at))
-    scenes.push_back(draw::results_scene(reader, time_of(reader, window, at), choice));
-  return scenes;
+  std::vector<double> times;
+  for (const std::string& at : comma_list(options.at)) times.push_back(time_of(reader, window, at));
+  return draw::results_scenes(reader, times, choice);
 }
 
 int draw(const DrawOptions& options) {
