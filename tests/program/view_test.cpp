@@ -139,12 +139,22 @@ m:shake { body = pier, x = trilith.motion "elcentro_1940_rest_ns.csv":scale { pg
   browse(here / "since.html", "counts_from_the_start_it_was_given");
 }
 
-TEST_CASE("the page of a model in space shows its solids, turns them by a drag and tells of the one that is clicked") {
+TEST_CASE("the page of a model in space shows solids and turns and cuts them and tells of the one that is clicked") {
   if (program_is_missing()) return;
   const testing::Folder here;
   testing::record_boxes(here / "solids.h5", testing::tumbling_boxes(), 11, 0.1);
   CHECK(ask(here.path, "view solids.h5").out == "solids.html\n");
-  browse(here / "solids.html", "plays_to_the_end shows_solids");
+  browse(here / "solids.html", "plays_to_the_end shows_solids cuts_solids");
+}
+
+TEST_CASE("the page of what flows far in space shows where it comes from and where it goes") {
+  if (program_is_missing()) return;
+  const testing::Folder here;
+  std::vector<testing::FlyingBox> boxes;
+  for (int i = 0; i < 20; ++i) boxes.push_back({{0.1, 0.1, 0.1}, {0.3 * i, 0, 0}, {10, 0, -4}});
+  testing::record_boxes(here / "flow.h5", boxes, 21, 0.1);
+  CHECK(ask(here.path, "view flow.h5").out == "flow.html\n");
+  browse(here / "flow.html", "shows_where_it_goes");
 }
 
 TEST_CASE("a run that is still being written, or was stopped, is viewed as far as it goes, and said so") {

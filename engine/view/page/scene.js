@@ -267,6 +267,9 @@ export class Scene {
     }
   }
 
+  /** Whether a place is cut away. */
+  isCut() { return false; }
+
   drawNames(theme) {
     const { run, context: c, camera } = this;
     c.font = "12px system-ui, sans-serif";
@@ -276,7 +279,7 @@ export class Scene {
     c.strokeStyle = theme.paper;
     c.fillStyle = theme.ink;
     for (const body of this.order) {
-      if (!body.free || Math.sqrt(body.area) * camera.scale < 24) continue;
+      if (!body.free || Math.sqrt(body.area) * camera.scale < 24 || this.isCut(this.middle(body))) continue;
       const [x, y] = camera.place(...this.middle(body));
       c.strokeText(body.name, x, y);
       c.fillText(body.name, x, y);
