@@ -260,10 +260,9 @@ void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
   const bool plane = reader.header().dim == 2;
   if (plane && choice.cut)
     throw InputError(fmt::format("'{}' is of a model in the plane, which cannot be cut", reader.path().string()));
-  if (!plane && (choice.cracks || !choice.stress.empty() || !choice.thrust.empty()))
+  if (!plane && (!choice.stress.empty() || !choice.thrust.empty()))
     throw InputError(
-        fmt::format("'{}' is of a model in space; cracks, stress and the line of thrust are drawn of models "
-                    "in the plane only",
+        fmt::format("'{}' is of a model in space; stress and the line of thrust are drawn of models in the plane only",
                     reader.path().string()));
 }
 
@@ -283,7 +282,8 @@ struct Moment {
 
 Moment moment_at(const ResultsReader& reader, double time, const SceneChoice& choice) {
   require_time(reader, time, choice.origin);
-  const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
+  const bool cracks = choice.cracks && reader.header().dim == 2;  // in space they follow from where bodies are
+  const bool whole = choice.forces || cracks || !choice.stress.empty() || !choice.thrust.empty();
   Frame frame = frame_for(reader, time, whole);
   if (choice.magnify != 1) magnify(reader.header(), frame, choice.magnify);
   std::vector<bool> left = left_bodies(reader, frame.time);
@@ -304,13 +304,36 @@ void add_words(const ResultsReader& reader, const Frame& frame, const SceneChoic
     scene.ghost_label = fmt::format("at t = {:.3g} s", reader.frame_times().front() - choice.origin.zero);
 }
 
-/// `around`: of a model in space, the box of what is free in all pictures of the figure.
+/// What pictures of one figure share, of a model in space.
+struct SharedSpace {
+  std::optional<SpaceBox> around;  ///< the box of what is free in all of them
+  std::vector<SolidJoint> joints;
+};
+
+/// Pairs of bodies that have lost some of their bond until `time`.
+BodyPairs lost_until(const ResultsReader& reader, double time) {
+  BodyPairs lost;
+  for (const results::EventRow& e : reader.events())
+    if (e.type.starts_with("bond.") && e.time <= time) lost.insert(std::minmax(e.body_a, e.body_b));
+  return lost;
+}
+
+void add_solids_at(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice,
+                   const SharedSpace& shared, Scene& scene) {
+  const Header& header = reader.header();
+  SolidsView shown{choice.from, choice.cut, shared.around};
+  if (!shared.joints.empty())
+    shown.cracks = solid_cracks(shared.joints, results::Placement(header, moment.frame),
+                                lost_until(reader, moment.frame.time), moment.left);
+  add_solids(header, moment.frame, shown, moment.left, scene);
+  if (choice.ghost) add_solid_ghosts(header, reader.frame(0), moment.frame, ViewAxes(choice.from), scene);
+}
+
 Scene scene_of(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice,
-               const std::optional<SpaceBox>& around) {
+               const SharedSpace& shared) {
   const Header& header = reader.header();
   const Frame& frame = moment.frame;
-  const ViewAxes view(choice.from);
-  const Flatten flat = flatten_for(header, view);
+  const Flatten flat = flatten_for(header, ViewAxes(choice.from));
   Scene scene;
   add_words(reader, frame, choice, scene);
   add_bodies(header, frame, scene);
@@ -318,8 +341,7 @@ Scene scene_of(const ResultsReader& reader, const Moment& moment, const SceneCho
   if (!header.bearings.empty()) add_bearings(header, frame, flat, scene);
   if (choice.forces) add_forces(header, frame, flat, scene);
   if (header.dim == 3) {
-    add_solids(header, frame, choice, moment.left, around, scene);
-    if (choice.ghost) add_solid_ghosts(header, reader.frame(0), frame, view, scene);
+    add_solids_at(reader, moment, choice, shared, scene);
     return scene;
   }
   add_findings(header, frame, choice, moment.left, scene);
@@ -347,15 +369,17 @@ std::vector<Scene> results_scenes(const ResultsReader& reader, const std::vector
                                   const SceneChoice& choice) {
   check_choice(reader, choice);
   std::vector<Moment> moments;
-  std::optional<SpaceBox> around;
+  const Header& header = reader.header();
+  SharedSpace shared;
+  if (header.dim == 3 && choice.cracks) shared.joints = solid_joints(header);
   for (const double time : times) {
     moments.push_back(moment_at(reader, time, choice));
-    if (reader.header().dim < 3) continue;
-    const results::Placement at(reader.header(), moments.back().frame);
-    around = joined(around, box_of_free(reader.header(), at, moments.back().left));
+    if (header.dim < 3) continue;
+    const results::Placement at(header, moments.back().frame);
+    shared.around = joined(shared.around, box_of_free(header, at, moments.back().left));
   }
   std::vector<Scene> scenes;
-  for (const Moment& moment : moments) scenes.push_back(scene_of(reader, moment, choice, around));
+  for (const Moment& moment : moments) scenes.push_back(scene_of(reader, moment, choice, shared));
   return scenes;
 }
 

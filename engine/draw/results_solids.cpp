@@ -60,7 +60,17 @@ double light_on(const Vec3& normal, const ViewAxes& view) {
   return 0.5 + 0.5 * normal.dot(from);
 }
 
-void add_faces(const SolidPiece& piece, const ViewAxes& view, Scene& scene) {
+/// Of each body its cracks.
+std::vector<std::vector<const SolidCrack*>> by_body(const std::vector<SolidCrack>& cracks, std::size_t bodies) {
+  std::vector<std::vector<const SolidCrack*>> out(bodies);
+  for (const SolidCrack& crack : cracks) out[static_cast<std::size_t>(crack.body)].push_back(&crack);
+  return out;
+}
+
+/// `cracks`: of the piece's body. Those of bodies a little set back from each other count as on their faces.
+void add_faces(const SolidPiece& piece, const std::vector<const SolidCrack*>& cracks, const ViewAxes& view,
+               Scene& scene) {
+  const double slack = 2e-3 * piece_size(piece);
   for (const PieceFace& face : piece.faces) {
     if (face.kind == FaceKind::border || face.normal.dot(view.toward) <= rounding) continue;
     SceneFace seen;
@@ -69,6 +79,7 @@ void add_faces(const SolidPiece& piece, const ViewAxes& view, Scene& scene) {
     seen.light = light_on(face.normal, view);
     seen.body = piece.body;
     seen.is_section = face.kind == FaceKind::section;
+    for (const SolidCrack* crack : cracks) add_cracks_on(face, *crack, slack, view, seen.cracks);
     scene.faces.push_back(std::move(seen));
   }
 }
@@ -80,14 +91,15 @@ void cut_away(std::vector<SeenSphere>& spheres, CutPlane plane, const ViewAxes& 
 }
 
 /// Pieces in their order, and spheres where they come among them.
-void add_all_faces(const std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres, const ViewAxes& view,
-                   Scene& scene) {
+void add_all_faces(const std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres,
+                   const std::vector<SolidCrack>& cracks, const ViewAxes& view, Scene& scene) {
+  const auto own_cracks = by_body(cracks, scene.bodies.size());
   const std::vector<SpherePlace> places = sphere_places(spheres, pieces, view);
   auto next = places.begin();
   for (std::size_t i = 0; i <= pieces.size(); ++i) {
     for (; next != places.end() && next->pieces_before <= i; ++next)
       scene.faces.push_back(sphere_face(spheres[next->sphere], view));
-    if (i < pieces.size()) add_faces(pieces[i], view, scene);
+    if (i < pieces.size()) add_faces(pieces[i], own_cracks[static_cast<std::size_t>(pieces[i].body)], view, scene);
   }
 }
 
@@ -124,10 +136,10 @@ void set_outlines(const std::vector<SolidPiece>& pieces, const ViewAxes& view, S
 
 }  // namespace
 
-void add_solids(const Header& header, const Frame& frame, const SceneChoice& choice, const std::vector<bool>& left_out,
-                const std::optional<SpaceBox>& around, Scene& scene) {
+void add_solids(const Header& header, const Frame& frame, const SolidsView& shown, const std::vector<bool>& left_out,
+                Scene& scene) {
   const Placement at(header, frame);
-  const ViewAxes view(choice.from);
+  const ViewAxes view(shown.from);
   std::vector<SolidPiece> pieces;
   for (std::size_t i = 0; i < header.bodies.size(); ++i) {
     SolidPiece solid = piece_of(header, at, static_cast<int>(i));
@@ -138,16 +150,16 @@ void add_solids(const Header& header, const Frame& frame, const SceneChoice& cho
   std::vector<SeenSphere> spheres = seen_spheres(header, at, left_out);
   if (pieces.empty() && spheres.empty())
     throw InputError("the results tell of no faces of their solids, so that there is nothing to draw");
-  if (choice.cut) cut_away(pieces, *choice.cut, view), cut_away(spheres, *choice.cut, view);
-  if (around) {
+  if (shown.cut) cut_away(pieces, *shown.cut, view), cut_away(spheres, *shown.cut, view);
+  if (shown.around) {
     const auto is_held = [&](const SolidPiece& piece) {
       return scene.bodies[static_cast<std::size_t>(piece.body)].role != BodyRole::free;
     };
-    pieces = trimmed_ground(std::move(pieces), is_held, *around);
+    pieces = trimmed_ground(std::move(pieces), is_held, *shown.around);
   }
   if (pieces.empty() && spheres.empty()) throw InputError("the cut leaves nothing to draw");
   pieces = paint_order(std::move(pieces), view);
-  add_all_faces(pieces, spheres, view, scene);
+  add_all_faces(pieces, spheres, shown.cracks, view, scene);
   set_outlines(pieces, view, scene);
   static constexpr const char* names[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) scene.axes.push_back({names[k], view.flat(Vec3::Unit(k))});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "draw/scene_marks.hpp"
+
 namespace trilith::draw {
 namespace {
 
@@ -27,6 +29,20 @@ void draw_edges(Canvas& canvas, const std::vector<PagePoint>& points, const std:
     for (std::size_t k = i; is_edge[k % count] && line.size() <= count; ++k) line.push_back(points[(k + 1) % count]);
     canvas.polyline(std::move(line), stroke);
   }
+}
+
+void draw_flat_face(Canvas& canvas, const SceneFace& face, const Colour& fill, const std::vector<PagePoint>& points,
+                    const Stroke& edge) {
+  const bool whole = std::find(face.is_edge.begin(), face.is_edge.end(), false) == face.is_edge.end();
+  if (face.is_section) {
+    canvas.polygon(points, fill, std::nullopt);
+    canvas.hatch(points, section_hatch_degrees, section_hatch_spacing, {palette().quiet_ink, 0.25});
+  }
+  const auto inside = face.is_section ? std::nullopt : std::optional<Colour>(fill);
+  if (whole) return canvas.polygon(points, inside, edge);
+  // A seam of the same colour closes the hair between parts of one face.
+  if (!face.is_section) canvas.polygon(points, fill, Stroke{fill, 0.25});
+  draw_edges(canvas, points, face.is_edge, edge);
 }
 
 constexpr double longest_arrow = 17, axes_room = 9;  // of the axes, and about them for their names [pt]
@@ -96,21 +112,9 @@ void draw_faces(Canvas& canvas, const Scene& scene, FaceRange range, const Scene
       canvas.ball(page.place(face.centre), page.scale * face.radius, lit(own, 1), lit(own, -0.2));
       continue;
     }
-    const Colour fill = lit(body_fill(view, body), face.light);
-    const Stroke edge{body.role == BodyRole::free ? palette().outline : palette().ground_outline, edge_width};
-    const bool whole = std::find(face.is_edge.begin(), face.is_edge.end(), false) == face.is_edge.end();
-    if (face.is_section) {
-      canvas.polygon(points, fill, std::nullopt);
-      canvas.hatch(points, section_hatch_degrees, section_hatch_spacing, {palette().quiet_ink, 0.25});
-    }
-    const auto inside = face.is_section ? std::nullopt : std::optional<Colour>(fill);
-    if (whole) {
-      canvas.polygon(std::move(points), inside, edge);
-      continue;
-    }
-    // A seam of the same colour closes the hair between parts of one face.
-    if (!face.is_section) canvas.polygon(points, fill, Stroke{fill, 0.25});
-    draw_edges(canvas, points, face.is_edge, edge);
+    draw_flat_face(canvas, face, lit(body_fill(view, body), face.light), points,
+                   {body.role == BodyRole::free ? palette().outline : palette().ground_outline, edge_width});
+    for (const SceneCrack& c : face.cracks) draw_crack(canvas, page.place(c.a), page.place(c.b), c.mark);
   }
 }
 

@@ -125,8 +125,12 @@ LegendItem line_item(const std::string& text) {
 }
 
 bool has_crack(const std::vector<Scene>& scenes, CrackMark mark) {
+  const auto is_among = [mark](const std::vector<SceneCrack>& cracks) {
+    return std::any_of(cracks.begin(), cracks.end(), [&](const SceneCrack& c) { return c.mark == mark; });
+  };
   return std::any_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
-    return std::any_of(scene.cracks.begin(), scene.cracks.end(), [&](const SceneCrack& c) { return c.mark == mark; });
+    return is_among(scene.cracks) || std::any_of(scene.faces.begin(), scene.faces.end(),
+                                                 [&](const SceneFace& face) { return is_among(face.cracks); });
   });
 }
 

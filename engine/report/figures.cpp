@@ -149,9 +149,11 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
     return;
   }
   draw::SceneChoice choice;
+  // In space they follow from where bodies are.
   choice.cracks =
-      !source.header.joints.empty() && std::any_of(source.header.fields.begin(), source.header.fields.end(),
-                                                   [](const results::Field& f) { return f.name == "joint_damage"; });
+      source.header.dim == 3 ||
+      (!source.header.joints.empty() && std::any_of(source.header.fields.begin(), source.header.fields.end(),
+                                                    [](const results::Field& f) { return f.name == "joint_damage"; }));
   choice.origin = source.origin;
   const std::vector<Moment> moments = key_moments(source);
   std::vector<double> times;

@@ -166,7 +166,8 @@ void add_draw(CLI::App& app, int& code) {
       ->type_name("FILE");
   verb->add_flag("--forces", o->forces, "contact forces");
   verb->add_flag("--ghost", o->ghost, "where the bodies stood at the start");
-  verb->add_flag("--cracks", o->cracks, "joints that have lost their bond, by how far they are open, or slid");
+  verb->add_flag("--cracks", o->cracks,
+                 "joints that have lost their bond, and dry ones, by how far they are open, or slid");
   verb->add_option("--stress", o->stress,
                    "colour bodies by their mean stress: smaller or larger principal, or a component")
       ->check(CLI::IsMember(draw::stress_names()));
