@@ -282,8 +282,7 @@ struct Moment {
 
 Moment moment_at(const ResultsReader& reader, double time, const SceneChoice& choice) {
   require_time(reader, time, choice.origin);
-  const bool cracks = choice.cracks && reader.header().dim == 2;  // in space they follow from where bodies are
-  const bool whole = choice.forces || cracks || !choice.stress.empty() || !choice.thrust.empty();
+  const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
   Frame frame = frame_for(reader, time, whole);
   if (choice.magnify != 1) magnify(reader.header(), frame, choice.magnify);
   std::vector<bool> left = left_bodies(reader, frame.time);
@@ -310,12 +309,13 @@ struct SharedSpace {
   std::vector<SolidJoint> joints;
 };
 
-/// Pairs of bodies that have lost some of their bond until `time`.
-BodyPairs lost_until(const ResultsReader& reader, double time) {
-  BodyPairs lost;
+PairBonds bonds_at(const ResultsReader& reader, const Frame& frame) {
+  PairBonds bonds;
   for (const results::EventRow& e : reader.events())
-    if (e.type.starts_with("bond.") && e.time <= time) lost.insert(std::minmax(e.body_a, e.body_b));
-  return lost;
+    if (e.type.starts_with("bond.") && e.time <= frame.time) bonds.lost.insert(std::minmax(e.body_a, e.body_b));
+  for (const results::ContactForce& c : frame.contacts)
+    if (c.state == results::ContactState::bonded) bonds.held.insert(std::minmax(c.body_a, c.body_b));
+  return bonds;
 }
 
 void add_solids_at(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice,
@@ -323,8 +323,8 @@ void add_solids_at(const ResultsReader& reader, const Moment& moment, const Scen
   const Header& header = reader.header();
   SolidsView shown{choice.from, choice.cut, shared.around};
   if (!shared.joints.empty())
-    shown.cracks = solid_cracks(shared.joints, results::Placement(header, moment.frame),
-                                lost_until(reader, moment.frame.time), moment.left);
+    shown.cracks = solid_cracks(shared.joints, results::Placement(header, moment.frame), bonds_at(reader, moment.frame),
+                                moment.left);
   add_solids(header, moment.frame, shown, moment.left, scene);
   if (choice.ghost) add_solid_ghosts(header, reader.frame(0), moment.frame, ViewAxes(choice.from), scene);
 }

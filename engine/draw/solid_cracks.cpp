@@ -37,7 +37,7 @@ void add_within(const PieceFace& face, const Vec3& from, const Vec3& to, CrackMa
 }  // namespace
 
 std::vector<SolidCrack> solid_cracks(const std::vector<SolidJoint>& joints, const results::Placement& at,
-                                     const BodyPairs& lost, const std::vector<bool>& left_out) {
+                                     const PairBonds& bonds, const std::vector<bool>& left_out) {
   std::vector<SolidCrack> out;
   for (const SolidJoint& joint : joints) {
     const int a = joint.a.body, b = joint.b.body;
@@ -45,7 +45,9 @@ std::vector<SolidCrack> solid_cracks(const std::vector<SolidJoint>& joints, cons
     const SolidJointMotion motion = motion_of(joint, at);
     const double most = std::max(motion.opening, motion.slip);
     if (most > joint.size) continue;
-    if (!lost.contains(std::minmax(a, b)) && !(did_touch(joint) && most > least_crack)) continue;
+    const std::pair<int, int> pair = std::minmax(a, b);
+    const bool is_open = did_touch(joint) && most > least_crack && !bonds.held.contains(pair);
+    if (!is_open && !bonds.lost.contains(pair)) continue;
     const CrackMark mark = crack_mark(motion.opening, motion.slip);
     for (const SolidJoint::Side& side : {joint.a, joint.b}) out.push_back({side.body, corners_of(side, at), mark});
   }

@@ -19,13 +19,16 @@ struct SolidCrack {
   CrackMark mark = CrackMark::opened;
 };
 
-/// Pairs of bodies, the smaller number first.
-using BodyPairs = std::set<std::pair<int, int>>;
+/// Pairs of bodies, the smaller number first: those that have lost some of their bond, and those with a bond now.
+struct PairBonds {
+  std::set<std::pair<int, int>> lost, held;
+};
 
-/// Joints of the pairs `lost`, and those of faces that touched at the start and are open, or have slid, by least_crack;
-/// two for each, one for each body. A joint that is farther open than it is long is none any more.
+/// Joints of pairs that have lost some of their bond, and of pairs without one those whose faces touched at the start
+/// and are open, or have slid, by least_crack; two for each, one for each body. A joint that is farther open than it is
+/// long is none any more.
 std::vector<SolidCrack> solid_cracks(const std::vector<SolidJoint>& joints, const results::Placement& at,
-                                     const BodyPairs& lost, const std::vector<bool>& left_out);
+                                     const PairBonds& bonds, const std::vector<bool>& left_out);
 
 /// What is seen of a crack on a face of its body: sides that lie on the face, and where a section goes through it.
 /// `slack` [m]: how far off the face still counts.

@@ -149,7 +149,7 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
     return;
   }
   draw::SceneChoice choice;
-  // In space they follow from where bodies are.
+  // In space joints are found from faces.
   choice.cracks =
       source.header.dim == 3 ||
       (!source.header.joints.empty() && std::any_of(source.header.fields.begin(), source.header.fields.end(),

@@ -31,11 +31,11 @@ Made made_of(const std::vector<FlyingBox>& boxes) {
   return {reader.header(), reader.frame(1)};
 }
 
-std::vector<CrackMark> marks_after(const Vec3& way, const BodyPairs& lost = {}) {
+std::vector<CrackMark> marks_after(const Vec3& way, const PairBonds& bonds = {}) {
   const Made made = made_of(two_stones(way));
   std::vector<CrackMark> out;
   for (const SolidCrack& crack :
-       solid_cracks(solid_joints(made.header), results::Placement(made.header, made.frame), lost, {false, false}))
+       solid_cracks(solid_joints(made.header), results::Placement(made.header, made.frame), bonds, {false, false}))
     out.push_back(crack.mark);
   return out;
 }
@@ -102,7 +102,9 @@ TEST_CASE("cracks of solids have the classes of those in the plane and bonded on
   CHECK(marks_after({1e-3, 0, 3e-3}) == twice(CrackMark::opened));
   CHECK(marks_after({0, 0, 3e-2}) == twice(CrackMark::wide));
   CHECK(marks_after({0, -2e-3, 1e-4}) == twice(CrackMark::slid));
-  CHECK(marks_after({0, 0, 5e-5}, {{0, 1}}) == twice(CrackMark::fine));
+  CHECK(marks_after({0, 0, 5e-5}, {{{0, 1}}, {}}) == twice(CrackMark::fine));
+  CHECK(marks_after({0, 0, 5e-4}, {{}, {{0, 1}}}) == Marks{});
+  CHECK(marks_after({0, 0, 5e-4}, {{{0, 1}}, {{0, 1}}}) == twice(CrackMark::fine));
   CHECK(marks_after({0, 0, 3}) == Marks{});  // no neighbours any more
 }
 
