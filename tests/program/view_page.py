@@ -291,6 +291,31 @@ def cuts_solids(page):
     assert not page.ask("trilith.scene.cut.isThere") and page.ask("document.getElementById('cut-place').hidden")
 
 
+def shows_cracks_of_solids(page):
+    """Joints that have lost their bond are drawn in the colour of their mode, where a solid does not hide them, once they have."""
+    colours = page.ask("[...new Set(trilith.run.joints.map(j => j.mode))].map(m => ({ tension: [208, 58, 0], shear: [138, 63, 252] })[m])")
+    assert colours and all(colours), colours
+    count = """(colours => {
+      trilith.draw();
+      const { gl, canvas } = trilith.scene, all = new Uint8Array(4 * canvas.width * canvas.height);
+      gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+      let found = 0;
+      for (let i = 0; i < all.length; i += 4) if (colours.some(c => c.every((v, k) => Math.abs(v - all[i + k]) < 3))) found++;
+      return found;
+    })(%s)""" % colours
+    page.keys(Keys.HOME)
+    page.until("trilith.player.time === trilith.run.begin && !trilith.waiting")
+    assert page.ask(count) == 0
+    page.keys(Keys.END)
+    page.until("trilith.player.time === trilith.run.end && !trilith.waiting")
+    shown = page.ask(count)
+    assert shown > 100, shown
+    assert "crack" in page.text("#legend"), page.text("#legend")
+    page.picture("cracks")
+    page.click("#show-cracks")
+    assert page.ask(count) == 0
+
+
 def shows_where_it_goes(page):
     for key in (Keys.HOME, Keys.END):
         page.keys(key)

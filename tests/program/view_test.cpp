@@ -147,6 +147,26 @@ TEST_CASE("the page of a model in space shows solids and turns and cuts them and
   browse(here / "solids.html", "plays_to_the_end shows_solids cuts_solids");
 }
 
+TEST_CASE("the page of a wall in space shows its cracks once they are there") {
+  if (program_is_missing()) return;
+  const testing::Folder here;
+  std::ofstream(here / "stones.lua") << R"lua(
+local trilith = require "trilith"
+local m = trilith.model { name = "stones", dim = 3 }
+m:material { name = "stone", density = 2200 }
+m:contact { between = { "*", "*" }, law = trilith.bonded { kn = 5e8, ks = 2e8, mu = 0.6, beta = 1e-4, tension = 1e4, cohesion = 1.5e4 } }
+m:wall { name = "wall", length = 1.2, unit_length = 0.4, unit_height = 0.2, thickness = 0.2, courses = 6, slab_height = 0,
+  base_height = 0.3, base_margin = 1, material = "stone", fixed = "base" }
+m:results { file = "stones.h5", frames = 0.05 }
+m:consolidate { duration = 5, fresh = true }
+m:shake { body = "wall.base", y = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = 12 }, duration = 2 }
+)lua";
+  const Said run = ask(here.path, "run stones.lua --quiet");
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  CHECK(ask(here.path, "view stones.h5").out == "stones.html\n");
+  browse(here / "stones.html", "shows_cracks_of_solids");
+}
+
 TEST_CASE("the page of what flows far in space shows where it comes from and where it goes") {
   if (program_is_missing()) return;
   const testing::Folder here;

@@ -1,6 +1,6 @@
 // Draws a model in space: solids by WebGL, and marks, forces and the selection on a canvas over it.
 import { Cut } from "./cut.js";
-import { Scene } from "./scene.js";
+import { Scene, crackColour } from "./scene.js";
 import { ballPixelCode, ballVertexCode, pixelCode, vertexCode } from "./space_shaders.js";
 
 /** #rrggbb, or rgb(r, g, b) as style sheets give it, to three numbers up to 1. */
@@ -110,6 +110,7 @@ export class SpaceScene extends Scene {
     this.drawFaces();
     this.drawList(gl.LINES, this.edges, [...shares(theme.outline), 1]);
     this.drawSectionOutlines(theme);
+    if (this.show.cracks) this.drawSolidCracks(time, theme);
     this.drawSpheres();
     if (this.show.start) {
       this.upload(this.startX, this.startY, this.startZ);
@@ -196,11 +197,35 @@ export class SpaceScene extends Scene {
     this.drawPoints(this.gl.LINES, this.cut.outlines(this.run), [...shares(theme.outline), 1]);
   }
 
-  /** Points that lie in the cut, which takes none of them away. */
-  drawPoints(kind, points, line) {
+  /** The outlines of joints that have lost their bond, over the edges of solids. */
+  drawSolidCracks(time, theme) {
+    for (const mode of new Set(this.run.joints.map((joint) => joint.mode)))
+      this.drawPoints(this.gl.TRIANGLES, this.ribbons(time, mode), [...shares(crackColour(mode, theme)), 1], this.cut.plane());
+  }
+
+  /** Both triangles of each side of those joints, as wide on the canvas wherever they lie. */
+  ribbons(time, mode) {
+    const { run, camera } = this, points = [], nearer = 1 / camera.scale;
+    for (const joint of run.joints) {
+      if (joint.mode !== mode || joint.event.time > time || !run.isThere(run.bodies[joint.body])) continue;
+      const half = (joint.broken ? 1.3 : 0.7) / camera.scale, outline = run.outlineOf(joint);
+      outline.forEach((b, i) => {
+        const a = outline[(i || outline.length) - 1], way = b.map((v, k) => v - a[k]);
+        const right = way.reduce((s, v, k) => s + v * camera.right[k], 0), up = way.reduce((s, v, k) => s + v * camera.up[k], 0);
+        const long = Math.hypot(right, up) || 1;
+        const aside = way.map((_, k) => (half * (right * camera.up[k] - up * camera.right[k])) / long);
+        const at = (p, s) => p.map((v, k) => v + s * aside[k] + nearer * camera.toward[k]);
+        points.push(...at(a, -1), ...at(b, -1), ...at(b, 1), ...at(a, -1), ...at(b, 1), ...at(a, 1));
+      });
+    }
+    return points;
+  }
+
+  /** Points of their own. Those that lie in the cut are not to be taken away by it: no plane then. */
+  drawPoints(kind, points, line, plane = [0, 0, 0, 0]) {
     const { gl, cut } = this;
     if (!points.length) return;
-    gl.uniform4f(this.at("cut"), 0, 0, 0, 0);
+    gl.uniform4fv(this.at("cut"), plane);
     this.setLine(line);
     for (const place of [1, 2]) gl.disableVertexAttribArray(place);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.sectionBuffer);
