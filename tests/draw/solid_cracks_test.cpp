@@ -40,7 +40,7 @@ std::vector<CrackMark> marks_after(const Vec3& way, const PairBonds& bonds = {})
   return out;
 }
 
-Scene picture_of(const Vec3& way, std::optional<CutPlane> cut, const char* from) {
+Scene picture_of(const Vec3& way, const std::optional<CutPlane>& cut, const char* from) {
   const Folder folder;
   record_boxes(folder / "run.h5", two_stones(way), 2, 1, false);
   SceneChoice choice;
@@ -51,7 +51,7 @@ Scene picture_of(const Vec3& way, std::optional<CutPlane> cut, const char* from)
 }
 
 /// Cracks on the faces of a picture from the front, in which x is to the right and z upwards.
-std::vector<SceneCrack> cracks_from_front(const Vec3& way, std::optional<CutPlane> cut) {
+std::vector<SceneCrack> cracks_from_front(const Vec3& way, const std::optional<CutPlane>& cut) {
   std::vector<SceneCrack> out;
   for (const SceneFace& face : picture_of(way, cut, "front").faces)
     out.insert(out.end(), face.cracks.begin(), face.cracks.end());
