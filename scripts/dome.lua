@@ -17,7 +17,8 @@ m:material { name = "stone", density = 2000 }
 local side = R*math.pi/2/p.rings
 local beta = 2*0.1/math.sqrt(p.kn/(2000*side)) -- 10 % of critical for a stone on its bed
 m:contact { between = { "*", "*" }, law = trilith.frictional { kn = p.kn, ks = 0.5*p.kn, mu = p.mu, beta = beta } }
-m:block { name = "ground", size = { 4*R, 4*R, 0.5 }, at = { -2*R, -2*R, -1.5 }, material = "stone", support = "fixed" }
+m:block { name = "ground", size = { 4*R, 4*R, 0.5 }, at = { -2*R, -2*R, -1.5 }, material = "stone", support = "fixed",
+          groups = { "ground" } }
 local dome = m:dome { name = "dome", radius = R, thickness = t, rings = p.rings, sectors = n, material = "stone" }
 local ring = {}
 for k = 1, n do -- one stone of the springing ring under each sector, between the same two planes through the axis
@@ -29,7 +30,8 @@ for k = 1, n do -- one stone of the springing ring under each sector, between th
       end
     end
   end
-  ring[k] = m:hull { name = "springing " .. k, points = points, material = "stone", support = "fixed" }
+  ring[k] = m:hull { name = "springing " .. k, points = points, material = "stone", support = "fixed",
+                   groups = { "springing" } }
 end
 print(("%d stones, %.1f t, t/R = %g"):format(#dome, 1e-3*dome.mass, p.t))
 

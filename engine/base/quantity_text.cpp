@@ -49,7 +49,7 @@ constexpr std::array<Prefixable, 14> prefixable = {{{"N", 12},
                                                     {"s", 0}}};
 
 std::string spelled(std::string_view unit) {
-  std::string out(unit);
+  std::string out(unit == "1" ? "" : unit);
   for (std::size_t at = out.find('*'); at != std::string::npos; at = out.find('*')) out.replace(at, 1, "·");
   for (const auto& [plain, raised] : {std::pair{"^2", "²"}, std::pair{"^3", "³"}})
     for (std::size_t at = out.find(plain); at != std::string::npos; at = out.find(plain)) out.replace(at, 2, raised);

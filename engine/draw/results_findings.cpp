@@ -12,6 +12,7 @@
 #include "base/nearest.hpp"
 #include "base/portable.hpp"
 #include "base/rotation_3d.hpp"
+#include "draw/crack_mark.hpp"
 #include "results/placement.hpp"
 
 namespace trilith::draw {
@@ -139,11 +140,7 @@ void add_cracks(const Header& header, const Frame& frame, const std::vector<bool
     };
     const double length = portable::hypot(joint.end_1[0] - joint.end_0[0], joint.end_1[1] - joint.end_0[1]);
     if (std::max(opening[j], std::abs(slip[j])) > length) continue;  // the two are no longer neighbours
-    const CrackMark mark = opening[j] < std::abs(slip[j]) ? CrackMark::slid
-                           : opening[j] <= fine_crack     ? CrackMark::fine
-                           : opening[j] <= wide_crack     ? CrackMark::opened
-                                                          : CrackMark::wide;
-    scene.cracks.push_back({end(joint.end_0), end(joint.end_1), mark});
+    scene.cracks.push_back({end(joint.end_0), end(joint.end_1), crack_mark(opening[j], slip[j])});
   }
 }
 

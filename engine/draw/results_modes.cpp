@@ -154,7 +154,8 @@ Scene mode_scene(const results::ResultsReader& reader, const ModeRow& mode, doub
   if (header.dim == 2) return scene_of_mode(header, mode, magnify, gone);
   const Frame stood = moved(header, mode, 0), now = moved(header, mode, magnify * mode_scale(header, mode));
   Scene scene = titled(plain_scene(header, now), mode);
-  add_solids(header, now, choice, gone, scene);
+  const std::optional<SpaceBox> around = box_of_free(header, results::Placement(header, now), gone);
+  add_solids(header, now, {choice.from, choice.cut, around}, gone, scene);
   add_solid_ghosts(header, stood, now, ViewAxes(choice.from), scene);
   scene.ghost_label = "as it stood";
   return scene;

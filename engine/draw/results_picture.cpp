@@ -24,11 +24,6 @@ using results::ResultsReader;
 
 namespace {
 
-BodyRole role_of(const std::string& support) {
-  if (support.find("free") != std::string::npos || support.empty()) return BodyRole::free;
-  return support.find("moved") != std::string::npos ? BodyRole::moved_ground : BodyRole::fixed_ground;
-}
-
 /// Few grounds are told apart by name and hatch; other bodies have the colour of their first group, else material.
 constexpr int few_grounds = 3;
 
@@ -244,6 +239,11 @@ std::vector<results::EventRow> events_of_note(const ResultsReader& reader) {
   return out;
 }
 
+BodyRole role_of(const std::string& support) {
+  if (support.find("free") != std::string::npos || support.empty()) return BodyRole::free;
+  return support.find("moved") != std::string::npos ? BodyRole::moved_ground : BodyRole::fixed_ground;
+}
+
 const std::vector<std::string>& colour_names() {
   static const std::vector<std::string> names{"group", "displacement", "speed"};
   return names;
@@ -260,10 +260,9 @@ void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
   const bool plane = reader.header().dim == 2;
   if (plane && choice.cut)
     throw InputError(fmt::format("'{}' is of a model in the plane, which cannot be cut", reader.path().string()));
-  if (!plane && (choice.cracks || !choice.stress.empty() || !choice.thrust.empty()))
+  if (!plane && (!choice.stress.empty() || !choice.thrust.empty()))
     throw InputError(
-        fmt::format("'{}' is of a model in space; cracks, stress and the line of thrust are drawn of models "
-                    "in the plane only",
+        fmt::format("'{}' is of a model in space; stress and the line of thrust are drawn of models in the plane only",
                     reader.path().string()));
 }
 
@@ -275,6 +274,85 @@ void add_findings(const Header& header, const Frame& frame, const SceneChoice& c
   if (!choice.thrust.empty()) add_thrust_line(header, frame, choice.thrust, scene);
 }
 
+/// A moment to be drawn: the run then, and the bodies that are left out.
+struct Moment {
+  Frame frame;
+  std::vector<bool> left;
+};
+
+Moment moment_at(const ResultsReader& reader, double time, const SceneChoice& choice) {
+  require_time(reader, time, choice.origin);
+  const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
+  Frame frame = frame_for(reader, time, whole);
+  if (choice.magnify != 1) magnify(reader.header(), frame, choice.magnify);
+  std::vector<bool> left = left_bodies(reader, frame.time);
+  return {std::move(frame), std::move(left)};
+}
+
+/// Time and title, and what there is to say.
+void add_words(const ResultsReader& reader, const Frame& frame, const SceneChoice& choice, Scene& scene) {
+  scene.time = frame.time - choice.origin.zero;
+  scene.since = choice.origin.text();
+  add_stage(reader, frame, scene);
+  scene.event = event_before(reader, frame.time, choice.origin.zero);
+  const Verdict verdict = results::results_verdict(reader.events());
+  if (frame.time > verdict.sound_until()) scene.verdict = verdict.text(choice.origin.zero);
+  if (choice.magnify != 1)
+    scene.stage += fmt::format("{}displacements x {:g}", scene.stage.empty() ? "" : ", ", choice.magnify);
+  if (choice.ghost)
+    scene.ghost_label = fmt::format("at t = {:.3g} s", reader.frame_times().front() - choice.origin.zero);
+}
+
+/// What pictures of one figure share, of a model in space.
+struct SharedSpace {
+  std::optional<SpaceBox> around;  ///< the box of what is free in all of them
+  std::vector<SolidJoint> joints;
+};
+
+PairBonds bonds_at(const ResultsReader& reader, const Frame& frame) {
+  PairBonds bonds;
+  for (const results::EventRow& e : reader.events())
+    if (e.type.starts_with("bond.") && e.time <= frame.time) bonds.lost.insert(std::minmax(e.body_a, e.body_b));
+  for (const results::ContactForce& c : frame.contacts)
+    if (c.state == results::ContactState::bonded) bonds.held.insert(std::minmax(c.body_a, c.body_b));
+  return bonds;
+}
+
+void add_solids_at(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice,
+                   const SharedSpace& shared, Scene& scene) {
+  const Header& header = reader.header();
+  SolidsView shown{choice.from, choice.cut, shared.around};
+  if (!shared.joints.empty())
+    shown.cracks = solid_cracks(shared.joints, results::Placement(header, moment.frame), bonds_at(reader, moment.frame),
+                                moment.left);
+  add_solids(header, moment.frame, shown, moment.left, scene);
+  if (choice.ghost) add_solid_ghosts(header, reader.frame(0), moment.frame, ViewAxes(choice.from), scene);
+}
+
+Scene scene_of(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice,
+               const SharedSpace& shared) {
+  const Header& header = reader.header();
+  const Frame& frame = moment.frame;
+  const Flatten flat = flatten_for(header, ViewAxes(choice.from));
+  Scene scene;
+  add_words(reader, frame, choice, scene);
+  add_bodies(header, frame, scene);
+  if (!choice.colour.empty()) colour_bodies(reader, frame, choice.colour, scene);
+  if (!header.bearings.empty()) add_bearings(header, frame, flat, scene);
+  if (choice.forces) add_forces(header, frame, flat, scene);
+  if (header.dim == 3) {
+    add_solids_at(reader, moment, choice, shared, scene);
+    return scene;
+  }
+  add_findings(header, frame, choice, moment.left, scene);
+  const Frame start = reader.frame(0);
+  if (choice.ghost) add_ghosts(header, start, moment.left, scene);
+  for (std::size_t i = 0; i < header.bodies.size(); ++i)
+    scene.bodies[i].start = outline_of(header, header.bodies[i], start);
+  drop_left(moment.left, scene);
+  return scene;
+}
+
 }  // namespace
 
 Scene plain_scene(const Header& header, const Frame& frame) {
@@ -284,42 +362,25 @@ Scene plain_scene(const Header& header, const Frame& frame) {
 }
 
 Scene results_scene(const ResultsReader& reader, double time, const SceneChoice& choice) {
-  const Header& header = reader.header();
-  require_time(reader, time, choice.origin);
+  return results_scenes(reader, {time}, choice)[0];
+}
+
+std::vector<Scene> results_scenes(const ResultsReader& reader, const std::vector<double>& times,
+                                  const SceneChoice& choice) {
   check_choice(reader, choice);
-  const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
-  Frame frame = frame_for(reader, time, whole);
-  if (choice.magnify != 1) magnify(header, frame, choice.magnify);
-  const ViewAxes view(choice.from);
-  const Flatten flat = flatten_for(header, view);
-  Scene scene;
-  scene.time = frame.time - choice.origin.zero;
-  scene.since = choice.origin.text();
-  add_stage(reader, frame, scene);
-  scene.event = event_before(reader, frame.time, choice.origin.zero);
-  const Verdict verdict = results::results_verdict(reader.events());
-  if (frame.time > verdict.sound_until()) scene.verdict = verdict.text(choice.origin.zero);
-  add_bodies(header, frame, scene);
-  if (!choice.colour.empty()) colour_bodies(reader, frame, choice.colour, scene);
-  if (!header.bearings.empty()) add_bearings(header, frame, flat, scene);
-  if (choice.forces) add_forces(header, frame, flat, scene);
-  const std::vector<bool> left = left_bodies(reader, frame.time);
-  if (header.dim == 2) add_findings(header, frame, choice, left, scene);
-  if (choice.magnify != 1)
-    scene.stage += fmt::format("{}displacements x {:g}", scene.stage.empty() ? "" : ", ", choice.magnify);
-  if (choice.ghost)
-    scene.ghost_label = fmt::format("at t = {:.3g} s", reader.frame_times().front() - choice.origin.zero);
-  if (header.dim == 3) {
-    add_solids(header, frame, choice, left, scene);
-    if (choice.ghost) add_solid_ghosts(header, reader.frame(0), frame, view, scene);
-    return scene;
+  std::vector<Moment> moments;
+  const Header& header = reader.header();
+  SharedSpace shared;
+  if (header.dim == 3 && choice.cracks) shared.joints = solid_joints(header);
+  for (const double time : times) {
+    moments.push_back(moment_at(reader, time, choice));
+    if (header.dim < 3) continue;
+    const results::Placement at(header, moments.back().frame);
+    shared.around = joined(shared.around, box_of_free(header, at, moments.back().left));
   }
-  if (choice.ghost) add_ghosts(header, reader.frame(0), left, scene);
-  const Frame start = reader.frame(0);
-  for (std::size_t i = 0; i < header.bodies.size(); ++i)
-    scene.bodies[i].start = outline_of(header, header.bodies[i], start);
-  drop_left(left, scene);
-  return scene;
+  std::vector<Scene> scenes;
+  for (const Moment& moment : moments) scenes.push_back(scene_of(reader, moment, choice, shared));
+  return scenes;
 }
 
 }  // namespace trilith::draw

@@ -28,6 +28,9 @@ struct SceneChoice {
   std::optional<CutPlane> cut = std::nullopt;  ///< of a model in space: what is on the eye's side of it is left out
 };
 
+/// What a body is in a picture, by BodyRow::support.
+BodyRole role_of(const std::string& support);
+
 /// What bodies can be coloured by: group, displacement (of the node since the start), speed.
 const std::vector<std::string>& colour_names();
 
@@ -35,6 +38,10 @@ const std::vector<std::string>& colour_names();
 /// latest event of note where that was within the last second of the same stage. Throws InputError for a time outside
 /// the frames (half a frame's spacing is allowed), ResultsError for a file without frames.
 Scene results_scene(const results::ResultsReader& reader, double time, const SceneChoice& choice = {});
+
+/// The same at several moments, for one figure: in space the ground ends at the same place in all of them.
+std::vector<Scene> results_scenes(const results::ResultsReader& reader, const std::vector<double>& times,
+                                  const SceneChoice& choice = {});
 
 /// The bodies of a model in the plane where `frame` has them, and nothing else.
 Scene plain_scene(const results::Header& header, const results::Frame& frame);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
 #include "draw/paint_order.hpp"
 #include "draw/scene_spheres.hpp"
+#include "draw/trimmed_ground.hpp"
 #include "results/placement.hpp"
 
 namespace trilith::draw {
@@ -44,77 +44,6 @@ SolidPiece piece_of(const Header& header, const Placement& at, int index) {
   return out;
 }
 
-struct Box {
-  Vec3 low, high;
-};
-
-/// The box of nearly all free bodies, and as far again around it, but no larger than the box of all: beyond it ground
-/// is of no interest.
-std::optional<Box> box_of_free(const std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres,
-                               const Scene& scene) {
-  std::vector<double> along[3];
-  for (const SeenSphere& s : spheres)
-    if (scene.bodies[static_cast<std::size_t>(s.body)].role == BodyRole::free)
-      for (int k = 0; k < 3; ++k)
-        for (const double reach : {-s.radius, s.radius}) along[k].push_back(s.centre[k] + reach);
-  for (const SolidPiece& piece : pieces)
-    if (scene.bodies[static_cast<std::size_t>(piece.body)].role == BodyRole::free)
-      for (const PieceFace& face : piece.faces)
-        for (const Vec3& p : face.corners)
-          for (int k = 0; k < 3; ++k) along[k].push_back(p[k]);
-  if (along[0].empty()) return std::nullopt;
-  Box all, bulk;
-  for (int k = 0; k < 3; ++k) {
-    std::sort(along[k].begin(), along[k].end());
-    const auto last = static_cast<double>(along[k].size() - 1);
-    all.low[k] = along[k].front(), all.high[k] = along[k].back();
-    bulk.low[k] = along[k][static_cast<std::size_t>(0.04 * last)];
-    bulk.high[k] = along[k][static_cast<std::size_t>(0.96 * last)];
-  }
-  const Vec3 around = Vec3::Constant(0.5 * (bulk.high - bulk.low).maxCoeff());
-  return Box{all.low.cwiseMax(bulk.low - around), all.high.cwiseMin(bulk.high + around)};
-}
-
-bool is_held(const SolidPiece& piece, const Scene& scene) {
-  return scene.bodies[static_cast<std::size_t>(piece.body)].role != BodyRole::free;
-}
-
-/// Down to the ground that bodies in the air will fall on: the highest that lies below the box.
-void reach_ground(const std::vector<SolidPiece>& pieces, const Scene& scene, Box& box) {
-  double ground = -std::numeric_limits<double>::infinity();
-  for (const SolidPiece& piece : pieces) {
-    if (!is_held(piece, scene)) continue;
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const PieceFace& face : piece.faces)
-      for (const Vec3& p : face.corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    const bool beneath = low.x() < box.high.x() && high.x() > box.low.x() && low.y() < box.high.y() &&
-                         high.y() > box.low.y() && high.z() < box.low.z();
-    if (beneath) ground = std::max(ground, high.z());
-  }
-  if (std::isfinite(ground)) box.low.z() = ground;
-}
-
-/// Ground that reaches beyond the box by more than a border ends there; that depth is the least of what matters.
-void trim_ground(std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres, const Scene& scene) {
-  std::optional<Box> box = box_of_free(pieces, spheres, scene);
-  if (!box) return;
-  reach_ground(pieces, scene, *box);
-  const double size = (box->high - box->low).norm(), beside = 0.16 * size, below = 0.05 * size;
-  std::vector<SolidPiece> kept;
-  for (SolidPiece& piece : pieces) {
-    std::optional<SolidPiece> left = std::move(piece);
-    if (is_held(*left, scene))
-      for (int k = 0; k < 6 && left; ++k) {
-        const Vec3 normal = (k % 2 == 0 ? 1 : -1) * Vec3(Vec3::Unit(k / 2));
-        const double border = k / 2 == 2 ? below : beside;
-        const double end = border + (k % 2 == 0 ? box->high[k / 2] : -box->low[k / 2]);
-        left = divided(*left, {normal, end}, rounding * size, FaceKind::skin).first;
-      }
-    if (left) kept.push_back(std::move(*left));
-  }
-  pieces = std::move(kept);
-}
-
 /// Leaves out what is on the eye's side of the plane.
 void cut_away(std::vector<SolidPiece>& pieces, CutPlane plane, const ViewAxes& view) {
   if (plane.normal.dot(view.toward) < -rounding) plane = {-plane.normal, -plane.offset};
@@ -131,7 +60,17 @@ double light_on(const Vec3& normal, const ViewAxes& view) {
   return 0.5 + 0.5 * normal.dot(from);
 }
 
-void add_faces(const SolidPiece& piece, const ViewAxes& view, Scene& scene) {
+/// Of each body its cracks.
+std::vector<std::vector<const SolidCrack*>> by_body(const std::vector<SolidCrack>& cracks, std::size_t bodies) {
+  std::vector<std::vector<const SolidCrack*>> out(bodies);
+  for (const SolidCrack& crack : cracks) out[static_cast<std::size_t>(crack.body)].push_back(&crack);
+  return out;
+}
+
+/// `cracks`: of the piece's body. Those of bodies a little set back from each other count as on their faces.
+void add_faces(const SolidPiece& piece, const std::vector<const SolidCrack*>& cracks, const ViewAxes& view,
+               Scene& scene) {
+  const double slack = 2e-3 * piece_size(piece);
   for (const PieceFace& face : piece.faces) {
     if (face.kind == FaceKind::border || face.normal.dot(view.toward) <= rounding) continue;
     SceneFace seen;
@@ -140,6 +79,7 @@ void add_faces(const SolidPiece& piece, const ViewAxes& view, Scene& scene) {
     seen.light = light_on(face.normal, view);
     seen.body = piece.body;
     seen.is_section = face.kind == FaceKind::section;
+    for (const SolidCrack* crack : cracks) add_cracks_on(face, *crack, slack, view, seen.cracks);
     scene.faces.push_back(std::move(seen));
   }
 }
@@ -151,14 +91,15 @@ void cut_away(std::vector<SeenSphere>& spheres, CutPlane plane, const ViewAxes& 
 }
 
 /// Pieces in their order, and spheres where they come among them.
-void add_all_faces(const std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres, const ViewAxes& view,
-                   Scene& scene) {
+void add_all_faces(const std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres,
+                   const std::vector<SolidCrack>& cracks, const ViewAxes& view, Scene& scene) {
+  const auto own_cracks = by_body(cracks, scene.bodies.size());
   const std::vector<SpherePlace> places = sphere_places(spheres, pieces, view);
   auto next = places.begin();
   for (std::size_t i = 0; i <= pieces.size(); ++i) {
     for (; next != places.end() && next->pieces_before <= i; ++next)
       scene.faces.push_back(sphere_face(spheres[next->sphere], view));
-    if (i < pieces.size()) add_faces(pieces[i], view, scene);
+    if (i < pieces.size()) add_faces(pieces[i], own_cracks[static_cast<std::size_t>(pieces[i].body)], view, scene);
   }
 }
 
@@ -195,10 +136,10 @@ void set_outlines(const std::vector<SolidPiece>& pieces, const ViewAxes& view, S
 
 }  // namespace
 
-void add_solids(const Header& header, const Frame& frame, const SceneChoice& choice, const std::vector<bool>& left_out,
+void add_solids(const Header& header, const Frame& frame, const SolidsView& shown, const std::vector<bool>& left_out,
                 Scene& scene) {
   const Placement at(header, frame);
-  const ViewAxes view(choice.from);
+  const ViewAxes view(shown.from);
   std::vector<SolidPiece> pieces;
   for (std::size_t i = 0; i < header.bodies.size(); ++i) {
     SolidPiece solid = piece_of(header, at, static_cast<int>(i));
@@ -209,11 +150,16 @@ void add_solids(const Header& header, const Frame& frame, const SceneChoice& cho
   std::vector<SeenSphere> spheres = seen_spheres(header, at, left_out);
   if (pieces.empty() && spheres.empty())
     throw InputError("the results tell of no faces of their solids, so that there is nothing to draw");
-  if (choice.cut) cut_away(pieces, *choice.cut, view), cut_away(spheres, *choice.cut, view);
-  trim_ground(pieces, spheres, scene);
+  if (shown.cut) cut_away(pieces, *shown.cut, view), cut_away(spheres, *shown.cut, view);
+  if (shown.around) {
+    const auto is_held = [&](const SolidPiece& piece) {
+      return scene.bodies[static_cast<std::size_t>(piece.body)].role != BodyRole::free;
+    };
+    pieces = trimmed_ground(std::move(pieces), is_held, *shown.around);
+  }
   if (pieces.empty() && spheres.empty()) throw InputError("the cut leaves nothing to draw");
   pieces = paint_order(std::move(pieces), view);
-  add_all_faces(pieces, spheres, view, scene);
+  add_all_faces(pieces, spheres, shown.cracks, view, scene);
   set_outlines(pieces, view, scene);
   static constexpr const char* names[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) scene.axes.push_back({names[k], view.flat(Vec3::Unit(k))});
@@ -224,7 +170,7 @@ void add_solid_ghosts(const Header& header, const Frame& start, const Frame& fra
   constexpr double least_share = 0.05;  // of a body's size, before it is worth a second outline
   const Placement before(header, start), now(header, frame);
   for (const BodyRow& body : header.bodies) {
-    if (body.support.find("free") == std::string::npos && !body.support.empty()) continue;
+    if (role_of(body.support) != BodyRole::free) continue;
     double moved = 0, size = 0;
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
       moved = std::max(moved, (now.vertex(v) - before.vertex(v)).norm());

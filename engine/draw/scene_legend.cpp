@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "base/quantity_text.hpp"
 #include "draw/axis_ticks.hpp"
@@ -51,6 +52,22 @@ LegendItem swatch(const SceneView& view, const BodyGroup& group) {
               c.polygon(box, fill, Stroke{palette().outline, 0.5});
           },
           group_text(group)};
+}
+
+/// One for each group; shaded ground has one colour, and so one for all of it.
+std::vector<LegendItem> swatches(const SceneView& view) {
+  std::vector<LegendItem> items;
+  std::optional<std::size_t> shaded;
+  for (const BodyGroup& group : view.groups) {
+    const bool joins = view.has_faces && group.first != BodyRole::free;
+    if (joins && shaded) {
+      items[*shaded].text += ", " + group_text(group);
+      continue;
+    }
+    if (joins) shaded = items.size();
+    items.push_back(swatch(view, group));
+  }
+  return items;
 }
 
 LegendItem bearing_item(BearingMark state) {
@@ -108,8 +125,12 @@ LegendItem line_item(const std::string& text) {
 }
 
 bool has_crack(const std::vector<Scene>& scenes, CrackMark mark) {
+  const auto is_among = [mark](const std::vector<SceneCrack>& cracks) {
+    return std::any_of(cracks.begin(), cracks.end(), [&](const SceneCrack& c) { return c.mark == mark; });
+  };
   return std::any_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
-    return std::any_of(scene.cracks.begin(), scene.cracks.end(), [&](const SceneCrack& c) { return c.mark == mark; });
+    return is_among(scene.cracks) || std::any_of(scene.faces.begin(), scene.faces.end(),
+                                                 [&](const SceneFace& face) { return is_among(face.cracks); });
   });
 }
 
@@ -128,7 +149,7 @@ std::vector<LegendItem> scene_legend(const std::vector<Scene>& scenes, const Sce
   // A single group without a name needs no word.
   const bool plain = view.groups.size() == 1 && view.groups[0].second.empty() && view.groups[0].first == BodyRole::free;
   if (!plain)
-    for (const BodyGroup& group : view.groups) items.push_back(swatch(view, group));
+    for (LegendItem& item : swatches(view)) items.push_back(std::move(item));
   if (view.has_values) items.push_back(colour_bar(view, scenes[0], style));
   const auto ghosts = std::find_if(scenes.begin(), scenes.end(), [](const Scene& s) { return !s.ghosts.empty(); });
   if (ghosts != scenes.end()) items.push_back(ghost_item(ghosts->ghost_label));

@@ -225,7 +225,7 @@ std::vector<PageBox> draw_scene_content(Canvas& canvas, const Scene& scene, cons
     draw_forces(canvas, scene, view, page, marks);
     draw_bearings(canvas, scene, page, marks);
   });
-  draw_axes(canvas, scene, page);
+  draw_axes(canvas, scene, view.axes, page);
   return marks;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "draw/scene_faces.hpp"
 #include "draw/scene_labels.hpp"
 #include "draw/scene_legend.hpp"
 #include "draw/scene_marks.hpp"
@@ -119,11 +120,15 @@ void draw_head(Canvas& canvas, const Head& head, PagePoint at, bool single, cons
   }
 }
 
+/// Where a panel shows what it shows; `corner`: the upper left one, below its head.
+PageView panel_page(const Layout& layout, const PagePoint& corner) {
+  const double x = corner.x() + (layout.panel_width - layout.plot_width) / 2;
+  return {layout.world, {x, corner.y(), x + layout.plot_width, corner.y() + layout.plot_height}, layout.scale};
+}
+
 void draw_panel(Canvas& canvas, const Scene& scene, const SceneView& view, const Layout& layout,
                 const PagePoint& corner, const PictureStyle& style) {
-  const double x = corner.x() + (layout.panel_width - layout.plot_width) / 2;
-  const PageView page{
-      layout.world, {x, corner.y(), x + layout.plot_width, corner.y() + layout.plot_height}, layout.scale};
+  const PageView page = panel_page(layout, corner);
   std::vector<PageBox> marks = draw_scene_content(canvas, scene, view, page);
   if (has_labels(scene, style))
     draw_labels(canvas, scene, view, page, std::move(marks), {style.font_size - 1.5, false, palette().quiet_ink});
@@ -133,8 +138,9 @@ void draw_panel(Canvas& canvas, const Scene& scene, const SceneView& view, const
 
 Canvas scene_canvas(const std::vector<Scene>& scenes, int columns, const PictureStyle& style) {
   if (columns < 1) throw InputError(fmt::format("columns of panels is {}, must be at least 1", columns));
-  const SceneView view = scene_view(scenes, style);
+  SceneView view = scene_view(scenes, style);
   const Layout layout = make_layout(scenes, view, columns, style);
+  view.axes = corner_for_axes(scenes, panel_page(layout, {0, 0}));
   const TextStyle legend_style{style.font_size - 0.5};
   const std::vector<LegendItem> legend = scene_legend(scenes, view, layout.scale, style);
   const double inner = layout.inner_width(), legend_tall = legend_height(legend, legend_style, inner);

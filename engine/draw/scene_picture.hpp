@@ -33,6 +33,18 @@ struct SceneBody {
   std::vector<Vec2> start = {};  ///< the outline at the start, by which its name has a place that stays; may be empty
 };
 
+/// How a joint that has lost its bond stands: how far it is open now, in three classes, or slid and open by less than
+/// it slid.
+enum class CrackMark { fine, opened, wide, slid };
+inline constexpr double fine_crack = 1e-3, wide_crack = 5e-3;  ///< ends of the class between them [m]
+inline constexpr double least_crack = 1e-4;  ///< from which a dry joint is drawn; one with a bond from its loss on [m]
+
+/// A broken joint, from end to end [m].
+struct SceneCrack {
+  Vec2 a = Vec2::Zero(), b = Vec2::Zero();
+  CrackMark mark = CrackMark::opened;
+};
+
 /// A part of a solid's face as it is seen [m, in the plane of the picture]; it covers those before it.
 struct SceneFace {
   std::vector<Vec2> outline;
@@ -42,6 +54,7 @@ struct SceneFace {
   bool is_section = false;    ///< where the solid is cut
   double radius = 0;          ///< above 0: a ball, drawn round about `centre`; its outline is a polygon near its rim
   Vec2 centre = Vec2::Zero();
+  std::vector<SceneCrack> cracks = {};  ///< drawn over it
 };
 
 /// An axis of the world as it is seen: where 1 m along it leads.
@@ -63,18 +76,6 @@ enum class BearingMark { intact, yielded, failed, changed };
 struct SceneBearing {
   Vec2 a = Vec2::Zero(), b = Vec2::Zero();
   BearingMark state = BearingMark::intact;
-};
-
-/// How a joint that has lost its bond stands: how far it is open now, in three classes, or slid and open by less than
-/// it slid.
-enum class CrackMark { fine, opened, wide, slid };
-inline constexpr double fine_crack = 1e-3, wide_crack = 5e-3;  ///< ends of the class between them [m]
-inline constexpr double least_crack = 1e-4;  ///< from which a dry joint is drawn; one with a bond from its loss on [m]
-
-/// A broken joint, from end to end [m].
-struct SceneCrack {
-  Vec2 a = Vec2::Zero(), b = Vec2::Zero();
-  CrackMark mark = CrackMark::opened;
 };
 
 /// What is seen at one moment. Title first, below it time, stage, event and verdict in one line, as far as given.

@@ -192,7 +192,8 @@ void set_world(SceneView& view, const std::vector<Scene>& scenes, const PictureS
     for (const Scene& scene : scenes)
       for (const SceneForce& f : scene.forces)
         if (content.box.contains(f.point)) content.add(f.point + f.force * (view.longest_arrow / view.largest_force));
-  if (ground.any) take_ground(content.box, ground.box, 0.16 * size);
+  // In space a large ground has been cut off already, where it would not look like its end here.
+  if (ground.any) take_ground(content.box, ground.box, view.has_faces ? most_metres : 0.16 * size);
   const double margin = 0.04 * size;
   view.world = {content.box.x0 - margin, content.box.y0 - margin, content.box.x1 + margin, content.box.y1 + margin};
 }

@@ -12,16 +12,20 @@ namespace trilith::draw {
 /// A colour's owner: bodies of one role and group.
 using BodyGroup = std::pair<BodyRole, std::string>;
 
+/// A corner of a panel.
+enum class PanelCorner { lower_left, lower_right, upper_left, upper_right };
+
 struct SceneView {
-  WorldBox world;                 ///< m
-  std::vector<BodyGroup> groups;  ///< in order of first appearance
-  double largest_force = 0;       ///< N; 0 without forces
-  double longest_arrow = 0;       ///< m in the world, for `largest_force`
-  bool bars = false;              ///< forces as bars, not arrows
-  bool has_values = false;        ///< some body has a value
-  bool has_faces = false;         ///< of solids: ground is shaded, not hatched
-  double low = 0, high = 0;       ///< range of the values' colours
-  double farthest = 0;            ///< largest size of a value, where values have both signs: 0 is the middle colour
+  WorldBox world;                              ///< m
+  std::vector<BodyGroup> groups;               ///< in order of first appearance
+  double largest_force = 0;                    ///< N; 0 without forces
+  double longest_arrow = 0;                    ///< m in the world, for `largest_force`
+  bool bars = false;                           ///< forces as bars, not arrows
+  bool has_values = false;                     ///< some body has a value
+  bool has_faces = false;                      ///< of solids: ground is shaded, not hatched
+  PanelCorner axes = PanelCorner::lower_left;  ///< where the axes of the world are, in all panels
+  double low = 0, high = 0;                    ///< range of the values' colours
+  double farthest = 0;  ///< largest size of a value, where values have both signs: 0 is the middle colour
 };
 
 /// Checks all scenes and the style and finds what they share. Throws InputError as scene_canvas says.

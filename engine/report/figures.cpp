@@ -143,22 +143,25 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
     html.element("p", "There is no frame yet.");
     return;
   }
-  std::vector<draw::Scene> scenes;
   std::vector<std::string> words;
   if (source.header.dim == 3 && source.header.face_count() == 0 && source.header.sphere_vertex.empty()) {
     html.element("p", "The file tells of no faces of its solids, so that there are no pictures of them.");
     return;
   }
+  draw::SceneChoice choice;
+  // In space joints are found from faces.
+  choice.cracks =
+      source.header.dim == 3 ||
+      (!source.header.joints.empty() && std::any_of(source.header.fields.begin(), source.header.fields.end(),
+                                                    [](const results::Field& f) { return f.name == "joint_damage"; }));
+  choice.origin = source.origin;
   const std::vector<Moment> moments = key_moments(source);
+  std::vector<double> times;
+  for (const Moment& m : moments) times.push_back(m.time);
+  const std::vector<draw::Scene> scenes = draw::results_scenes(source.reader, times, choice);
   for (const Moment& m : moments) {
-    draw::SceneChoice choice;
-    choice.cracks =
-        !source.header.joints.empty() && std::any_of(source.header.fields.begin(), source.header.fields.end(),
-                                                     [](const results::Field& f) { return f.name == "joint_damage"; });
-    choice.origin = source.origin;
-    scenes.push_back(draw::results_scene(source.reader, m.time, choice));
     const std::string letter = moments.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + words.size())) : "";
-    words.push_back(fmt::format("{}at {}, {}", letter, shown_time(*scenes.back().time), m.why));
+    words.push_back(fmt::format("{}at {}, {}", letter, shown_time(*scenes[words.size()].time), m.why));
   }
   std::string caption = "The structure";
   for (std::size_t i = 0; i < words.size(); ++i) caption += (i == 0 ? " " : "; ") + words[i];

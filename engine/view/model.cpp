@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "draw/palette.hpp"
+#include "draw/solid_joints.hpp"
 #include "results/body_mass.hpp"
 #include "results/verdict.hpp"
 #include "view/joints.hpp"
@@ -211,17 +213,38 @@ void write_events(const std::vector<results::EventRow>& events, int dim, JsonTex
   json.end();
 }
 
-/// Bonds that cracked or broke (in the plane alone), each with the line it broke along where the bodies faced each
-/// other at the start.
+/// The line that a bond in the plane broke along.
+void write_joint(const results::EventRow& e, std::size_t index, const EdgePart& part, JsonText& json) {
+  json.begin_list().number(static_cast<double>(index)).number(part.body).number(part.edge);
+  json.number(rounded(part.from, 1e4)).number(rounded(part.to, 1e4)).text(mode_of(e)).end();
+}
+
+/// The outline of the joint that a bond in space broke in, as its first body carries it.
+void write_joint(const results::EventRow& e, std::size_t index, const draw::SolidJoint::Side& side, JsonText& json) {
+  json.begin_list().number(static_cast<double>(index)).number(side.body).begin_list();
+  for (const int row : side.corner) json.number(row);
+  json.end().begin_list();
+  for (const Vec2& share : side.share) json.number(rounded(share.x(), 1e4)).number(rounded(share.y(), 1e4));
+  json.end().text(mode_of(e)).end();
+}
+
+/// Bonds that cracked or broke, each with where the bodies faced each other at the start.
 void write_joints(const results::Header& header, const std::vector<results::EventRow>& events, JsonText& json) {
+  const auto is_of_bond = [](const results::EventRow& e) {
+    return e.type.starts_with("bond.") && std::min(e.body_a, e.body_b) >= 0;
+  };
+  std::map<std::pair<int, int>, std::vector<draw::SolidJoint>> solid;
+  if (header.dim == 3 && std::any_of(events.begin(), events.end(), is_of_bond))
+    for (draw::SolidJoint& joint : draw::solid_joints(header))
+      solid[std::minmax(joint.a.body, joint.b.body)].push_back(std::move(joint));
   json.key("joints").begin_list();
-  for (std::size_t i = 0; i < events.size() && header.dim == 2; ++i) {
+  for (std::size_t i = 0; i < events.size(); ++i) {
     const results::EventRow& e = events[i];
-    if (!e.type.starts_with("bond.") || std::min(e.body_a, e.body_b) < 0) continue;
-    for (const EdgePart& part : joint_of(header, e.body_a, e.body_b)) {
-      json.begin_list().number(static_cast<double>(i)).number(part.body).number(part.edge);
-      json.number(rounded(part.from, 1e4)).number(rounded(part.to, 1e4)).text(mode_of(e)).end();
-    }
+    if (!is_of_bond(e)) continue;
+    if (header.dim == 2)
+      for (const EdgePart& part : joint_of(header, e.body_a, e.body_b)) write_joint(e, i, part, json);
+    else
+      for (const draw::SolidJoint& joint : solid[std::minmax(e.body_a, e.body_b)]) write_joint(e, i, joint.a, json);
   }
   json.end();
 }

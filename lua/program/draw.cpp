@@ -123,10 +123,9 @@ std::vector<draw::Scene> scenes_of(const results::ResultsReader& reader, const D
   draw::SceneChoice choice = choice_of(options, reader.header().dim);
   const Window window = window_of(reader, options.stage, options.since);
   choice.origin = window.origin;  // what --at counts from, the caption does too
-  std::vector<draw::Scene> scenes;
-  for (const std::string& at : comma_list(options.at))
-    scenes.push_back(draw::results_scene(reader, time_of(reader, window, at), choice));
-  return scenes;
+  std::vector<double> times;
+  for (const std::string& at : comma_list(options.at)) times.push_back(time_of(reader, window, at));
+  return draw::results_scenes(reader, times, choice);
 }
 
 int draw(const DrawOptions& options) {
@@ -167,7 +166,8 @@ void add_draw(CLI::App& app, int& code) {
       ->type_name("FILE");
   verb->add_flag("--forces", o->forces, "contact forces");
   verb->add_flag("--ghost", o->ghost, "where the bodies stood at the start");
-  verb->add_flag("--cracks", o->cracks, "joints that have lost their bond, by how far they are open, or slid");
+  verb->add_flag("--cracks", o->cracks,
+                 "joints that have lost their bond, and dry ones, by how far they are open, or slid");
   verb->add_option("--stress", o->stress,
                    "colour bodies by their mean stress: smaller or larger principal, or a component")
       ->check(CLI::IsMember(draw::stress_names()));

@@ -15,6 +15,8 @@ TEST_CASE("quantities are written with engineering prefixes") {
   CHECK(quantity_text(12, "ft") == "12 ft");
   CHECK(quantity_text(1000, "N") == "1 kN");
   CHECK(quantity_text(0, "N") == "0 N");
+  CHECK(quantity_text(1193, "1") == "1193");
+  CHECK(engineering_unit(3, "1").text.empty());
   CHECK(engineering_unit(1e120, "N").text == "10¹²⁰ N");
   CHECK(quantity_text(std::nan(""), "N") == "–");
   CHECK(engineering_unit(2.5e6, "lbf").text == "10⁶ lbf");

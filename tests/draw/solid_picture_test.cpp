@@ -3,10 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "draw/results_picture.hpp"
 #include "draw/sample_pictures.hpp"
+#include "draw/scene_faces.hpp"
+#include "draw/scene_legend.hpp"
+#include "draw/scene_view.hpp"
 #include "draw/solid_samples.hpp"
 #include "near.hpp"
 #include "results/sample_run.hpp"
@@ -27,6 +31,13 @@ SceneChoice seen_from(const char* view) {
   SceneChoice choice;
   choice.from = view_direction(view);
   return choice;
+}
+
+/// How far a body reaches from left to right in the picture [m].
+double width_of(const SceneBody& body) {
+  double low = body.outline[0].x(), high = low;
+  for (const Vec2& p : body.outline) low = std::min(low, p.x()), high = std::max(high, p.x());
+  return high - low;
 }
 
 }  // namespace
@@ -60,6 +71,52 @@ TEST_CASE("the ground far below what is in the air is in the picture") {
   for (const SceneBody& body : scene.bodies)
     for (const Vec2& p : body.outline) low = std::min(low, p.y());
   CHECK(low < 0);
+}
+
+TEST_CASE("ground in space ends at one place in all panels and none of it is cut off by them") {
+  const testing::Folder folder;
+  record_boxes(folder / "wall.h5", falling_wall(), 21, 0.05, false);
+  const std::vector<Scene> scenes =
+      results_scenes(results::ResultsReader(folder / "wall.h5"), {0, 1}, seen_from("-60,20"));
+  REQUIRE(scenes[0].bodies[0].role == BodyRole::fixed_ground);
+  CHECK(scenes[0].bodies[0].outline == scenes[1].bodies[0].outline);
+  CHECK(width_of(scenes[0].bodies[0]) < 10);  // of 60 m
+  const SceneView view = scene_view(scenes, {});
+  for (const Scene& scene : scenes)
+    for (const Vec2& p : scene.bodies[0].outline) CHECK(view.world.contains(p));
+}
+
+TEST_CASE("what is held near free bodies is drawn whole unless it reaches far beyond them") {
+  const testing::Folder folder;
+  const double half = 0.5, size = std::sqrt(3.0);  // of the box of the free body
+  const auto drawn = [&](double beyond) {
+    const std::vector<FlyingBox> boxes{
+        {{half, half, half}, {0, 0, half}},
+        {{half + beyond / 2, 0.4, 0.1}, {beyond / 2, 0, -0.1}, Vec3::Zero(), Vec3::Zero(), "rail", "fixed"}};
+    record_boxes(folder / "rail.h5", boxes, 1, 1, false);
+    return width_of(results_scene(results::ResultsReader(folder / "rail.h5"), 0, seen_from("front")).bodies[1]);
+  };
+  CHECK(near(drawn(1.9 * size), 1 + 1.9 * size, 1e-9));
+  CHECK(near(drawn(2.1 * size), 1 + 0.08 * size, 1e-9));
+}
+
+TEST_CASE("axes of the world stand in a corner where there is nothing, and ground has one colour in the legend") {
+  const testing::Folder folder;
+  const std::vector<FlyingBox> boxes{
+      {{5, 1, 0.5}, {0, 0, 0}, Vec3::Zero(), Vec3::Zero(), "", "fixed"},
+      {{0.5, 1, 1}, {4.5, 0, 2.5}, Vec3::Zero(), Vec3::Zero(), "", "fixed"},
+      {{5, 1, 0.5}, {0, 0, 1}},
+  };
+  record_boxes(folder / "corner.h5", boxes, 1, 1, false);
+  const Scene scene = results_scene(results::ResultsReader(folder / "corner.h5"), 0, seen_from("front"));
+  const SceneView view = scene_view({scene}, {});
+  const double scale = 40;
+  const PageView page{view.world, {0, 0, scale * view.world.width(), scale * view.world.height()}, scale};
+  CHECK(corner_for_axes({scene}, page) == PanelCorner::upper_left);
+  const std::vector<LegendItem> legend = scene_legend({scene}, view, scale, {});
+  REQUIRE(legend.size() == 3);  // after the scale
+  CHECK(legend[1].text == "stone 0, stone 1");
+  CHECK(legend[2].text == "stones");
 }
 
 TEST_CASE("a dome opens: whole, from above, and cut through its middle") {

@@ -39,6 +39,7 @@ TEST_CASE("trilith draw makes pictures of a model in space, from names and angle
   CHECK(ask(here, "draw stones.h5 --view=-120,35 --colour speed --cut x=0.3 -o cut.pdf").code == 0);
   CHECK(ask(here, "draw stones.h5 --magnify 2 --colour displacement -o more.svg").code == 0);
   CHECK(bytes_of(here / "cut.pdf").starts_with("%PDF"));
+  CHECK(ask(here, "draw stones.h5 --cracks -o cracks.svg").code == 0);
   CHECK(ask(here, "draw plane.h5 --at 0 --colour displacement -o plane.svg").code == 0);
   CHECK(ask(here, "info stones.h5").says("24, of 32 corners"));
 }
@@ -51,7 +52,7 @@ TEST_CASE("trilith draw refuses views, cuts and colours that make no sense, in o
   check_refused(ask(here, "draw stones.h5 --cut w=2"), "must be an axis and a place on it");
   check_refused(ask(here, "draw stones.h5 --cut x=abc"), "--cut");
   check_refused(ask(here, "draw stones.h5 --view left --cut x=90"), "the cut leaves nothing to draw");
-  check_refused(ask(here, "draw stones.h5 --cracks"), "in the plane only");
+  check_refused(ask(here, "draw stones.h5 --thrust stones"), "in the plane only");
   check_refused(ask(here, "draw plane.h5 --cut x=1"), "is of a model in the plane, which cannot be cut");
   check_refused(ask(here, "draw plane.h5 --view iso"), "must be four numbers");
 }

@@ -261,6 +261,72 @@ def shows_solids(page):
     page.picture("front")
 
 
+def cuts_solids(page):
+    """A cut across x takes away what is before it, from whichever side one looks; sections are shown and can be clicked."""
+    page.keys(Keys.HOME, "x")
+    page.until("trilith.player.time === trilith.run.begin && !trilith.waiting")
+    page.ask("(s => (s.value = '0', s.dispatchEvent(new Event('input'))))(document.getElementById('cut-place'))")
+    assert page.text("#cut-told") == "x = 0 m", page.text("#cut-told")
+    # Of the slab alone there is a section: four sides.
+    assert page.ask("trilith.scene.cut.outlines(trilith.run).length") == 4 * 2 * 3
+    at = "trilith.scene.bodyAt(...trilith.camera.place(%s))?.index ?? -1"
+    stone = "...trilith.scene.middle(trilith.run.bodies[%d])"
+    for azimuth, there, gone in ((-60, 1, 2), (120, 2, 1)):
+        page.ask(f"(trilith.camera.look({azimuth}, 20), trilith.draw())")
+        assert page.ask(at % (stone % there)) == there
+        assert page.ask(at % (stone % gone)) != gone
+        place = page.ask("trilith.camera.place(0, 0, -0.1)")
+        assert page.ask(at % "0, 0, -0.1") == 0
+        assert page.ask("trilith.scene.cut.takes([0.01, 0, 0])") == (azimuth == -60)
+        # A row of pixels of the section: fill and stripes, both darker than paper.
+        shades = page.ask("""(() => {
+          const { gl, canvas, camera } = trilith.scene, row = new Uint8Array(4 * 16), ratio = canvas.width / camera.width;
+          trilith.draw();
+          gl.readPixels(%f * ratio, canvas.height - %f * ratio, 16, 1, gl.RGBA, gl.UNSIGNED_BYTE, row);
+          return [...row].filter((v, i) => i %% 4 === 0);
+        })()""" % tuple(place))
+        assert max(shades) < 220 and min(shades) < 0.8 * max(shades), shades
+    page.picture("cut")
+    page.keys("xxx")
+    assert not page.ask("trilith.scene.cut.isThere") and page.ask("document.getElementById('cut-place').hidden")
+
+
+def shows_cracks_of_solids(page):
+    """Joints that have lost their bond are drawn in the colour of their mode, where a solid does not hide them, once they have."""
+    colours = page.ask("[...new Set(trilith.run.joints.map(j => j.mode))].map(m => ({ tension: [208, 58, 0], shear: [138, 63, 252] })[m])")
+    assert colours and all(colours), colours
+    count = """(colours => {
+      trilith.draw();
+      const { gl, canvas } = trilith.scene, all = new Uint8Array(4 * canvas.width * canvas.height);
+      gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+      let found = 0;
+      for (let i = 0; i < all.length; i += 4) if (colours.some(c => c.every((v, k) => Math.abs(v - all[i + k]) < 3))) found++;
+      return found;
+    })(%s)""" % colours
+    page.keys(Keys.HOME)
+    page.until("trilith.player.time === trilith.run.begin && !trilith.waiting")
+    assert page.ask(count) == 0
+    page.keys(Keys.END)
+    page.until("trilith.player.time === trilith.run.end && !trilith.waiting")
+    shown = page.ask(count)
+    assert shown > 100, shown
+    assert "crack" in page.text("#legend"), page.text("#legend")
+    page.picture("cracks")
+    page.click("#show-cracks")
+    assert page.ask(count) == 0
+
+
+def shows_where_it_goes(page):
+    for key in (Keys.HOME, Keys.END):
+        page.keys(key)
+        page.until("!trilith.waiting && !trilith.player.playing")
+        page.ask("trilith.draw()")
+        places = page.ask("trilith.run.bodies.map(b => trilith.camera.place(...trilith.scene.middle(b)))")
+        wide, tall = page.ask("[trilith.camera.width, trilith.camera.height]")
+        inside = sum(0 < x < wide and 0 < y < tall for x, y in places)
+        assert inside >= 0.9 * len(places), (key, inside)
+
+
 def tells_that_it_goes_on(page):
     assert "still being written" in page.text("#state")
     page.picture("running")

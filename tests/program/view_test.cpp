@@ -139,12 +139,42 @@ m:shake { body = pier, x = trilith.motion "elcentro_1940_rest_ns.csv":scale { pg
   browse(here / "since.html", "counts_from_the_start_it_was_given");
 }
 
-TEST_CASE("the page of a model in space shows its solids, turns them by a drag and tells of the one that is clicked") {
+TEST_CASE("the page of a model in space shows solids and turns and cuts them and tells of the one that is clicked") {
   if (program_is_missing()) return;
   const testing::Folder here;
   testing::record_boxes(here / "solids.h5", testing::tumbling_boxes(), 11, 0.1);
   CHECK(ask(here.path, "view solids.h5").out == "solids.html\n");
-  browse(here / "solids.html", "plays_to_the_end shows_solids");
+  browse(here / "solids.html", "plays_to_the_end shows_solids cuts_solids");
+}
+
+TEST_CASE("the page of a wall in space shows its cracks once they are there") {
+  if (program_is_missing()) return;
+  const testing::Folder here;
+  std::ofstream(here / "stones.lua") << R"lua(
+local trilith = require "trilith"
+local m = trilith.model { name = "stones", dim = 3 }
+m:material { name = "stone", density = 2200 }
+m:contact { between = { "*", "*" }, law = trilith.bonded { kn = 5e8, ks = 2e8, mu = 0.6, beta = 1e-4, tension = 1e4, cohesion = 1.5e4 } }
+m:wall { name = "wall", length = 1.2, unit_length = 0.4, unit_height = 0.2, thickness = 0.2, courses = 6, slab_height = 0,
+  base_height = 0.3, base_margin = 1, material = "stone", fixed = "base" }
+m:results { file = "stones.h5", frames = 0.05 }
+m:consolidate { duration = 5, fresh = true }
+m:shake { body = "wall.base", y = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = 12 }, duration = 2 }
+)lua";
+  const Said run = ask(here.path, "run stones.lua --quiet");
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  CHECK(ask(here.path, "view stones.h5").out == "stones.html\n");
+  browse(here / "stones.html", "shows_cracks_of_solids");
+}
+
+TEST_CASE("the page of what flows far in space shows where it comes from and where it goes") {
+  if (program_is_missing()) return;
+  const testing::Folder here;
+  std::vector<testing::FlyingBox> boxes;
+  for (int i = 0; i < 20; ++i) boxes.push_back({{0.1, 0.1, 0.1}, {0.3 * i, 0, 0}, {10, 0, -4}});
+  testing::record_boxes(here / "flow.h5", boxes, 21, 0.1);
+  CHECK(ask(here.path, "view flow.h5").out == "flow.html\n");
+  browse(here / "flow.html", "shows_where_it_goes");
 }
 
 TEST_CASE("a run that is still being written, or was stopped, is viewed as far as it goes, and said so") {

@@ -1,5 +1,5 @@
 // What colours and marks mean, and how long a metre is.
-import { crackModes } from "./scene.js";
+import { crackColour } from "./scene.js";
 import { byId, make, quantity, roundBelow } from "./words.js";
 
 const mostGroups = 9;
@@ -39,7 +39,7 @@ export class Legend {
     }
     if (show.cracks)
       for (const mode of new Set(run.joints.map((j) => j.mode)))
-        marks.push(swatch(dark && mode !== "shear" ? "#ff6a3c" : crackModes[mode], mode ? `crack, ${mode}` : "crack: bond lost", "line"));
+        marks.push(swatch(crackColour(mode, colours.theme), mode ? `crack, ${mode}` : "crack: bond lost", "line"));
     if (show.forces) marks.push(swatch(colours.theme.force, `contact force; this long: ${quantity(this.app.scene.usualForce * (26 / this.app.scene.usualLength) ** 2, "N")}`, "line"));
     if (marks.length) parts.push(make("ul", {}, ...marks));
     this.element.replaceChildren(...parts);

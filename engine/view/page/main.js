@@ -7,6 +7,7 @@ import { Scene } from "./scene.js";
 import { SpaceRun } from "./space_run.js";
 import { SpaceCamera, homeSpace, viewsAround } from "./space_camera.js";
 import { SpaceScene } from "./space_scene.js";
+import { CutTool } from "./cut.js";
 import { listen } from "./picking.js";
 import { HistoriesPanel, SelectionPanel } from "./selection.js";
 import { EventsPanel, eventColour } from "./events.js";
@@ -69,6 +70,7 @@ class App {
       }
       byId("shown").append(make("button", { class: "chip", id: `show-${name}`, "aria-pressed": String(this.scene.show[name]), onclick: () => this.toggle(name) }, label));
     }
+    if (this.scene.cut) this.cutTool = new CutTool(this.scene.cut, () => this.redraw());
     byId("fit").addEventListener("click", () => this.fit());
     byId("zoom-in").addEventListener("click", () => this.zoom(1.4));
     byId("zoom-out").addEventListener("click", () => this.zoom(1 / 1.4));
@@ -302,6 +304,7 @@ class App {
       ArrowUp: () => this.player.faster(1), ArrowDown: () => this.player.faster(-1),
       "+": () => this.zoom(1.4), "=": () => this.zoom(1.4), "-": () => this.zoom(1 / 1.4), f: () => this.fit(),
       n: () => this.player.toEvent(1), p: () => this.player.toEvent(-1), c: () => this.nextColour(), t: () => this.switchTheme(), v: () => this.nextView(),
+      x: () => this.cutTool?.next(),
       "?": () => byId("help").showModal(), m: () => this.nextMode(), Escape: () => this.select(null),
     }[e.key];
     if (!does || byId("help").open || (byId("large").open && e.key === "Escape")) return;

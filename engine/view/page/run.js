@@ -77,9 +77,11 @@ export class Run {
     return this.made.get(name);
   }
 
+  jointOf([event, body, edge, from, to, mode]) { return { event: this.events[event], body, edge, from, to, mode }; }
+
   takeJoints(rows) {
-    this.joints = rows.map(([event, body, edge, from, to, mode]) => ({ event: this.events[event], body, edge, from, to, mode,
-      broken: this.events[event].type === "bond.broken" }));
+    this.joints = rows.map((row) => this.jointOf(row));
+    for (const joint of this.joints) joint.broken = joint.event.type === "bond.broken";
     for (const body of this.bodies) body.lost = [];
     for (const event of this.events) if (event.type === "body.left") this.bodies[event.a].leaves = event.time;
     for (const body of this.bodies)

@@ -2,7 +2,8 @@
 import { bearingStates } from "./run.js";
 
 const markOf = (palette, ink) => [ink, palette.yielded, palette.failed, palette.changed];
-export const crackModes = { tension: "#d03a00", shear: "#8a3ffc", compression: "#0b7a75", "": "#d03a00" };
+const crackModes = { tension: "#d03a00", shear: "#8a3ffc", compression: "#0b7a75", "": "#d03a00" };
+export const crackColour = (mode, theme) => (theme.dark && mode !== "shear" ? "#ff6a3c" : crackModes[mode]);
 
 function inside(run, body, x, y) {
   let hit = false;
@@ -164,7 +165,7 @@ export class Scene {
       const v = body.vertex + joint.edge, w = body.vertex + ((joint.edge + 1) % body.vertices);
       const at = (s) => camera.place(run.pointX[v] + s * (run.pointX[w] - run.pointX[v]), run.pointY[v] + s * (run.pointY[w] - run.pointY[v]));
       const fresh = time - joint.event.time < 0.15;
-      c.strokeStyle = theme.dark && joint.mode !== "shear" ? "#ff6a3c" : crackModes[joint.mode];
+      c.strokeStyle = crackColour(joint.mode, theme);
       c.lineWidth = (fresh ? 2 : 1) * (joint.broken ? thick : thick / 2);
       c.beginPath();
       c.moveTo(...at(joint.from));
@@ -267,6 +268,9 @@ export class Scene {
     }
   }
 
+  /** Whether a place is cut away. */
+  isCut() { return false; }
+
   drawNames(theme) {
     const { run, context: c, camera } = this;
     c.font = "12px system-ui, sans-serif";
@@ -276,7 +280,7 @@ export class Scene {
     c.strokeStyle = theme.paper;
     c.fillStyle = theme.ink;
     for (const body of this.order) {
-      if (!body.free || Math.sqrt(body.area) * camera.scale < 24) continue;
+      if (!body.free || Math.sqrt(body.area) * camera.scale < 24 || this.isCut(this.middle(body))) continue;
       const [x, y] = camera.place(...this.middle(body));
       c.strokeText(body.name, x, y);
       c.fillText(body.name, x, y);

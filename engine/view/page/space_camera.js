@@ -49,6 +49,12 @@ export class SpaceCamera extends Camera {
   /** Towards the eye, m. */
   depth(x, y, z) { return this.along(this.toward, x, y, z); }
 
+  /** The point that is `depth` towards the eye behind a place on the canvas. */
+  pointAt(px, py, depth) {
+    const right = (px - this.width / 2) / this.scale, up = (this.height / 2 - py) / this.scale;
+    return [this.x, this.y, this.z].map((v, k) => v + right * this.right[k] + up * this.up[k] + depth * this.toward[k]);
+  }
+
   move(right, up) {
     this.x += right * this.right[0] + up * this.up[0];
     this.y += right * this.right[1] + up * this.up[1];
@@ -79,7 +85,8 @@ export class SpaceCamera extends Camera {
   }
 }
 
-/** The box around all free bodies at the start and, as far as that is near, over the run. */
+/** The box around all free bodies at the start, over the run as far as that is near, and around the bulk of them wherever
+ *  they go. */
 export function homeSpace(run) {
   const some = run.bodies.some((b) => b.free) ? run.bodies.filter((b) => b.free) : run.bodies;
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -97,7 +104,10 @@ export function homeSpace(run) {
   const steps = Math.min(run.frames, 24);
   for (let i = 0; i < steps; i++) {
     run.pose(run.times[Math.round((i * (run.frames - 1)) / Math.max(1, steps - 1))]);
-    for (const p of some.map(centreOf)) if (p.every((v, k) => v > far[0][k] && v < far[1][k])) grow(p);
+    const centres = some.map(centreOf);
+    for (const p of centres) if (p.every((v, k) => v > far[0][k] && v < far[1][k])) grow(p);
+    const along = [0, 1, 2].map((k) => centres.map((p) => p[k]).sort((a, b) => a - b));
+    for (const share of [0.1, 0.9]) grow(along.map((values) => values[Math.round(share * (values.length - 1))]));
   }
   return { low, high };
 }

@@ -63,6 +63,17 @@ export class SpaceRun extends Run {
     return [this.place[3 * n] + a, this.place[3 * n + 1] + b, this.place[3 * n + 2] + c];
   }
 
+  /** `corner`: the points that carry the joint; `share`: of each corner of its outline, ways along the sides to the second
+   *  and third of them. */
+  jointOf([event, body, corner, share, mode]) { return { event: this.events[event], body, corner, share, mode }; }
+
+  /** The corners of a joint's outline as posed now. */
+  outlineOf({ corner, share }) {
+    const [a, b, c] = corner.map((v) => this.point(v)), outline = [];
+    for (let i = 0; i < share.length; i += 2) outline.push(a.map((x, k) => x + share[i] * (b[k] - x) + share[i + 1] * (c[k] - x)));
+    return outline;
+  }
+
   point(v) { return [this.pointX[v], this.pointY[v], this.pointZ[v]]; }
 
   /** About the area that is seen of a body: a sixth of its box's surface. */

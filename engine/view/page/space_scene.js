@@ -1,63 +1,7 @@
 // Draws a model in space: solids by WebGL, and marks, forces and the selection on a canvas over it.
-import { Scene } from "./scene.js";
-
-const vertexCode = `#version 300 es
-uniform vec3 right, up, toward, middle;
-uniform vec3 scale;   // clip units per metre: to the right, upwards, into the depth
-uniform float nearer;  // m towards the eye, so that edges lie on their faces
-in vec3 point;
-in vec3 colour;
-out vec3 fill, seen;
-void main() {
-  vec3 p = point - middle;
-  seen = vec3(dot(right, p), dot(up, p), dot(toward, p));
-  fill = colour;
-  gl_Position = vec4(seen.xy * scale.xy, -(seen.z + nearer) * scale.z, 1.0);
-}`;
-// The normal of a face follows from how its points change from pixel to pixel. Light comes from the upper left.
-const pixelCode = `#version 300 es
-precision highp float;
-uniform vec4 line;  // of edges: their colour; opacity 0 where faces are drawn
-in vec3 fill, seen;
-out vec4 shown;
-void main() {
-  vec3 n = normalize(cross(dFdx(seen), dFdy(seen)));
-  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.5, 0.8, 0.6)));
-  shown = line.a > 0.0 ? vec4(line.rgb, 1.0) : vec4(fill * (0.56 + 0.44 * light), 1.0);
-}`;
-
-// A sphere is a square of pixels about its centre: the disc within it, each pixel with the depth and the light of the
-// place on the sphere that it shows.
-const ballVertexCode = `#version 300 es
-uniform vec3 right, up, toward, middle;
-uniform vec3 scale;
-uniform float pixels;  // of the canvas per metre
-in vec3 point;
-in vec3 colour;
-in float radius;
-out vec3 fill;
-out vec2 deep;  // depth of the centre, and of the radius
-void main() {
-  vec3 p = point - middle;
-  fill = colour;
-  deep = vec2(-dot(toward, p) * scale.z, radius * scale.z);
-  gl_Position = vec4(dot(right, p) * scale.x, dot(up, p) * scale.y, deep.x, 1.0);
-  gl_PointSize = 2.0 * radius * pixels;
-}`;
-const ballPixelCode = `#version 300 es
-precision highp float;
-in vec3 fill;
-in vec2 deep;
-out vec4 shown;
-void main() {
-  vec2 at = vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
-  float square = dot(at, at);
-  if (square > 1.0) discard;
-  vec3 n = vec3(at, sqrt(1.0 - square));
-  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.5, 0.8, 0.6)));
-  shown = vec4(fill * (0.42 + 0.58 * light), 1.0);
-  gl_FragDepth = 0.5 + 0.5 * (deep.x - deep.y * n.z);
-}`;
+import { Cut } from "./cut.js";
+import { Scene, crackColour } from "./scene.js";
+import { ballPixelCode, ballVertexCode, pixelCode, vertexCode } from "./space_shaders.js";
 
 /** #rrggbb, or rgb(r, g, b) as style sheets give it, to three numbers up to 1. */
 function shares(colour) {
@@ -83,9 +27,10 @@ function compiled(gl, ofVertices, ofPixels) {
 export class SpaceScene extends Scene {
   /** Solids go to the canvas itself, all else to one over it. */
   contextOf(canvas) {
-    const gl = canvas.getContext("webgl2", { antialias: false });
+    const gl = canvas.getContext("webgl2", { antialias: false, stencil: true });
     if (!gl) throw new Error("This browser shows no models in space: it lacks WebGL 2.");
     this.gl = gl;
+    this.cut = new Cut(this.camera);
     this.over = document.createElement("canvas");
     this.over.id = "over";
     this.over.style.cssText = "position:absolute;inset:0;width:100%;height:100%;pointer-events:none";
@@ -132,6 +77,7 @@ export class SpaceScene extends Scene {
     this.fillBuffer = numbers(1, 3, gl.UNSIGNED_BYTE, true);
     numbers(2, 1, gl.FLOAT, false);
     gl.bufferData(gl.ARRAY_BUFFER, run.radius, gl.STATIC_DRAW);
+    this.sectionBuffer = gl.createBuffer();
   }
 
   resize() {
@@ -149,7 +95,7 @@ export class SpaceScene extends Scene {
   draw(time, colours, selection) {
     const { run, gl, context: c, camera } = this, theme = colours.theme;
     gl.clearColor(...shares(theme.paper), 1);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     c.clearRect(0, 0, camera.width, camera.height);
     if (!run.frames) return;
@@ -161,8 +107,10 @@ export class SpaceScene extends Scene {
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(2, 2);
-    this.drawList(gl.TRIANGLES, this.triangles, [0, 0, 0, 0]);
+    this.drawFaces();
     this.drawList(gl.LINES, this.edges, [...shares(theme.outline), 1]);
+    this.drawSectionOutlines(theme);
+    if (this.show.cracks) this.drawSolidCracks(time, theme);
     this.drawSpheres();
     if (this.show.start) {
       this.upload(this.startX, this.startY, this.startZ);
@@ -188,6 +136,8 @@ export class SpaceScene extends Scene {
     gl.uniform3f(this.at("middle"), camera.x, camera.y, camera.z);
     const deep = 1 / (this.farthest + Math.hypot(camera.x, camera.y, camera.z));
     gl.uniform3f(this.at("scale"), (2 * camera.scale) / camera.width, (2 * camera.scale) / camera.height, deep);
+    gl.uniform4fv(this.at("cut"), this.cut.plane());
+    gl.uniform1i(this.at("isCut"), this.cut.isThere);
   }
 
   /** A body's colour for each of its points. */
@@ -217,10 +167,80 @@ export class SpaceScene extends Scene {
     gl.bufferData(gl.ARRAY_BUFFER, this.points, gl.DYNAMIC_DRAW);
   }
 
+  /** Edges lie a little nearer than their faces. */
+  setLine(line) {
+    this.gl.uniform4fv(this.at("line"), line);
+    this.gl.uniform1f(this.at("nearer"), line[3] > 0 ? Math.min(4 / this.camera.scale, 0.12 * this.usualSize) : 0);
+  }
+
+  /** All faces. Where one is seen from behind, a section is seen, and what is drawn next is behind it if it is behind the
+   *  plane of the cut. */
+  drawFaces() {
+    const { gl, cut } = this;
+    if (!cut.isThere) return this.drawList(gl.TRIANGLES, this.triangles, [0, 0, 0, 0]);
+    gl.enable(gl.STENCIL_TEST);
+    gl.stencilFunc(gl.ALWAYS, 1, 1);
+    gl.stencilOpSeparate(gl.FRONT, gl.KEEP, gl.KEEP, gl.ZERO);
+    gl.stencilOpSeparate(gl.BACK, gl.KEEP, gl.KEEP, gl.REPLACE);
+    this.drawList(gl.TRIANGLES, this.triangles, [0, 0, 0, 0]);
+    gl.stencilFunc(gl.EQUAL, 1, 1);
+    gl.stencilOp(gl.KEEP, gl.KEEP, gl.KEEP);
+    gl.depthFunc(gl.ALWAYS);
+    gl.colorMask(false, false, false, false);
+    this.drawPoints(gl.TRIANGLE_STRIP, cut.corners(this.farthest), [0, 0, 0, 0]);
+    gl.colorMask(true, true, true, true);
+    gl.depthFunc(gl.LESS);
+    return gl.disable(gl.STENCIL_TEST);
+  }
+
+  drawSectionOutlines(theme) {
+    this.drawPoints(this.gl.LINES, this.cut.outlines(this.run), [...shares(theme.outline), 1]);
+  }
+
+  /** The outlines of joints that have lost their bond, over the edges of solids. */
+  drawSolidCracks(time, theme) {
+    for (const mode of new Set(this.run.joints.map((joint) => joint.mode)))
+      this.drawPoints(this.gl.TRIANGLES, this.ribbons(time, mode), [...shares(crackColour(mode, theme)), 1], this.cut.plane());
+  }
+
+  /** Both triangles of each side of those joints, as wide on the canvas wherever they lie. */
+  ribbons(time, mode) {
+    const { run, camera } = this, points = [], nearer = 1 / camera.scale;
+    for (const joint of run.joints) {
+      if (joint.mode !== mode || joint.event.time > time || !run.isThere(run.bodies[joint.body])) continue;
+      const half = (joint.broken ? 1.3 : 0.7) / camera.scale, outline = run.outlineOf(joint);
+      outline.forEach((b, i) => {
+        const a = outline[(i || outline.length) - 1], way = b.map((v, k) => v - a[k]);
+        const right = way.reduce((s, v, k) => s + v * camera.right[k], 0), up = way.reduce((s, v, k) => s + v * camera.up[k], 0);
+        const long = Math.hypot(right, up) || 1;
+        const aside = way.map((_, k) => (half * (right * camera.up[k] - up * camera.right[k])) / long);
+        const at = (p, s) => p.map((v, k) => v + s * aside[k] + nearer * camera.toward[k]);
+        points.push(...at(a, -1), ...at(b, -1), ...at(b, 1), ...at(a, -1), ...at(b, 1), ...at(a, 1));
+      });
+    }
+    return points;
+  }
+
+  /** Points of their own. Those that lie in the cut are not to be taken away by it: no plane then. */
+  drawPoints(kind, points, line, plane = [0, 0, 0, 0]) {
+    const { gl, cut } = this;
+    if (!points.length) return;
+    gl.uniform4fv(this.at("cut"), plane);
+    this.setLine(line);
+    for (const place of [1, 2]) gl.disableVertexAttribArray(place);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.sectionBuffer);
+    gl.bufferData(gl.ARRAY_BUFFER, Float32Array.from(points), gl.DYNAMIC_DRAW);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    gl.drawArrays(kind, 0, points.length / 3);
+    for (const place of [1, 2]) gl.enableVertexAttribArray(place);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.pointBuffer);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    gl.uniform4fv(this.at("cut"), cut.plane());
+  }
+
   drawList(kind, list, line) {
     const { gl } = this;
-    gl.uniform4fv(this.at("line"), line);
-    gl.uniform1f(this.at("nearer"), line[3] > 0 ? Math.min(4 / this.camera.scale, 0.12 * this.usualSize) : 0);
+    this.setLine(line);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, list.buffer);
     gl.drawElements(kind, list.count, gl.UNSIGNED_INT, 0);
   }
@@ -247,7 +267,7 @@ export class SpaceScene extends Scene {
     for (let k = first; k < last; k++) {
       const row = (block) => [0, 1, 2].map((i) => block.quantum * block.values[3 * k + i]);
       const at = row(place), f = row(force), size = Math.hypot(...f);
-      if (this.forceLength(size) < 1.5) continue;
+      if (this.forceLength(size) < 1.5 || this.isCut(at)) continue;
       // Of the two bodies' forces the one on the body that is held up by it.
       const aFree = run.bodies[pair[3 * k]]?.free, bFree = run.bodies[pair[3 * k + 1]]?.free;
       const metres = ((aFree === bFree ? f[2] < 0 : bFree) ? -1 : 1) * this.forceLength(size) / camera.scale / size;
@@ -259,6 +279,13 @@ export class SpaceScene extends Scene {
       c.stroke();
       if (length > 9) this.arrowHead(ex, ey, (ex - x) / length, (ey - y) / length);
     }
+  }
+
+  /** Whether a place is on the side of the cut that is left out. */
+  isCut(place) { return this.cut.takes(place); }
+
+  bearingMark(bearing) {
+    return this.isCut(this.run.bearingEnds(bearing)[0]) ? null : super.bearingMark(bearing);
   }
 
   middle(body) {
@@ -312,7 +339,7 @@ export class SpaceScene extends Scene {
   discs(body) {
     const { run, camera } = this, discs = [];
     for (let v = body.vertex; v < body.vertex + body.vertices; v++)
-      if (run.radius[v] > 0) discs.push([...camera.place(...run.point(v)), camera.depth(...run.point(v)), run.radius[v] * camera.scale]);
+      if (run.radius[v] > 0) discs.push([...camera.place(...run.point(v)), camera.depth(...run.point(v)), run.radius[v] * camera.scale, this.isCut(run.point(v))]);
     return discs;
   }
 
@@ -321,7 +348,8 @@ export class SpaceScene extends Scene {
     const { run, camera } = this;
     let best = null, nearest = -Infinity;
     for (const body of this.order.filter((b) => run.isThere(b))) {
-      for (const [x, y, deep, r] of this.discs(body)) {
+      for (const [x, y, deep, r, isCut] of this.discs(body)) {
+        if (isCut) continue;
         const square = (r * r - (px - x) ** 2 - (py - y) ** 2) / camera.scale ** 2;
         if (square > 0 && deep + Math.sqrt(square) > nearest) [best, nearest] = [body, deep + Math.sqrt(square)];
       }
@@ -332,7 +360,7 @@ export class SpaceScene extends Scene {
           if (flat[i][1] > py !== flat[k][1] > py && px < ((flat[k][0] - flat[i][0]) * (py - flat[i][1])) / (flat[k][1] - flat[i][1]) + flat[i][0]) hit = !hit;
         if (!hit) continue;
         const depth = depthAt(flat, corners.map((p) => camera.depth(...p)), px, py);
-        if (depth > nearest) [best, nearest] = [body, depth];
+        if (depth > nearest && !this.isCut(camera.pointAt(px, py, depth))) [best, nearest] = [body, depth];
       }
     }
     return best;

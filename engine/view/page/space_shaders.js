@@ -1,0 +1,73 @@
+// What the graphics processor does for a model in space.
+
+export const vertexCode = `#version 300 es
+uniform vec3 right, up, toward, middle;
+uniform vec3 scale;   // clip units per metre: to the right, upwards, into the depth
+uniform float nearer;  // m towards the eye, so that edges lie on their faces
+uniform vec4 cut;  // normal towards the eye, offset; zeros: no cut
+in vec3 point;
+in vec3 colour;
+out vec3 fill, seen;
+out float above;  // the cut, m
+void main() {
+  vec3 p = point - middle;
+  above = dot(cut.xyz, point) - cut.w;
+  seen = vec3(dot(right, p), dot(up, p), dot(toward, p));
+  fill = colour;
+  gl_Position = vec4(seen.xy * scale.xy, -(seen.z + nearer) * scale.z, 1.0);
+}`;
+// The normal of a face follows from how its points change from pixel to pixel. Light comes from the upper left. Where a
+// face is seen from behind, the eye looks into its solid through the cut: the section is shown there, hatched.
+export const pixelCode = `#version 300 es
+precision highp float;
+uniform vec4 line;  // of edges: their colour; opacity 0 where faces are drawn
+uniform bool isCut;
+in vec3 fill, seen;
+in float above;
+out vec4 shown;
+void main() {
+  if (above > 0.0) discard;
+  if (isCut && line.a == 0.0 && !gl_FrontFacing) {
+    bool isStripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 1.5;
+    shown = vec4(fill * (isStripe ? 0.5 : 0.78), 1.0);
+    return;
+  }
+  vec3 n = normalize(cross(dFdx(seen), dFdy(seen)));
+  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.5, 0.8, 0.6)));
+  shown = line.a > 0.0 ? vec4(line.rgb, 1.0) : vec4(fill * (0.56 + 0.44 * light), 1.0);
+}`;
+
+// A sphere is a square of pixels about its centre: the disc within it, each pixel with the depth and the light of the
+// place on the sphere that it shows.
+export const ballVertexCode = `#version 300 es
+uniform vec3 right, up, toward, middle;
+uniform vec3 scale;
+uniform float pixels;  // of the canvas per metre
+uniform vec4 cut;
+in vec3 point;
+in vec3 colour;
+in float radius;
+out vec3 fill;
+out vec2 deep;  // depth of the centre, and of the radius
+void main() {
+  vec3 p = point - middle;
+  fill = colour;
+  deep = vec2(-dot(toward, p) * scale.z, radius * scale.z);
+  gl_Position = vec4(dot(right, p) * scale.x, dot(up, p) * scale.y, deep.x, 1.0);
+  gl_PointSize = 2.0 * radius * pixels;
+  if (dot(cut.xyz, point) > cut.w) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside of what is drawn
+}`;
+export const ballPixelCode = `#version 300 es
+precision highp float;
+in vec3 fill;
+in vec2 deep;
+out vec4 shown;
+void main() {
+  vec2 at = vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
+  float square = dot(at, at);
+  if (square > 1.0) discard;
+  vec3 n = vec3(at, sqrt(1.0 - square));
+  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.5, 0.8, 0.6)));
+  shown = vec4(fill * (0.42 + 0.58 * light), 1.0);
+  gl_FragDepth = 0.5 + 0.5 * (deep.x - deep.y * n.z);
+}`;
