@@ -223,7 +223,7 @@ TEST_CASE("whatever is put into a joint it stores or gives off, as it opens, ben
     }
 }
 
-TEST_CASE("what a joint carried last is known from what it remembers, while it is sound, cracks, slides and is open") {
+TEST_CASE("what a joint carried last is known from what it remembers from sound to slid and open") {
   Cohesive soft = soft_mortar(1e9, 5e8, 0.7, 3e4, 2e4, 0.5, 2);
   soft.beta = 1e-3;
   Bonded brittle = brittle_mortar(1e9, 5e8, 0.7, 3e4, 2e4, 1);

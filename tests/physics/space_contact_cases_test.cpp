@@ -28,7 +28,7 @@ const Vec3 downwards(0, 0, -standard_gravity);
 
 }  // namespace
 
-TEST_CASE("C1 in space: a block rests at the overlap m g / (kn A), under a uniform stress") {
+TEST_CASE("C1 in space: a block rests at the overlap m g / (kn A) under a uniform stress") {
   check_in_turned_worlds([](const UnitQuaternion& world) {
     const double kn = 1e8;
     SolidScene scene(world);
@@ -115,7 +115,7 @@ TEST_CASE("C3 in space: a flat bounce has the duration and the depth of F2") {
   });
 }
 
-TEST_CASE("C4 in space: an eccentric load has the stress of its bend, and opens the joint to 3(B/2 - e)") {
+TEST_CASE("C4 in space: an eccentric load bends the stress and then opens the joint to 3(B/2 - e)") {
   check_in_turned_worlds([](const UnitQuaternion& world) {
     const double kn = 1e8, weight = 1e4;
     std::vector<Published> all;
@@ -166,8 +166,8 @@ TEST_CASE("C5 in space: faces that overlap in part carry W/(1 - s) where they ov
   });
 }
 
-TEST_CASE("C6 in space: three blocks on one pass a uniform pressure on, with no rotation") {
-  check_in_turned_worlds([](const UnitQuaternion& world) {
+TEST_CASE("C6 in space: three blocks on one pass a uniform pressure on and do not turn") {
+  const auto figures = [](const UnitQuaternion& world) {
     const double kn = 1e10, pressure = 1e6;
     SolidScene scene(world);
     scene.add(base_below());
@@ -191,7 +191,10 @@ TEST_CASE("C6 in space: three blocks on one pass a uniform pressure on, with no 
     }
     for (const int body : {1, 2, 3, 4}) all.push_back({run.turned(body).norm(), 0, 1e-8});
     return all;
-  });
+  };
+  // Sides of the narrow blocks that touch by rounding alone press and rub each other by it, more as time goes on:
+  // figures came to differ by up to 6e-10 in 40 worlds, and with .2 um between those sides by 1e-11.
+  check_in_turned_worlds(figures, 2e-9);
 }
 
 namespace {
@@ -237,7 +240,7 @@ TEST_CASE("S1 in space: a block slides down an incline at g (sin - mu cos)") {
   });
 }
 
-TEST_CASE("S1 in space: below the friction angle a block stays, and creeps less than 1e-6 m in 10 s") {
+TEST_CASE("S1 in space: below the friction angle a block stays and creeps less than 1e-6 m in 10 s") {
   check_in_turned_worlds([](const UnitQuaternion& world) {
     std::vector<Published> all;
     for (const auto& [degrees, mu] : {std::pair{20.0, 0.5}, std::pair{30.0, 0.7}}) {

@@ -91,7 +91,7 @@ constexpr double joint_kn = 1e8, joint_ks = 5e7, joint_tension = 19150, joint_co
 
 }  // namespace
 
-TEST_CASE("C7 in space: a cohesive joint carries its tensile strength, then nothing, and presses once closed again") {
+TEST_CASE("C7 in space: a cohesive joint carries its tensile strength and then nothing until it closes again") {
   // The work of the softening law is gone where it is open by 2.5e-4 m.
   const double work = 0.5 * joint_tension * 2.5e-4;
   struct Pulled {
@@ -130,7 +130,7 @@ TEST_CASE("C7 in space: closed again after its loss the joint holds by friction 
   });
 }
 
-TEST_CASE("C8 in space: direct shear reaches c + s tan(phi), then s tan(phi), and unloads along ks") {
+TEST_CASE("C8 in space: direct shear reaches c + s tan(phi) and then s tan(phi) and unloads along ks") {
   const double mu = std::tan(radians(35)), pressure = 5e4, slides = 35010, breaks = 44778;
   for (const double by_point : {0.0, 1.0}) {
     Bonded law = brittle_mortar(joint_kn, joint_ks, mu, joint_cohesion, 1e5, by_point);
@@ -154,7 +154,7 @@ TEST_CASE("C8 in space: direct shear reaches c + s tan(phi), then s tan(phi), an
   }
 }
 
-TEST_CASE("C7 and C8 in space: what breaks is told with its mode, the force it carried, where and when") {
+TEST_CASE("C7 and C8 in space: what breaks is told with its mode and the force it carried and where and when") {
   const double breaks = 44778;
   Bonded slid = brittle_mortar(joint_kn, joint_ks, std::tan(radians(35)), joint_cohesion, 1e5);
   slid.beta = 1e-5;
