@@ -110,6 +110,24 @@ bool has_left(const JointPlan& plan, const JointMotion& motion, double depth) {
          depth > flat_faces_max_depth * plan.width;
 }
 
+/// What patch k is pressed by, over the stiffness.
+template <class K>
+PatchStress stress_of(const JointMemory& joint, std::size_t k, const K& law) {
+  const JointPatch& p = joint.plan->patch[k];
+  const PatchMemory& m = joint.patch[k];
+  const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip) - joint.crushed[k]));
+  return elastic_stress(*joint.plan, p, o, joint.bonded(static_cast<int>(k)), holds_of(law, m));
+}
+
+/// What presses the two apart, below 0 where the joint pulls [N].
+template <class K>
+double pressing_force(const JointMemory& joint, const K& law) {
+  if (joint.sound) return law.kn * sound_stress(*joint.plan, joint.moved).force;
+  double sum = 0;
+  for (std::size_t k = 0; k < joint.plan->patch.size(); ++k) sum += law.kn * stress_of(joint, k, law).force;
+  return sum;
+}
+
 /// What is stored in a joint [J]. Sound, its stress is linear over the whole face, and the energy is a closed form of
 /// three displacements; else it is summed over patches, each with the bonds and the opening that are left to it. Shear
 /// stores tau^2 / (2 ks) for each unit of area, of which a patch stands for `active` at each of its points.
@@ -120,10 +138,8 @@ double energy_of(const JointMemory& joint, const K& law) {
            sound_shear_energy(*joint.plan, joint.elastic, law.ks);
   double sum = 0;
   for (std::size_t k = 0; k < joint.plan->patch.size(); ++k) {
-    const JointPatch& p = joint.plan->patch[k];
     const PatchMemory& m = joint.patch[k];
-    const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip) - joint.crushed[k]));
-    sum += law.kn * elastic_stress(*joint.plan, p, o, joint.bonded(static_cast<int>(k)), holds_of(law, m)).energy;
+    sum += law.kn * stress_of(joint, k, law).energy;
     const Lanes x = lanes_of(m.elastic_x), y = lanes_of(m.elastic_y);
     if (law.ks * m.active > 0) sum += 2 * sum_of(x * x + y * y) / (law.ks * m.active);
   }
@@ -182,6 +198,13 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
 
 double joint_energy(const JointMemory& joint, const LawInUse& use) {
   return with_kernel(use, [&](const auto& law) { return energy_of(joint, law); });
+}
+
+double carried_force(const JointMemory& joint, const SolidMemory& contact, const LawInUse& use) {
+  const double pressing = with_kernel(use, [&](const auto& law) { return pressing_force(joint, law); });
+  const Vec3& n = contact.normal;
+  const Vec3 shear = contact.shear.total - n.dot(contact.shear.total) * n;
+  return Vec3(pressing * n + contact.damping - shear).norm();
 }
 
 JointChange joint_change(const JointMemory& before, const JointMemory& now) {

@@ -33,6 +33,10 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
 /// Elastic energy of a joint, of its pressure and of its shear [J].
 double joint_energy(const JointMemory& joint, const LawInUse& law);
 
+/// The size of the force that a joint carried at its last step, of pressure, shear and their dampings, less what
+/// softened as it slid in that step; `contact`: what its contact remembers of then [N].
+double carried_force(const JointMemory& joint, const SolidMemory& contact, const LawInUse& law);
+
 /// What happened to a joint between two instants.
 JointChange joint_change(const JointMemory& before, const JointMemory& now);
 

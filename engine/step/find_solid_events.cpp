@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "contact/joint.hpp"
-#include "contact/joint_plan.hpp"
+#include "contact/joint_motion.hpp"
 #include "step/beam_events.hpp"
 #include "step/bearing_events.hpp"
 #include "step/body_events.hpp"
@@ -10,6 +10,7 @@
 #include "step/find_events.hpp"
 #include "step/parted_contacts.hpp"
 #include "step/seat_events.hpp"
+#include "step/solid_joints.hpp"
 
 namespace trilith {
 namespace {
@@ -84,14 +85,11 @@ void joint_events(const Model<3>& model, const State<3>& state, Work<3>& work, i
   const NearPair& pair = work.pairs[row];
   Event e = event_now(state, change.broken ? EventType::bond_broken : EventType::bond_cracked,
                       model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]);
-  if (const GeneralContact<3>* contact = general_contact(work, row); contact != nullptr) {
-    e.set_place(contact->centre);
-    e.value = (contact->force - work.contacts.memory[r].shear.total).norm();
-  } else {
-    const Vec3 on_a = motion_of(model, state, model.carrier_of(pair.piece_a)).place,
-               on_b = motion_of(model, state, model.carrier_of(pair.piece_b)).place;
-    e.set_place(Vec3(0.5 * (on_a + on_b)));
-  }
+  const JointPlan& plan = *before->plan;
+  const JointMotion now(plan, body_motion(model, state, pair.piece_a, plan.face_a),
+                        body_motion(model, state, pair.piece_b, plan.face_b));
+  e.set_place(now.origin);
+  e.value = carried_force(*before, contacts.memory[r], {model.laws[pair.law]});
   e.mode = mode_of(model, pair, *before, contacts.memory[r]);
   work.events.push_back(e);
 }

@@ -222,3 +222,32 @@ TEST_CASE("whatever is put into a joint it stores or gives off, as it opens, ben
       }
     }
 }
+
+TEST_CASE("what a joint carried last is known from what it remembers from sound to slid and open") {
+  Cohesive soft = soft_mortar(1e9, 5e8, 0.7, 3e4, 2e4, 0.5, 2);
+  soft.beta = 1e-3;
+  Bonded brittle = brittle_mortar(1e9, 5e8, 0.7, 3e4, 2e4, 1);
+  brittle.beta = 1e-3;
+  struct Remembered {
+    ContactLaw law;
+    double within;
+  };
+  // What softens as it slides in a step carries in that step what it held before, and is remembered as it is after.
+  for (const Remembered& r : {Remembered{brittle, 1e-12}, Remembered{brittle_mortar(1e9, 5e8, 0.7, 3e4, 2e4), 1e-12},
+                              Remembered{soft, 1e-3}}) {
+    HeldJoint joint(r.law, 0.6, 0.4);
+    int broken = 0;
+    const int steps = 2000;
+    const double pressed = 1e9 * 0.6 * 0.4 * 4e-5;
+    for (int i = 1; i <= steps; ++i) {
+      // Pressed and sheared, then bent open at one corner, and slid.
+      const double share = i / static_cast<double>(steps);
+      const SolidResponse& now =
+          joint.to(Vec3(2e-4 * share, 1e-4 * share, -4e-5 + 1e-4 * share), share * Vec3(3e-5, -5e-5, 1e-4));
+      CHECK(near_zero(carried_force(joint.joint(), now.memory, {r.law}) - now.force.norm(), r.within * pressed));
+      if (joint.joint().bonds != (1U << most_patches) - 1) ++broken;
+    }
+    CHECK(broken > steps / 20);
+    CHECK(broken < steps);
+  }
+}

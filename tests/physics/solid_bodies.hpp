@@ -51,6 +51,12 @@ class SolidRun {
     const auto count = static_cast<int>(std::lround(seconds / options_.dt));
     for (int i = 0; i < count; ++i) step();
   }
+  /// Steps with the damping of consolidation.
+  void settle(double seconds) {
+    options_.rest.share = 0.8;
+    run(seconds);
+    options_.rest.share = 0;
+  }
   /// Until `done` or the time is over; true where it was done.
   bool run_until(double most, const std::function<bool()>& done) {
     for (const double end = state_.time + most; state_.time < end;) {
@@ -62,6 +68,7 @@ class SolidRun {
   StepOptions& options() { return options_; }
   void drop_work() { work_ = {}, evaluate(model_, state_, work_, state_.last_dt); }
   Model<3>& model() { return model_; }
+  [[nodiscard]] const Model<3>& model() const { return model_; }
   State<3>& state() { return state_; }
   [[nodiscard]] const State<3>& state() const { return state_; }
   [[nodiscard]] const Work<3>& work() const { return work_; }

@@ -42,13 +42,6 @@ double largest_of(const SolidRun& run, F&& f) {
   return most;
 }
 
-/// Steps with the damping of consolidation.
-void settle(SolidRun& run, double seconds) {
-  run.options().rest.share = 0.8;
-  run.run(seconds);
-  run.options().rest.share = 0;
-}
-
 /// T15: planes that dip by these angles towards these azimuths carry a wedge; x to the east, y to the north.
 struct WedgePlanes {
   Vec3 first, second, along;  // upward normals; down along the line in which the planes meet
@@ -122,7 +115,7 @@ TEST_CASE("a cube of 10 cm and 1 kg rests for a minute and does not turn" * doct
 
 TEST_CASE("a dry wall of 20 courses stands for a minute" * doctest::test_suite("long")) {
   SolidRun run(dry_wall(20, 4), 1e-4);
-  settle(run, 0.5);
+  run.settle(0.5);
   const std::vector<Vec3> before = run.state().position;
   run.run(60);
   const double drift = largest_of(run, [&](std::size_t n) { return (run.state().position[n] - before[n]).norm(); });
