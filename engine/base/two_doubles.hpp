@@ -24,18 +24,18 @@ using TwoDoubles = TwoOf<double>;
 
 /// a + b, exactly.
 template <class T>
-[[gnu::always_inline]] inline TwoOf<T> exact_sum(T a, T b) {
+[[gnu::always_inline]] constexpr TwoOf<T> exact_sum(T a, T b) {
   const T sum = a + b, of_b = sum - a;
   return {sum, (a - (sum - of_b)) + (b - of_b)};
 }
 /// a + b, exactly, where |a| >= |b| or a is 0.
 template <class T>
-[[gnu::always_inline]] inline TwoOf<T> ordered_sum(T a, T b) {
+[[gnu::always_inline]] constexpr TwoOf<T> ordered_sum(T a, T b) {
   const T sum = a + b;
   return {sum, b - (sum - a)};
 }
 /// a b, exactly, where both are below 2^996 and the product is above 2^-969.
-inline TwoDoubles exact_product(double a, double b) {
+constexpr TwoDoubles exact_product(double a, double b) {
   const auto upper = [](double v) {
     const double scaled = 134217729.0 * v;  // 2^27 + 1: leaves 26 bits
     return scaled - (scaled - v);
@@ -44,15 +44,15 @@ inline TwoDoubles exact_product(double a, double b) {
   return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
-inline TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
+constexpr TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
   const TwoDoubles sum = exact_sum(a.high, b.high);
   return ordered_sum(sum.high, sum.low + (a.low + b.low));
 }
-inline TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
+constexpr TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
   const TwoDoubles product = exact_product(a.high, b.high);
   return ordered_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
-inline TwoDoubles operator/(const TwoDoubles& a, const TwoDoubles& b) {
+constexpr TwoDoubles operator/(const TwoDoubles& a, const TwoDoubles& b) {
   const double first = a.high / b.high;
   const TwoDoubles taken = exact_product(first, b.high);
   return ordered_sum(first, (((a.high - taken.high) - taken.low) + (a.low - first * b.low)) / b.high);

@@ -34,34 +34,38 @@ struct ConcreteCycle {
   using Memory = std::array<double, concrete_memory>;
   static constexpr int squeezed = 2, opened = 3;  ///< places in the memory
 
-  static double plastic(const L& law, double most) {
+  /// Plastic strain that the greatest compression `most` leaves, where the envelope has `stress` [Pa].
+  static double plastic(const L& law, double most, double stress) {
     const double r = most / law.peak_strain();
     const double share = r < 2 ? (0.145 * r + 0.13) * r : 0.84 + 0.707 * (r - 2);
-    return std::min(share * law.peak_strain(), most - law.envelope(most).stress / law.initial());
+    return std::min(share * law.peak_strain(), most - stress / law.initial());
   }
-  /// Modulus of unloading [Pa].
-  static double unloading(const L& law, double most) {
-    return most > 0 ? law.envelope(most).stress / (most - plastic(law, most)) : law.initial();
-  }
-  /// The line of unloading gives back what is stored.
+  /// The line of unloading gives back what is stored. `left`: plastic strain.
+  static double stored_on_line(const Memory& m, double left) { return 0.5 * m[last_stress] * (m[last_strain] + left); }
   static double stored(const L& law, const Memory& m) {
-    return 0.5 * m[last_stress] * (m[last_strain] + plastic(law, m[squeezed]));
+    return stored_on_line(m, plastic(law, m[squeezed], law.envelope(m[squeezed]).stress));
   }
 
+  /// The envelope, which may be dear, is asked once where it has been, and once where it is.
   static UniaxialResponse<concrete_memory> respond(const L& law, double strain, const Memory& before) {
     UniaxialResponse<concrete_memory> out;
     Memory& m = out.memory = before;
     m[last_strain] = strain;
-    if (-strain > before[squeezed]) {
+    const double most = before[squeezed], on_envelope = law.envelope(most).stress;
+    const double left_before = plastic(law, most, on_envelope);
+    double left = left_before;
+    if (-strain > most) {
       const EnvelopePoint p = law.envelope(-strain);
       m[squeezed] = -strain, m[last_stress] = -p.stress, out.tangent = p.slope;
       out.yielding = -strain > law.peak_strain();
+      left = plastic(law, -strain, p.stress);
     } else {
-      const double open = strain + plastic(law, before[squeezed]), modulus = unloading(law, before[squeezed]);
+      const double open = strain + left, modulus = most > 0 ? on_envelope / (most - left) : law.initial();
       out.tangent = modulus, m[last_stress] = modulus * open;
       if (open > 0) pull(law, open, modulus, out);
     }
-    book_step(law, before, out);
+    out.stored = stored_on_line(m, left);
+    book_work(before, stored_on_line(before, left_before), out);
     return out;
   }
 

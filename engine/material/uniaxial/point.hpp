@@ -22,13 +22,18 @@ struct UniaxialResponse {
   [[nodiscard]] double stress() const { return memory[last_stress]; }  ///< [Pa]
 };
 
-/// Books the step from `before` to `out.memory`, so that stored and dissipated together are its work.
-template <class L>
-void book_step(const L& law, const typename L::Memory& before, UniaxialResponse<L::memory_size>& out) {
+/// Books the step from `before` to `out.memory`, so that stored and dissipated together are its work. `stored_before`
+/// [J/m3], as out.stored.
+template <class Memory, int N>
+void book_work(const Memory& before, double stored_before, UniaxialResponse<N>& out) {
   const double work =
       0.5 * (before[last_stress] + out.memory[last_stress]) * (out.memory[last_strain] - before[last_strain]);
+  out.dissipated = work - (out.stored - stored_before);
+}
+template <class L>
+void book_step(const L& law, const typename L::Memory& before, UniaxialResponse<L::memory_size>& out) {
   out.stored = law.stored(out.memory);
-  out.dissipated = work - (out.stored - law.stored(before));
+  book_work(before, law.stored(before), out);
 }
 
 }  // namespace trilith
