@@ -9,6 +9,7 @@
 #include "world/check.hpp"
 #include "world/extend.hpp"
 #include "world/names.hpp"
+#include "world/piece_overlaps.hpp"
 #include "world/space_builder.hpp"
 #include "world/usual.hpp"
 
@@ -56,6 +57,7 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
     check_sphere(spec.spheres[s], spec.spheres.size() == 1 ? owner : fmt::format("{}, sphere {}", owner, s + 1));
   for (std::size_t p = 0; p < spec.pieces.size() && !spec.frame && !spec.mesh; ++p)
     check_convex(spec.pieces[p], spec.pieces.size() == 1 ? owner : fmt::format("{}, piece {}", owner, p + 1));
+  if (!spec.frame && !spec.mesh) refuse_overlapping_pieces(spec.pieces, overlap_allowed, owner);
   for (const Vec3* v : {&spec.velocity, &spec.spin, &spec.load})
     if (!v->allFinite()) throw InputError(owner + ": velocity, spin or load is not finite");
   if (!spec.material.empty()) require_material(materials_, spec.material, owner);
