@@ -42,6 +42,18 @@ double SolidModelBuilder::density_of(const SolidSpec& spec) const {
   throw InputError(fmt::format("{}: give a density or mass, or a material that has a density", owner));
 }
 
+namespace {
+
+/// Of the axis-parallel box around all pieces [m].
+double least_side(const std::vector<Polyhedron>& pieces) {
+  Vec3 low = pieces[0].corners[0], high = low;
+  for (const Polyhedron& piece : pieces)
+    for (const Vec3& x : piece.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  return (high - low).minCoeff();
+}
+
+}  // namespace
+
 void SolidModelBuilder::add_body(SolidSpec spec) {
   require_name(spec.name, "body");
   body_names_known_.require_new(bodies_, spec.name, "body");
@@ -62,7 +74,8 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
     if (!v->allFinite()) throw InputError(owner + ": velocity, spin or load is not finite");
   if (!spec.material.empty()) require_material(materials_, spec.material, owner);
   (void)(spec.frame ? frame_body(spec).material.front().mass : density_of(spec));
-  if (spec.density) add_doubt(notes_, owner, "density", "kg/m3", *spec.density);
+  if (spec.density) add_doubt_once(notes_, owner, "density", "kg/m3", *spec.density);
+  if (!spec.pieces.empty() && !spec.frame) add_doubt_once(notes_, owner, "least side", "m", least_side(spec.pieces));
   bodies_.push_back(std::move(spec));
 }
 
