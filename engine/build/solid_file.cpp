@@ -95,10 +95,10 @@ class SolidMaker {
       out_.notes.push_back(fmt::format("{}: faces of {} solids were made plane, corners moved by up to {:.3g} m",
                                        owner_, planed_, moved_));
     if (hulls_ > 0)
-      out_.notes.push_back(
-          fmt::format("{}: {} solids with very narrow faces became the hulls of their corners, with "
-                      "triangles where corners are in no plane",
-                      owner_, hulls_));
+      out_.notes.push_back(fmt::format(
+          "{}: {} solids with faces that are very narrow or not plane became the hulls of their corners, with "
+          "triangles where corners are in no plane",
+          owner_, hulls_));
     return std::move(out_);
   }
 

@@ -85,6 +85,8 @@ local cases = {
   { function() trilith.model { name = "x", thickness = 0 } end, "model 'x': 'thickness' is 0 m, must be above 0" },
   { function() trilith.model { gravity = "down" } end,
     "model: 'gravity' is the text 'down', must be a number (downwards) or {x, y}, in m/s2" },
+  { function() trilith.model { gravity = -9.81 } end,
+    "model: 'gravity' is -9.81, must be not below 0, as a number counts downwards; what pulls up is a vector" },
   { function() trilith.model "x" end, "model: takes one table, as in model{ ... }; this is the text 'x'" },
   -- materials and laws
   { function() m:material { density = 2000 } end, "material: 'name' is missing; give a text" },
