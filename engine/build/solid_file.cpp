@@ -146,6 +146,15 @@ class SolidMaker {
     return solids;
   }
 
+  static void refuse_crowded(const Polyhedron& surface, const std::string& title) {
+    if (const CrowdedEdge edge = crowded_edge(surface.faces); edge.faces > 0)
+      throw InputError(
+          fmt::format("{} has an edge with {} faces, from {} to {} m, and in the surface of a solid each edge has two; "
+                      "take out faces that are there twice or lie within it",
+                      title, edge.faces, place_text(surface.corners[static_cast<std::size_t>(edge.from)]),
+                      place_text(surface.corners[static_cast<std::size_t>(edge.to)])));
+  }
+
   static void refuse_open(const Polyhedron& surface, const std::vector<int>& across, const Shells& shells,
                           const std::string& title) {
     if (std::count(shells.whole.begin(), shells.whole.end(), 1) == shells.count) return;
@@ -155,12 +164,7 @@ class SolidMaker {
           fmt::format("{} has no inside: its faces cannot be turned so that they agree, or more than two "
                       "share an edge; give each solid as an object of its own",
                       title));
-    if (const CrowdedEdge edge = crowded_edge(surface.faces); edge.faces > 0)
-      throw InputError(
-          fmt::format("{} has an edge with {} faces, from {} to {} m, and in the surface of a solid each edge has two; "
-                      "take out faces that are there twice or lie within it",
-                      title, edge.faces, place_text(surface.corners[static_cast<std::size_t>(edge.from)]),
-                      place_text(surface.corners[static_cast<std::size_t>(edge.to)])));
+    refuse_crowded(surface, title);
     int face = 0;
     const auto first = static_cast<int>(std::find(across.begin(), across.end(), -1) - across.begin());
     while (surface.faces.start[static_cast<std::size_t>(face) + 1] <= first) ++face;
