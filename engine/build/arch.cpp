@@ -229,4 +229,13 @@ std::vector<Part> build_arch(const Arch& arch) {
   return parts;
 }
 
+std::vector<Part> build_profile(Arch arch, std::string_view owner) {
+  arch.name = {};
+  try {
+    return build_arch(arch);
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("{}: {}", owner, e.what()));
+  }
+}
+
 }  // namespace trilith

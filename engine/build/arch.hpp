@@ -48,4 +48,8 @@ void set_span_and_rise(Arch& arch, double span, double rise);
 /// straight edge through them (to rounding). Throws InputError for numbers out of range.
 std::vector<Part> build_arch(const Arch& arch);
 
+/// The same as the profile of something larger: names of parts are without that of the arch, and `owner` begins
+/// messages.
+std::vector<Part> build_profile(Arch arch, std::string_view owner);
+
 }  // namespace trilith

@@ -31,8 +31,7 @@ std::vector<SolidPart> build_barrel_vault(const BarrelVault& vault) {
   require_finite(vault.from, owner + ": from");
   require_place(vault.at, owner);
   const UnitQuaternion rotation = checked_turn(vault.turn, owner);
-  Arch arch = vault.arch;
-  arch.name = {};
+  require_buildable(static_cast<double>(vault.arch.voussoirs) * vault.stones, owner);
   std::vector<SolidPart> parts;
   const auto add = [&](const std::string& piece, const Part& of, std::vector<std::string> groups, int from, int to) {
     for (const std::string& group : of.groups) groups.insert(groups.begin(), group);
@@ -44,7 +43,7 @@ std::vector<SolidPart> build_barrel_vault(const BarrelVault& vault) {
     place_part(parts.back(), rotation, vault.at);
   };
   int course = 0;
-  for (const Part& part : build_arch(arch)) {
+  for (const Part& part : build_profile(vault.arch, owner)) {
     if (std::count(part.groups.begin(), part.groups.end(), "voussoirs") == 0) {
       add(part.name, part, {}, 0, 2 * vault.stones);
       continue;

@@ -41,6 +41,7 @@ class Planner {
     storeys();
     footprints();
     extend_ends();
+    refuse_too_many();
     refuse_overlaps();
     junctions();
     for (std::size_t w = 0; w < plan_.walls.size(); ++w) openings(w);
@@ -80,7 +81,7 @@ class Planner {
   /// Lines of all storeys above the foot of the first.
   void storeys() {
     require_count(static_cast<int>(b_.storeys.size()), 1, 1000, plan_.owner + ": number of storeys");
-    double foot = 0;
+    double foot = 0, all = 0;
     for (std::size_t s = 0; s < b_.storeys.size(); ++s) {
       const MasonryStorey& storey = b_.storeys[s];
       const std::string owner = fmt::format("{}: storey {}", plan_.owner, s + 1);
@@ -89,11 +90,22 @@ class Planner {
                               : require_not_negative(storey.slab_height, owner + ": slab height", "m");
       const int courses = storey.courses == 0 ? courses_within(storey.height, slab, owner)
                                               : require_count(storey.courses, 1, 100000, owner + ": number of courses");
+      all += courses;
+      require_buildable(all, plan_.owner);
       PlannedStorey planned;
       for (int c = 0; c <= courses; ++c) planned.line.push_back(foot + plan_.course * c);
       planned.top = foot = planned.line.back() + slab;
       plan_.storeys.push_back(std::move(planned));
     }
+  }
+
+  /// Units of all walls in all courses.
+  void refuse_too_many() const {
+    double courses = 0, leaves = 0;
+    for (const PlannedStorey& storey : plan_.storeys) courses += storey.courses();
+    for (const PlannedWall& wall : plan_.walls)
+      leaves += (wall.along.high - wall.along.low) / std::min(plan_.unit, plan_.header);
+    require_buildable(courses * leaves, plan_.owner);
   }
 
   [[nodiscard]] int courses_within(double height, double slab, const std::string& owner) const {

@@ -32,8 +32,8 @@ class CrossVaultLayout {
     require_place(vault.at, owner_);
     rotation_ = checked_turn({.axis = {0, 0, 1}, .angle = vault.angle}, owner_);
     Arch arch = vault.arch;
-    arch.name = {}, arch.abutments = false, arch.centre.x() = 0;
-    profile_ = build_arch(arch);
+    arch.abutments = false, arch.centre.x() = 0;
+    profile_ = build_profile(arch, owner_);
     for (const Part& part : profile_)
       for (const Vec2& p : part.outline) outer_ = std::max(outer_, std::abs(p.x()));
     half_bay_ = require_not_negative(vault.half_bay, owner_ + ": half bay", "m");
@@ -41,6 +41,7 @@ class CrossVaultLayout {
     if (half_bay_ < outer_)
       throw InputError(fmt::format("{}: half bay is {:g} m, must be at least {:g} m, the outer edge of the arch",
                                    owner_, half_bay_, outer_));
+    require_buildable(4 * half_bay_ / vault.stone_length * static_cast<double>(profile_.size()), owner_);
     for (std::size_t i = 0; i < profile_.size(); ++i) courses_.push_back(course(profile_[i].outline, i % 2 == 1));
   }
 

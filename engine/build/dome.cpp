@@ -18,6 +18,7 @@ void check_dome(const Dome& dome, const std::string& owner) {
                                  dome.thickness, 2 * dome.radius));
   require_count(dome.rings, 1, 1000, owner + ": number of rings");
   require_count(dome.sectors, 3, 1000, owner + ": number of sectors");
+  require_buildable(static_cast<double>(dome.rings) * dome.sectors, owner);
   require_positive(dome.springing, owner + ": colatitude of the springing", "rad");
   require_positive(dome.crown, owner + ": colatitude of the crown", "rad");
   if (dome.springing > std::numbers::pi / 2 * (1 + 1e-12))

@@ -96,6 +96,7 @@ class ObjReader {
   void point() {
     const double x = number("x"), y = number("y"), z = number("z");
     points_.push_back(axes_.place(x, y, z));
+    if (const std::string why = why_beyond_reach(points_.back()); !why.empty()) fail(why);
   }
 
   /// Of a corner such as 7, 7/1, 7//3, 7/1/3, and -1 for the last point so far.
@@ -106,6 +107,7 @@ class ObjReader {
     const int count = static_cast<int>(points_.size());
     if (error != std::errc() || end != w.data() + w.size())
       fail(fmt::format("a corner of a face is '{}', must be the number of a point", w.substr(0, 40)));
+    if (count == 0) fail(fmt::format("a face names point {}, and no point comes before it", i));
     if (i == 0 || i > count || i < -count)
       fail(fmt::format("a face names point {}, there are points 1 to {} so far", i, count));
     return i > 0 ? i - 1 : count + i;
@@ -206,6 +208,9 @@ class ObjReader {
 }  // namespace
 
 SolidParts parse_obj(std::string_view text, const SolidFile& how, std::string_view owner) {
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+    throw InputError(
+        fmt::format("{}: is no OBJ file: its byte {} is 0, and OBJ files are text; save it as OBJ", owner, zero + 1));
   return solids_of_file(ObjReader(text, how, owner).run(), how, owner);
 }
 

@@ -26,7 +26,7 @@ DepthSpan depth_span(double from, double depth, bool centred, const std::string&
 }  // namespace
 
 SolidPart build_box(const SolidBox& box) {
-  const std::string owner = builder_title("box", box.name);
+  const std::string owner = builder_title("block", box.name);
   for (int k = 0; k < 3; ++k)
     require_positive(box.size[k], fmt::format("{}: size along {}", owner, own_axis[static_cast<std::size_t>(k)]), "m");
   require_place(box.at, owner);

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <unordered_set>
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
 #include "shape/convex_hull.hpp"
+#include "shape/crossing_faces.hpp"
 #include "shape/cut_solid.hpp"
 #include "shape/surface.hpp"
 
@@ -31,6 +33,29 @@ std::string place_text(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
 }
 
+/// An edge that an odd number of faces have, more than one, and that number; 0 where there is none.
+struct CrowdedEdge {
+  int faces = 0, from = 0, to = 0;
+};
+
+CrowdedEdge crowded_edge(const FaceLoops& faces) {
+  std::vector<std::array<int, 2>> sides;
+  for (int f = 0; f < faces.count(); ++f)
+    for (std::size_t k = 0; k < faces[f].size(); ++k) {
+      const auto [low, high] = std::minmax(faces[f][k], faces[f][k + 1 == faces[f].size() ? 0 : k + 1]);
+      sides.push_back({low, high});
+    }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    while (end < sides.size() && sides[end] == sides[i]) ++end;
+    if (end - i > 1 && (end - i) % 2 == 1) return {static_cast<int>(end - i), sides[i][0], sides[i][1]};
+  }
+  return {};
+}
+
+/// What may be told of many solids of one file, and is told of the first.
+enum class FileNote { inside_out, partly_turned, shells, same_name, count };
+
 class SolidMaker {
  public:
   SolidMaker(const SolidFile& how, std::string_view owner) : how_(how), owner_(owner) {
@@ -45,10 +70,9 @@ class SolidMaker {
     for (const Polyhedron& surface : body.surfaces) {
       std::vector<Polyhedron> solids = closed_solids(surface, title);
       if (solids.size() > 1 && !how_.shells_are_bodies)
-        out_.notes.push_back(
-            fmt::format("{} has {} separate shells, which became pieces of one body; set "
-                        "shells_are_bodies to make each a body",
-                        title, solids.size()));
+        tell(FileNote::shells, fmt::format("{} has {} separate shells, which became pieces of one body; set "
+                                           "shells_are_bodies to make each a body",
+                                           title, solids.size()));
       for (Polyhedron& solid : solids) pieces.push_back(std::move(solid));
     }
     const std::string name = named(body.name);
@@ -65,18 +89,28 @@ class SolidMaker {
 
   SolidParts take() {
     if (out_.parts.empty()) throw InputError(fmt::format("{}: there is no solid in it; it has no faces", owner_));
+    for (const ToldOnce& told : told_)
+      if (told.more > 0) out_.notes[told.note] += fmt::format(" (and so of {} more of its solids)", told.more);
     if (planed_ > 0)
       out_.notes.push_back(fmt::format("{}: faces of {} solids were made plane, corners moved by up to {:.3g} m",
                                        owner_, planed_, moved_));
     if (hulls_ > 0)
-      out_.notes.push_back(
-          fmt::format("{}: {} solids with very narrow faces became the hulls of their corners, with "
-                      "triangles where corners are in no plane",
-                      owner_, hulls_));
+      out_.notes.push_back(fmt::format(
+          "{}: {} solids with faces that are very narrow or not plane became the hulls of their corners, with "
+          "triangles where corners are in no plane",
+          owner_, hulls_));
     return std::move(out_);
   }
 
  private:
+  /// A file of a thousand solids that are alike gets one line, not a thousand.
+  void tell(FileNote kind, const std::string& text) {
+    ToldOnce& told = told_[static_cast<std::size_t>(kind)];
+    if (++told.more > 0) return;
+    told.note = out_.notes.size();
+    out_.notes.push_back(text);
+  }
+
   /// Of its own in the file.
   std::string named(const std::string& given) {
     const std::string base = given.empty() ? std::string() : part_name(how_.name, given);
@@ -84,8 +118,8 @@ class SolidMaker {
     std::string name = wanted;
     for (int k = 2; !names_.insert(name).second; ++k) name = fmt::format("{}.{}", wanted, k);
     if (name != wanted && !given.empty())
-      out_.notes.push_back(
-          fmt::format("{}: there is a solid '{}' already, the next one became '{}'", owner_, wanted, name));
+      tell(FileNote::same_name,
+           fmt::format("{}: there is a solid '{}' already, the next one became '{}'", owner_, wanted, name));
     return name;
   }
 
@@ -112,6 +146,15 @@ class SolidMaker {
     return solids;
   }
 
+  static void refuse_crowded(const Polyhedron& surface, const std::string& title) {
+    if (const CrowdedEdge edge = crowded_edge(surface.faces); edge.faces > 0)
+      throw InputError(
+          fmt::format("{} has an edge with {} faces, from {} to {} m, and in the surface of a solid each edge has two; "
+                      "take out faces that are there twice or lie within it",
+                      title, edge.faces, place_text(surface.corners[static_cast<std::size_t>(edge.from)]),
+                      place_text(surface.corners[static_cast<std::size_t>(edge.to)])));
+  }
+
   static void refuse_open(const Polyhedron& surface, const std::vector<int>& across, const Shells& shells,
                           const std::string& title) {
     if (std::count(shells.whole.begin(), shells.whole.end(), 1) == shells.count) return;
@@ -121,6 +164,7 @@ class SolidMaker {
           fmt::format("{} has no inside: its faces cannot be turned so that they agree, or more than two "
                       "share an edge; give each solid as an object of its own",
                       title));
+    refuse_crowded(surface, title);
     int face = 0;
     const auto first = static_cast<int>(std::find(across.begin(), across.end(), -1) - across.begin());
     while (surface.faces.start[static_cast<std::size_t>(face) + 1] <= first) ++face;
@@ -139,24 +183,51 @@ class SolidMaker {
   void note_turned(const Shells& shells, const std::string& title) {
     const auto turned = std::count(shells.turn.begin(), shells.turn.end(), 1);
     if (turned == static_cast<std::ptrdiff_t>(shells.turn.size()))
-      out_.notes.push_back(fmt::format("{} was inside out; its faces were turned round", title));
+      tell(FileNote::inside_out, fmt::format("{} was inside out; its faces were turned round", title));
     else if (turned > 0)
-      out_.notes.push_back(
-          fmt::format("{}: {} of {} faces ran the wrong way and were turned round", title, turned, shells.turn.size()));
+      tell(FileNote::partly_turned, fmt::format("{}: {} of {} faces ran the wrong way and were turned round", title,
+                                                turned, shells.turn.size()));
+  }
+
+  void refuse_crossing(const Polyhedron& closed, const std::string& title) const {
+    const auto crossing = crossing_faces(closed, how_.flat * solid_size(closed.corners));
+    if (!crossing) return;
+    throw InputError(fmt::format(
+        "{} crosses itself at {} m, where {}; the surface of a solid only closes around it: give each part that is "
+        "convex as an object of its own",
+        title, place_text(crossing->at),
+        crossing->a == crossing->b ? "two sides of one face cross" : "two of its faces pass through each other"));
+  }
+
+  /// What is thinner than what counts as one plane has no faces of its own on its two sides.
+  void refuse_flat(const Polyhedron& closed, const std::string& title) const {
+    double surface = 0;
+    for (int f = 0; f < closed.faces.count(); ++f) surface += area_vector(closed.corners, closed.faces[f]).norm();
+    const double size = solid_size(closed.corners), thickness = 2 * solid_moments(closed).volume / surface;
+    if (thickness > 4 * how_.flat * size) return;
+    refuse_crossing(closed, title);
+    throw InputError(
+        fmt::format("{} is flat: {:.3g} m thick and {:.3g} m large, must be thicker than {:.3g} m; leave it out, or "
+                    "give a smaller flat",
+                    title, thickness, size, 4 * how_.flat * size));
   }
 
   Polyhedron convex_of(const Polyhedron& closed, const std::string& title) {
+    refuse_flat(closed, title);
     Polyhedron solid = with_joined_faces(closed, how_.flat);
     const double size = solid_size(closed.corners);
     const HollowEdge hollow = hollow_edge(solid, edges_across(solid.faces));
-    if (hollow.by > 4 * how_.flat * size)
+    if (hollow.by > 4 * how_.flat * size) {
+      refuse_crossing(closed, title);
       throw InputError(
           fmt::format("{} is not convex: a face's corner at {} m stands {:.3g} m out of the plane of the face "
                       "beside it; give it as several convex objects in one group",
                       title, place_text(hollow.at), hollow.by));
+    }
     if (solid.faces.count() > most_faces)
       throw InputError(fmt::format("{} has {} faces, at most {} are taken; make it coarser", title, solid.faces.count(),
                                    most_faces));
+    if (!is_convex_solid(solid)) refuse_crossing(closed, title);
     if (is_rough(solid, size)) make_plane(solid, size, title);
     check_convex(solid, title);
     return solid;
@@ -166,9 +237,8 @@ class SolidMaker {
   /// then the solid becomes the hull of its corners, whose faces are triangles where four corners are in no plane.
   void make_plane(Polyhedron& solid, double size, const std::string& title) {
     PlanarSolid planar = with_plane_faces(solid);
-    ++planed_;
     if (planar.moved <= 8 * how_.flat * size && is_convex_solid(planar.solid)) {
-      moved_ = std::max(moved_, planar.moved);
+      ++planed_, moved_ = std::max(moved_, planar.moved);
       solid = std::move(planar.solid);
       return;
     }
@@ -222,11 +292,22 @@ class SolidMaker {
   std::string owner_;
   SolidParts out_;
   std::unordered_set<std::string> names_;
+  struct ToldOnce {
+    std::size_t note = 0;  ///< its place among the notes
+    int more = -1;         ///< solids it was not told of; -1: none has told it
+  };
+  std::array<ToldOnce, static_cast<std::size_t>(FileNote::count)> told_;
   double moved_ = 0;
   int planed_ = 0, hulls_ = 0;
 };
 
 }  // namespace
+
+std::string why_beyond_reach(const Vec3& place) {
+  if ((place.cwiseAbs().array() <= 1e12).all()) return {};
+  return fmt::format("a point at {} m, must be within 1e12 m of the origin; look at the file's unit and at scale",
+                     place_text(place));
+}
 
 FileAxes::FileAxes(const SolidFile& how, std::string_view owner)
     : scale_(require_positive(how.scale, fmt::format("{}: scale", owner), "m")), y_up_(how.y_up) {}
@@ -246,6 +327,7 @@ SolidParts read_solids(const std::filesystem::path& path, const SolidFile& how) 
   if (ending != ".obj" && ending != ".stl")
     throw InputError(fmt::format("{}: its ending is '{}'; files of solids end with .obj or .stl", owner, ending));
   const std::string bytes = text_of_file(path, "solids", largest_solid_file);
+  if (bytes.empty()) throw InputError(fmt::format("{}: is empty; export it anew", owner));
   return ending == ".obj" ? parse_obj(bytes, how, owner) : parse_stl(bytes, how, owner);
 }
 

@@ -26,8 +26,9 @@ struct SolidFile {
 /// of several objects, which then are its pieces, or where there are no objects. Faces of any number of corners;
 /// negative indices; normals, textures, materials, points and lines are passed over. Each closed shell must be convex;
 /// faces that run the wrong way are turned, coplanar ones joined, and corners brought onto the planes of their faces:
-/// with notes. Throws InputError with line and what is wrong there, and for open or hollow solids, with their name and
-/// the place.
+/// with notes, each of the first solid it is true of and how many more. Throws InputError with line and what is wrong
+/// there, and for solids that are open, flat or hollow, cross themselves or have an edge with three faces, with their
+/// name and the place.
 SolidParts parse_obj(std::string_view text, const SolidFile& how, std::string_view owner);
 
 /// Solids of an STL file, text or binary: one body for each "solid" of a text, one for a binary file. As parse_obj.
@@ -46,6 +47,9 @@ struct NamedSurfaces {
 
 /// Makes parts of what a reader has found, as parse_obj says. Names that come twice get ".2", ".3", ..., with a note.
 SolidParts solids_of_file(const std::vector<NamedSurfaces>& bodies, const SolidFile& how, std::string_view owner);
+
+/// What is wrong with a place that is farther out than tolerances have a meaning, 1e12 m; "" where nothing is.
+std::string why_beyond_reach(const Vec3& place);
 
 /// A place of the file in the axes and the unit of a model; throws InputError for a scale that is not above 0.
 class FileAxes {

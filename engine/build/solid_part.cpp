@@ -14,6 +14,14 @@
 
 namespace trilith {
 
+void require_buildable(double parts, std::string_view what) {
+  if (!(parts <= most_parts))
+    throw InputError(
+        fmt::format("{}: would have about {:.3g} parts, at most {:g} are built; look at its sizes and their "
+                    "units, or build it in stretches",
+                    what, parts, most_parts));
+}
+
 double volume_of(const SolidPart& part) {
   double volume = 0;
   for (const Polyhedron& piece : part.pieces) volume += solid_moments(piece).volume;

@@ -28,6 +28,12 @@ struct SolidParts {
   std::vector<std::string> notes;
 };
 
+/// What one call of a builder may make; more takes a machine's memory and minutes before it says a word.
+inline constexpr double most_parts = 200'000;
+
+/// Throws InputError where a builder would make more than most_parts. `what` begins the message, such as "wall 'w'".
+void require_buildable(double parts, std::string_view what);
+
 /// Volume of all pieces, and of the union of all spheres, m3.
 double volume_of(const SolidPart& part);
 

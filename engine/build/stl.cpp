@@ -28,6 +28,24 @@ bool is_binary_stl(std::string_view bytes) {
   return bytes.size() >= stl_head && bytes.size() == stl_head + stl_triangle * std::size_t{whole_at(bytes, 80)};
 }
 
+/// A file that is neither binary nor a text that begins as it must. Many binary files begin with "solid" too, but they
+/// hold bytes that are 0.
+void refuse_damaged(std::string_view bytes, std::string_view owner) {
+  const bool says_solid = bytes.substr(0, bytes.find_first_of(" \t\r\n")) == "solid";
+  const bool is_text = bytes.find('\0') == std::string_view::npos;
+  if (says_solid && is_text) return;
+  if (is_text || bytes.size() < stl_head)
+    throw InputError(
+        fmt::format("{}: is no STL file: it does not begin with 'solid', and a binary file has {} bytes before "
+                    "its first triangle and is no text",
+                    owner, stl_head));
+  const std::size_t triangles = whole_at(bytes, 80), room = (bytes.size() - stl_head) / stl_triangle;
+  throw InputError(
+      fmt::format("{}: is cut short or no STL file: as its bytes 81 to 84 have it there are {} triangles, which "
+                  "make {} bytes, and it has {}, room for {}; export it anew",
+                  owner, triangles, stl_head + stl_triangle * triangles, bytes.size(), room));
+}
+
 void add_triangle(Polyhedron& surface, const std::array<Vec3, 3>& corners) {
   const int first = static_cast<int>(surface.corners.size());
   surface.corners.insert(surface.corners.end(), corners.begin(), corners.end());
@@ -48,7 +66,12 @@ std::vector<NamedSurfaces> binary_stl(std::string_view bytes, const FileAxes& ax
         throw InputError(fmt::format("{}: triangle {} has a corner that is not finite", owner, t + 1));
       n[k] = static_cast<double>(value);
     }
-    add_triangle(surface, {axes.place(n[0], n[1], n[2]), axes.place(n[3], n[4], n[5]), axes.place(n[6], n[7], n[8])});
+    const std::array<Vec3, 3> corners{axes.place(n[0], n[1], n[2]), axes.place(n[3], n[4], n[5]),
+                                      axes.place(n[6], n[7], n[8])};
+    for (const Vec3& p : corners)
+      if (const std::string why = why_beyond_reach(p); !why.empty())
+        throw InputError(fmt::format("{}: triangle {} has {}", owner, t + 1, why));
+    add_triangle(surface, corners);
   }
   if (surface.faces.count() > 0) body.surfaces.push_back(std::move(surface));
   return {body};
@@ -145,6 +168,7 @@ class StlText {
       expect("vertex");
       const double x = number(), y = number(), z = number();
       corner = axes_.place(x, y, z);
+      if (const std::string why = why_beyond_reach(corner); !why.empty()) fail(why);
     }
     expect("endloop"), expect("endfacet");
     return corners;
@@ -162,12 +186,7 @@ class StlText {
 SolidParts parse_stl(std::string_view bytes, const SolidFile& how, std::string_view owner) {
   const FileAxes axes(how, owner);
   if (is_binary_stl(bytes)) return solids_of_file(binary_stl(bytes, axes, owner), how, owner);
-  if (bytes.substr(0, bytes.find_first_of(" \t\r\n")) != "solid")
-    throw InputError(fmt::format(
-        "{}: is no STL file: it does not begin with 'solid', and as a binary file it would be {} "
-        "bytes long, not {}",
-        owner, bytes.size() >= stl_head ? stl_head + stl_triangle * std::size_t{whole_at(bytes, 80)} : stl_head,
-        bytes.size()));
+  refuse_damaged(bytes, owner);
   return solids_of_file(StlText(bytes, axes, owner).run(), how, owner);
 }
 

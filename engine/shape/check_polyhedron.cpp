@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "shape/least_size.hpp"
 #include "shape/polyhedron.hpp"
 
 namespace trilith {
@@ -124,6 +125,9 @@ void check_polyhedron(const Polyhedron& solid, std::string_view owner, double fl
   for (int f = 0; f < solid.faces.count(); ++f) require_loop(solid, f, owner);
   refuse_unused(solid, owner);
   const double size = solid_size(solid.corners);
+  if (size < kLeastSize)
+    throw InputError(
+        fmt::format("{}: is {:.3g} m large, must be at least {:g} m; look at its unit", owner, size, kLeastSize));
   for (int f = 0; f < solid.faces.count(); ++f) require_plane(solid, f, size, flat, owner);
   require_closed(solid, owner);
   const double volume = solid_moments(solid).volume;
@@ -133,7 +137,10 @@ void check_polyhedron(const Polyhedron& solid, std::string_view owner, double fl
                     "the other way round",
                     owner, volume));
   if (!(volume > kFlatFace * size * size * size))
-    throw InputError(fmt::format("{}: its volume is {:.3g} m3, which is next to nothing", owner, volume));
+    throw InputError(
+        fmt::format("{}: its volume is {:.3g} m3, which is next to nothing for a size of {:.3g} m; make it "
+                    "thicker",
+                    owner, volume, size));
 }
 
 void check_convex(const Polyhedron& solid, std::string_view owner, double flat) {

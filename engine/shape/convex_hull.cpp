@@ -11,16 +11,21 @@
 namespace trilith {
 namespace {
 
+/// Time goes with points times triangles that come and go, and checks of convexity with faces times corners.
+constexpr std::size_t most_triangles = 5000;
+
 struct HullTriangle {
   std::array<int, 3> corner;
   Vec3 normal;  ///< outward, of length 1
   double area;
+  int farthest = -1;  ///< point highest above it, by more than the tolerance; -1: there is none
+  double above = 0;   ///< its height [m]
   bool sees = false;  ///< the point that is taken in
 };
 
 // The hull grows point by point (the quickhull of Barber, Dobkin and Huhdanpaa, ACM Trans. Math. Softw. 22, 1996, with
-// all points asked each time, as these solids have some dozen). It begins with a tetrahedron; then the point farthest
-// above any triangle is taken in:
+// all points asked by each new triangle, as these solids have some dozen). It begins with a tetrahedron; then the point
+// farthest above any triangle is taken in:
 //
 //            * p                 * p
 //           . .                 /|\        the triangles that see p go, as one patch without holes,
@@ -30,7 +35,8 @@ struct HullTriangle {
 // Points within `tolerance` of the hull are in it, and no triangle sees one of those: rounding makes no slivers.
 class HullBuilder {
  public:
-  HullBuilder(std::span<const Vec3> points, double tolerance) : points_(points), tolerance_(tolerance) {}
+  HullBuilder(std::span<const Vec3> points, double tolerance, std::string_view owner)
+      : points_(points), tolerance_(tolerance), owner_(owner) {}
 
   /// False where all points lie in a plane.
   bool begin() {
@@ -51,6 +57,11 @@ class HullBuilder {
       if (point < 0) return;
       see(static_cast<std::size_t>(triangle), at(point));
       take_in(point);
+      if (triangles_.size() > most_triangles)
+        throw InputError(
+            fmt::format("{}: the hull of its {} points has more than {} faces; give fewer points of its surface, some "
+                        "hundred",
+                        owner_, points_.size(), most_triangles));
     }
   }
 
@@ -82,7 +93,12 @@ class HullBuilder {
 
   void add(int a, int b, int c) {
     const Vec3 ab = at(b) - at(a), ac = at(c) - at(a), twice = cross(ab, ac);
-    triangles_.push_back({{a, b, c}, twice.normalized(), 0.5 * twice.norm()});
+    HullTriangle& t = triangles_.emplace_back(HullTriangle{{a, b, c}, twice.normalized(), 0.5 * twice.norm()});
+    t.above = tolerance_;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const double by = height(t, points_[i]);
+      if (by > t.above) t.above = by, t.farthest = static_cast<int>(i);
+    }
   }
 
   [[nodiscard]] double height(const HullTriangle& t, const Vec3& p) const { return t.normal.dot(p - at(t.corner[0])); }
@@ -111,10 +127,7 @@ class HullBuilder {
     PointOutside out{-1, -1};
     double most = tolerance_;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (std::size_t i = 0; i < points_.size(); ++i) {
-        const double by = height(triangles_[t], points_[i]);
-        if (by > most) most = by, out = {static_cast<int>(i), static_cast<int>(t)};
-      }
+      if (triangles_[t].above > most) most = triangles_[t].above, out = {triangles_[t].farthest, static_cast<int>(t)};
     return out;
   }
 
@@ -123,7 +136,7 @@ class HullBuilder {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k)
         if (triangles_[t].corner[k] == from && triangles_[t].corner[(k + 1) % 3] == to) return t;
-    throw InputError("the points of a convex hull are too near to each other for its size; take doubles out");
+    throw InputError(fmt::format("{}: its points are too near to each other for its size; take doubles out", owner_));
   }
 
   /// Marks the triangles that see `p`, from `first` on to their neighbours: one patch without islands of others.
@@ -183,6 +196,7 @@ class HullBuilder {
 
   std::span<const Vec3> points_;
   double tolerance_;
+  std::string_view owner_;
   std::vector<HullTriangle> triangles_;
 };
 
@@ -214,8 +228,9 @@ Polyhedron convex_hull(std::span<const Vec3> points, std::string_view owner, dou
     throw InputError(fmt::format("{}: has {} points, a solid has at least 4", owner, points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!(points[i].cwiseAbs().array() <= 1e12).all())
-      throw InputError(fmt::format("{}: point {} is not finite or beyond 1e12 m", owner, i + 1));
-  HullBuilder hull(points, flat * solid_size(points));
+      throw InputError(fmt::format("{}: point {} is ({:g}, {:g}, {:g}) m, must be finite and within 1e12 m", owner,
+                                   i + 1, points[i].x(), points[i].y(), points[i].z()));
+  HullBuilder hull(points, flat * solid_size(points), owner);
   if (!hull.begin())
     throw InputError(fmt::format("{}: all its points lie in one plane; give points on both sides of it", owner));
   hull.run();

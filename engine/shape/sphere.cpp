@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/portable.hpp"
+#include "shape/least_size.hpp"
 #include "shape/polyhedron.hpp"
 
 namespace trilith {
@@ -180,8 +181,11 @@ bool share_something(const std::vector<Sphere>& spheres) {
 }  // namespace
 
 void check_sphere(const Sphere& sphere, std::string_view owner) {
-  if (!(sphere.radius > 0) || !(sphere.radius <= 1e12))
+  if (!(sphere.radius > 0))
     throw InputError(fmt::format("{}: radius is {:g} m, must be above 0; try 0.05", owner, sphere.radius));
+  if (!(sphere.radius >= kLeastSize) || !(sphere.radius <= 1e12))
+    throw InputError(
+        fmt::format("{}: radius is {:g} m, must be from {:g} to 1e12 m; try 0.05", owner, sphere.radius, kLeastSize));
   if (!(sphere.centre.cwiseAbs().array() <= 1e12).all())
     throw InputError(fmt::format("{}: centre ({:g}, {:g}, {:g}) is not finite or beyond 1e12 m", owner,
                                  sphere.centre.x(), sphere.centre.y(), sphere.centre.z()));

@@ -65,7 +65,7 @@ void ModelBuilder::add_body(BodySpec spec) {
     check_deformable(spec, owner);
   mass_of(spec, 1.0, thickness, materials_);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
-  if (spec.density) add_doubt(notes_, owner, "density", "kg/m3", *spec.density);
+  if (spec.density) add_doubt_once(notes_, owner, "density", "kg/m3", *spec.density);
   bodies_.push_back(std::move(spec));
 }
 

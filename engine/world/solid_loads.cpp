@@ -46,6 +46,10 @@ PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpe
   if (!spec.force.allFinite() || !spec.moment.allFinite() || (spec.at && !spec.at->allFinite()))
     throw InputError(owner + ": force, moment or place is not finite");
   check_load_curve(spec.curve, owner);
+  if (b.is_rigid() && spec.at) {
+    const double size = 2 * model.body_radius[body];
+    require_near<3>(*spec.at, (*spec.at - model.start_position[b.first_node]).norm() - 0.5 * size, size, b.name, owner);
+  }
   const BodyMotion begins = start_of(model, spec.at ? carrier_near(model, body, *spec.at) : b.first_node);
   const Turn3 start = turn_of(begins.rotation);
   PointLoad<3> load;

@@ -19,6 +19,37 @@ const Solid& solid_of(const std::vector<Material>& materials, const SolidSpec& s
   return *found->solid;
 }
 
+/// A grid of more takes minutes and gigabytes before anything is seen of it.
+constexpr double most_grid_elements = 200'000;
+
+void require_grid(const SpaceForm& form, const std::string& owner) {
+  constexpr int tetrahedra_of_a_brick = 6;
+  const auto [x, y, z] = form.divisions;
+  const double elements =
+      static_cast<double>(x) * y * z * (form.element == ElementShape::brick ? 1 : tetrahedra_of_a_brick);
+  if (elements > most_grid_elements)
+    throw InputError(
+        fmt::format("{}: its mesh of {} x {} x {} would have {:g} elements, at most {:g} are made; divide its "
+                    "sides less",
+                    owner, x, y, z, elements, most_grid_elements));
+}
+
+/// A box that holds no node is a place in the wrong axes or unit.
+void refuse_idle_holds(const SolidSpec& spec, const std::string& owner) {
+  const std::vector<Vec3>& nodes = spec.mesh->node;
+  for (std::size_t i = 0; i < spec.supports.size(); ++i) {
+    const SpaceNodeSupport& hold = spec.supports[i];
+    if (std::any_of(nodes.begin(), nodes.end(), [&](const Vec3& x) { return is_supported_at(hold, x); })) continue;
+    Vec3 low = nodes[0], high = low;
+    for (const Vec3& x : nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    const auto text = [](const Vec3& x) { return fmt::format("({:g}, {:g}, {:g})", x.x(), x.y(), x.z()); };
+    throw InputError(fmt::format(
+        "{}: hold {} holds no node: its box reaches from {} to {} m, the body's nodes from {} to "
+        "{} m",
+        owner, i + 1, text(hold.low.cwiseMin(hold.high)), text(hold.low.cwiseMax(hold.high)), text(low), text(high)));
+  }
+}
+
 }  // namespace
 
 /// Meshes of solids are made here, of one piece each. Its skin becomes the pieces of the body: for bearings that want
@@ -37,12 +68,14 @@ void SolidModelBuilder::check_mesh_body(SolidSpec& spec, const std::string& owne
       throw InputError(fmt::format(
           "{}: it has {} pieces, and elements are made of one that is a brick; leave it rigid, or give it a mesh",
           owner, spec.pieces.size()));
+    require_grid(spec.form, owner);
     spec.mesh = mesh_of(spec.pieces[0], spec.form, owner);
   }
   CheckedSpaceMesh checked = check_space_mesh(std::move(*spec.mesh), owner);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   spec.pieces = skin_of(checked);
   spec.mesh = std::move(checked.mesh);
+  refuse_idle_holds(spec, owner);
 }
 
 SpaceMeshBody SolidModelBuilder::mesh_body(const SolidSpec& spec) const {

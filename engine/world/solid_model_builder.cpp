@@ -9,6 +9,7 @@
 #include "world/check.hpp"
 #include "world/extend.hpp"
 #include "world/names.hpp"
+#include "world/piece_overlaps.hpp"
 #include "world/space_builder.hpp"
 #include "world/usual.hpp"
 
@@ -39,6 +40,18 @@ double SolidModelBuilder::density_of(const SolidSpec& spec) const {
   throw InputError(fmt::format("{}: give a density or mass, or a material that has a density", owner));
 }
 
+namespace {
+
+/// Of the axis-parallel box around all pieces [m].
+double least_side(const std::vector<Polyhedron>& pieces) {
+  Vec3 low = pieces[0].corners[0], high = low;
+  for (const Polyhedron& piece : pieces)
+    for (const Vec3& x : piece.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  return (high - low).minCoeff();
+}
+
+}  // namespace
+
 void SolidModelBuilder::add_body(SolidSpec spec) {
   require_name(spec.name, "body");
   body_names_known_.require_new(bodies_, spec.name, "body");
@@ -54,11 +67,13 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
     check_sphere(spec.spheres[s], spec.spheres.size() == 1 ? owner : fmt::format("{}, sphere {}", owner, s + 1));
   for (std::size_t p = 0; p < spec.pieces.size() && !spec.frame && !spec.mesh; ++p)
     check_convex(spec.pieces[p], spec.pieces.size() == 1 ? owner : fmt::format("{}, piece {}", owner, p + 1));
+  if (!spec.frame && !spec.mesh) refuse_overlapping_pieces(spec.pieces, overlap_allowed, owner);
   for (const Vec3* v : {&spec.velocity, &spec.spin, &spec.load})
     if (!v->allFinite()) throw InputError(owner + ": velocity, spin or load is not finite");
   if (!spec.material.empty()) require_material(materials_, spec.material, owner);
   (void)(spec.frame ? frame_body(spec).material.front().mass : density_of(spec));
-  if (spec.density) add_doubt(notes_, owner, "density", "kg/m3", *spec.density);
+  if (spec.density) add_doubt_once(notes_, owner, "density", "kg/m3", *spec.density);
+  if (!spec.pieces.empty() && !spec.frame) add_doubt_once(notes_, owner, "least side", "m", least_side(spec.pieces));
   bodies_.push_back(std::move(spec));
 }
 

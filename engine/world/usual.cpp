@@ -14,6 +14,8 @@ constexpr std::array usual_ranges{
                "no step is as long; it is 2*zeta/omega, with omega = sqrt(kn*area/mass) of a body on its contact"},
     UsualRange{"damping", "s", 0, 0.1, "no step is as long; it is 2*zeta/omega of the vibration to be damped"},
     UsualRange{"density", "kg/m3", 25, unbounded, "is it in t/m3 or g/cm3? 2.4 t/m3 are 2400 kg/m3"},
+    UsualRange{"least side", "m", 0, 40,
+               "is it in mm? multiply it by trilith.units \"mm\", or give a file scale = 0.001"},
     UsualRange{"rate", "rad/s", -0.5, 0.5, "is it in degrees? multiply it by trilith.units \"deg\""},
     UsualRange{"by", "rad", 0, 3.2, "is it in degrees? multiply it by trilith.units \"deg\""},
 };
@@ -49,6 +51,13 @@ std::string usual_text(std::string_view name, std::string_view unit) {
 void add_doubt(std::vector<std::string>& list, const std::string& owner, std::string_view name, std::string_view unit,
                double value) {
   if (const std::string text = doubt(name, unit, value); !text.empty()) list.push_back(owner + ": " + text);
+}
+
+void add_doubt_once(std::vector<std::string>& list, const std::string& owner, std::string_view name,
+                    std::string_view unit, double value) {
+  const UsualRange* r = usual_range(name, unit);
+  const auto asks = [&](const std::string& told) { return told.ends_with(r->question); };
+  if (r != nullptr && std::none_of(list.begin(), list.end(), asks)) add_doubt(list, owner, name, unit, value);
 }
 
 }  // namespace trilith

@@ -29,6 +29,10 @@ std::string usual_text(std::string_view name, std::string_view unit);
 void add_doubt(std::vector<std::string>& list, const std::string& owner, std::string_view name, std::string_view unit,
                double value);
 
+/// The same of one of many that may be alike, as bodies of a wall: told of the first alone.
+void add_doubt_once(std::vector<std::string>& list, const std::string& owner, std::string_view name,
+                    std::string_view unit, double value);
+
 /// The same for all numbers of a law.
 template <Declared T>
 void add_doubts(std::vector<std::string>& list, const std::string& owner, const T& value) {

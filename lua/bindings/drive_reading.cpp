@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "bindings.hpp"
 #include "host.hpp"
@@ -108,6 +109,21 @@ double last_end(const std::vector<DriveOrder>& orders) {
   return end;
 }
 
+namespace {
+
+/// Of two motions of one body along one axis the second would count alone.
+void refuse_twice(Keys& keys, const ScriptModel& m, const std::vector<DriveOrder>& orders) {
+  const auto names = drive_names(m.dim());
+  std::set<std::pair<int, std::size_t>> driven;
+  for (const DriveOrder& order : orders)
+    for (const int body : std::set<int>(order.bodies.begin(), order.bodies.end()))
+      for (std::size_t k = 0; k < 3; ++k)
+        if (order.motion[k] && !driven.emplace(body, k).second)
+          keys.problem(fmt::format("body '{}' is given two motions along {}; keep one", m.body_name(body), names[k]));
+}
+
+}  // namespace
+
 std::vector<DriveOrder> read_drives(Keys& keys, const ScriptModel& m) {
   lua_State* L = keys.lua();
   std::vector<DriveOrder> orders;
@@ -126,6 +142,7 @@ std::vector<DriveOrder> read_drives(Keys& keys, const ScriptModel& m) {
       }
       lua_pop(L, 1);
     }
+    refuse_twice(keys, m, orders);
   } else if (type == LUA_TNIL) {
     orders.push_back(read_drive(keys, m));
   } else {

@@ -13,6 +13,24 @@ std::string number_text(double value) {
   return std::isnan(value) ? "nan" : fmt::format("{}", value);
 }
 
+constexpr lua_Unsigned longest_shown = 6;  ///< numbers of a list that messages repeat
+
+/// "{1, nan, 1}" of a short list of numbers and the like, "a table" of any other.
+std::string table_text(lua_State* L, int index) {
+  const lua_Unsigned length = lua_rawlen(L, index);
+  if (length == 0 || length > longest_shown) return "a table";
+  const int table = lua_absindex(L, index);
+  std::string text;
+  for (lua_Unsigned i = 1; i <= length; ++i) {
+    const int type = lua_rawgeti(L, table, static_cast<lua_Integer>(i));
+    const bool plain = type == LUA_TNUMBER || type == LUA_TNIL || type == LUA_TBOOLEAN;
+    if (plain) text += fmt::format("{}{}", text.empty() ? "{" : ", ", what_is(L, -1));
+    lua_pop(L, 1);
+    if (!plain) return "a table";
+  }
+  return text + "}";
+}
+
 }  // namespace
 
 std::string what_is(lua_State* L, int index) {
@@ -26,6 +44,8 @@ std::string what_is(lua_State* L, int index) {
     case LUA_TNIL:
     case LUA_TNONE:
       return "nil";
+    case LUA_TTABLE:
+      return table_text(L, index);
     case LUA_TUSERDATA: {
       if (luaL_getmetafield(L, index, "__metatable") == LUA_TSTRING) {
         const std::string kind = fmt::format("a {}", lua_tostring(L, -1));

@@ -194,6 +194,8 @@ Vec<D> read_gravity(Keys& keys) {
   if (type == LUA_TNUMBER) {
     gravity = -lua_tonumber(L, -1) * Vec<D>::Unit(D - 1);
     if (!gravity.allFinite()) keys.wrong("gravity", "finite");
+    if (lua_tonumber(L, -1) < 0)
+      keys.wrong("gravity", "not below 0, as a number counts downwards; what pulls up is a vector");
   } else if (type != LUA_TNIL) {
     std::optional<Vec<D>> given;
     if constexpr (D == 2)

@@ -265,19 +265,22 @@ std::optional<SpaceMesh> read_space_mesh(Keys& keys) {
   return mesh;
 }
 
-/// The parts of the plane in the list at `index`, with a depth.
-std::vector<SolidPart> extruded_list(lua_State* L, int index, const PartDepth& depth) {
-  std::vector<SolidPart> parts;
+/// The parts of the plane in the list at `index`, with a depth, and what was repaired of their outlines.
+SolidParts extruded_list(lua_State* L, int index, const PartDepth& depth) {
+  SolidParts made;
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_rawgeti(L, index, i);
     Keys part(L, -1, fmt::format("add: part {}", i));
-    const Part flat{part.text("name"), part.points("outline"), part.names("groups")};
+    Part flat{part.text("name"), part.points("outline"), part.names("groups")};
     part.finish();
-    parts.push_back(extrude_part(flat, depth));
+    CheckedPolygon checked = check_polygon(std::move(flat.outline), fmt::format("add: part '{}'", flat.name));
+    flat.outline = std::move(checked.outline);
+    made.notes.insert(made.notes.end(), checked.notes.begin(), checked.notes.end());
+    made.parts.push_back(extrude_part(flat, depth));
     lua_pop(L, 1);
   }
-  return parts;
+  return made;
 }
 
 }  // namespace
@@ -319,8 +322,10 @@ int make_solid_body(lua_State* L) {
     if (keys.has("hull")) clouds.push_back(keys.vectors("hull"));
     if (keys.has("pieces") || (keys.has("hull") && keys.has("mesh")))
       keys.problem("of hull, pieces and mesh more than one is given; keep one");
-  } else if (keys.push("pieces") == LUA_TTABLE) {
-    read_list(keys, "pieces", "piece", [&](Keys& own) { clouds.push_back(own.vectors("hull")); });
+  } else if (const int type = keys.push("pieces"); type != LUA_TNIL) {
+    if (type != LUA_TTABLE) keys.wrong("pieces", "a list { { hull = { {x, y, z}, ... } }, ... }");
+    if (type == LUA_TTABLE)
+      read_list(keys, "pieces", "piece", [&](Keys& own) { clouds.push_back(own.vectors("hull")); });
     lua_pop(L, 1);
   } else {
     keys.missing("hull",
@@ -331,9 +336,9 @@ int make_solid_body(lua_State* L) {
   SolidOptions options = read_solid_options(keys, false, m.body_form);
   keys.finish();
   if (mesh) options.spec.mesh = std::move(mesh), options.spec.form.kind = BodyKind::mesh;
-  for (const std::vector<Vec3>& points : clouds) {
+  for (std::size_t p = 0; p < clouds.size(); ++p) {
     HullSolid hull;
-    hull.name = part.name, hull.points = points;
+    hull.name = clouds.size() == 1 ? part.name : fmt::format("{}, piece {}", part.name, p + 1), hull.points = clouds[p];
     NotedSolid made = build_hull(hull);
     for (const std::string& note : made.notes) m.builder.note(note);
     part.pieces.insert(part.pieces.end(), made.part.pieces.begin(), made.part.pieces.end());
@@ -357,10 +362,11 @@ int add_solid_parts(lua_State* L) {
   depth.centred = keys.flag("centred", depth.centred);
   const SolidOptions options = read_solid_options(keys, true, m.body_form);
   keys.finish();
-  const std::vector<SolidPart> parts = extruded_list(L, 2, depth);
+  const SolidParts made = extruded_list(L, 2, depth);
   const int first = m.body_count();
-  check_named(options, parts, "add");
-  for (const SolidPart& part : parts) add_solid(m, part, options);
+  check_named(options, made.parts, "add");
+  for (const std::string& note : made.notes) m.builder.note(note);
+  for (const SolidPart& part : made.parts) add_solid(m, part, options);
   push_solids(L, m, first, false);
   return 1;
 }

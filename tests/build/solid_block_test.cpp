@@ -39,8 +39,8 @@ TEST_CASE("a box is turned about its anchor by an axis and an angle or by a quat
 }
 
 TEST_CASE("boxes that cannot be are refused") {
-  CHECK(says(refusal_of([] { build_box({.name = "b", .size = {1, 0, 1}}); }), "box 'b': size along y is 0 m"));
-  CHECK(says(refusal_of([] { build_box({.size = {1, 1, 1}, .at = {0, NAN, 0}}); }), "box: y is nan"));
+  CHECK(says(refusal_of([] { build_box({.name = "b", .size = {1, 0, 1}}); }), "block 'b': size along y is 0 m"));
+  CHECK(says(refusal_of([] { build_box({.size = {1, 1, 1}, .at = {0, NAN, 0}}); }), "block: y is nan"));
   CHECK(says(refusal_of([] {
                build_box({.size = {1, 1, 1}, .turn = {.axis = {0, 0, 0}, .angle = 1}});
              }),

@@ -5,9 +5,11 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 #include "base/rotation_3d.hpp"
 #include "build/check_solids.hpp"
@@ -184,7 +186,7 @@ TEST_CASE("a thousand stones of rubble have nothing to find, and come back from 
   CHECK(near(total_volume(read.parts), 50, 1e-6));
   for (const SolidPart& part : read.parts) check_convex(part.pieces[0], part.name);
   REQUIRE(read.notes.size() == 2);
-  CHECK(says(read.notes[1], "solids with very narrow faces became the hulls of their corners"));
+  CHECK(says(read.notes[1], "solids with faces that are very narrow or not plane became the hulls of their corners"));
 }
 
 TEST_CASE("files are read by their ending") {
@@ -204,8 +206,9 @@ TEST_CASE("what is no closed convex solid is refused with its name and the place
                parse_obj(obj_of({{"o a\n", open}}), {}, "file");
              }),
              "file: solid 'a' is open: 4 edges belong to one face only, such as that from ("));
-  const Polyhedron ell =
-      extrusion(std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {0, 0, 1});
+  // first and last corner see all others, so that triangles around them are those of the faces
+  const Polyhedron ell = extrusion(
+      std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {-0.1, 0.5, 0}}, {0, 0, 1});
   CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }),
              "solid 'L' is not convex: a face's corner at ("));
   CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }),
@@ -214,6 +217,8 @@ TEST_CASE("what is no closed convex solid is refused with its name and the place
   CHECK(says(obj(""), "file: there is no solid in it"));
   CHECK(says(obj("v 0 0\n"), "file: line 1: z of a point is ''"));
   CHECK(says(obj("v 0 0 0\nf 1 2 3\n"), "line 2: a face names point 2, there are points 1 to 1"));
+  CHECK(obj("f 1 2 3\n") == "file: line 1: a face names point 1, and no point comes before it");
+  CHECK(says(obj("v 0 0 1e13\n"), "file: line 1: a point at (0, 0, 1e+13) m, must be within 1e12 m of the origin"));
   CHECK(says(obj("v 0 0 0\nf 1 1\n"), "line 2: a face has 2 corners"));
   CHECK(says(obj("v 0 0 0\nf a b c\n"), "a corner of a face is 'a'"));
   const auto stl = [](const std::string& text) { return refusal_of([&] { parse_stl(text, {}, "file"); }); };
@@ -223,4 +228,93 @@ TEST_CASE("what is no closed convex solid is refused with its name and the place
   CHECK(says(stl("solid a\nendsolid a\n"), "there is no solid in it"));
   CHECK(says(refusal_of([&] { parse_stl("solid", {.scale = 0}, "file"); }), "file: scale is 0 m"));
   CHECK(says(refusal_of([&] { parse_stl(stl_of("a", cube), {.flat = 1}, "file"); }), "flat is 1, must be from"));
+}
+
+TEST_CASE("a solid that crosses itself is refused with the place and not made its hull") {
+  // a prism over a bow tie, whose volume is 0, and one over a five-pointed star, which is convex at each edge
+  const std::string tie =
+      "o tie\nv 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nv 1 0 1\nv 0 1 1\n"
+      "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  CHECK(
+      refusal_of([&] { parse_obj(tie, {}, "file"); }) ==
+      "file: solid 'tie' crosses itself at (0.5, 0.5, 0) m, where two sides of one face cross; the surface of a solid "
+      "only closes around it: give each part that is convex as an object of its own");
+  std::string star = "o star\n";
+  for (const int z : {0, 1})
+    for (int i = 0; i < 5; ++i) {
+      const double angle = 0.8 * std::numbers::pi * i;
+      star += fmt::format("v {} {} {}\n", std::cos(angle), std::sin(angle), z);
+    }
+  star += "f 5 4 3 2 1\nf 6 7 8 9 10\nf 1 2 7 6\nf 2 3 8 7\nf 3 4 9 8\nf 4 5 10 9\nf 5 1 6 10\n";
+  CHECK(says(refusal_of([&] { parse_obj(star, {}, "file"); }), "file: solid 'star' crosses itself at (-0.381966, "));
+}
+
+TEST_CASE("a face that is there twice and a solid that is flat are called so") {
+  Polyhedron twice = cube;
+  twice.faces.add(std::vector<int>(cube.faces[0].begin(), cube.faces[0].end()));
+  CHECK(says(refusal_of([&] {
+               parse_obj(obj_of({{"o a\n", twice}}), {}, "file");
+             }),
+             "file: solid 'a' has an edge with 3 faces, from ("));
+  Polyhedron thin = cube;
+  for (Vec3& p : thin.corners) p.z() *= 1e-6;
+  CHECK(says(refusal_of([&] {
+               parse_obj(obj_of({{"o a\n", thin}}), {}, "file");
+             }),
+             "file: solid 'a' is flat: 1e-06 m thick and 1.41 m large, must be thicker than 5.66e-06 m"));
+  CHECK(parse_obj(obj_of({{"o a\n", thin}}), {.flat = 1e-8}, "file").parts.size() == 1);
+}
+
+TEST_CASE("what is true of many solids of a file is one note") {
+  Polyhedron inverted = cube;
+  for (int f = 0; f < inverted.faces.count(); ++f)
+    std::reverse(inverted.faces.corner.begin() + inverted.faces.start[static_cast<std::size_t>(f)],
+                 inverted.faces.corner.begin() + inverted.faces.start[static_cast<std::size_t>(f) + 1]);
+  std::vector<std::pair<std::string, Polyhedron>> boxes;
+  for (int i = 0; i < 1000; ++i) boxes.emplace_back(fmt::format("o box{}\n", i), inverted);
+  const SolidParts read = parse_obj(obj_of(boxes), {}, "file");
+  CHECK(read.parts.size() == 1000);
+  REQUIRE(read.notes.size() == 1);
+  CHECK(read.notes[0] ==
+        "file: solid 'box0' was inside out; its faces were turned round (and so of 999 more of its solids)");
+}
+
+TEST_CASE("a binary file whose count is wrong, or that is cut short, says what it has room for") {
+  const std::string sound = binary_stl_of({SolidPart{"cube", {cube}, {}}});
+  const auto stl = [](const std::string& bytes) { return refusal_of([&] { parse_stl(bytes, {}, "file"); }); };
+  std::string more = sound, cut = sound.substr(0, sound.size() - 20);
+  more[80] = 13;
+  CHECK(
+      stl(more) ==
+      "file: is cut short or no STL file: as its bytes 81 to 84 have it there are 13 triangles, which make 734 bytes, "
+      "and it has 684, room for 12; export it anew");
+  CHECK(says(stl(cut), "there are 12 triangles, which make 684 bytes, and it has 664, room for 11"));
+  CHECK(says(stl("xy"), "is no STL file: it does not begin with 'solid'"));
+  CHECK(says(refusal_of([] { parse_obj(std::string("v 0 0\0 0\n", 9), {}, "file"); }),
+             "file: is no OBJ file: its byte 6 is 0, and OBJ files are text"));
+}
+
+TEST_CASE("a file of a hundred thousand faces gives one line whether it is sound or open or hollow") {
+  const auto around = [](int of) { return 2 * std::numbers::pi * of / 224; };
+  // a ball of 224 by 224 faces, each a triangle or a quad of two, with a bump at some corners
+  const auto ball = [&](double bump, int left_out) {
+    std::string text = "o ball\nv 0 0 -1\nv 0 0 1\n";
+    for (int i = 1; i < 224; ++i)
+      for (int j = 0; j < 224; ++j) {
+        const double level = 0.5 * around(i) - 0.5 * std::numbers::pi, reach = 1 + bump * (i * j % 7 == 0 ? 1 : 0);
+        text += fmt::format("v {} {} {}\n", reach * std::cos(level) * std::cos(around(j)),
+                            reach * std::cos(level) * std::sin(around(j)), reach * std::sin(level));
+      }
+    const auto corner = [](int i, int j) { return 3 + (i - 1) * 224 + j % 224; };
+    for (int j = left_out; j < 224; ++j) {
+      text += fmt::format("f 1 {} {}\nf 2 {} {}\n", corner(1, j + 1), corner(1, j), corner(223, j), corner(223, j + 1));
+      for (int i = 1; i < 223; ++i)
+        text += fmt::format("f {0} {1} {2}\nf {0} {2} {3}\n", corner(i, j), corner(i, j + 1), corner(i + 1, j + 1),
+                            corner(i + 1, j));
+    }
+    return refusal_of([&] { parse_obj(text, {}, "file"); });
+  };
+  CHECK(says(ball(0, 0), "faces, at most 5000 are taken; make it coarser"));
+  CHECK(says(ball(0, 1), "file: solid 'ball' is open: 448 edges belong to one face only, such as that from ("));
+  CHECK(says(ball(0.1, 0), "file: solid 'ball' is not convex: a face's corner at ("));
 }

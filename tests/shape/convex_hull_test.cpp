@@ -111,7 +111,7 @@ TEST_CASE("points of which no solid can be made are refused") {
   flat.emplace_back(1, 1, 1);
   CHECK(complaint_about(flat) == "body 'x': all its points lie in one plane; give points on both sides of it");
   flat.back() = Vec3(1, 1, std::nan(""));
-  CHECK(complaint_about(flat) == "body 'x': point 4 is not finite or beyond 1e12 m");
+  CHECK(complaint_about(flat) == "body 'x': point 4 is (1, 1, nan) m, must be finite and within 1e12 m");
   flat.back() = Vec3(1, 1, 1 + 1e-10);
   CHECK(complaint_about(flat).find("in one plane") != std::string::npos);
   flat.back() = Vec3(1, 1, 1 + 1e-8);
@@ -119,6 +119,12 @@ TEST_CASE("points of which no solid can be made are refused") {
   flat.back() = Vec3(1, 1, 1 + 1e-6);
   CHECK(complaint_about(flat).empty());
   CHECK(complaint_about(std::vector<Vec3>(5, Vec3(1, 2, 3))).find("in one plane") != std::string::npos);
+  std::mt19937_64 bits(3);
+  std::vector<Vec3> ball;
+  for (int i = 0; i < 20000; ++i) ball.push_back(random_in_ball(bits).normalized());
+  CHECK(complaint_about(ball) ==
+        "body 'x': the hull of its 20000 points has more than 5000 faces; give fewer points of its surface, some "
+        "hundred");
 }
 
 TEST_CASE("random solids are convex, sit on their centroid and come again with the same seed") {

@@ -1,0 +1,111 @@
+-- Wrong input in space: each case is one line of script and the one line of message it must give, at its own line.
+local trilith = require "trilith"
+
+local function new()
+  local m = trilith.model { name = "wrong", dim = 3 }
+  m:material { name = "stone", density = 2000, E = 1e9, nu = 0.2 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.6, beta = 1e-4 } }
+  m:block { name = "ground", size = { 8, 8, 1 }, at = { -4, -4, -1 }, material = "stone", support = "fixed" }
+  return m
+end
+--- Corners of a box of 1 m, from x on.
+local function box(x)
+  local corners = {}
+  for i = 0, 7 do corners[i + 1] = { x + (i & 1), i >> 1 & 1, i >> 2 & 1 } end
+  return corners
+end
+local function with_block()
+  local m = new()
+  m:block { name = "b", size = { 1, 1, 1 }, material = "stone" }
+  return m
+end
+local function part(...) return { { name = "p", outline = { ... } } } end
+
+local m, pulse = new(), trilith.motion { acceleration = { 0, 1, 0, -1, 0 }, dt = 0.1 }
+local cases = {
+  -- parts of the plane with a depth
+  { function() m:add(part({ 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 1 }), { depth = 1, material = "stone" }) end,
+    "add: part 'p': outline crosses or touches itself at (0.5, 0.5): the edge from point 1 (0, 0) to point 2 (1, 1) "
+      .. "meets the edge from point 3 (1, 0) to point 4 (0, 1); give the points in order around the outline" },
+  { function() m:add(part({ 0, 0 }, { 1, 0 }, { 2, 0 }), { depth = 1, material = "stone" }) end,
+    "add: part 'p': outline has no area, all 3 points lie on one line from point 1 (0, 0)" },
+  -- pieces
+  { function() m:body { name = "b", pieces = { { hull = box(0) }, { hull = box(0.5) } }, material = "stone" } end,
+    "body 'b': its pieces 1 and 2 overlap by 0.5 m (0.29 of the smaller one's size, at most 1e-06 is allowed), and "
+      .. "what they share would count twice; move one of them, or make them bodies of their own" },
+  { function() m:body { name = "b", pieces = { { hull = box(0) }, { hull = { { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 },
+      { 2, 1, 0 } } } }, material = "stone" } end,
+    "hull 'b, piece 2': all its points lie in one plane; give points on both sides of it" },
+  { function() m:body { name = "b", pieces = 3, material = "stone" } end,
+    "body 'b': 'pieces' is 3, must be a list { { hull = { {x, y, z}, ... } }, ... }" },
+  -- numbers
+  { function() m:block { name = "b", size = { 1, 0 / 0, 1 }, material = "stone" } end,
+    "block 'b': 'size' is {1, nan, 1}, must be {x, y, z}, three finite numbers" },
+  { function() m:block { name = "b", size = { 1, -1, 1 }, material = "stone" } end,
+    "block 'b': size along y is -1 m, must be finite and above 0" },
+  { function() m:block { name = "b", size = { 1e-99, 1e-99, 1e-99 }, material = "stone" } end,
+    "body 'b': is 1.73e-99 m large, must be at least 1e-09 m; look at its unit" },
+  { function() m:hull { name = "b", points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1e13 } } } end,
+    "hull 'b': point 4 is (0, 0, 1e+13) m, must be finite and within 1e12 m" },
+  { function() m:sphere { name = "b", radius = 1e300, material = "stone" } end,
+    "sphere 'b': radius is 1e+300 m, must be from 1e-09 to 1e12 m; try 0.05" },
+  { function() m:vault { name = "v", stone_length = 0.5, radius = 1, thickness = 3, material = "stone" } end,
+    "vault 'v': arch: thickness is 3 m, must be below twice the mid radius of 1 m" },
+  -- more than a machine holds: nothing is built of it
+  { function() m:wall { name = "w", length = 1e9, courses = 3, material = "stone" } end,
+    "wall 'w': would have about 1.5e+10 parts, at most 200000 are built; look at its sizes and their units, or build "
+      .. "it in stretches" },
+  { function() m:building { name = "h", walls = { { from = { 0, 0 }, to = { 1e6, 0 } } }, courses = 3 } end,
+    "building 'h': would have about 1.5e+07 parts, at most 200000 are built; look at its sizes and their units, or "
+      .. "build it in stretches" },
+  { function() m:cross_vault { name = "v", stone_length = 1e-6, material = "stone" } end,
+    "cross vault 'v': would have about 6.45e+07 parts, at most 200000 are built; look at its sizes and their units, or "
+      .. "build it in stretches" },
+  { function() m:vault { name = "v", stone_length = 1, stones = 10000, voussoirs = 10000, material = "stone" } end,
+    "vault 'v': would have about 1e+08 parts, at most 200000 are built; look at its sizes and their units, or build it "
+      .. "in stretches" },
+  { function() m:dome { name = "d", rings = 1000, sectors = 1000, material = "stone" } end,
+    "dome 'd': would have about 1e+06 parts, at most 200000 are built; look at its sizes and their units, or build it "
+      .. "in stretches" },
+  { function() m:block { name = "b", size = { 1, 1, 1 }, material = "stone", body = { mesh = { 100, 100, 100 } } } end,
+    "body 'b': its mesh of 100 x 100 x 100 would have 1e+06 elements, at most 200000 are made; divide its sides less" },
+  -- what acts nowhere
+  { function() m:block { name = "b", size = { 1, 1, 1 }, material = "stone", body = "brick",
+      hold = { { from = { 7, 7, 7 }, to = { 8, 8, 8 } } } } end,
+    "body 'b': hold 1 holds no node: its box reaches from (7, 7, 7) to (8, 8, 8) m, the body's nodes from (0, 0, 0) to "
+      .. "(1, 1, 1) m" },
+  { function() with_block():point_load { name = "p", body = "b", force = { 1, 0, 0 }, at = { 100, 0.5, 0.5 } } end,
+    "load 'p' on 'b': its point (100, 0.5, 0.5) is 98.6 m away from body 'b', which is 1.73 m large; give a point in "
+      .. "it or near it, in m" },
+  { function() m:shake { motions = { { body = "ground", x = pulse }, { body = "ground", x = pulse } } } end,
+    "shake: body 'ground' is given two motions along x; keep one" },
+}
+
+local wrong = 0
+for _, case in ipairs(cases) do
+  local info = debug.getinfo(case[1], "S")
+  local good, message = pcall(case[1])
+  local expected = ("space_messages.lua:%d: %s"):format(info.linedefined, case[2])
+  if good or message ~= expected then
+    wrong = wrong + 1
+    print(("line %d\n  expected: %s\n  was:      %s"):format(info.linedefined, expected, message or "no error"))
+  end
+end
+assert(wrong == 0, wrong .. " messages are not as they should be")
+
+-- An outline that runs clockwise is turned round, in m:add too.
+do
+  local made = new():add(part({ 0, 0 }, { 0, 1 }, { 1, 1 }, { 1, 0 }), { depth = 0.5, material = "stone" })
+  assert(made.mass == 1000)
+end
+
+-- Notes that are true of many bodies are told of the first.
+do
+  local w = trilith.model { name = "noted", dim = 3 }
+  for i = 1, 3 do w:block { name = "b" .. i, size = { 400, 200, 190 + 10*i }, at = { 500*i, 0, 0 }, density = 2.4 } end
+  local notes = w.notes
+  assert(#notes == 2 and notes[1] == "body 'b1': density = 2.4 kg/m3 is below the usual 25 kg/m3: is it in t/m3 or "
+    .. "g/cm3? 2.4 t/m3 are 2400 kg/m3", notes[1])
+  assert(notes[2] == "body 'b1': least side = 200 m is above the usual 40 m: is it in mm? multiply it by "
+    .. 'trilith.units "mm", or give a file scale = 0.001', notes[2])
+end
