@@ -31,12 +31,13 @@ layers_across  integer?    in space: places across; so many that cells are about
 cover      number m = 0    thickness outside of the core
 cover_law  fibre law?      of the cover; else as the core
 core       section?        its shape, instead of what the cover leaves
-bars       list?           { { area = , height = }, ... } at a height above the bottom; in space count = , across = , spread =
+bars       list?           { { area = , height = }, ... } at a height above the bottom; in space count, across, spread
 bar_law    fibre law?      of the bars, such as trilith.menegotto_pinto{...}]], gives = "section" },
   { "body:hinges", "Plastic hinges of a member: joint, state, rotation, stretch, moment, normal, given_off, x, y.",
     args = "member  text?  its name", gives = "table[]" },
   { "body:fibres", "Sections along a member of fibres: along, axial, curvature, normal, moment, and fibres, each with "
-    .. "height, area, strain, stress; in space curvature_y, curvature_z, moment_y, moment_z, and fibres with up and across.", args = "member  text?  its name", gives = "table[]" },
+    .. "height, area, strain, stress; in space curvature_y, curvature_z, moment_y, moment_z, and fibres with up and "
+    .. "across.", args = "member  text?  its name", gives = "table[]" },
   { "body:forces", "Inner forces along a member of a beam or frame, a row for both ends of each of its beams: along, "
     .. "x, y, normal, shear, moment; in space z, shear_y, shear_z, torque, moment_y, moment_z (y to the section's top, "
     .. "z across).",

@@ -100,8 +100,8 @@ local ball = m:sphere { name = "ball", radius = 0.1, at = { 2, 2, 1 }, material 
 says("pressure: no plane face of 'ball' looks to the top within 45 degrees",
   function() m:pressure { body = ball, face = "top", value = 1 } end)
 
--- Pushed along its path of equilibria: two bars that snap through (von Mises), turned about the vertical. The force turns
--- at the highest of 2 EA (L - l)/L h/l over the height h, and at the opposite of it.
+-- Pushed along its path of equilibria: two bars that snap through (von Mises), turned about the vertical. The force
+-- turns at the highest of 2 EA (L - l)/L h/l over the height h, and at the opposite of it.
 for _, angle in ipairs { 0, 0.7 } do
   local s = trilith.model { name = "toggle", dim = 3, gravity = 0 }
   s:material { name = "steel", density = 7850, E = 2e11, nu = 0 }
@@ -109,7 +109,8 @@ for _, angle in ipairs { 0, 0.7 } do
   local foot = { x = "fixed", y = "fixed", z = "fixed" }
   s:frame { name = "toggle", material = "steel",
     joints = { a = { at = { -x, -y, 0 }, support = foot }, c = { at = { x, y, 0 }, support = foot },
-      b = { at = { 0, 0, 0.1 }, support = { x = "fixed", y = "fixed", turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } } },
+      b = { at = { 0, 0, 0.1 },
+        support = { x = "fixed", y = "fixed", turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } } },
     members = { { from = "a", to = "b", section = section, pinned = { "from", "to" }, divisions = 2 },
       { from = "c", to = "b", section = section, pinned = { "from", "to" }, divisions = 2 } } }
   local r = s:pushover { body = "toggle", at = { 0, 0, 0.1 }, direction = "-z", control = "arc", arc = 2e-4,
