@@ -59,6 +59,11 @@ void check_fibre_spec(const FibreSpec& spec, double depth) {
     if (!(bar.area > 0) || !(bar.height >= 0 && bar.height <= depth))
       throw InputError(fmt::format("fibres: bars of {:g} m2 at a height of {:g} m; the section is {:g} m deep",
                                    bar.area, bar.height, depth));
+  for (const FibreBars& bar : spec.bars)
+    if (bar.count < 1 || bar.count > 1000 || !(bar.spread >= 0))
+      throw InputError(fmt::format(
+          "fibres: bars at a height of {:g} m: count is {} and spread {:g} m, must be 1 to 1000 and not below 0",
+          bar.height, bar.count, bar.spread));
 }
 
 /// Response of the fibres of one law, added to `out`.

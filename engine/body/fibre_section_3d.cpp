@@ -13,6 +13,8 @@ namespace {
 
 /// Where nothing is said: as many levels, and places across about as far from each other.
 constexpr int default_levels = 8, most_across = 64;
+/// Cells along either direction that can be asked for.
+constexpr int most_cells = 100;
 
 using Region = std::vector<SectionPart>;
 
@@ -155,6 +157,10 @@ Eigen::Matrix3d FibreSection3::stiffest() const {
 /// Cell by cell: what of it is core, and what is left as cover.
 FibreSection3 make_fibres_in_space(const FibreSpec& spec) {
   make_fibres(spec);  // says what is not sound of what both have
+  for (const int cells : spec.cells)
+    if (cells < 0 || cells > most_cells)
+      throw InputError(
+          fmt::format("fibres: {} layers over the depth or the width, must be 1 to {} in space", cells, most_cells));
   const Section whole = section_of(spec.shape);
   std::optional<FibreShape> core_shape = spec.core;
   if (!core_shape && spec.cover > 0) core_shape = core_of(spec.shape, spec.cover);

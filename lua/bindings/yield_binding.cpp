@@ -62,7 +62,8 @@ int make_fibre_section(lua_State* L) {
   const std::optional<FibreShape> shape = read_shape(keys, "shape");
   FibreSpec spec{shape.value_or(RectangleSection{1, 1}), read_fibre_law(keys, "law").value_or(UniaxialElastic{})};
   if (keys.has("layers")) spec.layers = spec.cells[0] = keys.count("layers", spec.layers);
-  if (keys.has("layers_across")) spec.cells[1] = keys.count("layers_across", 1);
+  if (keys.has("layers_across") && (spec.cells[1] = keys.count("layers_across", 1)) < 1)
+    keys.problem(fmt::format("'layers_across' is {}, must be at least 1", spec.cells[1]));
   spec.cover = keys.number("cover", "m", 0);
   spec.core = read_shape(keys, "core");
   spec.cover_law = read_fibre_law(keys, "cover_law").value_or(spec.law);

@@ -83,6 +83,11 @@ refused("9 stations along a beam, must be 3 to 6", column, { stations = 9 })
 refused("'rule' is 'simpson'", column, { rule = "simpson" })
 refused("bars at 0 m across, spread over 0.5 m, stand outside of the section, which is 0.4 m wide", column,
   { section = column_section { bars = { { area = bar, height = 0.05, count = 4, spread = 0.5 } } } })
+refused("count is 0 and spread 0 m, must be 1 to 1000 and not below 0", column_section,
+  { bars = { { area = bar, height = 0.05, count = 0 } } })
+refused("'layers_across' is 0, must be at least 1", column_section, { layers_across = 0 })
+refused("500 layers over the depth or the width, must be 1 to 100 in space", column,
+  { section = column_section { layers = 500 } })
 local angle = { { 0, 0 }, { 0.4, 0 }, { 0.4, 0.1 }, { 0.1, 0.1 }, { 0.1, 0.6 }, { 0, 0.6 } }
 refused("up and across are not its principal axes", column,
   { section = trilith.fibre_section { law = core, shape = trilith.polygon_section { outline = angle } } })
