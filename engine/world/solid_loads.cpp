@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/error.hpp"
+#include "world/bearing_spec.hpp"
 #include "world/loads.hpp"
 #include "world/pose.hpp"
 
