@@ -80,7 +80,7 @@ std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& s
       const FibreBeamRow& row = model.yields.fibre_beams[beam.yield_row];
       const FibreSection& section = model.yields.sections[row.section];
       const BeamStrain d = now_of(state, beam).strain;
-      const double bowed = (row.beam.bow[0] * d[1] + row.beam.bow[1] * d[2]) * d[1] + row.beam.bow[2] * d[2] * d[2];
+      const double bowed = FibreBow(row.beam, d[1], d[2]).stretch;
       // The first number of a beam of fibres tells whether it has yielded.
       const std::span<const double> memory = memory_of(model, beam, std::span(state.beam_memory)).subspan(1);
       const auto size = static_cast<std::size_t>(section.memory_size());
