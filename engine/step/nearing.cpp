@@ -105,7 +105,7 @@ double shared(const Front<D>& a, const Front<D>& b, double depth) {
 /// `kn`: stiffness by length or area. How deep the two will get is not known before the area is, nor the area before
 /// the depth: first with all that they have, then with what lies within a depth that is drawn near to its own result.
 template <int D>
-Nearing meet(const Side<D>& a, const Side<D>& b, const Vec<D>& normal, double kn) {
+Nearing meet(const Side<D>& a, const Side<D>& b, const Vec<D>& normal, double kn, double dt) {
   constexpr int looks = 4;
   const Axes<D> axes = axes_of(normal);
   Nearing m;
@@ -115,6 +115,9 @@ Nearing meet(const Side<D>& a, const Side<D>& b, const Vec<D>& normal, double kn
     const Front<D> of_a = front_of(a, axes, 1, depth), of_b = front_of(b, axes, -1, depth);
     m.gap = -of_b.outermost - of_a.outermost;
     m.speed = of_a.fastest + of_b.fastest;
+    // Less of them goes no faster.
+    m.apart = m.gap > 0 && !(m.gap < m.speed * dt);
+    if (m.apart) break;
     m.stiffness = kn * shared(of_a, of_b, look == 0 ? 0 : depth);
     if (!(m.stiffness > 0)) break;
     // Elastic: v sqrt(m/k), beside what they overlap by already.
@@ -180,22 +183,23 @@ Vec3 parting_normal(const PlacedSolid& a, const PlacedSolid& b) {
 
 }  // namespace
 
-Nearing nearing(const Model<2>& model, const State<2>& state, const Work<2>& /*work*/, int p, int q) {
+Nearing nearing(const Model<2>& model, const State<2>& state, const Work<2>& /*work*/, int p, int q, double dt) {
   const MovingPiece a = moving_piece(model, state, p), b = moving_piece(model, state, q);
   double most = -unbounded;
   Vec2 normal = Vec2::UnitX();
   look_along_edges(a, b, 1, most, normal);
   look_along_edges(b, a, -1, most, normal);
-  return meet<2>({a, 0, piece_mass(model, p)}, {b, 0, piece_mass(model, q)}, normal, closing_stiffness(model, p, q));
+  return meet<2>({a, 0, piece_mass(model, p)}, {b, 0, piece_mass(model, q)}, normal, closing_stiffness(model, p, q),
+                 dt);
 }
 
-Nearing nearing(const Model<3>& model, const State<3>& state, const Work<3>& work, int p, int q) {
+Nearing nearing(const Model<3>& model, const State<3>& state, const Work<3>& work, int p, int q, double dt) {
   const PlacedSolid &a = work.solids.placed[p], &b = work.solids.placed[q];
   const auto side = [&](const PlacedSolid& placed, int piece) {
     return Side<3>{placed, motion_of(model, state, model.carrier_of(piece)), placed.solid->radius,
                    piece_mass(model, piece)};
   };
-  return meet<3>(side(a, p), side(b, q), parting_normal(a, b), closing_stiffness(model, p, q));
+  return meet<3>(side(a, p), side(b, q), parting_normal(a, b), closing_stiffness(model, p, q), dt);
 }
 
 }  // namespace trilith

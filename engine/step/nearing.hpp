@@ -13,10 +13,11 @@ struct Nearing {
   double speed = 0;      ///< at which their nearest parts close, below 0 where they open [m/s]
   double stiffness = 0;  ///< of the contact over the area that they would share, at least what it will be [N/m]
   double mass = 0;       ///< m_a m_b / (m_a + m_b), of what does not move without end [kg]
+  bool apart = false;    ///< they stay apart all along the step; the others are then bounds, or not found
 };
 
-/// Of pieces p and q, between whose bodies a contact law holds. Work must be placed. From State alone.
-Nearing nearing(const Model<2>& model, const State<2>& state, const Work<2>& work, int p, int q);
-Nearing nearing(const Model<3>& model, const State<3>& state, const Work<3>& work, int p, int q);
+/// Of pieces p and q within `dt` [s], between whose bodies a contact law holds. Work must be placed. From State alone.
+Nearing nearing(const Model<2>& model, const State<2>& state, const Work<2>& work, int p, int q, double dt);
+Nearing nearing(const Model<3>& model, const State<3>& state, const Work<3>& work, int p, int q, double dt);
 
 }  // namespace trilith

@@ -42,6 +42,10 @@ bool read_rest_table(Keys& keys, std::string_view key, StageOptions& o) {
   return wanted;
 }
 
+/// Share of the longest stable step where blows find their own, by `accuracy`, and nothing is braked to rest: what is
+/// left is stability. Room for contacts that grow half as stiff again until the step is looked at anew.
+constexpr double safety_beside_accuracy = 0.8;
+
 void read_step(Keys& keys, StageOptions& o) {
   o.dt = keys.number("dt", "s", 0);
   o.safety = keys.number("safety", "1", o.safety);
@@ -54,6 +58,8 @@ void read_integrator(Keys& keys, StageOptions& o) {
   double& accuracy = name == "explicit" ? o.impact_accuracy : o.accuracy;
   accuracy = keys.number("accuracy", "1", accuracy);
   if (!(accuracy >= 0)) keys.problem(fmt::format("'accuracy' is {:g}, must not be below 0", accuracy));
+  const bool given = keys.has("safety");
+  if (name == "explicit" && accuracy > 0 && !given && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
   if (name == "explicit") return keys.know({"alpha", "spectral_radius", "tolerance"});
   if (name != "implicit" && name != "auto")
     keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\", \"implicit\" or \"auto\"", name));

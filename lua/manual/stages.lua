@@ -19,7 +19,7 @@ to          number s?     or until this time
 name        text = "run"  what results call it
 damping     number = 0    share of the unbalanced force that brakes each body
 dt          number s?     fixed step; found by itself where left out. Of implicit ones the longest (5 ms)
-safety      number = 0.5  share of the longest stable step, at most 0.9
+safety      number = 0.5  share of the longest stable step, at most 0.9; explicit with accuracy 0.8
 mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
 integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
@@ -53,7 +53,7 @@ still     rest?           end at rest after the motions: ]] .. rest .. [[
 
 name      text = "shake"  what results call it
 dt        number s?       fixed step
-safety    number = 0.5    share of the longest stable step, at most 0.9
+safety    number = 0.5    share of the longest stable step, at most 0.9; explicit with accuracy 0.8
 mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
 integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
