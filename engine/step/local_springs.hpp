@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "step/contact_rows.hpp"
-#include "step/largest_eigenvalue.hpp"
 #include "world/model.hpp"
 
 namespace trilith {
@@ -45,19 +44,19 @@ inline ContactTangent spring_tangent(const Model<2>& model, int law, double dept
   return with_kernel(law_in_use(model, law), [&](const auto& kernel) { return kernel.tangent(depth); });
 }
 
-/// Raises `most` [1/s2] or [1/s] to a bound of the largest eigenvalue of m over mass and inertia, of what is free: the
-/// largest row sum, or where that would raise it the sharper bound, whichever is less. `is_free`: along x, along y,
-/// turning.
-inline void raise_to_bound(double& most, const Eigen::Matrix3d& m, double mass, double inertia,
-                           const std::array<bool, 3>& is_free) {
+/// Largest row sum of what is free, scaled by mass and inertia: at least the largest eigenvalue [1/s2], [1/s].
+/// `is_free`: along x, along y, turning.
+inline double row_bound(const Eigen::Matrix3d& m, double mass, double inertia, const std::array<bool, 3>& is_free) {
   const std::array<double, 3> scale = {1 / std::sqrt(mass), 1 / std::sqrt(mass), 1 / std::sqrt(inertia)};
-  Eigen::Matrix3d scaled = Eigen::Matrix3d::Zero();
-  for (int r = 0; r < 3; ++r)
+  double most = 0;
+  for (int r = 0; r < 3; ++r) {
+    double row = 0;
     for (int c = 0; c < 3; ++c)
       // What is held or driven does not swing.
-      if (is_free[r] && is_free[c]) scaled(r, c) = m(r, c) * scale[r] * scale[c];
-  const double row = scaled.cwiseAbs().rowwise().sum().maxCoeff();
-  if (row > most) most = std::max(most, std::min(row, largest_eigenvalue_bound<3>(scaled)));
+      if (is_free[r] && is_free[c]) row += std::abs(m(r, c)) * scale[r] * scale[c];
+    most = std::max(most, row);
+  }
+  return most;
 }
 
 }  // namespace trilith

@@ -202,11 +202,11 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
   }
 }
 
-/// Of a node's own springs.
-void raise_to_node(double& most, const Model<2>& model, int node, const Eigen::Matrix3d& m) {
+/// The largest row sum of a node's own springs.
+double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
   const auto& s = model.support[node];
-  raise_to_bound(most, m, model.mass[node], model.inertia[node],
-                 {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
+  return row_bound(m, model.mass[node], model.inertia[node],
+                   {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
 }
 
 /// Springs all around a body as if it were rigid, half as stiff as in full contact with bodies that move: at least as
@@ -238,9 +238,8 @@ RateBound rigid_rates(const Model<2>& model, const Work<2>& work, int body, cons
   if (!whole.is_free) return {};
   const Local around = around_outline(model, work, body, whole.centre);
   const auto most = [&](const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
-    double bound = 0;
-    for (const Eigen::Matrix3d* m : {&a, &b}) raise_to_bound(bound, *m, whole.mass, whole.inertia, {true, true, true});
-    return bound;
+    constexpr std::array all{true, true, true};
+    return std::max(row_bound(a, whole.mass, whole.inertia, all), row_bound(b, whole.mass, whole.inertia, all));
   };
   return {most(locals.whole[body].k, around.k), most(locals.whole[body].c, around.c)};
 }
@@ -271,8 +270,8 @@ std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, 
     // The largest of its nodes' bounds bounds the whole.
     for (int node = body.first_node; node < body.first_node + body.nodes; ++node) {
       if (!model.moves(node)) continue;
-      raise_to_node(k, model, node, locals.node[node].k);
-      raise_to_node(c, model, node, locals.node[node].c);
+      k = std::max(k, bound(model, node, locals.node[node].k));
+      c = std::max(c, bound(model, node, locals.node[node].c));
     }
     out[b] = {model.element_bound[b], {k, c}, {}};
     if (as_rigid && is_of_elements(body)) out[b].rigid = rigid_rates(model, work, static_cast<int>(b), locals);

@@ -2,12 +2,13 @@
 //
 // For every body: the 3 x 3 stiffness and damping of its contacts and bearings about its node, scaled by mass and
 // inertia, doubled where the other side moves too (for two bodies and one spring, (a - b)^2 <= 2 a^2 + 2 b^2, so the
-// largest eigenvalue of the whole is bounded by the largest of these). With lambda_K and lambda_C bounds of their largest
-// eigenvalues (step/largest_eigenvalue.hpp), dt <= (sqrt(4 lambda_K + lambda_C^2) - lambda_C) / lambda_K (central differences with lagged damping;
+// largest eigenvalue of the whole is bounded by the largest of these). With lambda_K and lambda_C their bounds by row
+// sums, dt <= (sqrt(4 lambda_K + lambda_C^2) - lambda_C) / lambda_K (central differences with lagged damping;
 // Belytschko, Liu and Moran, "Nonlinear finite elements", 2000, sec. 6.2.3). A body in no contact counts as lying on
 // its stiffest face, so that a contact that forms before the next estimate finds a safe step.
 //
-// In space the matrices of rigid bodies are 6 x 6, about the principal axes.
+// In space the bodies are rigid: 6 x 6, about the principal axes, and the bound of a matrix M is the fourth root of the
+// Frobenius norm of M^4, at most a quarter above the largest eigenvalue.
 //
 // For a deformable body: the largest eigenvalue of an element over its own lumped masses bounds that of all (Irons),
 // and the row sums of the contacts on its nodes are added to it.

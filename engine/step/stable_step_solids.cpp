@@ -11,7 +11,6 @@
 #include "contact/solid_pressure.hpp"
 #include "shape/polyhedron.hpp"
 #include "step/bearing_motion.hpp"
-#include "step/largest_eigenvalue.hpp"
 #include "step/stable_step.hpp"
 
 namespace trilith {
@@ -122,6 +121,12 @@ void add_area(const AreaSprings& s, const ScaledNode& node, double weight, Local
   for (const Vec3& e : {across, other}) local.add(node.along(e, s.arm), shear, s.law.beta);
   for (const Vec3& a : s.spread) local.add(node.about(cross(a, n)), normal, s.law.beta);
   local.add(node.about(n), shear * s.radius * s.radius, s.law.beta);
+}
+
+/// At least the largest eigenvalue of a matrix that has none below 0: the fourth root of the norm of its fourth power.
+double largest_bound(const Matrix6& m) {
+  const Matrix6 square = m * m, fourth = square * square;
+  return std::sqrt(std::sqrt(fourth.norm()));
 }
 
 ContactTangent solid_tangent(const Model<3>& model, int law, double depth) {
@@ -263,15 +268,15 @@ RateBound on_stiffest_face(const Model<3>& model, const Body& body, NodeRows& ro
     if (solid.is_sphere()) {
       LocalSolid local;
       add_area(cap_springs(solid, law), node, 2, local);
-      most.stiffness = std::max(most.stiffness, largest_eigenvalue_bound<6>(local.k));
-      most.damping = std::max(most.damping, largest_eigenvalue_bound<6>(local.c));
+      most.stiffness = std::max(most.stiffness, largest_bound(local.k));
+      most.damping = std::max(most.damping, largest_bound(local.c));
     }
     for (int f = 0; f < solid.shape.faces.count(); ++f) {
       if (!solid.is_surface(f)) continue;
       LocalSolid local;
       add_area(face_springs(solid, f, law), node, 2, local);
-      most.stiffness = std::max(most.stiffness, largest_eigenvalue_bound<6>(local.k));
-      most.damping = std::max(most.damping, largest_eigenvalue_bound<6>(local.c));
+      most.stiffness = std::max(most.stiffness, largest_bound(local.k));
+      most.damping = std::max(most.damping, largest_bound(local.c));
     }
   }
   return most;
@@ -324,9 +329,9 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
     const RateBound beams = model.element_bound.empty() ? RateBound{} : model.element_bound[b];
     for (int n = model.bodies[b].first_node; n < model.bodies[b].first_node + model.bodies[b].nodes; ++n) {
       const double k = beams.stiffness +
-                       std::max(work.face_bound[b].stiffness, turn ? largest_eigenvalue_bound<6>(locals[n].k) : rows.k[n]),
+                       std::max(work.face_bound[b].stiffness, turn ? largest_bound(locals[n].k) : rows.k[n]),
                    c = beams.damping +
-                       std::max(work.face_bound[b].damping, turn ? largest_eigenvalue_bound<6>(locals[n].c) : rows.c[n]) +
+                       std::max(work.face_bound[b].damping, turn ? largest_bound(locals[n].c) : rows.c[n]) +
                        model.mass_damping;
       const double dt = step_for(k, c);
       if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
