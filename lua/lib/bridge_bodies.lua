@@ -95,14 +95,19 @@ local function add_pier(model, s)
   return model:body(described(s, "piers", { pieces = pieces }))
 end
 
---- Places across, in order and each once.
-local function in_order(places)
-  table.sort(places)
-  local out = {}
-  for _, y in ipairs(places) do
-    if #out == 0 or y - out[#out] > 1e-6 then out[#out + 1] = y end
+--- Places of the joints of a cap: over columns, at its ends, and under girders that are not close to one of these.
+local function cap_places(plan, s, columns)
+  local at = table.move(columns, 1, #columns, 1, {})
+  local function add(y, close)
+    for _, other in ipairs(at) do
+      if math.abs(other - y) <= close then return end
+    end
+    at[#at + 1] = y
   end
-  return out
+  for _, y in ipairs { -0.5*s.breadth, 0.5*s.breadth } do add(y, 1e-6) end
+  for _, line in ipairs(plan.lines) do add(line.y, 0.5*s.cap_thickness) end -- short deep beams would want short steps
+  table.sort(at)
+  return at
 end
 
 --- A bent of members: columns up to the axis of the cap, whose joints are at its ends, over columns and under girders.
@@ -111,10 +116,7 @@ local function add_bent(model, plan, s)
   local section = s.cap_section or core.module.rectangle_section { width = 2*reach*cosine, depth = s.cap_thickness }
   local axis, foot = s.top - section.above, s.bottom + s.footing_thickness
   local columns, joints, members = column_places(s), {}, {}
-  local at = { -0.5*s.breadth, 0.5*s.breadth }
-  for _, y in ipairs(columns) do at[#at + 1] = y end
-  for _, line in ipairs(plan.lines) do at[#at + 1] = line.y end
-  at = in_order(at)
+  local at = cap_places(plan, s, columns)
   local function joint_at(y)
     for k, other in ipairs(at) do
       if math.abs(other - y) <= 1e-6 then return "cap" .. k end
@@ -123,15 +125,18 @@ local function add_bent(model, plan, s)
   for k, y in ipairs(at) do
     joints["cap" .. k] = { s.x - s.slope*y, y, axis }
     if k > 1 then
-      members[#members + 1] = { name = "cap" .. k - 1, from = "cap" .. k - 1, to = "cap" .. k, section = section, divisions = 1 }
+      members[#members + 1] = { name = "cap" .. k - 1, from = "cap" .. k - 1, to = "cap" .. k, section = section,
+        divisions = 1 }
     end
   end
   s.feet = {}
   local mass = s.footing_weight/standard_gravity/#columns
-  local inertia = mass*(s.footing_width^2 + ((s.footing_breadth or s.breadth)/#columns)^2)/12 -- of its share of a flat footing
+  -- Of its share of a flat footing.
+  local inertia = mass*(s.footing_width^2 + ((s.footing_breadth or s.breadth)/#columns)^2)/12
   for k, y in ipairs(columns) do
     s.feet[k] = { s.x - s.slope*y, y, foot }
-    joints["foot" .. k] = s.foundation and { at = s.feet[k], mass = mass, inertia = inertia } or { at = s.feet[k], support = "fixed" }
+    joints["foot" .. k] = s.foundation and { at = s.feet[k], mass = mass, inertia = inertia } or { at = s.feet[k],
+      support = "fixed" }
     members[#members + 1] = { name = "column" .. k, from = "foot" .. k, to = joint_at(y), section = s.section,
       divisions = s.divisions, orientation = { portable.cos(s.skew), portable.sin(s.skew), 0 } }
   end
@@ -153,7 +158,8 @@ local function add_solid_deck(model, plan, v)
   local a, b = { left.x, left.support.slope }, { right.x, right.support.slope }
   local pieces, broad = { solid(a, b, -plan.half, plan.half, z + v.under, z + v.depth) }, 0.5*plan.girder
   if v.slab then
-    for _, line in ipairs(plan.lines) do pieces[#pieces + 1] = solid(a, b, line.y - broad, line.y + broad, z, z + v.under) end
+    for _, line in ipairs(plan.lines) do pieces[#pieces + 1] = solid(a, b, line.y - broad, line.y + broad, z,
+      z + v.under) end
   end
   local d = v.diaphragm
   for _, share in ipairs(d and shares(d.count) or {}) do
@@ -161,45 +167,40 @@ local function add_solid_deck(model, plan, v)
     local x = a[1] + 0.5*d.thickness + share*(b[1] - a[1] - d.thickness)
     local slope = a[2] + share*(b[2] - a[2])
     for k = 1, #plan.lines - 1 do
-      pieces[#pieces + 1] = solid({ x - 0.5*d.thickness, slope }, { x + 0.5*d.thickness, slope }, plan.lines[k].y + broad,
+      pieces[#pieces + 1] = solid({ x - 0.5*d.thickness, slope }, { x + 0.5*d.thickness, slope },
+        plan.lines[k].y + broad,
         plan.lines[k + 1].y - broad, z + v.under - d.depth, z + v.under)
     end
   end
   return model:body(described(v, "spans", { pieces = pieces }))
 end
 
---- A grillage: a member on each girder line with a joint over each bearing, and cross beams between the lines.
+--- A grillage: a member on each girder line from end to end of the deck, and cross beams between the lines, the outer
+--- ones a girder's depth from the ends: short deep beams would want short steps. Bearings hang on the nodes nearest to
+--- them by rigid arms.
 local function add_grillage(model, plan, v)
-  local z, d = plan.bridge.soffit_level + v.section.below, v.diaphragm
+  local z, d, inset = plan.bridge.soffit_level + v.section.below, v.diaphragm, v.section.depth
   local joints, members = {}, {}
   local across = shares(d and d.count or 0)
-  local function crossed(k) return across[k] and across[k] > 0 and across[k] < 1 end
   for _, line in ipairs(plan.lines) do
-    local function place(share, name) -- between both bearings, or at an end of the deck
-      local function on(e) return e[name or "bearing"] + (name and e.way*e.set_back or 0) - e.support.slope*line.y end
-      return { on(v.ends[1]) + share*(on(v.ends[2]) - on(v.ends[1])), line.y, z }
-    end
-    local names = { "a", "left" }
-    joints[line.name .. ".a"], joints[line.name .. ".left"] = place(0, "x"), place(0)
+    local function on(e) return e.x + e.way*e.set_back - e.support.slope*line.y end
+    local from, to, names = on(v.ends[1]), on(v.ends[2]), { "a" }
+    joints[line.name .. ".a"], joints[line.name .. ".b"] = { from, line.y, z }, { to, line.y, z }
     for k, share in ipairs(across) do
-      if crossed(k) then
-        names[#names + 1] = "d" .. k
-        joints[line.name .. ".d" .. k] = place(share)
-      end
+      names[#names + 1] = "d" .. k
+      joints[line.name .. ".d" .. k] = { from + inset + share*(to - from - 2*inset), line.y, z }
     end
-    joints[line.name .. ".right"], joints[line.name .. ".b"] = place(1), place(1, "x")
-    names[#names + 1], names[#names + 2] = "right", "b"
+    names[#names + 1] = "b"
     for k = 2, #names do
-      local stub = k == 2 or k == #names
       members[#members + 1] = { name = ("%s.%d"):format(line.name, k - 1), from = line.name .. "." .. names[k - 1],
-        to = line.name .. "." .. names[k], section = v.section, divisions = stub and 1 or v.divisions }
+        to = line.name .. "." .. names[k], section = v.section,
+        divisions = (#across > 1 and (k == 2 or k == #names)) and 1 or v.divisions }
     end
   end
-  for k, share in ipairs(across) do
-    local joint = crossed(k) and "d" .. k or share == 0 and "left" or share == 1 and "right"
+  for k in ipairs(across) do
     for j = 1, #plan.lines - 1 do
-      members[#members + 1] = { name = ("diaphragm%d.%d"):format(k, j), from = plan.lines[j].name .. "." .. joint,
-        to = plan.lines[j + 1].name .. "." .. joint, section = d.section, divisions = 2 }
+      members[#members + 1] = { name = ("diaphragm%d.%d"):format(k, j), from = ("%s.d%d"):format(plan.lines[j].name, k),
+        to = ("%s.d%d"):format(plan.lines[j + 1].name, k), section = d.section, divisions = 2 }
     end
   end
   return model:frame(described(v, "spans", { joints = joints, members = members }))

@@ -9,7 +9,8 @@ local function tangent(angle) return core.module.math.sin(angle)/core.module.mat
 local function owner_of(kind, row, i)
   if type(row) ~= "table" then fail("bridge", "%s %d is %s, must be a table", kind, i, what_is(row)) end
   local name = row.name
-  return type(name) == "string" and not name:find "%c" and ("%s '%s'"):format(kind, name) or ("bridge: %s %d"):format(kind, i)
+  return type(name) == "string" and not name:find "%c" and ("%s '%s'"):format(kind, name)
+    or ("bridge: %s %d"):format(kind, i)
 end
 
 --- Girder lines from right to left: { name, y }, and how broad a girder is.
@@ -17,7 +18,9 @@ local function girder_lines(given, half)
   local owner, lines = "bridge: girders", {}
   local g = read("girders", owner, given)
   if g.at and (g.count or g.spacing) then fail(owner, "at is given, and count or spacing besides; keep one") end
-  if not g.at and not g.count then fail(owner, "'count' is missing; give count and spacing, or the places at = { y, ... }") end
+  if not g.at and not g.count then
+    fail(owner, "'count' is missing; give count and spacing, or the places at = { y, ... }")
+  end
   if g.count and g.count > 1 and not g.spacing then fail(owner, "'spacing' is missing; give a number in m") end
   for k = 1, g.count or #g.at do
     local y = g.at and g.at[k] or g.count and (k - 0.5*(g.count + 1))*(g.spacing or 0)
@@ -25,11 +28,13 @@ local function girder_lines(given, half)
       fail(owner, "place %d of 'at' is %s, must be a finite number in m", k, what_is(y))
     end
     if k > 1 and y - lines[k - 1].y <= g.breadth then
-      fail(owner, "lines %d and %d at y = %g and %g m are apart by no more than a girder is broad, %g m; they go from right to"
+      fail(owner, "lines %d and %d at y = %g and %g m are apart by no more than a girder is broad, %g m; they go"
+        .. " from right to"
         .. " left", k - 1, k, lines[k - 1].y, y, g.breadth)
     end
     if math.abs(y) + 0.5*g.breadth > half + 1e-9 then
-      fail(owner, "line %d at y = %g m with a girder %g m broad reaches beyond the deck, which is %g m broad", k, y, g.breadth,
+      fail(owner, "line %d at y = %g m with a girder %g m broad reaches beyond the deck, which is %g m broad", k, y,
+        g.breadth,
         2*half)
     end
     lines[k] = { name = "g" .. k, y = y }
@@ -42,8 +47,12 @@ local function shear_key_of(owner, given)
   owner = owner .. ": shear_key"
   local key = read("shear_key", owner, given)
   for _, name in ipairs { "gap", "height", "breadth" } do
-    if key.law and key[name] then fail(owner, "'%s' is of a key that is solid, and law of one that is a bearing; keep one", name) end
-    if not key.law and not key[name] then fail(owner, "'%s' is missing; give gap, height and breadth, or a law", name) end
+    if key.law and key[name] then
+      fail(owner, "'%s' is of a key that is solid, and law of one that is a bearing; keep one", name)
+    end
+    if not key.law and not key[name] then
+      fail(owner, "'%s' is missing; give gap, height and breadth, or a law", name)
+    end
   end
   if key.limit and not key.law then fail(owner, "'limit' is given, but no law that it would end; give law") end
   return key
@@ -69,17 +78,30 @@ local function check_pier(owner, v)
   if (v.footing_width > 0) ~= (v.footing_thickness > 0) then
     fail(owner, "footing is %g m wide and %g m thick; give both or neither", v.footing_width, v.footing_thickness)
   end
-  if v.columns and v.columns > 1 and not v.column_spacing then fail(owner, "'column_spacing' is missing; give a number in m") end
-  if v.columns and v.cap_thickness == 0 then fail(owner, "'cap_thickness' is missing: columns carry the seats by a cap") end
-  if v.columns and v.stem_breadth then fail(owner, "'stem_breadth' is of a wall; of columns it is column_breadth") end
-  if v.columns and not v.section and not v.column_breadth then fail(owner, "'column_breadth' is missing; give a number in m") end
-  if v.section and not v.columns then fail(owner, "'section' is given, but not how many columns; give columns") end
-  if v.footing_weight > 0 and not v.section then fail(owner, "'footing_weight' is of a bent of members, with section; leave it out") end
-  if v.section and v.foundation and v.footing_weight == 0 then
-    fail(owner, "'footing_weight' is missing: feet on springs of the ground need the mass of a footing; give a number in N")
+  if v.columns and v.columns > 1 and not v.column_spacing then
+    fail(owner, "'column_spacing' is missing; give a number in m")
   end
-  if v.section and v.support ~= nil then fail(owner, "'support': feet of members are fixed where there is no foundation; leave it out") end
-  if v.cap_section and not v.section then fail(owner, "'cap_section' goes with section, of columns that are members; give it") end
+  if v.columns and v.cap_thickness == 0 then
+    fail(owner, "'cap_thickness' is missing: columns carry the seats by a cap")
+  end
+  if v.columns and v.stem_breadth then fail(owner, "'stem_breadth' is of a wall; of columns it is column_breadth") end
+  if v.columns and not v.section and not v.column_breadth then
+    fail(owner, "'column_breadth' is missing; give a number in m")
+  end
+  if v.section and not v.columns then fail(owner, "'section' is given, but not how many columns; give columns") end
+  if v.footing_weight > 0 and not v.section then
+    fail(owner, "'footing_weight' is of a bent of members, with section; leave it out")
+  end
+  if v.section and v.foundation and v.footing_weight == 0 then
+    fail(owner, "'footing_weight' is missing: feet on springs of the ground need the mass of a footing; give a"
+      .. " number in N")
+  end
+  if v.section and v.support ~= nil then
+    fail(owner, "'support': feet of members are fixed where there is no foundation; leave it out")
+  end
+  if v.cap_section and not v.section then
+    fail(owner, "'cap_section' goes with section, of columns that are members; give it")
+  end
   if v.section and v.shear_key and not v.shear_key.law then
     fail(owner, "a solid shear key stands on a rigid cap; on one of members give shear_key = { law = }")
   end
@@ -101,7 +123,8 @@ local function rise_of(plan, i, owner)
   for _, at in ipairs { { i - 1, 2 }, { i, 1 } } do
     for _, kind in ipairs(plan.spans[at[1]] and plan.spans[at[1]].types[at[2]] or {}) do
       if rise and math.abs(kind.height - rise) > 1e-9 then
-        fail(owner, "bearings %g and %g m high sit on its top, which is level; make them equally high", rise, kind.height)
+        fail(owner, "bearings %g and %g m high sit on its top, which is level; make them equally high", rise,
+          kind.height)
       end
       rise = kind.height
     end
@@ -145,7 +168,8 @@ end
 local function types_at(model, owner, side, given, lines)
   local types = {}
   if type(given) == "table" and #given ~= #lines then
-    fail(owner, "%s names %d types of bearings for %d girder lines; give one for each, or one for all", side, #given, #lines)
+    fail(owner, "%s names %d types of bearings for %d girder lines; give one for each, or one for all", side, #given,
+      #lines)
   end
   for k in ipairs(lines) do
     local name = given
@@ -177,7 +201,9 @@ local function diaphragm_of(owner, v, lines)
   local of_members = v.section ~= nil
   if #lines < 2 then fail(owner, "stands between girders, and there is one line alone; leave it out") end
   if of_members and not d.section then fail(owner, "'section' is missing: the girders are members") end
-  if of_members and (d.thickness or d.depth) then fail(owner, "thickness or depth is given besides section; leave it out") end
+  if of_members and (d.thickness or d.depth) then
+    fail(owner, "thickness or depth is given besides section; leave it out")
+  end
   if not of_members and d.section then fail(owner, "'section' is of girders that are members; give thickness") end
   if not of_members and not v.slab then fail(owner, "the deck is solid; give the slab on its girders") end
   if not of_members and not d.thickness then fail(owner, "'thickness' is missing; give a number in m") end
@@ -209,17 +235,25 @@ local function lay_span(plan, i)
     local x = s.x + way*0.5*s.gap
     -- Girders that are members end square: their corners keep half the joint, where it is turned.
     local set_back = v.section and 0.5*plan.girder*math.abs(s.slope) or 0
-    v.ends[side] = { support = s, way = way, x = x, set_back = set_back, edge = x + way*s.seat, bearing = x + way*0.5*s.seat,
+    v.ends[side] = { support = s, way = way, x = x, set_back = set_back, edge = x + way*s.seat,
+      bearing = x + way*0.5*s.seat,
       name = ("%s.%s"):format(v.name, side == 1 and "left" or "right") }
   end
   local seats = v.ends[1].support.seat + v.ends[2].support.seat
   for _, y in ipairs { -plan.half, plan.half } do
     local length = v.ends[2].x - v.ends[2].support.slope*y - (v.ends[1].x - v.ends[1].support.slope*y)
     if length <= seats then
-      fail(v.owner, "at y = %g m the joints leave %g m of deck, which must be above the %g m of both seats", y, length, seats)
+      fail(v.owner, "at y = %g m the joints leave %g m of deck, which must be above the %g m of both seats", y,
+        length, seats)
     end
   end
   v.clear = v.ends[2].x - v.ends[1].x
+  local slopes = math.abs(v.ends[1].support.slope) + math.abs(v.ends[2].support.slope)
+  local shortest = v.clear - slopes*(plan.half + 0.5*plan.girder)
+  if v.section and v.diaphragm and shortest <= 2*v.section.depth then
+    fail(v.owner, "its girders are %g m long, which leaves no room for diaphragms a depth of %g m from both ends",
+      shortest, v.section.depth)
+  end
 end
 
 --- Solid keys stand beside what the deck rests on: girders under a slab that passes over them, or the solid deck.
@@ -229,11 +263,13 @@ local function lay_keys(plan, i)
   if not key or key.law then return end
   key.from = 0
   for _, v in ipairs { plan.spans[i - 1] or false, plan.spans[i] or false } do
-    local reach = v and (v.slab or v.section) and math.max(-plan.lines[1].y, plan.lines[#plan.lines].y) + 0.5*plan.girder
+    local reach = v and (v.slab or v.section) and math.max(-plan.lines[1].y,
+      plan.lines[#plan.lines].y) + 0.5*plan.girder
       or v and plan.half or 0
     key.from = math.max(key.from, reach + key.gap)
     if v and v.slab and key.height > s.rise + v.under - 1e-9 then
-      fail(s.owner, "its shear keys are %g m high and would reach into the slab of '%s', %g m above its seat", key.height, v.name,
+      fail(s.owner, "its shear keys are %g m high and would reach into the slab of '%s', %g m above its seat",
+        key.height, v.name,
         s.rise + v.under)
     end
   end
@@ -252,10 +288,13 @@ end
 
 --- The whole of it; an error where something is wrong.
 function core.bridge_plan(model, options)
-  if type(options) ~= "table" then fail("bridge", "takes a table { supports = , spans = , ... }; this is %s", what_is(options)) end
+  if type(options) ~= "table" then
+    fail("bridge", "takes a table { supports = , spans = , ... }; this is %s", what_is(options))
+  end
   local b = read("bridge", "bridge", options)
   if #b.supports ~= #b.spans + 1 then
-    fail("bridge", "%d spans and %d supports; there is one support more than spans, from left to right", #b.spans, #b.supports)
+    fail("bridge", "%d spans and %d supports; there is one support more than spans, from left to right", #b.spans,
+      #b.supports)
   end
   local plan = { bridge = b, half = 0.5*b.breadth, spans = {}, supports = {} }
   plan.lines, plan.girder = girder_lines(b.girders, plan.half)

@@ -18,7 +18,8 @@ local function least(rule) -- one that may
 end
 -- A skew beyond 75 degrees would be four times as long along the bridge as across; 30 is meant in degrees.
 local function skew(preset)
-  return number("rad", { preset = preset, least = -75*math.pi/180, most = 75*math.pi/180, hint = "30*deg is 30 degrees" })
+  return number("rad", { preset = preset, least = -75*math.pi/180, most = 75*math.pi/180,
+    hint = "30*deg is 30 degrees" })
 end
 local table_of, law, section = { kind = "table" }, { kind = "direction law" }, { kind = "section" }
 
@@ -35,7 +36,8 @@ for _, key in ipairs(body_words) do body[key] = { kind = "any" } end
 local function support(rules)
   return with(with({
     name = { kind = "text" }, height = above { needed = true }, skew = skew(), gap = least(), seat = above(),
-    breadth = above(), support = { kind = "any" }, ground = { kind = "any" }, foundation = table_of, shear_key = table_of,
+    breadth = above(), support = { kind = "any" }, ground = { kind = "any" }, foundation = table_of,
+      shear_key = table_of,
   }, body), rules)
 end
 
@@ -46,10 +48,12 @@ local rules = {
     skew = skew(0), breadth = above { needed = true }, girders = { kind = "table", needed = true },
     material = { kind = "any" }, abutment = table_of, pier = table_of, span = table_of, ground = { kind = "any" },
   },
-  girders = { count = { kind = "count" }, spacing = above(), at = { kind = "list" }, breadth = above { needed = true } },
+  girders = { count = { kind = "count" }, spacing = above(), at = { kind = "list" },
+    breadth = above { needed = true } },
   abutment = support { width = above { needed = true }, back_wall_height = least { preset = 0 } },
   pier = support {
-    stem_width = above(), stem_breadth = above(), cap_thickness = least { preset = 0 }, footing_width = least { preset = 0 },
+    stem_width = above(), stem_breadth = above(), cap_thickness = least { preset = 0 },
+      footing_width = least { preset = 0 },
     footing_breadth = above(), footing_thickness = least { preset = 0 }, columns = { kind = "count" },
     column_spacing = above(), column_breadth = above(), section = section, cap_section = section,
     divisions = { kind = "count", preset = 6 }, footing_weight = number("N", { least = 0, preset = 0 }),
@@ -64,7 +68,8 @@ local rules = {
   foundation = {
     soil = number("Pa", { above = 0 }), poisson = number("", { preset = 0.35, least = 0, most = 0.49 }),
     damping = number("s", { preset = 0, least = 0 }), along = law, across = law, horizontal = law, axial = law,
-    turning_along = law, turning_across = law, turning_axial = law, limit = { kind = "any" }, becomes = { kind = "any" },
+    turning_along = law, turning_across = law, turning_axial = law, limit = { kind = "any" },
+      becomes = { kind = "any" },
   },
   ground = { thickness = above { preset = 1 }, margin = least { preset = 1 }, material = { kind = "any" } },
   motions = {
@@ -98,7 +103,8 @@ local function fail(owner, text, ...) core.fail(("%s: " .. text):format(owner, .
 local function check_number(owner, key, rule, value)
   local unit = rule.unit and rule.unit ~= "" and " " .. rule.unit or ""
   local function refuse(text, bound)
-    fail(owner, "'%s' is %.6g%s, must %s %.6g%s", key, value, unit, text, bound, rule.hint and "; " .. rule.hint or "")
+    fail(owner, "'%s' is %.6g%s, must %s %.4g%s%s", key, value, unit, text, bound, bound ~= 0 and unit or "",
+      rule.hint and "; " .. rule.hint or "")
   end
   if type(value) ~= "number" or value ~= value or math.abs(value) == math.huge then
     fail(owner, "'%s' is %s, must be a finite number%s", key, what_is(value), unit ~= "" and " in" .. unit or "")

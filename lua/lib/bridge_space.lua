@@ -1,4 +1,5 @@
--- m:bridge{...} of a model in space: bodies, ground, foundations, bearings, seats and keys of what the plan says, and the
+-- m:bridge{...} of a model in space: bodies, ground, foundations, bearings, seats and keys of what the plan says, and
+-- the
 -- table by which a script finds them.
 local _, core = ...
 local read, fail, what_is = core.bridge_rules.read, core.bridge_rules.fail, core.bridge_rules.what_is
@@ -83,7 +84,8 @@ local function add_lines(model, plan, v, side, deck, out)
     local x = e.bearing - s.slope*y
     local laid = core.lay_bearing(model, { name = name, type = v.types[side][k].name, support = s.name, span = v.name,
       from = { x, y, s.top }, to = { x, y, soffit } })
-    local seat = model:seat { name = name, body = deck, support = s.name, at_end = { e.x + e.way*e.set_back - s.slope*y, y, soffit },
+    local seat = model:seat { name = name, body = deck, support = s.name,
+      at_end = { e.x + e.way*e.set_back - s.slope*y, y, soffit },
       edge = { e.edge - s.slope*y, y, s.top }, inward = { -e.way, -e.way*s.slope, 0 } }
     for _, key in ipairs { k, line.name } do
       out.bearings[key], out.seats[key], out.places[key] = laid, seat, { x, y, soffit }
@@ -134,7 +136,8 @@ end
 
 local function built(model, options)
   local plan = core.bridge_plan(model, options)
-  local bridge = setmetatable({ lines = {}, axes = {}, supports = {}, spans = {}, grounds = {}, foundations = {}, bearings = {},
+  local bridge = setmetatable({ lines = {}, axes = {}, supports = {}, spans = {}, grounds = {}, foundations = {},
+    bearings = {},
     seats = {}, side_seats = {}, places = {}, keys = {}, driven = {} }, Bridge)
   for k, line in ipairs(plan.lines) do bridge.lines[k] = line.name end
   local made = core.bridge_bodies(model, plan)
@@ -142,7 +145,8 @@ local function built(model, options)
     local body, ground = made.supports[i], add_ground(model, plan, s, i)
     local links = add_foundations(model, plan, s, i, body, ground)
     for _, key in ipairs { i, s.name } do
-      bridge.supports[key], bridge.grounds[key], bridge.foundations[key], bridge.axes[key] = body, ground or false, links, s.x
+      bridge.supports[key], bridge.grounds[key], bridge.foundations[key], bridge.axes[key] = body, ground or false,
+        links, s.x
       bridge.driven[key] = driven_by(s, ground, body) or false
     end
   end
@@ -156,7 +160,8 @@ local function motion_at(bridge, given, key, i)
   local motion = given[key]
   if type(motion) == "table" then
     if #motion ~= #bridge.supports then
-      fail("motions", "'%s' lists %d motions for %d supports; give one for each, or one for all", key, #motion, #bridge.supports)
+      fail("motions", "'%s' lists %d motions for %d supports; give one for each, or one for all", key, #motion,
+        #bridge.supports)
     end
     motion = motion[i]
   end
@@ -193,7 +198,8 @@ function Bridge:motions(given)
   for i = 1, #self.supports do
     local body = self.driven[i]
     if not body then
-      fail("motions", "support '%s' has no ground of the bridge and is not fixed; give ground, or move its ground by m:shake",
+      fail("motions", "support '%s' has no ground of the bridge and is not fixed; give ground, or move its ground"
+        .. " by m:shake",
         self.supports[i].name)
     end
     local row = { body = body }
@@ -202,7 +208,8 @@ function Bridge:motions(given)
     if not other then
       rows[#rows + 1], seen[body.name] = row, row
     elseif given.velocity or given.delay or other.x ~= row.x or other.y ~= row.y or other.z ~= row.z then
-      fail("motions", "'%s' is the ground of several supports and cannot move in several ways; give each a ground of its own",
+      fail("motions", "'%s' is the ground of several supports and cannot move in several ways; give each a ground"
+        .. " of its own",
         body.name)
     end
   end
