@@ -131,8 +131,8 @@ local function add_bent(model, plan, s)
   end
   s.feet = {}
   local mass = s.footing_weight/standard_gravity/#columns
-  -- Of its share of a flat footing.
-  local inertia = mass*(s.footing_width^2 + ((s.footing_breadth or s.breadth)/#columns)^2)/12
+  local share = (s.footing_breadth or s.breadth)/#columns -- of a flat footing
+  local inertia = mass*(s.footing_width*s.footing_width + share*share)/12
   for k, y in ipairs(columns) do
     s.feet[k] = { s.x - s.slope*y, y, foot }
     joints["foot" .. k] = s.foundation and { at = s.feet[k], mass = mass, inertia = inertia } or { at = s.feet[k],

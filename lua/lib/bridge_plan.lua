@@ -74,43 +74,51 @@ local function foundation_of(owner, given)
   return found
 end
 
+--- Of a bent, whose columns carry the seats by a cap.
+local function check_columns(owner, v)
+  if v.columns > 1 and not v.column_spacing then fail(owner, "'column_spacing' is missing; give a number in m") end
+  if v.cap_thickness == 0 then fail(owner, "'cap_thickness' is missing: columns carry the seats by a cap") end
+  if v.stem_breadth then fail(owner, "'stem_breadth' is of a wall; of columns it is column_breadth") end
+  if not v.section and not v.column_breadth then fail(owner, "'column_breadth' is missing; give a number in m") end
+  local reach = 0.5*(v.columns - 1)*(v.column_spacing or 0) + 0.5*(v.column_breadth or 0)
+  if reach > 0.5*v.breadth + 1e-9 then
+    fail(owner, "columns stand up to %g m from the middle, beyond the cap, whose breadth is %g m", reach, v.breadth)
+  end
+  if v.foundation and v.columns > 1 and v.footing_thickness == 0 then
+    fail(owner, "columns stand on their foundation by a footing; give footing_width and footing_thickness")
+  end
+end
+
+--- Of one whose columns are members.
+local function check_members(owner, v)
+  if v.shear_key and not v.shear_key.law then
+    fail(owner, "a solid shear key stands on a rigid cap; on one of members give shear_key = { law = }")
+  end
+  if v.foundation and v.footing_weight == 0 then
+    fail(owner, "'footing_weight' is missing: feet on springs of the ground need the mass of a footing; give a"
+      .. " number in N")
+  end
+  if v.support ~= nil then
+    fail(owner, "'support': feet of members are fixed where there is no foundation; leave it out")
+  end
+end
+
 local function check_pier(owner, v)
   if (v.footing_width > 0) ~= (v.footing_thickness > 0) then
     fail(owner, "footing is %g m wide and %g m thick; give both or neither", v.footing_width, v.footing_thickness)
   end
-  if v.columns and v.columns > 1 and not v.column_spacing then
-    fail(owner, "'column_spacing' is missing; give a number in m")
+  local stem = v.stem_width or not v.section and v.gap + 2*v.seat or 0
+  if v.footing_width > 0 and v.footing_width < stem then
+    fail(owner, "footing width is %g m, must not be below the stem width of %g m", v.footing_width, stem)
   end
-  if v.columns and v.cap_thickness == 0 then
-    fail(owner, "'cap_thickness' is missing: columns carry the seats by a cap")
-  end
-  if v.columns and v.stem_breadth then fail(owner, "'stem_breadth' is of a wall; of columns it is column_breadth") end
-  if v.columns and not v.section and not v.column_breadth then
-    fail(owner, "'column_breadth' is missing; give a number in m")
-  end
-  if v.section and not v.columns then fail(owner, "'section' is given, but not how many columns; give columns") end
-  if v.footing_weight > 0 and not v.section then
-    fail(owner, "'footing_weight' is of a bent of members, with section; leave it out")
-  end
-  if v.section and v.foundation and v.footing_weight == 0 then
-    fail(owner, "'footing_weight' is missing: feet on springs of the ground need the mass of a footing; give a"
-      .. " number in N")
-  end
-  if v.section and v.support ~= nil then
-    fail(owner, "'support': feet of members are fixed where there is no foundation; leave it out")
-  end
-  if v.cap_section and not v.section then
-    fail(owner, "'cap_section' goes with section, of columns that are members; give it")
-  end
-  if v.section and v.shear_key and not v.shear_key.law then
-    fail(owner, "a solid shear key stands on a rigid cap; on one of members give shear_key = { law = }")
-  end
-  for _, key in ipairs { "column_spacing", "column_breadth" } do
+  for _, key in ipairs { "column_spacing", "column_breadth", "section" } do
     if v[key] and not v.columns then fail(owner, "'%s' is given, but no columns; give how many", key) end
   end
-  if v.foundation and (v.columns or 1) > 1 and v.footing_thickness == 0 then
-    fail(owner, "columns stand on their foundation by a footing; give footing_width and footing_thickness")
+  for _, key in ipairs { "cap_section", v.footing_weight > 0 and "footing_weight" or nil } do
+    if v[key] and not v.section then fail(owner, "'%s' is of a bent of members, with section; leave it out", key) end
   end
+  if v.columns then check_columns(owner, v) end
+  if v.section then check_members(owner, v) end
   if v.footing_thickness + v.cap_thickness >= v.height - v.rise then
     fail(owner, "height is %g m, must be above footing, cap and bearings together, %g m", v.height,
       v.footing_thickness + v.cap_thickness + v.rise)

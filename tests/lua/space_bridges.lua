@@ -6,7 +6,8 @@ local stiff = trilith.linear { stiffness = 2e9, damping = 4e6 }
 local soft = trilith.linear { stiffness = 2e7, damping = 2e5 }
 
 local function near(a, b, relative, what)
-  if math.abs(a - b) > relative*math.max(math.abs(b), 1e-12) then error(("%s: %.9g, not %.9g"):format(what, a, b), 2) end
+  if math.abs(a - b) > relative*math.max(math.abs(b), 1e-12) then error(("%s: %.9g, not %.9g"):format(what, a, b),
+    2) end
 end
 local function new(threads)
   local m = trilith.model { name = "bridge", dim = 3, threads = threads }
@@ -15,7 +16,8 @@ local function new(threads)
   m:bearing_type { name = "pad", height = 0.1, horizontal = soft, axial = stiff, limit = { horizontal = 0.15 },
                    becomes = trilith.frictional { name = "slide", kn = 5e8, ks = 2e8, mu = 0.1, beta = 2e-4 } }
   m:bearing_type { name = "flush", along = soft, across = soft, axial = stiff }
-  m:bearing_type { name = "slick", contact = trilith.frictional { name = "oiled", kn = 5e8, ks = 2e8, mu = 0.05, beta = 2e-4 } }
+  m:bearing_type { name = "slick", contact = trilith.frictional { name = "oiled", kn = 5e8, ks = 2e8, mu = 0.05,
+    beta = 2e-4 } }
   m:bearing_type { name = "guided", height = 0.1, across = soft, axial = stiff }
   return m
 end
@@ -78,7 +80,8 @@ do
   assert(m:consolidate { ratio = 1e-5, duration = 30 }.rests)
   local all, sum = loads(bridge, "S1")
   near(sum, 1.5e5*24.9, 1e-4, "weight on skewed bearings")
-  assert(all[3] > 1.1*all[1] and all[4] > 1.1*all[6], "the obtuse corners: left at the left end, right at the right one")
+  assert(all[3] > 1.1*all[1] and all[4] > 1.1*all[6],
+    "the obtuse corners: left at the left end, right at the right one")
   near(bridge.seats.S1.right.g2.length, 0.6*math.cos(0.4), 1e-2, "a seat is measured square to its edge")
   -- A rigid disc on a half space: the stiffnesses, of a footing of 4 x 9 m.
   local r = math.sqrt(4*9/math.pi)
@@ -100,7 +103,8 @@ local function struck(skew, length, breadth, way)
     gap = 0.05, seat = 0.6, breadth = breadth, skew = skew, material = "concrete",
     girders = { count = 2, spacing = 0.6*breadth, breadth = 0.6 },
     abutment = { height = 5, width = 3, back_wall_height = 1.5, support = "fixed" },
-    span = { length = length, depth = 1.5, slab = 0.3, left = slide, right = slide }, supports = { {}, {} }, spans = { {} },
+    span = { length = length, depth = 1.5, slab = 0.3, left = slide, right = slide }, supports = { {}, {} },
+      spans = { {} },
   }
   m:consolidate { ratio = 1e-4 }
   local pulse = trilith.motion { acceleration = { 0, 3*way, 0, -3*way, 0, 3*way, 0, -3*way, 0 }, dt = 0.15 }
@@ -189,7 +193,8 @@ do
   refused("motions: gives no motion", bridge.motions, bridge, {})
   refused("motions: 'velocity' is 0 m/s, must be above 0", bridge.motions, bridge, { x = a, velocity = 0 })
   refused("motions: both velocity and delay", bridge.motions, bridge, { x = a, velocity = 1, delay = { 0, 0, 0 } })
-  refused("motions: delay 2 is -1, must be a number of seconds", bridge.motions, bridge, { x = a, delay = { 0, -1, 0 } })
+  refused("motions: delay 2 is -1, must be a number of seconds", bridge.motions, bridge, { x = a, delay = { 0, -1,
+    0 } })
   refused("motions: 'delay' lists 1 delays for 3 supports", bridge.motions, bridge, { x = a, delay = { 1 } })
 end
 
@@ -221,12 +226,14 @@ walk({ [""] = "gap seat breadth skew x soffit_level", girders = "spacing breadth
        span = "length depth slab weight_per_length", ["span diaphragm"] = "thickness depth",
        ["pier shear_key"] = "gap height breadth limit", ["pier foundation"] = "soil poisson damping",
        ground = "thickness margin" }, { 0/0, math.huge, "text", {}, true })
-walk({ [""] = "gap seat breadth", girders = "spacing breadth", abutment = "height width back_wall_height breadth seat gap",
+walk({ [""] = "gap seat breadth", girders = "spacing breadth",
+  abutment = "height width back_wall_height breadth seat gap",
        pier = "height stem_width cap_thickness footing_width footing_thickness column_spacing column_breadth",
        span = "length depth slab weight_per_length", ["span diaphragm"] = "thickness depth",
        ["pier shear_key"] = "gap height breadth", ["pier foundation"] = "soil poisson damping",
        ground = "thickness margin" }, { -1 })
-walk({ [""] = "seat breadth", girders = "spacing breadth count", abutment = "height width", span = "length depth slab" },
+walk({ [""] = "seat breadth", girders = "spacing breadth count", abutment = "height width",
+  span = "length depth slab" },
   { 0 })
 walk({ girders = "count", pier = "columns divisions", ["span diaphragm"] = "count" }, { -1, 1.5, 0/0, "two", 1e9 })
 walk({ pier = "section cap_section", span = "section" }, { 1, "steel", {}, stiff })
@@ -239,7 +246,8 @@ refused("bridge: takes a table", new().bridge, new())
 refused("bridge: unknown key 'suports'; did you mean 'supports'?", new().bridge, new(), { suports = {} })
 refused("bridge: 2 spans and 2 supports", bridge_with(function(b) b.supports[3] = nil end))
 refused("span 1 is 3, must be a table", bridge_with(function(b) b.spans[1] = 3 end))
-refused("pier 'middle': unknown key 'hight'; did you mean 'height'?", bridge_with(function(b) b.supports[2].hight = 1 end))
+refused("pier 'middle': unknown key 'hight'; did you mean 'height'?",
+  bridge_with(function(b) b.supports[2].hight = 1 end))
 refused("left names 4 types of bearings for 3 girder lines",
   bridge_with(function(b) b.spans[1].left = { "pad", "pad", "pad", "pad" } end))
 refused("left: there is no bearing type 'pd'; did you mean 'pad'?", bridge_with(function(b) b.spans[1].left = "pd" end))
@@ -254,6 +262,14 @@ refused("place 1 of 'at' is the text 'x'", bridge_with(function(b) b.girders = {
 refused("has no seat on it", bridge_with(function(b) b.pier.breadth = 6 end))
 refused("must be above seat and joint together, 0.7 m", bridge_with(function(b) b.abutment.width = 0.5 end))
 refused("must be above footing, cap and bearings together", bridge_with(function(b) b.pier.height = 2 end))
+refused("footing width is 0.5 m, must not be below the stem width of 1 m",
+  bridge_with(function(b) b.pier.footing_width = 0.5 end))
+refused("columns stand up to 10.5 m from the middle, beyond the cap",
+  bridge_with(function(b) b.pier.column_spacing = 20 end))
+refused("'section' is given, but no columns", bridge_with(function(b)
+  b.pier.columns, b.pier.column_spacing, b.pier.column_breadth = nil, nil, nil
+  b.pier.section = trilith.rectangle_section { width = 1, depth = 1 }
+end))
 refused("of deck, which must be above the 1.2 m of both seats", bridge_with(function(b) b.spans[1].length = 1 end))
 refused("slab is 2 m, must be below the depth of 1.5 m", bridge_with(function(b) b.span.slab = 2 end))
 refused("the deck is solid; give the slab", bridge_with(function(b) b.span.slab = nil end))
@@ -266,7 +282,8 @@ refused("shear keys beside the girders need 11.2 m",
 refused("'height' is missing; give gap, height and breadth, or a law",
   bridge_with(function(b) b.abutment.shear_key = { gap = 0.1, breadth = 2 } end))
 refused("gives neither soil nor a law", bridge_with(function(b) b.pier.foundation = {} end))
-refused("soil is given, and 'along' besides", bridge_with(function(b) b.pier.foundation = { soil = 1e7, along = soft } end))
+refused("soil is given, and 'along' besides", bridge_with(function(b) b.pier.foundation = { soil = 1e7,
+  along = soft } end))
 refused("has a foundation, but no ground",
   bridge_with(function(b) b.ground = nil; b.pier.foundation = { soil = 1e7 } end))
 refused("both ground and support are given", bridge_with(function(b) b.pier.support = "fixed" end))
@@ -280,11 +297,13 @@ refused("'footing_weight' is missing", bridge_with(function(b)
 end))
 refused("has no ground of the bridge", function()
   local m = new()
-  m:bridge(tables(function(b) b.ground = nil end)):motions { x = trilith.motion { acceleration = { 0, 1, 0 }, dt = 0.1 } }
+  m:bridge(tables(function(b) b.ground = nil end)):motions { x = trilith.motion { acceleration = { 0, 1, 0 },
+    dt = 0.1 } }
 end)
 local e = new()
 refused("bearing type 'x': 'limit' is given, but no law", e.bearing_type, e, { name = "x", limit = { along = 1 } })
 refused("bearing type 'x': 'height' is given, but no law that would hold", e.bearing_type, e,
   { name = "x", height = 1, across = soft })
-refused("bearing type 'x': unknown key 'acros'; did you mean 'across'?", e.bearing_type, e, { name = "x", acros = soft })
+refused("bearing type 'x': unknown key 'acros'; did you mean 'across'?", e.bearing_type, e, { name = "x",
+  acros = soft })
 refused("bearing type 'pad': is there already", e.bearing_type, e, { name = "pad" })
