@@ -32,8 +32,7 @@ std::vector<double> times(double scale, std::vector<double> values) {
 
 void write_modes(const results::ResultsReader& reader, JsonText& json, std::vector<ViewBlock>& blocks) {
   const results::Header& header = reader.header();
-  std::vector<results::ModeRow> modes;
-  if (header.dim == 2) modes = reader.modes();
+  std::vector<results::ModeRow> modes = reader.modes();
   if (modes.size() > most_modes) modes.erase(modes.begin(), modes.end() - most_modes);
   std::vector<std::vector<double>> position, rotation, displacement, turn;
   json.key("modes").begin_list();
@@ -46,11 +45,10 @@ void write_modes(const results::ResultsReader& reader, JsonText& json, std::vect
   }
   json.end();
   if (modes.empty()) return;
-  const std::size_t nodes = header.node_count();
-  blocks.push_back(mode_block("mode_position", 2 * nodes, position));
-  blocks.push_back(mode_block("mode_rotation", nodes, rotation));
-  blocks.push_back(mode_block("mode_displacement", 2 * nodes, displacement));
-  blocks.push_back(mode_block("mode_turn", nodes, turn));
+  blocks.push_back(mode_block("mode_position", position[0].size(), position));
+  blocks.push_back(mode_block("mode_rotation", rotation[0].size(), rotation));
+  blocks.push_back(mode_block("mode_displacement", displacement[0].size(), displacement));
+  blocks.push_back(mode_block("mode_turn", turn[0].size(), turn));
 }
 
 }  // namespace trilith::view

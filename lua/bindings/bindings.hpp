@@ -54,7 +54,7 @@ void open_debug(lua_State* L);
 void open_compare(lua_State* L);
 void open_change(lua_State* L);
 void open_modes(lua_State* L);
-void open_bridge(lua_State* L);  ///< for the library: heights of bearing types
+void open_bridge(lua_State* L);  ///< for the library: bearing types, laid at the ends of spans
 void open_lint(lua_State* L);    ///< for the library: faults, doubts, damping of contacts, what is usual
 
 /// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.

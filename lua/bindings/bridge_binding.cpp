@@ -11,13 +11,13 @@ namespace trilith::script {
 namespace {
 
 /// Name of the contact law under `key`, given as a value or by name; "" where there is none or a problem is noted.
-std::string contact_law_under(Keys& keys, std::string_view key, PlaneModel& m) {
+std::string contact_law_under(Keys& keys, std::string_view key, ScriptModel& m) {
   lua_State* L = keys.lua();
   std::string name;
   const int type = keys.push(key);
   if (type == LUA_TSTRING) {
     name = text_at(L, -1);
-    const std::vector<std::string> known = m.builder.law_names();
+    const std::vector<std::string> known = m.law_names();
     if (std::find(known.begin(), known.end(), name) == known.end())
       keys.problem(fmt::format("{}: there is no contact law '{}'{}", key, name, name_hint(name, known)));
   } else if (const auto* law = type == LUA_TNIL ? nullptr : test_handle<ContactLawValue>(L, -1)) {
@@ -30,27 +30,37 @@ std::string contact_law_under(Keys& keys, std::string_view key, PlaneModel& m) {
   return name;
 }
 
-/// m:bearing_type{ name =, height =, along =, axial =, turning =, limit =, becomes =, contact = }
-int add_bearing_type(lua_State* L) {
-  PlaneModel& m = this_plane(L);
+/// Whether a law is given in some direction.
+template <int D>
+bool has_law(Keys& keys) {
+  bool any = D == 3 && keys.has("horizontal");
+  for (const char* name : Directions<D>::names) any = keys.has(name) || any;
+  return any;
+}
+
+template <int D, class M>
+int add_bearing_type_to(lua_State* L, M& m) {
   m.adding();
   Keys keys(L, 2, "bearing type");
   BearingType type;
-  BearingRecipe recipe;
+  BearingRecipeOf<D> recipe;
   type.name = keys.text("name");
   keys.name_owner(type.name);
   type.height = keys.number("height", "m", 0);
   read_directions(keys, recipe.bearing);
-  recipe.links = keys.has("along") || keys.has("axial") || keys.has("turning");
+  recipe.links = has_law<D>(keys);
   for (const char* key : {"limit", "becomes"})
     if (keys.has(key) && !recipe.links)
-      keys.problem(fmt::format("'{}' is given, but no law; give along, axial or turning", key));
+      keys.problem(fmt::format("'{}' is given, but no law; give along, axial or {}", key,
+                               D == 2 ? "turning" : "another direction"));
   if (type.height > 0 && !keys.has("axial"))
     keys.problem("'height' is given, but no law that would hold the deck up; give axial");
   keys.know({"becomes", "contact"});
   recipe.bearing.contact_after = contact_law_under(keys, "becomes", m);
   recipe.contact = contact_law_under(keys, "contact", m);
   keys.finish();
+  if constexpr (D == 3)  // in the plane the first span finds what is wrong with a law
+    if (recipe.links) check_bearing(recipe.bearing, keys.owner());
   // A bearing that carries the deck and has no height sits in the contact of deck and seat, and stands for it. One
   // without an axial law, such as a dowel, leaves the weight to the contact.
   recipe.bearing.replaces_contact = keys.has("axial") && type.height == 0;
@@ -58,6 +68,14 @@ int add_bearing_type(lua_State* L) {
   book_of(m).recipes.emplace(type.name, recipe);
   lua_pushstring(L, type.name.c_str());
   return 1;
+}
+
+/// m:bearing_type{ name =, height =, along =, axial =, turning =, limit =, becomes =, contact = }; in space with the
+/// directions of m:bearing there.
+int add_bearing_type(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  if (SpaceModel* space = as_space(m)) return add_bearing_type_to<3>(L, *space);
+  return add_bearing_type_to<2>(L, *as_plane(m));
 }
 
 /// Name of the support under `key`; what no pier and no abutment is carries spans on its top.
@@ -177,18 +195,49 @@ int add_span(lua_State* L) {
   return pushed;
 }
 
-/// core.bearing_height(model, type, owner): of a bearing type [m].
-int bearing_height(lua_State* L) {
+/// The bearing type that argument 2 names; argument 3 begins what is wrong with it.
+template <class M>
+const BearingType& type_asked(lua_State* L, M& m) {
   if (lua_type(L, 2) != LUA_TSTRING)
     throw InputError(fmt::format("{} is {}, must be {}", text_at(L, 3), what_is(L, 2), type_wanted));
-  lua_pushnumber(L, book_of(this_plane(L)).layout.require_type(text_at(L, 2), text_at(L, 3)).height);
+  return book_of(m).layout.require_type(text_at(L, 2), text_at(L, 3));
+}
+
+/// core.bearing_height(model, type, owner): of a bearing type [m].
+int bearing_height(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  SpaceModel* space = as_space(m);
+  lua_pushnumber(L, space != nullptr ? type_asked(L, *space).height : type_asked(L, *as_plane(m)).height);
+  return 1;
+}
+
+/// core.lay_bearing(model, { name =, type =, support =, span =, from =, to = }): a bearing of that type in space, from
+/// its seat to the deck, and their contact law where the type has one. Nil for a type without a law.
+int lay_bearing(lua_State* L) {
+  SpaceModel& m = this_space(L);
+  m.adding();
+  Keys keys(L, 2, "bearing");
+  const std::string name = keys.text("name"), type = keys.text("type");
+  const std::string support = keys.text("support"), deck = keys.text("span");
+  const Vec3 from = keys.vector("from"), to = keys.vector("to");
+  keys.finish();
+  const BearingRecipeOf<3>& recipe = book_of(m).recipes.at(type);
+  if (!recipe.contact.empty()) m.builder.set_contact(support, deck, recipe.contact);
+  if (!recipe.links) return 0;
+  BearingSpecOf<3> bearing = recipe.bearing;
+  bearing.name = name;
+  bearing.body_a = support, bearing.body_b = deck;
+  bearing.point_a = from, bearing.point_b = to;
+  m.builder.add_bearing(bearing);
+  m.bearings.push_back(name);
+  m.catch_up();
+  push_bearing(L, 1, static_cast<int>(m.bearings.size()) - 1);
   return 1;
 }
 
 const std::array bridge_method_list{
     Method{"bearing_type", guarded<add_bearing_type>,
-           "bearing_type{name=, height=, along=, axial=, turning=, limit=, becomes=, contact=}: for the ends of spans",
-           2},
+           "bearing_type{name=, height=, along=, axial=, turning=, limit=, becomes=, contact=}: for the ends of spans"},
     Method{"span", guarded<add_span>, "span{name=, from=, to=, left=, right=, depth=, ...}: a deck on two supports", 2},
 };
 
@@ -200,6 +249,7 @@ std::span<const Method> bridge_methods() {
 
 void open_bridge(lua_State* L) {
   set_function(L, "bearing_height", guarded<bearing_height>);
+  set_function(L, "lay_bearing", guarded<lay_bearing>);
 }
 
 }  // namespace trilith::script

@@ -5,25 +5,34 @@
 #include <string>
 
 #include "build/bridge_layout.hpp"
-#include "script_model.hpp"
+#include "plane_model.hpp"
+#include "space_model.hpp"
 
 namespace trilith::script {
 
 /// A bearing type: a bearing but for its name, bodies and place, and the contact law of deck and support.
-struct BearingRecipe {
-  BearingSpec bearing;
+template <int D>
+struct BearingRecipeOf {
+  BearingSpecOf<D> bearing;
   bool links = false;   ///< it has a law in some direction; else the deck just lies on its seat
   std::string contact;  ///< name of the law; "": the one of the surfaces
 };
+using BearingRecipe = BearingRecipeOf<2>;
 
-struct BridgeBook {
+/// Of a model in space the layout holds the bearing types alone: where its decks lie, the library works out.
+template <int D>
+struct BridgeBookOf {
   BridgeLayout layout;
-  std::map<std::string, BearingRecipe> recipes;  ///< by the type's name
+  std::map<std::string, BearingRecipeOf<D>> recipes;  ///< by the type's name
 };
 
 /// The model's book; made where there is none.
-inline BridgeBook& book_of(PlaneModel& m) {
-  if (!m.bridge) m.bridge = std::make_shared<BridgeBook>();
+inline BridgeBookOf<2>& book_of(PlaneModel& m) {
+  if (!m.bridge) m.bridge = std::make_shared<BridgeBookOf<2>>();
+  return *m.bridge;
+}
+inline BridgeBookOf<3>& book_of(SpaceModel& m) {
+  if (!m.bridge) m.bridge = std::make_shared<BridgeBookOf<3>>();
   return *m.bridge;
 }
 

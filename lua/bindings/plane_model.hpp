@@ -14,7 +14,8 @@
 
 namespace trilith::script {
 
-struct BridgeBook;  // bridge_book.hpp
+template <int D>
+struct BridgeBookOf;  // bridge_book.hpp
 
 /// What bodies are made as where nothing else is said.
 struct BodyForm {
@@ -35,7 +36,7 @@ class PlaneModel final : public SimulatedModel<2> {
 
   ModelBuilder builder;
   BodyForm body_form;
-  std::shared_ptr<BridgeBook> bridge;  ///< supports and spans; empty before the first
+  std::shared_ptr<BridgeBookOf<2>> bridge;  ///< supports and spans; empty before the first
 
   void add_material(const Material& material) override { builder.add_material(material); }
   void add_law(const std::string& law_name, const ContactLaw& law) override { builder.add_law(law_name, law); }

@@ -1,6 +1,7 @@
 // A model in space as scripts hold it. No Lua here.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,16 @@
 
 namespace trilith::script {
 
+template <int D>
+struct BridgeBookOf;  // bridge_book.hpp
+
 class SpaceModel final : public SimulatedModel<3> {
  public:
   using SimulatedModel::SimulatedModel;
 
   SolidModelBuilder builder;
-  SpaceForm body_form;  ///< what bodies are made as where nothing else is said
+  SpaceForm body_form;                      ///< what bodies are made as where nothing else is said
+  std::shared_ptr<BridgeBookOf<3>> bridge;  ///< types of bearings; empty before the first
 
   void add_material(const Material& material) override { builder.add_material(material); }
   void add_law(const std::string& law_name, const ContactLaw& law) override { builder.add_law(law_name, law); }

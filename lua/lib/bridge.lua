@@ -1,4 +1,4 @@
--- m:bridge{...}: a bridge of simple spans from two tables, by m:abutment, m:pier and m:span.
+-- m:bridge{...}: a bridge of simple spans from two tables, in the plane by m:abutment, m:pier and m:span.
 local _, core = ...
 local model_methods = core.members "model"
 
@@ -133,8 +133,10 @@ local function add_supports(model, options, supports, spans, soffit)
   return made
 end
 
---- m:bridge{ supports = {...}, spans = {...}, gap =, seat =, ... }: { supports, spans }, each in order and by name.
+--- m:bridge{ supports = {...}, spans = {...}, gap =, seat =, ... }: { supports, spans }, each in order and by name;
+--- in space what core.bridge_in_space says.
 function model_methods.bridge(model, options)
+  if model.dim == 3 then return core.bridge_in_space(model, options) end
   local supports, spans = check(options)
   local soffit = check_number("bridge", options, "soffit_level", 0)
   local shared = merged({ soffit_level = soffit }, check_table(options, "span"), { material = options.material })

@@ -170,6 +170,38 @@ crown      number rad = pi/18  of the uppermost bed, 10 degrees without it
 top        text = "key"        "key" or "oculus"
 phase      number rad = 0      of the first joint, from x
 centre     vector = {0, 0, 0}  of its spheres]], with = "solids", gives = "set" },
+  { "space:bearing_type", "A kind of bearing for the ends of spans. Without a law the deck lies and slides on its "
+    .. "seat, as on an expansion bearing.", keys = [[
+name            text            its name
+height          number m = 0    from the seat to the deck; above 0 it needs an axial law
+along           direction law?  lengthwise
+across          direction law?  sideways
+horizontal      direction law?  instead of both: one law of their resultant
+axial           direction law?  vertical, which carries the deck; without height instead of their flat contact
+turning_along   direction law?  about along
+turning_across  direction law?  about across
+turning_axial   direction law?  about axial
+limit           table?          { along = , across = , horizontal = , axial = , ... }: what ends it
+becomes         contact law?    of deck and support after it failed; or the name of one
+contact         contact law?    of deck and support from the start; or the name of one]], gives = "string" },
+  { "space:bridge", "Simple spans on bents or walls between two abutments, with girder lines and skew; what its rows "
+    .. "take, docs/guide/space.md tells. What it gives: supports, spans, grounds: bodies; foundations: bearings; "
+    .. "bearings, seats, places: by span, then left or right, then line; side_seats: by span, end and side; keys; "
+    .. "axes; lines; motions{ x = , y = , z = , velocity = , delay = }, which model:shake takes.", keys = [[
+supports      list           from left to right: an abutment, piers, an abutment
+spans         list           from left to right
+breadth       number m       of the decks, across, and of tops of supports that say nothing else
+girders       table          { count = , spacing = , breadth = } or { at = { y, ... }, breadth = }
+skew          number rad = 0  turn of supports and joints about z from square to the bridge; or each says it
+x             number m = 0   axis of the first support
+soffit_level  number m = 0   z of the underside of the decks; seats are lower by their bearings
+gap           number m?      joints along the bridge, where a support says nothing else
+seat          number m?      length of seats along the bridge, where a support says nothing else
+material      text?          where a row says nothing else
+ground        table or body?  { thickness = 1, margin = 1 }: a fixed block under each support; or a body
+abutment      table?         what both abutments have in common
+pier          table?         what all piers have in common
+span          table?         what all spans have in common]], gives = "table" },
   { "space:rubble", "Irregular stones that fill a box.", keys = [[
 name         text?         names begin with it
 low          vector        corner of the box

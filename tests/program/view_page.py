@@ -224,6 +224,31 @@ def plays_a_mode(page):
     assert page.ask("trilith.run.mode === null") and page.text("#clock") == "0.00 s"
 
 
+def plays_a_mode_in_space(page):
+    """As in the plane; nodes move and turn as the mode has them, and what stood still is drawn as it stood."""
+    assert page.ask("trilith.run.dim === 3 && trilith.run.modes.length === 3 && !document.getElementById('modes').hidden")
+    for index in range(3):
+        page.keys("m")
+        page.until("trilith.run.mode && trilith.run.mode.share < -0.5")
+        assert page.text("#clock") == f"mode {index + 1}" and "Hz" in page.text("#stage"), page.text("#stage")
+        page.keys(" ")
+        posed = "(share => (trilith.run.mode.share = share, trilith.run.poseMode(), [[...trilith.run.pointX], [...trilith.run.pointY], [...trilith.run.pointZ]]))"
+        one, other = page.ask(posed + "(1)"), page.ask(posed + "(-1)")
+        ways = [sum((a - b) ** 2 for a, b in zip(p, q)) ** 0.5 / 2 for p, q in zip(zip(*one), zip(*other))]
+        # Of bodies that are free, the box of the points is 5 m in diagonal: the largest way is 6 % of that.
+        assert 0.9 * 0.06 * 5 < max(ways) < 1.1 * 0.06 * 5.4, max(ways)
+        ground = page.ask("trilith.run.bodies.findIndex(b => b.name === 'ground')")
+        first, count = page.ask(f"[trilith.run.bodies[{ground}].vertex, trilith.run.bodies[{ground}].vertices]")
+        assert max(ways[first:first + count]) == 0
+        # Points move with their nodes rigidly: a node's turn is of length 1, and of the quaternion the half of it.
+        assert page.ask("Math.max(...Array.from({ length: trilith.run.nodes }, (_, n) => "
+                        "Math.abs(Math.hypot(...trilith.run.quaternion.slice(4 * n, 4 * n + 4)) - 1)))") < 1e-12
+        page.ask("trilith.draw()")
+        page.picture(f"mode_{index + 1}")
+    page.keys(Keys.HOME)
+    assert page.ask("trilith.run.mode === null") and page.text("#clock") == "0.00 s"
+
+
 def shows_solids(page):
     """A model in space: bodies are where they should be, drawn, turned by a drag, chosen by a click."""
     assert page.ask("trilith.run.dim") == 3

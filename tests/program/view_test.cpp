@@ -113,6 +113,32 @@ m:run { duration = 0.2, integrator = "implicit", dt = 0.005 }
   browse(here / "frame.html", "plays_a_mode plays_to_the_end");
 }
 
+TEST_CASE("the page plays natural modes of models in space, of members and of rigid bodies") {
+  if (program_is_missing()) return;
+  const testing::Folder here;
+  std::ofstream(here / "modes.lua") << R"lua(
+local trilith = require "trilith"
+local m = trilith.model { name = "bent and stone", dim = 3 }
+m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
+m:results { file = "modes3d.h5", frames = 0.01 }
+m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.6, beta = 1e-4 } }
+m:block { name = "ground", size = { 5, 3, 0.4 }, at = { -1, -1.5, -0.4 }, material = "steel", support = "fixed" }
+m:block { name = "stone", size = { 0.4, 0.4, 1.2 }, at = { 3, 1, 0 }, turn = { axis = { 0, 0, 1 }, angle = 0.5 }, material = "steel" }
+local section = trilith.rectangle_section { width = 0.2, depth = 0.2 }
+m:frame { name = "bent", material = "steel", floating = true,
+  joints = { foot = { at = { 0, 0, 0 }, support = "fixed" }, head = { 0, 0, 4 }, tip = { at = { 2.5, 0, 4 }, mass = 300 } },
+  members = { { name = "column", from = "foot", to = "head", section = section },
+              { name = "arm", from = "head", to = "tip", section = section } } }
+m:consolidate { integrator = "static" }
+m:modes { count = 3 }
+m:run { duration = 0.2, integrator = "implicit", dt = 0.005 }
+)lua";
+  const Said run = ask(here.path, "run modes.lua --quiet");
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  CHECK(ask(here.path, "view modes3d.h5").out == "modes3d.html\n");
+  browse(here / "modes3d.html", "plays_a_mode_in_space plays_to_the_end");
+}
+
 TEST_CASE("the page draws loops, makes plots large and counts times from where it is told") {
   if (program_is_missing()) return;
   const testing::Folder here;

@@ -135,10 +135,10 @@ export class Scene {
     const { run } = this, swing = run.mode.share;
     run.mode.share = 0;
     run.poseMode();
-    const x = run.pointX.slice(), y = run.pointY.slice();
+    const stood = [run.pointX, run.pointY, run.pointZ].map((values) => values?.slice());
     run.mode.share = swing;
     run.poseMode();
-    this.drawStart(theme, x, y);
+    this.drawStart(theme, ...stood);
   }
 
   drawStart(theme, xs = this.startX, ys = this.startY) {

@@ -7,6 +7,14 @@ export function turned(w, ux, uy, uz, x, y, z) {
   return [x + w * tx + uy * tz - uz * ty, y + w * ty + uz * tx - ux * tz, z + w * tz + ux * ty - uy * tx];
 }
 
+/** The unit quaternion [w, x, y, z], turned on by a rotation vector. */
+export function turnedOn([w, x, y, z], [a, b, c]) {
+  const angle = Math.hypot(a, b, c), half = Math.cos(angle / 2), f = angle > 0 ? Math.sin(angle / 2) / angle : 0.5;
+  const [i, j, k] = [f * a, f * b, f * c];
+  return [half * w - i * x - j * y - k * z, half * x + i * w + j * z - k * y, half * y + j * w + k * x - i * z,
+    half * z + k * w + i * y - j * x];
+}
+
 export class SpaceRun extends Run {
   takeVertices(head) {
     const count = head.vertices.length / 4;
@@ -35,6 +43,7 @@ export class SpaceRun extends Run {
   /** Linear between frames; quaternions along the shorter arc, made of length 1 again. */
   pose(time) {
     if (!this.frames) return;
+    if (this.mode) return void this.poseMode();
     const { frame, next, share } = this.locate(time);
     this.now = { time, frame, next, share };
     const position = this.block("position"), p = position.values, q = this.block("rotation").values;
@@ -53,6 +62,29 @@ export class SpaceRun extends Run {
       }
       for (let k = 0; k < 4; k++) this.quaternion[4 * n + k] /= Math.sqrt(square) || 1;
     }
+    this.posePoints();
+  }
+
+  /** In `this.mode`, { index, share }: each node where it stood, moved and turned on by this share of the mode. */
+  poseMode() {
+    const { index, share } = this.mode;
+    this.now = { ...this.locate(this.modes[index].time), time: this.modes[index].time, share: 0 };
+    const row = (name) => {
+      const { values, columns, quantum } = this.block(name);
+      return (i) => quantum * values[index * columns + i];
+    };
+    const position = row("mode_position"), rotation = row("mode_rotation"), way = row("mode_displacement"), turn = row("mode_turn");
+    for (let i = 0; i < 3 * this.nodes; i++) this.place[i] = position(i) + share * way(i);
+    for (let n = 0; n < this.nodes; n++) {
+      const stood = [0, 1, 2, 3].map((k) => rotation(4 * n + k)), size = Math.hypot(...stood) || 1;
+      const by = [0, 1, 2].map((k) => share * turn(3 * n + k));
+      this.quaternion.set(turnedOn(stood.map((v) => v / size), by), 4 * n);
+    }
+    this.posePoints();
+  }
+
+  /** The points of the bodies, from the nodes. */
+  posePoints() {
     for (let v = 0; v < this.vertexNode.length; v++)
       [this.pointX[v], this.pointY[v], this.pointZ[v]] = this.placed(this.vertexNode[v], this.vertexX[v], this.vertexY[v], this.vertexZ[v]);
   }

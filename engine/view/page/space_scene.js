@@ -112,15 +112,18 @@ export class SpaceScene extends Scene {
     this.drawSectionOutlines(theme);
     if (this.show.cracks) this.drawSolidCracks(time, theme);
     this.drawSpheres();
-    if (this.show.start) {
-      this.upload(this.startX, this.startY, this.startZ);
-      this.drawList(gl.LINES, this.edges, [...shares(theme.ghost), 1]);
-    }
-    if (this.show.forces) this.drawForces(theme);
+    if (run.mode) this.drawStood(theme);
+    else if (this.show.start) this.drawStart(theme);
+    if (this.show.forces && !run.mode) this.drawForces(theme);
     if (this.show.bearings) this.drawBearings(theme, selection);
     if (this.show.names) this.drawNames(theme);
     if (selection) this.drawSelection(selection, theme);
     this.drawAxes(theme);
+  }
+
+  drawStart(theme, xs = this.startX, ys = this.startY, zs = this.startZ) {
+    this.upload(xs, ys, zs);
+    this.drawList(this.gl.LINES, this.edges, [...shares(theme.ghost), 1]);
   }
 
   /** How far any point is from the origin, m: the depth that must be told apart. */
