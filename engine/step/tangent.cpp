@@ -152,17 +152,30 @@ void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work,
   evaluate(model, state, work, options.dt);
 }
 
+namespace {
+
 /// Beams have their block by themselves, in the order of unknowns of one node, then of the other; consistent mass adds
 /// its own.
-template <int D>
-void Tangent<D>::add_beams(const Model<D>& model, const State<D>& state, const TangentOptions& options) {
+template <int D, class Add>
+void each_beam_block(const Model<D>& model, const State<D>& state, const TangentOptions& options, const Add& add) {
+  const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
   for (const auto& beam : beams_of(model)) {
-    std::conditional_t<D == 2, BeamBlock, BeamBlock3> block =
-        -options.force * beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0);
-    const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
+    auto block = beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0);
+    block *= -options.force;
     if (beam.inertia >= 0 && inertia > 0) block += inertia * added_mass(model, state, beam);
-    add_block(beam.node, block);
+    add(beam.node, block);
   }
+}
+
+}  // namespace
+
+template <>
+void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
+  each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
+}
+template <>
+void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options) {
+  each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
 }
 
 /// Without entries of 0, which are there for pairs that do not touch: so that it is the same whenever these were found.
