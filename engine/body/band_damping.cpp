@@ -98,6 +98,17 @@ DampingBranches damping_branches(const BandDamping& band) {
   return out;
 }
 
+int band_row(const std::optional<BandDamping>& band, std::vector<DampingBranches>& bands) {
+  if (!band) return -1;
+  const auto same = [&](const DampingBranches& b) {
+    return b.band.ratio == band->ratio && b.band.from == band->from && b.band.to == band->to;
+  };
+  const auto at = std::find_if(bands.begin(), bands.end(), same);
+  if (at != bands.end()) return static_cast<int>(at - bands.begin());
+  bands.push_back(damping_branches(*band));
+  return static_cast<int>(bands.size()) - 1;
+}
+
 /// h' = S' - h/tau with S' even over the step: h dt later is h exp(-dt/tau) + dS (1 - exp(-dt/tau)) tau/dt.
 BranchStep::BranchStep(const DampingBranches& branches, double dt) {
   for (int j = 0; j < branches.count; ++j) {
@@ -108,20 +119,36 @@ BranchStep::BranchStep(const DampingBranches& branches, double dt) {
   }
 }
 
+namespace {
+
 /// Each branch keeps what is left of its force and takes its part of the change of stress over the step.
-BeamStress relax(const DampingBranches& branches, const BranchStep& step, const BeamStress& stress,
-                 std::span<const double> before, std::span<double> after) {
-  BeamStress out{};
-  for (std::size_t k = 0; k < 3; ++k) {
+template <std::size_t N>
+std::array<double, N> relaxed(const DampingBranches& branches, const BranchStep& step,
+                              const std::array<double, N>& stress, std::span<const double> before,
+                              std::span<double> after) {
+  std::array<double, N> out{};
+  for (std::size_t k = 0; k < N; ++k) {
     const double change = stress[k] - before[k];
     after[k] = stress[k];
     for (int j = 0; j < branches.count; ++j) {
-      const std::size_t at = 3 * (1 + static_cast<std::size_t>(j)) + k;
+      const std::size_t at = N * (1 + static_cast<std::size_t>(j)) + k;
       after[at] = step.kept[j] * before[at] + step.taken[j] * change;
       out[k] += branches.share[j] * after[at];
     }
   }
   return out;
+}
+
+}  // namespace
+
+BeamStress relax(const DampingBranches& branches, const BranchStep& step, const BeamStress& stress,
+                 std::span<const double> before, std::span<double> after) {
+  return relaxed(branches, step, stress, before, after);
+}
+std::array<double, 6> relax(const DampingBranches& branches, const BranchStep& step,
+                            const std::array<double, 6>& stress, std::span<const double> before,
+                            std::span<double> after) {
+  return relaxed(branches, step, stress, before, after);
 }
 
 }  // namespace trilith

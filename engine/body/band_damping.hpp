@@ -18,7 +18,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "base/schema.hpp"
 #include "body/beam_element.hpp"
@@ -51,8 +53,8 @@ struct DampingBranches {
   std::array<double, most> share{};  ///< g_j [1]
   std::array<double, most> time{};   ///< tau_j [s]
 
-  /// Numbers that a beam remembers: its last stress, and h_j of each branch.
-  [[nodiscard]] int memory_size() const { return 3 * (1 + count); }
+  /// Numbers that a beam of so many stresses remembers: the last ones, and h_j of each branch.
+  [[nodiscard]] int memory_size(int stresses = 3) const { return stresses * (1 + count); }
   /// Of the stiffness far above the band: 1 + sum of g_j.
   [[nodiscard]] double stiffening() const;
   /// Im K over K at w [rad/s], as of a mode that swings by these beams alone, and Re K over K.
@@ -63,6 +65,9 @@ struct DampingBranches {
 /// Throws InputError as BandDamping::check, and for numbers out of range.
 DampingBranches damping_branches(const BandDamping& band);
 
+/// The row of `bands` that is this band, made where there is none; -1 without one. Throws as damping_branches.
+int band_row(const std::optional<BandDamping>& band, std::vector<DampingBranches>& bands);
+
 /// Over a step: what a branch keeps of its memory, and what it takes of a change of stress that goes evenly over it.
 struct BranchStep {
   std::array<double, DampingBranches::most> kept{}, taken{};
@@ -72,8 +77,12 @@ struct BranchStep {
   BranchStep(const DampingBranches& branches, double dt);
 };
 
-/// The damping stress with the beam's stress now. `before` and `after` have memory_size numbers.
+/// The damping stress with the beam's stress now, of the plane's three numbers or of the six of space. `before` and
+/// `after` have memory_size numbers.
 BeamStress relax(const DampingBranches& branches, const BranchStep& step, const BeamStress& stress,
                  std::span<const double> before, std::span<double> after);
+std::array<double, 6> relax(const DampingBranches& branches, const BranchStep& step,
+                            const std::array<double, 6>& stress, std::span<const double> before,
+                            std::span<double> after);
 
 }  // namespace trilith

@@ -22,9 +22,13 @@ struct Beam3 {
   std::array<UnitQuaternion, 2> axes{};  ///< from the axes of a node to those of the beam at the start
   double length = 0;                     ///< at the start [m]
   BeamStiffness3 stiffness;
-  double damping = 0;     ///< damping over elastic force, of strain rate [s]
-  int fibre_row = -1;     ///< of BeamYields3::fibre_beams; -1: elastic, else `stiffness` is the stiffest it can be
-  int first_memory = -1;  ///< of State::beam_memory, where it is of fibres
+  double damping = 0;                  ///< damping over elastic force, of strain rate [s]
+  BeamYield yield = BeamYield::never;  ///< of fibres `stiffness` is the stiffest it can be
+  int yield_row = -1;                  ///< of BeamYields3, by its kind
+  int first_memory = -1;               ///< of State::beam_memory, where it yields
+  int band = -1;                       ///< of Model::bands; -1: no damping over a band
+  int first_branch = -1;               ///< of State::beam_memory, for that
+  int inertia = -1;                    ///< of Model::beam_inertias_3d; -1: its mass is lumped at its nodes
 };
 
 }  // namespace trilith

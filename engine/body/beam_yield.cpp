@@ -16,19 +16,6 @@ Eigen::Matrix3d matrix_of(const std::array<double, 3>& bend, double axial) {
   return k;
 }
 
-/// K where hinges let ends go: their bends follow without moment.
-Eigen::Matrix3d stiffness_beside(const BeamStiffness& k, const std::array<bool, 2>& flowing) {
-  std::array<double, 3> left = k.bend;
-  for (const int end : {0, 1}) {
-    if (!flowing[end]) continue;
-    // Condensed: K_other - K_01^2 / K_own. With both ends let go only the stretch has stiffness.
-    double &own = left[2 * end], &other = left[2 * (1 - end)];
-    if (own > 0) other -= left[1] * left[1] / own;
-    own = left[1] = 0;
-  }
-  return matrix_of(left, k.axial);
-}
-
 BeamStress times(const Eigen::Matrix3d& m, const BeamStrain& v) {
   const Eigen::Vector3d out = m * Eigen::Vector3d(v[0], v[1], v[2]);
   return {out[0], out[1], out[2]};
@@ -38,7 +25,7 @@ BeamStress times(const Eigen::Matrix3d& m, const BeamStrain& v) {
 Eigen::Matrix3d left_stiffness(const Beam& beam, const EndHingeMemory& before, const EndHingeMemory& after) {
   std::array<bool, 2> flowing{};
   for (const int end : {0, 1}) flowing[end] = after.gone[end] != 0 || after.turned[end] != before.turned[end];
-  return stiffness_beside(beam.stiffness, flowing);
+  return matrix_of(bend_beside(beam.stiffness.bend, flowing), beam.stiffness.axial);
 }
 
 /// Of an elastic beam: K, and what the bow's normal force adds.
@@ -84,6 +71,18 @@ Answer answer(const BeamYields& yields, const Beam& beam, const BeamNow& now, st
 }
 
 }  // namespace
+
+std::array<double, 3> bend_beside(const std::array<double, 3>& bend, const std::array<bool, 2>& flowing) {
+  std::array<double, 3> left = bend;
+  for (const int end : {0, 1}) {
+    if (!flowing[end]) continue;
+    // Condensed: K_other - K_01^2 / K_own. With both ends let go nothing is left.
+    double &own = left[2 * end], &other = left[2 * (1 - end)];
+    if (own > 0) other -= left[1] * left[1] / own;
+    own = left[1] = 0;
+  }
+  return left;
+}
 
 int memory_size(const BeamYields& yields, const Beam& beam) {
   switch (beam.yield) {

@@ -51,6 +51,9 @@ BeamTangent tangent_of(const BeamYields& yields, const Beam& beam, const BeamNow
 /// False where the end of a beam with hinges has none: that end never yields.
 bool has_hinge(const BeamYields& yields, const Beam& beam, int end);
 
+/// K (end 0, across, end 1) [N m] where hinges let ends go: their bends follow without moment.
+std::array<double, 3> bend_beside(const std::array<double, 3>& bend, const std::array<bool, 2>& flowing);
+
 /// What the hinge at an end remembers. `memory`: that of a beam with hinges.
 EndHingeMemory hinge_memory(std::span<const double> memory);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "body/hinge_normal.hpp"
+
 namespace trilith {
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 // One search within another:
 //   flow_towards     one end, N and the other end given: p along the straight pieces of its law
 //   ends_at          both ends, N given: each in turn until neither moves
-//   return_to_laws   N: the root of N - EA/L (u + L q - p_u), which rises with N; or the tip of the surface
+//   return_to_laws   N: the root of N - EA/L (u + L q - p_u), which rises with N (body/hinge_normal.hpp)
 // Then book_flow for memory and energies, returned_tangent for how all answers. Signs here: bends and moments are above
 // 0 where the bottom lengthens, those of end 0 are the beam's turned about.
 
@@ -141,76 +143,18 @@ EndsAt ends_at(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, do
   return out;
 }
 
-struct Range {
-  double low = -unbounded, high = unbounded;
-};
-
-/// Normal forces beside which every hinge with a surface still carries some moment.
-Range normal_range(const std::array<HingeStep, 2>& hinge) {
-  Range out;
-  for (const HingeStep& h : hinge)
-    if (h.law->has_axial())
-      out.low = std::max(out.low, h.law->least_normal()), out.high = std::min(out.high, h.law->most_normal());
-  return out;
-}
-
-/// N and both ends; `held` where N stands at a corner of the surface, whatever the stretch.
-struct Returned {
-  double normal;
-  EndsAt ends;
-  bool held = false;
-};
+using Returned = ReturnedNormal<EndsAt>;
 
 /// Rises with N; 0 where the normal force is that of what is left of the stretch.
 double missing(const BeamOfStep& beam, double plastic, double normal, const EndsAt& ends) {
   return normal - beam.axial * (beam.stretch + beam.bowed(ends.p) - plastic - ends.stretch);
 }
 
-/// Where `missing` passes 0 between `low` (below) and `high` (above): false position, halved where that is slow.
-Returned find_root(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, double plastic, Range at,
-                   double below, double above, double first) {
-  const double size = std::max({std::abs(at.low), std::abs(at.high), beam.axial * std::abs(beam.stretch)});
-  Returned out{first, ends_at(beam, hinge, first)};
-  double width = at.high - at.low, last = 0;
-  for (int i = 0; i < 200; ++i) {
-    const double now = missing(beam, plastic, out.normal, out.ends);
-    if (now == 0 || std::abs(now) <= 2e-15 * size) return out;
-    if (i > 0 && (now < 0) == (last < 0)) (now < 0 ? above : below) *= 0.5;  // Illinois: the other end comes nearer
-    (now < 0 ? at.low : at.high) = out.normal;
-    (now < 0 ? below : above) = last = now;
-    if (at.high - at.low <= 4e-16 * size) break;
-    double next = at.low - below * (at.high - at.low) / (above - below);
-    if (i % 3 == 2 && at.high - at.low > 0.25 * width) next = 0.5 * (at.low + at.high);
-    if (i % 3 == 2) width = at.high - at.low;
-    if (!(next > at.low && next < at.high)) next = 0.5 * (at.low + at.high);
-    if (next == at.low || next == at.high) break;
-    out = {next, ends_at(beam, hinge, next)};
-  }
-  out.held = std::abs(missing(beam, plastic, out.normal, out.ends)) > 1e-9 * size;
-  return out;
-}
-
-/// First N of a step without flow, cut to the range; if that is not it already, a bracket from there and its root.
 Returned return_to_laws(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, double plastic, double trial) {
-  Range range = normal_range(hinge);
-  const double first = std::clamp(trial, range.low, range.high);
-  Returned at{first, ends_at(beam, hinge, first)};
-  const double now = missing(beam, plastic, first, at.ends);
-  const double rounding = 2e-15 * (std::abs(trial) + beam.axial * std::abs(beam.stretch));
-  if (std::abs(now) <= rounding) return at;
-  // The root lies on the side that `now` says, at the end of the range or where a growing step meets it.
-  double other = first, there = now, step = std::abs(now);
-  for (int i = 0; i < 200 && there * now > 0; ++i) {
-    const double next = std::clamp(first - std::copysign(step, now), range.low, range.high);
-    if (next == other) return {next, ends_at(beam, hinge, next), true};  // the tip
-    other = next, there = missing(beam, plastic, other, ends_at(beam, hinge, other)), step *= 4;
-  }
-  if (there * now > 0) return at.ends.settled = false, at;
-  const bool up = now < 0;
-  const Range between{up ? first : other, up ? other : first};
-  const double below = up ? now : there, above = up ? there : now;
-  const double start = between.low - below * (between.high - between.low) / (above - below);
-  return find_root(beam, hinge, plastic, between, below, above, start);
+  return normal_beside_hinges(
+      normal_range(*hinge[0].law, *hinge[1].law), trial, beam.axial * std::abs(beam.stretch),
+      [&](double normal) { return ends_at(beam, hinge, normal); },
+      [&](double normal, const EndsAt& ends) { return missing(beam, plastic, normal, ends); });
 }
 
 /// d (N, M_0, M_1) / d (u, theta_0, theta_1) of what was returned, in the signs of the step.

@@ -10,6 +10,8 @@
 //   c = 1 - |N/Np|^exponent    (2: a rectangle, Neal, "The plastic methods of structural analysis", 1956)
 // with Np in tension and compression, or by points: a concave line, down to 0 at both of its ends. Flow is associated:
 // plastic stretch dp_u = -(dc/dN) D (sagging + Hi r) |dp|. Bends to either side wear and soften the hinge together.
+//
+// In space both moments have a part in it, see body/end_hinge_3d.hpp; bent about z alone it is this law.
 #pragma once
 
 #include <algorithm>
@@ -42,6 +44,8 @@ struct HingeLaw {
   double tension = 0;                          ///< [N]
   double compression = 0;                      ///< [N]
   double exponent = 2;                         ///< [1]
+  double across = 0;                           ///< in space: about the other axis of the section [N m]
+  double contour = 2;                          ///< in space [1]
   std::vector<double> force = {}, share = {};  ///< points of c, N rising [N], [1]; empty: by the exponent
   bool removes = false;                        ///< the beam carries nothing once this hinge has lost its moment
 
@@ -67,7 +71,11 @@ struct HingeLaw {
           "energy given off that wears it down to the residual, over the sagging moment; 0: none"},
         P{&HingeLaw::tension, "tension", "N", 0, 0, unbounded, true, "normal force at yield, pulled; 0: no part of it"},
         P{&HingeLaw::compression, "compression", "N", 0, 0, unbounded, true, "the same, pressed; 0: as tension"},
-        P{&HingeLaw::exponent, "exponent", "1", 2, 1, 10, true, "of the normal force in the share that it leaves"}};
+        P{&HingeLaw::exponent, "exponent", "1", 2, 1, 10, true, "of the normal force in the share that it leaves"},
+        P{&HingeLaw::across, "across", "N m", 0, 0, unbounded, true,
+          "in space, where it is needed: yield moment of bending to the sides, about the section's y axis"},
+        P{&HingeLaw::contour, "contour", "1", 2, 1.1, 2, true,
+          "in space: power of both moments on the surface; 2: round, 1.7: a rectangle or I, 1.2 to 1.5: concrete"}};
   }
   static HingeLaw sample() {
     HingeLaw law;

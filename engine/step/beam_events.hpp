@@ -7,7 +7,7 @@ namespace trilith {
 
 /// Adds an event for each beam of fibres that yields for the first time, and for each hinge that yields or is lost in
 /// this step: what the trial memories say that the state does not.
-void beam_events(const Model<2>& model, const State<2>& state, Work<2>& work);
-void beam_events(const Model<3>& model, const State<3>& state, Work<3>& work);
+template <int D>
+void beam_events(const Model<D>& model, const State<D>& state, Work<D>& work);
 
 }  // namespace trilith

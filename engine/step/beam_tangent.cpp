@@ -128,28 +128,59 @@ struct BeamNodes3 {
   }
 };
 
+/// What the branches of a beam's band add to its stress within a step.
+class BandAnswer {
+ public:
+  BandAnswer(const Model<3>& model, const State<3>& state, const Beam3& beam, double dt) {
+    if (beam.band < 0 || !(dt > 0)) return;
+    branches_ = &model.bands[static_cast<std::size_t>(beam.band)];
+    step_ = BranchStep(*branches_, dt);
+    before_ = branches_of(model, beam, std::span(state.beam_memory));
+  }
+  [[nodiscard]] BeamStress3 damping(const BeamStress3& stress) const {
+    if (branches_ == nullptr) return {};
+    std::array<double, 6 * (1 + DampingBranches::most)> after;
+    return relax(*branches_, step_, stress, before_, after);
+  }
+  /// Of the stress with its damping over the stress alone, for changes.
+  [[nodiscard]] double stiffening() const { return branches_ == nullptr ? 1 : 1 + step_.sum; }
+
+ private:
+  const DampingBranches* branches_ = nullptr;
+  BranchStep step_;
+  std::span<const double> before_;
+};
+
 /// What an elastic beam carries as it stands and moves.
 struct ElasticAnswer {
   const Beam3& beam;
+  BandAnswer band;
 
   [[nodiscard]] BeamStress3 operator()(const BeamNow3& now) const {
     BeamStress3 all = stress_of(beam.stiffness, now.strain());
+    const BeamStress3 remembered = band.damping(all);
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] += remembered[k];
     const BeamStress3 damping = linear_stress(beam.stiffness, now.rate());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] += beam.damping * damping[k];
     return all;
   }
 };
 
-/// What fibres carry, by their tangent from where they are: the differences of it have no kinks of their laws.
-struct FibreAnswer {
+/// What a beam that yields carries, by its tangent from where it is: the differences of it have no kinks of its laws.
+struct YieldingAnswer {
   BeamAnswer3 answer;
   BeamStrain3 strain, rate;
 
-  FibreAnswer(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& now)
+  YieldingAnswer(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& now, double dt)
       : strain(now.strain()), rate(now.rate()) {
     const std::span before = memory_of(model, beam, std::span(state.beam_memory));
     std::vector<double> after(before.size());
     answer = respond(model.yields_3d, beam, strain, rate, before, after);
+    if (answer.by_strain.isZero(0)) return;  // it is removed
+    const BandAnswer band(model, state, beam, dt);
+    const BeamStress3 remembered = band.damping(answer.stress);
+    for (std::size_t k = 0; k < remembered.size(); ++k) answer.damping[k] += remembered[k];
+    answer.by_strain *= band.stiffening();
   }
   [[nodiscard]] BeamStress3 operator()(const BeamNow3& now) const {
     BeamStress3 all;
@@ -194,10 +225,11 @@ BeamBlock3 block_by_differences(const BeamNodes3& now, const Beam3& beam, double
 
 }  // namespace
 
-BeamBlock3 beam_block(const Model<3>& model, const State<3>& state, const Beam3& beam, double rate) {
+BeamBlock3 beam_block(const Model<3>& model, const State<3>& state, const Beam3& beam, double rate, double dt) {
   const BeamNodes3 now(state, beam);
-  if (beam.fibre_row < 0) return block_by_differences(now, beam, rate, ElasticAnswer{beam});
-  return block_by_differences(now, beam, rate, FibreAnswer(model, state, beam, now.beam_now(beam)));
+  if (beam.yield == BeamYield::never)
+    return block_by_differences(now, beam, rate, ElasticAnswer{beam, BandAnswer(model, state, beam, dt)});
+  return block_by_differences(now, beam, rate, YieldingAnswer(model, state, beam, now.beam_now(beam), dt));
 }
 
 }  // namespace trilith

@@ -17,8 +17,9 @@ using BeamBlock = Eigen::Matrix<double, 6, 6>;
 BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate, double dt = 0);
 
 /// The same in space: forces and moments on both nodes, by their places and by turns about the axes of the world. By
-/// differences of fourth order of the beam alone, exact to some 1e-12 of its largest entry; of fibres by their tangent.
+/// differences of fourth order of the beam alone, exact to some 1e-12 of its largest entry; of one that yields by its
+/// tangent.
 using BeamBlock3 = Eigen::Matrix<double, 12, 12>;
-BeamBlock3 beam_block(const Model<3>& model, const State<3>& state, const Beam3& beam, double rate);
+BeamBlock3 beam_block(const Model<3>& model, const State<3>& state, const Beam3& beam, double rate, double dt = 0);
 
 }  // namespace trilith

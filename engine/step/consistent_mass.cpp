@@ -44,46 +44,75 @@ BeamVector lumped_of(const BeamInertia& inertia) {
   return out;
 }
 
-double dot_free(const Model<2>& model, const std::vector<Dofs<2>>& a, const std::vector<Dofs<2>>& b) {
+/// ... in space as one of twelve.
+BeamVector3 of_nodes(const Beam3& beam, const std::vector<Vec3>& along, const std::vector<Vec3>& about) {
+  BeamVector3 out;
+  for (const int end : {0, 1}) {
+    const auto n = static_cast<std::size_t>(beam.node[static_cast<std::size_t>(end)]);
+    out.segment<3>(6 * end) = along[n], out.segment<3>(6 * end + 3) = about[n];
+  }
+  return out;
+}
+
+/// The mass of a node by itself on the motion v of it; in space turns meet its tensor as it stands.
+Dofs<2> own_momentum(const Model<2>& model, const State<2>& state, int n, const Dofs<2>& v) {
+  const Dofs<2> mass = mass_of(model, state, n);
+  return {mass[0] * v[0], mass[1] * v[1], mass[2] * v[2]};
+}
+Dofs<3> own_momentum(const Model<3>& model, const State<3>& state, int n, const Dofs<3>& v) {
+  const auto i = static_cast<std::size_t>(n);
+  const double m = model.mass[i];
+  return dofs_of(Vec3(m * v[0], m * v[1], m * v[2]),
+                 momentum_of(model.inertia[i], state.rotation[i], Vec3(v[3], v[4], v[5])));
+}
+
+template <int D>
+double dot_free(const Model<D>& model, const std::vector<Dofs<D>>& a, const std::vector<Dofs<D>>& b) {
   double sum = 0;
   for (std::size_t n = 0; n < a.size(); ++n)
-    for (const int k : {0, 1, 2})
+    for (int k = 0; k < Space<D>::dofs; ++k)
       if (model.support[n][k] == Support::free) sum += a[n][k] * b[n][k];
   return sum;
 }
 
 /// M of all beams as they lie, for products with it.
+template <int D>
 class MassMatrix {
  public:
-  MassMatrix(const Model<2>& model, const State<2>& state) : model_(model), state_(state) {
-    for (const Beam& beam : model.beams)
-      if (beam.inertia >= 0) added_.push_back({&beam, added_mass(model, state, beam)});
+  static constexpr int dofs = Space<D>::dofs;
+  using Added = std::conditional_t<D == 2, BeamMatrix, BeamMatrix3>;
+
+  MassMatrix(const Model<D>& model, const State<D>& state) : model_(model), state_(state) {
+    for (const auto& beam : beams_of(model))
+      if (beam.inertia >= 0) added_.push_back({beam.node, added_mass(model, state, beam)});
   }
-  [[nodiscard]] std::vector<Dofs<2>> times(const std::vector<Dofs<2>>& v) const {
-    std::vector<Dofs<2>> out(v.size());
-    for (std::size_t n = 0; n < v.size(); ++n) {
-      const Dofs<2> mass = mass_of(model_, state_, static_cast<int>(n));
-      for (const int k : {0, 1, 2}) out[n][k] = mass[k] * v[n][k];
-    }
-    for (const auto& [beam, m] : added_)
-      for (int row = 0; row < 6; ++row)
-        for (int column = 0; column < 6; ++column)
-          out[beam->node[row / 3]][row % 3] += m(row, column) * v[beam->node[column / 3]][column % 3];
+  [[nodiscard]] std::vector<Dofs<D>> times(const std::vector<Dofs<D>>& v) const {
+    std::vector<Dofs<D>> out(v.size());
+    for (std::size_t n = 0; n < v.size(); ++n) out[n] = own_momentum(model_, state_, static_cast<int>(n), v[n]);
+    for (const auto& [node, m] : added_)
+      for (int row = 0; row < 2 * dofs; ++row)
+        for (int column = 0; column < 2 * dofs; ++column)
+          out[node[row / dofs]][row % dofs] += m(row, column) * v[node[column / dofs]][column % dofs];
     return out;
   }
   /// Of M on its diagonal.
-  [[nodiscard]] std::vector<Dofs<2>> diagonal() const {
-    std::vector<Dofs<2>> out;
-    for (int n = 0; n < model_.nodes(); ++n) out.push_back(mass_of(model_, state_, n));
-    for (const auto& [beam, m] : added_)
-      for (int i = 0; i < 6; ++i) out[beam->node[i / 3]][i % 3] += m(i, i);
+  [[nodiscard]] std::vector<Dofs<D>> diagonal() const {
+    std::vector<Dofs<D>> out(model_.mass.size());
+    for (int n = 0; n < model_.nodes(); ++n)
+      for (int k = 0; k < dofs; ++k) {
+        Dofs<D> one{};
+        one[k] = 1;
+        out[n][k] = own_momentum(model_, state_, n, one)[k];
+      }
+    for (const auto& [node, m] : added_)
+      for (int i = 0; i < 2 * dofs; ++i) out[node[i / dofs]][i % dofs] += m(i, i);
     return out;
   }
 
  private:
-  const Model<2>& model_;
-  const State<2>& state_;
-  std::vector<std::pair<const Beam*, BeamMatrix>> added_;
+  const Model<D>& model_;
+  const State<D>& state_;
+  std::vector<std::pair<std::array<int, 2>, Added>> added_;
 };
 
 }  // namespace
@@ -119,18 +148,52 @@ void added_inertia(const Model<2>& model, const State<2>& state, bool rising, st
   }
 }
 
-void added_damping(const Model<2>& model, const State<2>& state, std::vector<Dofs<2>>& out) {
+/// M less the lumped half of the beam's mass on either node; its sections' turning inertia is the nodes' own.
+BeamMatrix3 added_mass(const Model<3>& model, const State<3>& state, const Beam3& beam) {
+  const BeamInertia3& inertia = model.beam_inertias_3d[static_cast<std::size_t>(beam.inertia)];
+  const Vec3 chord =
+      state.position[static_cast<std::size_t>(beam.node[1])] - state.position[static_cast<std::size_t>(beam.node[0])];
+  BeamMatrix3 out = mass_in_space(inertia, chord.normalized());
+  for (const int i : {0, 1, 2, 6, 7, 8}) out(i, i) -= 0.5 * inertia.mass;
+  return out;
+}
+
+void added_inertia(const Model<3>& model, const State<3>& state, bool rising, std::vector<Dofs<3>>& out) {
   out.clear();
-  if (model.beam_inertias.empty() || !(model.mass_damping > 0)) return;
+  if (model.beam_inertias_3d.empty()) return;
   out.resize(static_cast<std::size_t>(model.nodes()));
-  for (const Beam& beam : model.beams) {
+  for (const Beam3& beam : model.beams_3d) {
     if (beam.inertia < 0) continue;
-    const BeamVector momentum = added_mass(model, state, beam) * of_nodes(beam, state.velocity, state.spin);
-    for (int i = 0; i < 6; ++i)
-      if (const int n = beam.node[i / 3]; model.support[n][i % 3] == Support::free)
-        out[n][i % 3] -= model.mass_damping * momentum[i];
+    const BeamInertia3& inertia = model.beam_inertias_3d[static_cast<std::size_t>(beam.inertia)];
+    const Vec3 chord =
+        state.position[static_cast<std::size_t>(beam.node[1])] - state.position[static_cast<std::size_t>(beam.node[0])];
+    const double length = chord.norm();
+    const BeamVector3 a =
+        rising ? of_nodes(beam, state.acceleration, state.spin_rate) : BeamVector3(BeamVector3::Zero());
+    BeamVector3 force =
+        inertia_forces(inertia, {chord / length, length, of_nodes(beam, state.velocity, state.spin), a});
+    for (const int i : {0, 1, 2, 6, 7, 8}) force[i] -= 0.5 * inertia.mass * a[i];
+    for (int i = 0; i < 12; ++i) out[static_cast<std::size_t>(beam.node[i / 6])][i % 6] += force[i];
   }
 }
+
+template <int D>
+void added_damping(const Model<D>& model, const State<D>& state, std::vector<Dofs<D>>& out) {
+  constexpr int dofs = Space<D>::dofs;
+  out.clear();
+  if (!model.has_consistent_mass() || !(model.mass_damping > 0)) return;
+  out.resize(static_cast<std::size_t>(model.nodes()));
+  for (const auto& beam : beams_of(model)) {
+    if (beam.inertia < 0) continue;
+    const auto momentum = (added_mass(model, state, beam) * of_nodes(beam, state.velocity, state.spin)).eval();
+    for (int i = 0; i < 2 * dofs; ++i)
+      if (const int n = beam.node[i / dofs]; model.support[n][i % dofs] == Support::free)
+        out[n][i % dofs] -= model.mass_damping * momentum[i];
+  }
+}
+
+template void added_damping(const Model<2>&, const State<2>&, std::vector<Dofs<2>>&);
+template void added_damping(const Model<3>&, const State<3>&, std::vector<Dofs<3>>&);
 
 template <int D>
 std::vector<NodeForces<D>> implicit_forces(const Model<D>& model, const State<D>& state, const Work<D>& work) {
@@ -150,15 +213,19 @@ template std::vector<NodeForces<2>> implicit_forces(const Model<2>&, const State
 template std::vector<NodeForces<3>> implicit_forces(const Model<3>&, const State<3>&, const Work<3>&);
 
 /// v' (M - lumped) v / 2, beside the sum of m v^2 / 2 over the nodes.
-double added_kinetic(const Model<2>& model, const State<2>& state) {
+template <int D>
+double added_kinetic(const Model<D>& model, const State<D>& state) {
   double sum = 0;
-  for (const Beam& beam : model.beams) {
+  for (const auto& beam : beams_of(model)) {
     if (beam.inertia < 0) continue;
-    const BeamVector v = of_nodes(beam, state.velocity, state.spin);
+    const auto v = of_nodes(beam, state.velocity, state.spin);
     sum += 0.5 * v.dot(added_mass(model, state, beam) * v);
   }
   return sum;
 }
+
+template double added_kinetic(const Model<2>&, const State<2>&);
+template double added_kinetic(const Model<3>&, const State<3>&);
 
 template <int D>
 double work_on_support(const Model<D>& model, int node, const std::type_identity_t<Dofs<D>>& force,
@@ -173,13 +240,14 @@ template double work_on_support(const Model<2>&, int, const Dofs<2>&, const Dofs
 template double work_on_support(const Model<3>&, int, const Dofs<3>&, const Dofs<3>&);
 
 /// Scaled by the diagonal, M is so well-conditioned that some twenty products reach its last digits.
-std::vector<Dofs<2>> accelerations(const Model<2>& model, const State<2>& state, const std::vector<Dofs<2>>& force) {
-  const MassMatrix mass(model, state);
-  const std::vector<Dofs<2>> diagonal = mass.diagonal();
-  std::vector<Dofs<2>> a(force.size()), left = force, scaled(force.size()), way;
+template <int D>
+std::vector<Dofs<D>> accelerations(const Model<D>& model, const State<D>& state, const std::vector<Dofs<D>>& force) {
+  const MassMatrix<D> mass(model, state);
+  const std::vector<Dofs<D>> diagonal = mass.diagonal();
+  std::vector<Dofs<D>> a(force.size()), left = force, scaled(force.size()), way;
   const auto each_free = [&](auto&& f) {
     for (std::size_t n = 0; n < force.size(); ++n)
-      for (const int k : {0, 1, 2})
+      for (int k = 0; k < Space<D>::dofs; ++k)
         if (model.support[n][k] == Support::free) f(n, k);
   };
   each_free([&](std::size_t n, int k) { scaled[n][k] = left[n][k] / diagonal[n][k]; });
@@ -187,7 +255,7 @@ std::vector<Dofs<2>> accelerations(const Model<2>& model, const State<2>& state,
   double merit = dot_free(model, left, scaled);
   const double enough = 1e-28 * merit;
   for (int turn = 0; turn < 500 && merit > enough; ++turn) {
-    const std::vector<Dofs<2>> moved = mass.times(way);
+    const std::vector<Dofs<D>> moved = mass.times(way);
     const double step = merit / dot_free(model, way, moved);
     each_free([&](std::size_t n, int k) {
       a[n][k] += step * way[n][k], left[n][k] -= step * moved[n][k];
@@ -199,5 +267,8 @@ std::vector<Dofs<2>> accelerations(const Model<2>& model, const State<2>& state,
   }
   return a;
 }
+
+template std::vector<Dofs<2>> accelerations(const Model<2>&, const State<2>&, const std::vector<Dofs<2>>&);
+template std::vector<Dofs<3>> accelerations(const Model<3>&, const State<3>&, const std::vector<Dofs<3>>&);
 
 }  // namespace trilith

@@ -1,5 +1,6 @@
 // Consistent mass of frames under implicit steps and in modes: what it adds to that lumped at the nodes, which explicit
 // steps keep, as they want a mass that they can divide by.
+// In space the same with body/beam_inertia_3d.hpp, where beams begin and end at their nodes.
 //
 //   E = G' f(y, dy/dt) - M_lumped dv/dt,   y = G v: the ends of the beam, which rigid arms carry with its nodes
 //
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "body/beam_inertia.hpp"
+#include "body/beam_inertia_3d.hpp"
 #include "step/node_forces.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
@@ -19,8 +21,11 @@ namespace trilith {
 /// What consistent mass adds to the lumped one of the beam's two nodes, in the world, as the beam lies.
 BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& beam);
 
+BeamMatrix3 added_mass(const Model<3>& model, const State<3>& state, const Beam3& beam);
+
 /// E of all nodes [N], [N m]; empty where no beam has a consistent mass. With `rising` false: of velocities alone.
 void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out);
+void added_inertia(const Model<3>& model, const State<3>& state, bool rising, std::vector<Dofs<3>>& out);
 
 /// Forces of all nodes at the evaluated state, as implicit steps have them: damping of the mass that was chosen.
 template <int D>
@@ -28,10 +33,12 @@ std::vector<NodeForces<D>> implicit_forces(const Model<D>& model, const State<D>
 
 /// What it adds to the damping by mass, -mass_damping (M - M_lumped) v, of free directions [N], [N m]; empty where it
 /// adds nothing.
-void added_damping(const Model<2>& model, const State<2>& state, std::vector<Dofs<2>>& out);
+template <int D>
+void added_damping(const Model<D>& model, const State<D>& state, std::vector<Dofs<D>>& out);
 
 /// What it adds to the kinetic energy [J].
-double added_kinetic(const Model<2>& model, const State<2>& state);
+template <int D>
+double added_kinetic(const Model<D>& model, const State<D>& state);
 
 /// Work that supports do on it along `path` of a node [J].
 template <int D>
@@ -40,18 +47,7 @@ double work_on_support(const Model<D>& model, int node, const std::type_identity
 
 /// Accelerations of the free directions [m/s2, rad/s2] from the forces on them, by conjugate gradients; the others are
 /// 0.
-std::vector<Dofs<2>> accelerations(const Model<2>& model, const State<2>& state, const std::vector<Dofs<2>>& force);
-
-// In space all mass is lumped at the nodes.
-inline void added_inertia(const Model<3>& /*model*/, const State<3>& /*state*/, bool /*rising*/,
-                          std::vector<Dofs<3>>& out) {
-  out.clear();
-}
-inline void added_damping(const Model<3>& /*model*/, const State<3>& /*state*/, std::vector<Dofs<3>>& out) {
-  out.clear();
-}
-inline double added_kinetic(const Model<3>& /*model*/, const State<3>& /*state*/) {
-  return 0;
-}
+template <int D>
+std::vector<Dofs<D>> accelerations(const Model<D>& model, const State<D>& state, const std::vector<Dofs<D>>& force);
 
 }  // namespace trilith

@@ -36,18 +36,27 @@ void add_half_behind(const Model<D>& model, const State<D>& state, const Work<D>
 }
 
 /// Accelerations as the scheme begins, of consistent mass: what lumped one gives would make them ring.
-void begin_consistent(const Model<2>& model, State<2>& state, std::vector<Dofs<2>> force) {
-  std::vector<Dofs<2>> added, damped;
+template <int D>
+void begin_consistent(const Model<D>& model, State<D>& state, std::vector<Dofs<D>> force) {
+  std::vector<Dofs<D>> added, damped;
   added_inertia(model, state, false, added);
   added_damping(model, state, damped);
   for (std::size_t n = 0; n < force.size(); ++n)
-    for (const int k : {0, 1, 2}) force[n][k] -= added[n][k] - (damped.empty() ? 0 : damped[n][k]);
-  const std::vector<Dofs<2>> a = accelerations(model, state, force);
-  for (std::size_t n = 0; n < a.size(); ++n) {
-    for (const int k : {0, 1})
-      if (model.support[n][k] == Support::free) state.acceleration[n][k] = a[n][k];
-    if (model.support[n][2] == Support::free) state.spin_rate[n] = a[n][2];
-  }
+    for (int k = 0; k < Space<D>::dofs; ++k) force[n][k] -= added[n][k] - (damped.empty() ? 0 : damped[n][k]);
+  if constexpr (D == 3)
+    for (std::size_t n = 0; n < force.size(); ++n) {
+      const Vec3 kept = cross(state.spin[n], momentum_of(model.inertia[n], state.rotation[n], state.spin[n]));
+      for (int k = 0; k < 3; ++k) force[n][static_cast<std::size_t>(3 + k)] -= kept[k];
+    }
+  const std::vector<Dofs<D>> a = accelerations(model, state, force);
+  for (std::size_t n = 0; n < a.size(); ++n)
+    for (int k = 0; k < Space<D>::dofs; ++k) {
+      if (model.support[n][k] != Support::free) continue;
+      if (k < D)
+        state.acceleration[n][k] = a[n][k];
+      else
+        number_at(k - D, state.spin_rate[n]) = a[n][k];
+    }
 }
 
 /// Spin and its rate at the instant, from those of half a step before, under the moment of now.
@@ -81,7 +90,7 @@ double implicit_kinetic(const Model<D>& model, const State<D>& state) {
         if (model.support[n][k] == Support::free) sum += 0.5 * v[k] * momentum[k - 3];
     }
   }
-  return model.beam_inertias.empty() ? sum : sum + added_kinetic(model, state);
+  return !model.has_consistent_mass() ? sum : sum + added_kinetic(model, state);
 }
 
 /// From leapfrog, whose velocities stand half a step behind: they are brought up by a dt / 2, the half step of work is
@@ -107,13 +116,12 @@ void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work)
       state.acceleration[n][k] = a, state.velocity[n][k] += half * a;
     }
     begin_turning(model, state, n, about_of(f.force), half);
-    if (!model.beam_inertias.empty()) force.push_back(f.force);
+    if (model.has_consistent_mass()) force.push_back(f.force);
   }
-  if constexpr (D == 2)
-    if (!force.empty()) {
-      begin_consistent(model, state, std::move(force));
-      state.given[EnergyTerm::numerical] -= added_kinetic(model, state);
-    }
+  if (!force.empty()) {
+    begin_consistent(model, state, std::move(force));
+    state.given[EnergyTerm::numerical] -= added_kinetic(model, state);
+  }
   state.position_before = state.position;
   state.rotation_before = state.rotation;
   state.last_dt = 0;

@@ -129,8 +129,8 @@ std::vector<FibreReading3> member_fibres(const Model<3>& model, const State<3>& 
   double start = 0;
   for (int i = m.first_beam; i < m.first_beam + m.beams; ++i) {
     const Beam3& beam = model.beams_3d[static_cast<std::size_t>(i)];
-    if (beam.fibre_row >= 0) {
-      const FibreBeamRow3& row = model.yields_3d.fibre_beams[static_cast<std::size_t>(beam.fibre_row)];
+    if (beam.yield == BeamYield::in_fibres) {
+      const FibreBeamRow3& row = model.yields_3d.fibre_beams[static_cast<std::size_t>(beam.yield_row)];
       const FibreSection3& section = model.yields_3d.sections[static_cast<std::size_t>(row.section)];
       const BeamNow3 now = now_of(state, beam);
       const std::span<const double> memory = memory_of(model, beam, std::span(state.beam_memory)).subspan(1);
@@ -170,6 +170,24 @@ std::vector<HingeReading> member_hinges(const Model<2>& model, const State<2>& s
     const EndHingeMemory at = hinge_memory(memory);
     rows.push_back({end, place, yield_status(beam, memory, end), at.turned[end], at.stretch, at.moment[end], at.normal,
                     at.given_off[end]});
+  }
+  return rows;
+}
+
+std::vector<HingeReading3> member_hinges(const Model<3>& model, const State<3>& state, int member) {
+  const Member& m = model.members[static_cast<std::size_t>(member)];
+  std::vector<HingeReading3> rows;
+  for (const int end : {0, 1}) {
+    const Beam3& beam = model.beams_3d[static_cast<std::size_t>(end == 0 ? m.first_beam : m.first_beam + m.beams - 1)];
+    if (beam.yield != BeamYield::at_hinges || !has_hinge(model.yields_3d, beam, end)) continue;
+    const BeamNow3 now = now_of(state, beam);
+    const std::span before = memory_of(model, beam, std::span(state.beam_memory));
+    std::vector<double> memory(before.size());
+    respond(model.yields_3d, beam, now.strain(), now.rate(), before, memory);
+    const auto i = static_cast<std::size_t>(end);
+    const EndHingeMemory3 at = space_hinge_memory(memory);
+    rows.push_back({end, end_of(state, beam, i).place, yield_status(beam, memory, end), at.turned[i], at.stretch,
+                    at.moment[i], at.normal, at.given_off[i]});
   }
   return rows;
 }

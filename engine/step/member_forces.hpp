@@ -48,6 +48,20 @@ struct HingeReading {
 /// Those that a member has, at most two.
 std::vector<HingeReading> member_hinges(const Model<2>& model, const State<2>& state, int member);
 
+/// The same in space, about y and z of the section: above 0 where the side to z, and the bottom, has lengthened or is
+/// in tension.
+struct HingeReading3 {
+  int end = 0;
+  Vec3 place = Vec3::Zero();
+  HingeStatus status{};
+  std::array<double, 2> rotation{};  ///< plastic [rad]
+  double stretch = 0;                ///< plastic, of the beam that has the hinge [m]
+  std::array<double, 2> moment{};    ///< [N m]
+  double normal = 0;                 ///< tension above 0 [N]
+  double given_off = 0;              ///< energy [J]
+};
+std::vector<HingeReading3> member_hinges(const Model<3>& model, const State<3>& state, int member);
+
 /// A section of a member of fibres, at a station along one of its beams.
 struct FibreReading {
   double along = 0;      ///< from the member's start, as it was at the start of the run [m]

@@ -6,6 +6,7 @@
 #include "step/beam_motion.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
+#include "step/implicit_turn.hpp"
 #include "step/node_forces.hpp"
 #include "step/resist_beams.hpp"
 #include "world/pose.hpp"
@@ -68,21 +69,32 @@ Along forces_along(const Model<D>& model, State<D>& state, const NaturalMode<D>&
   return out;
 }
 
+BeamStrain strain_of(const State<2>& state, const Beam& beam) {
+  return now_of(state, beam).strain;
+}
+BeamStrain3 strain_of(const State<3>& state, const Beam3& beam) {
+  return now_of(state, beam).strain();
+}
+
 /// Of beams that are damped over a band.
-double band_ratio(const Model<2>& model, const State<2>& rest, const Mode& mode, double scale) {
+template <int D>
+double band_ratio(const Model<D>& model, const State<D>& rest, const NaturalMode<D>& mode, double scale) {
   // So far along the mode that chords turn by little and rounding is less still.
   const double way = scale * 1e-3, w = std::sqrt(mode.square);
-  State<2> moved = rest;
-  for (std::size_t n = 0; n < moved.position.size(); ++n)
-    moved.position[n] += way * mode.displacement[n], moved.rotation[n] += way * mode.rotation[n];
+  State<D> moved = rest;
+  for (std::size_t n = 0; n < moved.position.size(); ++n) {
+    moved.position[n] += way * mode.displacement[n];
+    moved.rotation[n] = turned_by(Spin<D>(way * mode.rotation[n]), rest.rotation[n]);
+  }
   double lost = 0, stiffer = 0;
-  for (const Beam& beam : model.beams) {
+  for (const auto& beam : beams_of(model)) {
     if (beam.band < 0 || is_removed(model, beam, rest.beam_memory)) continue;
-    const BeamNow now = now_of(moved, beam), was = now_of(rest, beam);
-    BeamStrain s;
-    for (std::size_t k = 0; k < s.size(); ++k) s[k] = (now.strain[k] - was.strain[k]) / way;
-    const BeamStress stress = linear_stress(beam.stiffness, s);
-    const double held = stress[0] * s[0] + stress[1] * s[1] + stress[2] * s[2];
+    auto s = strain_of(moved, beam);
+    const auto was = strain_of(rest, beam);
+    for (std::size_t k = 0; k < s.size(); ++k) s[k] = (s[k] - was[k]) / way;
+    const auto stress = linear_stress(beam.stiffness, s);
+    double held = 0;
+    for (std::size_t k = 0; k < s.size(); ++k) held += stress[k] * s[k];
     const DampingBranches& branches = model.bands[beam.band];
     lost += branches.loss(w) * held, stiffer += (branches.stiffness(w) - 1) * held;
   }
@@ -110,8 +122,7 @@ ModeDamping damping_of(const Model<D>& model, State<D>& rest, const NaturalMode<
   out.bearings = ratio(ahead.bearings, back.bearings);
   out.elements = ratio(ahead.elements, back.elements);
   out.contacts = ratio(ahead.all, back.all) - out.bearings - out.elements;
-  if constexpr (D == 2)
-    if (!model.bands.empty()) out.bands = band_ratio(model, rest, mode, scale);
+  if (!model.bands.empty()) out.bands = band_ratio(model, rest, mode, scale);
   // alpha M v on M phi: alpha / (2 w).
   out.mass = model.mass_damping / critical;
   return out;

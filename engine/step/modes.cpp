@@ -31,21 +31,19 @@ struct Pencil {
 };
 
 /// What consistent mass of frames adds to M.
-void add_consistent(const Model<2>& model, const State<2>& state, const Coupling<2>& coupling,
+template <int D>
+void add_consistent(const Model<D>& model, const State<D>& state, const Coupling<D>& coupling,
                     Eigen::SparseMatrix<double>& mass) {
-  for (const Beam& beam : model.beams) {
+  constexpr int dofs = Space<D>::dofs;
+  for (const auto& beam : beams_of(model)) {
     if (beam.inertia < 0) continue;
-    const BeamMatrix m = added_mass(model, state, beam);
-    const auto unknown = [&](int i) { return coupling.unknown[beam.node[i / 3]][i % 3]; };
-    for (int column = 0; column < 6; ++column)
-      for (int row = 0; row < 6 && unknown(column) >= 0; ++row)
+    const auto m = added_mass(model, state, beam);
+    const auto unknown = [&](int i) { return coupling.unknown[beam.node[i / dofs]][i % dofs]; };
+    for (int column = 0; column < 2 * dofs; ++column)
+      for (int row = 0; row < 2 * dofs && unknown(column) >= 0; ++row)
         if (unknown(row) >= 0) mass.coeffRef(unknown(row), unknown(column)) += m(row, column);
   }
 }
-
-/// In space there is none.
-void add_consistent(const Model<3>& /*model*/, const State<3>& /*state*/, const Coupling<3>& /*coupling*/,
-                    Eigen::SparseMatrix<double>& /*mass*/) {}
 
 /// The lumped mass of all nodes: in the plane a diagonal, in space with the tensor of each inertia in the world.
 template <int D>
@@ -172,16 +170,16 @@ std::array<double, D> free_mass(const Model<D>& model, const State<D>& state) {
   for (int n = 0; n < model.nodes(); ++n)
     for (std::size_t k = 0; k < sum.size(); ++k)
       if (model.support[n][k] == Support::free) sum[k] += model.mass[n];
-  if constexpr (D == 2)
-    for (const Beam& beam : model.beams) {
-      if (beam.inertia < 0) continue;
-      const BeamMatrix m = added_mass(model, state, beam);
-      const auto is_free = [&](int i) { return model.support[beam.node[i / 3]][i % 3] == Support::free; };
-      for (const int k : {0, 1})
-        for (const int i : {k, k + 3})
-          for (const int j : {k, k + 3})
-            if (is_free(i) && is_free(j)) sum[k] += m(i, j);
-    }
+  constexpr int dofs = Space<D>::dofs;
+  for (const auto& beam : beams_of(model)) {
+    if (beam.inertia < 0) continue;
+    const auto m = added_mass(model, state, beam);
+    const auto is_free = [&](int i) { return model.support[beam.node[i / dofs]][i % dofs] == Support::free; };
+    for (int k = 0; k < D; ++k)
+      for (const int i : {k, k + dofs})
+        for (const int j : {k, k + dofs})
+          if (is_free(i) && is_free(j)) sum[static_cast<std::size_t>(k)] += m(i, j);
+  }
   return sum;
 }
 

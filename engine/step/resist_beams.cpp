@@ -1,7 +1,5 @@
 #include "step/resist_beams.hpp"
 
-#include <algorithm>
-
 #include "step/beam_motion.hpp"
 
 namespace trilith {
@@ -23,33 +21,6 @@ BeamResponse respond_yielding(const Model<2>& model, const State<2>& state, Work
                  memory_of(model, beam, std::span(work.beam_memory)));
 }
 
-/// Damping over a band: its branches over a step, found once for all beams that share them.
-class BandRelaxation {
- public:
-  BandRelaxation(const Model<2>& model, const State<2>& state, Work<2>& work, double dt)
-      : model_(model), before_(state.beam_memory), after_(work.beam_memory), dt_(dt) {}
-
-  BeamStress damping(const Beam& beam, const BeamStress& stress) {
-    const DampingBranches& branches = model_.bands[beam.band];
-    if (beam.band != band_) step_ = BranchStep(branches, dt_);
-    band_ = beam.band;
-    const std::span<double> after = branches_of(model_, beam, after_);
-    if (is_removed(model_, beam, after_)) {
-      std::ranges::fill(after, 0);
-      return {};
-    }
-    return relax(branches, step_, stress, branches_of(model_, beam, before_), after);
-  }
-
- private:
-  const Model<2>& model_;
-  std::span<const double> before_;
-  std::span<double> after_;
-  double dt_;
-  int band_ = -1;
-  BranchStep step_;
-};
-
 }  // namespace
 
 bool is_removed(const Model<2>& model, const Beam& beam, std::span<const double> memories) {
@@ -59,7 +30,7 @@ bool is_removed(const Model<2>& model, const Beam& beam, std::span<const double>
 /// Forces and moments on the nodes are the derivatives of a beam's energy where it is elastic (body/beam_element.hpp),
 /// and what its fibres or hinges carry where it yields (body/beam_yield.hpp); the ends go with their nodes rigidly.
 void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ResistSums& sums) {
-  BandRelaxation bands(model, state, work, dt);
+  BandRelaxation<2> bands(model, state, work, dt);
   for (const Beam& beam : model.beams) {
     std::array<Vec2, 2> arm;
     const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);

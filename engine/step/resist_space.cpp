@@ -22,22 +22,35 @@ void add_action(const Beam3& beam, const BeamAction3& action, double share, std:
 
 }  // namespace
 
-/// s = K(d) of the strains d in axes that go with the chord, and beta K d' of their rates, which brakes; of fibres what
-/// they carry, and their tangent for K. The transpose of d' brings both to the nodes.
-void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, ResistSums& sums) {
+bool is_removed(const Model<3>& model, const Beam3& beam, std::span<const double> memories) {
+  return beam.yield == BeamYield::at_hinges && space_hinge_memory(memory_of(model, beam, memories)).gone[0] > 1;
+}
+
+/// s = K(d) of the strains d in axes that go with the chord, and beta K d' of their rates, which brakes; of beams that
+/// yield what they carry, and what is left of K. Branches of a band brake with the stress they remember. The transpose
+/// of d' brings all of it to the nodes.
+void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, double dt, ResistSums& sums) {
+  BandRelaxation<3> bands(model, state, work, dt);
+  const auto add_band = [&](const Beam3& beam, const BeamNow3& now, const BeamStress3& stress) {
+    if (beam.band >= 0)
+      add_action(beam, now.action(bands.damping(beam, stress)), 1, work.element_damping, work.element_damping_moment);
+  };
   for (const Beam3& beam : model.beams_3d) {
     const BeamNow3 now = now_of(state, beam);
-    if (beam.fibre_row >= 0) {
+    if (beam.yield != BeamYield::never) {
       const BeamAnswer3 r =
           respond(model.yields_3d, beam, now.strain(), now.rate(), memory_of(model, beam, std::span(state.beam_memory)),
                   memory_of(model, beam, std::span(work.beam_memory)));
       add_action(beam, now.action(r.stress), 1, work.element_force, work.element_moment);
       if (beam.damping > 0)
         add_action(beam, now.action(r.damping), 1, work.element_damping, work.element_damping_moment);
+      add_band(beam, now, r.stress);
       sums.stored += r.stored, sums.plastic += r.dissipated;
       continue;
     }
-    add_action(beam, now.action(stress_of(beam.stiffness, now.strain())), 1, work.element_force, work.element_moment);
+    const BeamStress3 stress = stress_of(beam.stiffness, now.strain());
+    add_action(beam, now.action(stress), 1, work.element_force, work.element_moment);
+    add_band(beam, now, stress);
     sums.stored += stored_in(beam.stiffness, now.strain());
     if (beam.damping > 0)
       add_action(beam, now.action(linear_stress(beam.stiffness, now.rate())), beam.damping, work.element_damping,
@@ -46,7 +59,7 @@ void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, R
 }
 
 BeamStress3 beam_stress(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& now) {
-  if (beam.fibre_row < 0) return stress_of(beam.stiffness, now.strain());
+  if (beam.yield == BeamYield::never) return stress_of(beam.stiffness, now.strain());
   const std::span before = memory_of(model, beam, std::span(state.beam_memory));
   std::vector<double> after(before.size());
   return respond(model.yields_3d, beam, now.strain(), now.rate(), before, after).stress;
@@ -160,7 +173,7 @@ void resist_elements(const Model<3>& model, const State<3>& state, Work<3>& work
 
 }  // namespace
 
-void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double /*dt*/) {
+void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double dt) {
   work.element_stored = 0;
   if (model.beams_3d.empty() && model.space_elements.empty()) return;
   const auto nodes = static_cast<std::size_t>(model.nodes());
@@ -169,7 +182,7 @@ void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double 
   work.plastic.resize(state.plastic.size()), work.beam_memory.resize(state.beam_memory.size());
   ResistSums sums;
   resist_elements(model, state, work, sums);
-  if (!work.leave_out_beams) resist_beams(model, state, work, sums);
+  if (!work.leave_out_beams) resist_beams(model, state, work, dt, sums);
   work.element_stored = sums.stored;
   work.given[EnergyTerm::plastic] += sums.plastic;
 }

@@ -297,11 +297,15 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
   return found;
 }
 
-StableStep unbanded_step(Model<2> model, const State<2>& state, const Work<2>& work) {
+template <int D>
+StableStep unbanded_step(Model<D> model, const State<D>& state, const Work<D>& work) {
   for (RateBound& own : model.element_bound)
     if (own.unbanded > 0) own.stiffness = own.unbanded;
   return stable_step(model, state, work);
 }
+
+template StableStep unbanded_step(Model<2>, const State<2>&, const Work<2>&);
+template StableStep unbanded_step(Model<3>, const State<3>&, const Work<3>&);
 
 double settled_step(double stable, double safety) {
   // The rungs 2^(k/8) from a half to below 1.

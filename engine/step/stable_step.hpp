@@ -48,7 +48,8 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
 StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<3>& work);
 
 /// The same without what damping over a band adds to the stiffness of beams.
-StableStep unbanded_step(Model<2> model, const State<2>& state, const Work<2>& work);
+template <int D>
+StableStep unbanded_step(Model<D> model, const State<D>& state, const Work<D>& work);
 
 /// The root of lambda_K dt^2 + 2 lambda_C dt = 4, at most longest_step [s].
 double step_for(double stiffness, double damping);

@@ -152,20 +152,30 @@ void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work,
   evaluate(model, state, work, options.dt);
 }
 
-/// Beams have their 6 x 6 block by hand, in the order of unknowns u0 v0 r0 u1 v1 r1; consistent mass adds its own.
+namespace {
+
+/// Beams have their block by themselves, in the order of unknowns of one node, then of the other; consistent mass adds
+/// its own.
+template <int D, class Add>
+void each_beam_block(const Model<D>& model, const State<D>& state, const TangentOptions& options, const Add& add) {
+  const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
+  for (const auto& beam : beams_of(model)) {
+    auto block = beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0);
+    block *= -options.force;
+    if (beam.inertia >= 0 && inertia > 0) block += inertia * added_mass(model, state, beam);
+    add(beam.node, block);
+  }
+}
+
+}  // namespace
+
 template <>
 void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
-  for (const Beam& beam : model.beams) {
-    BeamBlock block = -options.force * beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0);
-    const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
-    if (beam.inertia >= 0 && inertia > 0) block += inertia * added_mass(model, state, beam);
-    add_block(beam.node, block);
-  }
+  each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
 }
 template <>
 void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options) {
-  for (const Beam3& beam : model.beams_3d)
-    add_block(beam.node, BeamBlock3(-options.force * beam_block(model, state, beam, options.rate)));
+  each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
 }
 
 /// Without entries of 0, which are there for pairs that do not touch: so that it is the same whenever these were found.

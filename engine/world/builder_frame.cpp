@@ -143,18 +143,6 @@ struct MemberMaterial {
   int band;        ///< of Model::bands, or -1
 };
 
-/// The row of Model::bands that is this band, made where there is none; -1 without one.
-int band_row(const std::optional<BandDamping>& band, Model<2>& model) {
-  if (!band) return -1;
-  const auto same = [&](const DampingBranches& b) {
-    return b.band.ratio == band->ratio && b.band.from == band->from && b.band.to == band->to;
-  };
-  const auto at = std::find_if(model.bands.begin(), model.bands.end(), same);
-  if (at != model.bands.end()) return static_cast<int>(at - model.bands.begin());
-  model.bands.push_back(damping_branches(*band));
-  return static_cast<int>(model.bands.size()) - 1;
-}
-
 /// Room for what the branches of a beam remember, behind what it remembers of its yielding.
 void add_branches(Beam& beam, int band, Model<2>& model) {
   if (band < 0) return;
@@ -284,7 +272,7 @@ std::vector<MemberMaterial> member_materials(const FrameRows& rows, const std::v
     made.push_back({spec.density.value_or(material.density) * member.section.area,
                     {young, member.shear ? young / (2 * (1 + poisson)) : 0.0},
                     material.solid->damping(),
-                    band_row(material.band, rows.model)});
+                    band_row(material.band, rows.model.bands)});
     given += made.back().mass * length_of(rows.plan, m);
   }
   const double wanted = spec.mass ? *spec.mass : spec.weight ? *spec.weight / standard_gravity : given;

@@ -198,7 +198,10 @@ void add(Hash& hash, const Beam3& b) {
   add(hash, b.body), add(hash, b.node), add(hash, b.axes), add(hash, b.length), add(hash, b.damping);
   add(hash, b.stiffness.axial), add(hash, b.stiffness.torsion);
   for (const BeamStiffness& k : b.stiffness.bend) add(hash, k.bend), add(hash, k.bow);
-  if (b.fibre_row >= 0) add(hash, b.fibre_row), add(hash, b.first_memory);
+  if (b.yield != BeamYield::never) add(hash, b.yield_row), add(hash, b.first_memory);
+  if (b.yield == BeamYield::at_hinges) hash.add(std::string_view("hinges"));
+  if (b.band >= 0) add(hash, b.band), add(hash, b.first_branch);
+  if (b.inertia >= 0) hash.add(std::string_view("consistent"));
 }
 
 void add(Hash& hash, const GroundMotion& m) {
@@ -258,6 +261,7 @@ std::uint64_t structure_of(const Model<D>& m) {
   if constexpr (D == 3) add(hash, m.piece_solid);
   for (const Beam3& beam : m.beams_3d) add(hash, beam);
   if (!m.yields_3d.fibre_beams.empty()) add(hash, m.yields_3d.sections), add(hash, m.yields_3d.fibre_beams);
+  if (!m.yields_3d.hinged_beams.empty()) add(hash, m.yields_3d.hinge_laws), add(hash, m.yields_3d.hinged_beams);
   return hash.value();
 }
 

@@ -15,6 +15,7 @@
 #include "body/band_damping.hpp"
 #include "body/beam_3d.hpp"
 #include "body/beam_inertia.hpp"
+#include "body/beam_inertia_3d.hpp"
 #include "body/beam_yield.hpp"
 #include "body/beam_yield_3d.hpp"
 #include "body/list.hpp"
@@ -188,21 +189,22 @@ struct Model {
 
   // Finite elements of deformable bodies.
   std::vector<Solid> solids;
-  std::vector<Element> elements;              ///< [element], body by body
-  std::vector<ElementBatch> element_batches;  ///< all of them, in order
-  std::vector<SpaceElement> space_elements;   ///< [element] of models in space, body by body
-  std::vector<double> element_number;         ///< see world/element_rows.hpp
-  std::vector<Member> members;                ///< of frames, body by body
-  std::vector<Beam> beams;                    ///< [beam] of frames, body by body
-  std::vector<Beam3> beams_3d;                ///< [beam] of frames in space, body by body
-  BeamYields yields;                          ///< of those that yield ...
-  BeamYields3 yields_3d;                      ///< ... in space
-  std::vector<DampingBranches> bands;         ///< of beams that are damped over a band
-  std::vector<BeamInertia> beam_inertias;     ///< of beams with consistent mass, which implicit steps and modes know
-  std::vector<RateBound> element_bound;       ///< [body] of its elements or beams; 0 where it is rigid
-  std::vector<double> element_rate;           ///< [element] bound of its highest frequency squared 1/s2
-  int plastic_points = 0;                     ///< rows of State::plastic
-  int beam_memory = 0;                        ///< rows of State::beam_memory
+  std::vector<Element> elements;               ///< [element], body by body
+  std::vector<ElementBatch> element_batches;   ///< all of them, in order
+  std::vector<SpaceElement> space_elements;    ///< [element] of models in space, body by body
+  std::vector<double> element_number;          ///< see world/element_rows.hpp
+  std::vector<Member> members;                 ///< of frames, body by body
+  std::vector<Beam> beams;                     ///< [beam] of frames, body by body
+  std::vector<Beam3> beams_3d;                 ///< [beam] of frames in space, body by body
+  BeamYields yields;                           ///< of those that yield ...
+  BeamYields3 yields_3d;                       ///< ... in space
+  std::vector<DampingBranches> bands;          ///< of beams that are damped over a band
+  std::vector<BeamInertia> beam_inertias;      ///< of beams with consistent mass, which implicit steps and modes know
+  std::vector<BeamInertia3> beam_inertias_3d;  ///< ... in space
+  std::vector<RateBound> element_bound;        ///< [body] of its elements or beams; 0 where it is rigid
+  std::vector<double> element_rate;            ///< [element] bound of its highest frequency squared 1/s2
+  int plastic_points = 0;                      ///< rows of State::plastic
+  int beam_memory = 0;                         ///< rows of State::beam_memory
 
   // Contact laws: which one holds between two surfaces.
   std::vector<ContactLaw> laws;
@@ -226,6 +228,7 @@ struct Model {
   /// True where there is any load but weight and the steady ones of `load`.
   [[nodiscard]] bool loaded() const { return !(point_loads.empty() && face_loads.empty() && pushes.empty()); }
   [[nodiscard]] int nodes() const { return static_cast<int>(mass.size()); }
+  [[nodiscard]] bool has_consistent_mass() const { return !beam_inertias.empty() || !beam_inertias_3d.empty(); }
   [[nodiscard]] int pieces() const { return static_cast<int>(piece_body.size()); }
   /// In space: the node that a piece goes with, of a frame one of several.
   [[nodiscard]] int node_of_piece(int piece) const { return skin_node[corner_skin[piece_first[piece]]]; }
@@ -262,6 +265,14 @@ struct Model {
     return -1;
   }
 };
+
+/// The beams of a model.
+inline const std::vector<Beam>& beams_of(const Model<2>& model) {
+  return model.beams;
+}
+inline const std::vector<Beam3>& beams_of(const Model<3>& model) {
+  return model.beams_3d;
+}
 
 /// The elements of a model, and as many nodes as one has.
 inline const std::vector<Element>& elements_of(const Model<2>& model) {

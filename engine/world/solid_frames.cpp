@@ -20,12 +20,33 @@ const std::string& material_of(const SolidSpec& spec, const SpaceMember& member)
   return member.material.empty() ? spec.material : member.material;
 }
 
-/// Throws InputError where a member cannot be of fibres as it says.
-void check_fibres(const SpaceMember& member, const std::string& owner) {
-  if (!member.fibres) return;
+/// Throws InputError where a hinge in space lacks something, or softens by more than its beam of `length` [m] follows.
+void check_hinge(const SpaceMember& member, int end, double young, double length, bool consistent) {
+  const HingeLaw& law = *member.hinge[static_cast<std::size_t>(end)];
+  check_parameters(law), law.check();
+  if (!(law.across > 0))
+    throw InputError(
+        "end_hinge: in space it bends about both axes, and across is 0; give it the yield moment of bending to the "
+        "sides, such as across = " +
+        fmt::format("{:g}", law.sagging));
+  if (law.removes && consistent)
+    throw InputError("end_hinge: what is removed keeps its mass at its nodes; leave out mass_matrix = \"consistent\"");
+  if (member.pinned[static_cast<std::size_t>(end)])
+    throw InputError(fmt::format("end_hinge: its {} is pinned already", end == 0 ? "start" : "end"));
+  // About y all of the hinge is across/sagging times as strong, and softens so.
+  const double about_z = member.section.second_moment[1],
+               about_y = member.section.second_moment[0] * law.sagging / law.across;
+  check_softening(law, 2 * young * std::min(about_z, about_y) / length);
+}
+
+/// Throws InputError where a member cannot yield as it says. `length` [m]: of its beams.
+void check_yields(const SpaceMember& member, double young, double length, bool consistent, const std::string& owner) {
   try {
-    make_fibre_beam_in_space(make_fibres_in_space(member.fibres->spec), 1, member.pinned, {}, 1, member.fibres->rule,
-                             member.fibres->stations);
+    if (member.fibres)
+      make_fibre_beam_in_space(make_fibres_in_space(member.fibres->spec), 1, member.pinned, {}, 1, member.fibres->rule,
+                               member.fibres->stations);
+    for (const int end : {0, 1})
+      if (member.hinge[static_cast<std::size_t>(end)]) check_hinge(member, end, young, length, consistent);
   } catch (const InputError& e) {
     throw InputError(fmt::format("{}: {}", owner, e.what()));
   }
@@ -56,13 +77,12 @@ void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) c
                                    name.empty() ? "it" : "'" + name + "'"));
     if (!material->solid->is_elastic())
       throw InputError(
-          fmt::format("{}: the material of members is elastic, and '{}' is not ({}); members yield by a fibre_section",
+          fmt::format("{}: the material of members is elastic, and '{}' is not ({}); let members "
+                      "yield by a fibre_section or an end_hinge",
                       owner, name, describe(*material->solid)));
-    if (material->band)
-      throw InputError(fmt::format(
-          "{}: material '{}' is damped over a band, which members in space are not yet; give it damping =", owner,
-          name));
-    check_fibres(m, owner);
+    const double young = std::visit([](const auto& l) { return l.young; }, material->solid->law);
+    check_yields(m, young, length_of(*spec.frame, m) / m.divisions, spec.frame->consistent,
+                 fmt::format("{}: member '{}'", owner, name_of(*spec.frame, m)));
   }
   spec.pieces.clear();
   for (std::size_t m = 0; m < spec.frame->members.size(); ++m)
@@ -81,7 +101,8 @@ SpaceFrameBody SolidModelBuilder::frame_body(const SolidSpec& spec) const {
         std::visit([](const auto& l) { return std::pair(l.young, l.poisson); }, material.solid->law);
     out.material.push_back({spec.density.value_or(material.density) * m.section.area,
                             {young, young / (2 * (1 + poisson)), m.shear},
-                            material.solid->damping()});
+                            material.solid->damping(),
+                            material.band});
     sum += out.material.back().mass * length_of(out.frame, m);
   }
   if (spec.mass)

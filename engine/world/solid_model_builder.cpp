@@ -160,6 +160,12 @@ Model<3> SolidModelBuilder::build() {
   Model<3> model = assemble(faults, notes);
   if (!faults.empty()) throw InputError(faults.front());
   notes_.insert(notes_.end(), notes.begin(), notes.end());
+  for (const Material& m : materials_) {
+    const auto is_idle = [&](const SolidSpec& b) { return b.material == m.name && !b.frame; };
+    if (m.band && std::any_of(bodies_.begin(), bodies_.end(), is_idle))
+      notes_.push_back(fmt::format(
+          "material '{}': its band_damping acts in members of frames alone; its other bodies have none of it", m.name));
+  }
   return model;
 }
 

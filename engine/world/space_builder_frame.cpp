@@ -69,18 +69,39 @@ void append_nodes(const SpaceFrameBody& body, const std::vector<NodeMass>& nodes
   }
 }
 
-/// Gives the beams of a member their rows of fibres.
-class FibreRows {
+/// Gives the beams of a member that yields their rows: of fibres, or of hinges where it begins and ends.
+class SpaceYieldRows {
  public:
-  FibreRows(const SpaceMember& member, const BeamMaterial3& elastic, Model<3>& model)
+  SpaceYieldRows(const SpaceMember& member, const BeamMaterial3& elastic, Model<3>& model)
       : member_(member), elastic_(elastic), model_(model) {
+    for (const std::size_t end : {0, 1})
+      if (member.hinge[end]) hinge_[end] = add_law(*member.hinge[end]);
     if (!member.fibres) return;
     section_ = static_cast<int>(model.yields_3d.sections.size());
     model.yields_3d.sections.push_back(make_fibres_in_space(member.fibres->spec));
   }
+  /// `first`, `last`: the beam is the member's first or last one.
+  void add(Beam3& beam, bool first, bool last, const std::array<bool, 2>& pinned) {
+    if (section_ >= 0) {
+      add_fibres(beam, pinned);
+    } else if ((first && hinge_[0] >= 0) || (last && hinge_[1] >= 0)) {
+      const std::array<int, 2> law{first && hinge_[0] >= 0 ? hinge_[0] : add_law(HingeLaw::never()),
+                                   last && hinge_[1] >= 0 ? hinge_[1] : add_law(HingeLaw::never())};
+      beam.yield = BeamYield::at_hinges, beam.yield_row = static_cast<int>(model_.yields_3d.hinged_beams.size());
+      model_.yields_3d.hinged_beams.push_back(law);
+    }
+    if (beam.yield == BeamYield::never) return;
+    beam.first_memory = model_.beam_memory;
+    model_.beam_memory += memory_size(model_.yields_3d, beam);
+  }
+
+ private:
+  int add_law(const HingeLaw& law) {
+    model_.yields_3d.hinge_laws.push_back(law);
+    return static_cast<int>(model_.yields_3d.hinge_laws.size()) - 1;
+  }
   /// Its elastic stiffness then is the stiffest it can have, for the longest step.
-  void add(Beam3& beam, const std::array<bool, 2>& pinned) const {
-    if (section_ < 0) return;
+  void add_fibres(Beam3& beam, const std::array<bool, 2>& pinned) const {
     BeamYields3& yields = model_.yields_3d;
     const FibreSection3& section = yields.sections[static_cast<std::size_t>(section_)];
     std::array<double, 2> shear{};
@@ -90,17 +111,37 @@ class FibreRows {
         make_fibre_beam_in_space(section, beam.length, pinned, shear, elastic_.shear * member_.section.torsion,
                                  member_.fibres->rule, member_.fibres->stations);
     beam.stiffness = stiffest_beam(made, section);
-    beam.fibre_row = static_cast<int>(yields.fibre_beams.size()), beam.first_memory = model_.beam_memory;
+    beam.yield = BeamYield::in_fibres, beam.yield_row = static_cast<int>(yields.fibre_beams.size());
     yields.fibre_beams.push_back({made, section_});
-    model_.beam_memory += memory_size(yields, beam);
   }
 
- private:
   const SpaceMember& member_;
   const BeamMaterial3& elastic_;
   Model<3>& model_;
   int section_ = -1;
+  std::array<int, 2> hinge_{-1, -1};
 };
+
+/// Room for what the branches of a beam remember, behind what it remembers of its yielding; a beam's share of the
+/// bounds; its consistent mass.
+void complete(Beam3& beam, const SpaceMemberMaterial& made, const HalfBeam& half, const std::array<bool, 2>& pinned,
+              bool consistent, Model<3>& model) {
+  beam.damping = made.damping, beam.band = band_row(made.band, model.bands);
+  double stiffening = 1;
+  if (beam.band >= 0) {
+    const DampingBranches& branches = model.bands[static_cast<std::size_t>(beam.band)];
+    beam.first_branch = model.beam_memory, stiffening = branches.stiffening();
+    model.beam_memory += branches.memory_size(static_cast<int>(BeamStress3{}.size()));
+  }
+  const double most = beam_frequency2(beam.stiffness, beam.length, half.mass, half.inertia);
+  RateBound& bound = model.element_bound.back();
+  bound.stiffness = std::max(bound.stiffness, stiffening * most);
+  bound.unbanded = std::max(bound.unbanded, most);
+  bound.damping = std::max(bound.damping, beam.damping * most);
+  if (!consistent) return;
+  beam.inertia = static_cast<int>(model.beam_inertias_3d.size());
+  model.beam_inertias_3d.push_back(beam_inertia_in_space(2 * half.mass, beam.length, pinned));
+}
 
 /// Bounds of the beams' rates: of all of them no frequency is above the highest of one alone on its own share of the
 /// masses of its nodes.
@@ -117,11 +158,10 @@ void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int firs
   const UnitQuaternion axes = member_axes(spec, member);
   const double length = length_of(spec, member) / member.divisions;
   const HalfBeam half = half_beam(member, made.mass, length);
-  RateBound& bound = model.element_bound.back();
-  const FibreRows fibres(member, made.elastic, model);
+  SpaceYieldRows yields(member, made.elastic, model);
   for (int i = 0; i < member.divisions; ++i) {
     Beam3 beam;
-    beam.body = index, beam.length = length, beam.damping = made.damping;
+    beam.body = index, beam.length = length;
     for (const int side : {0, 1}) {
       const int node = first_node + node_within(spec, m, i + side);
       beam.node[static_cast<std::size_t>(side)] = node;
@@ -129,10 +169,8 @@ void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int firs
     }
     const std::array pinned{i == 0 && member.pinned[0], i + 1 == member.divisions && member.pinned[1]};
     beam.stiffness = beam_stiffness_in_space(made.elastic, member.section, length, pinned);
-    fibres.add(beam, pinned);
-    const double most = beam_frequency2(beam.stiffness, length, half.mass, half.inertia);
-    bound.stiffness = std::max(bound.stiffness, most);
-    bound.damping = std::max(bound.damping, beam.damping * most);
+    yields.add(beam, i == 0, i + 1 == member.divisions, pinned);
+    complete(beam, made, half, pinned, spec.consistent, model);
     model.beams_3d.push_back(beam);
   }
 }

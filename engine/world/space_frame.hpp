@@ -11,8 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "body/band_damping.hpp"
 #include "body/beam_element_3d.hpp"
 #include "body/fibre_beam.hpp"
+#include "body/hinge_law.hpp"
 #include "body/section_3d.hpp"
 #include "shape/polyhedron.hpp"
 #include "world/model.hpp"
@@ -38,12 +40,14 @@ struct SpaceMember {
   int divisions = 8;                   ///< beam elements in a row
   std::array<bool, 2> pinned{};        ///< carries no bending moment there
   bool shear = false;                  ///< with shear deformation
-  std::optional<MemberFibres> fibres;  ///< it yields, in these; else it is elastic
+  std::optional<MemberFibres> fibres;  ///< it yields, in these ...
+  std::array<std::optional<HingeLaw>, 2> hinge{};  ///< ... or where it begins and ends; else it is elastic
 };
 
 struct SpaceFrameSpec {
   std::vector<SpaceJoint> joints;
   std::vector<SpaceMember> members;
+  bool consistent = false;  ///< mass of members under implicit steps and in modes; else lumped at nodes
 };
 
 /// What a member is made of.
@@ -51,6 +55,7 @@ struct SpaceMemberMaterial {
   double mass;  ///< [kg/m]
   BeamMaterial3 elastic;
   double damping;  ///< [s]
+  std::optional<BandDamping> band;
 };
 
 /// A frame with all that its rows of a model are made from.

@@ -51,14 +51,9 @@ int make_polygon_section(lua_State* L) {
   return 1;
 }
 
-/// hinge = for both ends, from_hinge and to_hinge for one.
-void read_hinges(Keys& keys, FrameMember& member) {
-  MemberHinges hinges;
-  const auto read = [&](const char* key, std::initializer_list<int> ends) {
-    if (const auto* const hinge = keys.maybe_handle<HingeLawValue>(key))
-      for (const int end : ends) hinges.end[end] = std::get<HingeLaw>(hinge->law);
-  };
-  read("hinge", {0, 1}), read("from_hinge", {0}), read("to_hinge", {1});
+/// The hinges of a member of the plane.
+void take_hinges(Keys& keys, FrameMember& member) {
+  const MemberHinges hinges{read_hinges(keys)};
   if (!hinges.end[0] && !hinges.end[1]) return;
   if (std::holds_alternative<MemberFibres>(member.yields))
     keys.problem("it has both a hinge and a section of fibres; keep one");
@@ -74,7 +69,7 @@ void read_member(Keys& keys, FrameMember& member) {
   } else if (!keys.has("section")) {
     keys.missing("section", "a section such as trilith.rectangle_section{width =, depth =}");
   }
-  read_hinges(keys, member);
+  take_hinges(keys, member);
   member.divisions = keys.count("divisions", member.divisions);
   member.shear = keys.flag("shear", false);
   for (const std::string& end : keys.names("pinned")) {
@@ -83,10 +78,6 @@ void read_member(Keys& keys, FrameMember& member) {
     else
       keys.problem(fmt::format("'pinned' names '{}', must be \"from\", \"to\" or {{\"from\", \"to\"}}", end));
   }
-}
-
-void read_mass_matrix(Keys& keys, FrameSpec& frame) {
-  frame.consistent = keys.choice("mass_matrix", {"lumped", "consistent"}, 0) == 1;
 }
 
 /// Adds the frame as a body and pushes it.
@@ -115,7 +106,7 @@ int add_beam(lua_State* L) {
     read_support(keys, joint.name + "_support", joint.support);
   }
   read_member(keys, member);
-  read_mass_matrix(keys, frame);
+  frame.consistent = read_mass_matrix(keys);
   BodyOptions options = read_body_options(keys, false, {BodyKind::frame, {1, 1}});
   keys.finish();
   frame.members = {member};
@@ -213,7 +204,7 @@ int frame(lua_State* L) {
   FrameSpec spec;
   read_joints(keys, spec);
   read_members(keys, spec);
-  read_mass_matrix(keys, spec);
+  spec.consistent = read_mass_matrix(keys);
   BodyOptions options = read_body_options(keys, false, {BodyKind::frame, {1, 1}});
   keys.finish();
   add_frame(L, m, name, options, std::move(spec));
@@ -259,8 +250,6 @@ AskedMember asked_member(lua_State* L, const char* call) {
   return {*built, member_of(built->model(), b.index, name, call)};
 }
 
-constexpr std::array<const char*, 4> hinge_states{"elastic", "yielded", "failed", "removed"};
-
 }  // namespace
 
 /// body:forces "member": a list of { along, x, y, normal, shear, moment }, two for each beam.
@@ -285,6 +274,8 @@ int push_member_forces(lua_State* L) {
 
 /// body:hinges "member": a list of { joint, state, rotation, stretch, moment, normal, given_off, x, y }.
 int push_member_hinges(lua_State* L) {
+  const auto& b = handle<BodyHandle>(L, 1);
+  if (SpaceModel* space = as_space(b.model())) return push_space_hinges(L, *space, b.index);
   const AskedMember asked = asked_member(L, "hinges");
   const Model<2>& model = asked.run.model();
   const std::vector<HingeReading> hinges = member_hinges(model, asked.run.state(), asked.member);
@@ -297,7 +288,7 @@ int push_member_hinges(lua_State* L) {
   for (const HingeReading& row : hinges) {
     lua_createtable(L, 0, 9);
     set_text(L, "joint", model.members[asked.member].joint[row.end]);
-    set_text(L, "state", hinge_states[static_cast<std::size_t>(row.status)]);
+    set_text(L, "state", hinge_state_text(row.status));
     set_number(L, "rotation", row.rotation);
     set_number(L, "stretch", row.stretch);
     set_number(L, "moment", row.moment);

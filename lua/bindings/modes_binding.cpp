@@ -141,12 +141,10 @@ int quiet_modes(lua_State* L) {
   return of_either(this_model(L), [&](auto& model) { return push_modes(L, model, count, false); });
 }
 
-/// The longest stable step without damping over a band, which in space there is none of [s].
-double unbanded_length(const Simulation<2>& sim) {
+/// The longest stable step without damping over a band [s].
+template <int D>
+double unbanded_length(const Simulation<D>& sim) {
   return unbanded_step(sim.model(), sim.state(), sim.work()).dt;
-}
-double unbanded_length(const Simulation<3>& sim) {
-  return stable_step(sim.model(), sim.state(), sim.work()).dt;
 }
 
 template <int D>

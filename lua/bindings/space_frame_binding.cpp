@@ -10,16 +10,13 @@
 namespace trilith::script {
 namespace {
 
-/// Words of members in the plane that are of no meaning in space yet.
-void refuse_hinges(Keys& keys) {
-  for (const char* key : {"hinge", "from_hinge", "to_hinge"})
-    keys.refuse(key, fmt::format("'{}': members in space have no hinges yet; they yield by a fibre_section", key));
-}
-
 /// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
 void read_space_member(Keys& keys, SpaceMember& member) {
   const auto* section = keys.maybe_handle<SectionValue>("section");
   member.fibres = read_fibres(keys, section);
+  member.hinge = read_hinges(keys);
+  if (member.fibres && (member.hinge[0] || member.hinge[1]))
+    keys.problem("it has both a hinge and a section of fibres; keep one");
   if (section != nullptr) {
     member.section = section->in_space;
     if (!section->not_in_space.empty()) keys.problem(section->not_in_space);
@@ -35,7 +32,6 @@ void read_space_member(Keys& keys, SpaceMember& member) {
     else
       keys.problem(fmt::format("'pinned' names '{}', must be \"from\", \"to\" or {{\"from\", \"to\"}}", end));
   }
-  refuse_hinges(keys);
 }
 
 void add_space_frame(lua_State* L, SpaceModel& m, const std::string& name, SolidSpec spec, SpaceFrameSpec frame) {
@@ -180,6 +176,7 @@ int add_space_beam(lua_State* L) {
     read_solid_support(keys, joint.name + "_support", joint.support);
   }
   read_space_member(keys, member);
+  frame.consistent = read_mass_matrix(keys);
   SolidSpec spec = read_solid_spec(keys, {});
   keys.finish();
   frame.members = {member};
@@ -196,6 +193,7 @@ int add_frame_in_space(lua_State* L) {
   SpaceFrameSpec frame;
   read_space_joints(keys, frame);
   read_space_members(keys, frame);
+  frame.consistent = read_mass_matrix(keys);
   SolidSpec spec = read_solid_spec(keys, {});
   keys.finish();
   add_space_frame(L, m, name, std::move(spec), std::move(frame));
@@ -243,6 +241,32 @@ int push_space_fibres(lua_State* L, SpaceModel& m, int body) {
       lua_rawseti(L, -2, ++j);
     }
     lua_setfield(L, -2, "fibres");
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// body:hinges "member": a list of { joint, state, rotation_y, rotation_z, stretch, moment_y, moment_z, normal,
+/// given_off, x, y, z }.
+int push_space_hinges(lua_State* L, SpaceModel& m, int body) {
+  const AskedSpaceMember asked = asked_space_member(L, m, body, "hinges");
+  const Member& member = asked.run.model().members[static_cast<std::size_t>(asked.member)];
+  const std::vector<HingeReading3> hinges = member_hinges(asked.run.model(), asked.run.state(), asked.member);
+  if (hinges.empty())
+    throw InputError(fmt::format(
+        "hinges: member '{}' has no hinges; give it some by hinge = trilith.end_hinge{{sagging =, across =}}",
+        member.name));
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const HingeReading3& row : hinges) {
+    lua_createtable(L, 0, 12);
+    set_text(L, "joint", member.joint[static_cast<std::size_t>(row.end)]);
+    set_text(L, "state", hinge_state_text(row.status));
+    set_number(L, "rotation_y", row.rotation[0]), set_number(L, "rotation_z", row.rotation[1]);
+    set_number(L, "moment_y", row.moment[0]), set_number(L, "moment_z", row.moment[1]);
+    set_number(L, "stretch", row.stretch), set_number(L, "normal", row.normal);
+    set_number(L, "given_off", row.given_off);
+    set_number(L, "x", row.place.x()), set_number(L, "y", row.place.y()), set_number(L, "z", row.place.z());
     lua_rawseti(L, -2, ++i);
   }
   return 1;

@@ -1,7 +1,12 @@
 // Beams and frames of models in space as scripts make and read them.
 #pragma once
 
+#include <array>
+#include <optional>
+
+#include "body/end_hinge.hpp"
 #include "handles.hpp"
+#include "keys.hpp"
 
 namespace trilith::script {
 
@@ -12,6 +17,14 @@ int add_frame_in_space(lua_State* L);
 /// body:forces and body:point of a body in space; argument 2 is the member, or the point or joint.
 int push_space_forces(lua_State* L, SpaceModel& m, int body);
 int push_space_fibres(lua_State* L, SpaceModel& m, int body);
+int push_space_hinges(lua_State* L, SpaceModel& m, int body);
 int push_space_point(lua_State* L, SpaceModel& m, int body);
+
+/// hinge = for both ends of a member, from_hinge and to_hinge for one; in the plane and in space.
+std::array<std::optional<HingeLaw>, 2> read_hinges(Keys& keys);
+/// mass_matrix: true where it is "consistent".
+bool read_mass_matrix(Keys& keys);
+/// state of body:hinges.
+const char* hinge_state_text(HingeStatus status);
 
 }  // namespace trilith::script

@@ -2,6 +2,7 @@
 #include "bindings.hpp"
 #include "law_values.hpp"
 #include "part_reading.hpp"
+#include "space_frame_binding.hpp"
 
 namespace trilith::script {
 namespace {
@@ -83,7 +84,27 @@ int make_fibre_section(lua_State* L) {
   return 1;
 }
 
+constexpr std::array<const char*, 4> hinge_states{"elastic", "yielded", "failed", "removed"};
+
 }  // namespace
+
+std::array<std::optional<HingeLaw>, 2> read_hinges(Keys& keys) {
+  std::array<std::optional<HingeLaw>, 2> out;
+  const auto read = [&](const char* key, std::initializer_list<std::size_t> ends) {
+    if (const auto* const hinge = keys.maybe_handle<HingeLawValue>(key))
+      for (const std::size_t end : ends) out[end] = std::get<HingeLaw>(hinge->law);
+  };
+  read("hinge", {0, 1}), read("from_hinge", {0}), read("to_hinge", {1});
+  return out;
+}
+
+bool read_mass_matrix(Keys& keys) {
+  return keys.choice("mass_matrix", {"lumped", "consistent"}, 0) == 1;
+}
+
+const char* hinge_state_text(HingeStatus status) {
+  return hinge_states[static_cast<std::size_t>(status)];
+}
 
 void open_yields(lua_State* L) {
   register_kind<FibreLawValue>(L);

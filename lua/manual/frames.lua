@@ -33,7 +33,8 @@ cover_law  fibre law?      of the cover; else as the core
 core       section?        its shape, instead of what the cover leaves
 bars       list?           { { area = , height = }, ... } at a height above the bottom; in space count, across, spread
 bar_law    fibre law?      of the bars, such as trilith.menegotto_pinto{...}]], gives = "section" },
-  { "body:hinges", "Plastic hinges of a member: joint, state, rotation, stretch, moment, normal, given_off, x, y.",
+  { "body:hinges", "Plastic hinges of a member: joint, state, rotation, stretch, moment, normal, given_off, x, y; in "
+    .. "space z, and rotation_y, rotation_z, moment_y, moment_z.",
     args = "member  text?  its name", gives = "table[]" },
   { "body:fibres", "Sections along a member of fibres: along, axial, curvature, normal, moment, and fibres, each with "
     .. "height, area, strain, stress; in space curvature_y, curvature_z, moment_y, moment_z, and fibres with up and "

@@ -152,8 +152,12 @@ refused("its members need a material with a stiffness (E, nu); 'stone' has none"
 refused("'to' is {1, 2}, must be {x, y, z}, three finite numbers", beam { to = { 1, 2 } })
 refused("pinned at both ends; give it two divisions", beam { pinned = { "from", "to" }, divisions = 1 })
 refused("unknown key 'oriented'", beam { oriented = 1 })
-refused("members in space have no hinges yet; they yield by a fibre_section",
-  beam { hinge = trilith.end_hinge { sagging = 1e5 } })
+refused("in space it bends about both axes, and across is 0; give it the yield moment of bending to the sides, such as "
+  .. "across = 100000", beam { hinge = trilith.end_hinge { sagging = 1e5 } })
+refused("end_hinge: its start is pinned already",
+  beam { from_hinge = trilith.end_hinge { sagging = 1e5, across = 1e5 }, pinned = "from" })
+refused("'contour' is 3", function() trilith.end_hinge { sagging = 1e5, contour = 3 } end)
+refused("'mass_matrix' is 'heavy'", beam { mass_matrix = "heavy" })
 refused("'to' is 'C', which is no joint", function()
   m:frame { name = "f", joints = { A = { 0, 0, 0 }, B = { 0, 0, 1 } }, material = "concrete",
             members = { { from = "A", to = "C", section = section } } }

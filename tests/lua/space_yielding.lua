@@ -78,7 +78,8 @@ local askew = math.sqrt(across^2 + along^2)
 assert(askew > 0.75*(bar*420e6*0.3 + concrete) and askew < 1.1*(bar*420e6*0.3 + concrete), askew)
 m:close()
 
-refused("members in space have no hinges yet", column, { hinge = trilith.end_hinge { sagging = 1e5 } })
+refused("it has both a hinge and a section of fibres; keep one", column,
+  { hinge = trilith.end_hinge { sagging = 1e5, across = 1e5 } })
 refused("9 stations along a beam, must be 3 to 6", column, { stations = 9 })
 refused("'rule' is 'simpson'", column, { rule = "simpson" })
 refused("bars at 0 m across, spread over 0.5 m, stand outside of the section, which is 0.4 m wide", column,
@@ -95,3 +96,26 @@ refused("nothing has run yet", function()
   local _, one = column()
   one:fibres()
 end)
+
+-- A hinge at the foot, pushed askew: it yields on its surface, all it gives off is in the ledger, and it loses its
+-- moment at the ultimate rotation.
+local strong, weak, contour = 2e5, 1.2e5, 1.7
+local law = trilith.end_hinge { sagging = strong, across = weak, contour = contour, ultimate = 0.02 }
+m, body = column { section = trilith.rectangle_section { width = 0.3, depth = 0.4 }, orientation = { 1, 0.6, 0 },
+                   from_hinge = law, divisions = 2, mass_matrix = "consistent" }
+refused("nothing has run yet", function() body:hinges() end)
+local seen = {}
+m:on("member.yielded", function(e) seen[#seen + 1] = e.type end)
+m:on("member.failed", function(e) seen[#seen + 1] = e.type end)
+m:pushover { body = body, at = { 0, 0, 3 }, direction = "x", rate = 0.05, displacement = 0.045, damping = 0.5 }
+local foot = body:hinges()[1]
+assert(foot.joint == "from" and foot.state == "yielded" and seen[1] == "member.yielded", foot.state)
+near((math.abs(foot.moment_y)/weak)^contour + (math.abs(foot.moment_z)/strong)^contour, 1, 1e-6)
+assert(foot.rotation_y ~= 0 and foot.rotation_z ~= 0 and foot.z == 0)
+near(m.energy.plastic, foot.given_off, 1e-6)
+m:pushover { name = "on", body = body, at = { 0, 0, 3 }, direction = "x", rate = 0.05, displacement = 0.12,
+             damping = 0.5 }
+foot = body:hinges()[1]
+assert(foot.state == "failed" and seen[2] == "member.failed", foot.state)
+assert(math.abs(foot.moment_z) < 1 and math.abs(foot.moment_y) < 1)
+m:close()
