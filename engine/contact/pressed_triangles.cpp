@@ -6,8 +6,8 @@ namespace {
 using Four = PressedTriangles::Four;
 using SumsInLanes = PressedTriangles::Lane4;
 
-/// Integrals over kn of a pressure that is linear over each triangle: of it, of it times the arm, of it times the
-/// closing speed.
+/// Integrals over kn of a pressure that is linear over each triangle: of it, of
+/// it times the arm, of it times the closing speed.
 struct LinearPressure {
   std::array<Lanes, 3> at;  // the corners
   Lanes sum, force, power;
@@ -42,7 +42,7 @@ TRILITH_INLINE void add_second(const Four& in, const Triple<Lanes>& u, const Lin
   }
 }
 
-TRILITH_INLINE void add_four(const Four& in, double beta, SumsInLanes& sums) {
+TRILITH_INLINE void sum_four(const Four& in, double beta, SumsInLanes& sums) {
   const Triple<Lanes> u = in.arm[0] + in.arm[1] + in.arm[2];
   const Lanes area = 0.5 * in.normal.dot(cross(in.arm[1] - in.arm[0], in.arm[2] - in.arm[0]));
   const Lanes speed = in.closing[0] + in.closing[1] + in.closing[2], whole = area * in.springs;
@@ -61,50 +61,87 @@ TRILITH_INLINE void add_four(const Four& in, double beta, SumsInLanes& sums) {
   for (const Lanes& d : in.depth) sums.depth = larger<Lanes>(sums.depth, d * in.springs);
 }
 
-// One copy for wide registers and one for any machine: the same operations, so the same bits.
+// One copy for wide registers and one for any machine: the same operations, so
+// the same bits.
 
 void add_narrow(const Four& in, double beta, SumsInLanes& sums) {
-  add_four(in, beta, sums);
+  sum_four(in, beta, sums);
 }
 #ifdef __x86_64__
 [[gnu::target("avx2")]] void add_wide(const Four& in, double beta, SumsInLanes& sums) {
-  add_four(in, beta, sums);
+  sum_four(in, beta, sums);
 }
 #endif
 
-double over_lanes(const Lanes& v) {
-  return (v[0] + v[1]) + (v[2] + v[3]);
+/// Sums over the lanes of four vectors.
+TRILITH_INLINE Lanes over_lanes(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+  const Lanes ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7),
+              cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
-Vec3 over_lanes(const Triple<Lanes>& v) {
-  return {over_lanes(v.x), over_lanes(v.y), over_lanes(v.z)};
+
+TRILITH_INLINE void over_lanes(const Triple<Lanes>& v, const Lanes& more, Vec3& sum, double& more_sum) {
+  const Lanes of = over_lanes(v.x, v.y, v.z, more);
+  sum = {of[0], of[1], of[2]}, more_sum = of[3];
+}
+
+[[gnu::target_clones("avx2", "default")]] void add_lanes(const SumsInLanes& in, PressedSums& out) {
+  double none = 0;
+  over_lanes(in.force, in.power, out.force, out.damped), over_lanes(in.damping, in.pressure, out.damping, out.pressure);
+  over_lanes(in.moment, in.area, out.moment, out.area);
+  over_lanes(in.damping_moment, Lanes{}, out.damping_moment, none);
+  over_lanes(in.arm, in.arm_second[4], out.arm, out.arm_second[4]);
+  over_lanes(in.area_arm, in.area_second[4], out.area_arm, out.area_second[4]);
+  const auto four = [&](const std::array<Lanes, 6>& from, std::array<double, 6>& to) {
+    const Lanes sums = over_lanes(from[0], from[1], from[2], from[3]);
+    for (int k = 0; k < 4; ++k) to[static_cast<std::size_t>(k)] = sums[k];
+  };
+  four(in.arm_second, out.arm_second), four(in.area_second, out.area_second);
+  const Lanes rest = over_lanes(in.arm_second[5], in.area_second[5], Lanes{}, Lanes{});
+  out.arm_second[5] = rest[0], out.area_second[5] = rest[1];
+  for (int i = 0; i < lane_count; ++i) out.depth = out.depth > in.depth[i] ? out.depth : in.depth[i];
 }
 
 }  // namespace
 
+/// Each sum for itself: set as one stretch of memory, it would be waited for.
+PressedTriangles::PressedTriangles(double beta) : beta_(beta) {
+  const Lanes none{};
+  for (Triple<Lanes>* v :
+       {&sums_.force, &sums_.moment, &sums_.damping, &sums_.damping_moment, &sums_.arm, &sums_.area_arm})
+    v->x = none, v->y = none, v->z = none;
+  sums_.power = none, sums_.pressure = none, sums_.area = none, sums_.depth = none;
+  for (std::size_t k = 0; k < 6; ++k) sums_.arm_second[k] = none, sums_.area_second[k] = none;
+}
+
 void PressedTriangles::flush() {
   count_ = 0;
+  add_four(four_);
+}
+
+void PressedTriangles::add_four(const Four& four) {
 #ifdef __x86_64__
   static const bool wide = __builtin_cpu_supports("avx2") != 0;
-  if (wide) return add_wide(four_, beta_, sums_);
+  if (wide) return add_wide(four, beta_, sums_);
 #endif
-  add_narrow(four_, beta_, sums_);
+  add_narrow(four, beta_, sums_);
+}
+
+/// A copy of the first that counts for nothing.
+void PressedTriangles::leave_out(int lane) {
+  const auto copy = [&](Triple<Lanes>& v) { v.x[lane] = v.x[0], v.y[lane] = v.y[0], v.z[lane] = v.z[0]; };
+  copy(four_.normal), four_.sign[lane] = 0, four_.springs[lane] = 0, four_.damped[lane] = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    copy(four_.arm[k]), four_.depth[k][lane] = four_.depth[k][0], four_.closing[k][lane] = four_.closing[k][0];
 }
 
 PressedSums PressedTriangles::sums() {
   if (count_ > 0) {
-    for (int i = count_; i < lane_count; ++i) four_.springs[i] = four_.damped[i] = 0;
+    for (int i = count_; i < lane_count; ++i) leave_out(i);
     flush();
   }
   PressedSums out;
-  out.force = over_lanes(sums_.force), out.moment = over_lanes(sums_.moment);
-  out.damping = over_lanes(sums_.damping), out.damping_moment = over_lanes(sums_.damping_moment);
-  out.damped = over_lanes(sums_.power), out.pressure = over_lanes(sums_.pressure);
-  out.arm = over_lanes(sums_.arm), out.area = over_lanes(sums_.area), out.area_arm = over_lanes(sums_.area_arm);
-  for (std::size_t k = 0; k < 6; ++k) {
-    out.arm_second[k] = over_lanes(sums_.arm_second[k]);
-    out.area_second[k] = over_lanes(sums_.area_second[k]);
-  }
-  for (int i = 0; i < lane_count; ++i) out.depth = out.depth > sums_.depth[i] ? out.depth : sums_.depth[i];
+  add_lanes(sums_, out);
   return out;
 }
 

@@ -34,6 +34,11 @@ struct PressedSums {
   double depth = 0;                                            ///< greatest [m]
 };
 
+struct SolidPressure;
+/// What such sums come to, with arms from `origin` [m] and `k` half of the stiffness [Pa/m], as the faces of the other
+/// solid bring the other half: moments about the centre of pressure, and how area and pressure are spread.
+SolidPressure pressure_of_sums(const Vec3& origin, double k, const PressedSums& sums);
+
 /// One corner of a triangle: its arm, its depth and its closing speed.
 struct TriangleCorner {
   const Vec3& arm;
@@ -43,7 +48,15 @@ struct TriangleCorner {
 /// Triangles by lanes, and the sums of those before.
 class PressedTriangles {
  public:
-  explicit PressedTriangles(double beta) : beta_(beta) {}
+  /// Four triangles; those of no share count for nothing.
+  struct Four {
+    std::array<Triple<Lanes>, 3> arm;
+    std::array<Lanes, 3> depth, closing;
+    Triple<Lanes> normal;
+    Lanes sign, springs, damped;
+  };
+
+  explicit PressedTriangles(double beta);
 
   /// `normal`: of length 1, out of the solid that the triangle bounds, about which its corners run counter-clockwise;
   /// `sign`: 1 where the pressure pushes b along it, -1 where against it.
@@ -58,26 +71,23 @@ class PressedTriangles {
     if (++count_ == lane_count) flush();
   }
 
+  /// Four at once, beside those that wait.
+  void add_four(const Four& four);
+
   /// Of all triangles.
   PressedSums sums();
 
-  /// Four triangles; those of no share count for nothing.
-  struct Four {
-    std::array<Triple<Lanes>, 3> arm{};
-    std::array<Lanes, 3> depth{}, closing{};
-    Triple<Lanes> normal{};
-    Lanes sign{}, springs{}, damped{};
-  };
   /// PressedSums in each lane.
   struct Lane4 {
-    Triple<Lanes> force{}, moment{}, damping{}, damping_moment{}, arm{}, area_arm{};
-    Lanes power{}, pressure{}, area{}, depth{};
-    std::array<Lanes, 6> arm_second{}, area_second{};
+    Triple<Lanes> force, moment, damping, damping_moment, arm, area_arm;
+    Lanes power, pressure, area, depth;
+    std::array<Lanes, 6> arm_second, area_second;
   };
 
  private:
   void set(Triple<Lanes>& to, const Vec3& v) { to.x[count_] = v.x(), to.y[count_] = v.y(), to.z[count_] = v.z(); }
   void flush();
+  void leave_out(int lane);
 
   double beta_;
   int count_ = 0;

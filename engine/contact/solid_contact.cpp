@@ -1,5 +1,6 @@
 #include "contact/solid_contact.hpp"
 
+#include "contact/edge_pressure.hpp"
 #include "contact/solid_energy.hpp"
 #include "contact/solid_faces.hpp"
 #include "contact/sphere_contact.hpp"
@@ -110,6 +111,7 @@ SolidPressure crushed_pressure(const MovingSolid& a, const MovingSolid& b, const
 }
 
 /// What crushing takes as its depth has grown, with the mean of the forces that crush before and now, and what stays.
+/// What the two share is in the room, where pressure_between has left it.
 void keep_crushed(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const LawInUse& use,
                   double depth, SolidRoom& room, SolidResponse& out) {
   const double force = solid_crushing_force(a.placed, b.placed, use, room.shared, room.part, depth);
@@ -128,6 +130,15 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
     return with_kernel(use, [&](const Coulomb& law) {
       return face_pressure(a.by_face(faces.face_a), b.by_face(faces.face_b), law, faces);
     });
+  }
+  if (have_few_faces(a.placed, b.placed) && is_linear(use.law)) {
+    SolidPressure pressed;
+    const bool found =
+        with_kernel(use, [&](const Coulomb& law) { return edge_pressure(a, b, law.kn, law.beta, pressed); });
+    if (found) {
+      apart.distance = 0;
+      return pressed;
+    }
   }
   if (!overlap(a.placed, b.placed, apart, shared)) return {};
   return with_kernel(use, [&]<class K>(const K& law) {

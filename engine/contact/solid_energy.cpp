@@ -86,9 +86,8 @@ PressedVolume pressed_in(const PlacedSolid& owner, const K& law, const SolidOver
 }
 
 template <class K>
-PressedVolume pressed_in_both(const PlacedSolid& a, const PlacedSolid& b, const K& law, SolidOverlapBuffer& shared,
-                              SolidOverlapBuffer& scratch, double crushed) {
-  if (!(solid_overlap(a, b, shared).volume > 0)) return {};
+PressedVolume pressed_in_both(const PlacedSolid& a, const PlacedSolid& b, const K& law,
+                              const SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch, double crushed) {
   PressedVolume sum = pressed_in(a, law, shared, scratch, crushed);
   return sum += pressed_in(b, law, shared, scratch, crushed);
 }
@@ -103,14 +102,15 @@ PressedVolume pressed_in_both(const PlacedSolid& a, const PlacedSolid& b, const 
 /// over kn (e = phi where it is linear), both where above 0.
 double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
                     SolidOverlapBuffer& scratch, double crushed) {
+  if (!(shared_volume(a, b, shared) > 0)) return 0;
   return with_kernel(law, [&](const auto& kernel) {
     return 0.5 * kernel.kn * pressed_in_both(a, b, kernel, shared, scratch, crushed).depth;
   });
 }
 
 /// -dE/dz is kn / 2 times the volumes in which phi is above 0.
-double solid_crushing_force(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
-                            SolidOverlapBuffer& scratch, double crushed) {
+double solid_crushing_force(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law,
+                            const SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch, double crushed) {
   return with_kernel(law, [&](const auto& kernel) {
     return 0.5 * kernel.kn * pressed_in_both(a, b, kernel, shared, scratch, crushed).volume;
   });

@@ -11,8 +11,9 @@ namespace trilith {
 double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
                     SolidOverlapBuffer& scratch, double crushed = 0);
 
-/// The force with which that energy gives way as the depth crushed grows [N], of a law that is linear.
-double solid_crushing_force(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
-                            SolidOverlapBuffer& scratch, double crushed);
+/// The force with which that energy gives way as the depth crushed grows [N], of a law that is linear. `shared`: what
+/// the two share, as shared_volume leaves it.
+double solid_crushing_force(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law,
+                            const SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch, double crushed);
 
 }  // namespace trilith

@@ -1,8 +1,13 @@
 #include "contact/solid_faces.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
+#include "base/lane_bits.hpp"
+#include "base/lane_vectors.hpp"
+#include "shape/edge_overlap.hpp"
 #include "shape/facing_faces.hpp"
 
 namespace trilith {
@@ -12,8 +17,8 @@ bool fits_faces(const PlacedSolid& solid, int face) {
   return solid.solid->is_surface(face) && solid.solid->shape.faces[face].size() <= max_face_corners;
 }
 
-/// How far the plane of a face of the larger solid is from a corner of the smaller one's [m], and that corner from one
-/// of the face [m].
+/// How far the plane of a face of the larger solid is from a corner of the
+/// smaller one's [m], and that corner from one of the face [m].
 struct PlaneDistance {
   double depth, corner;
 
@@ -31,7 +36,8 @@ double opposed(const PlacedSolid& a, int f, const PlacedSolid& b, int g) {
   return a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]);
 }
 
-/// Two faces, and by how much the product of their normals is beyond that of faces that may lie flat.
+/// Two faces, and by how much the product of their normals is beyond that of
+/// faces that may lie flat.
 struct PairOfFaces {
   int f = 0, g = 0;
   double beyond = unbounded;
@@ -49,22 +55,72 @@ PairOfFaces least_to_turn(const PlacedSolid& a, const PlacedSolid& b) {
   return least;
 }
 
+/// How far the products of all normals of two solids of few faces are beyond
+/// that of faces that may lie flat, eight for each face of a.
+struct BeyondOpposed {
+  static constexpr std::size_t most = few_faces;
+  std::array<std::array<Lanes, 2>, most> of;
+  std::size_t faces;  // of a
+  double least;       // of those above 0
+
+  TRILITH_INLINE BeyondOpposed(const PlacedSolid& a, const PlacedSolid& b) : faces(a.normals.size()) {
+    std::array<Triple<Lanes>, 2> n;
+    for (std::size_t g = 0; g < most; ++g) {
+      const Vec3& v = b.normals[std::min(g, b.normals.size() - 1)];
+      const auto lane = static_cast<int>(g % lane_count);
+      n[g / lane_count].x[lane] = v.x(), n[g / lane_count].y[lane] = v.y(), n[g / lane_count].z[lane] = v.z();
+    }
+    Lanes smallest = Lanes{} + unbounded;
+    for (std::size_t f = 0; f < faces; ++f)
+      for (std::size_t half = 0; half < 2; ++half) {
+        const Vec3& m = a.normals[f];
+        const Triple<Lanes>& v = n[half];
+        const Lanes beyond = (m.x() * v.x + (m.y() * v.y + m.z() * v.z)) - opposed_enough;
+        of[f][half] = beyond;
+        smallest = select(beyond > 0.0, smaller<Lanes>(smallest, beyond), smallest);
+      }
+    least = smaller(smaller(smallest[0], smallest[1]), smaller(smallest[2], smallest[3]));
+  }
+  /// f(face of a, face of b, beyond) of all that are not above 0, and of those
+  /// below what `enough` comes to meanwhile.
+  template <class F>
+  TRILITH_INLINE void for_below(std::size_t faces_of_b, const double& enough, F&& f) const {
+    for (std::size_t i = 0; i < faces; ++i) {
+      const Lanes &first = of[i][0], &rest = of[i][1];
+      unsigned bits = lane_bits((first <= 0.0) | (first < enough), (rest <= 0.0) | (rest < enough));
+      for (bits &= (1U << faces_of_b) - 1; bits != 0; bits &= bits - 1) {
+        const int g = std::countr_zero(bits);
+        const double beyond = g < lane_count ? first[g] : rest[g - lane_count];
+        if (beyond <= 0 || beyond < enough) f(static_cast<int>(i), g, beyond);
+      }
+    }
+  }
+  /// The two faces that have the least far to turn.
+  [[nodiscard]] TRILITH_INLINE PairOfFaces nearest() const {
+    for (std::size_t f = 0; f < faces; ++f)
+      if (const unsigned bits = lane_bits(of[f][0] == least, of[f][1] == least); bits != 0)
+        return {static_cast<int>(f), std::countr_zero(bits), least};
+    return {};
+  }
+};
+
 /// Whether two faces may lie flat on each other: see near_faces.
 bool may_touch_flatly(const PlacedSolid& a, int f, const PlacedSolid& b, int g) {
   return opposed(a, f, b, g) <= opposed_enough && fits_faces(a, f) && fits_faces(b, g) &&
          PlaneDistance(a, f, b, g).depth <= near_faces(a, b);
 }
 
-/// Whether two opposed faces are near enough for mortar: the distance of a corner of b's below a's plane is that of no
-/// other one but for the tilt over the size of both.
+/// Whether two opposed faces are near enough for mortar: the distance of a
+/// corner of b's below a's plane is that of no other one but for the tilt over
+/// the size of both.
 bool may_meet(const PlacedSolid& a, int face_a, const PlacedSolid& b, int face_b) {
   const Vec3& corner = b.corners[static_cast<std::size_t>(b.solid->shape.faces[face_b][0])];
   const double reach = 2 * flat_faces_max_tilt * (a.solid->size + b.solid->size);
   return std::abs(depth_below(a, face_a, corner)) <= reach;
 }
 
-/// The largest overlap and the largest gap over the shared polygon, its area, and its width: that over its longest
-/// extent.
+/// The largest overlap and the largest gap over the shared polygon, its area,
+/// and its width: that over its longest extent.
 struct FlatMeasures {
   double deepest = 0, widest = 0, area = 0, width = 0;
 
@@ -111,7 +167,8 @@ void copy_closed(const FaceOverlap3& from, FaceOverlap3& to) {
   }
 }
 
-/// How fast the overlap grows, over the mean plane: at its origin, and its slope.
+/// How fast the overlap grows, over the mean plane: at its origin, and its
+/// slope.
 struct ClosingRate {
   double at_origin;
   Vec2 slope;
@@ -159,45 +216,74 @@ double friction_arm(const FaceMoments& of, const Vec2& centre) {
 
 }  // namespace
 
-/// Whether the pressure of a law is kn times the overlap, so that integrals over polygons are exact.
+/// Whether the pressure of a law is kn times the overlap, so that integrals
+/// over polygons are exact.
 bool is_linear(const ContactLaw& law) {
   return !may_crush(law) && std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::linear; }, law);
 }
 
-/// Corners that have gone by at most t have turned a body of inner radius r (ConvexSolid) by so
-/// little that a unit vector in it has moved by t / r or less. So the product of two normals changes by t / r of both
-/// together, and the depth of a corner x below a plane through c by 2 t + |c - x| t / r. A pair that is none stays none
-/// until either could have made it one.
-FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) {
+namespace {
+
+/// What is known of the pair of faces of two solids that may lie flat, as one
+/// pair after the other is looked at.
+///
+/// Corners that have gone by at most t have turned a body of inner radius r
+/// (ConvexSolid) by so little that a unit vector in it has moved by t / r or
+/// less. So the product of two normals changes by t / r of both together, and
+/// the depth of a corner x below a plane through c by 2 t + |c - x| t / r. A
+/// pair that is none stays none until either could have made it one.
+struct FacePairSearch {
+  const PlacedSolid &a, &b;
+  double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
   FacePair found{FacePair::none, FacePair::none, unbounded};
-  const double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
   double enough = unbounded;  // of turning: another pair may be one before
-  const auto may_become_one = [&](double beyond, const PlaneDistance& distance) {
+  bool several = false;
+
+  void may_become_one(double beyond, const PlaneDistance& distance) {
     const double by_turn = beyond / turns, by_way = (distance.depth - near) / (2 + distance.corner * turns);
     found.until = std::min(found.until, std::max(by_turn, by_way)), enough = found.until * turns;
-  };
-  // The pair that has the least far to turn comes first: of most others it then is known that they come later.
-  const PairOfFaces nearest = least_to_turn(a, b);
-  if (nearest.beyond < unbounded && fits_faces(a, nearest.f) && fits_faces(b, nearest.g))
-    may_become_one(nearest.beyond, PlaneDistance(a, nearest.f, b, nearest.g));
-  for (int f = 0; f < a.solid->shape.faces.count(); ++f)
-    for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
-      const double beyond = opposed(a, f, b, g) - opposed_enough;
-      if ((beyond > 0 && beyond >= enough) || !fits_faces(a, f) || !fits_faces(b, g)) continue;
-      const PlaneDistance distance(a, f, b, g);
-      if (beyond > 0 || distance.depth > near) {
-        may_become_one(beyond, distance);
-        continue;
-      }
-      if (found.a >= 0) return {};
-      found.a = f, found.b = g;
-    }
-  found.until = travel + (1 - 1e-6) * found.until;
-  return found;
+  }
+  /// The pair that has the least far to turn comes first: of most others it
+  /// then is known that they come later.
+  void begin_with(const PairOfFaces& nearest) {
+    if (nearest.beyond < unbounded && fits_faces(a, nearest.f) && fits_faces(b, nearest.g))
+      may_become_one(nearest.beyond, PlaneDistance(a, nearest.f, b, nearest.g));
+  }
+  void look_at(int f, int g, double beyond) {
+    if (several || (beyond > 0 && beyond >= enough) || !fits_faces(a, f) || !fits_faces(b, g)) return;
+    const PlaneDistance distance(a, f, b, g);
+    if (beyond > 0 || distance.depth > near) return may_become_one(beyond, distance);
+    several = found.a >= 0;
+    found.a = f, found.b = g;
+  }
+  [[nodiscard]] FacePair result(double travel) const {
+    if (several) return {};
+    return {found.a, found.b, travel + (1 - 1e-6) * found.until};
+  }
+};
+
+[[gnu::target_clones("avx2", "default")]] void search_few(FacePairSearch& search) {
+  const BeyondOpposed beyond(search.a, search.b);
+  search.begin_with(beyond.nearest());
+  beyond.for_below(search.b.normals.size(), search.enough, [&](int f, int g, double by) { search.look_at(f, g, by); });
 }
 
-/// All pairs of opposed faces are asked; more than one that touches flatly, as of a wedge in a notch, are no flat
-/// contact.
+}  // namespace
+
+FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) {
+  FacePairSearch search{a, b};
+  if (has_few_faces(*a.solid) && has_few_faces(*b.solid)) {
+    search_few(search);
+    return search.result(travel);
+  }
+  search.begin_with(least_to_turn(a, b));
+  for (int f = 0; f < a.solid->shape.faces.count(); ++f)
+    for (int g = 0; g < b.solid->shape.faces.count(); ++g) search.look_at(f, g, opposed(a, f, b, g) - opposed_enough);
+  return search.result(travel);
+}
+
+/// All pairs of opposed faces are asked; more than one that touches flatly, as
+/// of a wedge in a notch, are no flat contact.
 bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
   int found = 0;
   FaceRoom room_a, room_b;
@@ -215,7 +301,8 @@ bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
   return found == 1;
 }
 
-/// The pair of opposed faces that share the largest area, among those near enough and wide enough for mortar.
+/// The pair of opposed faces that share the largest area, among those near
+/// enough and wide enough for mortar.
 bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, double width, FaceOverlap3& out) {
   double most = 0;
   FaceRoom room_a, room_b;
@@ -234,8 +321,9 @@ bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, dou
   return most > 0;
 }
 
-/// Faces that lie flat. Over the shared polygon the pressure is kn (c + beta dc/dt) where that is above 0 and there is
-/// overlap; force, centre, damping and its power are exact integrals of it, see shape/face_overlap_3d.
+/// Faces that lie flat. Over the shared polygon the pressure is kn (c + beta
+/// dc/dt) where that is above 0 and there is overlap; force, centre, damping
+/// and its power are exact integrals of it, see shape/face_overlap_3d.
 SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces) {
   const bool is_damped = law.beta > 0;
   const FaceMoments undamped = is_damped ? FaceMoments{integrals_in_contact(faces)} : moments_in_contact(faces);
@@ -267,7 +355,8 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
   return out;
 }
 
-/// kn / 2 times the integral of the overlap squared over the part in contact [J].
+/// kn / 2 times the integral of the overlap squared over the part in contact
+/// [J].
 double face_energy(const Coulomb& law, const FaceOverlap3& faces) {
   return law.kn * integrals_in_contact(faces).energy;
 }

@@ -246,33 +246,6 @@ Eigen::Matrix3d spread_about(const std::array<double, 6>& second, double whole, 
   return about / whole - middle * middle.transpose();
 }
 
-/// Moves the moments to the centre of pressure and finds how area and pressure are spread. `origin`: of arms; k: half
-/// of kn, as the faces of the other solid bring the other half.
-SolidPressure finished(const Vec3& origin, double k, const PressedSums& sums) {
-  if (!(sums.area > 0)) return {};
-  SolidPressure out;
-  out.force = k * sums.force, out.damping = k * sums.damping;
-  out.damped = k * sums.damped, out.pressure = k * sums.pressure, out.depth = sums.depth;
-  out.area = 0.5 * sums.area;
-  const Vec3 middle = sums.area_arm / sums.area;
-  const Vec3 arm = sums.pressure > 0 ? Vec3(sums.arm / sums.pressure) : middle;
-  out.centre = origin + arm, out.middle = origin + middle;
-  out.moment = k * sums.moment - cross(arm, out.force);
-  out.damping_moment = k * sums.damping_moment - cross(arm, out.damping);
-  const Vec3 n = out.force.squaredNorm() > 0 ? Vec3(out.force.normalized()) : Vec3(Vec3::UnitZ());
-  const Vec3 x = line_across(n), y = cross(n, x);
-  const auto in_plane = [&](const Eigen::Matrix3d& of, const auto& take) {
-    return take(x.dot(of * x), x.dot(of * y), y.dot(of * y));
-  };
-  in_plane(spread_about(sums.area_second, sums.area, middle), [&](double xx, double xy, double yy) {
-    out.radius = std::sqrt(std::max(0.0, xx + yy)), out.arm = spread_arms(xx, xy, yy, x, y);
-  });
-  if (sums.pressure > 0)
-    in_plane(spread_about(sums.arm_second, sums.pressure, arm),
-             [&](double xx, double xy, double yy) { out.friction_arm = mean_distance(xx + yy, xx * yy - xy * xy); });
-  return out;
-}
-
 /// Which face of which solid a face of the shared one is.
 const Vec3& normal_of(const PlacedSolid& a, const PlacedSolid& b, int of) {
   return of >= 0 ? a.normals[static_cast<std::size_t>(of)] : b.normals[static_cast<std::size_t>(-1 - of)];
@@ -296,7 +269,7 @@ SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, So
     }
     first = end;
   }
-  return finished(solid.origin, 0.5 * law.kn, K::linear ? parts.triangles.sums() : parts.sampled);
+  return pressure_of_sums(solid.origin, 0.5 * law.kn, K::linear ? parts.triangles.sums() : parts.sampled);
 }
 
 }  // namespace
@@ -312,6 +285,31 @@ std::array<Vec3, 2> spread_arms(double xx, double xy, double yy, const Vec3& x, 
   if (!(xx > 0)) return {Vec3(Vec3::Zero()), Vec3(std::sqrt(std::max(0.0, yy)) * y)};
   const double along = std::sqrt(xx), aside = xy / along;
   return {Vec3(along * x + aside * y), Vec3(std::sqrt(std::max(0.0, yy - aside * aside)) * y)};
+}
+
+SolidPressure pressure_of_sums(const Vec3& origin, double k, const PressedSums& sums) {
+  if (!(sums.area > 0)) return {};
+  SolidPressure out;
+  out.force = k * sums.force, out.damping = k * sums.damping;
+  out.damped = k * sums.damped, out.pressure = k * sums.pressure, out.depth = sums.depth;
+  out.area = 0.5 * sums.area;
+  const Vec3 middle = sums.area_arm / sums.area;
+  const Vec3 arm = sums.pressure > 0 ? Vec3(sums.arm / sums.pressure) : middle;
+  out.centre = origin + arm, out.middle = origin + middle;
+  out.moment = k * sums.moment - cross(arm, out.force);
+  out.damping_moment = k * sums.damping_moment - cross(arm, out.damping);
+  const Vec3 n = out.force.squaredNorm() > 0 ? Vec3(out.force.normalized()) : Vec3(Vec3::UnitZ());
+  const Vec3 x = line_across(n), y = cross(n, x);
+  const auto in_plane = [&](const Eigen::Matrix3d& of, const auto& take) {
+    return take(x.dot(of * x), x.dot(of * y), y.dot(of * y));
+  };
+  in_plane(spread_about(sums.area_second, sums.area, middle), [&](double xx, double xy, double yy) {
+    out.radius = std::sqrt(std::max(0.0, xx + yy)), out.arm = spread_arms(xx, xy, yy, x, y);
+  });
+  if (sums.pressure > 0)
+    in_plane(spread_about(sums.arm_second, sums.pressure, arm),
+             [&](double xx, double xy, double yy) { out.friction_arm = mean_distance(xx + yy, xx * yy - xy * xy); });
+  return out;
 }
 
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
