@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "shape/facing_faces.hpp"
 
@@ -157,6 +159,24 @@ double friction_arm(const FaceMoments& of, const Vec2& centre) {
   return mean_distance(xx + yy, xx * yy - xy * xy);
 }
 
+/// Which corners of its solid a face has, the last again and again beyond its own; false where they are many.
+bool list_few(const ConvexSolid& solid, int face, std::array<std::uint8_t, few_corners>& corner) {
+  const std::span<const int> loop = solid.shape.faces[face];
+  if (loop.size() > corner.size()) return false;
+  for (std::size_t k = 0; k < corner.size(); ++k) {
+    const int c = loop[std::min(k, loop.size() - 1)];
+    if (c > std::numeric_limits<std::uint8_t>::max()) return false;
+    corner[k] = static_cast<std::uint8_t>(c);
+  }
+  return true;
+}
+
+/// What goes with the two faces found.
+void describe(const PlacedSolid& a, const PlacedSolid& b, FacePair& found) {
+  found.near = near_faces(a, b), found.b_is_larger = a.solid->size < b.solid->size;
+  found.few = list_few(*a.solid, found.a, found.corner_a) && list_few(*b.solid, found.b, found.corner_b);
+}
+
 }  // namespace
 
 /// Whether the pressure of a law is kn times the overlap, so that integrals over polygons are exact.
@@ -169,7 +189,8 @@ bool is_linear(const ContactLaw& law) {
 /// together, and the depth of a corner x below a plane through c by 2 t + |c - x| t / r. A pair that is none stays none
 /// until either could have made it one.
 FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) {
-  FacePair found{FacePair::none, FacePair::none, unbounded};
+  FacePair found;
+  found.a = found.b = FacePair::none, found.until = unbounded;
   const double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
   double enough = unbounded;  // of turning: another pair may be one before
   const auto may_become_one = [&](double beyond, const PlaneDistance& distance) {
@@ -193,6 +214,7 @@ FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) 
       found.a = f, found.b = g;
     }
   found.until = travel + (1 - 1e-6) * found.until;
+  if (found.a >= 0) describe(a, b, found);
   return found;
 }
 
