@@ -1,5 +1,6 @@
 #include "contact/flat_contact.hpp"
 
+#include "contact/nearest_held.hpp"
 #include "contact/solid_faces.hpp"
 
 namespace trilith {
@@ -38,19 +39,21 @@ struct LinearIntegrals {
 };
 
 /// Whether the faces lie flat: they look at each other within the tilt, are near enough to be asked at all, touch, and
-/// are not too deep for the width of what they share. `depth`: the deepest overlap.
+/// are not too deep for the width of what they share. `depth`: the deepest overlap, `least`: that of the corner that is
+/// the least deep, below 0 where it is open.
 TRILITH_INLINE LaneMask lies_flat(const FlatContacts& in, const EdgesInLanes& shared, const LinearInLanes& overlap,
-                                  Lanes& depth) {
+                                  Lanes& depth, Lanes& least) {
   const Lanes zero{};
   const FacesInLanes& f = in.faces;
   const Lanes far = zero + 1e300;
   Pair2<Lanes> low{far, far}, high{zero - far, zero - far};
   Lanes twice{};
-  depth = zero;
+  depth = zero, least = far;
   for (std::size_t i = 0; i < static_cast<std::size_t>(shared.count); ++i) {
     const LaneMask alive = shared.alive[i];
     const Pair2<Lanes>&p = shared.from[i], &q = shared.to[i];
-    depth = larger(depth, select(alive, overlap(p), zero));
+    const Lanes here = overlap(p);
+    depth = larger(depth, select(alive, here, zero)), least = smaller(least, select(alive, here, far));
     low = {smaller(low.x, select(alive, p.x, far)), smaller(low.y, select(alive, p.y, far))};
     high = {larger(high.x, select(alive, p.x, -far)), larger(high.y, select(alive, p.y, -far))};
     twice += select(alive, cross(p, q), zero);
@@ -72,9 +75,13 @@ struct FlatPressure {
   Lanes radius, friction_arm;
   std::array<Triple<Lanes>, 2> arm;
 
+  /// `open`: some corner of the polygon is no overlap, or may be by rounding.
   TRILITH_INLINE FlatPressure(const FlatContacts& in, const PlaneInLanes& plane, const OverlapMotion& motion,
-                              EdgesInLanes& polygon) {
-    cut_edges(polygon, motion.overlap);
+                              const LaneMask& open, EdgesInLanes& polygon) {
+    if (any(open))
+      cut_edges(polygon, motion.overlap);
+    else
+      ++polygon.lines;
     const LinearInLanes damped_overlap = motion.damped(in.beta);
     const MomentsInLanes pressed = pressed_part(polygon, damped_overlap);
     const LinearIntegrals springs(motion.overlap, area), total(damped_overlap, pressed);
@@ -96,8 +103,7 @@ struct FlatPressure {
     const int before = polygon.count;
     LaneMask cut{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(before); ++i)
-      cut |=
-          polygon.alive[i] & ((damped_overlap(polygon.from[i]) < Lanes{}) | (damped_overlap(polygon.to[i]) < Lanes{}));
+      cut |= polygon.alive[i] & (damped_overlap(polygon.from[i]) < Lanes{});
     if (any(cut)) {
       area = area_of(polygon);
       cut_edges(polygon, damped_overlap);
@@ -150,15 +156,31 @@ struct FourLimits {
   }
 };
 
-/// The nearest that friction holds, of those that are below their limit: few, one by one.
-[[gnu::noinline]] void hold_back(const FourLimits& limits, const LaneMask& below, Triple<Lanes>& spring) {
+/// The same one by one, of those few that do not settle, or push along no line of the plane.
+[[gnu::noinline]] void hold_alone(const FourLimits& limits, const LaneMask& alone, const Triple<Lanes>& spring,
+                                  Triple<Lanes>& held) {
   for (int i = 0; i < lane_count; ++i) {
-    if (below[i] == 0) continue;
+    if (alone[i] == 0) continue;
     FrictionLimit limit(limits.force[i], lane_of(limits.normal, i), Vec3::Zero(), 0, 0);
     limit.offset = lane_of(limits.offset, i), limit.radius = limits.radius[i], limit.arm = limits.arm[i];
-    const Vec3 held = limit.nearest_to(lane_of(spring, i));
-    spring.x[i] = held.x(), spring.y[i] = held.y(), spring.z[i] = held.z();
+    const Vec3 nearest = limit.nearest_to(lane_of(spring, i));
+    held.x[i] = nearest.x(), held.y[i] = nearest.y(), held.z[i] = nearest.z();
   }
+}
+
+/// The nearest that friction holds, of those that are below their limit.
+TRILITH_INLINE void hold_back(const FourLimits& limits, const LaneMask& below, Triple<Lanes>& spring) {
+  const LaneMask holds = below & (limits.force > Lanes{});
+  const LimitFrame<Lanes> frame(limits.normal, limits.offset, spring);
+  const LimitPlaces<Lanes> places{frame.off / limits.arm, limits.radius / limits.arm};
+  const Triple<Lanes> beyond = places.from_spring(frame.shares(limits.force, spring));
+  Triple<Lanes> z;
+  const LaneMask asked = holds & frame.known,
+                 alone = nearest_by_newton<Lanes>(places, beyond, asked, z) | (holds & flip(frame.known));
+  const Triple<Lanes> held = frame.force_of(limits.force, spring_on_limit(places, z));
+  const Triple<Lanes> before = spring;
+  spring = select<Lanes>(below, select<Lanes>(holds, held, Triple<Lanes>{}), spring);
+  if (any(alone)) hold_alone(limits, alone, before, spring);
 }
 
 /// Power of the damping force remembered in the motion of b against a [W].
@@ -166,6 +188,9 @@ TRILITH_INLINE Lanes power_remembered(const FlatContacts& in) {
   const Triple<Lanes> rate = in.b.velocity_at(in.a.origin) - in.a.velocity;
   return in.before.damping.dot(rate) + in.before.damping_moment.dot(in.b.spin - in.a.spin);
 }
+
+/// Of a kind: friction slides.
+constexpr std::int64_t slides_bit = std::int64_t{1} << told_lines;
 
 /// Friction on the resultant, and about its normal: see add_friction of contact/solid_contact.cpp.
 TRILITH_INLINE void add_friction(const FlatContacts& in, const FlatPressure& p, FlatResponses& out,
@@ -179,7 +204,8 @@ TRILITH_INLINE void add_friction(const FlatContacts& in, const FlatPressure& p, 
                                  in.before.shear.area};
   SlidingStep<Lanes> slid(rate * step, rate, p.area.area, before, in.ks, in.beta);
   const FourLimits limit(in.mu * p.pressure, n, out.centre - out.middle, p.radius, p.friction_arm);
-  const LaneMask below = limit.is_below(slid.total) & out.presses;
+  const LaneMask below = limit.is_below(slid.total) & out.presses & out.flat;
+  out.kind |= below & (LaneMask{} + slides_bit);
   Triple<Lanes> stretch = slid.path;
   if (any(below)) {
     Triple<Lanes> held = slid.total;
@@ -204,14 +230,18 @@ TRILITH_INLINE void respond_four(const FlatContacts& in, FlatResponses& out) {
   EdgesInLanes polygon;
   share_edges(in.faces, plane, polygon);
   OverlapMotion motion(in, plane);
-  out.flat = lies_flat(in, polygon, motion.overlap, out.depth);
+  Lanes least;
+  out.flat = lies_flat(in, polygon, motion.overlap, out.depth, least);
   out.rough = polygon.rough;
+  out.kind = LaneMask{};
   if (!any(out.flat)) return;
   const Pair2<Lanes> middle = middle_of(polygon);
   move_edges(polygon, middle), motion.move(middle);
   plane.origin = plane.origin + plane.along(middle);
-  const FlatPressure p(in, plane, motion, polygon);
-  out.rough |= polygon.rough;
+  // Moved about the middle, overlaps are others by rounding: far less than this.
+  const LaneMask open = out.flat & (least <= 1e-6 * out.depth);
+  const FlatPressure p(in, plane, motion, open, polygon);
+  out.rough |= polygon.rough, out.kind = lines_of(polygon);
   out.area = p.area.area, out.radius = p.radius, out.friction_arm = p.friction_arm, out.arm = p.arm;
   const LaneMask has_area = p.area.area > zero;
   out.presses = has_area & (p.pressure > zero);

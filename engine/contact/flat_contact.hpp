@@ -42,10 +42,15 @@ struct alignas(32) FlatContacts {
   double dt = 0;
 };
 
+/// Kinds are below this.
+inline constexpr std::int64_t flat_kinds = std::int64_t{2} << told_lines;
+
 struct alignas(32) FlatResponses {
-  LaneMask flat;                            ///< one pair of faces that touch, within the limits of faces that lie flat
-  LaneMask rough;                           ///< rounding keeps the kernel from an answer: the one by one form has it
-  LaneMask presses;                         ///< there is an area in contact
+  LaneMask flat;     ///< one pair of faces that touch, within the limits of faces that lie flat
+  LaneMask rough;    ///< rounding keeps the kernel from an answer: the one by one form has it
+  LaneMask presses;  ///< there is an area in contact
+  /// Of what kind a contact is, for which pairs go together: which edges its polygon has, and whether it slides.
+  LaneMask kind;
   FlatMemory memory;                        ///< of those that press
   Triple<Lanes> force, moment_a, moment_b;  ///< force on b; moments on both about their origins
   Triple<Lanes> normal_force, centre, middle, normal;

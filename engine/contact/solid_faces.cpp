@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "base/lane_bits.hpp"
 #include "base/lane_vectors.hpp"
@@ -214,28 +216,49 @@ double friction_arm(const FaceMoments& of, const Vec2& centre) {
   return mean_distance(xx + yy, xx * yy - xy * xy);
 }
 
+/// Which corners of its solid a face has, the last again and again beyond its own; false where they are many.
+bool list_few(const ConvexSolid& solid, int face, std::array<std::uint8_t, few_corners>& corner) {
+  const std::span<const int> loop = solid.shape.faces[face];
+  if (loop.size() > corner.size()) return false;
+  for (std::size_t k = 0; k < corner.size(); ++k) {
+    const int c = loop[std::min(k, loop.size() - 1)];
+    if (c > std::numeric_limits<std::uint8_t>::max()) return false;
+    corner[k] = static_cast<std::uint8_t>(c);
+  }
+  return true;
+}
+
+/// What goes with the two faces found.
+void describe(const PlacedSolid& a, const PlacedSolid& b, FacePair& found) {
+  found.near = near_faces(a, b), found.b_is_larger = a.solid->size < b.solid->size;
+  found.few = list_few(*a.solid, found.a, found.corner_a) && list_few(*b.solid, found.b, found.corner_b);
+}
+
 }  // namespace
 
-/// Whether the pressure of a law is kn times the overlap, so that integrals
-/// over polygons are exact.
+/// Whether the pressure of a law is kn times the overlap, so that integrals over polygons are exact.
 bool is_linear(const ContactLaw& law) {
   return !may_crush(law) && std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::linear; }, law);
 }
 
 namespace {
 
-/// What is known of the pair of faces of two solids that may lie flat, as one
-/// pair after the other is looked at.
+FacePair none_yet() {
+  FacePair found;
+  found.a = found.b = FacePair::none, found.until = unbounded;
+  return found;
+}
+
+/// What is known of the pair of faces of two solids that may lie flat, as one pair after the other is looked at.
 ///
-/// Corners that have gone by at most t have turned a body of inner radius r
-/// (ConvexSolid) by so little that a unit vector in it has moved by t / r or
-/// less. So the product of two normals changes by t / r of both together, and
-/// the depth of a corner x below a plane through c by 2 t + |c - x| t / r. A
-/// pair that is none stays none until either could have made it one.
+/// Corners that have gone by at most t have turned a body of inner radius r (ConvexSolid) by so little that a unit
+/// vector in it has moved by t / r or less. So the product of two normals changes by t / r of both together, and the
+/// depth of a corner x below a plane through c by 2 t + |c - x| t / r. A pair that is none stays none until either could
+/// have made it one.
 struct FacePairSearch {
   const PlacedSolid &a, &b;
   double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
-  FacePair found{FacePair::none, FacePair::none, unbounded};
+  FacePair found = none_yet();
   double enough = unbounded;  // of turning: another pair may be one before
   bool several = false;
 
@@ -258,7 +281,10 @@ struct FacePairSearch {
   }
   [[nodiscard]] FacePair result(double travel) const {
     if (several) return {};
-    return {found.a, found.b, travel + (1 - 1e-6) * found.until};
+    FacePair out = found;
+    out.until = travel + (1 - 1e-6) * found.until;
+    if (out.a >= 0) describe(a, b, out);
+    return out;
   }
 };
 
@@ -282,8 +308,8 @@ FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) 
   return search.result(travel);
 }
 
-/// All pairs of opposed faces are asked; more than one that touches flatly, as
-/// of a wedge in a notch, are no flat contact.
+/// All pairs of opposed faces are asked; more than one that touches flatly, as of a wedge in a notch, are no flat
+/// contact.
 bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
   int found = 0;
   FaceRoom room_a, room_b;

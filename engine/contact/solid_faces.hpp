@@ -5,6 +5,9 @@
 // where the overlap c is above 0 (shape/face_overlap_3d.hpp); with damping kn (c + beta dc/dt), never below 0.
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "contact/solid_pressure.hpp"
 #include "shape/face_overlap_3d.hpp"
 
@@ -16,12 +19,23 @@ inline constexpr double flat_faces_max_depth = 0.005;  ///< overlap over the wid
 /// Below this cosine two outward normals look at each other within the tilt.
 inline constexpr double opposed_enough = -(1 - 0.5 * flat_faces_max_tilt * flat_faces_max_tilt);
 
+/// Most corners of the faces of a brick.
+inline constexpr int few_corners = 4;
+
 /// The one pair of faces of two solids that may lie flat on each other, if there is one, and for how long no other pair
 /// may. Which pair it is follows from the pose; it is kept to save the search.
 struct FacePair {
   static constexpr int none = -1, several = -2;
   int a = several, b = several;
   double until = -1;  ///< while no corner has gone further than this since (as Work::travel counts) [m]
+  // Of two faces what their kernel asks again and again, next to each other in memory.
+  double near = 0;  ///< see near_faces [m]
+  /// Where `few`: which of their solid's corners they have, the last again.
+  std::array<std::uint8_t, few_corners> corner_a{}, corner_b{};
+  int node_a = -1, node_b = -1;  ///< what their solids go with, for who asks for them
+  std::int32_t kind = 0;         ///< of what kind they were last, see FlatResponses: a result asks nothing of it
+  bool few = false;              ///< no more than few_corners each
+  bool b_is_larger = false;      ///< see near_faces
 };
 
 /// `travel`: how far corners have gone up to now [m].

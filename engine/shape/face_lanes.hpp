@@ -51,17 +51,22 @@ struct LinearInLanes {
   TRILITH_INLINE Lanes operator()(const Pair2<Lanes>& p) const { return at + slope.dot(p); }
 };
 
-/// A convex polygon by its edges, counter-clockwise.
+/// A convex polygon by its edges, counter-clockwise. Edges that no lane has any more are left out.
 struct EdgesInLanes {
   static constexpr int most = 2 * max_face_corners + 2;
   int count = 0;
+  int lines = 0;  ///< edges and lines it came by so far: the next line's number
   LaneMask rough{};
   std::array<Pair2<Lanes>, most> from, to;
   std::array<LaneMask, most> alive;
+  std::array<int, most> line;  ///< which line an edge lies along
 
+  TRILITH_INLINE void put(std::size_t i, const Pair2<Lanes>& p, const Pair2<Lanes>& q, const LaneMask& is_there,
+                          int along) {
+    from[i] = p, to[i] = q, alive[i] = is_there, line[i] = along;
+  }
   TRILITH_INLINE void add(const Pair2<Lanes>& p, const Pair2<Lanes>& q, const LaneMask& is_there) {
-    from[static_cast<std::size_t>(count)] = p, to[static_cast<std::size_t>(count)] = q;
-    alive[static_cast<std::size_t>(count++)] = is_there;
+    put(static_cast<std::size_t>(count++), p, q, is_there, lines++);
   }
 };
 
@@ -90,31 +95,52 @@ TRILITH_INLINE PlaneInLanes mean_plane(const FacesInLanes& faces) {
   return plane;
 }
 
-/// Keeps of the polygon what is where `side` is not below 0.
+/// Keeps of the polygon what is where `side` is not below 0. Each corner begins one edge that is alive, so that the
+/// beginnings say whether anything is cut.
 TRILITH_INLINE void cut_edges(EdgesInLanes& polygon, const LinearInLanes& side) {
   const Lanes zero{}, one = zero + 1.0;
-  std::array<Lanes, EdgesInLanes::most> at_from, at_to;
+  std::array<Lanes, EdgesInLanes::most> at_from;
   LaneMask beyond{};
   const auto count = static_cast<std::size_t>(polygon.count);
   for (std::size_t i = 0; i < count; ++i) {
-    at_from[i] = side(polygon.from[i]), at_to[i] = side(polygon.to[i]);
-    beyond |= polygon.alive[i] & ((at_from[i] < zero) | (at_to[i] < zero));
+    at_from[i] = side(polygon.from[i]);
+    beyond |= polygon.alive[i] & (at_from[i] < zero);
   }
+  const int along = polygon.lines++;
   if (!any(beyond)) return;
   Pair2<Lanes> leaves{}, enters{};
   Lanes crossings{};
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const LaneMask from_in = at_from[i] >= zero, to_in = at_to[i] >= zero,
-                   out = polygon.alive[i] & from_in & flip(to_in), in = polygon.alive[i] & flip(from_in) & to_in;
-    polygon.alive[i] &= from_in | to_in;
-    if (!any(out | in)) continue;
-    const Pair2<Lanes> p = polygon.from[i], q = polygon.to[i], x = p + (q - p) * (at_from[i] / (at_from[i] - at_to[i]));
-    leaves = select<Lanes>(out, x, leaves), enters = select<Lanes>(in, x, enters);
-    polygon.to[i] = select<Lanes>(out, x, q), polygon.from[i] = select<Lanes>(in, x, p);
-    crossings += select(out | in, one, zero);
+    const Pair2<Lanes> p = polygon.from[i], q = polygon.to[i];
+    const Lanes at_to = side(q);
+    const LaneMask from_in = at_from[i] >= zero, to_in = at_to >= zero, was = polygon.alive[i],
+                   out = was & from_in & flip(to_in), in = was & flip(from_in) & to_in, stays = was & (from_in | to_in);
+    if (!any(stays)) continue;
+    polygon.alive[kept] = stays;
+    if (kept != i) polygon.put(kept, p, q, stays, polygon.line[i]);
+    if (any(out | in)) {
+      const Pair2<Lanes> x = p + (q - p) * (at_from[i] / (at_from[i] - at_to));
+      leaves = select<Lanes>(out, x, leaves), enters = select<Lanes>(in, x, enters);
+      polygon.to[kept] = select<Lanes>(out, x, q), polygon.from[kept] = select<Lanes>(in, x, p);
+      crossings += select(out | in, one, zero);
+    }
+    ++kept;
   }
   polygon.rough |= crossings > one + one;
-  polygon.add(leaves, enters, crossings > zero);
+  polygon.put(kept, leaves, enters, crossings > zero, along);
+  polygon.count = static_cast<int>(kept) + 1;
+}
+
+/// Lines that have a bit of their own in what lines_of tells; further ones share these.
+inline constexpr int told_lines = 16;
+
+/// Of each lane the lines that the edges left to it lie along, a bit for each.
+TRILITH_INLINE LaneMask lines_of(const EdgesInLanes& polygon) {
+  LaneMask lines{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i)
+    lines |= polygon.alive[i] & (LaneMask{} + (std::int64_t{1} << polygon.line[i]));
+  return lines;
 }
 
 /// A line counts as this much further out, as a share of its length, than it is: edges that lie on each other but for
@@ -124,7 +150,7 @@ inline constexpr double line_slack = 1e-12;
 /// What both faces share, in the mean plane: a's face cut by b's edges, which run the other way round.
 TRILITH_INLINE void share_edges(const FacesInLanes& faces, const PlaneInLanes& plane, EdgesInLanes& shared) {
   const Lanes zero{};
-  shared.count = 0, shared.rough = LaneMask{};
+  shared.count = shared.lines = 0, shared.rough = LaneMask{};
   const Pair2<Lanes> first = plane.project(faces.a[0]);
   Pair2<Lanes> p = first;
   for (int i = 1; i <= faces.corners_a; ++i) {

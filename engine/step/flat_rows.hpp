@@ -5,34 +5,55 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/lane_vectors.hpp"
 #include "contact/flat_contact.hpp"
+#include "contact/solid_faces.hpp"
 #include "world/state.hpp"
 #include "world/work.hpp"
 
 namespace trilith {
 
+/// One of each of four placed solids' corners or normals.
+using FourOf = std::array<const Vec3*, lane_count>;
+
+TRILITH_INLINE Triple<Lanes> four_at(const FourOf& of) {
+  return four_of(*of[0], *of[1], *of[2], *of[3]);
+}
+
+/// Faces of few corners, of each of four solids, into lanes. Returns the most corners of any.
+TRILITH_INLINE int load_few(const FourOf& first, const std::array<const std::uint8_t*, lane_count>& corner,
+                            std::array<Triple<Lanes>, max_face_corners>& corners) {
+  bool four = false;
+  for (std::size_t k = 0; k < few_corners; ++k) {
+    FourOf at;
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] = first[i] + corner[i][k];
+    corners[k] = four_at(at);
+  }
+  for (const std::uint8_t* c : corner) four = four || c[few_corners - 1] != c[few_corners - 2];
+  return four ? few_corners : few_corners - 1;
+}
+
 /// A face of each of four solids into lanes; corners beyond a face's own repeat its last.
 struct FourFacesOfSolids {
   std::array<const PlacedSolid*, lane_count> solid;
-  std::array<std::span<const int>, lane_count> loop;
   std::array<int, lane_count> face;
 
-  int load(std::array<Triple<Lanes>, max_face_corners>& corners, Triple<Lanes>& normal) const {
+  int load(std::array<Triple<Lanes>, max_face_corners>& corners) const {
+    std::array<std::span<const int>, lane_count> loop;
     std::size_t most = 0;
-    for (const auto& l : loop) most = std::max(most, l.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      loop[i] = solid[i]->solid->shape.faces[face[i]];
+      most = std::max(most, loop[i].size());
+    }
     const auto corner = [&](std::size_t lane, std::size_t k) -> const Vec3& {
       const std::span<const int> l = loop[lane];
       return solid[lane]->corners[static_cast<std::size_t>(l[k < l.size() ? k : l.size() - 1])];
     };
-    const auto normal_of = [&](std::size_t lane) -> const Vec3& {
-      return solid[lane]->normals[static_cast<std::size_t>(face[lane])];
-    };
     for (std::size_t k = 0; k < most; ++k) corners[k] = four_of(corner(0, k), corner(1, k), corner(2, k), corner(3, k));
-    normal = four_of(normal_of(0), normal_of(1), normal_of(2), normal_of(3));
     return static_cast<int>(most);
   }
 };
@@ -56,22 +77,23 @@ inline void load_memory(const std::array<const SolidMemory*, lane_count>& m, Fla
 }
 
 /// What a lane came to, out of lanes.
-inline void store_flat(const FlatResponses& out, int lane, SolidAnswer& answer, SolidMemory& memory) {
-  SolidResponse& r = answer.response;
+inline void store_flat(const FlatResponses& out, int lane, SolidAnswer& answer, SolidMemory& memory,
+                       ContactArea& area) {
   answer.joint_changed = false;
-  r.touching = out.presses[lane] != 0;
-  r.face_a = r.face_b = -1;
-  r.lost_damping = out.lost_damping[lane], r.lost_friction = out.lost_friction[lane], r.lost_fracture = 0;
-  if (!r.touching) {
+  answer.touching = out.presses[lane] != 0;
+  answer.lost_damping = out.lost_damping[lane], answer.lost_friction = out.lost_friction[lane];
+  answer.lost_fracture = 0;
+  if (!answer.touching) {
     memory = {};
     return;
   }
   answer.moment_a = lane_of(out.moment_a, lane), answer.moment_b = lane_of(out.moment_b, lane);
-  r.force = lane_of(out.force, lane), r.normal_force = lane_of(out.normal_force, lane);
-  r.centre = lane_of(out.centre, lane), r.middle = lane_of(out.middle, lane), r.normal = lane_of(out.normal, lane);
-  r.area = out.area[lane], r.depth = out.depth[lane];
-  r.radius = out.radius[lane], r.friction_arm = out.friction_arm[lane];
-  r.arm = {lane_of(out.arm[0], lane), lane_of(out.arm[1], lane)};
+  answer.force = lane_of(out.force, lane), answer.normal_force = lane_of(out.normal_force, lane);
+  answer.centre = lane_of(out.centre, lane), answer.area = out.area[lane], answer.depth = out.depth[lane];
+  area.middle = lane_of(out.middle, lane), area.normal = lane_of(out.normal, lane), area.area = out.area[lane];
+  area.radius = out.radius[lane], area.friction_arm = out.friction_arm[lane];
+  area.arm[0] = lane_of(out.arm[0], lane), area.arm[1] = lane_of(out.arm[1], lane);
+  area.face_a = area.face_b = -1;
   const FlatMemory& m = out.memory;
   memory.shear = {lane_of(m.shear.elastic, lane), lane_of(m.shear.total, lane), m.shear.area[lane]};
   memory.normal = lane_of(m.normal, lane), memory.damping = lane_of(m.damping, lane);

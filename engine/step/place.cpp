@@ -184,26 +184,37 @@ PlacedReach place_all(const Model<2>& model, const State<2>& state, Work<2>& wor
   return reach;
 }
 
-/// Corners of a piece whose body moves and stands so, four at a time; lanes beyond the last corner repeat it. The
-/// largest squares of speed and path are those of single corners.
-[[gnu::target_clones("avx2", "default")]] void place_corners(const std::vector<Vec3>& own, const NodeMotion<3>& node,
-                                                             const Turn3& turn, std::vector<Vec3>& placed,
-                                                             SkinReach& reach) {
+/// A vector in the first three lanes.
+TRILITH_INLINE Lanes in_lanes(const Vec3& v) {
+  return Lanes{v.x(), v.y(), v.z(), 0};
+}
+
+/// Corners and normals of a piece whose body moves and stands so: corners four at a time, lanes beyond the last repeat
+/// it; normals one by one, in a lane for each axis. The largest squares of speed and path are those of single corners.
+[[gnu::target_clones("avx2", "default")]] void place_solid(const ConvexSolid& solid, const NodeMotion<3>& node,
+                                                           const Turn3& turn, PlacedSolid& out, SkinReach& reach) {
   const auto in_all = [](const Vec3& v) { return four_of(v, v, v, v); };
   const Triple<Lanes> x = in_all(turn.x()), y = in_all(turn.y()), z = in_all(turn.z()), at = in_all(node.position),
                       velocity = in_all(node.velocity), spin = in_all(node.spin);
+  const std::vector<Vec3>& own = solid.shape.corners;
   Lanes speed2{}, path2{};
   for (std::size_t i = 0; i < own.size(); i += lane_count) {
-    std::array<std::size_t, lane_count> k;
-    for (std::size_t lane = 0; lane < k.size(); ++lane) k[lane] = std::min(i + lane, own.size() - 1);
-    const Triple<Lanes> r = four_of(own[k[0]], own[k[1]], own[k[2]], own[k[3]]),
-                        before = four_of(placed[k[0]], placed[k[1]], placed[k[2]], placed[k[3]]);
+    const std::size_t last = own.size() - 1, k1 = std::min(i + 1, last), k2 = std::min(i + 2, last),
+                      k3 = std::min(i + 3, last);
+    Vec3 *const p0 = &out.corners[i], *const p1 = &out.corners[k1], *const p2 = &out.corners[k2],
+                *const p3 = &out.corners[k3];
+    const Triple<Lanes> r = four_of(own[i], own[k1], own[k2], own[k3]), before = four_of(*p0, *p1, *p2, *p3);
     const Triple<Lanes> arm = x * r.x + y * r.y + z * r.z, place = at + arm, rate = velocity + cross(spin, arm);
     speed2 = larger(speed2, rate.square()), path2 = larger(path2, (place - before).square());
-    for (std::size_t lane = 0; lane < k.size() && i + lane < own.size(); ++lane)
-      placed[i + lane] = lane_of(place, static_cast<int>(lane));
+    *p0 = lane_of(place, 0), *p1 = lane_of(place, 1), *p2 = lane_of(place, 2), *p3 = lane_of(place, 3);
   }
   for (int lane = 0; lane < lane_count; ++lane) reach.add(speed2[lane], path2[lane]);
+  const Lanes along_x = in_lanes(turn.x()), along_y = in_lanes(turn.y()), along_z = in_lanes(turn.z());
+  for (std::size_t f = 0; f < solid.normals.size(); ++f) {
+    const Vec3& n = solid.normals[f];
+    const Lanes now = along_x * n.x() + along_y * n.y() + along_z * n.z();
+    out.normals[f] = {now[0], now[1], now[2]};
+  }
 }
 
 /// A piece of a body whose nodes do not turn: its own fit and those of its faces, then the solid between them. The
@@ -243,14 +254,15 @@ SkinReach place_piece(const Model<3>& model, const State<3>& state, int piece, S
   const int n = model.node_of_piece(piece);
   const NodeMotion<3> node{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
   const Turn3 turn(node.rotation);
-  const std::vector<Vec3>& own = model.piece_solid[p].shape.corners;
-  std::vector<Vec3>& corners = solids.placed[p].corners;
-  if (corners.size() != own.size()) corners.assign(own.size(), node.position);
+  const ConvexSolid& solid = model.piece_solid[p];
+  PlacedSolid& out = solids.placed[p];
+  out.solid = &solid;
+  if (out.corners.size() != solid.shape.corners.size()) out.corners.assign(solid.shape.corners.size(), node.position);
+  out.normals.resize(solid.normals.size());
   SkinReach reach;
-  place_corners(own, node, turn, corners, reach);
+  place_solid(solid, node, turn, out, reach);
   solids.speed2[p] = reach.speed2;
-  place_faces(model.piece_solid[p], turn, solids.placed[p]);
-  if (!solids.sphere.empty()) solids.sphere[p].centre = solids.placed[p].corners[0];
+  if (!solids.sphere.empty()) solids.sphere[p].centre = out.corners[0];
   return reach;
 }
 

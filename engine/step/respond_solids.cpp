@@ -1,6 +1,7 @@
 // Contacts of solids in space: of faces, bonded or not, of any other shape, or apart by the axis that parted them last.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include "base/team.hpp"
@@ -15,8 +16,9 @@
 namespace trilith {
 namespace {
 
-/// Rows that threads take at a time: some ten microseconds of what touches.
-constexpr int solid_row_stretch = 32;
+/// Rows that threads take at a time: some twenty microseconds of what touches. In so many there are mostly four of a
+/// kind (FlatResponses::kind) and four more.
+constexpr int solid_row_stretch = 64;
 /// Of an answer: the row is left to those of faces that lie flat.
 constexpr int faces_to_come = -2;
 
@@ -43,17 +45,10 @@ const Vec3& place_of(const State<3>& state, const Work<3>& work, int carrier) {
 }
 
 /// Adds a force and a moment about a carrier's place to the sums of nodes or of fits.
-void add_to_carrier(int carrier, const Vec3& force, const Vec3& moment, SolidWork<3>& solids) {
+TRILITH_INLINE void add_to_carrier(int carrier, const Vec3& force, const Vec3& moment, SolidWork<3>& solids) {
   const auto i = static_cast<std::size_t>(carrier < 0 ? -1 - carrier : carrier);
   (carrier < 0 ? solids.fit_force : solids.force)[i] += force;
   (carrier < 0 ? solids.fit_moment : solids.moment)[i] += moment;
-}
-
-/// The force of a contact on what carries both sides of it.
-void add_to_bodies(const Model<3>& model, const NearPair& pair, const SolidAnswer& answer, Work<3>& work) {
-  const SolidResponse& r = answer.response;
-  add_to_carrier(model.carrier_of(pair.piece_a, r.face_a), -r.force, answer.moment_a, work.solids);
-  add_to_carrier(model.carrier_of(pair.piece_b, r.face_b), r.force, answer.moment_b, work.solids);
 }
 
 /// Each of two that are apart may come nearer by the path of the fastest point.
@@ -62,60 +57,73 @@ void let_sleep(Work<3>& work, std::size_t row) {
 }
 
 /// Adds what a contact gives to forces, ledger and lists.
-void take_up(const Model<3>& model, Work<3>& work, const SolidAnswer& answer) {
-  const auto r = static_cast<std::size_t>(answer.row);
-  const SolidResponse& response = answer.response;
-  if (answer.was_touching != response.touching || answer.joint_changed) work.changed_rows.push_back(answer.row);
-  work.given[EnergyTerm::contact_damping] += response.lost_damping;
-  work.given[EnergyTerm::contact_friction] += response.lost_friction;
-  work.given[EnergyTerm::contact_fracture] += response.lost_fracture;
-  if (!response.touching) return let_sleep(work, r);
-  add_to_bodies(model, work.pairs[r], answer, work);
-  work.general_touching.push_back({answer.row, response.area, response.depth, response.centre, response.normal_force});
-  const JointMemory* joint = work.contacts.joint_at(r);
-  const double area = joint != nullptr && joint->bonds != 0 ? joint->plan->whole.area : response.area;
-  work.solids.areas.push_back({response.middle, response.normal, area, response.radius, response.friction_arm,
-                               response.arm, response.face_a, response.face_b});
+void take_up(Work<3>& work, const SolidAnswer& answer) {
+  if (answer.was_touching != answer.touching || answer.joint_changed) work.changed_rows.push_back(answer.row);
+  work.given[EnergyTerm::contact_damping] += answer.lost_damping;
+  work.given[EnergyTerm::contact_friction] += answer.lost_friction;
+  work.given[EnergyTerm::contact_fracture] += answer.lost_fracture;
+  if (!answer.touching) return let_sleep(work, static_cast<std::size_t>(answer.row));
+  add_to_carrier(answer.carrier_a, -answer.force, answer.moment_a, work.solids);
+  add_to_carrier(answer.carrier_b, answer.force, answer.moment_b, work.solids);
+  work.general_touching.push_back({answer.row, answer.area, answer.depth, answer.centre, answer.normal_force});
 }
 
-/// Corners of the faces of a row that may lie flat on each other, of the one that has more.
-int corners_of(const Work<3>& work, int row) {
-  const FacePair& pair = work.solids.faces[static_cast<std::size_t>(row)];
-  const NearPair& near = work.pairs[row];
-  const auto corners = [&](int piece, int face) {
-    return static_cast<int>(work.solids.placed[piece].solid->shape.faces[face].size());
-  };
-  return std::max(corners(near.piece_a, pair.a), corners(near.piece_b, pair.b));
+/// The faces of four rows into lanes.
+TRILITH_INLINE void load_faces(const Work<3>& work, const std::array<const NearPair*, lane_count>& pair,
+                               const std::array<const FacePair*, lane_count>& pair_of_faces, FacesInLanes& out) {
+  FourFacesOfSolids a, b;
+  FourOf first_a, first_b, normal_a, normal_b;
+  std::array<const std::uint8_t*, lane_count> corner_a, corner_b;
+  bool few = true;
+  for (std::size_t i = 0; i < pair.size(); ++i) {
+    const FacePair& f = *pair_of_faces[i];
+    a.solid[i] = &work.solids.placed[pair[i]->piece_a], b.solid[i] = &work.solids.placed[pair[i]->piece_b];
+    a.face[i] = f.a, b.face[i] = f.b;
+    first_a[i] = a.solid[i]->corners.data(), first_b[i] = b.solid[i]->corners.data();
+    normal_a[i] = a.solid[i]->normals.data() + f.a, normal_b[i] = b.solid[i]->normals.data() + f.b;
+    corner_a[i] = f.corner_a.data(), corner_b[i] = f.corner_b.data();
+    few = few && f.few;
+  }
+  out.normal_a = four_at(normal_a), out.normal_b = four_at(normal_b);
+  if (few) {
+    out.corners_a = load_few(first_a, corner_a, out.a), out.corners_b = load_few(first_b, corner_b, out.b);
+  } else {
+    out.corners_a = a.load(out.a), out.corners_b = b.load(out.b);
+  }
 }
 
 /// All that the kernel of flat faces asks of four rows.
-[[gnu::target_clones("avx2", "default")]] void load_flat(const Model<3>& model, const State<3>& state,
-                                                         const Work<3>& work, const std::array<int, lane_count>& row,
-                                                         double dt, FlatContacts& in) {
+[[gnu::target_clones("avx2", "default")]] void load_flat(const State<3>& state, const Work<3>& work,
+                                                         const std::array<int, lane_count>& row, double dt,
+                                                         FlatContacts& in) {
   const std::vector<SolidMemory>& before = contacts_before(state, work).memory;
-  FourFacesOfSolids a, b;
+  std::array<const NearPair*, lane_count> pairs;
+  std::array<const FacePair*, lane_count> faces;
   std::array<int, lane_count> node_a, node_b;
   std::array<const SolidMemory*, lane_count> memory;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const auto r = static_cast<std::size_t>(row[i]);
-    const NearPair& pair = work.pairs[r];
-    const FacePair& faces = work.solids.faces[r];
-    const LawNumbers& law = work.solids.law[static_cast<std::size_t>(pair.law)];
-    a.solid[i] = &work.solids.placed[pair.piece_a], b.solid[i] = &work.solids.placed[pair.piece_b];
-    a.face[i] = faces.a, b.face[i] = faces.b;
-    a.loop[i] = a.solid[i]->solid->shape.faces[faces.a], b.loop[i] = b.solid[i]->solid->shape.faces[faces.b];
-    node_a[i] = model.node_of_piece(pair.piece_a), node_b[i] = model.node_of_piece(pair.piece_b);
-    memory[i] = &before[r];
+    pairs[i] = &work.pairs[r], faces[i] = &work.solids.faces[r], memory[i] = &before[r];
+    node_a[i] = faces[i]->node_a, node_b[i] = faces[i]->node_b;
+    const LawNumbers& law = work.solids.law[static_cast<std::size_t>(pairs[i]->law)];
     const auto lane = static_cast<int>(i);
     in.kn[lane] = law.kn, in.ks[lane] = law.ks, in.mu[lane] = law.mu, in.beta[lane] = law.beta;
-    in.near[lane] = near_faces(*a.solid[i], *b.solid[i]);
-    in.b_is_larger[lane] = a.solid[i]->solid->size < b.solid[i]->solid->size ? -1 : 0;
+    in.near[lane] = faces[i]->near, in.b_is_larger[lane] = faces[i]->b_is_larger ? -1 : 0;
   }
   in.dt = dt;
-  in.faces.corners_a = a.load(in.faces.a, in.faces.normal_a);
-  in.faces.corners_b = b.load(in.faces.b, in.faces.normal_b);
+  load_faces(work, pairs, faces, in.faces);
   in.a = four_nodes(state, node_a), in.b = four_nodes(state, node_b);
   load_memory(memory, in.before);
+}
+
+/// How memory that is asked for early is used.
+enum class Asked : std::uint8_t { read, write };
+
+template <Asked use>
+TRILITH_INLINE void ask_for(const void* from, std::size_t size) {
+  constexpr std::size_t line = 64;
+  const char* const first = static_cast<const char*>(from);
+  for (std::size_t i = 0; i < size; i += line) __builtin_prefetch(first + i, use == Asked::write ? 1 : 0);
 }
 
 /// What the rows of one evaluation are found from. Each writes what is its own row's alone, and `room`.
@@ -129,12 +137,13 @@ struct SolidPass {
 
  private:
   void respond_bonded(int row, const JointMemory& before, SolidRoom& room, SolidAnswer& answer) const;
-  bool respond_alone(int row, SolidRoom& room, SolidAnswer& answer) const;
+  void respond_alone(int row, SolidRoom& room, SolidAnswer& answer) const;
   void respond_shapes(int row, bool may_be_flat, SolidRoom& room, SolidAnswer& answer) const;
   void respond_faces(std::span<const int> rows, int first, SolidRoom& room, SolidAnswer* answers) const;
+  void ask_early(int row) const;
   [[nodiscard]] bool stays_apart(int row) const;
   [[nodiscard]] bool looks_flat(int row) const;
-  void finish(SolidAnswer& answer) const;
+  void finish(int row, bool joint_changed, const SolidResponse& response, SolidAnswer& answer) const;
 };
 
 /// Faces that mortar holds together, or did until now.
@@ -158,8 +167,8 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidRoom& ro
     after = {};
     work.solids.separation[r].distance = 0;
   }
-  answer.row = row, answer.was_touching = true, answer.joint_changed = joint.changed;
-  answer.response = joint.contact;
+  finish(row, joint.changed, joint.contact, answer);
+  answer.was_touching = true;
 }
 
 bool has_sphere(const Work<3>& work, const NearPair& pair) {
@@ -173,13 +182,13 @@ SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<
   return {work.solids.sphere[piece], moving.placed, moving.origin, moving.velocity, moving.spin, moving.behind};
 }
 
-/// False where there is nothing to be found out (the two were apart, and still are), or where the row is left to
-/// those of faces that lie flat.
-bool SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) const {
+/// Leaves the answer empty where there is nothing to be found out (the two were apart, and still are), and tells where
+/// the row is left to those of faces that lie flat.
+void SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
   const Contacts<3>& contacts = contacts_before(state, work);
   if (const JointMemory* joint = contacts.joint_at(r); joint != nullptr) {
-    if (!joint->empty()) return respond_bonded(row, *joint, room, answer), true;
+    if (!joint->empty()) return respond_bonded(row, *joint, room, answer);
     if (JointMemory& over = *work.contacts.joint_at(r); !over.empty()) over = {};
   }
   const SolidMemory& before = contacts.memory[r];
@@ -187,23 +196,22 @@ bool SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) con
   // A pair found apart sleeps until the fastest point has gone far enough to have brought it together. One that
   // remembers crushed mortar is answered in every step, so that both sides of the history have it.
   const bool may_sleep = !was && before.crushed == 0;
-  if (may_sleep && work.travel < work.asleep_until[r]) return false;
+  if (may_sleep && work.travel < work.asleep_until[r]) return;
   const NearPair& pair = work.pairs[r];
   if (has_sphere(work, pair)) {
     const LawInUse law{model.laws[pair.law], model.thickness, dt};
-    answer.response =
-        respond_spheres(sphere_side(model, state, work, pair.piece_a), sphere_side(model, state, work, pair.piece_b),
-                        before, law, work.solids.separation[r].distance);
-    answer.row = row, answer.was_touching = was, answer.joint_changed = false;
-    return true;
+    finish(row, false,
+           respond_spheres(sphere_side(model, state, work, pair.piece_a), sphere_side(model, state, work, pair.piece_b),
+                           before, law, work.solids.separation[r].distance),
+           answer);
+    return;
   }
-  if (may_sleep && stays_apart(row)) return false;
+  if (may_sleep && stays_apart(row)) return;
   if (looks_flat(row)) {
     answer.row = faces_to_come;
-    return false;
+    return;
   }
   respond_shapes(row, work.solids.faces[r].a != FacePair::none, room, answer);
-  return true;
 }
 
 /// Two polyhedra of any shape and pose.
@@ -218,9 +226,8 @@ void SolidPass::respond_shapes(int row, bool may_be_flat, SolidRoom& room, Solid
       pressure_between(a, b, law, work.solids.separation[r], room.shared, may_be_flat, before.crushed);
   // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
   const bool held_off = pair.replaced && presses_flat(model, state, work.search, state.bearing, pair, pressed.force);
-  answer.row = row, answer.was_touching = (before.state & contact_touching) != 0;
-  answer.response = respond_solids(a, b, before, law, held_off ? SolidPressure{} : pressed, room);
-  answer.joint_changed = !(before.crushed > 0) && answer.response.memory.crushed > 0;
+  const SolidResponse response = respond_solids(a, b, before, law, held_off ? SolidPressure{} : pressed, room);
+  finish(row, !(before.crushed > 0) && response.memory.crushed > 0, response, answer);
 }
 
 /// Whether two that were apart are so still by more than rounding, mostly along the axis that parted them last: then no
@@ -246,20 +253,34 @@ bool SolidPass::looks_flat(int row) const {
   if (model.is_fitted(pair.piece_a) || model.is_fitted(pair.piece_b) || !work.solids.behind.empty()) return false;
   if (pair.replaced || !work.solids.law[static_cast<std::size_t>(pair.law)].is_linear) return false;
   FacePair& faces = work.solids.faces[static_cast<std::size_t>(row)];
-  if (work.travel >= faces.until)
+  if (work.travel >= faces.until) {
+    const std::int32_t kind = faces.kind;
     faces = facing_pair(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b], work.travel);
+    faces.kind = kind;
+    faces.node_a = model.node_of_piece(pair.piece_a), faces.node_b = model.node_of_piece(pair.piece_b);
+  }
   return faces.a >= 0;
 }
 
-/// Forces about the places of what carries the two, and what is remembered: of rows that are answered one by one.
-void SolidPass::finish(SolidAnswer& answer) const {
-  const NearPair& pair = work.pairs[answer.row];
-  const SolidResponse& r = answer.response;
-  const Vec3 &a = place_of(state, work, model.carrier_of(pair.piece_a, r.face_a)),
-             &b = place_of(state, work, model.carrier_of(pair.piece_b, r.face_b));
-  answer.moment_a = -r.moment - cross(Vec3(r.centre - a), r.force);
-  answer.moment_b = r.moment + cross(Vec3(r.centre - b), r.force);
-  work.contacts.memory[answer.row] = r.memory;
+/// Forces about the places of what carries the two, what is remembered and how the area lies: of rows that are answered
+/// one by one.
+void SolidPass::finish(int row, bool joint_changed, const SolidResponse& r, SolidAnswer& answer) const {
+  const auto i = static_cast<std::size_t>(row);
+  const NearPair& pair = work.pairs[i];
+  answer.row = row, answer.touching = r.touching, answer.joint_changed = joint_changed;
+  answer.was_touching = (contacts_before(state, work).memory[i].state & contact_touching) != 0;
+  answer.lost_damping = r.lost_damping, answer.lost_friction = r.lost_friction, answer.lost_fracture = r.lost_fracture;
+  work.contacts.memory[i] = r.memory;
+  if (!r.touching) return;
+  answer.carrier_a = model.carrier_of(pair.piece_a, r.face_a);
+  answer.carrier_b = model.carrier_of(pair.piece_b, r.face_b);
+  answer.moment_a = -r.moment - cross(Vec3(r.centre - place_of(state, work, answer.carrier_a)), r.force);
+  answer.moment_b = r.moment + cross(Vec3(r.centre - place_of(state, work, answer.carrier_b)), r.force);
+  answer.force = r.force, answer.normal_force = r.normal_force, answer.centre = r.centre;
+  answer.area = r.area, answer.depth = r.depth;
+  const JointMemory* joint = work.contacts.joint_at(i);
+  const double area = joint != nullptr && joint->bonds != 0 ? joint->plan->whole.area : r.area;
+  work.solids.areas[i] = {r.middle, r.normal, area, r.radius, r.friction_arm, r.arm, r.face_a, r.face_b};
 }
 
 /// Four rows of faces into lanes and their answers out of them. Lanes beyond the last row repeat it.
@@ -268,43 +289,62 @@ void SolidPass::respond_faces(std::span<const int> rows, int first, SolidRoom& r
   FlatResponses out;
   std::array<int, lane_count> row;
   for (std::size_t i = 0; i < row.size(); ++i) row[i] = rows[std::min(i, rows.size() - 1)];
-  load_flat(model, state, work, row, dt, in);
+  load_flat(state, work, row, dt, in);
   respond_flat(in, out);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto lane = static_cast<int>(i);
+    const auto r = static_cast<std::size_t>(row[i]);
     SolidAnswer& answer = answers[row[i] - first];
+    FacePair& faces = work.solids.faces[r];
+    faces.kind = static_cast<std::int32_t>(out.kind[lane]);
     if (out.rough[lane] == 0 && out.flat[lane] != 0) {
       answer.row = row[i];
-      answer.was_touching = (contacts_before(state, work).memory[row[i]].state & contact_touching) != 0;
-      work.solids.separation[row[i]].distance = 0;
-      store_flat(out, lane, answer, work.contacts.memory[row[i]]);
+      answer.was_touching = (contacts_before(state, work).memory[r].state & contact_touching) != 0;
+      answer.carrier_a = faces.node_a, answer.carrier_b = faces.node_b;
+      // Of those that touch it is 0 already.
+      if (!answer.was_touching || out.presses[lane] == 0) work.solids.separation[r].distance = 0;
+      store_flat(out, lane, answer, work.contacts.memory[r], work.solids.areas[r]);
       continue;
     }
     respond_shapes(row[i], out.rough[lane] != 0, room, answer);
-    finish(answer);
   }
 }
 
-/// Rows one by one, and those of faces that lie flat four at a time, those of few corners and those of many apart. How
-/// many corners they have is asked of all in a row: solids that are far in memory are waited for together.
+/// Asks for what a row of faces that lie flat remembers and writes, which lies far in memory in large models.
+void SolidPass::ask_early(int row) const {
+  const auto r = static_cast<std::size_t>(row);
+  ask_for<Asked::read>(&contacts_before(state, work).memory[r], sizeof(SolidMemory));
+  ask_for<Asked::write>(&work.contacts.memory[r], sizeof(SolidMemory));
+  ask_for<Asked::write>(&work.solids.areas[r], sizeof(ContactArea));
+}
+
+/// Rows one by one, and those of faces that lie flat four of a kind at a time, those of few corners and those of many
+/// apart. Which go together changes no bit.
 void SolidPass::respond(int first, int last, SolidRoom& room, SolidAnswer* answers) const {
-  std::array<int, solid_row_stretch> flat;
-  std::size_t flat_rows = 0;
+  constexpr std::uint32_t many = std::uint32_t{1} << 31, place = 8;
+  static_assert(solid_row_stretch <= 1 << place && flat_kinds <= many >> place);
+  std::array<std::uint32_t, solid_row_stretch> flat;  // the kind, and below it the place of the row in the stretch
+  std::size_t count = 0;
   for (int row = first; row < last; ++row) {
     SolidAnswer& answer = answers[row - first];
     answer.row = -1;
-    if (respond_alone(row, room, answer)) finish(answer);
-    if (answer.row == faces_to_come) flat[flat_rows++] = row;
+    respond_alone(row, room, answer);
+    if (answer.row != faces_to_come) continue;
+    const FacePair& faces = work.solids.faces[static_cast<std::size_t>(row)];
+    flat[count++] = (faces.few ? 0 : many) | static_cast<std::uint32_t>(faces.kind) << place |
+                    static_cast<std::uint32_t>(row - first);
   }
-  std::array<std::array<int, solid_row_stretch>, 2> rows;
-  std::array<std::size_t, 2> count{};
-  for (std::size_t i = 0; i < flat_rows; ++i) {
-    const std::size_t kind = corners_of(work, flat[i]) > 4 ? 1 : 0;
-    rows[kind][count[kind]++] = flat[i];
+  std::sort(flat.begin(), flat.begin() + static_cast<std::ptrdiff_t>(count));
+  std::array<int, lane_count> four;
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    four[taken++] = first + static_cast<int>(flat[i] & ((1U << place) - 1));
+    if (taken < four.size() && i + 1 < count && (flat[i + 1] & many) == (flat[i] & many)) continue;
+    for (std::size_t k = i + 1; k < std::min(i + 1 + four.size(), count); ++k)
+      ask_early(first + static_cast<int>(flat[k] & ((1U << place) - 1)));
+    respond_faces({four.data(), taken}, first, room, answers);
+    taken = 0;
   }
-  for (std::size_t kind = 0; kind < 2; ++kind)
-    for (std::size_t i = 0; i < count[kind]; i += lane_count)
-      respond_faces({rows[kind].data() + i, std::min<std::size_t>(lane_count, count[kind] - i)}, first, room, answers);
 }
 
 /// What faces that lie flat ask of the laws.
@@ -322,12 +362,12 @@ void list_law_numbers(const Model<3>& model, std::vector<LawNumbers>& numbers) {
 /// of one row after the other.
 void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work, double dt) {
   work.general_touching.clear();
-  work.solids.areas.clear();
   work.solids.force.assign(model.mass.size(), Vec3::Zero());
   work.solids.moment.assign(model.mass.size(), Vec3::Zero());
   work.solids.fit_force.assign(model.fits.size(), Vec3::Zero());
   work.solids.fit_moment.assign(model.fits.size(), Vec3::Zero());
   SolidWork<3>& solids = work.solids;
+  solids.areas.resize(work.pairs.size());
   list_law_numbers(model, solids.law);
   solids.room.resize(static_cast<std::size_t>(work.threads));
   solids.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * solid_row_stretch);
@@ -342,7 +382,7 @@ void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work
       },
       [&](int first, int last, int slot) {
         for (int i = 0; i < last - first; ++i)
-          if (answer_of(slot, i).row >= 0) take_up(model, work, answer_of(slot, i));
+          if (answer_of(slot, i).row >= 0) take_up(work, answer_of(slot, i));
       });
 }
 

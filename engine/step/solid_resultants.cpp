@@ -20,7 +20,7 @@ SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::
   const Vec3& n = work.contacts.memory[contact.row].normal;  // mortar may pull
   const JointMemory* joint = work.contacts.joint_at(static_cast<std::size_t>(contact.row));
   const bool bonded = joint != nullptr && joint->bonds != 0;
-  const ContactArea& area = work.solids.areas[place];
+  const ContactArea& area = work.solids.areas[static_cast<std::size_t>(contact.row)];
   const FrictionLimit friction(limit, n, contact.centre - area.middle, area.radius, area.friction_arm);
   const Vec3 along = shear.total - n.dot(shear.total) * n;
   return {contact.row,

@@ -31,6 +31,11 @@ struct LocalSolid {
     const Matrix6 m = stiffness * b * b.transpose();
     k += m, c += beta * m;
   }
+  /// The same of a turn alone.
+  void add_turn(const Vec3& b, double stiffness, double beta) {
+    const Eigen::Matrix3d m = stiffness * b * b.transpose();
+    k.bottomRightCorner<3, 3>() += m, c.bottomRightCorner<3, 3>() += beta * m;
+  }
 };
 
 /// A body as springs see it: how a motion of 1 along each of its own axes moves what hangs on it.
@@ -47,11 +52,7 @@ struct ScaledNode {
     return b;
   }
   /// A turn about e.
-  [[nodiscard]] Vector6 about(const Vec3& e) const {
-    Vector6 b = Vector6::Zero();
-    b.tail<3>() = turn.undo(e).cwiseQuotient(inertia);
-    return b;
-  }
+  [[nodiscard]] Vec3 about(const Vec3& e) const { return turn.undo(e).cwiseQuotient(inertia); }
 };
 
 ScaledNode scaled_node(const Model<3>& model, int node, const UnitQuaternion& rotation) {
@@ -119,8 +120,8 @@ void add_area(const AreaSprings& s, const ScaledNode& node, double weight, Local
                shear = weight * s.area * (known ? s.law.shear : std::max(s.law.normal, s.law.shear));
   local.add(node.along(n, s.arm), normal, s.law.beta);
   for (const Vec3& e : {across, other}) local.add(node.along(e, s.arm), shear, s.law.beta);
-  for (const Vec3& a : s.spread) local.add(node.about(cross(a, n)), normal, s.law.beta);
-  local.add(node.about(n), shear * s.radius * s.radius, s.law.beta);
+  for (const Vec3& a : s.spread) local.add_turn(node.about(cross(a, n)), normal, s.law.beta);
+  local.add_turn(node.about(n), shear * s.radius * s.radius, s.law.beta);
 }
 
 /// At least the largest eigenvalue of a matrix that has none below 0: the fourth root of the norm of its fourth power.
@@ -215,7 +216,11 @@ void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& w
           continue;
         }
         const ScaledNode node = scaled_node(model, n, state.rotation[n]);
-        const Vector6 v = k < 3 ? node.along(axes[k], at - state.position[n]) : node.about(axes[k - 3]);
+        Vector6 v = Vector6::Zero();
+        if (k < 3)
+          v = node.along(axes[k], at - state.position[n]);
+        else
+          v.tail<3>() = node.about(axes[k - 3]);
         locals[n].k += weight * s.tangent * v * v.transpose();
         locals[n].c += weight * s.dashpot * v * v.transpose();
       }
@@ -294,10 +299,12 @@ void bound_faces(const Model<3>& model, Work<3>& work) {
 /// What holds a body about some axes alone makes no eigenvalue larger, so it is not asked for.
 StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<3>& work) {
   std::vector<LocalSolid> locals(model.mass.size());
+  std::vector<ScaledNode> nodes;
+  nodes.reserve(locals.size());
+  for (int n = 0; n < model.nodes(); ++n) nodes.push_back(scaled_node(model, n, state.rotation[n]));
   NodeRows rows = rows_of(model);
-  for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
-    const GeneralContact<3>& contact = work.general_touching[i];
-    const ContactArea& area = work.solids.areas[i];
+  for (const GeneralContact<3>& contact : work.general_touching) {
+    const ContactArea& area = work.solids.areas[static_cast<std::size_t>(contact.row)];
     const NearPair& pair = work.pairs[contact.row];
     const int body[2] = {model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]};
     const int node[2] = {model.node_of_piece(pair.piece_a), model.node_of_piece(pair.piece_b)};
@@ -315,7 +322,7 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
       }
       const int n = node[side];
       add_area({area.middle - state.position[n], area.normal, area.area, area.radius, area.arm, law},
-               scaled_node(model, n, state.rotation[n]), weight, locals[n]);
+               nodes[static_cast<std::size_t>(n)], weight, locals[n]);
     }
   }
   add_bearings(model, state, work, locals, rows);

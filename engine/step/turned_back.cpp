@@ -152,10 +152,10 @@ double of_solids(const Model<3>& model, const State<3>& state, const Work<3>& wo
 /// Joints of mortar that slide within their bonds are left out.
 double turned_back(const Model<3>& model, const State<3>& state, const Work<3>& work, double dt) {
   double sum = bearings_turned_back(model, state, work, dt);
-  for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
-    const GeneralContact<3>& g = work.general_touching[i];
-    const JointMemory* joint = work.contacts.joint_at(static_cast<std::size_t>(g.row));
-    if (joint == nullptr || joint->empty()) sum += of_solids(model, state, work, g, work.solids.areas[i], dt);
+  for (const GeneralContact<3>& g : work.general_touching) {
+    const auto row = static_cast<std::size_t>(g.row);
+    const JointMemory* joint = work.contacts.joint_at(row);
+    if (joint == nullptr || joint->empty()) sum += of_solids(model, state, work, g, work.solids.areas[row], dt);
   }
   return sum;
 }

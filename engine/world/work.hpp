@@ -91,9 +91,12 @@ struct ContactArea {
 /// What the contact of one row came to, before it is added to anything.
 struct SolidAnswer {
   int row = -1;  ///< -1: there was nothing to find out
-  bool was_touching = false, joint_changed = false;
-  SolidResponse response;
-  Vec3 moment_a = Vec3::Zero(), moment_b = Vec3::Zero();  ///< on both bodies, about their nodes [N m]
+  bool was_touching = false, touching = false, joint_changed = false;
+  int carrier_a = 0, carrier_b = 0;                               ///< what the two act on (world/carrier.hpp)
+  double area = 0, depth = 0;                                     ///< [m2], [m]
+  double lost_damping = 0, lost_friction = 0, lost_fracture = 0;  ///< [J]
+  Vec3 force, moment_a, moment_b;                                 ///< on b [N]; on both, about their places [N m]
+  Vec3 normal_force, centre;                                      ///< see SolidResponse
 };
 
 /// What the general contact of one row in the plane came to, before it is added to anything.
@@ -172,7 +175,7 @@ struct SolidWork<3> {
   std::vector<FacePair> faces;           ///< [contact] that may lie flat on each other. Writer: respond
   std::vector<FacePair> spare_faces;     ///< room
   std::vector<LawNumbers> law;           ///< [law] what faces that lie flat ask of it. Writer: respond
-  std::vector<ContactArea> areas;        ///< one for each of general_touching. Writer: respond
+  std::vector<ContactArea> areas;        ///< [contact] of those that touch. Writer: respond
   std::vector<Vec3> force, moment;       ///< [node] of all contacts, about the node [N], [N m]. Writer: respond
   std::vector<Fitted> fitted;            ///< [fit]. Writer: place
   std::vector<MovingPlace> face_motion;  ///< [fit] of them what contact asks for. Writer: place

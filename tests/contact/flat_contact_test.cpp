@@ -2,7 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <random>
+#include <set>
 
 #include "contact/laid_bricks.hpp"
 #include "contact/solid_faces.hpp"
@@ -103,6 +107,70 @@ double largest_difference(const Laid& laid, const ContactLaw& law, int& flat, in
   return most;
 }
 
+void take(const Lanes& from, int lane, Lanes& to) {
+  to[lane] = from[lane];
+}
+void take(const Triple<Lanes>& from, int lane, Triple<Lanes>& to) {
+  take(from.x, lane, to.x), take(from.y, lane, to.y), take(from.z, lane, to.z);
+}
+
+/// One lane of what four contacts come in with; both have faces of four corners.
+void take(const FlatContacts& from, int lane, FlatContacts& to) {
+  for (std::size_t k = 0; k < 4; ++k)
+    take(from.faces.a[k], lane, to.faces.a[k]), take(from.faces.b[k], lane, to.faces.b[k]);
+  take(from.faces.normal_a, lane, to.faces.normal_a), take(from.faces.normal_b, lane, to.faces.normal_b);
+  take(from.near, lane, to.near), to.b_is_larger[lane] = from.b_is_larger[lane];
+  for (const auto m : {&FlatContacts::a, &FlatContacts::b})
+    for (const auto v : {&MovingInLanes::origin, &MovingInLanes::velocity, &MovingInLanes::spin})
+      take(from.*m.*v, lane, to.*m.*v);
+  const FlatMemory& m = from.before;
+  take(m.shear.elastic, lane, to.before.shear.elastic), take(m.shear.total, lane, to.before.shear.total);
+  take(m.shear.area, lane, to.before.shear.area), take(m.slip, lane, to.before.slip);
+  take(m.normal, lane, to.before.normal), take(m.damping, lane, to.before.damping);
+  take(m.damping_moment, lane, to.before.damping_moment);
+}
+
+/// Whether a lane of both has the same bits.
+bool same_lane(const FlatResponses& one, const FlatResponses& other, int lane) {
+  bool same = one.flat[lane] == other.flat[lane] && one.rough[lane] == other.rough[lane];
+  if (one.flat[lane] == 0 || one.rough[lane] != 0) return same;
+  same = same && one.kind[lane] == other.kind[lane] && one.presses[lane] == other.presses[lane];
+  for (const auto v : {&FlatResponses::force, &FlatResponses::moment_a, &FlatResponses::moment_b,
+                       &FlatResponses::normal_force, &FlatResponses::centre, &FlatResponses::middle})
+    same = same && lane_of(one.*v, lane) == lane_of(other.*v, lane);
+  for (const auto v : {&FlatMemory::damping, &FlatMemory::damping_moment, &FlatMemory::normal})
+    same = same && lane_of(one.memory.*v, lane) == lane_of(other.memory.*v, lane);
+  for (const auto v : {&ShearForce<Lanes>::elastic, &ShearForce<Lanes>::total})
+    same = same && lane_of(one.memory.shear.*v, lane) == lane_of(other.memory.shear.*v, lane);
+  for (const auto x : {&FlatResponses::area, &FlatResponses::depth, &FlatResponses::radius,
+                       &FlatResponses::friction_arm, &FlatResponses::lost_damping, &FlatResponses::lost_friction})
+    same = same && (one.*x)[lane] == (other.*x)[lane];
+  return same;
+}
+
+/// A contact that has been rubbed for three steps, four times over.
+FlatContacts rubbed(std::mt19937_64& bits, double tilt, const ContactLaw& law) {
+  const LawInUse use{law, 1, 1e-4};
+  SolidMemory memory;
+  while (true) {
+    const Laid laid(bits, 1e-5, tilt);
+    const FacePair pair = facing_pair(laid.a, laid.b, 0);
+    if (pair.a < 0) continue;
+    FlatContacts in;
+    for (int step = 0; step < 3; ++step) {
+      FlatResponses out;
+      with_kernel(use, [&](const Coulomb& k) { in = flat_contact(laid.lower(), laid.upper(), pair, memory, k); });
+      respond_flat(in, out);
+      if (out.flat[0] == 0 || out.presses[0] == 0) break;
+      const FlatMemory& m = out.memory;
+      memory.shear = {lane_of(m.shear.elastic, 0), lane_of(m.shear.total, 0), m.shear.area[0]};
+      memory.normal = lane_of(m.normal, 0), memory.damping = lane_of(m.damping, 0);
+      memory.damping_moment = lane_of(m.damping_moment, 0), memory.slip = m.slip[0];
+    }
+    return in;
+  }
+}
+
 }  // namespace
 
 TEST_CASE("four flat contacts at once give what one after the other does") {
@@ -152,4 +220,52 @@ TEST_CASE("the pair of faces that may lie flat is the only one until it says so"
     CHECK(((later.a == pair.a && later.b == pair.b) || later.a == FacePair::none));
   }
   CHECK(alone > 250);
+}
+
+TEST_CASE("a flat contact has the bits it has alone, whatever others go with it") {
+  std::mt19937_64 bits(47);
+  std::set<std::int64_t> kinds;
+  int sliding = 0, flat = 0;
+  for (int round = 0; round < 1500; ++round) {
+    std::array<FlatContacts, lane_count> alone;
+    std::array<FlatResponses, lane_count> expected;
+    // Wholly pressed, open in part, and some that slide.
+    for (std::size_t i = 0; i < alone.size(); ++i)
+      alone[i] = rubbed(bits, i % 2 == 0 ? 0 : 4e-4, rubbing(i < 2 ? 0.05 : 5.0, 1e-4));
+    FlatContacts mixed = alone[0];
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      respond_flat(alone[i], expected[i]);
+      take(alone[i], lane, mixed);
+      mixed.mu[lane] = alone[i].mu[lane];
+    }
+    FlatResponses out;
+    respond_flat(mixed, out);
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const FlatResponses& one = expected[static_cast<std::size_t>(lane)];
+      REQUIRE(same_lane(one, out, lane));
+      if (one.flat[lane] == 0) continue;
+      ++flat, kinds.insert(one.kind[lane]);
+      sliding += one.kind[lane] >= flat_kinds / 2 ? 1 : 0;
+    }
+  }
+  CHECK(flat > 4000);
+  CHECK(kinds.size() > 20);
+  CHECK(sliding > 500);
+}
+
+TEST_CASE("a pair of faces names the corners of both") {
+  std::mt19937_64 bits(13);
+  for (int i = 0; i < 50; ++i) {
+    const Laid laid(bits, 1e-5, 0);
+    const FacePair pair = facing_pair(laid.a, laid.b, 0);
+    if (pair.a < 0) continue;
+    REQUIRE(pair.few);
+    CHECK(pair.near == near_faces(laid.a, laid.b));
+    CHECK(pair.b_is_larger == (laid.a.solid->size < laid.b.solid->size));
+    for (std::size_t k = 0; k < few_corners; ++k) {
+      CHECK(pair.corner_a[k] == laid.a.solid->shape.faces[pair.a][k]);
+      CHECK(pair.corner_b[k] == laid.b.solid->shape.faces[pair.b][k]);
+    }
+  }
 }

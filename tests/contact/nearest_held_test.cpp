@@ -1,0 +1,81 @@
+#include "contact/nearest_held.hpp"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "contact/friction_limit.hpp"
+
+using namespace trilith;
+
+namespace {
+
+struct Beyond {
+  Vec3 spring;
+  double lean, reach;
+};
+
+/// A force beyond the limit, by a hair or by far.
+Beyond draw(std::mt19937_64& bits) {
+  std::uniform_real_distribution<double> share(-1, 1);
+  while (true) {
+    const double far = std::pow(10.0, 2 * share(bits));
+    const Beyond drawn{(1 + far) * Vec3(share(bits), share(bits), share(bits)), 1 + share(bits), 1.5 + share(bits)};
+    const Vec3& s = drawn.spring;
+    const double along = std::hypot(s.x(), s.y()), turning = drawn.reach * s.z() - drawn.lean * s.y();
+    if (limit_measure(along, turning) > 1) return drawn;
+  }
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+}  // namespace
+
+TEST_CASE("four forces brought to the limit of friction at once have the bits of each alone") {
+  std::mt19937_64 bits(47);
+  int settled = 0;
+  bool same = true;
+  for (int round = 0; round < 5000; ++round) {
+    Triple<Lanes> spring;
+    LimitPlaces<Lanes> places;
+    LaneMask asked{};
+    Beyond drawn[lane_count];
+    for (int i = 0; i < lane_count; ++i) {
+      drawn[i] = draw(bits);
+      spring.x[i] = drawn[i].spring.x(), spring.y[i] = drawn[i].spring.y(), spring.z[i] = drawn[i].spring.z();
+      places.lean[i] = drawn[i].lean, places.reach[i] = drawn[i].reach;
+      asked[i] = (round + i) % 3 != 0 ? -1 : 0;
+    }
+    Triple<Lanes> z;
+    const LaneMask failed = nearest_by_newton<Lanes>(places, places.from_spring(spring), asked, z);
+    const Triple<Lanes> held = spring_on_limit(places, z);
+    for (int i = 0; i < lane_count; ++i) {
+      if (asked[i] == 0 || failed[i] != 0) continue;
+      ++settled;
+      const Vec3 alone = nearest_on_limit(drawn[i].spring, drawn[i].lean, drawn[i].reach), four = lane_of(held, i);
+      for (const int k : {0, 1, 2}) same = same && same_bits(alone[k], four[k]);
+    }
+  }
+  CHECK(same);
+  CHECK(settled > 10000);
+}
+
+TEST_CASE("what friction holds lies on the limit, and sliding goes along the limit's normal") {
+  std::mt19937_64 bits(48);
+  for (int round = 0; round < 2000; ++round) {
+    const Beyond drawn = draw(bits);
+    const LimitPlaces<double> places{drawn.lean, drawn.reach};
+    const Vec3 held = nearest_on_limit(drawn.spring, drawn.lean, drawn.reach);
+    const Triple<double> z = places.from_spring(triple_of(held));
+    CHECK(std::abs(beyond_curve(z) - 1) < 1e-12);
+    // The gradient of the measure by the spring's force: L' v.
+    const Triple<double> v = LimitNormal<double>(z).at(z);
+    const Vec3 normal(v.x, v.y - drawn.lean * v.z, drawn.reach * v.z), slid = drawn.spring - held;
+    CHECK(normal.dot(slid) >= (1 - 1e-9) * normal.norm() * slid.norm() - 1e-10);
+  }
+}
