@@ -253,8 +253,8 @@ FacePair none_yet() {
 ///
 /// Corners that have gone by at most t have turned a body of inner radius r (ConvexSolid) by so little that a unit
 /// vector in it has moved by t / r or less. So the product of two normals changes by t / r of both together, and the
-/// depth of a corner x below a plane through c by 2 t + |c - x| t / r. A pair that is none stays none until either could
-/// have made it one.
+/// depth of a corner x below a plane through c by 2 t + |c - x| t / r. A pair that is none stays none until either
+/// could have made it one.
 struct FacePairSearch {
   const PlacedSolid &a, &b;
   double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
