@@ -115,6 +115,7 @@ local out = (math.abs(foot.moment_y)/weak)^contour + (math.abs(foot.moment_z)/st
 assert(out < 1 + 1e-9 and out > 0.95, out)
 assert(foot.rotation_y ~= 0 and foot.rotation_z ~= 0 and foot.z == 0)
 near(m.energy.plastic, foot.given_off, 1e-6)
+m:release { push = "pushover" }
 m:pushover { name = "on", body = body, at = { 0, 0, 3 }, direction = "x", rate = 0.05, displacement = 0.12,
              damping = 0.5 }
 foot = body:hinges()[1]
