@@ -32,6 +32,10 @@ orientation   vector?          to the top of the section; without it up, of an u
 divisions     integer = 8      beam elements in a row
 shear         flag = false     with shear deformation (Timoshenko)
 pinned        names?           "from", "to" or both: carries no bending moment there
+hinge         hinge law?       a plastic hinge at both ends, with `across`
+from_hinge    hinge law?       ... at its start
+to_hinge      hinge law?       ... at its end
+mass_matrix   text = "lumped"  or "consistent", which implicit steps and modes take; explicit ones lump
 stations      integer = 4      of fibres, along each beam element
 rule          text = "lobatto"  where those are: "lobatto" (ends too) or "gauss"
 from_support  text or table?   "fixed", "free" or { x = , y = , z = , turn_x = , turn_y = , turn_z = }
@@ -39,7 +43,8 @@ to_support    text or table?   the same of its end]], with = "solid", gives = "b
   { "space:frame", "Beams that meet at joints, as one body.", keys = [[
 name     text   its name
 joints   table  { A = {x, y, z}, B = { at = {x, y, z}, support = , mass = , inertia = }, ... }
-members  list   { { from = , to = , section = , name = , orientation = , divisions = , material = , ... }, ... }]],
+members  list   { { from = , to = , section = , name = , orientation = , divisions = , material = , hinge = , ... }, ... }
+mass_matrix  text = "lumped"  or "consistent", which implicit steps and modes take; explicit ones lump]],
     with = "solid", gives = "body" },
   { "space:block", "A box in any pose.", keys = [[
 name    text                   its name
