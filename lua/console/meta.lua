@@ -20,7 +20,7 @@ local type_of = {
   section = "trilith.section", ["text or integer"] = "string|integer",
   course = "number|table",
   vector = "number[]", vectors = "number[][]", ["text or table"] = "string|table",
-  place = "number[]|string", ["two bodies"] = "table[]",
+  place = "number[]|string", ["two bodies"] = "table[]", ["table or body"] = "table|trilith.body|string",
   ["bearing or law"] = "trilith.bearing|trilith.contact_law|string", storeys = "integer|table[]",
 }
 

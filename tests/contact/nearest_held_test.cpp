@@ -30,7 +30,7 @@ Beyond draw(std::mt19937_64& bits) {
   }
 }
 
-bool same_bits(double a, double b) {
+bool held_alike(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("four forces brought to the limit of friction at once have the bits of
       if (asked[i] == 0 || failed[i] != 0) continue;
       ++settled;
       const Vec3 alone = nearest_on_limit(drawn[i].spring, drawn[i].lean, drawn[i].reach), four = lane_of(held, i);
-      for (const int k : {0, 1, 2}) same = same && same_bits(alone[k], four[k]);
+      for (const int k : {0, 1, 2}) same = same && held_alike(alone[k], four[k]);
     }
   }
   CHECK(same);
