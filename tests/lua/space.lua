@@ -213,7 +213,7 @@ do
     spin = { 0, 0, 1 } }
   local known = select(2, pcall(function() return s.nothing_like_it end))
   assert(known:find "vault" and known:find "gravity", known)
-  assert(not known:find "running_bond" and not known:find "bearing_type", known)
+  assert(not known:find "running_bond" and not known:find "abutment", known)
   assert(s.gravity[3] == -9.80665 and s.tilted == 0)
   refuses(function() b:point { 1, 2 } end, "point: takes {x, y, z} or the name of a joint")
   local good, why = pcall(function() return b.nothing_like_it end)
