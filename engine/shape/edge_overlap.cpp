@@ -109,7 +109,7 @@ class FromEdges {
     std::array<std::uint8_t, most_points> next;
   };
   struct Meeting {
-    std::int8_t start, end;  // points, along the face of a; -1: none yet
+    std::int16_t start, end;  // points, along the face of a; -1: none yet
   };
 
   /// Arms and depths of the corners of one solid; false where all lie outside
@@ -149,8 +149,8 @@ class FromEdges {
   TRILITH_INLINE int end_of(std::size_t s, const SolidEdge& e, std::size_t corner, double t, int face) {
     int point;
     if (face < 0) {
-      std::int8_t& known = corner_point_[s][corner];
-      if (known < 0) known = static_cast<std::int8_t>(add_point(corner_arm(s, corner)));
+      std::int16_t& known = corner_point_[s][corner];
+      if (known < 0) known = static_cast<std::int16_t>(add_point(corner_arm(s, corner)));
       point = known;
     } else {
       const Lanes p = corner_arm(s, e.from), q = corner_arm(s, e.to);
@@ -170,12 +170,12 @@ class FromEdges {
 
   TRILITH_INLINE void set_end(int face_a, int face_b, bool is_start, int point) {
     Meeting& of = meeting_[static_cast<std::size_t>(face_a)][static_cast<std::size_t>(face_b)];
-    std::int8_t& end = is_start ? of.start : of.end;
+    std::int16_t& end = is_start ? of.start : of.end;
     if (end >= 0) closed_ = false;
-    end = static_cast<std::int8_t>(point);
+    end = static_cast<std::int16_t>(point);
     if ((is_start ? of.end : of.start) < 0)
-      met_[static_cast<std::size_t>(meetings_++)] = {static_cast<std::int8_t>(face_a),
-                                                     static_cast<std::int8_t>(face_b)};
+      met_[static_cast<std::size_t>(meetings_++)] = {static_cast<std::int16_t>(face_a),
+                                                     static_cast<std::int16_t>(face_b)};
   }
 
   /// Where an edge of solid s goes through a face of the other, two meetings of
@@ -265,9 +265,9 @@ class FromEdges {
   std::array<std::array<DepthRow, room_of_faces>, 2>
       corner_depth_;  // of the corners of one below the faces of the other
   std::array<std::array<unsigned, room_of_faces>, 2> code_;
-  std::array<std::array<std::int8_t, room_of_faces>, 2> corner_point_;
+  std::array<std::array<std::int16_t, room_of_faces>, 2> corner_point_;
   std::array<std::array<Meeting, room_of_faces>, room_of_faces> meeting_;
-  std::array<std::array<std::int8_t, 2>, most_meetings> met_;
+  std::array<std::array<std::int16_t, 2>, most_meetings> met_;
   std::array<Steps, EdgeOverlap::most_loops> steps_;
   int meetings_ = 0;
   bool closed_ = true;
