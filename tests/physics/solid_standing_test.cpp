@@ -175,8 +175,13 @@ TEST_CASE("500 stones poured into a box come to rest" * doctest::test_suite("lon
     fall += run.model().mass[n] * standard_gravity * run.model().start_position[n].z();
   const double begun = run.energy().balance();
   run.run(6);
+  const auto fastest_now = [&] {
+    return largest_of(run, [&](std::size_t n) { return run.state().velocity[n].norm(); });
+  };
+  // When the last stone stops rocking hangs on single bits of the fall: some seconds more are given it.
+  for (int more = 0; more < 8 && fastest_now() >= 0.02; ++more) run.run(0.5);
   const Energy energy = run.energy();
-  const double fastest = largest_of(run, [&](std::size_t n) { return run.state().velocity[n].norm(); });
+  const double fastest = fastest_now();
   const double farthest =
       largest_of(run, [&](std::size_t n) { return run.state().position[n].head<2>().cwiseAbs().maxCoeff(); });
   MESSAGE("fastest " << fastest << " m/s, of the fall " << energy[EnergyTerm::kinetic] / fall << " left, ledger "
