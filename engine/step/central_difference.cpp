@@ -310,8 +310,8 @@ template <int D>
 Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options) {
   if (state.implicit()) return implicit_energy(model, state, work);
   Energy energy = work.given;
-  // Half of v(-) M v(+) as if the step to come were as long as the one behind: v^2 - (a dt / 2)^2 of the speed v of now.
-  // One of another length would add v a (dt' - dt) / 2, which no force has done.
+  // Half of v(-) M v(+) as if the step to come were as long as the one behind: v^2 - (a dt / 2)^2 of the speed v of
+  // now. One of another length would add v a (dt' - dt) / 2, which no force has done.
   const double span = state.last_dt;
   const Outside outside(model, state, work);
   double kinetic = 0;

@@ -43,7 +43,7 @@ to_support    text or table?   the same of its end]], with = "solid", gives = "b
   { "space:frame", "Beams that meet at joints, as one body.", keys = [[
 name     text   its name
 joints   table  { A = {x, y, z}, B = { at = {x, y, z}, support = , mass = , inertia = }, ... }
-members  list   { { from = , to = , section = , name = , orientation = , divisions = , material = , hinge = , ... }, ... }
+members  list   { { from = , to = , section = , name = , orientation = , material = , hinge = , ... }, ... }
 mass_matrix  text = "lumped"  or "consistent", which implicit steps and modes take; explicit ones lump]],
     with = "solid", gives = "body" },
   { "space:block", "A box in any pose.", keys = [[
