@@ -88,7 +88,8 @@ struct Bearing : std::conditional_t<D == 3, HorizontalPart, NoHorizontalPart> {
   std::array<double, directions> limit = no_limits<directions>();  ///< displacement that ends it [m], [rad]
   Vec<D> rest = Vec<D>::Zero();    ///< b's point from a's when placed, in the bearing's axes [m]
   Rotation<D> rest_angle{};        ///< when placed, of b against a [rad]; in space of its axes, in those of body b
-  bool replaces_contact = false;   ///< while live, it stands for the flat contact of the pieces it sits between
+  bool replaces_contact = false;   ///< while live, it stands for the contact of the pieces it sits between, as long as
+                                   ///< that lies flat; tilted, what goes deeper touches
   int piece_a = -1, piece_b = -1;  ///< those pieces: the ones whose faces are nearest to its points
   int contact_after = -1;          ///< index into Model::laws of the contact of the two pieces after
                                    ///< failure, or -1 for the one their surfaces have
@@ -115,6 +116,7 @@ struct BearingMemory : std::conditional_t<D == 3, HorizontalMemory, NoHorizontal
   BearingStatus status = BearingStatus::intact;
   std::uint32_t failed_direction = 0;
   std::array<DirectionMemory, Space<D>::dofs> direction;
+  double stood_for = 0;  ///< depth of the contact it stands for when that last lay flat, 0 once the two part [m]
 };
 
 }  // namespace trilith

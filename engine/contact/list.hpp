@@ -70,6 +70,7 @@ static_assert(ContactLaws::all([]<class L>() { return ContactLawType<L>; }));
 struct LawInUse {
   const ContactLaw& law;
   double thickness = 1, dt = 0;
+  double held = 0;  ///< depth up to which a bearing stands for the contact: what lies deeper presses [m]
 };
 
 /// f(kernel) with the kernel of a law.

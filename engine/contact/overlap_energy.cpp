@@ -1,5 +1,7 @@
 #include "contact/overlap_energy.hpp"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "contact/placed_edges.hpp"
@@ -70,12 +72,23 @@ Pressed pressed_between(const K& law, const PlacedPiece& a, const PlacedPiece& b
 }  // namespace
 
 double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, const LawInUse& law, double crushed) {
-  return with_kernel(law, [&](const auto& k) { return 0.5 * k.kn * pressed_between(k, a, b, crushed).pressure; });
+  const double from = std::max(crushed, law.held);
+  return with_kernel(law, [&](const auto& k) { return 0.5 * k.kn * pressed_between(k, a, b, from).pressure; });
 }
 
 /// W = kn/2 integral of phi - z over what is pressed in either piece, so -dW/dz is kn/2 times that area.
 double crushing_force(const PlacedPiece& a, const PlacedPiece& b, const Coulomb& law, double crushed) {
   return 0.5 * law.kn * pressed_between(law, a, b, crushed).area;
+}
+
+OverlapResponse whole_overlap(const PlacedPiece& a, const PlacedPiece& b, const LawInUse& law) {
+  constexpr std::size_t numbers = *std::max_element(law_number_counts.begin(), law_number_counts.end());
+  const std::array<double, numbers> none{};
+  std::array<double, numbers> after;
+  std::array<Vec2, 2 * max_piece_corners> force;  // asked for by the walk, and left
+  force.fill(Vec2::Zero());
+  return respond_overlap(a, b, {ContactMemory{}, none.data()}, law, std::span(force).first(a.corner.size()),
+                         std::span(force).subspan(max_piece_corners, b.corner.size()), after.data());
 }
 
 }  // namespace trilith

@@ -152,6 +152,7 @@ struct OverlapCase {
   const K& law;
   std::span<Vec2> on_a, on_b;
   CornerOnFace* alone;  ///< nullptr: not asked for
+  double held;          ///< depth up to which a bearing stands for it [m]
 };
 
 /// The part of `span` where a depth that is linear from d0 to d1 over all of the edge is above `crushed`.
@@ -243,10 +244,12 @@ struct Overlapping {
     return sums.length > 0 ? sums.force.norm() / (springs.kn * sums.length) - springs.crushing : -springs.crushing;
   }
   /// The depth by which the mortar is crushed now: such that the mean pressure of the springs is its strength at most.
-  [[nodiscard]] TRILITH_INLINE double crushed_now(const K& law, const LawMemory<K>& own) const {
+  /// Below a bearing that stands for the contact up to the depth `held` none is crushed.
+  [[nodiscard]] TRILITH_INLINE double crushed_now(const K& law, const LawMemory<K>& own, double held) const {
     if constexpr (!K::crushes)
-      return 0;
+      return held;
     else {
+      if (held > 0) return std::max(K::crushed(own), held);
       K springs = law;
       springs.beta = 0;
       return springs.crush(K::crushed(own), [&](double depth) { return excess(springs, depth); });
@@ -294,7 +297,7 @@ TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, Overl
     return part(a, b, before, law, merged, out);
   }
   if (of.alone != nullptr && (*of.alone = pair.corner_alone()).is_there()) return;
-  const double crushed = pair.crushed_now(law, of.own);
+  const double crushed = pair.crushed_now(law, of.own, of.held);
   const OverlapSums sums = pair.press(law, crushed, of.on_a, of.on_b);
   if (!(sums.length > 0)) return part(a, b, before, law, merged, out);
   out.touching = true;
@@ -314,7 +317,7 @@ TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, Overl
     add_friction(a, b, before, law, sums, rates, of.on_a, of.on_b, out);
   } else
     out.lost_friction = merged + released_energy(before, law.ks);
-  keep_crushed(a, b, before, of.own, crushed, law, after, out);
+  if (!(of.held > 0)) keep_crushed(a, b, before, of.own, crushed, law, after, out);
   if constexpr (K::crushes) law.wear(after);
 }
 
@@ -376,7 +379,7 @@ OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, cons
     OverlapResponse out;
     LawMemory<K> after;
     const LawMemory<K> own = law_memory<K>(before.law);
-    const OverlapCase<K> of{a, b, sides_a, sides_b, before.contact, own, kernel, on_a, on_b, alone};
+    const OverlapCase<K> of{a, b, sides_a, sides_b, before.contact, own, kernel, on_a, on_b, alone, law.held};
     if (corners <= lane_count)
       respond_as_here<K, lane_count>(of, after, out);
     else if (corners <= 4 * lane_count)

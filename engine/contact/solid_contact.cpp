@@ -125,13 +125,14 @@ void keep_crushed(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
 
 SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, Separation3& apart,
                                SolidOverlapBuffer& shared, bool may_be_flat, double crushed) {
-  if (FaceOverlap3 faces; may_be_flat && is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
+  const bool whole = !(use.held > 0);  // the short ways know no depth from which on contact presses
+  if (FaceOverlap3 faces; whole && may_be_flat && is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
     apart.distance = 0;
     return with_kernel(use, [&](const Coulomb& law) {
       return face_pressure(a.by_face(faces.face_a), b.by_face(faces.face_b), law, faces);
     });
   }
-  if (have_few_faces(a.placed, b.placed) && is_linear(use.law)) {
+  if (whole && have_few_faces(a.placed, b.placed) && is_linear(use.law)) {
     SolidPressure pressed;
     const bool found =
         with_kernel(use, [&](const Coulomb& law) { return edge_pressure(a, b, law.kn, law.beta, pressed); });
@@ -143,8 +144,8 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
   if (!overlap(a.placed, b.placed, apart, shared)) return {};
   return with_kernel(use, [&]<class K>(const K& law) {
     if constexpr (K::crushes)
-      if (law.crushing > 0) return crushed_pressure(a, b, use, law, shared, crushed);
-    return solid_pressure(a, b, use, shared);
+      if (whole && law.crushing > 0) return crushed_pressure(a, b, use, law, shared, crushed);
+    return solid_pressure(a, b, use, shared, whole ? 0 : std::max(crushed, use.held));
   });
 }
 
@@ -179,10 +180,10 @@ double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const So
                             SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch) {
   FaceOverlap3 faces;
   const bool sphere = a.solid->is_sphere() || b.solid->is_sphere();
-  const bool flat = !sphere && is_linear(use.law) && flat_faces(a, b, faces);
+  const bool flat = !sphere && !(use.held > 0) && is_linear(use.law) && flat_faces(a, b, faces);
   const double pressure = sphere ? sphere_energy(a, b, use)
                           : flat ? with_kernel(use, [&](const Coulomb& law) { return face_energy(law, faces); })
-                                 : solid_energy(a, b, use, shared, scratch, memory.crushed);
+                                 : solid_energy(a, b, use, shared, scratch, std::max(memory.crushed, use.held));
   return pressure + with_kernel(use, [&](const Coulomb& law) { return sliding_energy(law.ks, memory.shear); });
 }
 

@@ -79,15 +79,20 @@ struct PressedFace {
 
   /// Adds one cell, over which depth and closing speed are linear.
   void add_cell(const PressedPolygon& cell) const {
-    if constexpr (K::crushes)
-      if (crushed > 0) return add_deeper_part(cell);
+    if (crushed > 0)
+      add_deeper_part(cell);
+    else
+      add_whole(cell);
+  }
+
+ private:
+  void add_whole(const PressedPolygon& cell) const {
     if constexpr (K::linear)
       add_linear_cell(cell);
     else
       add_sampled_cell(cell);
   }
 
- private:
   /// The triangles of a polygon about its first corner.
   void add_triangles(const PressedPolygon& of, TriangleShare share) const {
     const auto corner = [&](std::size_t i) -> TriangleCorner {
@@ -106,7 +111,7 @@ struct PressedFace {
     keep_above(cell, left, deeper);
     for (std::size_t i = 0; i < deeper.count; ++i)
       deeper.corner[i].depth = larger(deeper.corner[i].depth - crushed, 0.0);
-    if (deeper.count > 2) add_linear_cell(deeper);
+    if (deeper.count > 2) add_whole(deeper);
   }
 
   /// The damped pressure acts over the part of a cell where it is above 0.

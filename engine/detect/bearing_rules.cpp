@@ -1,9 +1,12 @@
 #include "detect/bearing_rules.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/rotation_3d.hpp"
 #include "contact/face_overlap.hpp"
+#include "detect/pairs.hpp"
+#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -20,6 +23,29 @@ void for_bearings_beside(const PieceSearch<D>& search, const NearPair& pair, F&&
   for (auto at = std::lower_bound(search.bearing.begin(), search.bearing.end(), std::pair(key, 0));
        at != search.bearing.end() && at->first == key; ++at)
     f(static_cast<std::size_t>(at->second));
+}
+
+/// The axial direction of a bearing as either body keeps it.
+template <int D>
+struct AxialWays {
+  Vec<D> on_a, on_b;
+
+  /// Sine of the angle between them.
+  [[nodiscard]] double tilt() const {
+    if constexpr (D == 2)
+      return std::abs(cross(on_a, on_b));
+    else
+      return cross(on_a, on_b).norm();
+  }
+};
+AxialWays<2> axial_ways(const Model<2>& model, const State<2>& state, const Bearing<2>& b) {
+  const double on_a = pose_at(model, state, b.end_a).rotation, on_b = pose_at(model, state, b.end_b).rotation;
+  const auto way = [&](double angle) { return Turn(b.angle + angle).apply(Vec2::UnitY()); };
+  return {way(on_a), way(on_b - b.rest_angle)};
+}
+AxialWays<3> axial_ways(const Model<3>& model, const State<3>& state, const Bearing<3>& b) {
+  return {turn_of(motion_of(model, state, b.end_a.node[0]).rotation * b.angle).z(),
+          turn_of(motion_of(model, state, b.end_b.node[0]).rotation * b.rest_angle).z()};
 }
 
 }  // namespace
@@ -50,19 +76,47 @@ void apply_bearings(const Model<D>& model, const PieceSearch<D>& search, std::sp
   });
 }
 
-// Whether a bearing that stands for the contact answers for this force in space. Its faces, square to the axis z that
-// each body keeps of it, must still lie flat on each other, and the force must be nearer to that axis than 45 degrees:
-// (z . f)^2 >= f . f / 2. Solids that meet by another face, or tilted, touch as if there were no bearing.
-bool presses_flat(const Model<3>& model, const State<3>& state, const PieceSearch<3>& search,
-                  std::span<const BearingMemory<3>> bearings, const NearPair& pair, const Vec3& force) {
-  bool flat = false;
+// A bearing stands for what its two faces share while they lie flat. On soft springs that may be deep, and it is all
+// there at once when they tilt: from there on only what goes deeper than it did presses (LawInUse::held), so that a
+// contact begins without a force and without energy. Once the two have parted, all of what they share counts again.
+
+template <int D>
+double depth_stood_for(const Model<D>& model, const PieceSearch<D>& search, std::span<const BearingMemory<D>> bearings,
+                       const NearPair& pair) {
+  double depth = 0;
   for_bearings_beside(search, pair, [&](std::size_t i) {
-    const Bearing<3>& b = model.bearings[i];
+    if (model.bearings[i].replaces_contact && is_live(bearings[i].status))
+      depth = std::max(depth, bearings[i].stood_for);
+  });
+  return depth;
+}
+
+template <int D>
+void stand_for(const Model<D>& model, const PieceSearch<D>& search, const NearPair& pair, double depth,
+               std::span<double> stood_for) {
+  for_bearings_beside(search, pair, [&](std::size_t i) {
+    if (model.bearings[i].replaces_contact) stood_for[i] = depth;
+  });
+}
+
+// Whether a bearing that stands for the contact answers for this force. Its faces, square to the axial direction that
+// each body keeps of it, must still lie flat on each other, and the force must be nearer to that axis than 45 degrees:
+// (z . f)^2 >= f . f / 2. In the plane any two faces that lie flat on each other will do besides. What meets by another
+// face, or tilted, touches as if there were no bearing.
+template <int D>
+bool presses_flat(const Model<D>& model, const State<D>& state, const Work<D>& work,
+                  std::span<const BearingMemory<D>> bearings, const NearPair& pair, const Vec<D>& force) {
+  bool flat = false;
+  if constexpr (D == 2) {
+    NearPair faces = pair;
+    flat = choose_face_pair(model, work, false, faces);
+  }
+  for_bearings_beside(work.search, pair, [&](std::size_t i) {
+    const Bearing<D>& b = model.bearings[i];
     if (!b.replaces_contact || !is_live(bearings[i].status)) return;
-    const Vec3 on_a = turn_of(motion_of(model, state, b.end_a.node[0]).rotation * b.angle).z(),
-               on_b = turn_of(motion_of(model, state, b.end_b.node[0]).rotation * b.rest_angle).z();
-    const double pull = on_a.dot(force);
-    flat = flat || (cross(on_a, on_b).norm() <= face_pair_max_tilt && 2 * pull * pull >= force.squaredNorm());
+    const AxialWays<D> axial = axial_ways(model, state, b);
+    const double pull = axial.on_a.dot(force);
+    flat = flat || (axial.tilt() <= face_pair_max_tilt && 2 * pull * pull >= force.squaredNorm());
   });
   return flat;
 }
@@ -71,5 +125,15 @@ template void list_bearings(const Model<2>&, PieceSearch<2>&);
 template void list_bearings(const Model<3>&, PieceSearch<3>&);
 template void apply_bearings(const Model<2>&, const PieceSearch<2>&, std::span<const BearingMemory<2>>, NearPair&);
 template void apply_bearings(const Model<3>&, const PieceSearch<3>&, std::span<const BearingMemory<3>>, NearPair&);
+template bool presses_flat(const Model<2>&, const State<2>&, const Work<2>&, std::span<const BearingMemory<2>>,
+                           const NearPair&, const Vec2&);
+template bool presses_flat(const Model<3>&, const State<3>&, const Work<3>&, std::span<const BearingMemory<3>>,
+                           const NearPair&, const Vec3&);
+template double depth_stood_for(const Model<2>&, const PieceSearch<2>&, std::span<const BearingMemory<2>>,
+                                const NearPair&);
+template double depth_stood_for(const Model<3>&, const PieceSearch<3>&, std::span<const BearingMemory<3>>,
+                                const NearPair&);
+template void stand_for(const Model<2>&, const PieceSearch<2>&, const NearPair&, double, std::span<double>);
+template void stand_for(const Model<3>&, const PieceSearch<3>&, const NearPair&, double, std::span<double>);
 
 }  // namespace trilith

@@ -47,10 +47,15 @@ double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>
   NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
   if (pair.law < 0) return 0;
   apply_bearings<2>(model, work.search, bearings, pair);
-  if (NearPair flat = pair; pair.replaced && choose_face_pair(model, work, false, flat)) return 0;
+  LawInUse law = law_in_use(model, pair.law);
   PieceCorners corners_p, corners_q;
-  return overlap_energy(placed_piece(model, state, work, p, corners_p), placed_piece(model, state, work, q, corners_q),
-                        law_in_use(model, pair.law));
+  const PlacedPiece a = placed_piece(model, state, work, p, corners_p),
+                    b = placed_piece(model, state, work, q, corners_q);
+  if (pair.replaced) {
+    if (presses_flat<2>(model, state, work, bearings, pair, whole_overlap(a, b, law).force)) return 0;
+    law.held = depth_stood_for<2>(model, work.search, bearings, pair);
+  }
+  return overlap_energy(a, b, law);
 }
 
 /// In space with the shear that the contact remembers.
@@ -72,7 +77,7 @@ double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>
   apply_bearings<3>(model, work.search, bearings, pair);
   SolidOverlapBuffer shared, scratch;  // room; bearings end once
   const PlacedSolid &first = work.solids.placed[pair.piece_a], &second = work.solids.placed[pair.piece_b];
-  const LawInUse law{model.laws[pair.law], model.thickness, 0};
+  LawInUse law{model.laws[pair.law], model.thickness, 0};
   SolidMemory memory;
   const ContactKey key = contact_key(pair.piece_a, pair.piece_b);
   const auto row = std::lower_bound(work.contacts.key.begin(), work.contacts.key.end(), key);
@@ -85,7 +90,8 @@ double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>
     Separation3 apart{0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0};
     const SolidPressure pressed = pressure_between(at_rest(first, pair.piece_a), at_rest(second, pair.piece_b), law,
                                                    apart, shared, true, memory.crushed);
-    if (presses_flat(model, state, work.search, bearings, pair, pressed.force)) return 0;
+    if (presses_flat<3>(model, state, work, bearings, pair, pressed.force)) return 0;
+    law.held = depth_stood_for<3>(model, work.search, bearings, pair);
   }
   return solid_contact_energy(first, second, memory, law, shared, scratch);
 }

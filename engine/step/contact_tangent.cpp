@@ -346,7 +346,7 @@ class GeneralTerm {
         work_(work),
         pair_(work.pairs[row]),
         remembered_{before.memory[row], before.law_numbers(row)},
-        law_(law_in_use(sum.model, pair_.law, sum.options.dt)),
+        law_(law_beside_bearings(sum.model, sum.state, work, pair_, sum.options.dt)),
         law_after_(law_number_counts[before.law_row[row].place] + 1) {}
 
   void respond(const TermNodes& nodes, TermForces& out) {

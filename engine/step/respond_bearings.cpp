@@ -124,6 +124,19 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   after.failed_direction = static_cast<std::uint32_t>(beyond);
 }
 
+/// One that failed at the step before: its last force works for half a step more, which no spring is there to take.
+template <int D>
+void let_go(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, double dt) {
+  const BearingStatus status = state.bearing[i].status;
+  if (status != BearingStatus::failed && status != BearingStatus::changed) return;
+  const auto mean = mean_rates(model, state, model.bearings[i], bearing_motion(model, state, i), dt);
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    DirectionMemory& last = work.bearing[i].direction[k];
+    work.given[EnergyTerm::bearing_failure] += 0.5 * dt * (last.force + last.damping) * mean[k];
+    last.force = last.damping = 0;
+  }
+}
+
 /// Of a live one: its laws are asked again for both ways. A law of both horizontal directions is left out.
 template <int D>
 double turned_back(const Model<D>& model, const State<D>& state, const Work<D>& work, std::size_t i, double dt) {
@@ -199,13 +212,20 @@ void begin_bearings(const Model<D>& model, Work<D>& work) {
 template <int D>
 void respond_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, double dt) {
   work.bearing[i] = state.bearing[i];
-  if (is_live(state.bearing[i].status)) respond_live(model, state, work, i, dt);
+  if (is_live(state.bearing[i].status))
+    respond_live(model, state, work, i, dt);
+  else
+    let_go(model, state, work, i, dt);
 }
 
 template <int D>
 void respond_bearings(const Model<D>& model, const State<D>& state, Work<D>& work, double dt) {
   begin_bearings(model, work);
-  for (std::size_t i = 0; i < model.bearings.size(); ++i) respond_bearing(model, state, work, i, dt);
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    respond_bearing(model, state, work, i, dt);
+    const bool stands = !work.stood_for.empty() && is_live(work.bearing[i].status);
+    work.bearing[i].stood_for = stands ? work.stood_for[i] : 0;
+  }
 }
 
 template <int D>

@@ -6,9 +6,12 @@
 #include <span>
 
 #include "base/team.hpp"
+#include "contact/overlap_energy.hpp"
+#include "detect/bearing_rules.hpp"
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
+#include "step/stored_energy.hpp"
 
 namespace trilith {
 
@@ -213,15 +216,23 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
   for (CornerRows& waiting : kinds) answer_waiting(waiting);
 }
 
-/// A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
+/// A bearing carries what its two faces would: flat contact is held off, and the depth that it has then is noted, for
+/// what tilts presses only by what goes deeper. What such a contact still holds as it lies flat again is given off.
 bool GeneralPass::holds_off(int row, OverlapAnswer& answer) const {
-  NearPair flat = work.pairs[row];
-  if (!choose_face_pair(model, work, false, flat)) return false;
+  const NearPair& pair = work.pairs[row];
+  const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
+                    &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
+  const OverlapResponse whole = whole_overlap(a, b, law_in_use(model, pair.law, dt));
+  if (!whole.touching || !presses_flat<2>(model, state, work, state.bearing, pair, whole.force)) return false;
+  stand_for<2>(model, work.search, pair, whole.depth, work.stood_for);
   const bool was = (before.memory[row].state & contact_touching) != 0;
   if (was) part_row(before, work.contacts, row);
   answer.counts = answer.changed = was;
   answer.touching = false;
   answer.let_go = {}, answer.response = {};
+  if (was)
+    answer.let_go.friction = general_energy(a, b, {before.memory[row], before.law_numbers(row)},
+                                            law_beside_bearings(model, state, work, pair));
   return true;
 }
 
@@ -245,7 +256,7 @@ CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_b
   const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
                     &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
   const ContactMemory& memory = before.memory[row];
-  const LawInUse law = law_in_use(model, pair.law, dt);
+  const LawInUse law = law_beside_bearings(model, state, work, pair, dt);
   const Remembered remembered{memory, before.law_numbers(row)};
   CornerOnFace alone;
   std::fill(answer.on_a, answer.on_b + b.corner.size(), Vec2::Zero());
@@ -253,6 +264,8 @@ CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_b
                                     work.contacts.law_numbers(row), may_be_corner ? &alone : nullptr);
   if (may_be_corner) pair.corner_at = alone;
   if (alone.is_there()) return alone;
+  if (pair.replaced)
+    stand_for<2>(model, work.search, pair, answer.response.separation > 0 ? 0 : law.held, work.stood_for);
   if ((memory.state & contact_touching) != 0 && (memory.state & contact_general) == 0)
     answer.let_go = change_of_shape(work, pair, remembered, law);
   finish(row, answer);
@@ -345,6 +358,7 @@ void list_rows(const GeneralPass& pass, Work<2>& work) {
 /// of one row after the other.
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
   work.general_touching.clear();
+  begin_to_stand(model, work);
   if (work.general.empty() && work.general_now.empty()) return;
   const GeneralPass pass{model, state, contacts_before(state, work), work, dt, forgets_all(model)};
   list_rows(pass, work);

@@ -139,6 +139,8 @@ struct SolidPass {
   void respond_bonded(int row, const JointMemory& before, SolidRoom& room, SolidAnswer& answer) const;
   void respond_alone(int row, SolidRoom& room, SolidAnswer& answer) const;
   void respond_shapes(int row, bool may_be_flat, SolidRoom& room, SolidAnswer& answer) const;
+  void respond_beside_bearing(int row, const MovingSolid& a, const MovingSolid& b, const SolidPressure& whole,
+                              SolidRoom& room, SolidAnswer& answer) const;
   void respond_faces(std::span<const int> rows, int first, SolidRoom& room, SolidAnswer* answers) const;
   void ask_early(int row) const;
   [[nodiscard]] bool stays_apart(int row) const;
@@ -224,9 +226,32 @@ void SolidPass::respond_shapes(int row, bool may_be_flat, SolidRoom& room, Solid
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
   const SolidPressure pressed =
       pressure_between(a, b, law, work.solids.separation[r], room.shared, may_be_flat, before.crushed);
-  // A bearing carries what its two faces would: flat contact is held off, a corner that strikes is not.
-  const bool held_off = pair.replaced && presses_flat(model, state, work.search, state.bearing, pair, pressed.force);
-  const SolidResponse response = respond_solids(a, b, before, law, held_off ? SolidPressure{} : pressed, room);
+  if (pair.replaced && pressed.area > 0) return respond_beside_bearing(row, a, b, pressed, room, answer);
+  const SolidResponse response = respond_solids(a, b, before, law, pressed, room);
+  finish(row, !(before.crushed > 0) && response.memory.crushed > 0, response, answer);
+}
+
+/// Two that overlap and between which a live bearing sits; `whole` is what they would press by without it. The bearing
+/// carries what its two faces would: flat contact is held off, and its depth is noted, for what tilts or strikes from
+/// the side presses only by what goes deeper. What a contact still holds as it lies flat again is given off.
+void SolidPass::respond_beside_bearing(int row, const MovingSolid& a, const MovingSolid& b, const SolidPressure& whole,
+                                       SolidRoom& room, SolidAnswer& answer) const {
+  const NearPair& pair = work.pairs[row];
+  const SolidMemory& before = contacts_before(state, work).memory[row];
+  const LawInUse law = law_beside_bearings(model, state, work, pair, dt);
+  const bool flat = presses_flat<3>(model, state, work, state.bearing, pair, whole.force);
+  stand_for<3>(model, work.search, pair, flat ? whole.depth : law.held, work.stood_for);
+  SolidPressure pressed;
+  if (!flat)
+    pressed = law.held > 0
+                  ? pressure_between(a, b, law, work.solids.separation[row], room.shared, false, before.crushed)
+                  : whole;
+  SolidResponse response = respond_solids(a, b, before, law, pressed, room);
+  if (flat && (before.state & contact_touching) != 0) {
+    SolidMemory normal;
+    normal.crushed = before.crushed;
+    response.lost_friction += solid_contact_energy(a.placed, b.placed, normal, law, room.shared, room.part);
+  }
   finish(row, !(before.crushed > 0) && response.memory.crushed > 0, response, answer);
 }
 
@@ -362,6 +387,7 @@ void list_law_numbers(const Model<3>& model, std::vector<LawNumbers>& numbers) {
 /// of one row after the other.
 void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work, double dt) {
   work.general_touching.clear();
+  begin_to_stand(model, work);
   work.solids.force.assign(model.mass.size(), Vec3::Zero());
   work.solids.moment.assign(model.mass.size(), Vec3::Zero());
   work.solids.fit_force.assign(model.fits.size(), Vec3::Zero());

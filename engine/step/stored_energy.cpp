@@ -5,6 +5,7 @@
 #include "contact/face_resultant.hpp"
 #include "contact/joint.hpp"
 #include "contact/overlap_energy.hpp"
+#include "detect/bearing_rules.hpp"
 #include "step/contact_rows.hpp"
 
 namespace trilith {
@@ -29,19 +30,22 @@ double face_energy(const Model<2>& model, const Work<2>& work, std::size_t row) 
 
 double general_energy(const Model<2>& model, const State<2>& state, const Work<2>& work, const GeneralContact<2>& g) {
   const NearPair& p = work.pairs[g.row];
-  const ContactMemory& m = work.contacts.memory[g.row];
-  const LawInUse use = law_in_use(model, p.law);
   PieceCorners corners_a, corners_b;
-  const auto [crushed, ks] = with_kernel(use, [&]<class K>(const K& law) {
-    return std::pair(K::crushed(law_memory<K>(work.contacts.law_numbers(g.row))), law.ks);
-  });
-  const double normal = overlap_energy(placed_piece(model, state, work, p.piece_a, corners_a),
-                                       placed_piece(model, state, work, p.piece_b, corners_b), use, crushed);
-  const double shear = m.shear_elastic[0] + m.shear_elastic[1], stiffness = ks * (m.active[0] + m.active[1]);
-  return normal + (stiffness > 0 ? 0.5 * shear * shear / stiffness : 0);
+  return general_energy(
+      placed_piece(model, state, work, p.piece_a, corners_a), placed_piece(model, state, work, p.piece_b, corners_b),
+      {work.contacts.memory[g.row], work.contacts.law_numbers(g.row)}, law_beside_bearings(model, state, work, p));
 }
 
 }  // namespace
+
+double general_energy(const PlacedPiece& a, const PlacedPiece& b, const Remembered& remembered, const LawInUse& law) {
+  const auto [crushed, ks] = with_kernel(
+      law, [&]<class K>(const K& kernel) { return std::pair(K::crushed(law_memory<K>(remembered.law)), kernel.ks); });
+  const ContactMemory& m = remembered.contact;
+  const double normal = overlap_energy(a, b, law, crushed);
+  const double shear = m.shear_elastic[0] + m.shear_elastic[1], stiffness = ks * (m.active[0] + m.active[1]);
+  return normal + (stiffness > 0 ? 0.5 * shear * shear / stiffness : 0);
+}
 
 /// Faces by row, then contacts of general shape, which this evaluation has listed.
 /// Sum of the elastic energies of all that touches: normal overlap and elastic slip; of faces by their closed form, of
@@ -58,12 +62,12 @@ double contact_energy(const Model<2>& model, const State<2>& state, const Work<2
 }
 
 /// The same in space: of a bonded joint by its patches, of all else by the volume that is shared and the shear held.
-double contact_energy(const Model<3>& model, const State<3>& /*state*/, const Work<3>& work) {
+double contact_energy(const Model<3>& model, const State<3>& state, const Work<3>& work) {
   SolidOverlapBuffer shared, cell;
   double sum = 0;
   for (const GeneralContact<3>& g : work.general_touching) {
     const NearPair& p = work.pairs[g.row];
-    const LawInUse law{model.laws[p.law], model.thickness, 0};
+    const LawInUse law = law_beside_bearings(model, state, work, p);
     const JointMemory* joint = work.contacts.joint_at(static_cast<std::size_t>(g.row));
     if (joint != nullptr && !joint->empty()) {
       sum += joint_energy(*joint, law);

@@ -72,7 +72,8 @@ template <int D>
 void check_bearings(const std::string& owner, const State<D>& s) {
   constexpr std::uint32_t last = D == 2 ? 2 : 6;  // in space the horizontal resultant comes last
   for (const BearingMemory<D>& m : s.bearing)
-    if (m.status > BearingStatus::removed || m.failed_direction > last) fail(owner, "has a bearing in no known state");
+    if (m.status > BearingStatus::removed || m.failed_direction > last || !(m.stood_for >= 0))
+      fail(owner, "has a bearing in no known state");
 }
 
 /// A body is removed where it is held out and has a time that is not negative.

@@ -11,11 +11,12 @@
 //           keeps of them (x, y, rotation before, three accelerations; none in explicit stages), the most energy since
 //           these began, contacts that remember something (key, the 10 numbers of ContactMemory, bonds * 2^32 + state,
 //           place of the law in ContactLaws * 2^32 + how many numbers it remembers, these), contacts that parted a
-//           moment ago (key, time), pairs of bodies that passed (key), bearings (status * 2^32 + failed direction, 3 x
-//           5 numbers of DirectionMemory), points of inelastic elements (5 numbers of PlasticMemory), seats (lost),
-//           bodies (moved at, resting), bodies (left the bounds), the first 19 terms of the energy ledger; and where
-//           bodies or bearings were added or removed, the other terms and the times at which bodies were removed (-1:
-//           not); and where masses are scaled these two, and shares by body. Numbers are IEEE doubles.
+//           moment ago (key, time), pairs of bodies that passed (key), bearings (status * 2^32 + failed direction, with
+//           bit 31 set where the depth of the contact that it stands for follows, 3 x 5 numbers of DirectionMemory),
+//           points of inelastic elements (5 numbers of PlasticMemory), seats (lost), bodies (moved at, resting), bodies
+//           (left the bounds), the first 19 terms of the energy ledger; and where bodies or bearings were added or
+//           removed, the other terms and the times at which bodies were removed (-1: not); and where masses are scaled
+//           these two, and shares by body. Numbers are IEEE doubles.
 //   6 + n   digest of all words before (base/hash.hpp)
 #pragma once
 

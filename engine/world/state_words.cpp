@@ -297,11 +297,26 @@ void walk_numbers(File& file, V& v) {
   for_each_number(v, [&](auto& number) { file.number(number); });
 }
 
+/// The way in which a bearing failed; one that stands for a depth of contact is marked, and the depth follows.
+constexpr std::uint32_t stands_mark = 1U << 31U;
+template <int D>
+void walk_status(Writer& file, const BearingMemory<D>& m) {
+  const bool stands = m.stood_for > 0;
+  file.pair(m.status, m.failed_direction | (stands ? stands_mark : 0U));
+  if (stands) file.number(m.stood_for);
+}
+template <int D>
+void walk_status(Reader& file, BearingMemory<D>& m) {
+  file.pair(m.status, m.failed_direction);
+  if ((m.failed_direction & stands_mark) != 0) file.number(m.stood_for);
+  m.failed_direction &= ~stands_mark;
+}
+
 /// What bearings remember, one after the other.
 template <class File, class S>
 void walk_bearings(File& file, S& s) {
   for (std::size_t i = 0, n = file.count(s.bearing); i < n; ++i) {
-    file.pair(s.bearing[i].status, s.bearing[i].failed_direction);
+    walk_status(file, s.bearing[i]);
     for (auto& d : s.bearing[i].direction)
       for (auto* v : {&d.inner, &d.force, &d.damping, &d.travelled, &d.compression}) file.number(*v);
     if constexpr (requires { s.bearing[i].turned; }) {

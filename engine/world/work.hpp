@@ -224,6 +224,7 @@ struct Work {
   // Writer: respond
   Contacts<D> contacts;                    ///< [contact] trial
   std::vector<BearingMemory<D>> bearing;   ///< [bearing] trial
+  std::vector<double> stood_for;           ///< [bearing] see BearingMemory; empty where none stands for a contact [m]
   std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
   std::vector<SortedRows> sorted_rows;     ///< room, by stretch
   std::vector<FourFaces> four_faces;       ///< room for what threads take ...

@@ -148,6 +148,37 @@ struct Pulled {
   }
 };
 
+TEST_CASE("the last force of a bearing works for half a step more, and the ledger has it to rounding") {
+  // Without contact and weight a block of 2,000 kg pulls a spring with a dashpot until it breaks. By that half step the
+  // ledger would be out by F v dt / 2: some 2 % at steps of 4 ms.
+  for (const bool implicitly : {false, true})
+    for (const double dt : {4e-3, 1e-3}) {
+      Scene scene(Frictional{1e8, 5e7, 0.4, 0});
+      scene.builder.set_contact("*", "*", "none");
+      scene.set_gravity({0, 0});
+      scene.fixed("base", box(0, 0, 1, 1));
+      scene.block("block", box(2, 0, 3, 1), 2000, {1, 0});
+      BearingSpec spring;
+      spring.name = "spring", spring.body_a = "base", spring.body_b = "block";
+      spring.point_a = {1, 0.5}, spring.point_b = {2, 0.5};
+      spring.law[along] = Linear{2e5, 2e3}, spring.limit[along] = 0.0523;
+      scene.builder.add_bearing(spring);
+      Simulation<2> sim = scene.start();
+      StageOptions options;
+      options.duration = 0.2, options.dt = dt, options.energy_interval = dt;
+      if (implicitly) options.implicit = AlphaScheme::hht(0);
+      std::vector<double> balance;
+      RunListener<2> listener;
+      listener.on_energy = [&](const Instant<2>&, const Energy& e) { balance.push_back(e.balance()); };
+      sim.run(options, listener);
+      CAPTURE(implicitly);
+      CAPTURE(dt);
+      REQUIRE(sim.state().bearing[0].status == BearingStatus::failed);
+      REQUIRE(balance.size() > 20);
+      CHECK(near(balance.back(), balance[2], 1e-12));
+    }
+}
+
 TEST_CASE("a bearing beyond its limit ends, and what was stored in it is given off") {
   Pulled p;
   p.scene.builder.set_contact("*", "*", "none");
