@@ -113,7 +113,9 @@ TRILITH_INLINE Mask<T> Bonded::Kernel::broken(const HalfState<T>& h, T shear_ela
   return h.bonded & exceeded(h.widest(), trial, shear_strength(closed, open), h.length);
 }
 
-/// Takes the bonds that are beyond their limit; returns the energy they gave off [J].
+/// Takes the bonds that are beyond their limit; returns the energy they gave off [J]. Along the step the force of its
+/// beginning worked for half of the way and none after: with gaps p before and g now, what was stored and what that put
+/// in come to kn/2 integral of p g, both where open.
 template <class T>
 TRILITH_INLINE T Bonded::Kernel::lose_bonds(HalfState<T>* h, const T* shear_elastic) const {
   const T zero{};
@@ -127,7 +129,7 @@ TRILITH_INLINE T Bonded::Kernel::lose_bonds(HalfState<T>* h, const T* shear_elas
   T energy = zero;
   for (const int k : {0, 1}) {
     h[k].bonded = h[k].bonded & flip(lost[k]);
-    energy += select(lost[k], 0.5 * kn * open_product(h[k], h[k].g0, h[k].g1), zero);
+    energy += select(lost[k], 0.5 * kn * open_product(h[k], h[k].g0 - dt * h[k].m0, h[k].g1 - dt * h[k].m1), zero);
   }
   return energy;
 }

@@ -192,10 +192,15 @@ TRILITH_INLINE void end_patch_shear(const PatchTrial& trial, const PatchMemory& 
   store_lanes(total.x, after.total_x), store_lanes(total.y, after.total_y);
   after.active = area, after.slip = before.slip;
   lost.friction += trial.relaxed;
-  if (!(trial.stiffness > 0)) return;
-  after.slip += 0.25 * sum_of(select(slides, magnitude(slip), Lanes{}));
   const PointVectors elastic_before{lanes_of(before.elastic_x), lanes_of(before.elastic_y)};
-  const PointVectors mean_total = 0.5 * (total + PointVectors{lanes_of(before.total_x), lanes_of(before.total_y)});
+  const PointVectors total_before{lanes_of(before.total_x), lanes_of(before.total_y)};
+  if (!(trial.stiffness > 0)) {  // the force of before worked for half of the way, and nothing takes that
+    lost.friction += 0.5 * sum_of(elastic_before.dot(trial.path));
+    lost.damping += 0.5 * sum_of((total_before - elastic_before).dot(trial.path));
+    return;
+  }
+  after.slip += 0.25 * sum_of(select(slides, magnitude(slip), Lanes{}));
+  const PointVectors mean_total = 0.5 * (total + total_before);
   const PointVectors mean_elastic = 0.5 * (elastic + elastic_before), stretch = trial.path - slid;
   lost.friction += sum_of(mean_total.dot(slid) + 0.5 * (elastic_before - trial.kept).dot(stretch));
   lost.damping += sum_of((mean_total - mean_elastic).dot(stretch));

@@ -84,11 +84,12 @@ TRILITH_INLINE void end_shear(const ShearTrial<T>& trial, T active, const ShearB
   const T slip = select(open, zero, trial.move - stretch);
   const T mean_total = 0.5 * (out.shear_total + before.total);
   const T mean_elastic = 0.5 * (out.shear_elastic + before.elastic);
-  const T parted = select(open, zero, 0.5 * (before.elastic - trial.kept) * stretch);
+  // Where all of it opens, the force of before worked for half of the way, and nothing takes that.
+  const T parted = 0.5 * (before.elastic - trial.kept) * select(open, trial.move, stretch);
   out.slip = magnitude(slip);
   out.active = active;
   out.lost_friction = mean_total * slip + trial.relaxed + parted;
-  out.lost_damping = select(open, zero, (mean_total - mean_elastic) * stretch);
+  out.lost_damping = (mean_total - mean_elastic) * select(open, trial.move, stretch);
 }
 
 }  // namespace trilith
