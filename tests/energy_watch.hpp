@@ -13,8 +13,9 @@ struct EnergyWatch {
   EnergyCheck check;
   std::optional<double> first;  ///< balance of the first entry [J]
 
-  void listen(RunListener<2>& listener) {
-    listener.on_energy = [this](const Instant<2>&, const Energy& e) {
+  template <int D>
+  void listen(RunListener<D>& listener) {
+    listener.on_energy = [this](const Instant<D>&, const Energy& e) {
       if (!first) first = e.balance();
       check.add(e, e.balance() - *first);
     };

@@ -83,24 +83,22 @@ void Simulation<D>::scale_masses() {
     throw InputError(
         fmt::format("stage '{}': push '{}' controls a displacement, which does not know of mass_scaling; keep one",
                     stage_->options.name, model_.pushes.front().name));
-  if constexpr (D == 2) {
-    refresh();
-    const bool due = state_.added_share.empty() || state_.dt == 0 || state_.step % steps_between_estimates == 0;
-    if (!due) return;
-    if (!stage_->report.scaled) stage_->report.scaled.emplace();
-    const bool changed = trilith::scale_masses(model_, state_, work_, *stage_->options.mass_scaling,
-                                               stage_->options.safety, stage_->first, *stage_->report.scaled);
-    if (!changed) return;
-    state_.dt = 0;
-    evaluated_ = false;
-  }
+  refresh();
+  const bool due = state_.added_share.empty() || state_.dt == 0 || state_.step % steps_between_estimates == 0;
+  if (!due) return;
+  if (!stage_->report.scaled) stage_->report.scaled.emplace();
+  const bool changed = trilith::scale_masses(model_, state_, work_, *stage_->options.mass_scaling,
+                                             stage_->options.safety, stage_->first, *stage_->report.scaled);
+  if (!changed) return;
+  state_.dt = 0;
+  evaluated_ = false;
 }
 
 /// Masses are the model's own again.
 template <int D>
 void Simulation<D>::unscale_masses() {
   if (state_.added_share.empty()) return;
-  if constexpr (D == 2) trilith::unscale_masses(model_, state_);
+  trilith::unscale_masses(model_, state_);
   state_.dt = 0;
   evaluated_ = false;
 }

@@ -106,10 +106,8 @@ void Simulation<D>::refresh() {
     swept_.dt = impact_step(model_, state_, work_, swept_.dt, {accuracy, next_.safety});
   clock.mark(StepPart::estimate);
   if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
-  if constexpr (D == 2) {
-    add_inertia(model_, state_, work_, {swept_.dt, rest_});
-    if (!state_.added_share.empty()) clock.mark(StepPart::advance);
-  }
+  add_inertia(model_, state_, work_, {swept_.dt, rest_});
+  if (!state_.added_share.empty()) clock.mark(StepPart::advance);
   evaluated_ = true;
 }
 

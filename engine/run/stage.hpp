@@ -28,7 +28,7 @@ struct StageOptions {
                           ///< energy to some percent, at 0.1 to a tenth of one
   double rest_share = 0;  ///< damping of consolidation (RestDamping), 0 to below 1
 
-  std::optional<MassScaling> mass_scaling;  ///< longer explicit steps of bodies of elements in the plane
+  std::optional<MassScaling> mass_scaling;  ///< longer explicit steps of bodies of elements
 
   std::optional<AlphaScheme> implicit;  ///< steps of this scheme; else explicit central differences
   bool may_change = false;              ///< with `implicit`: explicit steps where those do not pay

@@ -323,8 +323,7 @@ Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& w
     add_work(f, path, energy);
     kinetic += kinetic_energy(model, state, n, v, speed_ahead(model, state, n, v, f, span, options.dt));
   }
-  if constexpr (D == 2)
-    if (!state.added_share.empty()) kinetic += added_kinetic(model, state, work, state.last_dt > 0 ? span : 0);
+  if (!state.added_share.empty()) kinetic += added_kinetic(model, state, work, state.last_dt > 0 ? span : 0);
   energy[EnergyTerm::kinetic] = kinetic;
   add_stored(model, state, work, energy);
   return energy;

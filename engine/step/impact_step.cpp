@@ -93,10 +93,8 @@ bool are_bonded(const State<2>& state, ContactKey key) {
   return row >= 0 && state.contacts.memory[row].bonds != 0;
 }
 bool are_bonded(const State<3>& state, ContactKey key) {
-  const auto& all = state.contacts.key;
-  const auto at = std::lower_bound(all.begin(), all.end(), key);
-  if (at == all.end() || *at != key) return false;
-  const JointMemory* joint = state.contacts.joint_at(static_cast<std::size_t>(at - all.begin()));
+  const int row = state.contacts.find(key);
+  const JointMemory* joint = row < 0 ? nullptr : state.contacts.joint_at(static_cast<std::size_t>(row));
   return joint != nullptr && joint->bonds != 0;
 }
 
@@ -117,10 +115,8 @@ double added_speed(const Model<D>& model, const Work<D>& work, int body, int nod
 /// True where some stress goes from one piece to the other.
 template <int D>
 bool touch_now(const Work<D>& work, ContactKey key) {
-  const std::vector<ContactKey>& all = work.contacts.key;
-  const auto at = std::lower_bound(all.begin(), all.end(), key);
-  if (at == all.end() || *at != key) return false;
-  return (work.contacts.memory[static_cast<std::size_t>(at - all.begin())].state & contact_touching) != 0;
+  const int row = work.contacts.find(key);
+  return row >= 0 && (work.contacts.memory[static_cast<std::size_t>(row)].state & contact_touching) != 0;
 }
 
 /// What can be said of two bodies at once: at most how fast they close within the step, whether they are too far apart

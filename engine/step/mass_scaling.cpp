@@ -23,49 +23,44 @@ double demand(const RateBound& rate, double dt) {
   return 0.25 * dt * dt * rate.stiffness + 0.5 * dt * rate.damping;
 }
 
-/// The step of its own masses.
-double plain_step(const BodyRates& r, double mass_damping) {
-  return step_for(r.contacts.stiffness + r.elements.stiffness,
-                  r.contacts.damping + (r.elements.damping + mass_damping));
+/// The rigid part of its velocities.
+template <int D>
+RigidPart<D> rigid_motion(const Model<D>& model, const State<D>& state, int body, const WholeBody<D>& whole) {
+  return rigid_part(model, state, body, whole, [&](int n) { return Vec<D>(model.mass[n] * state.velocity[n]); });
 }
 
-/// Calls f(n, v) for the nodes of a body with the part of their velocities that deforms it, on the free degrees
-/// of freedom.
-template <class F>
-void each_deforming(const Model<2>& model, const State<2>& state, int body, F&& f) {
-  const WholeBody whole = whole_body(model, state, body);
-  const RigidPart rigid =
-      rigid_part(model, state, body, whole, [&](int n) { return Vec2(model.mass[n] * state.velocity[n]); });
+/// Energy of motion of what deforms a body, on the free degrees of freedom [J].
+template <int D>
+double deforming_energy(const Model<D>& model, const State<D>& state, int body) {
+  const RigidPart<D> rigid = rigid_motion(model, state, body, whole_body(model, state, body));
   const Body& b = model.bodies[body];
-  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
-    Vec2 v = state.velocity[n] - rigid.at(state.position[n]);
-    for (const int k : {0, 1})
-      if (model.support[n][k] != Support::free) v[k] = 0;
-    f(n, v);
-  }
-}
-
-/// Energy of motion of what deforms a body [J].
-double deforming_energy(const Model<2>& model, const State<2>& state, int body) {
   double sum = 0;
-  each_deforming(model, state, body, [&](int n, const Vec2& v) { sum += 0.5 * model.mass[n] * v.squaredNorm(); });
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
+    Vec<D> v = state.velocity[n] - rigid.at(state.position[n]);
+    for (int k = 0; k < D; ++k)
+      if (model.support[n][k] != Support::free) v[k] = 0;
+    sum += 0.5 * model.mass[n] * v.squaredNorm();
+  }
   return sum;
 }
 
-double moving_mass(const Model<2>& model, int body) {
+template <int D>
+double moving_mass(const Model<D>& model, int body) {
   const Body& b = model.bodies[body];
   double sum = 0;
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n) sum += model.moves(n) ? model.mass[n] : 0;
   return sum;
 }
 
-bool may_be_scaled(const Model<2>& model, const State<2>& state, const MassScaling& asked, int body) {
+template <int D>
+bool may_be_scaled(const Model<D>& model, const State<D>& state, const MassScaling& asked, int body) {
   if (!is_of_elements(model.bodies[body]) || !model.body_moves(body) || state.left[body] != 0) return false;
   return asked.bodies.empty() || std::find(asked.bodies.begin(), asked.bodies.end(), body) != asked.bodies.end();
 }
 
 /// "mass_scaling: ..." of a body that would take more than it may.
-[[noreturn]] void refuse(const Model<2>& model, const BodyRates& rates, const MassScaling& asked, double safety,
+template <int D>
+[[noreturn]] void refuse(const Model<D>& model, const BodyRates& rates, const MassScaling& asked, double safety,
                          int body, double share) {
   const double allowed = safety * scaled_step(rates, asked.most, model.mass_damping);
   const std::string& name = model.bodies[body].name;
@@ -81,7 +76,8 @@ bool may_be_scaled(const Model<2>& model, const State<2>& state, const MassScali
 }
 
 /// What the shares come to by now.
-void describe(const Model<2>& model, const State<2>& state, ScaledMass& found) {
+template <int D>
+void describe(const Model<D>& model, const State<D>& state, ScaledMass& found) {
   double mass = 0, added = 0;
   int bodies = 0;
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
@@ -93,11 +89,19 @@ void describe(const Model<2>& model, const State<2>& state, ScaledMass& found) {
   if (mass > 0) found.share = std::max(found.share, added / mass);
 }
 
-void find_energies(const Model<2>& model, const State<2>& state, ScaledMass& found) {
+/// Twice the energy of a node's turn [J].
+double turning(const Model<2>& model, const State<2>& state, int n) {
+  return model.inertia[n] * state.spin[n] * state.spin[n];
+}
+double turning(const Model<3>& model, const State<3>& state, int n) {
+  return state.spin[n].dot(momentum_of(model.inertia[n], state.rotation[n], state.spin[n]));
+}
+
+template <int D>
+void find_energies(const Model<D>& model, const State<D>& state, ScaledMass& found) {
   double own = 0;
   for (int n = 0; n < model.nodes(); ++n)
-    if (model.moves(n))
-      own += 0.5 * (model.mass[n] * state.velocity[n].squaredNorm() + model.inertia[n] * state.spin[n] * state.spin[n]);
+    if (model.moves(n)) own += 0.5 * (model.mass[n] * state.velocity[n].squaredNorm() + turning(model, state, n));
   found.kinetic = std::max(found.kinetic, own);
   found.energy = std::max(found.energy, added_energy(model, state));
 }
@@ -114,7 +118,7 @@ double share_for(const BodyRates& rates, double mass_damping, double dt) {
 
 /// The share rises with the step, so that this is found by halving.
 double scaled_step(const BodyRates& rates, double share, double mass_damping) {
-  double low = plain_step(rates, mass_damping), high = longest_step;
+  double low = rates.plain, high = longest_step;
   for (int i = 0; i < 60 && low < high * (1 - 1e-15); ++i) {
     const double middle = 0.5 * (low + high);
     (share_for(rates, mass_damping, middle) <= share ? low : high) = middle;
@@ -122,7 +126,17 @@ double scaled_step(const BodyRates& rates, double share, double mass_damping) {
   return low;
 }
 
-bool scale_masses(const Model<2>& model, State<2>& state, const Work<2>& work, const MassScaling& asked, double safety,
+/// One that takes a longer step than the shortest so far is not asked how long.
+void shorten_to_scaled(const BodyRates& rates, double share, double mass_damping, int body, StableStep& found) {
+  if (share_for(rates, mass_damping, found.dt) <= share) return;
+  const double dt = scaled_step(rates, share, mass_damping);
+  if (dt < found.dt)
+    found = {dt, body, rates.contacts.stiffness + rates.elements.stiffness,
+             rates.contacts.damping + (rates.elements.damping + mass_damping)};
+}
+
+template <int D>
+bool scale_masses(const Model<D>& model, State<D>& state, const Work<D>& work, const MassScaling& asked, double safety,
                   bool must, ScaledMass& found) {
   const std::vector<BodyRates> rates = body_rates(model, state, work, true);
   const double wanted = asked.step / safety;
@@ -131,7 +145,7 @@ bool scale_masses(const Model<2>& model, State<2>& state, const Work<2>& work, c
   double plain = longest_step;
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
     if (!model.body_moves(b)) continue;
-    plain = std::min(plain, plain_step(rates[b], model.mass_damping));
+    plain = std::min(plain, rates[b].plain);
     if (!may_be_scaled(model, state, asked, b)) continue;
     double& share = state.added_share[b];
     double needed = share_for(rates[b], model.mass_damping, wanted);
@@ -155,51 +169,77 @@ bool scale_masses(const Model<2>& model, State<2>& state, const Work<2>& work, c
   return changed;
 }
 
-void unscale_masses(const Model<2>& model, State<2>& state) {
+template <int D>
+void unscale_masses(const Model<D>& model, State<D>& state) {
   state.given[EnergyTerm::removed] += added_energy(model, state);
   state.added_share.clear();
 }
 
-/// f, then f' = m a - f with a = P' f + (f / m - P' f) / (1 + share): what is to be added to f.
-void add_inertia(const Model<2>& model, const State<2>& state, Work<2>& work, const StepOptions& options) {
+namespace {
+
+/// f, then f' = (m a - f) share / (1 + share): what is to be added to f, with a of the rigid body under f. `all_count`:
+/// forces are all that the nodes go by where they are free.
+template <int D>
+void add_inertia_of(const Model<D>& model, const State<D>& state, const Work<D>& work, const Outside<D>& outside,
+                    const RestDamping& rest, bool all_count, int b, std::vector<Vec<D>>& added) {
+  const double part = state.added_share[b] / (1 + state.added_share[b]);
+  const Body& body = model.bodies[b];
+  const WholeBody<D> whole = whole_body(model, state, b);
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+    added[n] = all_count && whole.is_free()
+                   ? work.force[n]
+                   : along_of(node_forces(model, state, work, n, velocity_of(state, n), outside, rest).force);
+  const Spin<D> spin = rigid_motion(model, state, b, whole).about;
+  const RigidPart<D> rigid = rigid_part(
+      model, state, b, whole, [&](int n) { return added[n]; }, spin);
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+    added[n] = part * (model.mass[n] * rigid.turning_at(state.position[n]) - added[n]);
+}
+
+}  // namespace
+
+template <int D>
+void add_inertia(const Model<D>& model, const State<D>& state, Work<D>& work, const StepOptions& options) {
   work.added_inertia.clear();
   if (state.added_share.empty()) return;
-  std::vector<Vec2>& added = work.added_inertia;
-  added.assign(model.mass.size(), Vec2::Zero());
-  const Outside<2> outside(model, state, work);
+  std::vector<Vec<D>>& added = work.added_inertia;
+  const Outside<D> outside(model, state, work);
   const bool is_plain = !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.correction == nullptr;
+  added.assign(model.mass.size(), Vec<D>::Zero());
   share(work.threads, static_cast<int>(model.bodies.size()), scaled_stretch, [&](int first, int last, int /*thread*/) {
-    for (int b = first; b < last; ++b) {
-      const double part = state.added_share[b] / (1 + state.added_share[b]);
-      if (!(part > 0)) continue;
-      const Body& body = model.bodies[b];
-      const WholeBody whole = whole_body(model, state, b);
-      for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
-        added[n] =
-            is_plain && whole.is_free
-                ? work.force[n]
-                : along_of(node_forces(model, state, work, n, velocity_of(state, n), outside, options.rest).force);
-      const RigidPart rigid = rigid_part(model, state, b, whole, [&](int n) { return added[n]; });
-      for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
-        added[n] = part * (model.mass[n] * rigid.at(state.position[n]) - added[n]);
-    }
+    for (int b = first; b < last; ++b)
+      if (state.added_share[b] > 0) add_inertia_of(model, state, work, outside, options.rest, is_plain, b, added);
   });
 }
 
-double added_energy(const Model<2>& model, const State<2>& state) {
+template <int D>
+double added_energy(const Model<D>& model, const State<D>& state) {
   double sum = 0;
   for (std::size_t b = 0; b < state.added_share.size(); ++b)
     if (state.added_share[b] > 0) sum += state.added_share[b] * deforming_energy(model, state, static_cast<int>(b));
   return sum;
 }
 
-/// With M v(+) = M v(-) + f span and D v(+) = D v(-) + (f + f') span, the part that D alone has not.
-double added_kinetic(const Model<2>& model, const State<2>& state, const Work<2>& work, double span) {
+/// What deforms the body has d(+) = d(-) + span (dv/dt - a) as the body turns, and f' = -share D (dv/dt - a) is in
+/// balance: half of share d(-) D d(+).
+template <int D>
+double added_kinetic(const Model<D>& model, const State<D>& state, const Work<D>& work, double span) {
   double sum = added_energy(model, state);
   for (std::size_t n = 0; n < work.added_inertia.size(); ++n)
-    for (const int k : {0, 1})
+    for (int k = 0; k < D; ++k)
       if (model.support[n][k] == Support::free) sum -= 0.5 * span * work.added_inertia[n][k] * state.velocity[n][k];
   return sum;
 }
+
+template bool scale_masses(const Model<2>&, State<2>&, const Work<2>&, const MassScaling&, double, bool, ScaledMass&);
+template bool scale_masses(const Model<3>&, State<3>&, const Work<3>&, const MassScaling&, double, bool, ScaledMass&);
+template void unscale_masses(const Model<2>&, State<2>&);
+template void unscale_masses(const Model<3>&, State<3>&);
+template void add_inertia(const Model<2>&, const State<2>&, Work<2>&, const StepOptions&);
+template void add_inertia(const Model<3>&, const State<3>&, Work<3>&, const StepOptions&);
+template double added_energy(const Model<2>&, const State<2>&);
+template double added_energy(const Model<3>&, const State<3>&);
+template double added_kinetic(const Model<2>&, const State<2>&, const Work<2>&, double);
+template double added_kinetic(const Model<3>&, const State<3>&, const Work<3>&, double);
 
 }  // namespace trilith

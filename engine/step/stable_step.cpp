@@ -16,14 +16,13 @@
 namespace trilith {
 namespace {
 
-/// Of the nodes, and where that is asked for, of element bodies that are free in all their nodes, as if they were
-/// rigid.
+/// Of the nodes, and where that is asked for, of element bodies that have some rigid motion, as if they were rigid.
 struct Locals {
   std::vector<Local> node;
-  std::vector<Local> whole;     ///< [body] about its centre of mass; empty: not asked for
-  std::vector<WholeBody> body;  ///< [body] likewise
+  std::vector<Local> whole;        ///< [body] about its centre of mass; empty: not asked for
+  std::vector<WholeBody<2>> body;  ///< [body] likewise
 
-  Local* whole_of(int b) { return whole.empty() || !body[b].is_free ? nullptr : &whole[b]; }
+  Local* whole_of(int b) { return whole.empty() || !body[b].moves() ? nullptr : &whole[b]; }
 };
 
 /// On the two end nodes of a face of a deformable body: rows of w w' + (l/L)^2/12 [1 -1; -1 1] for the shares w of the
@@ -232,10 +231,11 @@ Local around_outline(const Model<2>& model, const Work<2>& work, int body, const
   return out;
 }
 
-/// What contacts and bearings can do to a body of elements that moves as if it were rigid.
+/// What contacts and bearings can do to a body of elements that moves as if it were rigid; being held along some axis
+/// makes no eigenvalue larger.
 RateBound rigid_rates(const Model<2>& model, const Work<2>& work, int body, const Locals& locals) {
-  const WholeBody& whole = locals.body[body];
-  if (!whole.is_free) return {};
+  const WholeBody<2>& whole = locals.body[body];
+  if (!whole.moves()) return {};
   const Local around = around_outline(model, work, body, whole.centre);
   const auto most = [&](const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
     constexpr std::array all{true, true, true};
@@ -273,7 +273,8 @@ std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, 
       k = std::max(k, bound(model, node, locals.node[node].k));
       c = std::max(c, bound(model, node, locals.node[node].c));
     }
-    out[b] = {model.element_bound[b], {k, c}, {}};
+    const RateBound& own = model.element_bound[b];
+    out[b] = {own, {k, c}, {}, step_for(k + own.stiffness, c + (own.damping + model.mass_damping))};
     if (as_rigid && is_of_elements(body)) out[b].rigid = rigid_rates(model, work, static_cast<int>(b), locals);
   }
   return out;
@@ -286,13 +287,13 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
   found.dt = longest_step;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (!model.body_moves(static_cast<int>(b))) continue;
+    if (is_scaled && state.added_share[b] > 0) {
+      shorten_to_scaled(rates[b], state.added_share[b], model.mass_damping, static_cast<int>(b), found);
+      continue;
+    }
     const double k = rates[b].contacts.stiffness + rates[b].elements.stiffness;
     const double c = rates[b].contacts.damping + (rates[b].elements.damping + model.mass_damping);
-    const bool has_share = is_scaled && state.added_share[b] > 0;
-    // One that takes a longer step than the shortest so far is not asked how long.
-    if (has_share && share_for(rates[b], model.mass_damping, found.dt) <= state.added_share[b]) continue;
-    const double dt = has_share ? scaled_step(rates[b], state.added_share[b], model.mass_damping) : step_for(k, c);
-    if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
+    if (rates[b].plain < found.dt) found = {rates[b].plain, static_cast<int>(b), k, c};
   }
   return found;
 }

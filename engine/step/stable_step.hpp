@@ -7,7 +7,7 @@
 // Belytschko, Liu and Moran, "Nonlinear finite elements", 2000, sec. 6.2.3). A body in no contact counts as lying on
 // its stiffest face, so that a contact that forms before the next estimate finds a safe step.
 //
-// In space the bodies are rigid: 6 x 6, about the principal axes, and the bound of a matrix M is the fourth root of the
+// In space rigid bodies have 6 x 6, about the principal axes, and the bound of a matrix M is the fourth root of the
 // Frobenius norm of M^4, at most a quarter above the largest eigenvalue.
 //
 // For a deformable body: the largest eigenvalue of an element over its own lumped masses bounds that of all (Irons),
@@ -33,13 +33,15 @@ struct StableStep {
 };
 
 /// What bounds the step of one body, by its own masses: its elements, contacts and bearings on its nodes, and the same
-/// of the body as if it were rigid (of quads and meshes that are held nowhere, else nothing).
+/// of the body as if it were rigid (of bodies of elements that have some rigid motion, else nothing).
 struct BodyRates {
   RateBound elements, contacts, rigid;
+  double plain = longest_step;  ///< the step that these masses take [s]
 };
 std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, const Work<2>& work, bool as_rigid);
+std::vector<BodyRates> body_rates(const Model<3>& model, const State<3>& state, const Work<3>& work, bool as_rigid);
 
-/// Fills work.face_bound: every body on its stiffest face.
+/// Fills work.face_bound: every body on its stiffest face. In space work.around_bound too.
 void bound_faces(const Model<2>& model, Work<2>& work);
 void bound_faces(const Model<3>& model, Work<3>& work);
 

@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace trilith {
+namespace {
+
+int row_of_key(const std::vector<ContactKey>& sorted, ContactKey contact) {
+  const auto at = std::lower_bound(sorted.begin(), sorted.end(), contact);
+  return at != sorted.end() && *at == contact ? static_cast<int>(at - sorted.begin()) : -1;
+}
+
+}  // namespace
 
 void ContactHistory::clear(std::size_t row) {
   memory[row] = {};
@@ -10,8 +18,11 @@ void ContactHistory::clear(std::size_t row) {
 }
 
 int ContactHistory::find(ContactKey contact) const {
-  const auto at = std::lower_bound(key.begin(), key.end(), contact);
-  return at != key.end() && *at == contact ? static_cast<int>(at - key.begin()) : -1;
+  return row_of_key(key, contact);
+}
+
+int SolidHistory::find(ContactKey contact) const {
+  return row_of_key(key, contact);
 }
 
 }  // namespace trilith

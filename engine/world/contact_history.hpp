@@ -60,6 +60,8 @@ struct SolidHistory {
     memory[row] = {};
     if (JointMemory* j = joint_at(row)) *j = {};
   }
+  /// The row of a contact, or -1.
+  [[nodiscard]] int find(ContactKey contact) const;
   /// Gives a contact a joint; it had none.
   JointMemory& add_joint(std::size_t row) {
     joint_of.resize(key.size(), -1);

@@ -210,7 +210,8 @@ struct Work {
   PieceSearch<D> search;              ///< where pieces were looked up
   std::vector<NearPair> spare_pairs;  ///< room for the list to come
   std::vector<double> spare_asleep, spare_clear;
-  std::vector<RateBound> face_bound;  ///< [body] lying on its stiffest face
+  std::vector<RateBound> face_bound;    ///< [body] lying on its stiffest face
+  std::vector<RateBound> around_bound;  ///< [body] of elements in space: in contact all around, as if it were rigid
   ImpactWork impacts;
   Contacts<D> matched;      ///< the state's contacts in the rows of the pairs, where these were found after
                             ///< the last commit; else room for them

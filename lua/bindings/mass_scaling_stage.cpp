@@ -43,7 +43,6 @@ void read_scaling(Keys& keys, const ScriptModel& m, StageOptions& o) {
       keys.problem(e.what());
     }
     o.mass_scaling = std::move(asked);
-    if (m.dim() != 2) keys.problem("mass_scaling is for models in the plane; in space leave it out");
   } else if (type != LUA_TNIL) {
     keys.wrong("mass_scaling", "a table { step = , most = , bodies = }");
   }

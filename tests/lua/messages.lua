@@ -71,8 +71,6 @@ local cases = {
   },
   { function() late():run { duration = 1, integrator = "implicit", mass_scaling = { step = 1e-5 } } end,
     "stage 'run': mass_scaling is of explicit steps, and implicit ones are as long without it; keep one" },
-  { function() trilith.model { dim = 3 }:run { duration = 1, mass_scaling = { step = 1e-5 } } end,
-    "run: mass_scaling is for models in the plane; in space leave it out" },
   { function() late():consolidate { integrator = "static", mass_scaling = { step = 1e-5 } } end,
     "consolidate: mass_scaling is of explicit steps; integrator = \"static\" takes none" },
   -- units and parameters

@@ -55,6 +55,28 @@ do
   os.remove(path)
 end
 
+-- longer steps by mass that deformation alone feels
+do
+  local m = model "longer steps"
+  m:block { name = "low", size = { 0.4, 0.4, 0.2 }, material = "stone", body = { mesh = { 2, 2, 2 } } }
+  m:block { name = "top", size = { 0.4, 0.4, 0.2 }, at = { 0, 0, 0.2 }, material = "stone", body = "brick" }
+  local path = os.tmpname() .. ".h5"
+  m:results { file = path, frames = 0.01 }
+  local plain = m:run { duration = 0.005, damping = 0.8 }
+  local step = 4*plain.longest_dt
+  assert(plain.mass_scaling == nil)
+  local report = m:run { name = "longer", duration = 0.01, damping = 0.8, mass_scaling = { step = step } }
+  local scaled = report.mass_scaling
+  assert(report.longest_dt == step and scaled.before < 1.1*plain.longest_dt and scaled.bodies == 2)
+  assert(scaled.share > 0 and scaled.most < 30 and scaled.energy < scaled.kinetic)
+  assert(m:run { duration = 0.005, damping = 0.8 }.longest_dt < 1.1*plain.longest_dt)
+  refused("body 'top' (brick), whose masses are not scaled", m.run, m,
+    { duration = 0.01, mass_scaling = { step = step, bodies = "low" } })
+  refused("even if it were rigid", m.run, m, { duration = 0.01, mass_scaling = { step = 0.01 } })
+  m:close()
+  os.remove(path)
+end
+
 -- a mesh of a file
 do
   local path = os.tmpname()
