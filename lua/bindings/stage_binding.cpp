@@ -64,7 +64,8 @@ void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
   double& accuracy = name == "explicit" ? o.impact_accuracy : o.accuracy;
   accuracy = keys.number("accuracy", "1", accuracy);
-  if (!(accuracy >= 0)) keys.problem(fmt::format("'accuracy' is {:g}, must not be below 0", accuracy));
+  if (!(accuracy >= 0 && accuracy <= 1))
+    keys.problem(fmt::format("'accuracy' is {:g}, must be from 0 to 1, a share of energies", accuracy));
   const bool given = keys.has("safety");
   if (name == "explicit" && accuracy > 0 && !given && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
   if (name == "explicit") return refuse(keys, {"alpha", "spectral_radius", "tolerance"}, "implicit");

@@ -250,6 +250,8 @@ local cases = {
     "beam 's': 'stations' is of a section of fibres, and this one has none; leave it out" },
   { function() built():run { duration = 1, alpha = "x" } end,
     "run: 'alpha' is of integrator = \"implicit\", and this stage is explicit; leave it out" },
+  { function() built():run { duration = 1, accuracy = 1e300 } end,
+    "run: 'accuracy' is 1e+300, must be from 0 to 1, a share of energies" },
   { function() built():consolidate { tolerance = -1 } end,
     "consolidate: 'tolerance' is of integrator = \"static\", and this stage is explicit; leave it out" },
   { function() built():pushover { body = "block", rate = 1, displacement = 1, storey = 0 } end,
