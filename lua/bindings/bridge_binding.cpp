@@ -254,22 +254,25 @@ int lay_bearing(lua_State* L) {
   return 1;
 }
 
-/// core.take_back(model, bodies, bearings, seats): of a model in space, what was added beyond these counts is there no
-/// more. What a simulation holds already is removed from it.
+/// core.add_together(model, begin): what is added from here on comes into a model that is built when this is called
+/// with false, all at once.
+int add_together(lua_State* L) {
+  SpaceModel& m = this_space(L);
+  m.adds_later = lua_toboolean(L, 2) != 0;
+  m.catch_up();
+  return 0;
+}
+
+/// core.take_back(model, bodies, bearings, seats): of a model in space, what was added beyond these counts since
+/// add_together is there no more.
 int take_back(lua_State* L) {
   SpaceModel& m = this_space(L);
-  const auto bodies = static_cast<std::size_t>(lua_tointeger(L, 2));
   const auto bearings = static_cast<std::size_t>(lua_tointeger(L, 3));
   const auto seats = static_cast<std::size_t>(lua_tointeger(L, 4));
-  if (m.built() && (!m.running() || m.paused())) {
-    std::vector<int> which;
-    for (int body = static_cast<int>(bodies); body < m.body_count(); ++body) which.push_back(body);
-    if (!which.empty()) m.remove(which, {}, "");
-    return 0;
-  }
-  m.builder.shorten(bodies, bearings, seats);
+  m.builder.shorten(static_cast<std::size_t>(lua_tointeger(L, 2)), bearings, seats);
   m.bearings.resize(std::min(bearings, m.bearings.size()));
   m.seats.resize(std::min(seats, m.seats.size()));
+  m.adds_later = false;
   return 0;
 }
 
@@ -288,6 +291,7 @@ std::span<const Method> bridge_methods() {
 void open_bridge(lua_State* L) {
   set_function(L, "bearing_height", guarded<bearing_height>);
   set_function(L, "lay_bearing", guarded<lay_bearing>);
+  set_function(L, "add_together", guarded<add_together>);
   set_function(L, "take_back", guarded<take_back>);
 }
 

@@ -167,7 +167,8 @@ local function made_of(model, plan)
   return bridge
 end
 
---- All of a bridge or nothing: a script that catches the error has the model as it was.
+--- All of a bridge or nothing: a script that catches the error has the model as it was. Into a model that has run it
+--- comes as a whole, as a deck stands on its bearings alone.
 local function built(model, options)
   local plan = core.bridge_plan(model, options)
   plan.apart = {} -- names of grounds and supports that do not touch
@@ -177,7 +178,9 @@ local function built(model, options)
   local _ <close> = setmetatable({}, { __close = function()
     if not whole then core.take_back(model, bodies, bearings, seats) end
   end })
+  core.add_together(model, true)
   local bridge = made_of(model, plan)
+  core.add_together(model, false)
   whole = true
   return bridge
 end

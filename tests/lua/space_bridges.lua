@@ -319,6 +319,32 @@ do
   assert(#notes { along = soft } == 0 and #notes { horizontal = soft } == 0)
 end
 
+-- A bridge may come into a model that has run: as a whole, or not at all.
+do
+  local m = new()
+  m:bridge(tables(function() end))
+  m:consolidate { ratio = 1e-3 }
+  local before = #m:bodies {}
+  local function second(change)
+    return tables(function(b)
+      b.x = 200
+      for i, s in ipairs(b.supports) do s.name = "Q" .. i end
+      for i, v in ipairs(b.spans) do v.name = "T" .. i end
+      if change then change(b) end
+    end)
+  end
+  refused("'weight' is -3 N", m.bridge, m, second(function(b)
+    b.span.weight_per_length, b.spans[2].weight = nil, -3
+  end))
+  assert(#m:bodies {} == before)
+  local bridge = m:bridge(second())
+  m:run { duration = 3, until_rest = true, damping = 0.8 }
+  local carried = 0
+  for _, laid in ipairs(bridge.bearings.T1.left) do carried = carried - laid.force_axial end
+  near(carried, 0.5*m:body "T1".mass*g, 0.02, "half of the deck's weight")
+  m:close()
+end
+
 -- Nothing of a bridge that is refused stays: the model then takes the right one, and that comes to rest.
 do
   local m = new()
