@@ -165,6 +165,9 @@ double parse_quantity(std::string_view text, std::string_view unit, std::string_
   const std::string_view own = trimmed(std::string_view(rest, static_cast<std::size_t>(end - rest)));
   if (own.empty()) return value * wanted.factor;
   const UnitProduct product = parse_unit(own);
+  if (unit == "1" && !(product.dimension == wanted.dimension))
+    throw InputError(fmt::format("{} is '{}', which is in {}; must be a number without a unit, as it was declared",
+                                 what, text, si_unit(product.dimension)));
   if (!(product.dimension == wanted.dimension))
     throw InputError(fmt::format("{} is '{}', which is in {}; must be in {} or another unit of {}", what, text,
                                  si_unit(product.dimension), unit, si_unit(wanted.dimension)));

@@ -78,6 +78,17 @@ class Planner {
     require_finite(b_.angle, owner + ": angle");
   }
 
+  /// By number, by height, or by both where they agree.
+  [[nodiscard]] int count_courses(const MasonryStorey& storey, double slab, const std::string& owner) const {
+    require_not_negative(storey.height, owner + ": height", "m");
+    if (storey.courses == 0) return courses_within(storey.height, slab, owner);
+    const int courses = require_count(storey.courses, 1, 100000, owner + ": number of courses");
+    if (const int held = storey.height > 0 ? courses_within(storey.height, slab, owner) : courses; held != courses)
+      throw InputError(fmt::format("{}: {} courses are given, but its height of {:g} m holds {}; keep one of the two",
+                                   owner, courses, storey.height, held));
+    return courses;
+  }
+
   /// Lines of all storeys above the foot of the first.
   void storeys() {
     require_count(static_cast<int>(b_.storeys.size()), 1, 1000, plan_.owner + ": number of storeys");
@@ -88,8 +99,7 @@ class Planner {
       const double slab = storey.slab_height < 0
                               ? b_.masonry.slab_height
                               : require_not_negative(storey.slab_height, owner + ": slab height", "m");
-      const int courses = storey.courses == 0 ? courses_within(storey.height, slab, owner)
-                                              : require_count(storey.courses, 1, 100000, owner + ": number of courses");
+      const int courses = count_courses(storey, slab, owner);
       all += courses;
       require_buildable(all, plan_.owner);
       PlannedStorey planned;

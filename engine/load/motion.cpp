@@ -46,7 +46,7 @@ double largest_acceleration(std::span<const MotionAt> samples) {
 // silently.
 GroundMotion::GroundMotion(std::span<const double> acceleration, double step, MotionStart start, MotionSource source)
     : step_(step), source_(std::move(source)), description_(name_of(source_)) {
-  const auto about = [this](const char* what) { return fmt::format("motion '{}': {}", description_, what); };
+  const auto about = [this](std::string_view what) { return fmt::format("motion '{}': {}", description_, what); };
   if (!(step >= least_step && step <= largest_step))
     throw InputError(fmt::format("motion '{}': sample step is {:g} s, must be between {:g} and {:g} s", description_,
                                  step, least_step, largest_step));
@@ -54,6 +54,7 @@ GroundMotion::GroundMotion(std::span<const double> acceleration, double step, Mo
     throw InputError(fmt::format("motion '{}': {} samples, at least 2 are needed", description_, acceleration.size()));
   samples_.reserve(acceleration.size());
   for (const double a : acceleration) {
+    if (std::isnan(a)) require_finite(a, about(fmt::format("acceleration of sample {}", samples_.size() + 1)));
     if (!(std::abs(a) <= largest_sample))
       throw InputError(fmt::format("motion '{}': acceleration of sample {} is {:g} m/s2, must be within +-{:g} m/s2",
                                    description_, samples_.size() + 1, a, largest_sample));

@@ -219,7 +219,7 @@ void write_joint(const results::EventRow& e, std::size_t index, const EdgePart& 
   json.number(rounded(part.from, 1e4)).number(rounded(part.to, 1e4)).text(mode_of(e)).end();
 }
 
-/// The outline of the joint that a bond in space broke in, as its first body carries it.
+/// The outline of the joint that a bond in space broke in, as one of its bodies carries it.
 void write_joint(const results::EventRow& e, std::size_t index, const draw::SolidJoint::Side& side, JsonText& json) {
   json.begin_list().number(static_cast<double>(index)).number(side.body).begin_list();
   for (const int row : side.corner) json.number(row);
@@ -241,10 +241,13 @@ void write_joints(const results::Header& header, const std::vector<results::Even
   for (std::size_t i = 0; i < events.size(); ++i) {
     const results::EventRow& e = events[i];
     if (!is_of_bond(e)) continue;
+    // Both bodies carry it away, and one of them may be gone.
     if (header.dim == 2)
-      for (const EdgePart& part : joint_of(header, e.body_a, e.body_b)) write_joint(e, i, part, json);
+      for (const auto& [one, other] : {std::pair(e.body_a, e.body_b), std::pair(e.body_b, e.body_a)})
+        for (const EdgePart& part : joint_of(header, one, other)) write_joint(e, i, part, json);
     else
-      for (const draw::SolidJoint& joint : solid[std::minmax(e.body_a, e.body_b)]) write_joint(e, i, joint.a, json);
+      for (const draw::SolidJoint& joint : solid[std::minmax(e.body_a, e.body_b)])
+        for (const draw::SolidJoint::Side& side : {joint.a, joint.b}) write_joint(e, i, side, json);
   }
   json.end();
 }

@@ -75,6 +75,7 @@ BodySpec read_spec(Keys& keys, const BodySpec& preset) {
   if (density) check_density(keys, *density);
   if (const auto weight = keys.maybe_number("unit_weight", "N/m3")) {
     if (density) keys.problem("both density and unit_weight are given; keep one");
+    check_unit_weight(keys, *weight);
     density = *weight / standard_gravity;
   }
   const auto mass = keys.maybe_number("mass", "kg"), weight = keys.maybe_number("weight", "N");
@@ -153,6 +154,14 @@ void check_density(Keys& keys, double density) {
     keys.problem(fmt::format(
         "'density' is {:g} kg/m3, more than any metal's; a weight by volume (pcf, kcf, N/m3) is given as unit_weight",
         density));
+}
+
+void check_unit_weight(Keys& keys, double weight) {
+  if (!(weight > 0) || weight > largest_density * standard_gravity)
+    keys.problem(
+        fmt::format("'unit_weight' is {:g} N/m3, must be above 0 and not above {:g} N/m3, any metal's; stone "
+                    "has some 25000",
+                    weight, largest_density * standard_gravity));
 }
 
 BodyForm read_body_form(Keys& keys, const BodyForm& preset) {

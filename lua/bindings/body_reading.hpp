@@ -30,6 +30,8 @@ void read_support(Keys& keys, std::string_view key, std::array<Support, 3>& supp
 
 /// Notes a problem where a density is so large that it must be a unit weight.
 void check_density(Keys& keys, double density);
+/// Notes a problem where a unit weight [N/m3] is not above 0, or beyond that density.
+void check_unit_weight(Keys& keys, double weight);
 
 /// Throws InputError where `fixed` or `by_group` names a part or group that is not among `parts`.
 /// Options and parts of either dimension.

@@ -38,6 +38,20 @@ bool has_law(Keys& keys) {
   return any;
 }
 
+/// Whether a bearing carries the deck wherever that has slid to: nothing holds it along, and no displacement ends it.
+template <int D>
+bool slides_on_for_ever(Keys& keys) {
+  const bool held = keys.has("along") || (D == 3 && keys.has("horizontal"));
+  if (!keys.has("axial") || held) return false;
+  if (!keys.has("limit")) return true;
+  lua_State* L = keys.lua();
+  const int top = lua_gettop(L);
+  keys.push("limit");
+  const bool ends = lua_type(L, -1) != LUA_TTABLE || lua_getfield(L, -1, "along") != LUA_TNIL;
+  lua_settop(L, top);
+  return !ends;
+}
+
 template <int D, class M>
 int add_bearing_type_to(lua_State* L, M& m) {
   m.adding();
@@ -64,6 +78,11 @@ int add_bearing_type_to(lua_State* L, M& m) {
   // A bearing that carries the deck and has no height sits in the contact of deck and seat, and stands for it. One
   // without an axial law, such as a dowel, leaves the weight to the contact.
   recipe.bearing.replaces_contact = keys.has("axial") && type.height == 0;
+  if (slides_on_for_ever<D>(keys))
+    m.add_note(fmt::format(
+        "{}: carries the deck and lets it slide along for ever, also past the edge of its seat; to end it there, give "
+        "limit = {{ along = the length of the seat }}",
+        keys.owner()));
   book_of(m).layout.add_bearing_type(type);
   book_of(m).recipes.emplace(type.name, recipe);
   lua_pushstring(L, type.name.c_str());
@@ -235,6 +254,28 @@ int lay_bearing(lua_State* L) {
   return 1;
 }
 
+/// core.add_together(model, begin): what is added from here on comes into a model that is built when this is called
+/// with false, all at once.
+int add_together(lua_State* L) {
+  SpaceModel& m = this_space(L);
+  m.adds_later = lua_toboolean(L, 2) != 0;
+  m.catch_up();
+  return 0;
+}
+
+/// core.take_back(model, bodies, bearings, seats): of a model in space, what was added beyond these counts since
+/// add_together is there no more.
+int take_back(lua_State* L) {
+  SpaceModel& m = this_space(L);
+  const auto bearings = static_cast<std::size_t>(lua_tointeger(L, 3));
+  const auto seats = static_cast<std::size_t>(lua_tointeger(L, 4));
+  m.builder.shorten(static_cast<std::size_t>(lua_tointeger(L, 2)), bearings, seats);
+  m.bearings.resize(std::min(bearings, m.bearings.size()));
+  m.seats.resize(std::min(seats, m.seats.size()));
+  m.adds_later = false;
+  return 0;
+}
+
 const std::array bridge_method_list{
     Method{"bearing_type", guarded<add_bearing_type>,
            "bearing_type{name=, height=, along=, axial=, turning=, limit=, becomes=, contact=}: for the ends of spans"},
@@ -250,6 +291,8 @@ std::span<const Method> bridge_methods() {
 void open_bridge(lua_State* L) {
   set_function(L, "bearing_height", guarded<bearing_height>);
   set_function(L, "lay_bearing", guarded<lay_bearing>);
+  set_function(L, "add_together", guarded<add_together>);
+  set_function(L, "take_back", guarded<take_back>);
 }
 
 }  // namespace trilith::script

@@ -17,6 +17,14 @@ int fail(lua_State* L) {
   throw InputError(lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "something is wrong");
 }
 
+/// core.what_is(value): what it is, as messages say it.
+int what_it_is(lua_State* L) {
+  lua_settop(L, 1);
+  const std::string text = what_is(L, 1);
+  lua_pushlstring(L, text.data(), text.size());
+  return 1;
+}
+
 std::vector<std::string> event_names() {
   std::vector<std::string> names;
   for (const EventTypeInfo& e : event_type_info) names.emplace_back(e.name);
@@ -185,6 +193,7 @@ void open_core(lua_State* L) {
   set_function(L, "model", guarded<make_model>);
   set_function(L, "extruded", guarded<make_extruded>);
   set_function(L, "fail", guarded<fail>);
+  set_function(L, "what_is", guarded<what_it_is>);
   set_function(L, "listen", guarded<listen>);
   set_function(L, "timer", guarded<timer>);
   set_function(L, "wake", guarded<wake>);

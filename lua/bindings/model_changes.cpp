@@ -20,7 +20,7 @@ bool is_bearing_removed(const State<D>& state, int bearing) {
 
 template <int D>
 void SimulatedModel<D>::catch_up() {
-  if (simulation_ && caught_up_ != additions_ && (!running_ || paused_)) extend();
+  if (simulation_ && !adds_later && caught_up_ != additions_ && (!running_ || paused_)) extend();
 }
 
 template <int D>

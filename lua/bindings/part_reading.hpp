@@ -62,7 +62,11 @@ inline std::string no_fibres_text(const std::string& member) {
 inline std::optional<MemberFibres> read_fibres(Keys& keys, const SectionValue* section) {
   const bool gauss = keys.choice("rule", {"lobatto", "gauss"}, 0) == 1;
   const int stations = keys.count("stations", 4);
-  if (section == nullptr || !section->fibres) return std::nullopt;
+  if (section == nullptr) return std::nullopt;
+  for (const char* key : {"rule", "stations"})
+    if (keys.has(key) && !section->fibres)
+      keys.problem(fmt::format("'{}' is of a section of fibres, and this one has none; leave it out", key));
+  if (!section->fibres) return std::nullopt;
   return MemberFibres{*section->fibres, gauss ? BeamRule::gauss : BeamRule::lobatto, stations};
 }
 

@@ -59,6 +59,7 @@ int add_material(lua_State* L) {
   const auto density = keys.maybe_number("density", "kg/m3"), weight = keys.maybe_number("unit_weight", "N/m3");
   if (density.has_value() == weight.has_value()) keys.problem("give either density (kg/m3) or unit_weight (N/m3)");
   if (density) check_density(keys, *density);
+  if (weight) check_unit_weight(keys, *weight);
   material.solid = read_solid(keys);
   material.band = read_band(keys);
   keys.finish();

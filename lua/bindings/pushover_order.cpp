@@ -30,6 +30,7 @@ void read_limits(Keys& keys, PushOrder<D>& o) {
   o.limits.drift = keys.number("drift", "m", unbounded);
   o.limits.drop = keys.number("drop", "1", 0);
   o.storey = keys.count("storey", 0);
+  if (keys.has("storey") && o.storey < 1) keys.problem(fmt::format("'storey' is {}, must be at least 1", o.storey));
   if (!(o.limits.drift > 0)) keys.problem(fmt::format("'drift' is {:g} m, must be above 0", o.limits.drift));
   if (!(o.limits.drop >= 0 && o.limits.drop < 1))
     keys.problem(fmt::format("'drop' is {:g}, must be at least 0 and below 1", o.limits.drop));

@@ -77,6 +77,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   double wake_at = unbounded;       ///< a story wants to be woken then [s]
   bool has_step_handler = false;
   std::uint32_t wanted_events = 0;  ///< bit of each EventType that some handler wants
+  bool adds_later = false;          ///< what is added waits: parts of a whole that stand only together
   std::string pause_reason;         ///< why the run is to pause at the next step border; "": it is not
 
   [[nodiscard]] virtual int dim() const = 0;

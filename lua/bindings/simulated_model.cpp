@@ -8,18 +8,36 @@
 
 #include "base/error.hpp"
 #include "base/quantity_text.hpp"
+#include "run/missed_bonds.hpp"
 #include "step/stable_step.hpp"
 #include "world/event_text.hpp"
 #include "world/motion_hash.hpp"
 #include "world/pose.hpp"
 
 namespace trilith::script {
+namespace {
+
+/// What is said of faces that a law leaves unbonded for the gap between them.
+template <int D>
+std::string missed_text(const Model<D>& model, const MissedBonds& missed) {
+  return fmt::format(
+      "law '{}' leaves {} without a bond, as '{}' and '{}' stand {} apart: faces are bonded at a gap of at most 1e-5 "
+      "of the smaller body's size, and 1e-3 where mortar is fresh (m:consolidate{{ fresh = true }}); close the gap, or "
+      "let another law hold there",
+      model.law_names[missed.law],
+      missed.count == 1 ? "a pair of faces" : fmt::format("{} pairs of faces", missed.count),
+      model.bodies[missed.body_a].name, model.bodies[missed.body_b].name, quantity_text(missed.gap, "m"));
+}
+
+}  // namespace
 
 template <int D>
 Simulation<D>& SimulatedModel<D>::simulation() {
   if (!simulation_) {
     simulation_ = std::make_unique<Simulation<D>>(built_model());
     caught_up_ = additions_;
+    const MissedBonds missed = missed_bonds(simulation_->model(), simulation_->state());
+    if (missed.count > 0) add_note(missed_text(simulation_->model(), missed));
   }
   return *simulation_;
 }

@@ -111,11 +111,13 @@ SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
   if (density) check_density(keys, *density);
   if (const auto weight = keys.maybe_number("unit_weight", "N/m3")) {
     if (density) keys.problem("both density and unit_weight are given; keep one");
+    check_unit_weight(keys, *weight);
     density = *weight / standard_gravity;
   }
   std::optional<double> mass = keys.maybe_number("mass", "kg");
   if (const auto weight = keys.maybe_number("weight", "N")) {
     if (mass) keys.problem("both mass and weight are given; keep one");
+    if (!(*weight > 0)) keys.problem(fmt::format("'weight' is {:g} N, must be above 0", *weight));
     mass = *weight / standard_gravity;
   }
   if (density || mass || keys.has("material")) s.density = density, s.mass = mass;

@@ -52,15 +52,23 @@ void read_step(Keys& keys, StageOptions& o) {
   o.watched = keys.flag("watch", true);
 }
 
+/// Keys that mean nothing where the stage's integrator is not `of`.
+void refuse(Keys& keys, std::initializer_list<const char*> names, std::string_view of) {
+  for (const char* const key : names)
+    if (keys.has(key))
+      keys.problem(fmt::format("'{}' is of integrator = \"{}\", and this stage is explicit; leave it out", key, of));
+}
+
 /// { integrator =, alpha =, spectral_radius =, tolerance = }: which scheme takes the steps.
 void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
   double& accuracy = name == "explicit" ? o.impact_accuracy : o.accuracy;
   accuracy = keys.number("accuracy", "1", accuracy);
-  if (!(accuracy >= 0)) keys.problem(fmt::format("'accuracy' is {:g}, must not be below 0", accuracy));
+  if (!(accuracy >= 0 && accuracy <= 1))
+    keys.problem(fmt::format("'accuracy' is {:g}, must be from 0 to 1, a share of energies", accuracy));
   const bool given = keys.has("safety");
   if (name == "explicit" && accuracy > 0 && !given && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
-  if (name == "explicit") return keys.know({"alpha", "spectral_radius", "tolerance"});
+  if (name == "explicit") return refuse(keys, {"alpha", "spectral_radius", "tolerance"}, "implicit");
   if (name != "implicit" && name != "auto")
     keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\", \"implicit\" or \"auto\"", name));
   o.may_change = name == "auto";
@@ -136,6 +144,7 @@ int consolidate(lua_State* L) {
   const bool by_statics = keys.choice("integrator", {"explicit", "static"}, 0) == 1;
   EquilibriumOptions how;
   how.shares = keys.count("shares", how.shares), how.tolerance = keys.number("tolerance", "1", how.tolerance);
+  if (!by_statics) refuse(keys, {"shares", "tolerance"}, "static");
   if (by_statics && o.mass_scaling)
     keys.problem("mass_scaling is of explicit steps; integrator = \"static\" takes none");
   if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a stage of its own");

@@ -13,8 +13,11 @@ int make_end_hinge(lua_State* L) {
   HingeLaw law;
   keys.declared(law);
   law.removes = keys.choice("becomes", {"pinned", "removed"}, 0) == 1;
-  if (keys.has("axial"))
+  if (keys.has("axial")) {
     for (const Vec2& p : keys.points("axial")) law.force.push_back(p.x()), law.share.push_back(p.y());
+    if (law.force.empty())
+      keys.problem("'axial' has no points; give { { normal force, share of the moment left }, ... }");
+  }
   keys.finish();
   law.check();
   push_handle(L, HingeLawValue{law});

@@ -6,9 +6,7 @@ local known = { "x", "soffit_level", "gap", "seat", "material", "supports", "spa
 local is_known = {}
 for _, key in ipairs(known) do is_known[key] = true end
 
-local function what_is(value)
-  return type(value) == "string" and ("the text '%s'"):format(value) or tostring(value)
-end
+local what_is = core.what_is
 
 local function check_table(options, key)
   local value = options[key]

@@ -292,6 +292,7 @@ local function check_names(rows, kind)
     if seen[row.name] then fail(row.owner, "there are two %s of that name", kind) end
     seen[row.name] = true
   end
+  return seen
 end
 
 --- The whole of it; an error where something is wrong.
@@ -306,9 +307,9 @@ function core.bridge_plan(model, options)
   end
   local plan = { bridge = b, half = 0.5*b.breadth, spans = {}, supports = {} }
   plan.lines, plan.girder = girder_lines(b.girders, plan.half)
-  for i in ipairs(b.spans) do plan.spans[i] = read_span(model, plan, b, i) end
+  for i = 1, #b.spans do plan.spans[i] = read_span(model, plan, b, i) end
   local x = b.x
-  for i in ipairs(b.supports) do
+  for i = 1, #b.supports do
     plan.supports[i] = read_support(plan, b, i)
     plan.supports[i].x = x
     x = x + (plan.spans[i] and plan.spans[i].length or 0)
@@ -316,7 +317,10 @@ function core.bridge_plan(model, options)
   for i in ipairs(plan.spans) do lay_span(plan, i) end
   for i in ipairs(plan.supports) do lay_keys(plan, i) end
   check_names(plan.spans, "spans")
-  check_names(plan.supports, "supports")
+  local support_names = check_names(plan.supports, "supports")
+  for _, v in ipairs(plan.spans) do
+    if support_names[v.name] then fail(v.owner, "there is a support of that name; give each one of its own") end
+  end
   return plan
 end
 

@@ -90,13 +90,7 @@ local function shown(text)
   return #text > 60 and text:sub(1, 57) .. "..." or text
 end
 
-local function what_is(value)
-  local kind = type(value)
-  if kind == "string" then return ("the text '%s'"):format(shown(value)) end
-  if kind == "number" then return ("%.6g"):format(value) end
-  if kind == "userdata" then return "a " .. (core.kind_of(value) or kind) end
-  return (kind == "boolean" or kind == "nil") and tostring(value) or "a " .. kind
-end
+local what_is = core.what_is
 
 local function fail(owner, text, ...) core.fail(("%s: " .. text):format(owner, ...)) end
 

@@ -1,6 +1,5 @@
 -- m:bridge{...} of a model in space: bodies, ground, foundations, bearings, seats and keys of what the plan says, and
--- the
--- table by which a script finds them.
+-- the table by which a script finds them. Where something is wrong, nothing of it stays in the model.
 local _, core = ...
 local read, fail, what_is = core.bridge_rules.read, core.bridge_rules.fail, core.bridge_rules.what_is
 local trilith = core.module
@@ -20,7 +19,7 @@ end
 
 --- The block of ground under a support.
 local function add_block(model, plan, s, i)
-  local g = read("ground", s.owner .. ": ground", s.ground)
+  local g = s.ground
   local half, broad, x = base_of(plan, s, i)
   half, broad = half + g.margin, 0.5*broad + g.margin
   s.ground_from, s.ground_to = x - half, x + half
@@ -35,13 +34,27 @@ local function add_block(model, plan, s, i)
       s.bottom - g.thickness, s.bottom) } }
 end
 
+local function body_called(model, owner, name)
+  local names = {}
+  for k, body in ipairs(model:bodies {}) do
+    if body.name == name then return body end
+    names[k] = body.name
+  end
+  return fail(owner, "ground: there is no body '%s'%s", name, core.hint(name, names))
+end
+
+--- What a support says of its ground, before anything is made: the values of a block, or a body that is there.
+local function read_ground(model, s)
+  local given = s.ground
+  if given == nil or type(given) == "userdata" and core.kind_of(given) == "body" then return given end
+  if type(given) == "table" then return read("ground", s.owner .. ": ground", given) end
+  if type(given) == "string" then return body_called(model, s.owner, given) end
+  return fail(s.owner, "'ground' is %s, must be a table such as { margin = 1 }, a body or its name", what_is(given))
+end
+
 local function add_ground(model, plan, s, i)
   if s.section and not s.foundation or s.ground == nil then return nil end
-  local given = s.ground
-  if type(given) == "table" then return add_block(model, plan, s, i) end
-  if type(given) == "string" then return model:body(given) end
-  if type(given) == "userdata" and core.kind_of(given) == "body" then return given end
-  return fail(s.owner, "'ground' is %s, must be a table such as { margin = 1 }, a body or its name", what_is(given))
+  return type(s.ground) == "table" and add_block(model, plan, s, i) or s.ground
 end
 
 --- Springs of a rigid disc of this area on an elastic half space, as the laws of a bearing (Gazetas 1991).
@@ -63,8 +76,6 @@ local function add_foundations(model, plan, s, i, body, ground)
     for _, key in ipairs(core.bridge_foundation_laws) do laws[key] = s.foundation[key] end
     laws.limit, laws.becomes = s.foundation.limit, s.foundation.becomes
   end
-  -- Springs of the ground that also carry stand for its contact with the base, all of it.
-  if laws.axial then model:contact { between = { ground.name, s.name }, law = "none" } end
   local links = {}
   for k, place in ipairs(places) do
     local link = { name = s.name .. ".foundation" .. (s.feet and k or ""), between = { ground, body },
@@ -72,6 +83,8 @@ local function add_foundations(model, plan, s, i, body, ground)
     for key, law in pairs(laws) do link[key] = law end
     links[k] = model:bearing(link)
   end
+  -- Springs of the ground that also carry stand for its contact with the base, all of it.
+  if laws.axial then plan.apart[#plan.apart + 1] = { ground.name, s.name } end
   return links
 end
 
@@ -134,11 +147,9 @@ local function driven_by(s, ground, body)
   return (s.section and not s.foundation or s.support ~= nil) and body or nil
 end
 
-local function built(model, options)
-  local plan = core.bridge_plan(model, options)
+local function made_of(model, plan)
   local bridge = setmetatable({ lines = {}, axes = {}, supports = {}, spans = {}, grounds = {}, foundations = {},
-    bearings = {},
-    seats = {}, side_seats = {}, places = {}, keys = {}, driven = {} }, Bridge)
+    bearings = {}, seats = {}, side_seats = {}, places = {}, keys = {}, driven = {} }, Bridge)
   for k, line in ipairs(plan.lines) do bridge.lines[k] = line.name end
   local made = core.bridge_bodies(model, plan)
   for i, s in ipairs(plan.supports) do
@@ -152,6 +163,25 @@ local function built(model, options)
   end
   for i, v in ipairs(plan.spans) do bridge.spans[i], bridge.spans[v.name] = made.spans[i], made.spans[i] end
   add_links(model, plan, bridge, made)
+  for _, two in ipairs(plan.apart) do model:contact { between = two, law = "none" } end
+  return bridge
+end
+
+--- All of a bridge or nothing: a script that catches the error has the model as it was. Into a model that has run it
+--- comes as a whole, as a deck stands on its bearings alone.
+local function built(model, options)
+  local plan = core.bridge_plan(model, options)
+  plan.apart = {} -- names of grounds and supports that do not touch
+  for _, s in ipairs(plan.supports) do s.ground = read_ground(model, s) end
+  local bodies, bearings, seats = #model:bodies {}, core.bearing_count(model), core.seat_count(model)
+  local whole = false
+  local _ <close> = setmetatable({}, { __close = function()
+    if not whole then core.take_back(model, bodies, bearings, seats) end
+  end })
+  core.add_together(model, true)
+  local bridge = made_of(model, plan)
+  core.add_together(model, false)
+  whole = true
   return bridge
 end
 

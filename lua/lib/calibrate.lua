@@ -2,9 +2,7 @@
 local trilith, core = ...
 local model_methods = core.members "model"
 
-local function what_is(value)
-  return type(value) == "string" and ("the text '%s'"):format(value) or tostring(value)
-end
+local what_is = core.what_is
 
 local function check_keys(owner, options, known)
   if type(options) ~= "table" then
@@ -200,6 +198,9 @@ local calibrate_keys = { "frequency", "vary", "mode", "shape", "between", "toler
 
 --- m:calibrate{ frequency =, vary = } -> { value, values, frequency, tries, text }; the model keeps what was found.
 function model_methods.calibrate(model, options)
+  if model.dim ~= 2 then
+    core.fail(("calibrate: is of models in the plane, and model '%s' has dim = %d"):format(model.name, model.dim))
+  end
   check_keys("calibrate", options, calibrate_keys)
   local wanted = { frequency = positive("calibrate", "frequency", options.frequency, " Hz"), mode = options.mode or 1,
     shape = options.shape, settle = options.settle }

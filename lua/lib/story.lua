@@ -42,7 +42,7 @@ local function check_wait(options)
   for _, key in ipairs { "within", "above" } do
     local value = options[key]
     if value ~= nil and (type(value) ~= "number" or value ~= value or value < 0) then
-      core.fail(("wait: '%s' is %s, must be a number not below 0"):format(key, tostring(value)))
+      core.fail(("wait: '%s' is %s, must be a number not below 0"):format(key, core.what_is(value)))
     end
   end
   if not options[1] and not options.within then

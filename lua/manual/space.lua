@@ -102,7 +102,7 @@ base_height     number m = 0         of the block under it
 base_margin     number m = 0         beyond the walls
 lintel_height   number m = one course  over openings
 lintel_bearing  number m = half a unit  its length on the wall
-least_length    number m = a quarter of a unit  shortest piece that is cut
+least_length    number m = a fifth of a unit  shortest piece that is cut
 snap            flag = false         openings are moved to the nearest course lines
 openings        list?                { storey = , from = , sill = , width = , height = , lintel = }, ...
 at              vector = {0, 0, 0}   lower left corner of its front
@@ -124,7 +124,7 @@ base_height     number m = 0         of the block under it
 base_margin     number m = 0         beyond the walls
 lintel_height   number m = one course  over openings
 lintel_bearing  number m = half a unit  its length on the wall
-least_length    number m = a quarter of a unit  shortest piece that is cut
+least_length    number m = a fifth of a unit  shortest piece that is cut
 snap            flag = false         openings are moved to the nearest course lines
 first_along_y   flag = false         in odd courses the walls along y run through
 at              vector = {0, 0, 0}   where the plan's origin is

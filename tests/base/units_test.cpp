@@ -62,6 +62,9 @@ TEST_CASE("a quantity is read in its declared unit or in one of its own") {
   CHECK(near(parse_quantity("30deg", "1", "angle"), std::numbers::pi / 6, 1e-12));
   CHECK_THROWS_WITH_AS(parse_quantity("3ft", "g", "pga"),
                        "pga is '3ft', which is in m; must be in g or another unit of m/s2", InputError);
+  CHECK_THROWS_WITH_AS(parse_quantity("0.8g", "1", "pga"),
+                       "pga is '0.8g', which is in m/s2; must be a number without a unit, as it was declared",
+                       InputError);
   for (const char* bad : {"", "x", "nan", "inf", "1e999", "0.6 0.7", "0.6gg"})
     CHECK_THROWS_AS(parse_quantity(bad, "g", "pga"), InputError);
 }

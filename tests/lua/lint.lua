@@ -133,3 +133,28 @@ do
   lacks(cube(2 * 0.0101 / omega), "of critical")
   has(cube(2 * 0.009 / omega), "law 'joint' damps 1 of 1 contacts by less than 1 % of critical")
 end
+
+-- Faces of a law that bonds which stand apart by too much are told of, in the plane and in space; those that meet, or
+-- stand as far apart as other courses do, are not.
+for _, dim in ipairs { 2, 3 } do
+  for gap, expected in pairs { [0] = 0, [1e-6] = 0, [1e-3] = 1, [0.3] = 0 } do
+    local w = trilith.model { name = "gap", dim = dim, gravity = 0 }
+    w:material { name = "stone", density = 2000 }
+    w:contact { between = { "*", "*" }, name = "mortar", law = trilith.bonded { kn = 1e9, ks = 4e8, mu = 0.6,
+      tension = 1e5, cohesion = 1e5 } }
+    for i = 0, 2 do
+      local row = { name = "b" .. i, at = { i*1 + (i == 2 and gap or 0), 0, dim == 3 and 0 or nil }, material = "stone",
+        width = dim == 2 and 1 or nil, height = dim == 2 and 1 or nil, size = dim == 3 and { 1, 1, 1 } or nil,
+        support = i == 0 and "fixed" or nil, floating = true }
+      w:block(row)
+    end
+    w:run { duration = 1e-3 }
+    assert(#w.notes == expected, ("dim %d, gap %g: %d notes"):format(dim, gap, #w.notes))
+    if expected == 1 then
+      assert(w.notes[1] == "law 'mortar' leaves a pair of faces without a bond, as 'b1' and 'b2' stand 1 mm apart: "
+        .. "faces are bonded at a gap of at most 1e-5 of the smaller body's size, and 1e-3 where mortar is fresh "
+        .. "(m:consolidate{ fresh = true }); close the gap, or let another law hold there", w.notes[1])
+    end
+    w:close()
+  end
+end

@@ -90,6 +90,12 @@ local cases = {
   { function() m:material { density = 2000 } end, "material: 'name' is missing; give a text" },
   { function() m:material { name = "a", density = -1 } end,
     "material 'a': density is -1 kg/m3, must be finite and above 0" },
+  { function() trilith.motion { acceleration = { 0, nan, 0 }, dt = 0.1 } end,
+    "motion 'samples of the script': acceleration of sample 2 is nan, must be a finite number" },
+  { function() trilith.motion { acceleration = { 0, 1, 0 }, dt = 0.1 }:match { spectrum = { { 1, nan } } } end,
+    "spectrum: acceleration of the target is nan m/s2, must be finite and above 0" },
+  { function() trilith.rayleigh { ratios = { 0.05, nan }, frequencies = { 1, 2 } } end,
+    "rayleigh: 'ratios[2]' is nan, must be a number above 0" },
   { function() m:material { name = "a", density = nan } end,
     "material 'a': 'density' is nan, must be a finite number in kg/m3" },
   { function() m:material { name = "a", density = 150 * trilith.units "pcf" } end,
@@ -227,6 +233,27 @@ local cases = {
     "scale: give either pga (in m/s2), factor, or sa (in m/s2) with its period" },
   { function() quake:scale(2) end, "scale: takes one table, as in scale{ ... }; this is 2" },
   { function() quake:time_scale "x" end, "time_scale: takes one finite number; this is the text 'x'" },
+  -- numbers in the unit they were given in
+  { function() new():material { name = "u", unit_weight = -3 } end,
+    "material 'u': 'unit_weight' is -3 N/m3, must be above 0 and not above 225553 N/m3, any metal's; stone has some "
+      .. "25000" },
+  { function() m:block { name = "u", width = 1, height = 1, unit_weight = 1e300 } end,
+    "block 'u': 'unit_weight' is 1e+300 N/m3, must be above 0 and not above 225553 N/m3, any metal's; stone has some "
+      .. "25000" },
+  -- what would mean nothing
+  { function() trilith.end_hinge { sagging = 1e5, axial = {} } end,
+    "end_hinge: 'axial' has no points; give { { normal force, share of the moment left }, ... }" },
+  { function() built():beam { name = "s", from = { 0, 5 }, to = { 0, 8 }, material = "stone", stations = -1,
+      section = trilith.rectangle_section { width = 1, depth = 1 } } end,
+    "beam 's': 'stations' is of a section of fibres, and this one has none; leave it out" },
+  { function() built():run { duration = 1, alpha = "x" } end,
+    "run: 'alpha' is of integrator = \"implicit\", and this stage is explicit; leave it out" },
+  { function() built():run { duration = 1, accuracy = 1e300 } end,
+    "run: 'accuracy' is 1e+300, must be from 0 to 1, a share of energies" },
+  { function() built():consolidate { tolerance = -1 } end,
+    "consolidate: 'tolerance' is of integrator = \"static\", and this stage is explicit; leave it out" },
+  { function() built():pushover { body = "block", rate = 1, displacement = 1, storey = 0 } end,
+    "pushover: 'storey' is 0, must be at least 1" },
   -- stages
   { function() m:run {} end, "run: 'duration' is missing; give a number in s" },
   { function() m:run { duration = -1 } end, "stage 'run': duration is -1 s, must be finite and above 0" },
@@ -352,3 +379,12 @@ for _, case in ipairs(cases) do
   end
 end
 assert(count >= 40 and wrong == 0, wrong .. " messages are not as they should be")
+
+-- Of very many names a message lists the first.
+do
+  local many = trilith.model { name = "many" }
+  many:material { name = "stone", density = 2000 }
+  for i = 1, 101 do many:block { name = "b" .. i, width = 1, height = 1, at = { 2*i, 0 }, material = "stone" } end
+  local good, message = pcall(many.body, many, "nobody here")
+  assert(not good and message:find("known: b1, b2, .*b9, b10, and 91 more$"), message)
+end

@@ -294,6 +294,77 @@ refused("has a foundation, but no ground",
 refused("both ground and support are given", bridge_with(function(b) b.pier.support = "fixed" end))
 refused("its ground and that of 'A0' would overlap", bridge_with(function(b) b.ground.margin = 20 end))
 refused("'ground' is 3, must be a table", bridge_with(function(b) b.ground = 3 end))
+refused("bridge: pier 2 is nil, must be a table", bridge_with(function(b)
+  b.supports = { b.supports[1], nil, b.supports[3] }
+end))
+refused("span 'middle': there is a support of that name", bridge_with(function(b) b.spans[1].name = "middle" end))
+refused("'gap' is nan, must be a finite number", bridge_with(function(b) b.gap = 0/0 end))
+refused("ground: 'margin' is -1 m", bridge_with(function(b) b.supports[3].ground = { margin = -1 } end))
+refused("pier 'middle': ground: there is no body 'nowhere'", bridge_with(function(b)
+  b.supports[2].ground = "nowhere"
+end))
+
+-- What carries a deck and slides without an end is told of; a limit along ends it, as does a law that holds.
+do
+  local function notes(type)
+    local m = trilith.model { dim = 3 }
+    type.name, type.axial, type.height = "kind", stiff, 0.1
+    m:bearing_type(type)
+    return m.notes
+  end
+  local told = notes { across = soft, limit = { across = 0.1 } }
+  assert(#told == 1 and told[1] == "bearing type 'kind': carries the deck and lets it slide along for ever, also past "
+    .. "the edge of its seat; to end it there, give limit = { along = the length of the seat }", told[1])
+  assert(#notes { across = soft } == 1 and #notes { across = soft, limit = { along = 0.3 } } == 0)
+  assert(#notes { along = soft } == 0 and #notes { horizontal = soft } == 0)
+end
+
+-- A bridge may come into a model that has run: as a whole, or not at all.
+do
+  local m = new()
+  m:bridge(tables(function() end))
+  m:consolidate { ratio = 1e-3 }
+  local before = #m:bodies {}
+  local function second(change)
+    return tables(function(b)
+      b.x = 200
+      for i, s in ipairs(b.supports) do s.name = "Q" .. i end
+      for i, v in ipairs(b.spans) do v.name = "T" .. i end
+      if change then change(b) end
+    end)
+  end
+  refused("'weight' is -3 N", m.bridge, m, second(function(b)
+    b.span.weight_per_length, b.spans[2].weight = nil, -3
+  end))
+  assert(#m:bodies {} == before)
+  local bridge = m:bridge(second())
+  m:run { duration = 3, until_rest = true, damping = 0.8 }
+  local carried = 0
+  for _, laid in ipairs(bridge.bearings.T1.left) do carried = carried - laid.force_axial end
+  near(carried, 0.5*m:body "T1".mass*g, 0.02, "half of the deck's weight")
+  m:close()
+end
+
+-- Nothing of a bridge that is refused stays: the model then takes the right one, and that comes to rest.
+do
+  local m = new()
+  local function count() return #m:bodies {} + #m.bearings + #m.seats end
+  local before = count()
+  for text, change in pairs {
+    ["there is no material 'steel'"] = function(b) b.supports[3].material = "steel" end,
+    ["'weight' is -3 N"] = function(b) b.span.weight_per_length, b.spans[2].weight = nil, -3 end,
+    ["there is no body 'nowhere'"] = function(b) b.supports[3].ground = "nowhere" end,
+    ["would overlap"] = function(b) b.ground.margin = 20 end,
+  } do
+    refused(text, m.bridge, m, tables(change))
+    assert(count() == before, text)
+  end
+  m:bearing_type { name = "once", height = 0.1, axial = trilith.linear { stiffness = 2e9 } }
+  m:bridge(tables(function() end))
+  m:consolidate { ratio = 1e-3 }
+  assert(#m:bodies {} == 8)
+  m:close()
+end
 refused("there are two supports of that name", bridge_with(function(b) b.supports[3].name = "middle" end))
 refused("there are two spans of that name", bridge_with(function(b) b.spans[1].name = "S2" end))
 refused("'footing_weight' is missing", bridge_with(function(b)

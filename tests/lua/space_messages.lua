@@ -69,6 +69,13 @@ local cases = {
       .. "in stretches" },
   { function() m:block { name = "b", size = { 1, 1, 1 }, material = "stone", body = { mesh = { 100, 100, 100 } } } end,
     "body 'b': its mesh of 100 x 100 x 100 would have 1e+06 elements, at most 200000 are made; divide its sides less" },
+  { function() m:block { name = "b", size = { 1, 1, 1 }, weight = -3 } end,
+    "block 'b': 'weight' is -3 N, must be above 0" },
+  { function() m:building { name = "h", walls = { { from = { 0, 0 }, to = { 2, 0 } } }, courses = 3,
+      storey_height = 1, material = "stone" } end,
+    "building 'h': storey 1: 3 courses are given, but its height of 1 m holds 5; keep one of the two" },
+  { function() m:calibrate { frequency = 10, vary = "frictional 1.kn" } end,
+    "calibrate: is of models in the plane, and model 'wrong' has dim = 3" },
   -- what acts nowhere
   { function() m:block { name = "b", size = { 1, 1, 1 }, material = "stone", body = "brick",
       hold = { { from = { 7, 7, 7 }, to = { 8, 8, 8 } } } } end,

@@ -237,6 +237,34 @@ TEST_CASE("a crack lies where two bodies faced each other") {
   CHECK(joint_of(header, 0, 4).empty());
 }
 
+TEST_CASE("a crack is drawn on both of its bodies, as each carries its side away") {
+  const Folder folder;
+  const auto joints_of = [&](const char* name, const Header& header) {
+    {
+      ResultsWriter writer(folder / name, header);
+      EventRow event;
+      event.type = "bond.broken", event.text = "broke", event.body_a = 0, event.body_b = 1;
+      writer.append_event(event);
+      writer.finish();
+    }
+    const std::string head = head_of(view_data(ResultsReader(folder / name)));
+    const std::size_t from = head.find("\"joints\":");
+    REQUIRE(from != std::string::npos);
+    return head.substr(from, head.find("\"palette\"") - from);
+  };
+  Header flat = sample_header(0), solid = sample_header(0, 3);
+  const std::vector<double> brick{-0.2, -0.1, 0.2, -0.1, 0.2, 0.1, -0.2, 0.1}, none{0.0}, inertia{1.0};
+  for (const double y : {0.0, 0.2}) {
+    const std::vector<double> at{0, y};
+    flat.add_rigid_body({"b", "rigid", "brick", "", "free"}, at, none, 1, inertia, brick);
+    add_box(solid, {{0.2, 0.1, 0.1}, {0, 0, y}});
+  }
+  for (const std::string& joints : {joints_of("flat.h5", flat), joints_of("solid.h5", solid)}) {
+    CHECK(joints.find("[0,0,") != std::string::npos);
+    CHECK(joints.find("[0,1,") != std::string::npos);
+  }
+}
+
 TEST_CASE("of a model in space the page gets three coordinates, quaternions, and the faces of each body") {
   const Folder folder;
   record_boxes(folder / "solids.h5", tumbling_boxes(), 6, 0.1);
