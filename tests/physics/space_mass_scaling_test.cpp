@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "bearing/linear.hpp"
 #include "near.hpp"
 #include "physics/space_solids.hpp"
 #include "run/simulation.hpp"
@@ -87,8 +88,8 @@ class SharedRun {
   StepOptions options_;
 };
 
-/// Time of a swing of the far end of a rod that is held at the other one [s].
-double swing_of_rod(const Model<3>& model, const StageOptions& options, StageReport& report) {
+/// Time of a swing along x of what stands farthest along it [s].
+double swing_time(const Model<3>& model, const StageOptions& options, StageReport& report) {
   Simulation<3> sim(model);
   int end = 0;
   for (int n = 0; n < model.nodes(); ++n)
@@ -125,7 +126,7 @@ TEST_CASE("mass scaling in space: a held rod swings slower by the root of its ma
     StageOptions plain = options;
     plain.mass_scaling.reset(), plain.duration = 4 * period;
     StageReport report, plainly;
-    const double slowed = swing_of_rod(model, options, report), found = swing_of_rod(model, plain, plainly);
+    const double slowed = swing_time(model, options, report), found = swing_time(model, plain, plainly);
     REQUIRE(report.scaled);
     const double share = report.scaled->most;
     MESSAGE("added ", share, " times the mass, period ", slowed / found, " of the plain one");
@@ -259,6 +260,47 @@ TEST_CASE("mass scaling in space: the energy of a body that tumbles and rings st
   MESSAGE("the balance strays by ", most, " of ", moving, " J, of which the added mass had ", added);
   CHECK(added > 0.01 * moving);
   CHECK(most < 2e-3 * moving);
+}
+
+/// A meshed cube of a metre between a wall and nothing, on a spring along one axis at the middle of a face.
+Model<3> cube_on_spring(std::size_t axis, double stiffness) {
+  SolidModelBuilder builder;
+  builder.gravity = Vec3::Zero();
+  builder.add_material(elastic_in("m", 2000, 1e9, 0.2));
+  SolidSpec wall;
+  wall.name = "wall", wall.pieces = {box_solid(Vec3(-1, 0, 0), Vec3(-0.5, 1, 1))}, wall.material = "m";
+  wall.support.fill(Support::fixed);
+  builder.add_body(wall);
+  builder.add_body(box_of("b", box_solid(Vec3(0, 0, 0), Vec3(1, 1, 1)), "m", {3, 3, 3}));
+  BearingSpecOf<3> spring;
+  spring.name = "spring", spring.body_a = "wall", spring.body_b = "b";
+  spring.point_a = Vec3(-0.5, 0.5, 0.5), spring.point_b = Vec3(0, 0.5, 0.5);
+  spring.law[axis] = Linear{stiffness, 0};
+  builder.add_bearing(spring);
+  return builder.build();
+}
+
+TEST_CASE(
+    "mass scaling in space: what swings on a spring as if it were rigid keeps its period, and the bound knows it") {
+  const double stiffness = 1e6, mass = 2000, period = 2 * M_PI * std::sqrt(mass / stiffness);
+  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+    const Model<3> model = cube_on_spring(axis, stiffness);
+    const State<3> state = initial_state(model);
+    Work<3> work;
+    evaluate(model, state, work, 0.0);
+    double inertia = 0;
+    for (int n = 1; n < model.nodes(); ++n)
+      inertia += model.mass[n] * (model.start_position[n] - Vec3(0.5, 0.5, 0)).head<2>().squaredNorm();
+    const double rate = stiffness / mass + (axis == 1 ? stiffness * 0.25 / inertia : 0);
+    CHECK(near(body_rates(model, state, work, true)[1].rigid.stiffness, rate, 1e-9));
+  }
+  Model<3> model = cube_on_spring(0, stiffness);
+  for (int n = 1; n < model.nodes(); ++n) model.start_velocity[n].x() = 0.01;
+  const StageOptions options = longer_steps(model, 4, 4 * period);
+  StageReport report;
+  CHECK(near(swing_time(model, options, report), period, 5e-3));
+  REQUIRE(report.scaled);
+  CHECK(report.scaled->most > 10);
 }
 
 TEST_CASE("mass scaling in space: a cantilever of bricks bends by its weight as it does without") {
