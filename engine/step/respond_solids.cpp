@@ -68,54 +68,6 @@ void take_up(Work<3>& work, const SolidAnswer& answer) {
   work.general_touching.push_back({answer.row, answer.area, answer.depth, answer.centre, answer.normal_force});
 }
 
-/// The faces of four rows into lanes.
-TRILITH_INLINE void load_faces(const Work<3>& work, const std::array<const NearPair*, lane_count>& pair,
-                               const std::array<const FacePair*, lane_count>& pair_of_faces, FacesInLanes& out) {
-  FourFacesOfSolids a, b;
-  FourOf first_a, first_b, normal_a, normal_b;
-  std::array<const std::uint8_t*, lane_count> corner_a, corner_b;
-  bool few = true;
-  for (std::size_t i = 0; i < pair.size(); ++i) {
-    const FacePair& f = *pair_of_faces[i];
-    a.solid[i] = &work.solids.placed[pair[i]->piece_a], b.solid[i] = &work.solids.placed[pair[i]->piece_b];
-    a.face[i] = f.a, b.face[i] = f.b;
-    first_a[i] = a.solid[i]->corners.data(), first_b[i] = b.solid[i]->corners.data();
-    normal_a[i] = a.solid[i]->normals.data() + f.a, normal_b[i] = b.solid[i]->normals.data() + f.b;
-    corner_a[i] = f.corner_a.data(), corner_b[i] = f.corner_b.data();
-    few = few && f.few;
-  }
-  out.normal_a = four_at(normal_a), out.normal_b = four_at(normal_b);
-  if (few) {
-    out.corners_a = load_few(first_a, corner_a, out.a), out.corners_b = load_few(first_b, corner_b, out.b);
-  } else {
-    out.corners_a = a.load(out.a), out.corners_b = b.load(out.b);
-  }
-}
-
-/// All that the kernel of flat faces asks of four rows.
-[[gnu::target_clones("avx2", "default")]] void load_flat(const State<3>& state, const Work<3>& work,
-                                                         const std::array<int, lane_count>& row, double dt,
-                                                         FlatContacts& in) {
-  const std::vector<SolidMemory>& before = contacts_before(state, work).memory;
-  std::array<const NearPair*, lane_count> pairs;
-  std::array<const FacePair*, lane_count> faces;
-  std::array<int, lane_count> node_a, node_b;
-  std::array<const SolidMemory*, lane_count> memory;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const auto r = static_cast<std::size_t>(row[i]);
-    pairs[i] = &work.pairs[r], faces[i] = &work.solids.faces[r], memory[i] = &before[r];
-    node_a[i] = faces[i]->node_a, node_b[i] = faces[i]->node_b;
-    const LawNumbers& law = work.solids.law[static_cast<std::size_t>(pairs[i]->law)];
-    const auto lane = static_cast<int>(i);
-    in.kn[lane] = law.kn, in.ks[lane] = law.ks, in.mu[lane] = law.mu, in.beta[lane] = law.beta;
-    in.near[lane] = faces[i]->near, in.b_is_larger[lane] = faces[i]->b_is_larger ? -1 : 0;
-  }
-  in.dt = dt;
-  load_faces(work, pairs, faces, in.faces);
-  in.a = four_nodes(state, node_a), in.b = four_nodes(state, node_b);
-  load_memory(memory, in.before);
-}
-
 /// How memory that is asked for early is used.
 enum class Asked : std::uint8_t { read, write };
 
