@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/overlap_pair.hpp"
+#include "detect/bearing_rules.hpp"
 #include "step/contact_rows.hpp"
 #include "step/face_rows.hpp"
 #include "step/near_faces.hpp"

@@ -10,6 +10,11 @@
 namespace trilith {
 namespace {
 
+/// What is half as deep as the thinner is thick presses on no less than this share of its thickness squared, but for
+/// slivers: a tetrahedron of a mesh that has but an edge in the plane of a joint counts as deep in the other body as
+/// its own next outer face is far.
+constexpr double least_area = 0.01;
+
 /// 1 / mass of what may move, 0 of what may not; of a frame of one node of it, of elements of the whole body [1/kg].
 double mobility_of(const Model<3>& model, int piece) {
   const int body = model.piece_body[piece];
@@ -54,7 +59,7 @@ std::vector<Event> notice_passed(const Model<3>& model, State<3>& state, Work<3>
   for (const GeneralContact<3>& c : work.general_touching) {
     const NearPair& pair = work.pairs[c.row];
     const double thickness = std::min(model.piece_thickness[pair.piece_a], model.piece_thickness[pair.piece_b]);
-    if (c.depth <= passed_share * thickness) continue;
+    if (c.depth <= passed_share * thickness || c.size <= least_area * thickness * thickness) continue;
     const int a = model.piece_body[pair.piece_a], b = model.piece_body[pair.piece_b];
     const ContactKey key = contact_key(std::min(a, b), std::max(a, b));
     const auto at = std::lower_bound(state.passed.begin(), state.passed.end(), key);
