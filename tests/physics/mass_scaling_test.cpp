@@ -4,13 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <optional>
 
-#include "base/error.hpp"
 #include "energy_watch.hpp"
 #include "near.hpp"
+#include "physics/scaled_masses.hpp"
 #include "physics/solids.hpp"
-#include "world/state_words.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -190,72 +188,31 @@ TEST_CASE("mass scaling: the ledger of a shaken stack closes, in the stage and w
 }
 
 TEST_CASE("mass scaling: same bits for any threads, from a snapshot, from a file within the stage, with work dropped") {
-  const StageOptions options = shaking_stage(3e-5);
-  Simulation<2> plain = shaken_stack();
-  plain.run(options);
-  const std::uint64_t hash = state_hash(plain.state());
-  {
-    Simulation<2> sim = shaken_stack();
-    sim.use_threads(3);
-    sim.run(options);
-    CHECK(state_hash(sim.state()) == hash);
-  }
-  std::optional<State<2>> kept;
-  {
-    Simulation<2> sim = shaken_stack();
-    std::optional<Snapshot<2>> snapshot;
-    bool back = false;
-    RunListener<2> listener;
-    listener.at_border = [&] {
-      if (!snapshot && sim.state().time > 0.07) snapshot = sim.snapshot();
-      if (sim.state().step % 50 == 0) sim.drop_work();
-      if (back || sim.state().time < 0.1) return;
-      back = true;
-      sim.restore(*snapshot);
-    };
-    sim.run(options, listener);
-    CHECK(back);
-    CHECK(state_hash(sim.state()) == hash);
-    kept = snapshot->state;
-    CHECK(kept->added_share.size() == 5);
-  }
-  const Model<2>& model = plain.model();
-  Simulation<2> sim(model, state_from_words(model, state_words(*kept), "kept state"));
-  StageOptions rest = options;
-  rest.end_time = 0.2;
-  sim.run(rest);
-  CHECK(state_hash(sim.state()) == hash);
+  check_scaled_bits<2>(shaken_stack, shaking_stage(3e-5), 0.07, 0.1, 0.2);
 }
 
-std::string scaling_refusal(const StageOptions& options) {
-  Simulation<2> sim = shaken_stack();
-  try {
-    sim.run(options);
-  } catch (const InputError& e) {
-    CHECK(sim.state().added_share.empty());
-    return e.what();
-  }
-  return "";
+std::string stack_refusal(const StageOptions& options) {
+  return scaling_refusal(shaken_stack(), options);
 }
 
 TEST_CASE("mass scaling: what cannot be is refused with the step that can") {
-  CHECK(scaling_refusal(shaking_stage(1e-3)).find("even if it were rigid") != std::string::npos);
+  CHECK(stack_refusal(shaking_stage(1e-3)).find("even if it were rigid") != std::string::npos);
   StageOptions little = shaking_stage(3e-5);
   little.mass_scaling->most = 0.5;
-  CHECK(scaling_refusal(little).find("must be at most 0.5 times") != std::string::npos);
+  CHECK(stack_refusal(little).find("must be at most 0.5 times") != std::string::npos);
   StageOptions both = shaking_stage(3e-5);
   both.dt = 1e-6;
-  CHECK(scaling_refusal(both).find("leave dt out") != std::string::npos);
+  CHECK(stack_refusal(both).find("leave dt out") != std::string::npos);
   StageOptions implicit = shaking_stage(3e-5);
   implicit.implicit = AlphaScheme::hht(-0.05);
-  CHECK(scaling_refusal(implicit).find("explicit steps") != std::string::npos);
+  CHECK(stack_refusal(implicit).find("explicit steps") != std::string::npos);
   StageOptions none = shaking_stage(3e-5);
   none.mass_scaling->step = -1;
-  CHECK(scaling_refusal(none).find("mass_scaling: step") != std::string::npos);
+  CHECK(stack_refusal(none).find("mass_scaling: step") != std::string::npos);
   // Of chosen bodies the others are as they were.
   StageOptions one = shaking_stage(3e-5);
   one.mass_scaling->bodies = {1};
-  CHECK(scaling_refusal(one).find("whose masses are not scaled") != std::string::npos);
+  CHECK(stack_refusal(one).find("whose masses are not scaled") != std::string::npos);
 }
 
 }  // namespace

@@ -2,15 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <optional>
 
-#include "base/error.hpp"
 #include "energy_watch.hpp"
 #include "near.hpp"
+#include "physics/scaled_masses.hpp"
 #include "physics/scene.hpp"
 #include "physics/space_solids.hpp"
 #include "step/stable_step.hpp"
-#include "world/state_words.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -77,41 +75,7 @@ TEST_CASE("mass scaling in space: the ledger of a shaken tower closes, in the st
 }
 
 TEST_CASE("mass scaling in space: same bits for any threads, from a snapshot, from a file, with work dropped") {
-  const StageOptions options = tower_stage(3e-5, 0.04);
-  Simulation<3> plain = shaken_tower();
-  plain.run(options);
-  const std::uint64_t hash = state_hash(plain.state());
-  {
-    Simulation<3> sim = shaken_tower();
-    sim.use_threads(3);
-    sim.run(options);
-    CHECK(state_hash(sim.state()) == hash);
-  }
-  std::optional<State<3>> kept;
-  {
-    Simulation<3> sim = shaken_tower();
-    std::optional<Snapshot<3>> snapshot;
-    bool back = false;
-    RunListener<3> listener;
-    listener.at_border = [&] {
-      if (!snapshot && sim.state().time > 0.015) snapshot = sim.snapshot();
-      if (sim.state().step % 50 == 0) sim.drop_work();
-      if (back || sim.state().time < 0.025) return;
-      back = true;
-      sim.restore(*snapshot);
-    };
-    sim.run(options, listener);
-    CHECK(back);
-    CHECK(state_hash(sim.state()) == hash);
-    kept = snapshot->state;
-    CHECK(kept->added_share.size() == 5);
-  }
-  const Model<3>& model = plain.model();
-  Simulation<3> sim(model, state_from_words(model, state_words(*kept), "kept state"));
-  StageOptions rest = options;
-  rest.end_time = 0.04;
-  sim.run(rest);
-  CHECK(state_hash(sim.state()) == hash);
+  check_scaled_bits<3>([] { return shaken_tower(); }, tower_stage(3e-5, 0.04), 0.015, 0.025, 0.04);
 }
 
 TEST_CASE("mass scaling in space: contact bounds a rigid body of elements by no less than its bounce") {
@@ -135,14 +99,7 @@ TEST_CASE("mass scaling in space: contact bounds a rigid body of elements by no 
 }
 
 std::string tower_refusal(const StageOptions& options) {
-  Simulation<3> sim = shaken_tower();
-  try {
-    sim.run(options);
-  } catch (const InputError& e) {
-    CHECK(sim.state().added_share.empty());
-    return e.what();
-  }
-  return "";
+  return scaling_refusal(shaken_tower(), options);
 }
 
 TEST_CASE("mass scaling in space: what cannot be is refused with the step that can") {

@@ -1,0 +1,68 @@
+// What holds of runs with scaled masses in the plane and in space alike.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <optional>
+#include <string>
+
+#include "base/error.hpp"
+#include "run/simulation.hpp"
+#include "world/state_words.hpp"
+
+namespace trilith::testing {
+
+/// A stage until `end` [s] gives the same bits with three threads; with work dropped at every 50th step and taken back,
+/// at `back_at`, to what was kept at `kept_at`; and from there on by a state that was written and read. `start`: makes
+/// the simulation.
+template <int D, class Start>
+void check_scaled_bits(Start&& start, const StageOptions& options, double kept_at, double back_at, double end) {
+  Simulation<D> plain = start();
+  plain.run(options);
+  const std::uint64_t hash = state_hash(plain.state());
+  {
+    Simulation<D> sim = start();
+    sim.use_threads(3);
+    sim.run(options);
+    CHECK(state_hash(sim.state()) == hash);
+  }
+  std::optional<State<D>> kept;
+  {
+    Simulation<D> sim = start();
+    std::optional<Snapshot<D>> snapshot;
+    bool back = false;
+    RunListener<D> listener;
+    listener.at_border = [&] {
+      if (!snapshot && sim.state().time > kept_at) snapshot = sim.snapshot();
+      if (sim.state().step % 50 == 0) sim.drop_work();
+      if (back || sim.state().time < back_at) return;
+      back = true;
+      sim.restore(*snapshot);
+    };
+    sim.run(options, listener);
+    CHECK(back);
+    CHECK(state_hash(sim.state()) == hash);
+    kept = snapshot->state;
+    CHECK(kept->added_share.size() == 5);
+  }
+  const Model<D>& model = plain.model();
+  Simulation<D> sim(model, state_from_words(model, state_words(*kept), "kept state"));
+  StageOptions rest = options;
+  rest.end_time = end;
+  sim.run(rest);
+  CHECK(state_hash(sim.state()) == hash);
+}
+
+/// The message with which a stage is refused that scales masses, none of which is scaled then; "" where it is not.
+template <int D>
+std::string scaling_refusal(Simulation<D> sim, const StageOptions& options) {
+  try {
+    sim.run(options);
+  } catch (const InputError& e) {
+    CHECK(sim.state().added_share.empty());
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace trilith::testing
