@@ -129,6 +129,10 @@ template <int D>
 void let_go(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, double dt) {
   const BearingStatus status = state.bearing[i].status;
   if (status != BearingStatus::failed && status != BearingStatus::changed) return;
+  const auto& last_of = state.bearing[i].direction;
+  const bool held = std::any_of(last_of.begin(), last_of.end(),
+                                [](const DirectionMemory& last) { return last.force != 0 || last.damping != 0; });
+  if (!held) return;  // let go by now
   const auto mean = mean_rates(model, state, model.bearings[i], bearing_motion(model, state, i), dt);
   for (std::size_t k = 0; k < mean.size(); ++k) {
     DirectionMemory& last = work.bearing[i].direction[k];
