@@ -27,7 +27,13 @@ struct MaskOf<Lanes> {
 template <class T>
 using Mask = typename MaskOf<T>::type;
 
+// A kernel is one function in each of its widths. Where sanitizers put a check beside each access, one that large takes
+// the compiler minutes: plain functions there, of one width.
+#ifdef TRILITH_ONE_WIDTH
+#define TRILITH_INLINE inline
+#else
 #define TRILITH_INLINE [[gnu::always_inline]] inline
+#endif
 
 /// Two neighbouring numbers, at an address that is a multiple of 16.
 TRILITH_INLINE LanePair load_pair(const double* two) {

@@ -11,8 +11,9 @@ enum class Registers {
   widest   ///< x86-64-v4: masks of their own and twice as many registers
 };
 
+/// Narrow where TRILITH_ONE_WIDTH is defined, as builds with sanitizers do: their copies would be alike.
 inline Registers registers_here() {
-#ifdef __x86_64__
+#if defined(__x86_64__) && !defined(TRILITH_ONE_WIDTH)
   if (!__builtin_cpu_supports("avx2")) return Registers::narrow;
   const bool v4 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
                   __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&

@@ -1,6 +1,7 @@
 #include "body/rigid_turn_lanes.hpp"
 
 #include "base/portable.hpp"
+#include "base/registers.hpp"
 
 namespace trilith {
 namespace {
@@ -109,7 +110,7 @@ void turn_narrow(TurningInLanes& bodies, double span, double dt) {
 
 void turn_four(TurningInLanes& bodies, double span, double dt) {
 #ifdef __x86_64__
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  static const bool wide = registers_here() != Registers::narrow;
   if (wide) return turn_wide(bodies, span, dt);
 #endif
   turn_narrow(bodies, span, dt);

@@ -1,5 +1,6 @@
 #include "contact/flat_contact.hpp"
 
+#include "base/registers.hpp"
 #include "contact/nearest_held.hpp"
 #include "contact/solid_faces.hpp"
 
@@ -284,7 +285,7 @@ void respond_narrow(const FlatContacts& in, FlatResponses& out) {
 
 void respond_flat(const FlatContacts& in, FlatResponses& out) {
 #ifdef __x86_64__
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  static const bool wide = registers_here() != Registers::narrow;
   if (wide) return respond_wide(in, out);
 #endif
   respond_narrow(in, out);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/registers.hpp"
 #include "contact/laid_shear.hpp"
 #include "contact/solid_faces.hpp"
 #include "contact/sound_joint.hpp"
@@ -32,7 +33,7 @@ template <class K>
 template <class K>
 void step_as_here(JointStep<K>& step) {
 #ifdef __x86_64__
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  static const bool wide = registers_here() != Registers::narrow;
   if (wide) return step_wide(step);
 #endif
   step_narrow(step);

@@ -1,5 +1,7 @@
 #include "contact/pressed_triangles.hpp"
 
+#include "base/registers.hpp"
+
 namespace trilith {
 namespace {
 
@@ -121,7 +123,7 @@ void PressedTriangles::flush() {
 
 void PressedTriangles::add_four(const Four& four) {
 #ifdef __x86_64__
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  static const bool wide = registers_here() != Registers::narrow;
   if (wide) return add_wide(four, beta_, sums_);
 #endif
   add_narrow(four, beta_, sums_);

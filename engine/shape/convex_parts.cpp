@@ -117,7 +117,7 @@ class Partition {
     std::sort(ranked.begin(), ranked.end());
     for (const auto& candidate : ranked)
       if (sees(piece, v, std::get<3>(candidate))) return std::get<3>(candidate);
-    assert(!"a right-turning corner of a simple polygon sees another corner");
+    assert(false && "a right-turning corner of a simple polygon sees another corner");
     return std::get<3>(ranked.front());
   }
 
@@ -145,7 +145,7 @@ class Partition {
     for (std::size_t i = 0; i < pieces_.size(); ++i)
       for (std::size_t k = 0; k < pieces_[i].size(); ++k)
         if (pieces_[i][k] == a && pieces_[i][next(pieces_[i], k)] == b) return {i, k};
-    assert(!"every cut borders two pieces");
+    assert(false && "every cut borders two pieces");
     return {0, 0};
   }
 

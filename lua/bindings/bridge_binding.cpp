@@ -254,24 +254,41 @@ int lay_bearing(lua_State* L) {
   return 1;
 }
 
+template <class M>
+void begin_whole(M& m) {
+  auto& book = book_of(m);
+  book.before = {m.builder.bodies().size(), m.bearings.size(), m.seats.size(), book.layout};
+}
+
+template <class M>
+void take_back_from(M& m) {
+  auto& book = book_of(m);
+  m.builder.shorten(book.before.bodies, book.before.bearings, book.before.seats);
+  m.bearings.resize(std::min(book.before.bearings, m.bearings.size()));
+  m.seats.resize(std::min(book.before.seats, m.seats.size()));
+  book.layout = book.before.layout;
+}
+
 /// core.add_together(model, begin): what is added from here on comes into a model that is built when this is called
 /// with false, all at once.
 int add_together(lua_State* L) {
-  SpaceModel& m = this_space(L);
+  ScriptModel& m = this_model(L);
   m.adds_later = lua_toboolean(L, 2) != 0;
+  if (SpaceModel* space = m.adds_later ? as_space(m) : nullptr)
+    begin_whole(*space);
+  else if (m.adds_later)
+    begin_whole(*as_plane(m));
   m.catch_up();
   return 0;
 }
 
-/// core.take_back(model, bodies, bearings, seats): of a model in space, what was added beyond these counts since
-/// add_together is there no more.
+/// core.take_back(model): what was added since add_together is there no more.
 int take_back(lua_State* L) {
-  SpaceModel& m = this_space(L);
-  const auto bearings = static_cast<std::size_t>(lua_tointeger(L, 3));
-  const auto seats = static_cast<std::size_t>(lua_tointeger(L, 4));
-  m.builder.shorten(static_cast<std::size_t>(lua_tointeger(L, 2)), bearings, seats);
-  m.bearings.resize(std::min(bearings, m.bearings.size()));
-  m.seats.resize(std::min(seats, m.seats.size()));
+  ScriptModel& m = this_model(L);
+  if (SpaceModel* space = as_space(m))
+    take_back_from(*space);
+  else
+    take_back_from(*as_plane(m));
   m.adds_later = false;
   return 0;
 }

@@ -24,6 +24,13 @@ template <int D>
 struct BridgeBookOf {
   BridgeLayout layout;
   std::map<std::string, BearingRecipeOf<D>> recipes;  ///< by the type's name
+
+  /// What there was before a bridge began to be added.
+  struct Before {
+    std::size_t bodies = 0, bearings = 0, seats = 0;
+    BridgeLayout layout;
+  };
+  Before before;
 };
 
 /// The model's book; made where there is none.

@@ -131,11 +131,21 @@ local function add_supports(model, options, supports, spans, soffit)
   return made
 end
 
---- m:bridge{ supports = {...}, spans = {...}, gap =, seat =, ... }: { supports, spans }, each in order and by name;
---- in space what core.bridge_in_space says.
-function model_methods.bridge(model, options)
-  if model.dim == 3 then return core.bridge_in_space(model, options) end
-  local supports, spans = check(options)
+--- All of a bridge or nothing: a script that catches the error has the model as it was. Into a model that has run it
+--- comes as a whole, as a deck stands on its bearings alone.
+function core.whole_bridge(model, make)
+  local whole = false
+  local _ <close> = setmetatable({}, { __close = function()
+    if not whole then core.take_back(model) end
+  end })
+  core.add_together(model, true)
+  local bridge = make()
+  core.add_together(model, false)
+  whole = true
+  return bridge
+end
+
+local function made_of(model, options, supports, spans)
   local soffit = check_number("bridge", options, "soffit_level", 0)
   local shared = merged({ soffit_level = soffit }, check_table(options, "span"), { material = options.material })
   local rows = {}
@@ -148,4 +158,12 @@ function model_methods.bridge(model, options)
     bridge.spans[i], bridge.spans[span.name] = span, span
   end
   return bridge
+end
+
+--- m:bridge{ supports = {...}, spans = {...}, gap =, seat =, ... }: { supports, spans }, each in order and by name;
+--- in space what core.bridge_in_space says.
+function model_methods.bridge(model, options)
+  if model.dim == 3 then return core.bridge_in_space(model, options) end
+  local supports, spans = check(options)
+  return core.whole_bridge(model, function() return made_of(model, options, supports, spans) end)
 end

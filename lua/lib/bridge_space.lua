@@ -167,22 +167,11 @@ local function made_of(model, plan)
   return bridge
 end
 
---- All of a bridge or nothing: a script that catches the error has the model as it was. Into a model that has run it
---- comes as a whole, as a deck stands on its bearings alone.
 local function built(model, options)
   local plan = core.bridge_plan(model, options)
   plan.apart = {} -- names of grounds and supports that do not touch
   for _, s in ipairs(plan.supports) do s.ground = read_ground(model, s) end
-  local bodies, bearings, seats = #model:bodies {}, core.bearing_count(model), core.seat_count(model)
-  local whole = false
-  local _ <close> = setmetatable({}, { __close = function()
-    if not whole then core.take_back(model, bodies, bearings, seats) end
-  end })
-  core.add_together(model, true)
-  local bridge = made_of(model, plan)
-  core.add_together(model, false)
-  whole = true
-  return bridge
+  return core.whole_bridge(model, function() return made_of(model, plan) end)
 end
 
 --- The motion at support i along one axis: of all supports, or of a list; late by its delay, or as the wave passes.

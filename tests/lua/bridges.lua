@@ -127,6 +127,15 @@ refused("abutment 'A0': 'seat' is missing; give a number in m, there or for the 
   bridge_with(function(b) b.seat, b.supports[2].seat = nil, 0.5 end))
 refused("pier 'P1': unknown key 'footing'", bridge_with(function(b) b.supports[2].footing = 3 end))
 
+-- A bridge that is refused at its last span leaves nothing behind: the right one is made then as if nothing had been.
+local again, wrong = new(), tables()
+wrong.spans[2].depth = -1
+refused("span 'S2': depth is -1", again.bridge, again, wrong)
+assert(#again:bodies {} + #again.bearings + #again.seats == 0)
+local made = again:bridge(tables())
+assert(again:consolidate { duration = 20 }.rests)
+assert(#again.bearings == #t.bearings and made.spans.S2.y == bridge.spans.S2.y)
+
 -- and of single spans, bearing types and supports
 local function span_with(change)
   local n = new()
