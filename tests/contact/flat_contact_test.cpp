@@ -79,8 +79,8 @@ double largest_difference(const Laid& laid, const ContactLaw& law, int& flat, in
     const SolidResponse r = respond_solids(a, b, memory, use, pressed, room);
     FlatResponses four;
     with_kernel(use, [&](const Coulomb& k) { respond_flat(flat_contact(a, b, pair, memory, k), four); });
-    REQUIRE(four.flat[0] != 0);
-    REQUIRE(four.rough[0] == 0);
+    REQUIRE((four.flat[0] != 0));
+    REQUIRE((four.rough[0] == 0));
     REQUIRE((four.presses[0] != 0) == r.touching);
     if (!r.touching) break;
     ++flat;

@@ -198,10 +198,10 @@ TEST_CASE("PEER files and the CSV made from them agree") {
                                                        {"RSN6_IMPVALL.I_I-ELC-UP.AT2", "elcentro_1940_nga_up.csv"},
                                                        {"I-ELC180.AT2", "elcentro_1940_peer1999_ns.csv"},
                                                        {"RSN1106_KOBE_KJM-UP.AT2", "kobe_1995_kjma_up.csv"}};
-  for (const auto& [peer_name, csv_name] : pairs) {
-    CAPTURE(peer_name);
-    const GroundMotion peer = read_motion(*folder / "peer_at2" / peer_name);
-    const GroundMotion other = read_motion(*folder / csv_name);
+  for (const auto& pair : pairs) {
+    CAPTURE(pair.first);
+    const GroundMotion peer = read_motion(*folder / "peer_at2" / pair.first);
+    const GroundMotion other = read_motion(*folder / pair.second);
     CHECK(peer.step() == other.step());
     REQUIRE(peer.samples().size() >= other.samples().size());  // Kobe: the CSV is cut at 60 s
     double worst = 0;

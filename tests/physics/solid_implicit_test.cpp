@@ -61,8 +61,9 @@ TEST_CASE("a block slides down a slope and comes to a stop on one by implicit st
 TEST_CASE(
     "I12: by implicit steps of 1 ms a block let go on one corner falls flat in time, in the plane of its diagonal") {
   const double alpha = std::atan(std::sqrt(0.08) / 0.6);
-  for (const auto& [share, time, rate] :
+  for (const auto& [part, time, rate] :
        {std::tuple(0.25, 0.23855, 0.96906), std::tuple(0.5, 0.39321, 1.27205), std::tuple(0.75, 0.61422, 1.42437)}) {
+    const double share = part;
     SpaceBuilder builder;
     builder.gravity(Vec3(0, 0, -standard_gravity));
     builder.add(fixed_stone("floor", floor_of_solids()));

@@ -76,13 +76,13 @@ TEST_CASE("a body that hangs on bearings and carries a block on bearings has the
   const double weight = 2000 * standard_gravity * upper_width * slice * upper_height,
                block = 2000 * standard_gravity * upper_width * slice * lower_height;
   const double expected = (block + 0.5 * weight) / (upper_width * slice);
-  for (const auto& [nx, ny] : {std::pair{0, 0}, std::pair{1, 1}, std::pair{4, 2}})
+  for (const auto& cells : {std::pair{0, 0}, std::pair{1, 1}, std::pair{4, 2}})
     for (const bool upper_is_first : {false, true})
       for (const double rod : {0.0, 0.25}) {
-        CAPTURE(nx);
+        CAPTURE(cells.first);
         CAPTURE(upper_is_first);
         CAPTURE(rod);
-        const MeanStress stress = stress_of({nx, ny, upper_is_first, rod});
+        const MeanStress stress = stress_of({cells.first, cells.second, upper_is_first, rod});
         CHECK(near(stress.yy, expected, 1e-4));  // its upper_height grows by yy/E = 1e-5 of it
         CHECK(near_zero(stress.xx, 1e-4 * expected));
         CHECK(near_zero(stress.xy, 1e-4 * expected));

@@ -9,7 +9,7 @@ namespace {
 
 TEST_CASE("every equilibrium of a path is told as a frame with its place and loads and the model is then as it was") {
   const Model<2> model = shallow_truss();
-  LoadWay way{model.point_loads, {}};
+  LoadWay<2> way{model.point_loads, {}};
   LoadPathOptions how;
   how.first = how.longest = 0.02;
   const int apex = 1;
