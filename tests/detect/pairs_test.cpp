@@ -39,8 +39,9 @@ Scene stones(std::mt19937_64& bits, int count, double unlike) {
     wanted.slenderest = 2;
     BodySpec spec;
     spec.name = "stone" + std::to_string(i), spec.floating = true;
-    spec.outline = placed(random_convex(bits, wanted), random_direction(bits),
-                          {random_between(bits, -5, 5), random_between(bits, 0, 5)});
+    // One after the other: compilers take arguments in the order they like.
+    const Vec2 middle{random_between(bits, -5, 5), random_between(bits, 0, 5)}, direction = random_direction(bits);
+    spec.outline = placed(random_convex(bits, wanted), direction, middle);
     scene.add(spec);
   }
   return scene;
