@@ -5,6 +5,7 @@
 #include "step/bearing_motion.hpp"
 #include "step/displacement_control.hpp"
 #include "step/evaluate.hpp"
+#include "step/implicit_step.hpp"
 #include "step/start.hpp"
 #include "world/pose.hpp"
 
@@ -213,6 +214,9 @@ std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const S
                         double reach) {
   const double before = energy_now(model, state, work, options).balance();
   const std::size_t bodies = model.bodies.size(), bearings = model.bearings.size();
+  // Velocities of explicit steps stand half a step behind, those of what is new do not: all are brought to this
+  // instant.
+  if (!state.implicit()) begin_implicit(model, state, work), begin_explicit(model, state, work);
   model = std::move(grown);
   extend_state(state, model);
   work.drop();
