@@ -71,7 +71,9 @@ inline Model<2> falling_polygons(int count = 25, std::uint64_t seed = 12) {
     wanted.smallest = 0.4, wanted.largest = 0.9, wanted.slenderest = 2.5;
     const Vec2 at(-2 + 1.0 * (i % 5), 1.2 + 1.0 * (i / 5));
     BodySpec spec;
-    spec.name = fmt::format("p{}", i), spec.outline = placed(random_convex(bits, wanted), random_direction(bits), at);
+    // Drawn one after the other: compilers take arguments in the order they like.
+    const Vec2 direction = random_direction(bits);
+    spec.name = fmt::format("p{}", i), spec.outline = placed(random_convex(bits, wanted), direction, at);
     spec.velocity = {random_between(bits, -1, 1), random_between(bits, -3, 0)};
     spec.spin = random_between(bits, -3, 3), spec.floating = true;
     scene.add(spec);

@@ -57,9 +57,10 @@ FaceOverlap3 faces_of(const OwnFace& a, const OwnFace& b) {
   return out;
 }
 
+// Drawn one after the other, here and below: compilers take arguments in the order they like.
 UnitQuaternion face_rotation(std::mt19937_64& bits, double most) {
-  return rotation_by(
-      Vec3(random_between(bits, -most, most), random_between(bits, -most, most), random_between(bits, -most, most)));
+  const double z = random_between(bits, -most, most), y = random_between(bits, -most, most);
+  return rotation_by(Vec3(random_between(bits, -most, most), y, z));
 }
 
 Polygon centred_face(double b, double h) {
@@ -298,8 +299,9 @@ TEST_CASE("the force between faces is the change of their energy, along the norm
   int tried = 0;
   for (int trial = 0; trial < 1000; ++trial) {
     const OwnFace a = face_up(random_convex(bits), 0);
-    const OwnFace b = face_moved(face_down(random_convex(bits), 0), face_rotation(bits, 0.1),
-                                 Vec3(random_between(bits, -0.5, 0.5), random_between(bits, -0.5, 0.5), 0));
+    const double y = random_between(bits, -0.5, 0.5), x = random_between(bits, -0.5, 0.5);
+    const UnitQuaternion turn = face_rotation(bits, 0.1);
+    const OwnFace b = face_moved(face_down(random_convex(bits), 0), turn, Vec3(x, y, 0));
     const FaceOverlap3 o = faces_of(a, b);
     const FaceIntegrals k = integrals_in_contact(o);
     if (k.first < 1e-3) continue;

@@ -23,7 +23,9 @@ struct Pair {
 
 Pair random_pair(std::mt19937_64& bits) {
   Polygon a = random_convex(bits, {.slenderest = 6}), b = random_convex(bits, {.slenderest = 6});
-  return {std::move(a), placed(b, Vec2(1, 0), Vec2(random_between(bits, -1.2, 1.2), random_between(bits, -1.2, 1.2)))};
+  // One after the other: compilers take arguments in the order they like.
+  const double y = random_between(bits, -1.2, 1.2), x = random_between(bits, -1.2, 1.2);
+  return {std::move(a), placed(b, Vec2(1, 0), Vec2(x, y))};
 }
 
 /// `outline` cut in two by the line through `at` along `direction`: the part on its left.
@@ -75,7 +77,9 @@ TEST_CASE("overlap is symmetric and does not depend on the frame") {
     if (ab.area > 0) CHECK(is_convex(buffer.corners) == true);
     CHECK(buffer.corners.size() <= a.size() + b.size());
     const Overlap ba = convex_overlap(b, a, buffer);
-    const Vec2 d = random_direction(bits), s(random_between(bits, -9, 9), random_between(bits, -9, 9));
+    const Vec2 d = random_direction(bits);
+    const double sy = random_between(bits, -9, 9), sx = random_between(bits, -9, 9);
+    const Vec2 s(sx, sy);
     const Overlap moved = convex_overlap(placed(a, d, s), placed(b, d, s), buffer);
     CHECK(std::abs(ab.area - ba.area) < 1e-14);
     CHECK(std::abs(ab.area - moved.area) < 1e-13);
