@@ -154,13 +154,23 @@ SpanPlan read_plan(Keys& keys, PlaneModel& m) {
   return plan;
 }
 
+/// States the law of a support and the deck on it; of a bridge that may still be refused, later.
+template <class M>
+void state_contact(M& m, const std::string& support, const std::string& deck, const std::string& law) {
+  if (law.empty()) return;
+  if (m.adds_later)
+    book_of(m).contacts.push_back({support, deck, law});
+  else
+    m.builder.set_contact(support, deck, law);
+}
+
 /// An end's seat, and its bearing where its type has one.
 void add_end(PlaneModel& m, const std::string& span, const SpanEnd& end, const std::string& name) {
   const BearingRecipe& recipe = book_of(m).recipes.at(end.type);
   m.builder.add_seat(
       {.name = name, .body = span, .support = end.support, .end = end.end, .edge = end.edge, .inward = end.inward});
   m.seats.push_back(name);
-  if (!recipe.contact.empty()) m.builder.set_contact(end.support, span, recipe.contact);
+  state_contact(m, end.support, span, recipe.contact);
   if (!recipe.links) return;
   BearingSpec bearing = recipe.bearing;
   bearing.name = name;
@@ -241,7 +251,7 @@ int lay_bearing(lua_State* L) {
   const Vec3 from = keys.vector("from"), to = keys.vector("to");
   keys.finish();
   const BearingRecipeOf<3>& recipe = book_of(m).recipes.at(type);
-  if (!recipe.contact.empty()) m.builder.set_contact(support, deck, recipe.contact);
+  state_contact(m, support, deck, recipe.contact);
   if (!recipe.links) return 0;
   BearingSpecOf<3> bearing = recipe.bearing;
   bearing.name = name;
@@ -258,6 +268,12 @@ template <class M>
 void begin_whole(M& m) {
   auto& book = book_of(m);
   book.before = {m.builder.bodies().size(), m.bearings.size(), m.seats.size(), book.layout};
+  book.contacts.clear();
+}
+
+template <class M>
+void end_whole(M& m) {
+  for (const auto& c : book_of(m).contacts) m.builder.set_contact(c.support, c.deck, c.law);
 }
 
 template <class M>
@@ -274,10 +290,11 @@ void take_back_from(M& m) {
 int add_together(lua_State* L) {
   ScriptModel& m = this_model(L);
   m.adds_later = lua_toboolean(L, 2) != 0;
-  if (SpaceModel* space = m.adds_later ? as_space(m) : nullptr)
-    begin_whole(*space);
-  else if (m.adds_later)
-    begin_whole(*as_plane(m));
+  const auto turn = [&](auto& model) { m.adds_later ? begin_whole(model) : end_whole(model); };
+  if (SpaceModel* space = as_space(m))
+    turn(*space);
+  else
+    turn(*as_plane(m));
   m.catch_up();
   return 0;
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "build/bridge_layout.hpp"
 #include "plane_model.hpp"
@@ -31,6 +32,12 @@ struct BridgeBookOf {
     BridgeLayout layout;
   };
   Before before;
+
+  /// The contact law of a support and the deck on it, by name.
+  struct SeatContact {
+    std::string support, deck, law;
+  };
+  std::vector<SeatContact> contacts;  ///< of the bridge that is being added: stated once all of it is there
 };
 
 /// The model's book; made where there is none.

@@ -132,6 +132,10 @@ local again, wrong = new(), tables()
 wrong.spans[2].depth = -1
 refused("span 'S2': depth is -1", again.bridge, again, wrong)
 assert(#again:bodies {} == 1 and #again.bearings + #again.seats == 0) -- the ground
+local bare, slides = new(), tables()
+slides.span.left, slides.span.right, slides.spans[2].depth = "expansion", "expansion", -1
+refused("span 'S2': depth is -1", bare.bridge, bare, slides)
+bare:run { duration = 0.01 } -- no contact law of a span that is not there
 local made = again:bridge(tables())
 assert(again:consolidate { duration = 20 }.rests)
 assert(#again.bearings == #t.bearings and made.spans.S2.y == bridge.spans.S2.y)
