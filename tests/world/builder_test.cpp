@@ -1,6 +1,4 @@
 // What a builder refuses, and what it notes.
-// GCC 12 takes literals given to the texts of a spec for copies onto themselves (its bug 105651).
-#pragma GCC diagnostic ignored "-Wrestrict"
 #include "world/builder.hpp"
 
 #include <doctest/doctest.h>
