@@ -160,7 +160,8 @@ class SolidChecker {
   }
 
   void keep(const Polyhedron& solid, double size, int part, int piece) {
-    sound_.push_back({part, piece, {solid, face_normals(solid), {}, {}, size}, {}, {}, solid_moments(solid).volume});
+    sound_.push_back(
+        {part, piece, {solid, face_normals(solid), {}, {}, {}, size}, {}, {}, solid_moments(solid).volume});
     SoundPiece& s = sound_.back();
     s.placed.corners = solid.corners, s.placed.normals = s.solid.normals;
     if (solid.faces.count() <= most_faces_for_edges) s.solid.edges = solid_edges(solid.faces);

@@ -35,16 +35,20 @@ struct PressedVolume {
   }
 };
 
-/// Over one cell, in which depths below face `f` of `owner` are linear and above `crushed`.
+double depth_below(const BoundingPlane& plane, const Vec3& x) {
+  return plane.normal.dot(plane.point - x);
+}
+
+/// Over one cell, in which depths below a plane of the owner's are linear and above `crushed`.
 template <class K>
-PressedVolume over_cell(const PlacedSolid& owner, const K& law, int f, const SolidOverlapBuffer& cell, double crushed) {
+PressedVolume over_cell(const BoundingPlane& plane, const K& law, const SolidOverlapBuffer& cell, double crushed) {
   if constexpr (K::linear) {
     const auto [volume, centroid] = measured(cell);
     if (!(volume > 0)) return {};
-    return {volume, volume * std::max(0.0, depth_below(owner, f, centroid) - crushed)};
+    return {volume, volume * std::max(0.0, depth_below(plane, centroid) - crushed)};
   } else {
     const auto point = [&](int i) -> const Vec3& { return cell.points[static_cast<std::size_t>(i)]; };
-    const auto depth = [&](int i) { return std::max(0.0, depth_below(owner, f, point(i))); };
+    const auto depth = [&](int i) { return std::max(0.0, depth_below(plane, point(i))); };
     const int top = cell.edges[0].from;
     double sum = 0;
     int i = 0;
@@ -61,27 +65,35 @@ PressedVolume over_cell(const PlacedSolid& owner, const K& law, int f, const Sol
   }
 }
 
+/// f(plane) of all planes that bound the body of a solid, one of those that lie in each other.
+template <class F>
+void for_planes(const PlacedSolid& owner, F&& f) {
+  const FaceLoops& faces = owner.solid->shape.faces;
+  for (int i = 0; i < faces.count(); ++i)
+    if (owner.solid->is_surface(i) && !has_first_like(owner, i))
+      f(BoundingPlane{owner.normals[static_cast<std::size_t>(i)], owner.corners[static_cast<std::size_t>(faces[i][0])]},
+        i);
+  for (std::size_t i = 0; i < owner.beside.size(); ++i) f(owner.beside[i], faces.count() + static_cast<int>(i));
+}
+
 /// Over what of the solid in `shared` lies deeper in `owner` than its mortar is crushed, cell by cell.
 template <class K>
 PressedVolume pressed_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffer& shared,
                          SolidOverlapBuffer& cell, double crushed) {
-  const FaceLoops& faces = owner.solid->shape.faces;
-  const auto point_of = [&](int f) -> const Vec3& { return owner.corners[static_cast<std::size_t>(faces[f][0])]; };
   PressedVolume sum;
-  for (int f = 0; f < faces.count(); ++f) {
-    if (!owner.solid->is_surface(f) || has_first_like(owner, f)) continue;
+  for_planes(owner, [&](const BoundingPlane& own, int f) {
     cell = shared;
     bool some = !cell.faces.empty();
-    const Vec3& n = owner.normals[static_cast<std::size_t>(f)];
-    for (int g = 0; g < faces.count() && some; ++g) {
-      if (g == f || !owner.solid->is_surface(g) || has_first_like(owner, g)) continue;
+    for_planes(owner, [&](const BoundingPlane& other, int g) {
+      if (g == f || !some) return;
       // depth below f at most that below g
-      const Vec3& m = owner.normals[static_cast<std::size_t>(g)];
-      some = cut({m - n, m.dot(point_of(g)) - n.dot(point_of(f)), 0}, cell) && !cell.edges.empty();
-    }
-    if (some && crushed > 0) some = cut({n, n.dot(point_of(f)) - crushed, 0}, cell) && !cell.edges.empty();
-    if (some) sum += over_cell(owner, law, f, cell, crushed);
-  }
+      const Vec3 &n = own.normal, &m = other.normal;
+      some = cut({m - n, m.dot(other.point) - n.dot(own.point), 0}, cell) && !cell.edges.empty();
+    });
+    if (some && crushed > 0)
+      some = cut({own.normal, own.normal.dot(own.point) - crushed, 0}, cell) && !cell.edges.empty();
+    if (some) sum += over_cell(own, law, cell, crushed);
+  });
   return sum;
 }
 

@@ -2,113 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <span>
 
-#include "base/lane_bits.hpp"
-#include "base/lane_vectors.hpp"
-#include "shape/edge_overlap.hpp"
+#include "contact/opposed_faces.hpp"
 #include "shape/facing_faces.hpp"
+#include "shape/widened_face.hpp"
 
 namespace trilith {
 namespace {
 
-bool fits_faces(const PlacedSolid& solid, int face) {
-  return solid.solid->is_surface(face) && solid.solid->shape.faces[face].size() <= max_face_corners;
-}
-
-/// How far the plane of a face of the larger solid is from a corner of the
-/// smaller one's [m], and that corner from one of the face [m].
-struct PlaneDistance {
-  double depth, corner;
-
-  PlaneDistance(const PlacedSolid& a, int face_a, const PlacedSolid& b, int face_b) {
-    const bool b_is_larger = a.solid->size < b.solid->size;
-    const PlacedSolid &large = b_is_larger ? b : a, &small = b_is_larger ? a : b;
-    const int face = b_is_larger ? face_b : face_a, other = b_is_larger ? face_a : face_b;
-    const Vec3& x = small.corners[static_cast<std::size_t>(small.solid->shape.faces[other][0])];
-    const Vec3& on_face = large.corners[static_cast<std::size_t>(large.solid->shape.faces[face][0])];
-    depth = std::abs(depth_below(large, face, x)), corner = (on_face - x).norm();
-  }
-};
-
-double opposed(const PlacedSolid& a, int f, const PlacedSolid& b, int g) {
-  return a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]);
-}
-
-/// Two faces, and by how much the product of their normals is beyond that of
-/// faces that may lie flat.
-struct PairOfFaces {
-  int f = 0, g = 0;
-  double beyond = unbounded;
-};
-
-/// Of those that are beyond it the one that is so by the least.
-PairOfFaces least_to_turn(const PlacedSolid& a, const PlacedSolid& b) {
-  PairOfFaces least;
-  for (int f = 0; f < a.solid->shape.faces.count(); ++f)
-    for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
-      const double beyond = opposed(a, f, b, g) - opposed_enough;
-      const bool is_less = (beyond > 0) & (beyond < least.beyond);
-      least = {is_less ? f : least.f, is_less ? g : least.g, is_less ? beyond : least.beyond};
-    }
-  return least;
-}
-
-/// How far the products of all normals of two solids of few faces are beyond
-/// that of faces that may lie flat, eight for each face of a.
-struct BeyondOpposed {
-  static constexpr std::size_t most = few_faces;
-  std::array<std::array<Lanes, 2>, most> of;
-  std::size_t faces;  // of a
-  double least;       // of those above 0
-
-  TRILITH_INLINE BeyondOpposed(const PlacedSolid& a, const PlacedSolid& b) : faces(a.normals.size()) {
-    std::array<Triple<Lanes>, 2> n;
-    for (std::size_t g = 0; g < most; ++g) {
-      const Vec3& v = b.normals[std::min(g, b.normals.size() - 1)];
-      const auto lane = static_cast<int>(g % lane_count);
-      n[g / lane_count].x[lane] = v.x(), n[g / lane_count].y[lane] = v.y(), n[g / lane_count].z[lane] = v.z();
-    }
-    Lanes smallest = Lanes{} + unbounded;
-    for (std::size_t f = 0; f < faces; ++f)
-      for (std::size_t half = 0; half < 2; ++half) {
-        const Vec3& m = a.normals[f];
-        const Triple<Lanes>& v = n[half];
-        const Lanes beyond = (m.x() * v.x + (m.y() * v.y + m.z() * v.z)) - opposed_enough;
-        of[f][half] = beyond;
-        smallest = select(beyond > 0.0, smaller<Lanes>(smallest, beyond), smallest);
-      }
-    least = smaller(smaller(smallest[0], smallest[1]), smaller(smallest[2], smallest[3]));
-  }
-  /// f(face of a, face of b, beyond) of all that are not above 0, and of those
-  /// below what `enough` comes to meanwhile.
-  template <class F>
-  TRILITH_INLINE void for_below(std::size_t faces_of_b, const double& enough, F&& f) const {
-    for (std::size_t i = 0; i < faces; ++i) {
-      const Lanes &first = of[i][0], &rest = of[i][1];
-      unsigned bits = lane_bits((first <= 0.0) | (first < enough), (rest <= 0.0) | (rest < enough));
-      for (bits &= (1U << faces_of_b) - 1; bits != 0; bits &= bits - 1) {
-        const int g = std::countr_zero(bits);
-        const double beyond = g < lane_count ? first[g] : rest[g - lane_count];
-        if (beyond <= 0 || beyond < enough) f(static_cast<int>(i), g, beyond);
-      }
-    }
-  }
-  /// The two faces that have the least far to turn.
-  [[nodiscard]] TRILITH_INLINE PairOfFaces nearest() const {
-    for (std::size_t f = 0; f < faces; ++f)
-      if (const unsigned bits = lane_bits(of[f][0] == least, of[f][1] == least); bits != 0)
-        return {static_cast<int>(f), std::countr_zero(bits), least};
-    return {};
-  }
-};
-
 /// Whether two faces may lie flat on each other: see near_faces.
 bool may_touch_flatly(const PlacedSolid& a, int f, const PlacedSolid& b, int g) {
-  return opposed(a, f, b, g) <= opposed_enough && fits_faces(a, f) && fits_faces(b, g) &&
+  return opposed(a, f, b, g) <= opposed_enough && fits_faces(b, g) &&
          PlaneDistance(a, f, b, g).depth <= near_faces(a, b);
 }
 
@@ -216,24 +122,6 @@ double friction_arm(const FaceMoments& of, const Vec2& centre) {
   return mean_distance(xx + yy, xx * yy - xy * xy);
 }
 
-/// Which corners of its solid a face has, the last again and again beyond its own; false where they are many.
-bool list_few(const ConvexSolid& solid, int face, std::array<std::uint8_t, few_corners>& corner) {
-  const std::span<const int> loop = solid.shape.faces[face];
-  if (loop.size() > corner.size()) return false;
-  for (std::size_t k = 0; k < corner.size(); ++k) {
-    const int c = loop[std::min(k, loop.size() - 1)];
-    if (c > std::numeric_limits<std::uint8_t>::max()) return false;
-    corner[k] = static_cast<std::uint8_t>(c);
-  }
-  return true;
-}
-
-/// What goes with the two faces found.
-void describe(const PlacedSolid& a, const PlacedSolid& b, FacePair& found) {
-  found.near = near_faces(a, b), found.b_is_larger = a.solid->size < b.solid->size;
-  found.few = list_few(*a.solid, found.a, found.corner_a) && list_few(*b.solid, found.b, found.corner_b);
-}
-
 }  // namespace
 
 /// Whether the pressure of a law is kn times the overlap, so that integrals over polygons are exact.
@@ -243,88 +131,53 @@ bool is_linear(const ContactLaw& law) {
 
 namespace {
 
-FacePair none_yet() {
-  FacePair found;
-  found.a = found.b = FacePair::none, found.until = unbounded;
-  return found;
-}
+/// How two opposed faces touch: flatly; not themselves, but the one next to either may; otherwise; not at all.
+enum class Touch { flat, beside, rough, none };
 
-/// What is known of the pair of faces of two solids that may lie flat, as one pair after the other is looked at.
+/// `tried`: what the two faces share.
 ///
-/// Corners that have gone by at most t have turned a body of inner radius r (ConvexSolid) by so little that a unit
-/// vector in it has moved by t / r or less. So the product of two normals changes by t / r of both together, and the
-/// depth of a corner x below a plane through c by 2 t + |c - x| t / r. A pair that is none stays none until either
-/// could have made it one.
-struct FacePairSearch {
-  const PlacedSolid &a, &b;
-  double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
-  FacePair found = none_yet();
-  double enough = unbounded;  // of turning: another pair may be one before
-  bool several = false;
-
-  void may_become_one(double beyond, const PlaneDistance& distance) {
-    const double by_turn = beyond / turns, by_way = (distance.depth - near) / (2 + distance.corner * turns);
-    found.until = std::min(found.until, std::max(by_turn, by_way)), enough = found.until * turns;
-  }
-  /// The pair that has the least far to turn comes first: of most others it
-  /// then is known that they come later.
-  void begin_with(const PairOfFaces& nearest) {
-    if (nearest.beyond < unbounded && fits_faces(a, nearest.f) && fits_faces(b, nearest.g))
-      may_become_one(nearest.beyond, PlaneDistance(a, nearest.f, b, nearest.g));
-  }
-  void look_at(int f, int g, double beyond) {
-    if (several || (beyond > 0 && beyond >= enough) || !fits_faces(a, f) || !fits_faces(b, g)) return;
-    const PlaneDistance distance(a, f, b, g);
-    if (beyond > 0 || distance.depth > near) return may_become_one(beyond, distance);
-    several = found.a >= 0;
-    found.a = f, found.b = g;
-  }
-  [[nodiscard]] FacePair result(double travel) const {
-    if (several) return {};
-    FacePair out = found;
-    out.until = travel + (1 - 1e-6) * found.until;
-    if (out.a >= 0) describe(a, b, out);
-    return out;
-  }
-};
-
-[[gnu::target_clones("avx2", "default")]] void search_few(FacePairSearch& search) {
-  const BeyondOpposed beyond(search.a, search.b);
-  search.begin_with(beyond.nearest());
-  beyond.for_below(search.b.normals.size(), search.enough, [&](int f, int g, double by) { search.look_at(f, g, by); });
+/// Where two meshed sides lie on each other, a face meets the one across and, by the little that nodes have slid, the
+/// next one too. That sliver is part of a flat joint though it is narrower than it is deep. So a depth is compared with
+/// the width of what two faces share together with the faces in line with them, as in the plane (detect/face_line.hpp).
+/// Two that an inner edge of either parts share at most a wedge of their depth squared, which its neighbour has too.
+Touch touch_of(const PlacedSolid& a, int f, const PlacedSolid& b, int g, FaceOverlap3& tried) {
+  if (lies_beyond(b, g, a, f) || lies_beyond(a, f, b, g)) return Touch::beside;
+  FaceRoom room_a, room_b;
+  if (!face_overlap(face_of(a, f, room_a), face_of(b, g, room_b), tried)) return Touch::none;
+  const FlatMeasures own(tried);
+  if (!own.touch()) return Touch::none;
+  if (own.are_flat()) return Touch::flat;
+  FaceOverlap3 in_line;
+  const bool goes_on = !a.solid->goes_on.empty() || !b.solid->goes_on.empty();
+  if (!goes_on || !face_overlap(widened_face(a, f, room_a), widened_face(b, g, room_b), in_line)) return Touch::rough;
+  FlatMeasures whole(in_line);
+  whole.deepest = own.deepest;
+  return whole.are_flat() ? Touch::flat : Touch::rough;
 }
 
 }  // namespace
-
-FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) {
-  FacePairSearch search{a, b};
-  if (has_few_faces(*a.solid) && has_few_faces(*b.solid)) {
-    search_few(search);
-    return search.result(travel);
-  }
-  search.begin_with(least_to_turn(a, b));
-  for (int f = 0; f < a.solid->shape.faces.count(); ++f)
-    for (int g = 0; g < b.solid->shape.faces.count(); ++g) search.look_at(f, g, opposed(a, f, b, g) - opposed_enough);
-  return search.result(travel);
-}
 
 /// All pairs of opposed faces are asked; more than one that touches flatly, as of a wedge in a notch, are no flat
 /// contact.
 bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
   int found = 0;
-  FaceRoom room_a, room_b;
+  bool beside = false;
   FaceOverlap3 another;
-  for (int f = 0; f < a.solid->shape.faces.count(); ++f)
+  for (int f = 0; f < a.solid->shape.faces.count(); ++f) {
+    if (!fits_faces(a, f)) continue;
     for (int g = 0; g < b.solid->shape.faces.count(); ++g) {
       if (!may_touch_flatly(a, f, b, g)) continue;
       FaceOverlap3& tried = found == 0 ? out : another;
-      if (!face_overlap(face_of(a, f, room_a), face_of(b, g, room_b), tried)) continue;
-      const FlatMeasures measures(tried);
-      if (!measures.touch()) continue;
+      const Touch touch = touch_of(a, f, b, g, tried);
+      if (touch == Touch::beside) beside = true;
+      if (touch == Touch::rough) return false;
+      if (touch != Touch::flat) continue;
       tried.face_a = f, tried.face_b = g;
-      if (!measures.are_flat() || ++found > 1) return false;
+      if (++found > 1) return false;
     }
-  return found == 1;
+  }
+  if (found == 0) out.shared.count = 0;
+  return found == 1 || beside;
 }
 
 /// The pair of opposed faces that share the largest area, among those near

@@ -48,7 +48,8 @@ inline double near_faces(const PlacedSolid& a, const PlacedSolid& b) {
   return 4 * flat_faces_max_tilt * size;
 }
 
-/// True where two solids touch flatly by one pair of surface faces and no other; fills `out`.
+/// True where two solids touch flatly by one pair of surface faces and no other; fills `out`. Of pieces of meshes whose
+/// surface goes on in line also where only their neighbours do: then `out` shares nothing.
 bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out);
 
 /// True where two faces look at each other at a gap or an overlap of at most `reach` [m] and share an area at least

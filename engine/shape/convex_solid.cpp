@@ -38,7 +38,7 @@ ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double
   std::vector<Vec3> normals = face_normals(shape);
   const bool may_repeat = some_alike(normals);
   const double inner = inner_radius_of(shape, normals);
-  return {shape, std::move(normals), solid_edges(shape.faces), {}, solid_size(shape.corners), may_repeat, inner};
+  return {shape, std::move(normals), solid_edges(shape.faces), {}, {}, solid_size(shape.corners), may_repeat, inner};
 }
 
 ConvexSolid convex_sphere(const Sphere& sphere) {

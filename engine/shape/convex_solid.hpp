@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct ConvexSolid {
   std::vector<SolidEdge> edges;
   /// [faces] 1: part of the surface of the body, 0: an inner cut; empty: all are surface
   std::vector<std::uint8_t> surface;
+  /// [corners of shape.faces] by how much the surface of the body goes on in the plane of a face beyond its edge from
+  /// this corner to the next, in the next piece of a mesh [m]; empty: nowhere
+  std::vector<double> goes_on;
   double size = 0;         ///< see solid_size [m]
   bool may_repeat = true;  ///< false where no two faces look nearly the same way, see has_first_like
   double inner_radius =
@@ -30,6 +34,13 @@ struct ConvexSolid {
   [[nodiscard]] bool is_surface(int face) const {
     return surface.empty() || surface[static_cast<std::size_t>(face)] != 0;
   }
+  /// [corners of the face] see goes_on; empty where it goes on nowhere at all
+  [[nodiscard]] std::span<const double> goes_on_from(int face) const {
+    if (goes_on.empty()) return {};
+    const auto f = static_cast<std::size_t>(face);
+    const auto from = static_cast<std::size_t>(shape.faces.start[f]);
+    return std::span(goes_on).subspan(from, static_cast<std::size_t>(shape.faces.start[f + 1]) - from);
+  }
 };
 
 /// Refuses what check_convex refuses, with the same messages.
@@ -38,11 +49,18 @@ ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double
 /// A sphere as a convex solid.
 ConvexSolid convex_sphere(const Sphere& sphere);
 
+/// A plane that bounds a body, its normal outward, of length 1.
+struct BoundingPlane {
+  Vec3 normal, point;
+};
+
 /// Where a solid stands in the world. Filled anew in each step, it allocates nothing after the first time.
 struct PlacedSolid {
   const ConvexSolid* solid = nullptr;
   std::vector<Vec3> corners;  ///< [m]
   std::vector<Vec3> normals;  ///< [faces]
+  /// Of a piece of a mesh: faces of the pieces next to it that bound the body where it lies, see Model::piece_bounds.
+  std::vector<BoundingPlane> beside;
 };
 
 /// `solid` turned about the origin of its body, which stands at `at` [m]. The solid must outlive `out`.

@@ -3,22 +3,23 @@
 namespace trilith {
 namespace {
 
-/// Normals and one corner of all surface faces, kind by kind.
+/// Normals and one point of all planes that bound the body, kind by kind.
 void list_planes(const PlacedSolid& solid, const Vec3& origin, DepthRoom& room) {
   const FaceLoops& faces = solid.solid->shape.faces;
   room.face.clear();
   for (int f = 0; f < faces.count(); ++f)
     if (solid.solid->is_surface(f)) room.face.push_back(f);
-  const std::size_t n = room.face.size();
+  const std::size_t n = room.face.size() + solid.beside.size();
   room.plane.resize(6 * n);
   double* to = room.plane.data();
-  for (const int f : room.face) {
-    const Vec3& normal = solid.normals[static_cast<std::size_t>(f)];
-    const Vec3 corner = solid.corners[static_cast<std::size_t>(faces[f][0])] - origin;
+  const auto add = [&](const Vec3& normal, const Vec3& point) {
     to[0] = normal.x(), to[n] = normal.y(), to[2 * n] = normal.z();
-    to[3 * n] = corner.x(), to[4 * n] = corner.y(), to[5 * n] = corner.z();
+    to[3 * n] = point.x(), to[4 * n] = point.y(), to[5 * n] = point.z();
     ++to;
-  }
+  };
+  for (const int f : room.face)
+    add(solid.normals[static_cast<std::size_t>(f)], solid.corners[static_cast<std::size_t>(faces[f][0])] - origin);
+  for (const BoundingPlane& plane : solid.beside) add(plane.normal, plane.point - origin);
 }
 
 // Depths n . (p - x) of many points x under all planes of a solid, one row for each point. Planes lie component by
@@ -43,7 +44,7 @@ int fill_row(const Vec3& at, std::size_t n, const double* __restrict plane, doub
 DepthTable::DepthTable(const PlacedSolid& solid, const Vec3& origin, std::span<const Vec3> arms, DepthRoom& room)
     : solid_(solid) {
   list_planes(solid, origin, room);
-  const std::size_t n = room.face.size();
+  const std::size_t n = room.plane.size() / 6;
   room.depth.resize(n * arms.size()), room.nearest.resize(arms.size());
   for (std::size_t i = 0; i < arms.size(); ++i)
     room.nearest[i] = fill_row(arms[i], n, room.plane.data(), room.depth.data() + i * n);

@@ -2,6 +2,7 @@
 //
 // Comes in: the solid where it stands, and points by their arms from one origin. Goes out: a row for each point, with
 // its depth below the plane of each surface face, n . (p - x) for a corner p of it, and the face that is nearest to it.
+// Faces of the pieces beside it that bound the body here too (PlacedSolid::beside) count as its own.
 #pragma once
 
 #include <limits>
@@ -16,11 +17,12 @@ namespace trilith {
 struct DepthRoom {
   std::vector<double> plane;  ///< numbers of the faces, kind by kind: nx, ny, nz, px, py, pz
   std::vector<double> depth;  ///< row by row
-  std::vector<int> face;      ///< [surface faces] their numbers in the solid
+  std::vector<int> face;      ///< [surface faces] their numbers in the solid, those beside it left out
   std::vector<int> nearest;   ///< [points]
 };
 
-/// The table itself, in a room that must outlive it. Columns are the solid's surface faces, in their order.
+/// The table itself, in a room that must outlive it. Columns are the solid's surface faces, in their order, and
+/// those beside it.
 class DepthTable {
  public:
   DepthTable(const PlacedSolid& solid, const Vec3& origin, std::span<const Vec3> arms, DepthRoom& room);
@@ -38,7 +40,7 @@ class DepthTable {
   }
   /// True of a face that lies in the plane of one before it, which stands for both.
   [[nodiscard]] bool has_first_like(int column) const {
-    return solid_.solid->may_repeat && trilith::has_first_like(solid_, face_[column]);
+    return solid_.solid->may_repeat && trilith::has_first_like(solid_, face_[column]);  // never so of pieces of meshes
   }
 
  private:

@@ -217,6 +217,16 @@ TRILITH_INLINE Lanes in_lanes(const Vec3& v) {
   }
 }
 
+/// The faces beside a piece that bound its body there too.
+void place_beside(const Model<3>& model, const State<3>& state, std::size_t piece, PlacedSolid& out) {
+  if (model.piece_bounds.empty()) return;
+  out.beside.clear();
+  for (const int fit : model.piece_bounds[piece]) {
+    const Fitted now = fitted(model, model.fits[static_cast<std::size_t>(fit)], state.position, state.velocity);
+    out.beside.push_back({now.axes.col(2), now.place});
+  }
+}
+
 /// A piece of a body whose nodes do not turn: its own fit and those of its faces, then the solid between them. The
 /// fastest of its nodes is as fast as any of its corners, or nearly.
 SkinReach place_fitted(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
@@ -236,6 +246,7 @@ SkinReach place_fitted(const Model<3>& model, const State<3>& state, int piece, 
   solids.before[p] = out.corners;
   out.solid = &solid;
   place_between(solid, std::span(solids.fitted).subspan(first + 1, faces), out.corners, out.normals);
+  place_beside(model, state, p, out);
   double speed2 = 0;
   const Fit& whole = model.fits[first];
   for (int i = 0; i < whole.nodes; ++i)

@@ -179,6 +179,9 @@ void SolidPass::respond_shapes(int row, bool may_be_flat, SolidRoom& room, Solid
   const SolidPressure pressed =
       pressure_between(a, b, law, work.solids.separation[r], room.shared, may_be_flat, before.crushed);
   if (pair.replaced && pressed.area > 0) return respond_beside_bearing(row, a, b, pressed, room, answer);
+  // Of two that did not touch and do not there is nothing to let go.
+  const bool never = !(pressed.area > 0) && (before.state & contact_touching) == 0 && before.crushed == 0;
+  if (never) return finish(row, false, {}, answer);
   const SolidResponse response = respond_solids(a, b, before, law, pressed, room);
   finish(row, !(before.crushed > 0) && response.memory.crushed > 0, response, answer);
 }

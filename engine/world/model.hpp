@@ -182,8 +182,11 @@ struct Model {
   std::vector<double> piece_thickness;     ///< [piece] of its body where it is, see world/thickness.hpp m
   double least_thickness = unbounded;      ///< of all pieces that may touch something [m]
   std::vector<ConvexSolid> piece_solid;    ///< [piece] in the axes of its body; of models in space
-  std::vector<int> piece_fit;      ///< [piece] its own row of `fits`, those of its faces follow; -1: it goes with
-                                   ///< a node; empty where all do
+  std::vector<int> piece_fit;  ///< [piece] its own row of `fits`, those of its faces follow; -1: it goes with
+                               ///< a node; empty where all do
+  /// [piece] rows of `fits`: faces of the skin that belong to pieces next to it and yet bound the body where it lies,
+  /// as it meets their planes by an edge or a corner, see world/mesh_skin.hpp; empty: none of any
+  std::vector<std::vector<int>> piece_bounds;
   std::vector<Fit> fits;           ///< see world/carrier.hpp
   std::vector<double> fit_number;  ///< likewise
 

@@ -177,6 +177,7 @@ Model<3> SpaceBuilder::build() const {
   Model<3> model = model_;
   if (!model.beams_3d.empty() || !model.space_elements.empty()) model.element_bound.resize(model.bodies.size());
   if (!model.fits.empty()) model.piece_fit.resize(model.piece_body.size(), -1);
+  if (!model.piece_bounds.empty()) model.piece_bounds.resize(model.piece_body.size());
   for (const Pairing& p : pairings_) model.surfaces = std::max({model.surfaces, p.a + 1, p.b + 1});
   model.law_of.assign(static_cast<std::size_t>(model.surfaces) * static_cast<std::size_t>(model.surfaces), -1);
   const auto row = [&](int a, int b) { return static_cast<std::size_t>(a * model.surfaces + b); };

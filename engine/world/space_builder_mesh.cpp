@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "world/mesh_skin.hpp"
 #include "world/space_builder.hpp"
 #include "world/space_element_rows.hpp"
 
@@ -76,6 +77,8 @@ int SpaceBuilder::add(const SpaceMeshBody& body) {
     if (std::any_of(surface.begin(), surface.end(), [](std::uint8_t s) { return s != 0; }))
       append_element_piece(model_, element, surface);
   }
+  find_faces_in_line(model_, row.first_piece);
+  find_bounds(model_, row.first_piece);
   model_.body_radius.push_back(set_spin(body, row.first_node, model_));
   row.pieces = model_.pieces() - row.first_piece;
   row.skins = static_cast<int>(model_.skin_place.size()) - row.first_skin;
