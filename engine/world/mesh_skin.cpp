@@ -1,7 +1,6 @@
 #include "world/mesh_skin.hpp"
 
 #include <algorithm>
-#include <compare>
 #include <map>
 #include <set>
 #include <span>
@@ -74,7 +73,7 @@ namespace {
 /// A face of a piece.
 struct SkinFace {
   int piece, face;
-  auto operator<=>(const SkinFace&) const = default;
+  bool operator<(const SkinFace& other) const { return piece != other.piece ? piece < other.piece : face < other.face; }
 };
 
 /// Cosine of the angle up to which a face of the skin goes on in another one, smoothly as on a vault.

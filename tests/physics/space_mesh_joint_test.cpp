@@ -5,6 +5,7 @@
 
 #include "near.hpp"
 #include "physics/space_solids.hpp"
+#include "step/stable_step.hpp"
 #include "step/start.hpp"
 #include "step/stored_energy.hpp"
 
@@ -94,6 +95,36 @@ TEST_CASE("what meshed faces in space store changes by their force, flat or deep
       const double slope = (energy(depth + step) - energy(depth - step)) / (2 * step);
       CHECK(near(pressed_at(model, Vec3(-0.28, -0.21, -depth)).force.z(), slope, within));
     }
+  }
+}
+
+TEST_CASE("a meshed block slides on a meshed slab until friction has taken its motion") {
+  constexpr double speed = 0.5, mu = 0.3;
+  for (const ElementShape shape : {ElementShape::brick, ElementShape::tetrahedron}) {
+    CAPTURE(std::string(info_of(shape).name));
+    SolidModelBuilder builder;
+    builder.add_material(elastic_in("m", 2000, 2e8, 0.2, 1e-5));
+    builder.add_law("law", frictional(1e9, 5e8, mu, 1e-4));
+    builder.set_contact("*", "*", "law");
+    SolidSpec slab = box_of("slab", box_solid(Vec3(-0.5, -0.3, -0.2), Vec3(0.5, 0.3, 0)), "m", {4, 3, 1}, shape);
+    slab.supports = {{Vec3(-1, -1, -1), Vec3(1, 1, -0.19), {Support::fixed, Support::fixed, Support::fixed}}};
+    builder.add_body(slab);
+    SolidSpec block = box_of("block", box_solid(Vec3(-0.2, -0.1, 0), Vec3(0.1, 0.1, 0.1)), "m", {2, 2, 1}, shape);
+    block.velocity = Vec3(speed, 0, 0);
+    builder.add_body(block);
+    const Model<3> model = builder.build();
+    Work<3> work;
+    const State<3> begun = initial_state(model);
+    evaluate(model, begun, work, 0.0);
+    SolidRun run(model, 0.5 * stable_step(model, begun, work).dt);
+    run.run(1.3 * speed / (mu * standard_gravity));
+    const Body& body = model.bodies[1];
+    double way = 0, mass = 0;
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+      way += model.mass[n] * (run.state().position[n].x() - model.start_position[n].x());
+      mass += model.mass[n];
+    }
+    CHECK(near(way / mass, speed * speed / (2 * mu * standard_gravity), 0.01));
   }
 }
 
