@@ -53,6 +53,18 @@ bool is_free(const Model<2>& model, const Body& body) {
   return true;
 }
 
+bool is_one_of(std::span<const int> bodies, int body) {
+  return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
+}
+
+template <int D>
+void add_bearings(const Model<D>& model, const Work<D>& work, std::span<const int> bodies, Vec<D>& force) {
+  for (std::size_t i = 0; i < model.bearings.size() && i < work.bearing_force.size(); ++i) {
+    if (is_one_of(bodies, model.bearings[i].body_b)) force += work.bearing_force[i];
+    if (is_one_of(bodies, model.bearings[i].body_a)) force -= work.bearing_force[i];
+  }
+}
+
 }  // namespace
 
 /// Contacts, by the skin points that they push, and bearings; weight and loads are not counted.
@@ -62,11 +74,18 @@ Vec2 force_on(const Model<2>& model, const Work<2>& work, std::span<const int> b
     const Body& body = model.bodies[static_cast<std::size_t>(i)];
     for (int s = body.first_skin; s < body.first_skin + body.skins; ++s) force += work.skin_force[s];
   }
-  const auto has = [&](int body) { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); };
-  for (std::size_t i = 0; i < model.bearings.size() && i < work.bearing_force.size(); ++i) {
-    if (has(model.bearings[i].body_b)) force += work.bearing_force[i];
-    if (has(model.bearings[i].body_a)) force -= work.bearing_force[i];
+  add_bearings(model, work, bodies, force);
+  return force;
+}
+
+Vec3 force_on(const Model<3>& model, const Work<3>& work, std::span<const int> bodies) {
+  Vec3 force = Vec3::Zero();
+  for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
+    const SolidResultant contact = solid_resultant(model, work, i);
+    if (is_one_of(bodies, contact.body_b)) force += contact.force;
+    if (is_one_of(bodies, contact.body_a)) force -= contact.force;
   }
+  add_bearings(model, work, bodies, force);
   return force;
 }
 
@@ -149,19 +168,35 @@ WorstBodies worst_bodies(const Model<D>& model, const Work<D>& work) {
 template WorstBodies worst_bodies(const Model<2>&, const Work<2>&);
 template WorstBodies worst_bodies(const Model<3>&, const Work<3>&);
 
+namespace {
+
+double pressing(const TouchingContact& c) {
+  return std::abs(c.resultant.normal);
+}
+const ContactResultant& resultant_of(const TouchingContact& c) {
+  return c.resultant;
+}
+double pressing(const SolidResultant& c) {
+  return std::abs(c.normal.dot(c.force));
+}
+const SolidResultant& resultant_of(const SolidResultant& c) {
+  return c;
+}
+
 /// Where the force from one body of the chain to the next passes: several contacts between two are one, at the mean of
 /// their points, weighed by their normal forces.
-std::vector<ThrustPoint> thrust_line(std::span<const int> chain, std::span<const TouchingContact> touching) {
-  std::vector<ThrustPoint> line;
+template <int D, class Contact>
+std::vector<ThrustPoint<D>> line_through(std::span<const int> chain, std::span<const Contact> touching) {
+  std::vector<ThrustPoint<D>> line;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    ThrustPoint p{chain[i], chain[i + 1], Vec2::Zero(), Vec2::Zero()};
+    ThrustPoint<D> p{chain[i], chain[i + 1], Vec<D>::Zero(), Vec<D>::Zero()};
     double weight = 0;
-    for (const TouchingContact& c : touching) {
+    for (const Contact& c : touching) {
       const bool forward = c.body_a == p.body_a && c.body_b == p.body_b;
       if (!forward && !(c.body_a == p.body_b && c.body_b == p.body_a)) continue;
-      const double size = std::abs(c.resultant.normal);
-      p.point += size * c.resultant.point;
-      p.force += forward ? c.resultant.force : Vec2(-c.resultant.force);
+      const double size = pressing(c);
+      p.point += size * resultant_of(c).point;
+      p.force += (forward ? 1.0 : -1.0) * resultant_of(c).force;
       weight += size;
     }
     if (!(weight > 0)) continue;
@@ -169,6 +204,15 @@ std::vector<ThrustPoint> thrust_line(std::span<const int> chain, std::span<const
     line.push_back(p);
   }
   return line;
+}
+
+}  // namespace
+
+std::vector<ThrustPoint<2>> thrust_line(std::span<const int> chain, std::span<const TouchingContact> touching) {
+  return line_through<2>(chain, touching);
+}
+std::vector<ThrustPoint<3>> thrust_line(std::span<const int> chain, std::span<const SolidResultant> touching) {
+  return line_through<3>(chain, touching);
 }
 
 }  // namespace trilith

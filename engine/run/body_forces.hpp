@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "step/contact_resultants.hpp"
+#include "step/solid_resultants.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
@@ -13,6 +14,7 @@ namespace trilith {
 /// Force of all contacts and bearings on `bodies` [N]. Between bodies of the set it cancels. Base shear is the
 /// horizontal part of that on the base: against the structure's acceleration, minus the sum of m a_x.
 Vec2 force_on(const Model<2>& model, const Work<2>& work, std::span<const int> bodies);
+Vec3 force_on(const Model<3>& model, const Work<3>& work, std::span<const int> bodies);
 
 /// Mean stress of a body [Pa], tension positive.
 struct MeanStress {
@@ -38,14 +40,16 @@ template <int D>
 WorstBodies worst_bodies(const Model<D>& model, const Work<D>& work);
 
 /// A point of the line of thrust: where the force between two neighbours of a chain acts.
+template <int D>
 struct ThrustPoint {
   int body_a, body_b;
-  Vec2 point;  ///< [m]
-  Vec2 force;  ///< on body_b [N]
+  Vec<D> point;  ///< [m]
+  Vec<D> force;  ///< on body_b [N]
 };
 
 /// The line of thrust: for each two bodies that follow each other in `chain`, the point in which the resultant of their
 /// contacts acts. Neighbours that do not touch give none.
-std::vector<ThrustPoint> thrust_line(std::span<const int> chain, std::span<const TouchingContact> touching);
+std::vector<ThrustPoint<2>> thrust_line(std::span<const int> chain, std::span<const TouchingContact> touching);
+std::vector<ThrustPoint<3>> thrust_line(std::span<const int> chain, std::span<const SolidResultant> touching);
 
 }  // namespace trilith

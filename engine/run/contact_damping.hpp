@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "run/joints.hpp"
+#include "run/face_joints.hpp"
 
 namespace trilith {
 
@@ -16,6 +16,7 @@ struct ContactDamping {
 
 /// Of each joint in which a body is free to move and a law holds. The mass is that of the one that moves, or m1 m2/(m1
 /// + m2) where both do.
-std::vector<ContactDamping> contact_damping(const Model<2>& model, const std::vector<Joint>& joints);
+template <int D>
+std::vector<ContactDamping> contact_damping(const Model<D>& model, const std::vector<JointOf<D>>& joints);
 
 }  // namespace trilith

@@ -20,7 +20,7 @@ struct FieldSource {
   const Instant<2>& now;
   std::span<const Joint> joints;
   std::span<const TouchingContact> touching;
-  std::span<const JointMotion> joint_motions;  ///< of each joint
+  std::span<const JointDisplacement> joint_displacements;  ///< of each joint
 };
 
 }  // namespace trilith

@@ -11,7 +11,7 @@ struct JointOpening {
   static constexpr RowsOf rows = RowsOf::joints;
   static constexpr int width = 1;
   static void take(const FieldSource& from, std::vector<double>& out) {
-    for (const JointMotion& motion : from.joint_motions) out.push_back(motion.opening);
+    for (const JointDisplacement& moved : from.joint_displacements) out.push_back(moved.opening);
   }
 };
 
@@ -21,7 +21,7 @@ struct JointSlip {
   static constexpr RowsOf rows = RowsOf::joints;
   static constexpr int width = 1;
   static void take(const FieldSource& from, std::vector<double>& out) {
-    for (const JointMotion& motion : from.joint_motions) out.push_back(motion.slip);
+    for (const JointDisplacement& moved : from.joint_displacements) out.push_back(moved.slip);
   }
 };
 

@@ -92,9 +92,9 @@ std::vector<Joint> find_joints(const Model<2>& model, const State<2>& state, int
 }
 
 /// Opening: the wider of both ends; slip: the mean.
-JointMotion joint_motion(const Joint& joint, const Work<2>& work) {
+JointDisplacement joint_displacement(const Joint& joint, const Work<2>& work) {
   const FaceAxes face(work, joint.a0, joint.a1);
-  JointMotion motion;
+  JointDisplacement motion;
   motion.opening = -unbounded;
   for (const JointEnd& end : joint.end) {
     const Vec2 apart = between(work, joint.b0, joint.b1, end.share_b) - between(work, joint.a0, joint.a1, end.share_a);

@@ -27,9 +27,10 @@ struct Joint {
 };
 
 /// What became of a joint.
-struct JointMotion {
-  double opening = 0;  ///< the farther end's distance from where it was, along the normal of a's face; + is open [m]
-  double slip = 0;     ///< of the middle along a's face, + towards a's next corner [m]
+struct JointDisplacement {
+  /// The farthest distance of a point of b's face from where it was, along the normal of a's; + is open [m].
+  double opening = 0;
+  double slip = 0;  ///< of the middle along a's face; in the plane + towards a's next corner [m]
 };
 
 /// All joints of the model where it starts, sorted by contact. Joints that a bearing stands for are left out.
@@ -39,7 +40,11 @@ std::vector<Joint> find_joints(const Model<2>& model, const State<2>& state, int
 
 /// From the places of the skin points in `work`, which must be those of the present instant. Once the bodies have come
 /// far apart it says how far, no more.
-JointMotion joint_motion(const Joint& joint, const Work<2>& work);
+JointDisplacement joint_displacement(const Joint& joint, const Work<2>& work);
+inline JointDisplacement joint_displacement(const Joint& joint, const Model<2>& /*model*/, const State<2>& /*state*/,
+                                            const Work<2>& work) {
+  return joint_displacement(joint, work);
+}
 
 /// The part of a joint's bond that is lost: 0 whole, 0.5 one half, 1 all; 0 for a joint without a bond.
 double joint_damage(const Joint& joint, const State<2>& state);

@@ -10,20 +10,13 @@ results::JointRow row_of(const Model<2>& model, const Joint& joint) {
   results::JointRow row;
   row.body_a = joint.body_a;
   row.body_b = joint.body_b;
-  row.storey = storey_of(model, joint);
+  row.storey = storey_between(model, joint.body_a, joint.body_b);
   row.bonded = joint.bonds != 0 ? 1 : 0;
   for (const int k : {0, 1}) row.end_0[k] = joint.place[0][k], row.end_1[k] = joint.place[1][k];
   return row;
 }
 
 }  // namespace
-
-int storey_of(const Model<2>& model, const Joint& joint) {
-  const double a = model.start_position[model.bodies[joint.body_a].first_node].y(),
-               b = model.start_position[model.bodies[joint.body_b].first_node].y();
-  const int upper = storey_of(model, a > b ? joint.body_a : joint.body_b);
-  return upper > 0 ? upper : storey_of(model, a > b ? joint.body_b : joint.body_a);
-}
 
 RecordedFields::RecordedFields(const Model<2>& model)
     : joints_(find_joints(model)),
@@ -50,7 +43,7 @@ const std::vector<std::vector<double>>& RecordedFields::take(const Instant<2>& n
                                                              std::span<const TouchingContact> touching) {
   if (joints_.empty()) return values_;
   motions_.clear();
-  for (const Joint& joint : joints_) motions_.push_back(joint_motion(joint, now.work));
+  for (const Joint& joint : joints_) motions_.push_back(joint_displacement(joint, now.work));
   auto values = values_.begin();
   RecordedFieldTypes::for_each([&]<class F>() {
     values->clear();

@@ -24,12 +24,9 @@ class RecordedFields {
 
  private:
   std::vector<Joint> joints_;
-  std::vector<JointMotion> motions_;  // of the joints, for all fields of an instant
+  std::vector<JointDisplacement> motions_;  // of the joints, for all fields of an instant
   std::size_t bodies_;
   std::vector<std::vector<double>> values_;
 };
-
-/// Storey of a joint: that of its upper body, or else of the other; 0: none.
-int storey_of(const Model<2>& model, const Joint& joint);
 
 }  // namespace trilith

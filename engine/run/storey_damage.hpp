@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "run/joints.hpp"
-#include "run/storeys.hpp"
+#include "run/findings.hpp"
 
 namespace trilith {
 
@@ -19,16 +18,16 @@ struct StoreyDamage {
   int joints = 0;              ///< those that were there at the start
   int joints_apart = 0;        ///< opened or slipped by more than the limit since then
   int units = 0;               ///< bodies of its group "units"
-  int units_out_of_place = 0;  ///< whose centroid has moved along x, against what the storey stands on, by more than
+  int units_out_of_place = 0;  ///< whose centroid has moved sideways, against what the storey stands on, by more than
                                ///< the limit, or has come down by more than it since the start
 };
 
 /// Of the storeys that `bodies` (rising) belong to, lowest first; joints are those between two of them, and of the
-/// storey that storey_of() says. A storey stands on the top of the one below, or on the base. `work` must be of the
-/// present instant.
-std::vector<StoreyDamage> damage_by_storey(const Model<2>& model, const State<2>& state, const Work<2>& work,
-                                           const std::vector<int>& bodies, const std::vector<Storey>& storeys,
-                                           const std::vector<int>& base, const std::vector<Joint>& joints,
+/// storey that storey_between() says. A storey stands on the top of the one below, or on the base. `work` must be of
+/// the present instant.
+template <int D>
+std::vector<StoreyDamage> damage_by_storey(const Model<D>& model, const State<D>& state, const Work<D>& work,
+                                           const std::vector<int>& bodies, const Findings<D>& findings,
                                            const DamageLimits& limits);
 
 }  // namespace trilith

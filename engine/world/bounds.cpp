@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "world/skin_places.hpp"
 
 namespace trilith {
 namespace {
@@ -21,8 +22,7 @@ Bounds<D> default_bounds(const Model<D>& model) {
   Bounds<D> box{Vec<D>::Constant(unbounded), Vec<D>::Constant(-unbounded)};
   double most = 0;
   for (std::size_t i = 0; i < model.skin_place.size(); ++i) {
-    const int n = model.skin_node[i];
-    const Vec<D> x = model.start_position[n] + turn_of(model.start_rotation[n]).apply(model.skin_place[i]);
+    const Vec<D> x = skin_start(model, static_cast<int>(i));
     box.low = box.low.cwiseMin(x), box.high = box.high.cwiseMax(x);
   }
   for (const ConvexSolid& piece : model.piece_solid)  // spheres reach beyond their one point

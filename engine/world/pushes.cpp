@@ -9,6 +9,7 @@
 #include "load/load_curve.hpp"
 #include "world/loads.hpp"
 #include "world/pose.hpp"
+#include "world/skin_places.hpp"
 
 namespace trilith {
 namespace {
@@ -26,14 +27,6 @@ double start_height(const Model<3>& model, int body) {
   double sum = 0;
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n) sum += model.mass[n] * model.start_position[n].z();
   return sum / body_mass(model, body);
-}
-
-/// Height of a skin point at the start [m].
-template <int D>
-double start_height_of_skin(const Model<D>& model, int skin) {
-  const int turn = model.skin_turn[skin];
-  const Vec<D> arm = turn_of(model.start_rotation[turn]).apply(model.skin_place[skin]);
-  return model.start_position[model.skin_node[skin]][upward<D>] + arm[upward<D>];
 }
 
 /// A body's part in a push before it is divided by the sum.
@@ -56,7 +49,7 @@ double lowest_of(const Model<D>& model, const std::vector<int>& bodies) {
   double lowest = unbounded;
   for (const int i : bodies)
     for (int s = model.bodies[i].first_skin; s < model.bodies[i].first_skin + model.bodies[i].skins; ++s)
-      lowest = std::min(lowest, start_height_of_skin(model, s));
+      lowest = std::min(lowest, skin_start(model, s)[upward<D>]);
   return lowest;
 }
 

@@ -116,6 +116,22 @@ int set_has(lua_State* L) {
   return 1;
 }
 
+template <int D>
+std::vector<StoreyDamage> damage_now(SimulatedModel<D>& m, const std::vector<int>& bodies, const DamageLimits& limits) {
+  const Simulation<D>& sim = m.evaluated();
+  return damage_by_storey(sim.model(), sim.state(), sim.work(), bodies, m.findings(), limits);
+}
+
+DamageLimits read_limits(Keys& keys) {
+  DamageLimits limits;
+  limits.apart = keys.number("apart", "m", limits.apart);
+  limits.out_of_place = keys.number("out_of_place", "m", limits.out_of_place);
+  for (const auto& [key, value] : {std::pair{"apart", limits.apart}, {"out_of_place", limits.out_of_place}})
+    if (!(value >= 0)) keys.problem(fmt::format("'{}' is {:g} m, must not be below 0", key, value));
+  keys.finish();
+  return limits;
+}
+
 /// wall:damage_by_storey{ apart =, out_of_place = }: a row for each storey the set belongs to, lowest first.
 int set_damage(lua_State* L) {
   const auto& set = handle<BodySet>(L, 1);
@@ -126,17 +142,11 @@ int set_damage(lua_State* L) {
     lua_replace(L, 2);
   }
   Keys keys(L, 2, "damage_by_storey");
-  DamageLimits limits;
-  limits.apart = keys.number("apart", "m", limits.apart);
-  limits.out_of_place = keys.number("out_of_place", "m", limits.out_of_place);
-  for (const auto& [key, value] : {std::pair{"apart", limits.apart}, {"out_of_place", limits.out_of_place}})
-    if (!(value >= 0)) keys.problem(fmt::format("'{}' is {:g} m, must not be below 0", key, value));
-  keys.finish();
-  PlaneModel& plane = require_plane(set.model(), "damage_by_storey");
-  const Simulation<2>& sim = plane.evaluated();
-  const Findings& findings = plane.findings();
-  const std::vector<StoreyDamage> rows = damage_by_storey(sim.model(), sim.state(), sim.work(), set.bodies,
-                                                          findings.storeys, findings.base, findings.joints, limits);
+  const DamageLimits limits = read_limits(keys);
+  SpaceModel* space = as_space(set.model());
+  const std::vector<StoreyDamage> rows =
+      space != nullptr ? damage_now(*space, set.bodies, limits)
+                       : damage_now(require_plane(set.model(), "damage_by_storey"), set.bodies, limits);
   if (rows.empty())
     throw InputError(
         fmt::format("damage_by_storey: none of these {} bodies is in a group \"storey 1\", \"storey 2\", "

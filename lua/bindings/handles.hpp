@@ -186,6 +186,9 @@ inline int dimension_of(const BodyHandle& b) {
 inline int dimension_of(const BearingHandle& b) {
   return b.model().dim();
 }
+inline int dimension_of(const StoreyHandle& s) {
+  return s.model().dim();
+}
 
 /// A handle for C++: of a body, bearing, seat or storey of `model`.
 template <class H>

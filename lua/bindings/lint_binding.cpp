@@ -64,17 +64,12 @@ int doubts(lua_State* L) {
   return 1;
 }
 
-/// core.damping(model, share): by law { share, frequency, a, b } of its least damped contact, `all` its contacts, and
-/// `less` those below the share of critical that is given.
-int damping(lua_State* L) {
-  if (as_plane(this_model(L)) == nullptr) {  // joints of solids are not looked at yet
-    lua_newtable(L);
-    return 1;
-  }
-  PlaneModel& m = this_plane(L);
+/// A row for each law that some joint has.
+template <int D>
+void push_damping(lua_State* L, SimulatedModel<D>& m) {
   const double share = lua_tonumber(L, 2);
-  const Model<2>& model = m.simulation().model();
-  const std::vector<ContactDamping> all = contact_damping(model, m.findings().joints);
+  const Model<D>& model = m.simulation().model();
+  const std::vector<ContactDamping> all = contact_damping<D>(model, m.findings().joints);
   lua_newtable(L);
   for (std::size_t law = 0; law < model.laws.size(); ++law) {
     const ContactDamping* least = nullptr;
@@ -99,6 +94,15 @@ int damping(lua_State* L) {
     lua_setfield(L, -2, "b");
     lua_setfield(L, -2, model.law_names[law].c_str());
   }
+}
+/// core.damping(model, share): by law { share, frequency, a, b } of its least damped contact, `all` its contacts, and
+/// `less` those below the share of critical that is given.
+int damping(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  if (SpaceModel* space = as_space(m))
+    push_damping(L, *space);
+  else
+    push_damping(L, require_plane(m, "lint"));
   return 1;
 }
 

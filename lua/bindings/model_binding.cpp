@@ -43,7 +43,7 @@ void push_energy(lua_State* L, const ModelBox& box) {
     lua_pushnumber(L, e.value[static_cast<std::size_t>(i)]);
     lua_setfield(L, -2, std::string(energy_term_info[static_cast<std::size_t>(i)].name).c_str());
   }
-  lua_pushnumber(L, e.balance());
+  lua_pushnumber(L, box.get().residual());
   lua_setfield(L, -2, "residual");
   if (luaL_newmetatable(L, "trilith.energy") != 0) set_function(L, "__index", guarded<no_such_term>);
   lua_setmetatable(L, -2);
@@ -142,8 +142,7 @@ const std::array model_properties{
                   [](const ModelBox& m) { return m.get().step_numbers().speed; }},
     ModelProperty{"ratio", "1", "unbalanced force over the largest carried one",
                   [](const ModelBox& m) { return m.get().step_numbers().ratio; }},
-    ModelProperty{"residual", "J", "of the energy ledger",
-                  [](const ModelBox& m) { return energy_of(m.get()).balance(); }},
+    ModelProperty{"residual", "J", "of the energy ledger", [](const ModelBox& m) { return m.get().residual(); }},
     ModelProperty{"energy", "", "all terms of the energy ledger [J], and their residual", nullptr, push_energy},
     ModelProperty{"bearings", "", "bearings by name: m.bearings[\"S3.left\"]", nullptr, push_own<bearings_field>},
     ModelProperty{"seats", "", "seats by name", nullptr, push_own<seats_field>},
@@ -281,9 +280,8 @@ int make_model(lua_State* L) {
 std::span<const Property<ModelBox>> Kind<ModelBox>::properties() {
   static const std::vector<ModelProperty> all = [] {
     std::vector<ModelProperty> list(model_properties.begin(), model_properties.end());
-    list.insert(list.end(), finding_properties().begin(), finding_properties().end());
     for (ModelProperty& p : list) p.dim = p.name == "thickness" ? 2 : p.dim;
-    for (std::size_t i = model_properties.size(); i < list.size(); ++i) list[i].dim = 2;
+    list.insert(list.end(), finding_properties().begin(), finding_properties().end());
     list.insert(list.end(), pushover_properties().begin(), pushover_properties().end());
     list.insert(list.end(), debug_properties().begin(), debug_properties().end());
     return list;

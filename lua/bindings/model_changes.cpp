@@ -32,6 +32,7 @@ void SimulatedModel<D>::alter(std::function<void(Model<D>&)> what, std::vector<i
 template <int D>
 void SimulatedModel<D>::extend() {
   caught_up_ = additions_;
+  findings_.reset();
   try {
     simulation_->grow(extended_model(simulation_->model(), simulation_->state()));
   } catch (const InputError&) {
@@ -44,6 +45,7 @@ void SimulatedModel<D>::extend() {
 /// Bodies, bearings and seats that the simulation does not have.
 template <int D>
 void SimulatedModel<D>::forget_added() {
+  findings_.reset();
   const Model<D>& model = simulation_->model();
   forget_beyond(model);
   bearings.resize(std::min(bearings.size(), model.bearings.size()));

@@ -4,12 +4,6 @@
 
 namespace trilith::script {
 
-const Findings& PlaneModel::findings() {
-  const Model<2>& model = simulation().model();
-  if (!findings_) findings_ = Findings{find_joints(model), find_storeys(model), find_base(model)};
-  return *findings_;
-}
-
 Model<2> PlaneModel::lone_body(int body) const {
   ModelBuilder alone;
   alone.thickness = builder.thickness;

@@ -3,12 +3,9 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "run/joints.hpp"
-#include "run/storeys.hpp"
 #include "simulated_model.hpp"
 #include "world/builder.hpp"
 
@@ -21,13 +18,6 @@ struct BridgeBookOf;  // bridge_book.hpp
 struct BodyForm {
   BodyKind kind = BodyKind::rigid;
   std::array<int, 2> divisions{1, 1};
-};
-
-/// What engineering results are asked of.
-struct Findings {
-  std::vector<Joint> joints;
-  std::vector<Storey> storeys;
-  std::vector<int> base;
 };
 
 class PlaneModel final : public SimulatedModel<2> {
@@ -53,24 +43,17 @@ class PlaneModel final : public SimulatedModel<2> {
   [[nodiscard]] std::vector<std::string> faults() const override { return builder.faults(); }
   /// Moment of inertia of a body about its centroid [kg m2], before and after building.
   [[nodiscard]] double inertia_of(int body);
-  /// Its joints, storeys and base; builds the model.
-  const Findings& findings();
   [[nodiscard]] const BodySpec& spec(int body) const { return builder.bodies()[static_cast<std::size_t>(body)]; }
 
  protected:
   [[nodiscard]] Model<2> built_model() override { return builder.build(); }
   [[nodiscard]] Model<2> extended_model(const Model<2>& model, const State<2>& state) override {
-    findings_.reset();
     return builder.extended(model, state);
   }
   void forget_beyond(const Model<2>& model) override {
-    findings_.reset();
     builder.shorten(model.bodies.size(), model.bearings.size(), model.seats.size());
   }
   [[nodiscard]] Model<2> lone_body(int body) const override;
-
- private:
-  std::optional<Findings> findings_;
 };
 
 }  // namespace trilith::script

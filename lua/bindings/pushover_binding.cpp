@@ -27,23 +27,45 @@ std::function<double(const Instant<D>&)> way_reading(const PushOrder<D>& o) {
   };
 }
 
-/// Drift of a storey or of the top one; without storeys, how far the pushed points are.
-std::function<double(const Instant<2>&)> drift_reading(PlaneModel& m, const PushOrder<2>& o) {
-  const Findings& f = m.findings();
+/// The level part of a push's direction, of length 1; nothing where it is upright.
+template <int D>
+std::optional<Vec<D>> level_direction(Vec<D> direction) {
+  direction[D - 1] = 0;
+  const double size = direction.norm();
+  if (!(size > 1e-9)) return std::nullopt;
+  return Vec<D>(direction / size);
+}
+
+/// Drift of a storey or of the top one: along x in the plane, in space along the level part of the push. Nothing, where
+/// there are no storeys, or nothing level in the push.
+template <int D>
+std::function<double(const Model<D>&, const State<D>&)> storey_reading(SimulatedModel<D>& m, const PushOrder<D>& o) {
+  const Findings<D>& f = m.findings();
   if (f.storeys.empty()) {
     if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
-    return way_reading(o);
+    return {};
   }
-  if (o.storey == 0) return [&f](const Instant<2>& now) { return top_drift(now.model, now.state, f.storeys, f.base); };
+  const std::optional<Vec<D>> along = D == 2 ? Vec<D>(Vec<D>::UnitX()) : level_direction<D>(o.direction);
+  if (!along) {
+    if (o.storey != 0) throw InputError("pushover: an upright push has no drift; leave 'storey' out");
+    return {};
+  }
+  if (o.storey == 0)
+    return [&f, e = *along](const Model<D>& model, const State<D>& state) {
+      return e.dot(top_drift(model, state, f.storeys, f.base));
+    };
   for (std::size_t i = 0; i < f.storeys.size(); ++i)
     if (f.storeys[i].number == o.storey)
-      return [&f, i](const Instant<2>& now) { return storey_drift(now.model, now.state, f.storeys, f.base, i); };
+      return [&f, i, e = *along](const Model<D>& model, const State<D>& state) {
+        return e.dot(storey_drift(model, state, f.storeys, f.base, i));
+      };
   throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
 }
 
-/// In space there are no storeys to drift.
-std::function<double(const Instant<3>&)> drift_reading(SpaceModel& /*m*/, const PushOrder<3>& o) {
-  if (o.storey != 0) throw InputError("pushover: storeys are of walls in the plane; leave 'storey' out");
+/// Without storeys how far the pushed points are.
+template <int D>
+std::function<double(const Instant<D>&)> drift_reading(SimulatedModel<D>& m, const PushOrder<D>& o) {
+  if (auto drift = storey_reading(m, o)) return [drift](const Instant<D>& now) { return drift(now.model, now.state); };
   return way_reading(o);
 }
 
@@ -155,23 +177,13 @@ class ArcRecorder {
   std::string limit_;
 };
 
-std::function<double(const State<2>&)> arc_drift(PlaneModel& m, const PushOrder<2>& o, const Push<2>& push) {
-  const Findings& f = m.findings();
-  if (f.storeys.empty()) {
-    if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
-    return [&push](const State<2>& s) { return push_place(s, push); };
+template <int D>
+std::function<double(const State<D>&)> arc_drift(SimulatedModel<D>& m, const PushOrder<D>& o, const Push<D>& push) {
+  if (auto drift = storey_reading(m, o)) {
+    const Model<D>& model = m.simulation().model();
+    return [drift, &model](const State<D>& state) { return drift(model, state); };
   }
-  const Model<2>& model = m.simulation().model();
-  if (o.storey == 0) return [&](const State<2>& s) { return top_drift(model, s, f.storeys, f.base); };
-  for (std::size_t i = 0; i < f.storeys.size(); ++i)
-    if (f.storeys[i].number == o.storey)
-      return [&, i](const State<2>& s) { return storey_drift(model, s, f.storeys, f.base, i); };
-  throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
-}
-
-std::function<double(const State<3>&)> arc_drift(SpaceModel& /*m*/, const PushOrder<3>& o, const Push<3>& push) {
-  if (o.storey != 0) throw InputError("pushover: storeys are of walls in the plane; leave 'storey' out");
-  return [&push](const State<3>& s) { return push_place(s, push); };
+  return [&push](const State<D>& state) { return push_place(state, push); };
 }
 
 /// Ends of a path that its recorder did not ask for.
@@ -231,7 +243,7 @@ int push_by_arc(lua_State* L, ModelOfScript& m, PushOrder<D>& o) {
   LoadWay<D> way{unit_loads(sim.model(), o.stage.name, push), {}};
   Model<D> model = sim.model();
   model.point_loads.insert(model.point_loads.end(), way.loads.begin(), way.loads.end());
-  ArcRecorder<D> recorder(push, o, arc_drift(m, o, push));
+  ArcRecorder<D> recorder(push, o, arc_drift<D>(m, o, push));
   LoadPathOptions<D> how;
   how.loads = o.stage.name;
   how.first = o.arc > 0 ? o.arc : 0.01 * o.displacement;
@@ -261,7 +273,7 @@ template <int D, class ModelOfScript>
 int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o, const StageUntil& until) {
   const auto motion = std::make_shared<const GroundMotion>(even_motion(o.displacement, o.rate));
   o.stage.duration = motion->duration();
-  PushoverRecorder<D> recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading(m, o));
+  PushoverRecorder<D> recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading<D>(m, o));
   std::vector<PushRow<D>> rows = push_rows(m.simulation().model(), o.bodies, o.at, o.pattern, o.direction);
   m.change([&](Model<D>& changed) {
     add_push(changed, m.if_built()->state(), o.stage.name, std::move(rows), o.direction, motion);

@@ -6,6 +6,7 @@
 #include "bindings.hpp"
 #include "step/solid_resultants.hpp"
 #include "table_fields.hpp"
+#include "touching_now.hpp"
 
 namespace trilith::script {
 namespace {
@@ -83,18 +84,6 @@ void push_contact(lua_State* L, const Simulation<3>& s, const SolidResultant& c)
   set_vector(L, "point", c.point);
   set_vector(L, "direction", c.normal);
   set_vector(L, "force", c.force);
-}
-
-std::vector<TouchingContact> touching_now(const Simulation<2>& s) {
-  std::vector<TouchingContact> touching;
-  contact_resultants(s.model(), s.work(), touching);
-  return touching;
-}
-std::vector<SolidResultant> touching_now(const Simulation<3>& s) {
-  std::vector<SolidResultant> touching;
-  for (std::size_t i = 0; i < s.work().general_touching.size(); ++i)
-    touching.push_back(solid_resultant(s.model(), s.work(), i));
-  return touching;
 }
 
 /// Pushes a list of those that `wanted` says.

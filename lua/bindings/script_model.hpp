@@ -131,6 +131,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   [[nodiscard]] virtual StepNumbers step_numbers() = 0;
   /// The ledger now; builds the model.
   [[nodiscard]] virtual Energy energy() = 0;
+  /// What the ledger has gained or lost since the first stage began that no force has done [J].
+  [[nodiscard]] virtual double residual() = 0;
   [[nodiscard]] virtual std::uint64_t hash() = 0;
   [[nodiscard]] virtual std::string step_text() = 0;  ///< what governs the step
   [[nodiscard]] virtual std::string text_of(const Event& event) const = 0;

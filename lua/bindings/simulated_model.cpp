@@ -50,6 +50,20 @@ const Simulation<D>& SimulatedModel<D>::evaluated() {
 }
 
 template <int D>
+const Findings<D>& SimulatedModel<D>::findings() {
+  const Model<D>& model = simulation().model();
+  if (!findings_) findings_.emplace(model);
+  return *findings_;
+}
+
+/// What bodies moved with at the start, and what was pressed then, came from nowhere and is no error.
+template <int D>
+double SimulatedModel<D>::residual() {
+  const double balance = energy().balance();
+  return balance - balance_at_start_.value_or(balance);
+}
+
+template <int D>
 void SimulatedModel<D>::change(std::function<void(Model<D>&)> what) {
   if (running_ && !paused_) {
     changes_.push_back(std::move(what));
@@ -245,6 +259,7 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
     throw InputError(fmt::format("{}: a stage runs already; begin the next one when it has ended", title()));
   Simulation<D>& s = simulation();
   catch_up();
+  if (!balance_at_start_) balance_at_start_ = evaluated().energy().balance();
   for (; host.observer != nullptr && notes_shown_ < notes().size(); ++notes_shown_)
     host.observer->note(notes()[notes_shown_]);
   begin_recording(host);

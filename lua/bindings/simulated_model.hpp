@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "run/findings.hpp"
 #include "run/recording.hpp"
 #include "script_model.hpp"
 
@@ -27,6 +28,8 @@ class SimulatedModel : public ScriptModel {
   Simulation<D>& simulation();
   /// The simulation with its forces up to date, for reading.
   const Simulation<D>& evaluated();
+  /// Its joints, storeys and base; builds the model.
+  const Findings<D>& findings();
   [[nodiscard]] const Simulation<D>* if_built() const { return simulation_.get(); }
   /// It is built, and the body in it: what a handler adds is so from the next step border on.
   [[nodiscard]] bool has_body(int body) const {
@@ -47,6 +50,7 @@ class SimulatedModel : public ScriptModel {
   [[nodiscard]] double time() const override { return simulation_ ? simulation_->state().time : 0; }
   [[nodiscard]] StepNumbers step_numbers() override;
   [[nodiscard]] Energy energy() override { return evaluated().energy(); }
+  [[nodiscard]] double residual() override;
   [[nodiscard]] std::uint64_t hash() override;
   [[nodiscard]] std::string step_text() override;
   [[nodiscard]] std::string text_of(const Event& event) const override;
@@ -101,6 +105,8 @@ class SimulatedModel : public ScriptModel {
   [[nodiscard]] std::vector<RecordedHistory<D>> recorded_histories() const;
 
   std::unique_ptr<Simulation<D>> simulation_;
+  std::optional<Findings<D>> findings_;
+  std::optional<double> balance_at_start_;  // of the ledger, from its first stage on [J]
   std::unique_ptr<Recording<D>> recording_;
   std::vector<std::vector<results::ModeRow>> waiting_modes_;
   Host* modes_host_ = nullptr;                           // of those

@@ -19,28 +19,9 @@ function checks.doubts(model, add)
   for _, text in ipairs(core.doubts(model)) do add(text) end
 end
 
---- Of a model in space: the same as core.damping says of one in the plane, of the contacts that press as it stands.
-local function damping_in_space(model)
-  local found, laws = {}, {}
-  for _, law in ipairs(core.contact_laws(model)) do laws[law.name] = law end
-  for _, c in ipairs(model:contacts()) do
-    local law, inverse = laws[c.law], 0
-    for _, body in ipairs { c.a, c.b } do inverse = inverse + (core.is_held(body) and 0 or 1/body.mass) end
-    if law and inverse > 0 and c.area > 0 then
-      local frequency = math.sqrt(law.kn*c.area*inverse)
-      local share = law.beta*frequency/2
-      local d = found[c.law] or { all = 0, less = 0, frequency = math.huge }
-      d.all, d.less = d.all + 1, d.less + (share < least_damping and 1 or 0)
-      if frequency < d.frequency then d.frequency, d.share, d.a, d.b = frequency, share, c.a, c.b end
-      found[c.law] = d
-    end
-  end
-  return found
-end
-
 -- Of a model with faults nothing is known of its contacts.
 function checks.damping(model, add, whole)
-  local damped = not whole and {} or model.dim == 3 and damping_in_space(model) or core.damping(model, least_damping)
+  local damped = whole and core.damping(model, least_damping) or {}
   for _, law in ipairs(core.contact_laws(model)) do
     local d = damped[law.name]
     local better = d and

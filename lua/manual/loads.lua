@@ -47,7 +47,7 @@ control       text = "time"    "time": pushed steadily; "arc": by equilibria pas
 rate          number m/s?      how fast, by time
 arc           number m?        by arc: length of the first step; a hundredth of the displacement
 displacement  number m?        how far; or drift
-drift         number m?        until this drift
+drift         number m?        until this drift of the top, in space along the push
 storey        integer?         of this storey
 drop          number?          until the force has fallen to this share of its peak
 samples       integer?         of the curve; by arc at most so many

@@ -6,7 +6,7 @@ material  names?  of one of these materials
 name      names?  of these names]], gives = "set" },
   { "set:has", "True where all of it is in this set.",
     args = "bodies  bodies  a body, set, name or list", gives = "boolean" },
-  { "set:damage_by_storey", "What became of a wall, in the plane: rows, lowest storey first, of { storey, joints, "
+  { "set:damage_by_storey", "What became of a wall or a building: rows, lowest storey first, of { storey, joints, "
     .. "joints_apart, units, units_out_of_place }. Joints are those of the start between bodies of the set. A unit "
     .. "is out of place when its centroid has moved sideways against the floor under its storey by more than the "
     .. "limit, or has come down by more than it.",
@@ -38,10 +38,11 @@ energy      number s = 0.05   between rows of the ledger
 velocities  flag = false      with the velocities in each frame
 joints      flag = true       with opening, slip and damage of each joint]] },
   { "model:explain_dt", "Which body and contacts govern the length of a step.", gives = "string" },
-  { "model:joints", "In the plane, faces that lay on each other at the start: { a, b, opening, slip, damage, storey, "
-    .. "x, y }.",
+  { "model:joints", "Faces that lay on each other at the start: { a, b, opening, slip, damage, storey, x, y }; in "
+    .. "space z and area too, of plane faces, and a slip that is a length.",
     gives = "table[]" },
-  { "model:thrust_line", "In the plane, where the force goes through a chain of bodies: { a, b, x, y, fx, fy }.",
+  { "model:thrust_line", "Where the force goes through a chain of bodies: { a, b, x, y, fx, fy }, in space z and fz "
+    .. "too.",
     args = "bodies  bodies  in order", gives = "table[]" },
   { "model:modes", "Natural frequencies as it stands, lowest first: { frequency, period, square, mass_x, mass_y, "
     .. "factor_x, factor_y, damping, shape }; shape by body's name: { x, y, rotation }. "

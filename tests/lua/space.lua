@@ -151,8 +151,6 @@ says("'thickness' is of models in the plane, and dim is 3", function() trilith.m
 says("stack: is of models in the plane, and model 'house' has dim = 3; give its parts a depth by "
   .. "m:add(trilith.build.stack{...}, { depth = })", function() m:stack { blocks = {} } end)
 says("span: is of models in the plane, and model 'house' has dim = 3", function() m:span {} end)
-says("damage_by_storey: is of models in the plane, and model 'house' has dim = 3",
-  function() return m:bodies():damage_by_storey() end)
 says("dome: is of models in space; model is in the plane, give it dim = 3", function() trilith.model():dome {} end)
 says("block 'b': 'size' is missing", function() m:block { name = "b" } end)
 says("block 'b': 'size' is 1, must be {x, y, z}, three finite numbers", function() m:block { name = "b", size = 1 } end)

@@ -97,14 +97,14 @@ TEST_CASE("a lifted, shifted and turned body opens its joint and slips along it 
     const double lift = 0.003, shift = 0.002, angle = 0.01;
     state.position[high] += scene.to_world({shift, lift});
     state.rotation[high] += angle;
-    const JointMotion m = joint_motion(joints[2], placed(model, state));
+    const JointDisplacement m = joint_displacement(joints[2], placed(model, state));
     // The bottom corners are 0.5 m beside and 0.5 m below the centroid.
     const double c = std::cos(angle), s = std::sin(angle);
     CHECK(near(m.opening, lift + 0.5 * s + 0.5 * (1 - c), 1e-9));
     CHECK(near(std::abs(m.slip), shift + 0.5 * s, 1e-9));
     for (const std::size_t other : {0, 1}) {
-      CHECK(std::abs(joint_motion(joints[other], placed(model, state)).opening) < 1e-12);
-      CHECK(std::abs(joint_motion(joints[other], placed(model, state)).slip) < 1e-12);
+      CHECK(std::abs(joint_displacement(joints[other], placed(model, state)).opening) < 1e-12);
+      CHECK(std::abs(joint_displacement(joints[other], placed(model, state)).slip) < 1e-12);
     }
   }
 }
@@ -139,8 +139,8 @@ TEST_CASE("storeys are found by their groups, with heights and drifts") {
   const std::array<double, 4> sway{0.1, 0.13, 0.11, 0.2};  // of base, low, slab, high
   for (std::size_t n = 0; n < 4; ++n) state.position[n].x() += sway[n];
   for (std::size_t i = 0; i < 3; ++i)
-    CHECK(near(storey_drift(model, state, storeys, base, i), sway[i + 1] - sway[i], 1e-9));
-  CHECK(near(top_drift(model, state, storeys, base), 0.1, 1e-9));
+    CHECK(near(storey_drift(model, state, storeys, base, i).x(), sway[i + 1] - sway[i], 1e-9));
+  CHECK(near(top_drift(model, state, storeys, base).x(), 0.1, 1e-9));
   CHECK(storey_in({"wall", "storey 12"}) == 12);
   CHECK(storey_in({"storey", "storey x", "storey 0", "storey 2b", "story 2"}) == 0);
 }
@@ -223,7 +223,7 @@ TEST_CASE("the line of thrust under a tilted block leaves its middle by half its
   std::vector<TouchingContact> touching;
   contact_resultants(sim.model(), sim.work(), touching);
   const std::vector<int> chain{0, 1, 2}, back{2, 1, 0};
-  const std::vector<ThrustPoint> line = thrust_line(chain, touching), other = thrust_line(back, touching);
+  const std::vector<ThrustPoint<2>> line = thrust_line(chain, touching), other = thrust_line(back, touching);
   REQUIRE(line.size() == 2);
   REQUIRE(other.size() == 2);
   CHECK(near(line[0].point.x(), 1 + 1 * std::tan(tilt), 1e-4));
@@ -262,7 +262,7 @@ TEST_CASE("joints, their motion and mean stress are recorded and read back") {
   const std::vector<Joint> joints = find_joints(sim.model());
   sim.refresh();
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(frame.fields[0][i] == joint_motion(joints[i], sim.work()).opening);
+    CHECK(frame.fields[0][i] == joint_displacement(joints[i], sim.work()).opening);
     CHECK(frame.fields[2][i] == joint_damage(joints[i], sim.state()));
   }
 }

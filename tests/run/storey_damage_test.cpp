@@ -42,8 +42,7 @@ std::vector<StoreyDamage> after(const Moves& moves, const DamageLimits& limits =
   for (const auto& [body, by] : moves) state.position[model.bodies[static_cast<std::size_t>(body)].first_node] += by;
   Simulation<2> sim(model, state);
   sim.refresh();
-  return damage_by_storey(model, state, sim.work(), bodies, find_storeys(model), find_base(model), find_joints(model),
-                          limits);
+  return damage_by_storey(model, state, sim.work(), bodies, Findings<2>(model), limits);
 }
 
 }  // namespace
