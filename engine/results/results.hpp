@@ -91,8 +91,9 @@ struct JointRow {
   std::int32_t body_a = -1, body_b = -1;
   std::int32_t storey = 0;      ///< 0: none
   std::int32_t bonded = 0;      ///< 1: with a bond
-  double end_0[3] = {0, 0, 0};  ///< m, where its ends are at the start, world axes
+  double end_0[3] = {0, 0, 0};  ///< m, where its ends are at the start, world axes; in space those of its longer axis
   double end_1[3] = {0, 0, 0};
+  double area = 0;  ///< m2, in space
 };
 
 /// Numbers that every frame has beside motion and contacts: one row of `width` for each of `rows` things.

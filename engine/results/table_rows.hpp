@@ -90,6 +90,8 @@ void describe(A& a, typename A::template Of<JointRow>& row) {
   a.number("bonded", row.bonded, "1", "1: with a bond at the start");
   a.vector("end_0_", row.end_0, "m", "one end at the start, world axes");
   a.vector("end_1_", row.end_1, "m", "the other end at the start, world axes");
+  if (a.dim != 3) return;
+  a.number("area", row.area, "m^2", "area that the faces share");
 }
 
 template <class A>

@@ -12,7 +12,7 @@ struct BodyStress {
       "mean stress of each body from contacts and bearings: xx, yy, xy; tension positive";
   static constexpr RowsOf rows = RowsOf::bodies;
   static constexpr int width = 3;
-  static void take(const FieldSource& from, std::vector<double>& out) {
+  static void take(const FieldSource<2>& from, std::vector<double>& out) {
     for (const MeanStress& s : mean_stress(from.now.model, from.now.state, from.now.work, from.touching))
       out.insert(out.end(), {s.xx, s.yy, s.xy});
   }

@@ -56,11 +56,28 @@ bool lay_joint(const Model<3>& model, const State<3>& state, const Work<3>& work
   return true;
 }
 
+/// Its middle, and the ends of the longer of its two axes, in the world.
+void set_place(const Model<3>& model, const State<3>& state, FaceJoint& joint) {
+  const SeatNow seat(joint.in_a, motion_of(model, state, joint.carrier[0]));
+  joint.place = seat.place;
+  Vec2 low = Vec2::Constant(unbounded), high = -low;
+  for (const Vec2& p : joint.outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const int longer = high.x() - low.x() >= high.y() - low.y() ? 0 : 1;
+  for (const int e : {0, 1}) {
+    Vec2 p = Vec2::Zero();
+    p[longer] = (e == 0 ? low : high)[longer];
+    joint.end[static_cast<std::size_t>(e)] = seat.at(p);
+  }
+}
+
 }  // namespace
 
-/// Of bonded faces the joint that their mortar has, of dry ones what lies flat.
 std::vector<FaceJoint> find_joints(const Model<3>& model) {
-  const State<3> state = start_state(model);
+  return find_joints(model, start_state(model), 0);
+}
+
+/// Of bonded faces the joint that their mortar has, of dry ones what lies flat.
+std::vector<FaceJoint> find_joints(const Model<3>& model, const State<3>& state, int first_body) {
   Work<3> work;
   place(model, state, work);
   find(model, state, work);
@@ -73,6 +90,7 @@ std::vector<FaceJoint> find_joints(const Model<3>& model) {
     FaceJoint joint;
     joint.contact = contact_key(pair.piece_a, pair.piece_b);
     joint.body_a = model.piece_body[pair.piece_a], joint.body_b = model.piece_body[pair.piece_b];
+    if (std::max(joint.body_a, joint.body_b) < first_body) continue;
     const int row = state.contacts.find(joint.contact);
     const JointMemory* memory = row < 0 ? nullptr : state.contacts.joint_at(static_cast<std::size_t>(row));
     if (memory != nullptr && !memory->empty()) {
@@ -81,14 +99,14 @@ std::vector<FaceJoint> find_joints(const Model<3>& model) {
     } else if (!lay_joint(model, state, work, pair, joint)) {
       continue;
     }
-    joint.place = joint_middle(joint, model, state);
+    set_place(model, state, joint);
     joints.push_back(std::move(joint));
   }
   return joints;
 }
 
 JointDisplacement joint_displacement(const FaceJoint& joint, const Model<3>& model, const State<3>& state,
-                         const Work<3>& /*work*/) {
+                                     const Work<3>& /*work*/) {
   const SeatNow a(joint.in_a, motion_of(model, state, joint.carrier[0])),
       b(joint.in_b, motion_of(model, state, joint.carrier[1]));
   const Vec3 normal = a.axes.z(), between = b.place - a.place;

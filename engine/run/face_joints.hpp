@@ -19,8 +19,9 @@ struct FaceJoint {
   JointSeat in_a, in_b;          ///< its place and axes there, the third from a to b: at the start one in the world
   std::vector<Vec2> outline;     ///< the polygon that the faces share, in these axes [m]
   Vec3 place = Vec3::Zero();     ///< its middle at the start [m]
-  double area = 0;               ///< [m2]
-  bool bonded = false;           ///< mortar held it at the start
+  std::array<Vec3, 2> end{Vec3::Zero(), Vec3::Zero()};  ///< ... and where its longer axis ends [m]
+  double area = 0;                                      ///< [m2]
+  bool bonded = false;                                  ///< mortar held it at the start
 };
 
 template <int D>
@@ -29,9 +30,12 @@ using JointOf = std::conditional_t<D == 2, Joint, FaceJoint>;
 /// All joints of the model where it starts, in the order of their contacts. Joints that a bearing stands for, and those
 /// of spheres, are left out.
 std::vector<FaceJoint> find_joints(const Model<3>& model);
+/// The same where its bodies are by `state`, of bodies from `first_body` on with any: their start.
+std::vector<FaceJoint> find_joints(const Model<3>& model, const State<3>& state, int first_body);
 
 /// Opening at the corner of the shared polygon where it is widest, and slip of its middle, as a length.
-JointDisplacement joint_displacement(const FaceJoint& joint, const Model<3>& model, const State<3>& state, const Work<3>& work);
+JointDisplacement joint_displacement(const FaceJoint& joint, const Model<3>& model, const State<3>& state,
+                                     const Work<3>& work);
 
 /// The share of its area whose bond is lost: 0 whole, 1 all; patches that soften count by what they have lost. 0 for a
 /// joint without a bond.

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "run/joints.hpp"
+#include "run/face_joints.hpp"
 #include "run/stage.hpp"
 #include "step/contact_resultants.hpp"
 
@@ -16,10 +16,11 @@ namespace trilith {
 enum class RowsOf : std::uint8_t { joints, bodies };
 
 /// What fields are found from, all of one instant.
+template <int D>
 struct FieldSource {
-  const Instant<2>& now;
-  std::span<const Joint> joints;
-  std::span<const TouchingContact> touching;
+  const Instant<D>& now;
+  std::span<const JointOf<D>> joints;
+  std::span<const TouchingContact> touching;               ///< in the plane
   std::span<const JointDisplacement> joint_displacements;  ///< of each joint
 };
 

@@ -10,7 +10,8 @@ struct JointOpening {
   static constexpr std::string_view sentence = "opening of each joint since the start, at its farther end";
   static constexpr RowsOf rows = RowsOf::joints;
   static constexpr int width = 1;
-  static void take(const FieldSource& from, std::vector<double>& out) {
+  template <int D>
+  static void take(const FieldSource<D>& from, std::vector<double>& out) {
     for (const JointDisplacement& moved : from.joint_displacements) out.push_back(moved.opening);
   }
 };
@@ -20,7 +21,8 @@ struct JointSlip {
   static constexpr std::string_view sentence = "slip of each joint since the start, at its middle";
   static constexpr RowsOf rows = RowsOf::joints;
   static constexpr int width = 1;
-  static void take(const FieldSource& from, std::vector<double>& out) {
+  template <int D>
+  static void take(const FieldSource<D>& from, std::vector<double>& out) {
     for (const JointDisplacement& moved : from.joint_displacements) out.push_back(moved.slip);
   }
 };
@@ -30,8 +32,9 @@ struct JointDamage {
   static constexpr std::string_view sentence = "part of each joint's bond that is lost";
   static constexpr RowsOf rows = RowsOf::joints;
   static constexpr int width = 1;
-  static void take(const FieldSource& from, std::vector<double>& out) {
-    for (const Joint& joint : from.joints) out.push_back(joint_damage(joint, from.now.state));
+  template <int D>
+  static void take(const FieldSource<D>& from, std::vector<double>& out) {
+    for (const JointOf<D>& joint : from.joints) out.push_back(joint_damage(joint, from.now.state));
   }
 };
 

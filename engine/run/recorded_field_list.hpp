@@ -12,11 +12,21 @@
 
 namespace trilith {
 
-using RecordedFieldTypes = TypeList<JointOpening, JointSlip, JointDamage, BodyStress>;
+template <int D>
+struct RecordedFieldsOf;
+template <>
+struct RecordedFieldsOf<2> {
+  using Types = TypeList<JointOpening, JointSlip, JointDamage, BodyStress>;
+};
+/// Stress of bodies that deform is beside them: run/space_stress_field.hpp.
+template <>
+struct RecordedFieldsOf<3> {
+  using Types = TypeList<JointOpening, JointSlip, JointDamage>;
+};
 
 /// What each is asked: /frames/`name` has `width` numbers [`unit`] for each joint or body, which `take` appends.
-template <class F>
-concept RecordedFieldType = requires(const FieldSource& from, std::vector<double>& out) {
+template <class F, int D>
+concept RecordedFieldType = requires(const FieldSource<D>& from, std::vector<double>& out) {
   { F::name } -> std::convertible_to<std::string_view>;
   { F::unit } -> std::convertible_to<std::string_view>;
   { F::sentence } -> std::convertible_to<std::string_view>;
@@ -24,6 +34,7 @@ concept RecordedFieldType = requires(const FieldSource& from, std::vector<double
   { F::width } -> std::convertible_to<int>;
   F::take(from, out);
 };
-static_assert(RecordedFieldTypes::all([]<class F>() { return RecordedFieldType<F>; }));
+static_assert(RecordedFieldsOf<2>::Types::all([]<class F>() { return RecordedFieldType<F, 2>; }));
+static_assert(RecordedFieldsOf<3>::Types::all([]<class F>() { return RecordedFieldType<F, 3>; }));
 
 }  // namespace trilith

@@ -1,55 +1,83 @@
 #include "run/recorded_fields.hpp"
 
 #include "run/recorded_field_list.hpp"
+#include "run/space_stress_field.hpp"
 #include "run/storeys.hpp"
+#include "world/carrier.hpp"
 
 namespace trilith {
 namespace {
 
-results::JointRow row_of(const Model<2>& model, const Joint& joint) {
+void set_place(const Joint& joint, results::JointRow& row) {
+  for (const int k : {0, 1}) row.end_0[k] = joint.place[0][k], row.end_1[k] = joint.place[1][k];
+}
+void set_place(const FaceJoint& joint, results::JointRow& row) {
+  for (const int k : {0, 1, 2}) row.end_0[k] = joint.end[0][k], row.end_1[k] = joint.end[1][k];
+  row.area = joint.area;
+}
+
+bool is_bonded(const Joint& joint) {
+  return joint.bonds != 0;
+}
+bool is_bonded(const FaceJoint& joint) {
+  return joint.bonded;
+}
+
+template <int D>
+results::JointRow row_of(const Model<D>& model, const JointOf<D>& joint) {
   results::JointRow row;
   row.body_a = joint.body_a;
   row.body_b = joint.body_b;
   row.storey = storey_between(model, joint.body_a, joint.body_b);
-  row.bonded = joint.bonds != 0 ? 1 : 0;
-  for (const int k : {0, 1}) row.end_0[k] = joint.place[0][k], row.end_1[k] = joint.place[1][k];
+  row.bonded = is_bonded(joint) ? 1 : 0;
+  set_place(joint, row);
   return row;
 }
 
 }  // namespace
 
-RecordedFields::RecordedFields(const Model<2>& model)
-    : joints_(find_joints(model)),
-      bodies_(model.bodies.size()),
-      values_(joints_.empty() ? 0 : RecordedFieldTypes::size) {}
-
-void RecordedFields::extend(const Model<2>& model, const State<2>& state, int first_body) {
-  for (Joint& joint : find_joints(model, state, first_body)) joints_.push_back(joint);
-  bodies_ = model.bodies.size();
-  if (!joints_.empty()) values_.resize(RecordedFieldTypes::size);
+template <int D>
+RecordedFields<D>::RecordedFields(const Model<D>& model, bool with_joints)
+    : with_joints_(with_joints), bodies_(model.bodies.size()), with_stress_(!model.space_elements.empty()) {
+  if (with_joints) joints_ = find_joints(model);
 }
 
-void RecordedFields::describe(const Model<2>& model, results::Header& header) const {
+template <int D>
+void RecordedFields<D>::extend(const Model<D>& model, const State<D>& state, int first_body) {
+  if (with_joints_)
+    for (JointOf<D>& joint : find_joints(model, state, first_body)) joints_.push_back(std::move(joint));
+  bodies_ = model.bodies.size();
+}
+
+template <int D>
+void RecordedFields<D>::describe(const Model<D>& model, results::Header& header) const {
+  if (with_stress_) describe_space_stress(header);
+  for (const JointOf<D>& joint : joints_) header.joints.push_back(row_of<D>(model, joint));
   if (joints_.empty()) return;
-  for (const Joint& joint : joints_) header.joints.push_back(row_of(model, joint));
-  header.fields.clear();
-  RecordedFieldTypes::for_each([&]<class F>() {
+  RecordedFieldsOf<D>::Types::for_each([&]<class F>() {
     header.fields.push_back({std::string(F::name), std::string(F::unit), std::string(F::sentence),
                              F::rows == RowsOf::joints ? joints_.size() : bodies_, F::width});
   });
 }
 
-const std::vector<std::vector<double>>& RecordedFields::take(const Instant<2>& now,
-                                                             std::span<const TouchingContact> touching) {
+template <int D>
+const std::vector<std::vector<double>>& RecordedFields<D>::take(const Instant<D>& now,
+                                                                std::span<const TouchingContact> touching) {
+  values_.clear();
+  if constexpr (D == 3)
+    if (with_stress_) take_space_stress(now, values_);
   if (joints_.empty()) return values_;
-  motions_.clear();
-  for (const Joint& joint : joints_) motions_.push_back(joint_displacement(joint, now.work));
-  auto values = values_.begin();
-  RecordedFieldTypes::for_each([&]<class F>() {
-    values->clear();
-    F::take({now, joints_, touching, motions_}, *values++);
+  displacements_.clear();
+  for (const JointOf<D>& joint : joints_)
+    displacements_.push_back(joint_displacement(joint, now.model, now.state, now.work));
+  RecordedFieldsOf<D>::Types::for_each([&]<class F>() {
+    values_.emplace_back();
+    F::take(FieldSource<D>{now, joints_, touching, displacements_}, values_.back());
   });
   return values_;
 }
+
+template class RecordedFields<2>;
+template class RecordedFields<3>;
 
 }  // namespace trilith

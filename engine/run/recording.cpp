@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "results/extended.hpp"
-#include "run/space_stress_field.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/element_stress.hpp"
 #include "step/solid_resultants.hpp"
@@ -77,11 +76,9 @@ double wall_clock() {
 
 template <int D>
 results::Header whole_header(const Model<D>& model, const State<D>& state, const RecordingOptions<D>& options,
-                             const std::optional<RecordedFields>& fields, bool with_stress) {
+                             const RecordedFields<D>& fields) {
   results::Header header = recording_header(model, state, options);
-  if (with_stress) describe_space_stress(header);
-  if constexpr (D == 2)
-    if (fields) fields->describe(model, header);
+  fields.describe(model, header);
   return header;
 }
 
@@ -91,13 +88,6 @@ State<D> places_of(const State<D>& state) {
   places.position = state.position;
   places.rotation = state.rotation;
   return places;
-}
-
-std::optional<RecordedFields> fields_of(const Model<2>& model, const RecordingOptions<2>& options) {
-  return options.with_joints ? std::optional<RecordedFields>(model) : std::nullopt;
-}
-std::optional<RecordedFields> fields_of(const Model<3>& /*model*/, const RecordingOptions<3>& /*options*/) {
-  return std::nullopt;
 }
 
 }  // namespace
@@ -165,11 +155,10 @@ void Recording<3>::take_contacts(const Instant<3>& now) {
 template <int D>
 Recording<D>::Recording(std::filesystem::path path, const Model<D>& model, const State<D>& state,
                         RecordingOptions<D> options)
-    : fields_(fields_of(model, options)),
-      with_stress_(!model.space_elements.empty()),
+    : fields_(model, options.with_joints),
       options_(std::move(options)),
       start_(places_of(state)),
-      header_(whole_header(model, start_, options_, fields_, with_stress_)),
+      header_(whole_header(model, start_, options_, fields_)),
       writer_(std::move(path), header_, {options_.sync}),
       with_velocity_(options_.with_velocity),
       flush_frames_(options_.flush_frames),
@@ -187,9 +176,8 @@ void Recording<D>::extend(const Model<D>& model, const State<D>& state, std::vec
     start_.rotation.push_back(model.start_rotation[n]);
   }
   options_.histories = std::move(histories);
-  if constexpr (D == 2)
-    if (fields_) fields_->extend(model, state, static_cast<int>(bodies));
-  results::Header header = whole_header(model, start_, options_, fields_, with_stress_);
+  fields_.extend(model, state, static_cast<int>(bodies));
+  results::Header header = whole_header(model, start_, options_, fields_);
   std::copy(header_.bodies.begin(), header_.bodies.end(), header.bodies.begin());
   header.provenance = header_.provenance;
   header_ = std::move(header);
@@ -229,10 +217,7 @@ void Recording<D>::frame(const Instant<D>& now) {
   row.bearing_state = bearing_state_;
   row.bearing_force = bearing_force_;
   row.bearing_displacement = bearing_displacement_;
-  if constexpr (D == 2)
-    if (fields_) row.fields = fields_->take(now, touching_);
-  if constexpr (D == 3)
-    if (with_stress_) take_space_stress(now, space_fields_), row.fields = space_fields_;
+  row.fields = fields_.take(now, touching_);
   writer_.append_frame(row);
   ++frames_since_;
   // With the first one on the disk, a run that is killed early can be drawn and told.

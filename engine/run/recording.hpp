@@ -78,8 +78,7 @@ class Recording {
   void flush_when_due();
   void flush();
 
-  std::optional<RecordedFields> fields_;  // none in space
-  bool with_stress_;                      // in space: bodies that deform
+  RecordedFields<D> fields_;
   RecordingOptions<D> options_;
   State<D> start_;  // places and turns of the nodes alone
   results::Header header_;
@@ -102,7 +101,6 @@ class Recording {
   std::vector<results::ContactForce> contacts_;
   std::vector<results::BearingState> bearing_state_;
   std::vector<double> bearing_force_, bearing_displacement_, stress_, plastic_, values_;
-  std::vector<std::vector<double>> space_fields_;
 };
 
 }  // namespace trilith

@@ -117,7 +117,7 @@ ModeDamping damping_of(const Model<D>& model, State<D>& rest, const NaturalMode<
   const double scale = tried_speed / (most > 0 ? most : most_turn);
   const Along ahead = forces_along(model, rest, mode, scale), back = forces_along(model, rest, mode, -scale);
   const double critical = 2 * std::sqrt(mode.square);
-  const auto ratio = [&](double more, double less) { return -(more - less) / (2 * scale) / critical; };
+  const auto ratio = [&](double more, double less) { return (less - more) / (2 * scale) / critical; };
   ModeDamping out;
   out.bearings = ratio(ahead.bearings, back.bearings);
   out.elements = ratio(ahead.elements, back.elements);

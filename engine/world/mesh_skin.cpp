@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -85,31 +84,46 @@ const Vec3& normal_of(const Model<3>& model, const SkinFace& f) {
   return model.piece_solid[f.piece].normals[f.face];
 }
 
-std::vector<int> nodes_of(const Model<3>& model, const SkinFace& f) {
-  std::vector<int> nodes;
-  for (const int c : model.piece_solid[f.piece].shape.faces[f.face]) nodes.push_back(node_at(model, f.piece, c));
-  return nodes;
+int first_node_of(const Model<3>& model, const SkinFace& f) {
+  return node_at(model, f.piece, model.piece_solid[f.piece].shape.faces[f.face][0]);
+}
+
+bool has_node(const Model<3>& model, const SkinFace& f, int node) {
+  const auto corners = model.piece_solid[f.piece].shape.faces[f.face];
+  return std::any_of(corners.begin(), corners.end(), [&](int c) { return node_at(model, f.piece, c) == node; });
 }
 
 /// Whether `other`, which has some corner of `piece`, bounds the body there beside the piece's own faces.
 bool bounds(const Model<3>& model, const SkinFace& other, int piece) {
   const ConvexSolid& solid = model.piece_solid[piece];
-  const std::vector<int> corners = nodes_of(model, other);
-  const Vec3 &n = normal_of(model, other), &on = model.start_position[corners[0]];
-  const auto above = [&](int node) { return n.dot(Vec3(model.start_position[node] - on)); };
+  const Vec3 &n = normal_of(model, other), &on = model.start_position[first_node_of(model, other)];
+  const auto above = [&](int corner) { return n.dot(Vec3(model.start_position[node_at(model, piece, corner)] - on)); };
   for (int c = 0; c < model.corners_of(piece); ++c)
-    if (above(node_at(model, piece, c)) > outside * solid.size) return false;
+    if (above(c) > outside * solid.size) return false;
   for (int f = 0; f < solid.shape.faces.count(); ++f) {
-    const std::vector<int> own = nodes_of(model, {piece, f});
-    const bool touches = std::any_of(own.begin(), own.end(), [&](int node) {
-      return std::find(corners.begin(), corners.end(), node) != corners.end();
-    });
-    if (solid.is_surface(f) && touches && solid.normals[f].dot(n) > smooth) return false;
-    const bool in_plane =
-        std::all_of(own.begin(), own.end(), [&](int node) { return above(node) > -outside * solid.size; });
-    if (!solid.is_surface(f) && in_plane) return false;
+    const auto own = solid.shape.faces[f];
+    if (solid.is_surface(f)) {
+      const auto touches = [&](int c) { return has_node(model, other, node_at(model, piece, c)); };
+      if (solid.normals[f].dot(n) > smooth && std::any_of(own.begin(), own.end(), touches)) return false;
+    } else if (std::all_of(own.begin(), own.end(), [&](int c) { return above(c) > -outside * solid.size; })) {
+      return false;
+    }
   }
   return true;
+}
+
+/// Faces of other pieces that have some corner of a piece, in order.
+std::vector<SkinFace> faces_around(const Model<3>& model, int piece,
+                                   const std::map<int, std::vector<SkinFace>>& faces_at) {
+  std::vector<SkinFace> others;
+  for (int c = 0; c < model.corners_of(piece); ++c)
+    if (const auto at = faces_at.find(node_at(model, piece, c)); at != faces_at.end())
+      for (const SkinFace& f : at->second)
+        if (f.piece != piece) others.push_back(f);
+  std::sort(others.begin(), others.end());
+  const auto same = [](const SkinFace& a, const SkinFace& b) { return a.piece == b.piece && a.face == b.face; };
+  others.erase(std::unique(others.begin(), others.end(), same), others.end());
+  return others;
 }
 
 }  // namespace
@@ -119,24 +133,20 @@ void find_bounds(Model<3>& model, int first_piece) {
   for (int p = first_piece; p < model.pieces(); ++p)
     for (int f = 0; f < model.piece_solid[p].shape.faces.count(); ++f) {
       if (!model.piece_solid[p].is_surface(f)) continue;
-      for (const int node : nodes_of(model, {p, f})) faces_at[node].push_back({p, f});
+      for (const int c : model.piece_solid[p].shape.faces[f]) faces_at[node_at(model, p, c)].push_back({p, f});
     }
+  std::vector<Vec3> normals;
   for (int p = first_piece; p < model.pieces(); ++p) {
-    std::set<SkinFace> others;
-    for (int c = 0; c < model.corners_of(p); ++c)
-      for (const SkinFace& f : faces_at[node_at(model, p, c)])
-        if (f.piece != p) others.insert(f);
-    for (const SkinFace& f : others) {
+    normals.clear();
+    for (const SkinFace& f : faces_around(model, p, faces_at)) {
       if (!bounds(model, f, p)) continue;
       // Faces in one plane bound it once.
+      const Vec3& n = normal_of(model, f);
+      if (std::any_of(normals.begin(), normals.end(), [&](const Vec3& o) { return o.dot(n) >= -opposed_enough; }))
+        continue;
+      normals.push_back(n);
       model.piece_bounds.resize(static_cast<std::size_t>(model.pieces()));
-      std::vector<int>& list = model.piece_bounds[p];
-      const bool known = std::any_of(list.begin(), list.end(), [&](int fit) {
-        const Fit& of = model.fits[fit];
-        const Fitted there = fitted(model, of, model.start_position, model.start_velocity);
-        return there.axes.col(2).dot(normal_of(model, f)) >= -opposed_enough;
-      });
-      if (!known) list.push_back(model.piece_fit[f.piece] + 1 + f.face);
+      model.piece_bounds[p].push_back(model.piece_fit[f.piece] + 1 + f.face);
     }
   }
 }

@@ -2,10 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "near.hpp"
 #include "physics/solid_bodies.hpp"
+#include "results/reader.hpp"
 #include "run/body_forces.hpp"
+#include "run/recording.hpp"
 #include "run/simulation.hpp"
 #include "run/storey_damage.hpp"
 #include "world/pose.hpp"
@@ -118,6 +121,9 @@ TEST_CASE("joints in space are the faces that lie on each other, with their area
       CHECK(near(area, 2 * 1 + 1 * 2 + 2 * 1 + 1, 1e-9));
       const FaceJoint& top = joint_of(joints, floor_body, high_body);
       CHECK((turn_of(turn).undo(top.place) - Vec3(0.2, 0.1, 2.5)).norm() < 1e-9);
+      // Of the joint of the two low units the longer axis is upright.
+      const FaceJoint& between = joint_of(joints, low_left, low_right);
+      CHECK((between.end[1] - between.end[0]).cwiseAbs().isApprox(turn_of(turn).apply(Vec3(0, 0, 2)).cwiseAbs(), 1e-9));
     }
 }
 
@@ -133,8 +139,7 @@ TEST_CASE("a lifted, shifted and turned stone opens its joint in space and slips
     state.position[high_body] += turn_of(turn).apply(Vec3(shift + Vec3(0, 0, lift)));
     state.rotation[high_body] = tilt * state.rotation[high_body];
     const Work<3> work = evaluated_at(model, state);
-    const JointDisplacement top =
-        joint_displacement(joint_of(joints, floor_body, high_body), model, state, work);
+    const JointDisplacement top = joint_displacement(joint_of(joints, floor_body, high_body), model, state, work);
     // The bottom corners are .5 m beside and .5 m below the centroid; the tilt lifts those at +y.
     const double c = std::cos(angle), s = std::sin(angle);
     CHECK(near(top.opening, lift + 0.5 * s + 0.5 * (1 - c), 1e-9));
@@ -223,6 +228,45 @@ TEST_CASE("base shear in space is what accelerates all that stands on the base, 
   sim.run(stage, listener);
   CHECK(largest > 0.5 * mass * std::sqrt(5.0));
   CHECK(worst / (mass * 10) < 1e-9);
+}
+
+TEST_CASE("a results file of solids has their joints, and what became of each at every frame") {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "trilith_space_joints_test.h5";
+  std::filesystem::remove(path);
+  Simulation<3> sim(small_house(found_mortar));
+  sim.edit([](Model<3>& m) { m.gravity.field = Vec3(40, 0, -9.80665); });  // bonds of .1 MPa break
+  {
+    RecordingOptions<3> options;
+    options.with_joints = true;
+    Recording<3> recording(path, sim.model(), sim.state(), options);
+    StageOptions stage;
+    stage.duration = 0.1, stage.frame_interval = 0.02;
+    sim.run(stage, recording.listener());
+    recording.finish();
+  }
+  const results::ResultsReader reader(path);
+  const results::Header& header = reader.header();
+  REQUIRE(header.joints.size() == 6);
+  double area = 0;
+  std::array<int, 3> of_storey{};
+  for (const results::JointRow& joint : header.joints) area += joint.area, ++of_storey.at(joint.storey);
+  CHECK(near(area, 7, 1e-9));
+  CHECK(of_storey == std::array<int, 3>{0, 5, 1});
+  REQUIRE(header.fields.size() == 3);
+  const results::Frame last = reader.frame(reader.frame_count() - 1), first = reader.frame(0);
+  sim.refresh();
+  const std::vector<FaceJoint> joints = find_joints(small_house(found_mortar));
+  double lost = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const JointDisplacement moved = joint_displacement(joints[i], sim.model(), sim.state(), sim.work());
+    CHECK(last.fields[0][i] == moved.opening);
+    CHECK(last.fields[1][i] == moved.slip);
+    CHECK(last.fields[2][i] == joint_damage(joints[i], sim.state()));
+    CHECK(first.fields[2][i] == 0);
+    lost += last.fields[2][i];
+  }
+  CHECK(lost > 1);
+  std::filesystem::remove(path);
 }
 
 TEST_CASE("the line of thrust in space leaves the middle by height and tilt, along both axes") {
