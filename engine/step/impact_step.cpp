@@ -7,6 +7,7 @@
 
 #include "body/rigid_turn.hpp"
 #include "detect/solid_pairs.hpp"
+#include "step/bearing_blows.hpp"
 #include "step/nearing.hpp"
 #include "step/stable_step.hpp"
 
@@ -255,6 +256,7 @@ double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, 
 
   list_pairs(model, state, work, dt, quiet_part * share * put_in);
   put_in += list_blows(model, state, work, dt);
+  put_in += list_bearing_blows(model, state, work, dt);
   const double time = time_for(own.blows, dt, 2 * options.accuracy * put_in);
   // No more than a blow of all the energy asks for at the highest frequency there is, w dt = 2 safety.
   const double shortest = dt * std::sqrt(2 * options.accuracy) / (2 * options.safety);

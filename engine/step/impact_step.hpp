@@ -9,7 +9,8 @@
 //     sum over contacts of (k v^2 / 2 + k^2 d^2 / 2 mu) dt^2 <= 2 accuracy E,
 //
 // mu the mass of both together and E the energy that has been put in so far. What comes into contact later than that is
-// reached by a step that ends where it touches.
+// reached by a step that ends where it touches. Contacts count, and bearings that close and open: gaps, pounding,
+// cables.
 #pragma once
 
 #include "world/model.hpp"

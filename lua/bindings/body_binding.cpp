@@ -7,6 +7,7 @@
 #include "body_reading.hpp"
 #include "bridge_book.hpp"
 #include "handles.hpp"
+#include "reaction_binding.hpp"
 #include "space_frame_binding.hpp"
 #include "step/element_stress.hpp"
 #include "table_fields.hpp"
@@ -201,6 +202,10 @@ const std::array body_properties{
     BodyProperty{"sxy", "Pa", "mean shear stress of a deformable body", stress_along<&Stress::xy, 3>},
     in_space(BodyProperty{"syz", "Pa", "mean shear stress of y and z of a deformable body, in space", space_stress<4>}),
     in_space(BodyProperty{"szx", "Pa", "mean shear stress of z and x of a deformable body, in space", space_stress<5>}),
+    BodyProperty{"reaction_x", "N", "force along x of what holds or drives it, its supports and motions",
+                 [](const BodyHandle& b) { return reaction_along(b, 0); }},
+    BodyProperty{"reaction_y", "N", "... along y", [](const BodyHandle& b) { return reaction_along(b, 1); }},
+    in_space(BodyProperty{"reaction_z", "N", "... along z", [](const BodyHandle& b) { return reaction_along(b, 2); }}),
     BodyProperty{"plastic", "1", "mean plastic measure of a deformable body",
                  [](const BodyHandle& b) {
                    if (as_space(b.model()) != nullptr)
@@ -236,6 +241,9 @@ int body_point(lua_State* L) {
 }
 
 const std::array body_methods{
+    Method{"reactions", guarded<push_body_reactions>,
+           "reactions(): what holds or drives each of its nodes: list of {x, y, fx, fy, m}; in space with z, fz and "
+           "mx, my, mz for m"},
     Method{"point", guarded<body_point>,
            "point{x, y}: x and y now of the point that was there at the start; in space z too, and of joints by name"},
     Method{"hinges", guarded<push_member_hinges>, "hinges(member): plastic hinges at the ends of a member of a frame",

@@ -4,7 +4,9 @@
 #include "part_reading.hpp"
 #include "solid_makers.hpp"
 #include "step/member_forces.hpp"
+#include "step/whole_body.hpp"
 #include "table_fields.hpp"
+#include "world/element_place.hpp"
 #include "world/pose.hpp"
 
 namespace trilith::script {
@@ -282,6 +284,8 @@ int push_space_point(lua_State* L, SpaceModel& m, int body) {
   const Simulation<3>* const run = m.if_built();
   if (run == nullptr || !m.has_body(body)) return push_place(L, start), 3;
   const Model<3>& model = run->model();
+  if (is_of_elements(model.bodies[static_cast<std::size_t>(body)]))
+    return push_place(L, element_place(model, run->state(), body, start)), 3;
   const Tie<3> tie = tie_point(model, body, start);
   const trilith::BodyMotion now = trilith::motion_of(model, run->state(), tie.node[0]);
   push_place(L, now.place + turn_of(now.rotation).apply(tie.arm[0]));

@@ -16,6 +16,9 @@ out_of_place  number m = 0.0254  a unit that moved by more is out of place (an i
   { "body:point", "Where the point is now that was there at the start: x and y, in space z too.",
     args = "place  place  {x, y} at the start; in space {x, y, z} or the name of a frame's joint",
     gives = "number, number" },
+  { "body:reactions", "What holds or drives each node of a body that is held or driven: { x, y, fx, fy, m }, in "
+    .. "space { x, y, z, fx, fy, fz, mx, my, mz }; the force that the support has on it, its own weight and "
+    .. "inertia with it. Sums are body.reaction_x, reaction_y and, in space, reaction_z.", gives = "table[]" },
   { "model:contacts", "Contacts that carry force: { a, b, law, hold, slip, normal, shear, point, force }; point and "
     .. "force are {x, y}, the force that acts on b. In space {x, y, z}, and area and direction, of the normal, too.",
     keys = "between  two bodies?  or sets, or names", gives = "table[]" },

@@ -16,7 +16,8 @@ local function house(law)
   m:contact { between = { "*", "*" }, law = law }
   local walls = m:building { name = "h", material = "stone", fixed = "base", unit_length = 0.4, unit_height = 0.2,
     walls = { { name = "front", from = { 0, 0.1 }, to = { 2.4, 0.1 } },
-      { name = "back", from = { 0, 1.9 }, to = { 2.4, 1.9 } }, { name = "left", from = { 0.1, 0.1 }, to = { 0.1, 1.9 } },
+      { name = "back", from = { 0, 1.9 }, to = { 2.4, 1.9 } },
+      { name = "left", from = { 0.1, 0.1 }, to = { 0.1, 1.9 } },
       { name = "right", from = { 2.3, 0.1 }, to = { 2.3, 1.9 } } },
     storeys = { { courses = 4, slab_height = 0.2 }, { courses = 3, slab_height = 0.2 } }, base_height = 0.3,
     base_margin = 1 }
@@ -60,13 +61,14 @@ do
     "an upright push has no drift")
 end
 
--- A dry house pushed along -y at its upper floor, which slides: it ends by the drift of its second storey along the push.
+-- A dry house pushed along -y at its upper floor, which slides: it ends by the drift of its second storey along that.
 do
   local m, walls = house(trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.5, beta = 1e-4 })
   m:consolidate { ratio = 1e-4 }
   m:history { name = "drift", storey = 2, what = "drift_y" }
   local floor = m:body "h.s2.floor"
-  local push = m:pushover { body = floor, direction = "-y", rate = 0.02, storey = 2, drift = 0.004, displacement = 0.01 }
+  local push = m:pushover { body = floor, direction = "-y", rate = 0.02, storey = 2, drift = 0.004,
+    displacement = 0.01 }
   assert(push.limit == "drift", push.limit)
   near(push.drift, 0.004, 0.02)
   near(m.storeys[2].drift_y, -0.004, 0.05)

@@ -1,0 +1,122 @@
+#include "step/bearing_blows.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "bearing/clearance.hpp"
+#include "step/bearing_motion.hpp"
+
+namespace trilith {
+namespace {
+
+/// What a unit force along `e` at a place gives a node there of itself, 1 / mass; where it turns, with what it turns by
+/// [1/kg].
+double yielding_of_node(const Model<2>& model, const State<2>& state, int node, const Vec2& at, const Vec2& e) {
+  if (!model.moves(node)) return 0;
+  const double lever = cross(Vec2(at - state.position[node]), e), inertia = model.inertia[node];
+  return 1 / model.mass[node] + (inertia > 0 ? lever * lever / inertia : 0);
+}
+double yielding_of_node(const Model<3>& model, const State<3>& state, int node, const Vec3& at, const Vec3& e) {
+  if (!model.moves(node)) return 0;
+  const Vec3 lever = turn_of(state.rotation[node]).undo(cross(Vec3(at - state.position[node]), e));
+  double sum = 1 / model.mass[node];
+  for (const int k : {0, 1, 2})
+    if (model.inertia[node][k] > 0) sum += lever[k] * lever[k] / model.inertia[node][k];
+  return sum;
+}
+
+/// The same of the end of a bearing, by the weights of its nodes.
+double yielding(const Model<2>& model, const State<2>& state, const Tie<2>& tie, const Vec2& at, const Vec2& e) {
+  double sum = 0;
+  for (int i = 0; i < tie.nodes; ++i)
+    sum += tie.weight[i] * tie.weight[i] * yielding_of_node(model, state, tie.node[i], at, e);
+  return sum;
+}
+double yielding(const Model<3>& model, const State<3>& state, const Tie<3>& tie, const Vec3& at, const Vec3& e) {
+  if (tie.node[0] >= 0) return yielding_of_node(model, state, tie.node[0], at, e);
+  double mass = 0;
+  const Fit& fit = model.fits[static_cast<std::size_t>(-1 - tie.node[0])];
+  for (int i = 0; i < fit.nodes; ++i)
+    if (model.moves(fit.node[static_cast<std::size_t>(i)])) mass += model.mass[fit.node[static_cast<std::size_t>(i)]];
+  return mass > 0 ? 1 / mass : 0;
+}
+
+/// A unit couple about an axis of the bearing gives a node, 1 / inertia [1/(kg m2)].
+double yielding_turn(const Model<2>& model, const State<2>& /*state*/, int node, const Vec2& /*axis*/) {
+  return model.moves(node) && model.inertia[node] > 0 ? 1 / model.inertia[node] : 0;
+}
+double yielding_turn(const Model<3>& model, const State<3>& state, int node, const Vec3& axis) {
+  if (node < 0 || !model.moves(node)) return 0;
+  const Vec3 own = turn_of(state.rotation[node]).undo(axis);
+  double sum = 0;
+  for (const int k : {0, 1, 2})
+    if (model.inertia[node][k] > 0) sum += own[k] * own[k] / model.inertia[node][k];
+  return sum;
+}
+
+/// Of both ends along direction k: 1 / mass, or for a turn 1 / inertia.
+template <int D>
+double yielding_along(const Model<D>& model, const State<D>& state, const Bearing<D>& b, const BearingMotion<D>& motion,
+                      int k) {
+  std::array<double, Space<D>::dofs> unit{};
+  unit[static_cast<std::size_t>(k)] = 1;
+  if (k < Directions<D>::first_turning) {
+    const Vec<D> e = motion.force(unit);
+    return yielding(model, state, b.end_a, motion.point, e) + yielding(model, state, b.end_b, motion.point, e);
+  }
+  Vec<D> axis = Vec<D>::Zero();
+  if constexpr (D == 3) axis = motion.moment(unit);
+  return yielding_turn(model, state, b.end_a.turn[0], axis) + yielding_turn(model, state, b.end_b.turn[0], axis);
+}
+
+bool may_close(const DirectionLaw& law) {
+  return std::visit([](const auto& l) { return ClosesAndOpens<std::decay_t<decltype(l)>>; }, law);
+}
+
+/// One way of a direction: how far from closing, how fast it closes, how stiff it is then.
+struct Closing {
+  double gap, speed, stiffness;  ///< [m], [m/s], [N/m]
+};
+
+/// Calls f with both ways of direction k, where its law closes and opens.
+template <int D, class F>
+void each_closing(const Bearing<D>& b, const BearingMemory<D>& memory, const BearingMotion<D>& motion, std::size_t k,
+                  F&& f) {
+  std::visit(
+      [&](const auto& law) {
+        if constexpr (ClosesAndOpens<std::decay_t<decltype(law)>>)
+          for (const double way : {1.0, -1.0})
+            f(Closing{clearance(law, memory.direction[k], motion.displacement[k], way), way * motion.rate[k],
+                      law.stiffness});
+      },
+      b.law[k]);
+}
+
+}  // namespace
+
+template <int D>
+double list_bearing_blows(const Model<D>& model, const State<D>& state, Work<D>& work, double dt) {
+  ImpactWork& own = work.impacts;
+  double stored = 0;
+  for (std::size_t i = 0; i < model.bearings.size(); ++i) {
+    const Bearing<D>& b = model.bearings[i];
+    if (!is_live(state.bearing[i].status) || (own.counts[b.body_a] == 0 && own.counts[b.body_b] == 0)) continue;
+    if (std::none_of(b.law.begin(), b.law.end(), may_close)) continue;
+    const BearingMotion<D> motion = bearing_motion(model, state, i);
+    for (std::size_t k = 0; k < b.law.size(); ++k)
+      each_closing(b, state.bearing[i], motion, k, [&](const Closing& c) {
+        if (c.gap > 0 && !(c.gap < c.speed * dt)) return;
+        const double depth = std::max(-c.gap, 0.0), force = c.stiffness * depth;
+        stored += 0.5 * force * depth;
+        const double yielding = depth > 0 ? yielding_along(model, state, b, motion, static_cast<int>(k)) : 0;
+        own.blows.push_back(
+            {c.gap > 0 ? c.gap / c.speed : 0, 0.5 * (c.stiffness * c.speed * c.speed + force * force * yielding)});
+      });
+  }
+  return stored;
+}
+
+template double list_bearing_blows(const Model<2>&, const State<2>&, Work<2>&, double);
+template double list_bearing_blows(const Model<3>&, const State<3>&, Work<3>&, double);
+
+}  // namespace trilith
