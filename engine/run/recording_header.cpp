@@ -10,6 +10,7 @@
 
 #include "results/provenance.hpp"
 #include "world/pose.hpp"
+#include "world/skin_places.hpp"
 
 namespace trilith {
 namespace {

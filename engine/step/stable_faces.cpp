@@ -4,6 +4,7 @@
 #include "step/local_springs.hpp"
 #include "step/stable_step.hpp"
 #include "world/pose.hpp"
+#include "world/skin_places.hpp"
 
 namespace trilith {
 namespace {

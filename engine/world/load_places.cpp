@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "world/loads.hpp"
 #include "world/pose.hpp"
+#include "world/skin_places.hpp"
 
 namespace trilith {
 namespace {

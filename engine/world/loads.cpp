@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "world/pose.hpp"
+#include "world/skin_places.hpp"
 
 namespace trilith {
 namespace {

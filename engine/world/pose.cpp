@@ -11,6 +11,7 @@
 #include "body/corotation_3d.hpp"
 #include "body/solid_element.hpp"
 #include "shape/face_distance.hpp"
+#include "world/skin_places.hpp"
 
 namespace trilith {
 namespace {
@@ -281,16 +282,6 @@ int body_of_node(const Model<D>& model, int node) {
   const auto after = std::upper_bound(model.bodies.begin(), model.bodies.end(), node,
                                       [](int n, const Body& b) { return n < b.first_node; });
   return static_cast<int>(after - model.bodies.begin()) - 1;
-}
-
-Vec2 skin_start(const Model<2>& model, int skin) {
-  const int n = model.skin_node[skin];
-  return model.start_position[n] + Turn(model.start_rotation[model.skin_turn[skin]]).apply(model.skin_place[skin]);
-}
-
-Vec2 skin_place(const Model<2>& model, const State<2>& state, int skin) {
-  return state.position[model.skin_node[skin]] +
-         Turn(state.rotation[model.skin_turn[skin]]).apply(model.skin_place[skin]);
 }
 
 Tie<2> tie_point(const Model<2>& model, int body, const Vec2& at, const std::string& owner) {

@@ -45,9 +45,6 @@ Tie<3> tie_point(const Model<3>& model, int body, const Vec3& at);
 /// The body that a node belongs to.
 template <int D>
 int body_of_node(const Model<D>& model, int node);
-/// Where a skin point stands at the start, and now [m].
-Vec2 skin_start(const Model<2>& model, int skin);
-Vec2 skin_place(const Model<2>& model, const State<2>& state, int skin);
 
 /// Ties the point of a body that is at `at` [m] at the start. On a body that deforms: in the element it lies in, or
 /// whose edge is nearest; throws InputError where it is farther from the body than a hundredth of its size.

@@ -12,6 +12,7 @@
 #include "step/element_stress.hpp"
 #include "table_fields.hpp"
 #include "world/pose.hpp"
+#include "world/skin_places.hpp"
 
 namespace trilith::script {
 namespace {
@@ -53,9 +54,9 @@ void push_outline(lua_State* L, const BodyHandle& b) {
   lua_newtable(L);
   lua_Integer i = 0;
   for (const Vec2& p : spec(b).outline) {
-    const Vec2 at =
-        deforms ? skin_place(s->model(), s->state(), s->model().bodies[b.index].first_skin + static_cast<int>(i))
-                : Vec2(now + turn.apply(Vec2(p - start)));
+    const Vec2 at = deforms
+                        ? skin_now(s->model(), s->state(), s->model().bodies[b.index].first_skin + static_cast<int>(i))
+                        : Vec2(now + turn.apply(Vec2(p - start)));
     lua_createtable(L, 2, 0);
     for (int k = 0; k < 2; ++k) {
       lua_pushnumber(L, at[k]);

@@ -3,6 +3,7 @@
 #include "physics/frames.hpp"
 #include "world/energy_check.hpp"
 #include "world/pose.hpp"
+#include "world/skin_places.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -38,7 +39,7 @@ TEST_CASE("F13: a loaded beam lifts off its bed where a beam on a bed without te
     std::vector<Vec2> underside;  // of the right half, from the middle on
     for (int s = beam.first_skin; s < beam.first_skin + beam.skins; ++s)
       if (const Vec2 start = skin_start(model, s); start.y() < 0.01 && start.x() >= 0)
-        underside.push_back(skin_place(model, sim.state(), s));
+        underside.push_back(skin_now(model, sim.state(), s));
     std::sort(underside.begin(), underside.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
     for (std::size_t i = 1; i < underside.size() && touching == 0; ++i)
       if (const Vec2& p = underside[i - 1], &q = underside[i]; p.y() < 0 && q.y() >= 0)
