@@ -52,6 +52,7 @@ local house = m:building {
 print(("%d solids, %.1f t without the base"):format(#house, 1e-3*(house - "house.base").mass))
 
 m:results { file = p.out, frames = 0.05*s, energy = 0.05*s }
+for i = 1, 2 do m:history { name = ("drift of storey %d across"):format(i), storey = i, what = "drift_y" } end
 m:consolidate { ratio = 1e-4, fresh = true, duration = 20*s, safety = 0.8 } -- the mortar sets under the weight
 local bonds = 0
 for _, c in ipairs(m:contacts()) do if c.hold == "bonded" then bonds = bonds + 1 end end
@@ -90,5 +91,9 @@ if bonds > 0 then
 end
 for _, wall in ipairs { "front.s2", "left.s2", "right.s2", "front.s1", "left.s1", "right.s1" } do
   print(("%-8s %2d of %2d stones out of place by 10 cm"):format(wall, apart[wall], all[wall]))
+end
+for _, row in ipairs(house:damage_by_storey()) do
+  print(("storey %d: %3d of %d joints are open or have slid by half an inch, drift across %4.0f mm"):format(row.storey,
+    row.joints_apart, row.joints, 1e3*m.storeys[row.storey].drift_y))
 end
 print(("%s after %.2f s"):format(report.ending, report.ended - report.begun))

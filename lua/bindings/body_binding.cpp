@@ -203,10 +203,12 @@ const std::array body_properties{
     BodyProperty{"sxy", "Pa", "mean shear stress of a deformable body", stress_along<&Stress::xy, 3>},
     in_space(BodyProperty{"syz", "Pa", "mean shear stress of y and z of a deformable body, in space", space_stress<4>}),
     in_space(BodyProperty{"szx", "Pa", "mean shear stress of z and x of a deformable body, in space", space_stress<5>}),
-    BodyProperty{"reaction_x", "N", "force along x of what holds or drives it, its supports and motions",
+    BodyProperty{"reaction_x", "N", "force along x of what holds or drives it",
                  [](const BodyHandle& b) { return reaction_along(b, 0); }},
-    BodyProperty{"reaction_y", "N", "... along y", [](const BodyHandle& b) { return reaction_along(b, 1); }},
-    in_space(BodyProperty{"reaction_z", "N", "... along z", [](const BodyHandle& b) { return reaction_along(b, 2); }}),
+    BodyProperty{"reaction_y", "N", "force along y of what holds or drives it",
+                 [](const BodyHandle& b) { return reaction_along(b, 1); }},
+    in_space(BodyProperty{"reaction_z", "N", "force along z of what holds or drives it",
+                          [](const BodyHandle& b) { return reaction_along(b, 2); }}),
     BodyProperty{"plastic", "1", "mean plastic measure of a deformable body",
                  [](const BodyHandle& b) {
                    if (as_space(b.model()) != nullptr)
