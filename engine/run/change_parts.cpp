@@ -1,4 +1,5 @@
 // Bodies and bearings of a simulation that go, come back, or come new.
+#include <algorithm>
 #include <utility>
 
 #include "run/simulation.hpp"
@@ -50,6 +51,38 @@ void Simulation<D>::alter(const std::function<void(Model<D>&)>& change, std::spa
   drop_step();
 }
 
+namespace {
+
+/// Something has moved, or been found at rest: the ledger has begun.
+template <int D>
+bool has_begun(const State<D>& state) {
+  return state.step > 0 ||
+         std::any_of(state.given.value.begin(), state.given.value.end(), [](double given) { return given != 0; });
+}
+
+}  // namespace
+
+/// Most motions are given to what stands: that is no change of what is free, and costs nothing.
+template <int D>
+void Simulation<D>::change_supports(const std::function<void(Model<D>&)>& change) {
+  unscale_masses();
+  Model<D> changed = model_;
+  change(changed);
+  hold_left(changed, state_);
+  const SupportChange what = support_change(model_, changed);
+  if (!has_begun(state_) || !(what.frees || what.stops)) {
+    model_ = std::move(changed);
+    edited();
+    return;
+  }
+  change_parts([&](const StepOptions& options) {
+    return trilith::change_supports(model_, state_, work_, options, std::move(changed));
+  });
+  if (what.frees) drop_step();
+}
+
+template void Simulation<2>::change_supports(const std::function<void(Model<2>&)>&);
+template void Simulation<3>::change_supports(const std::function<void(Model<3>&)>&);
 template void Simulation<2>::alter(const std::function<void(Model<2>&)>&, std::span<const int>);
 template void Simulation<3>::alter(const std::function<void(Model<3>&)>&, std::span<const int>);
 template void Simulation<2>::remove(const Parts&);

@@ -89,13 +89,16 @@ class Simulation {
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   /// For changes between stages (supports, drives, damping, gravity), or at the border of a step.
   Model<D>& edit_model();
-  /// The same by a function; where it frees a degree of freedom, drop_step.
+  /// The same by a function; where it frees a degree of freedom, drop_step. Not of supports and drives in mid-run.
   void edit(const std::function<void(Model<D>&)>& change);
   /// Bodies and bearings go, come back, or come new, between stages or at the border of a step: see step/take_out.hpp.
   /// What that was is told at the next instant of a stage.
   void remove(const Parts& parts);
   void put_back(const Parts& parts);
   void grow(Model<D> grown);
+  /// An edit of supports and drives: what is freed begins at this instant, and the ledger has what moved or begins to
+  /// count. Before anything has run it is an edit like others.
+  void change_supports(const std::function<void(Model<D>&)>& change);
   /// An edit of laws, whose difference of energy the ledger has; bearings of `begun` begin anew by theirs.
   void alter(const std::function<void(Model<D>&)>& change, std::span<const int> begun);
   /// The length of the step is looked for anew before the next one: what was freed may need a shorter one.

@@ -1,11 +1,14 @@
 #include "step/take_out.hpp"
 
 #include <algorithm>
+#include <optional>
 
+#include "step/begin_anew.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/displacement_control.hpp"
 #include "step/evaluate.hpp"
-#include "step/implicit_step.hpp"
+#include "step/implicit_turn.hpp"
+#include "step/node_forces.hpp"
 #include "step/start.hpp"
 #include "world/pose.hpp"
 
@@ -112,6 +115,18 @@ void book(State<D>& state, Work<D>& work, EnergyTerm term, double lost) {
   work.given[term] += amount;
 }
 
+/// Whether a body that is back is free to move.
+template <int D>
+bool comes_free(const Model<D>& model, std::span<const int> bodies) {
+  return std::any_of(model.set_aside.begin(), model.set_aside.end(), [&](const SetAside<D>& s) {
+    const bool is_free = std::count(s.support.begin(), s.support.end(), Support::free) > 0;
+    return is_free && std::any_of(bodies.begin(), bodies.end(), [&](int body) {
+             const Body& b = model.bodies[body];
+             return s.node >= b.first_node && s.node < b.first_node + b.nodes;
+           });
+  });
+}
+
 /// A body that is back stands still where it is, held as it was before.
 template <int D>
 void bring_back(Model<D>& model, State<D>& state, int body) {
@@ -176,8 +191,10 @@ std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const
 template <int D>
 std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                             const Parts& parts) {
-  const double before = energy_now(model, state, work, options).balance();
   std::vector<Event> events;
+  std::optional<BegunAnew<D>> anew;
+  if (comes_free(model, parts.bodies)) events = anew.emplace(model, state, work).events();
+  const double before = energy_now(model, state, work, options).balance();
   for (const int b : parts.bodies) {
     bring_back(model, state, b);
     events.push_back(body_event(model, state, EventType::body_added, b));
@@ -189,6 +206,7 @@ std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, con
     events.push_back(bearing_event_of(model, state, EventType::bearing_added, static_cast<std::size_t>(i)));
   }
   book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
+  if (anew) anew->go_on(model, state, work);
   return events;
 }
 
@@ -207,26 +225,75 @@ void alter(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& o
   book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
 }
 
+namespace {
+
+/// Degrees of freedom that were held begin at the speed that they have by their motions, 0 where they stood. Returns the
+/// energy of motion that this is [J]: of what is driven the ledger knows none.
+template <int D>
+double begin_freed(const Model<D>& model, const Model<D>& changed, State<D>& state) {
+  double moved = 0;
+  for (int n = 0; n < model.nodes(); ++n)
+    for (int k = 0; k < Space<D>::dofs; ++k) {
+      if (model.support[n][k] == Support::free || changed.support[n][k] != Support::free) continue;
+      const int drive = model.drive_of[n][k], axis = k - Space<D>::translations;
+      const double speed =
+          drive < 0 ? 0 : model.drives[drive].motion->velocity(state.time - model.drives[drive].start);
+      (axis < 0 ? state.velocity[n][k] : number_at(axis, state.spin[n])) = speed;
+      moved += 0.5 * mass_of(model, state, n)[k] * speed * speed;
+    }
+  return moved;
+}
+
+}  // namespace
+
+template <int D>
+SupportChange support_change(const Model<D>& model, const Model<D>& changed) {
+  SupportChange out;
+  for (int n = 0; n < model.nodes(); ++n)
+    for (int k = 0; k < Space<D>::dofs; ++k) {
+      const bool was = model.support[n][k] == Support::free, is = changed.support[n][k] == Support::free;
+      out.frees = out.frees || (is && !was), out.stops = out.stops || (was && !is);
+    }
+  return out;
+}
+
+/// Contacts between bodies that are held hold no energy, so that one that is freed brings what it presses, and one that
+/// is stopped takes that along with its motion. What a motion has moved comes from its supports.
+template <int D>
+std::vector<Event> change_supports(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
+                                   Model<D> changed) {
+  const bool frees = support_change(model, changed).frees;
+  std::optional<BegunAnew<D>> anew;
+  if (frees) anew.emplace(model, state, work);
+  const double before = energy_now(model, state, work, options).balance();
+  if (frees) state.given[EnergyTerm::support] += begin_freed(model, changed, state);
+  model = std::move(changed);
+  book(state, work, frees ? EnergyTerm::added : EnergyTerm::removed,
+       before - balance_anew(model, state, work, options));
+  if (!anew) return {};
+  anew->go_on(model, state, work);
+  return anew->events();
+}
+
 /// The grown model holds all that was there under the same numbers, so the state is only made longer. Contacts within
 /// `reach` of a new body are bonded as they would be at the start.
 template <int D>
 std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, Model<D> grown,
                         double reach) {
+  const BegunAnew<D> anew(model, state, work);
   const double before = energy_now(model, state, work, options).balance();
   const std::size_t bodies = model.bodies.size(), bearings = model.bearings.size();
-  // Velocities of explicit steps stand half a step behind, those of what is new do not: all are brought to this
-  // instant.
-  if (!state.implicit()) begin_implicit(model, state, work), begin_explicit(model, state, work);
   model = std::move(grown);
   extend_state(state, model);
   work.drop();
   set_bonds(model, state, reach, static_cast<int>(bodies));
-  std::vector<Event> events;
+  std::vector<Event> events = anew.events();
   for (std::size_t b = bodies; b < model.bodies.size(); ++b)
     events.push_back(body_event(model, state, EventType::body_added, static_cast<int>(b)));
   for (std::size_t i = bearings; i < model.bearings.size(); ++i)
     events.push_back(bearing_event_of(model, state, EventType::bearing_added, i));
   book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));
+  anew.go_on(model, state, work);
   return events;
 }
 
@@ -276,6 +343,10 @@ template void alter(Model<3>&, State<3>&, Work<3>&, const StepOptions&, const st
                     std::span<const int>);
 template std::vector<Event> grow(Model<2>&, State<2>&, Work<2>&, const StepOptions&, Model<2>, double);
 template std::vector<Event> grow(Model<3>&, State<3>&, Work<3>&, const StepOptions&, Model<3>, double);
+template SupportChange support_change(const Model<2>&, const Model<2>&);
+template SupportChange support_change(const Model<3>&, const Model<3>&);
+template std::vector<Event> change_supports(Model<2>&, State<2>&, Work<2>&, const StepOptions&, Model<2>);
+template std::vector<Event> change_supports(Model<3>&, State<3>&, Work<3>&, const StepOptions&, Model<3>);
 template std::vector<Event> take_out(Model<3>&, State<3>&, Work<3>&, const StepOptions&, std::span<const int>);
 template bool hold_left(Model<3>&, const State<3>&);
 

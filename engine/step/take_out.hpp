@@ -45,6 +45,22 @@ template <int D>
 void alter(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
            const std::function<void(Model<D>&)>& change, std::span<const int> begun);
 
+/// What a change of supports and motions does to degrees of freedom.
+struct SupportChange {
+  bool frees = false;  ///< some were held or driven, and are free
+  bool stops = false;  ///< some were free, and are held or driven
+};
+template <int D>
+SupportChange support_change(const Model<D>& model, const Model<D>& changed);
+
+/// Takes over `changed`, the model with other supports, motions and loads, where support_change is not nothing. What is
+/// freed begins at this instant, at rest or at the speed of its motion, whose energy goes to EnergyTerm::support, and
+/// what its contacts press to EnergyTerm::added. What is stopped takes the energy of its motion and its contacts along,
+/// to EnergyTerm::removed. Gives what the step behind has led to, where that had to be ended here.
+template <int D>
+std::vector<Event> change_supports(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
+                                   Model<D> changed);
+
 /// Takes over `grown`, the model with further bodies, bearings and seats at the ends of its arrays. Mortar is put
 /// between new bodies and what they meet within `reach` (see set_bonds). What that puts in goes to EnergyTerm::added.
 /// Gives body.added and bearing.added.

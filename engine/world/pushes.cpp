@@ -53,10 +53,15 @@ double lowest_of(const Model<D>& model, const std::vector<int>& bodies) {
   return lowest;
 }
 
+/// A node with less of a point than this, as a share, has nothing of it: what is left of a weight by rounding.
+constexpr double least_part = 1e-12;
+
 /// A point of a body that deforms: by the nodes it is tied to, in space by the node nearest to it, which turns it.
 void add_point_rows(const Model<2>& model, int body, const Vec2& at, double weight, std::vector<PushRow<2>>& rows) {
   const Tie<2> tie = tie_point(model, body, at, fmt::format("push of '{}'", model.bodies[body].name));
-  for (int i = 0; i < tie.nodes; ++i) rows.push_back({tie.node[i], tie.turn[i], tie.arm[i], weight * tie.weight[i]});
+  for (int i = 0; i < tie.nodes; ++i)
+    if (std::abs(tie.weight[i]) >= least_part)
+      rows.push_back({tie.node[i], tie.turn[i], tie.arm[i], weight * tie.weight[i]});
 }
 void add_point_rows(const Model<3>& model, int body, const Vec3& at, double weight, std::vector<PushRow<3>>& rows) {
   const int n = nearest_node(model, body, at);

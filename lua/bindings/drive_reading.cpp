@@ -60,7 +60,7 @@ std::array<double, 3> place_of(const State<3>& state, int node) {
 template <int D>
 void apply_drive(SimulatedModel<D>& m, const DriveOrder& order) {
   const SimulatedModel<D>* const self_model = &m;
-  m.change([order, self_model](Model<D>& model) {
+  m.change_supports([order, self_model](Model<D>& model) {
     const State<D>& state = self_model->if_built()->state();
     for (const int body : order.bodies) {
       const auto now = place_of(state, model.bodies[static_cast<std::size_t>(body)].first_node);

@@ -28,6 +28,11 @@ void SimulatedModel<D>::alter(std::function<void(Model<D>&)> what, std::vector<i
   change([this, what = std::move(what), begun = std::move(begun)](Model<D>&) { simulation_->alter(what, begun); });
 }
 
+template <int D>
+void SimulatedModel<D>::change_supports(std::function<void(Model<D>&)> what) {
+  change([this, what = std::move(what)](Model<D>&) { simulation_->change_supports(what); });
+}
+
 /// What cannot be where it is put is forgotten, so that the model is as it was.
 template <int D>
 void SimulatedModel<D>::extend() {
@@ -150,6 +155,8 @@ void SimulatedModel<D>::put_back(const std::vector<int>& which, const std::vecto
 }
 
 template void SimulatedModel<2>::alter(std::function<void(Model<2>&)>, std::vector<int>);
+template void SimulatedModel<2>::change_supports(std::function<void(Model<2>&)>);
+template void SimulatedModel<3>::change_supports(std::function<void(Model<3>&)>);
 template void SimulatedModel<2>::catch_up();
 template std::vector<double> SimulatedModel<2>::heights() const;
 template void SimulatedModel<2>::extend();

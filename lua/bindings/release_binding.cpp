@@ -74,7 +74,7 @@ template <int D>
 void release_bodies(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, Space<D>::dofs>& on,
                     double fade, const std::string& place) {
   const bool waits = m.running() && !m.paused();
-  m.change([bodies, on, fade, box = &m, place = waits ? place : ""](Model<D>& model) {
+  m.change_supports([bodies, on, fade, box = &m, place = waits ? place : ""](Model<D>& model) {
     int freed = 0;
     for (const int body : bodies) freed += release_supports(model, box->if_built()->state(), body, on, fade);
     if (freed > 0) {

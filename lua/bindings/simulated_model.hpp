@@ -40,6 +40,8 @@ class SimulatedModel : public ScriptModel {
 
   /// Changes laws, now or at the next step border; the ledger has what that puts in. Bearings of `begun` begin anew.
   void alter(std::function<void(Model<D>&)> what, std::vector<int> begun);
+  /// Changes supports and drives, as `change` does; the ledger has what that puts in or takes out.
+  void change_supports(std::function<void(Model<D>&)> what);
   void catch_up() override;
   void follow_more() override;
   void remove(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) override;

@@ -230,7 +230,7 @@ std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, in
 template <int D>
 void change_supports(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& on,
                      Support support) {
-  m.change([bodies, on, support](Model<D>& model) {
+  m.change_supports([bodies, on, support](Model<D>& model) {
     for (const int body : bodies)
       for (int k = 0; k < Space<D>::dofs; ++k)
         if (on[static_cast<std::size_t>(k)]) set_support(model, body, k, support);

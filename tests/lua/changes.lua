@@ -207,3 +207,114 @@ for _, dim in ipairs { 2, 3 } do
   near(from - height_of(second), 0.5*g*0.7^2, 1e-10)
   assert(math.abs(falling.energy.residual) < 1e-6*falling.energy.kinetic, falling.energy.residual)
 end
+
+-- A body that is freed falls as if the run began with it: after long steps, in a handler, let go quietly or put back, by
+-- explicit and implicit steps. One that a motion drove goes on at its speed of that instant, whose energy the support
+-- put in. What flies beside goes on as it was.
+local function free_model(dim, gravity)
+  local free = trilith.model { name = "free", dim = dim, gravity = gravity }
+  free:material { name = "stone", density = 1000 }
+  local function stone(name, x, how)
+    how.name, how.material = name, "stone"
+    if dim == 2 then
+      how.width, how.height, how.at = 1, 1, { x, 0 }
+    else
+      how.size, how.at = { 1, 1, 1 }, { x, 0, 0 }
+    end
+    return free:block(how)
+  end
+  return free, stone
+end
+local function fallen(b, dim) return dim == 2 and -b.uy or -b.uz end
+for _, dim in ipairs { 2, 3 } do
+  for _, how in ipairs { "free", "release", "put back", "handler", "implicit" } do
+    local free, stone = free_model(dim)
+    local held = stone("held", 0, { support = how ~= "put back" and "fixed" or nil, floating = how == "put back" })
+    local flying = stone("flying", 5, { floating = true })
+    local integrator = how == "implicit" and "implicit" or nil
+    local from, lost = nil, 0
+    if how == "put back" then free:remove(held) end
+    if how == "handler" then
+      free:every(0.1, function()
+        if from then return end
+        from = free.time
+        free:free(held)
+      end)
+    else
+      free:run { duration = 0.2, integrator = integrator }
+      from = free.time
+      if how ~= "put back" then lost = fallen(held, dim) end
+      if how == "release" then free:release { body = held, fade = 0 }
+      elseif how == "put back" then free:put_back(held)
+      else free:free(held) end
+    end
+    local report = free:run { duration = 0.7, integrator = integrator }
+    assert(report.ending == "time", how)
+    near(fallen(held, dim) - lost, 0.5*g*(free.time - from)^2, 1e-10)
+    near(fallen(flying, dim), 0.5*g*free.time^2, 1e-10)
+    assert(math.abs(free.energy.added) < 1e-9*free.energy.kinetic, free.energy.added)
+    free:close()
+  end
+
+  -- Alone in its model, where its energies are all there is.
+  local lone, only = free_model(dim)
+  local held = only("held", 0, { support = "fixed" })
+  lone:run { duration = 0.2 }
+  lone:free(held)
+  assert(lone:run { duration = 1 }.ending == "time")
+  near(fallen(held, dim), 0.5*g, 1e-10)
+  lone:close()
+
+  for _, integrator in ipairs { "explicit", "implicit" } do
+    -- From a motion that speeds up: x = a t^2/2 at 3 m/s2.
+    local thrown, stone_of = free_model(dim, 0)
+    local body = stone_of("thrown", 0, { support = "fixed" })
+    thrown:drive { body = body, x = trilith.motion { dt = 1, acceleration = { 3, 3, 3 }, allow_drift = true } }
+    thrown:run { duration = 0.5, integrator = integrator }
+    near(thrown.time, 0.5, 1e-12)
+    thrown:free(body)
+    thrown:run { duration = 1, integrator = integrator }
+    near(body.vx, 1.5, 1e-9)
+    near(body.ux, 0.5*3*0.25 + 1.5, 1e-9)
+    near(thrown.energy.support, 0.5*1000*1.5^2, 1e-9)
+    near(thrown.energy.kinetic, 0.5*1000*1.5^2, 1e-9)
+    assert(math.abs(thrown.residual) < 1e-9*thrown.energy.kinetic, thrown.residual)
+
+    -- What moves and is held or driven takes the energy of its motion out of the ledger, and brings none when it is let
+    -- go where it stands.
+    for _, by in ipairs { "fix", "drive" } do
+      local stopped, make = free_model(dim, 0)
+      local a = make("a", 0, { floating = true, velocity = dim == 2 and { 2, 0 } or { 2, 0, 0 } })
+      make("b", 9, { floating = true })
+      stopped:run { duration = 0.1, integrator = integrator }
+      if by == "fix" then stopped:fix(a) else stopped:drive { body = a, x = trilith.ramp { by = 0.1, duration = 0.1 } } end
+      stopped:run { duration = 0.2, integrator = integrator }
+      near(stopped.energy.removed, 2000, 1e-9)
+      assert(math.abs(stopped.residual) < 1e-6, stopped.residual)
+      stopped:free(a)
+      stopped:run { duration = 0.2, integrator = integrator }
+      assert(math.abs(a.vx) < 1e-9 and math.abs(stopped.residual) < 1e-6, stopped.residual)
+      stopped:close()
+    end
+  end
+end
+
+-- A body that has come to rest, is held and freed again lies still: no way that it has not gone is behind its contact,
+-- and what the contact held comes back to the ledger with it.
+do
+  local bed = trilith.model { name = "bed" }
+  bed:material { name = "stone", density = 2000 }
+  bed:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.5 } }
+  local base = bed:block { name = "base", width = 10, height = 1, at = { -5, -1 }, material = "stone",
+    support = "fixed" }
+  local upper = bed:block { name = "upper", width = 1, height = 1, at = { -0.5, 0 }, material = "stone" }
+  bed:consolidate { ratio = 1e-8 }
+  bed:fix(upper)
+  bed:run { duration = 0.01 }
+  local residual, y = bed.residual, upper.y
+  bed:free(upper)
+  bed:run { duration = 0.2 }
+  assert(math.abs(upper.y - y) < 1e-9 and math.abs(upper.ux) < 1e-9)
+  assert(math.abs(bed.residual - residual) < 1e-6, bed.residual - residual)
+  assert(base.present)
+end

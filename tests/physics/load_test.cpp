@@ -296,7 +296,7 @@ double overshoot(double fade, double* energy_off = nullptr) {
   run_for(sim, 0.01);
   sim.refresh();
   const double before = ledger(sim).balance();
-  sim.edit([&](Model<2>& m) { release_supports(m, sim.state(), 1, {true, true, true}, fade); });
+  sim.change_supports([&](Model<2>& m) { release_supports(m, sim.state(), 1, {true, true, true}, fade); });
   CHECK(sim.model().moves(1));
   double lowest = 0, rubbed = 0;
   run_for(sim, fade + 1, 0, each_step([&](const Instant<2>& now) {
@@ -326,7 +326,7 @@ TEST_CASE("a body that stands by itself does not move when its supports are rele
   run_for(sim, 0.01);
   sim.refresh();
   const Vec2 from = sim.state().position[1];
-  sim.edit([&](Model<2>& m) { release_supports(m, sim.state(), 1, {true, true, true}, 0.1); });
+  sim.change_supports([&](Model<2>& m) { release_supports(m, sim.state(), 1, {true, true, true}, 0.1); });
   run_for(sim, 0.5);
   CHECK((sim.state().position[1] - from).norm() < 1e-9 * 1e-3);
 }
