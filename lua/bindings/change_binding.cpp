@@ -3,13 +3,24 @@
 
 #include "bindings.hpp"
 #include "run/recording_header.hpp"
+#include "world/bearing_spec.hpp"
 #include "world/loads.hpp"
 #include "world/usual.hpp"
 
 namespace trilith::script {
 namespace {
 
-/// The declared numbers of a law with those that are given put in; a problem is noted where one is out of range.
+template <class L>
+void note_failed_check(Keys& keys, const L& law) {
+  try {
+    law.check();
+  } catch (const InputError& e) {
+    keys.problem(e.what());
+  }
+}
+
+/// The declared numbers of a law with those that are given put in; a problem is noted where one is out of range, or
+/// where they do not go together.
 ContactLaw changed_law(Keys& keys, ContactLaw law) {
   std::visit(
       [&](auto& l) {
@@ -25,6 +36,7 @@ ContactLaw changed_law(Keys& keys, ContactLaw law) {
                                      p.unit == "1" ? "" : p.unit, p.range()));
         }
         if (!any) keys.problem("no number is given; give one of the law's, such as mu");
+        if constexpr (requires { l.check(); }) note_failed_check(keys, l);
       },
       law);
   return law;
@@ -120,6 +132,7 @@ std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
   changed.replaces_contact = keys.flag("replaces_contact", changed.replaces_contact);
   change_successor(keys, m, m.simulation().model(), changed);
   keys.finish();
+  require_compression(changed.law, changed.law[axial], fmt::format("change: bearing '{}'", name));
   const std::vector<int> begun = begins_anew(*it, changed) ? std::vector{static_cast<int>(row)} : std::vector<int>{};
   m.alter([row, changed](Model<2>& model) { model.bearings[row] = changed; }, begun);
   return fmt::format("bearing '{}' is now {}", name, bearing_text(m.simulation().model(), changed));

@@ -73,7 +73,7 @@ body     body    what sits
 support  body    on what
 at_end   point   the body's end
 edge     point   the edge of the seat
-inward   point?  from the edge over the seat]], gives = "seat" },
+inward   point?  from the edge over the seat; without it level from the edge towards at_end]], gives = "seat" },
   { "model:remove", "Takes bodies, bearings or loads away: at once between stages, else at the next step border. What "
     .. "leaned on them is free from the next step on.",
     args = "what  bodies  a body, set, bearing, name of one, of a group or of a load, or a list of these" },

@@ -50,6 +50,14 @@ local function with_results()
   return w
 end
 
+local function bonded()
+  local w = new()
+  w:contact { between = { "stone", "stone" }, name = "mortar", law = trilith.cohesive { kn = 1e9, ks = 5e8, mu = 0.5,
+    cohesion = 1e5, tension = 5e4, energy_tension = 20, energy_shear = 50 } }
+  w:run { duration = 1e-4 }
+  return w
+end
+
 local m, b = new(), built()
 local nobody = b:bodies { name = "nobody" }
 local cases = {
@@ -57,6 +65,29 @@ local cases = {
     "block 'b': support: 'r' is written in full: rotation = \"fixed\"" },
   { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone" } end,
     "block 'b': 'size' is of blocks in space, of models with dim = 3; in the plane give width and height" },
+  -- bearings, seats and changes that would do nothing or harm
+  { function() with_block("up", 0):bearing { name = "b", between = { "base", "up" }, at = { 0.5, 0 },
+      along = trilith.friction { mu = 0.3, stiffness = 1e6 } } end,
+    "bearing 'b': friction slides under the compression of the axial law, of which there is none, so that it never "
+      .. "holds anything; give axial a law that presses, such as trilith.linear{...}" },
+  { function() with_block("up", 0):bearing { name = "b", between = { "base", "up" }, at = { 0.5, 0 },
+      axial = trilith.pendulum { radius = 1, mu = 0.3, stiffness = 1e6 } } end,
+    "bearing 'b': pendulum slides under the compression of the axial law, which slides itself, so that it never "
+      .. "holds anything; give axial a law that presses, such as trilith.linear{...}" },
+  { function() b:change { bearing = "B1", along = trilith.friction { mu = 0.3, stiffness = 1e6 } } end,
+    "change: bearing 'B1': friction slides under the compression of the axial law, of which there is none, so that it "
+      .. "never holds anything; give axial a law that presses, such as trilith.linear{...}" },
+  { function() with_block("up", 0):seat { name = "s", body = "up", support = "base", at_end = { 0.8, 0 },
+      edge = { 0.5, 0 }, inward = { -1, 0 } } end,
+    "seat 's': 'at_end' lies 0.3 m beyond the edge, so that the seat is lost as it begins; 'inward' goes from the edge "
+      .. "over the seat: turn it round, or leave it out" },
+  { function() with_block("up", 0):seat { name = "s", body = "up", support = "base", at_end = { 0.5, 1 },
+      edge = { 0.5, 0 } } end,
+    "seat 's': 'at_end' is over the edge, so 'inward' does not follow from them; give inward, from the edge over the "
+      .. "seat" },
+  { function() bonded():change { law = "mortar", tension = 1e6, cohesion = 1e6 } end,
+    "change: cohesive: energy_tension is 20 J/m2, must be above tension^2/(2 kn) = 500, what the joint stores at "
+      .. "its strength; give more energy, or a stiffer joint, or use the bonded law" },
   -- mass scaling
   { function() late():run { duration = 1, mass_scaling = 2 } end,
     "run: 'mass_scaling' is 2, must be a table { step = , most = , bodies = }" },
