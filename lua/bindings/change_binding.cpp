@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "bindings.hpp"
+#include "law_values.hpp"
 #include "run/recording_header.hpp"
 #include "world/bearing_spec.hpp"
 #include "world/loads.hpp"
@@ -44,10 +45,6 @@ ContactLaw changed_law(Keys& keys, ContactLaw law) {
 
 constexpr std::array law_directions{"along", "axial", "turning"};
 
-std::string text_of(const ContactLaw& law) {
-  return std::visit([](const auto& l) { return describe(l); }, law);
-}
-
 template <int D>
 std::string change_law(Keys& keys, SimulatedModel<D>& m, const std::string& name) {
   const auto& names = m.simulation().model().law_names;
@@ -59,7 +56,7 @@ std::string change_law(Keys& keys, SimulatedModel<D>& m, const std::string& name
   m.alter([row, law](Model<D>& model) { model.laws[row] = law; }, {});
   for (auto& [known, value] : m.laws)
     if (known == name) value = law;
-  return fmt::format("law '{}' is now {}", name, text_of(law));
+  return fmt::format("law '{}' is now {}", name, law_text(law));
 }
 
 /// The limits under `limit`, which stay what they are where none is given.
