@@ -25,7 +25,7 @@ damping      number s = 0  stress per strain rate over E
 band_damping  table?           of members of frames: { ratio =, from =, to = }, the same between two frequencies [Hz]
 solid        solid law?        instead of E: a law such as trilith.mohr_coulomb{...}
 plane        text = "stress"   "stress" or "strain"
-form         text = "assumed"  "assumed" or "plain": the element
+form         text = "assumed"  "assumed" or "plain": the element; "plain" keeps the limit of perfect plasticity
 strain_limit  number = 0.5     strain its elements are made for; beyond, the stage diverges]], gives = "string" },
   { "model:contact", "Which law holds between materials, groups or bodies. Later calls win.", keys = [[
 between  names          two names of materials, groups or bodies; "*" for any
