@@ -29,6 +29,16 @@ void check_points(const std::vector<double>& force, const std::vector<double>& s
 void HingeLaw::check() const {
   if (capping > 0 && !(softening > 0))
     throw InputError("end_hinge: with a capping rotation, softening must be above 0 rad");
+  if (softening > 0 && !(capping > 0))
+    throw InputError(
+        fmt::format("end_hinge: softening is {:g} rad, but without a capping rotation it never softens; give capping, "
+                    "the plastic rotation from which it does, or leave softening out",
+                    softening));
+  if (residual > 0 && !(capping > 0) && !(wear > 0))
+    throw InputError(
+        fmt::format("end_hinge: residual is {:g}, but nothing takes the moment down to it; give capping and softening, "
+                    "or wear, or leave residual out",
+                    residual));
   if (ultimate > 0 && ultimate < capping)
     throw InputError(fmt::format("end_hinge: ultimate is {:g} rad, must not be below the capping rotation of {:g} rad",
                                  ultimate, capping));

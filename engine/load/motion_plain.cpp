@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
+#include "load/motion_read.hpp"
 #include "load/motion_samples.hpp"
 #include "load/text_lines.hpp"
 
@@ -84,6 +86,16 @@ double step_of(const Columns& columns, const PlainForm& form, const TextLines& l
   return form.step.value_or(step);
 }
 
+/// The unit is the script's word, so it is that which a size beyond any ground speaks against.
+void check_peak(const std::vector<double>& in_g, const std::string& unit, const TextLines& lines) {
+  double peak = 0;
+  for (const double a : in_g) peak = std::max(peak, std::abs(a));
+  if (peak > largest_credible_peak)
+    lines.fail_whole(
+        fmt::format("peak is {:.3g} g with unit = \"{}\", above {:g} g; probably the values are in another unit of {}",
+                    peak, unit, largest_credible_peak, plain_units()));
+}
+
 }  // namespace
 
 std::string plain_units() {
@@ -106,6 +118,7 @@ GroundMotion parse_plain_motion(std::string_view text, const std::string& name, 
   if (columns.values.empty()) lines.fail_whole("has no numbers");
   const double step = step_of(columns, form, lines);
   for (double& value : columns.values) value *= in_g;
+  check_peak(columns.values, form.unit, lines);
   MotionSource source;
   source.file = name, source.title = columns.title;
   const std::size_t count = columns.values.size();

@@ -37,7 +37,8 @@ GroundMotion filtered(const GroundMotion& motion, const FilterBand& band);
 /// longer, what the new one cannot hold is first taken out by a low-pass of order 8 at 80 % of half its rate.
 GroundMotion resampled(const GroundMotion& motion, double step);
 
-/// The two horizontal components of one record turned by `angle` [rad], counter-clockwise:
+/// The two horizontal components of one record along axes that are turned by `angle` [rad], counter-clockwise where
+/// `second` is a quarter of a turn that way from `first`:
 ///   first' = first cos + second sin,  second' = -first sin + second cos.
 /// Both must have the same step and number of samples.
 std::pair<GroundMotion, GroundMotion> rotated(const GroundMotion& first, const GroundMotion& second, double angle);

@@ -347,4 +347,8 @@ std::vector<StudyOutcome> run_study(const StudyOrder& order, const StudyWatch& w
   return StudyRun(order, watch).go();
 }
 
+bool any_failed(const std::vector<StudyOutcome>& outcomes) {
+  return std::any_of(outcomes.begin(), outcomes.end(), [](const auto& o) { return o.status == StudyStatus::failed; });
+}
+
 }  // namespace trilith

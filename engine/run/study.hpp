@@ -73,6 +73,9 @@ struct StudyWatch {
 /// order that cannot be carried out; a case's own trouble is in its outcome.
 std::vector<StudyOutcome> run_study(const StudyOrder& order, const StudyWatch& watch);
 
+/// Whether a case has failed.
+bool any_failed(const std::vector<StudyOutcome>& outcomes);
+
 /// The folder of a case.
 std::filesystem::path case_folder(const StudyOrder& order, std::size_t index);
 

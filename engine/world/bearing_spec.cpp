@@ -72,6 +72,18 @@ void check_horizontal(const BearingSpecOf<3>& spec, const std::string& owner) {
                   owner, given, names));
 }
 
+/// The name of a law that has a friction coefficient, which is one of the bearing's compression; else "".
+std::string_view name_of_slider(const DirectionLaw& law) {
+  return std::visit(
+      [](const auto& l) -> std::string_view {
+        if constexpr (requires { l.mu; })
+          return std::decay_t<decltype(l)>::name;
+        else
+          return "";
+      },
+      law);
+}
+
 template <int D>
 constexpr const char* words_of_laws = D == 2 ? "along, axial or turning" : "along, across, horizontal or axial";
 template <int D>
@@ -94,6 +106,17 @@ void check_purpose(const BearingSpecOf<D>& spec, const std::string& owner) {
 
 }  // namespace
 
+void require_compression(std::span<const DirectionLaw> laws, const DirectionLaw& axial, const std::string& owner) {
+  if (!is_none(axial) && name_of_slider(axial).empty()) return;
+  const auto slider =
+      std::find_if(laws.begin(), laws.end(), [](const DirectionLaw& l) { return !name_of_slider(l).empty(); });
+  if (slider == laws.end()) return;
+  throw InputError(fmt::format(
+      "{}: {} slides under the compression of the axial law, {}, so that it never holds anything; give axial a law "
+      "that presses, such as trilith.linear{{...}}",
+      owner, name_of_slider(*slider), is_none(axial) ? "of which there is none" : "which slides itself"));
+}
+
 template <int D>
 void check_bearing(const BearingSpecOf<D>& spec, const std::string& owner) {
   bool finite = spec.point_a.allFinite() && spec.point_b.allFinite();
@@ -104,6 +127,7 @@ void check_bearing(const BearingSpecOf<D>& spec, const std::string& owner) {
   for (const DirectionLaw& law : all_laws(spec)) check_direction(law);
   if constexpr (D == 3) check_horizontal(spec, owner);
   check_purpose(spec, owner);
+  require_compression(all_laws(spec), spec.law[Directions<D>::axial], owner);
 }
 
 template <int D>

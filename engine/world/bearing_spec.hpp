@@ -1,6 +1,7 @@
 // Bearings and seats to be, and what is checked of bearings whatever the dimension.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ using SeatSpec = SeatSpecOf<2>;
 /// directions beside one of along or across, limits that are not above 0, a successor without a limit.
 template <int D>
 void check_bearing(const BearingSpecOf<D>& spec, const std::string& owner);
+/// Throws InputError where one of a bearing's laws slides under the compression of its axial law, which is none or
+/// slides itself: it would never hold anything.
+void require_compression(std::span<const DirectionLaw> laws, const DirectionLaw& axial, const std::string& owner);
 /// Adds to `notes` what is allowed but not usual.
 template <int D>
 void add_bearing_doubts(const BearingSpecOf<D>& spec, const std::string& owner, std::vector<std::string>& notes);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/nearest.hpp"
@@ -46,6 +47,24 @@ void ModelBuilder::add_material(const Material& material) {
   materials_.push_back(material);
 }
 
+namespace {
+
+/// What is held does not move, whatever velocity it is given.
+void note_held_motion(const BodySpec& spec, const std::string& owner, std::vector<std::string>& notes) {
+  const std::array given{spec.velocity.x(), spec.velocity.y(), spec.spin};
+  constexpr std::array names{"a velocity along x", "a velocity along y", "a spin"};
+  const auto known = [](const std::string& note) { return note.find("and is held there") != std::string::npos; };
+  if (std::any_of(notes.begin(), notes.end(), known)) return;
+  for (std::size_t k = 0; k < given.size(); ++k)
+    if (given[k] != 0 && spec.support[k] != Support::free)
+      notes.push_back(
+          fmt::format("{}: it is given {}, and is held there, so that it does not move; free that direction "
+                      "or leave it out",
+                      owner, names[k]));
+}
+
+}  // namespace
+
 void ModelBuilder::add_body(BodySpec spec) {
   require_name(spec.name, "body");
   body_names_known_.require_new(bodies_, spec.name, "body");
@@ -66,6 +85,7 @@ void ModelBuilder::add_body(BodySpec spec) {
   mass_of(spec, 1.0, thickness, materials_);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   if (spec.density) add_doubt_once(notes_, owner, "density", "kg/m3", *spec.density);
+  note_held_motion(spec, owner, notes_);
   bodies_.push_back(std::move(spec));
 }
 

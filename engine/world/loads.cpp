@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "world/bearing_spec.hpp"
 #include "world/pose.hpp"
 #include "world/skin_places.hpp"
 
@@ -48,6 +49,10 @@ std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const
   load.force = spec.force, load.moment = spec.moment, load.follows = spec.follows;
   if (spec.at) {
     check_finite(*spec.at, owner + ": place");
+    if (b.is_rigid()) {
+      const double size = 2 * model.body_radius[body];
+      require_near<2>(*spec.at, (*spec.at - body_start(model, body)).norm() - 0.5 * size, size, b.name, owner);
+    }
     load.at = tie_point(model, body, *spec.at, owner);
     return {load};
   }

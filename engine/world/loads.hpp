@@ -81,10 +81,14 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
                                     const std::string& owner);
 
 /// The load as the model holds it, work-consistent: in the element that `at` lies in. Throws InputError for numbers
-/// that are not finite, a load curve that makes no sense, a point that is not in a deformable body.
+/// that are not finite, a load curve that makes no sense, a point that is not in a deformable body or is farther from a
+/// rigid one than that is large.
 std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec);
 /// Throws InputError for numbers that are not finite, and a load curve that makes no sense.
 PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec);
+/// A force without `at` on a body in space that deforms: shares by mass at its nodes, as weight is. Throws InputError
+/// as make_solid_load, and for a moment or a force that follows, which need a place.
+std::vector<PointLoad<3>> spread_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec);
 /// All plane faces of a body's surface in space; a sphere has none.
 std::vector<SolidFace> surface_faces(const Model<3>& model, int body);
 /// Those that look along `side` at the start, within 45 degrees.

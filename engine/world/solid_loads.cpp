@@ -26,6 +26,16 @@ Vec3 middle_of(std::span<const Vec3> corners, std::span<const int> loop) {
   return first + sum / area;
 }
 
+std::string solid_load_owner(const SolidLoadSpec& spec, const Body& body) {
+  return fmt::format("load '{}' on '{}'", spec.name, body.name);
+}
+
+void check_solid_load(const SolidLoadSpec& spec, const std::string& owner) {
+  if (!spec.force.allFinite() || !spec.moment.allFinite() || (spec.at && !spec.at->allFinite()))
+    throw InputError(owner + ": force, moment or place is not finite");
+  check_load_curve(spec.curve, owner);
+}
+
 void check_pressure(const SolidPressureSpec& spec, const std::string& owner) {
   require_finite(spec.value, owner + ": value");
   check_load_curve(spec.curve, owner);
@@ -40,13 +50,11 @@ void check_pressure(const SolidPressureSpec& spec, const std::string& owner) {
 /// On a frame a load acts at the node that is nearest, on a body of elements on the nearest face of its skin, and goes
 /// with it.
 PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
-  const std::string owner = fmt::format("load '{}' on '{}'", spec.name, model.bodies[body].name);
   const Body& b = model.bodies[body];
+  const std::string owner = solid_load_owner(spec, b);
   if (!b.is_rigid() && !spec.at)
     throw InputError(fmt::format("{}: the body deforms; say with 'at' where the load acts", owner));
-  if (!spec.force.allFinite() || !spec.moment.allFinite() || (spec.at && !spec.at->allFinite()))
-    throw InputError(owner + ": force, moment or place is not finite");
-  check_load_curve(spec.curve, owner);
+  check_solid_load(spec, owner);
   if (b.is_rigid() && spec.at) {
     const double size = 2 * model.body_radius[body];
     require_near<3>(*spec.at, (*spec.at - model.start_position[b.first_node]).norm() - 0.5 * size, size, b.name, owner);
@@ -59,6 +67,26 @@ PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpe
   load.moment = spec.follows ? start.undo(spec.moment) : spec.moment;
   load.at = spec.at ? tie_point(model, body, *spec.at) : Tie<3>::to_node(b.first_node, Vec3::Zero());
   return load;
+}
+
+std::vector<PointLoad<3>> spread_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
+  const Body& b = model.bodies[body];
+  const std::string owner = solid_load_owner(spec, b);
+  check_solid_load(spec, owner);
+  if (!spec.moment.isZero() || spec.follows)
+    throw InputError(fmt::format("{}: the body deforms; say with 'at' where the {} acts", owner,
+                                 spec.moment.isZero() ? "force that follows" : "moment"));
+  const double mass = body_mass(model, body);
+  std::vector<PointLoad<3>> loads;
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
+    if (!(model.mass[n] > 0)) continue;
+    PointLoad<3> load;
+    load.name = spec.name, load.body = body, load.curve = spec.curve;
+    load.force = model.mass[n] / mass * spec.force;
+    load.at = Tie<3>::to_node(n, Vec3::Zero());
+    loads.push_back(std::move(load));
+  }
+  return loads;
 }
 
 std::vector<SolidFace> surface_faces(const Model<3>& model, int body) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/error.hpp"
 #include "world/bounds.hpp"
@@ -50,6 +51,54 @@ double least_side(const std::vector<Polyhedron>& pieces) {
   return (high - low).minCoeff();
 }
 
+/// What is held does not move, whatever velocity it is given.
+void note_held_solid(const SolidSpec& spec, const std::string& owner, std::vector<std::string>& notes) {
+  constexpr std::array names{"a velocity along x", "a velocity along y", "a velocity along z",
+                             "a spin about x",     "a spin about y",     "a spin about z"};
+  const auto known = [](const std::string& note) { return note.find("and is held there") != std::string::npos; };
+  if (std::any_of(notes.begin(), notes.end(), known)) return;
+  for (int k = 0; k < 6; ++k)
+    if ((k < 3 ? spec.velocity[k] : spec.spin[k - 3]) != 0 &&
+        spec.support[static_cast<std::size_t>(k)] != Support::free)
+      notes.push_back(
+          fmt::format("{}: it is given {}, and is held there, so that it does not move; free that direction "
+                      "or leave it out",
+                      owner, names[static_cast<std::size_t>(k)]));
+}
+
+struct PieceBox {
+  Vec3 low, high;
+};
+
+PieceBox piece_box(const Polyhedron& piece) {
+  PieceBox box{piece.corners[0], piece.corners[0]};
+  for (const Vec3& x : piece.corners) box.low = box.low.cwiseMin(x), box.high = box.high.cwiseMax(x);
+  return box;
+}
+
+/// A piece that stands apart from all others by more than its own size, by the boxes around them, was meant for another
+/// place, or is a body of its own: nothing that can be seen holds it to the rest.
+void note_lone_piece(const SolidSpec& spec, const std::string& owner, std::vector<std::string>& notes) {
+  if (spec.frame || spec.mesh || spec.pieces.size() < 2 || !spec.spheres.empty()) return;
+  std::vector<PieceBox> boxes;
+  for (const Polyhedron& piece : spec.pieces) boxes.push_back(piece_box(piece));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    double nearest = unbounded;
+    for (std::size_t j = 0; j < boxes.size(); ++j)
+      if (j != i)
+        nearest = std::min(
+            nearest,
+            (boxes[i].low - boxes[j].high).cwiseMax(boxes[j].low - boxes[i].high).cwiseMax(Vec3::Zero()).norm());
+    const double size = (boxes[i].high - boxes[i].low).norm();
+    if (!(nearest > size)) continue;
+    notes.push_back(
+        fmt::format("{}: its piece {} of {:.3g} m stands {:.3g} m away from all others, and moves with them "
+                    "as if it were fast to them; move it, or make it a body of its own",
+                    owner, i + 1, size, nearest));
+    return;
+  }
+}
+
 }  // namespace
 
 void SolidModelBuilder::add_body(SolidSpec spec) {
@@ -74,6 +123,8 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   (void)(spec.frame ? frame_body(spec).material.front().mass : density_of(spec));
   if (spec.density) add_doubt_once(notes_, owner, "density", "kg/m3", *spec.density);
   if (!spec.pieces.empty() && !spec.frame) add_doubt_once(notes_, owner, "least side", "m", least_side(spec.pieces));
+  note_held_solid(spec, owner, notes_);
+  note_lone_piece(spec, owner, notes_);
   bodies_.push_back(std::move(spec));
 }
 

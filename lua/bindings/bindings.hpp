@@ -24,10 +24,10 @@ std::span<const Method> parts_methods();     ///< material, contact, body, add, 
 std::span<const Method> bearing_methods();   ///< bearing, seat
 std::span<const Method> bridge_methods();    ///< bearing_type, span
 std::span<const Method> frame_methods();     ///< beam, frame
-std::span<const Method> stage_methods();     ///< run, consolidate, shake, fix, free, drive, tilt, stop
+std::span<const Method> stage_methods();     ///< run, consolidate, shake, drive, tilt, stop
 std::span<const Method> load_methods();      ///< point_load
 std::span<const Method> pressure_methods();  ///< pressure
-std::span<const Method> release_methods();   ///< set_load, release
+std::span<const Method> release_methods();   ///< fix, free, set_load, release
 std::span<const Method> pushover_methods();  ///< pushover
 std::span<const Method> finding_methods();   ///< joints, thrust_line
 std::span<const Method> modes_methods();     ///< modes
@@ -59,6 +59,9 @@ void open_lint(lua_State* L);    ///< for the library: faults, doubts, damping o
 
 /// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.
 void push_event(lua_State* L, int model_index, const Event& event);
+
+/// A note on what is done to `model` now: told at once while a stage runs, else with the others as one begins.
+void tell_note(lua_State* L, ScriptModel& model, const std::string& text);
 
 /// Name in `model` of a contact law: `name`, its own, that of a law with the same numbers, or a new one; the builder
 /// knows it from now on. Throws InputError where another law has that name.

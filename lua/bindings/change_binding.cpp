@@ -2,14 +2,26 @@
 #include <algorithm>
 
 #include "bindings.hpp"
+#include "law_values.hpp"
 #include "run/recording_header.hpp"
+#include "world/bearing_spec.hpp"
 #include "world/loads.hpp"
 #include "world/usual.hpp"
 
 namespace trilith::script {
 namespace {
 
-/// The declared numbers of a law with those that are given put in; a problem is noted where one is out of range.
+template <class L>
+void note_failed_check(Keys& keys, const L& law) {
+  try {
+    law.check();
+  } catch (const InputError& e) {
+    keys.problem(e.what());
+  }
+}
+
+/// The declared numbers of a law with those that are given put in; a problem is noted where one is out of range, or
+/// where they do not go together.
 ContactLaw changed_law(Keys& keys, ContactLaw law) {
   std::visit(
       [&](auto& l) {
@@ -25,16 +37,13 @@ ContactLaw changed_law(Keys& keys, ContactLaw law) {
                                      p.unit == "1" ? "" : p.unit, p.range()));
         }
         if (!any) keys.problem("no number is given; give one of the law's, such as mu");
+        if constexpr (requires { l.check(); }) note_failed_check(keys, l);
       },
       law);
   return law;
 }
 
 constexpr std::array law_directions{"along", "axial", "turning"};
-
-std::string text_of(const ContactLaw& law) {
-  return std::visit([](const auto& l) { return describe(l); }, law);
-}
 
 template <int D>
 std::string change_law(Keys& keys, SimulatedModel<D>& m, const std::string& name) {
@@ -47,7 +56,7 @@ std::string change_law(Keys& keys, SimulatedModel<D>& m, const std::string& name
   m.alter([row, law](Model<D>& model) { model.laws[row] = law; }, {});
   for (auto& [known, value] : m.laws)
     if (known == name) value = law;
-  return fmt::format("law '{}' is now {}", name, text_of(law));
+  return fmt::format("law '{}' is now {}", name, law_text(law));
 }
 
 /// The limits under `limit`, which stay what they are where none is given.
@@ -120,6 +129,7 @@ std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
   changed.replaces_contact = keys.flag("replaces_contact", changed.replaces_contact);
   change_successor(keys, m, m.simulation().model(), changed);
   keys.finish();
+  require_compression(changed.law, changed.law[axial], fmt::format("change: bearing '{}'", name));
   const std::vector<int> begun = begins_anew(*it, changed) ? std::vector{static_cast<int>(row)} : std::vector<int>{};
   m.alter([row, changed](Model<2>& model) { model.bearings[row] = changed; }, begun);
   return fmt::format("bearing '{}' is now {}", name, bearing_text(m.simulation().model(), changed));

@@ -64,6 +64,7 @@ struct StudyChoice {
   bool fresh = false;                 ///< run finished cases again
   bool list = false;                  ///< list the cases and end
   bool begun = false;                 ///< the script has called trilith.study
+  bool failed = false;                ///< a case of it has
   std::optional<StudyRise> rise;      ///< an incremental analysis; else as the script says
   std::vector<int> some;              ///< run these cases alone, from 1, as a task of a cluster does; empty: all
   std::vector<std::string> on_slurm;  ///< where Slurm runs the cases: the command of this study, without where it runs

@@ -33,6 +33,8 @@ bool push_declared(lua_State* L, const Law& law) {
   return true;
 }
 
+/// "frictional{kn=1e+08 Pa/m, mu=0.6}": what describe() gives, where a number without a unit has the unit 1, for
+/// people.
 template <class Law>
 std::string law_text(const Law& law) {
   std::string text;
@@ -41,6 +43,8 @@ std::string law_text(const Law& law) {
         if constexpr (Declared<std::decay_t<decltype(l)>>) text = describe(l);
       },
       law);
+  for (std::size_t at = text.find(" 1"); at != std::string::npos; at = text.find(" 1", at + 1))
+    if (at + 2 < text.size() && (text[at + 2] == ',' || text[at + 2] == '}')) text.erase(at, 2);
   return text;
 }
 

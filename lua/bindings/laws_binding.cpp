@@ -1,5 +1,6 @@
 // Contact laws and direction laws as values: constructors made from their declarations.
 #include <algorithm>
+#include <cmath>
 
 #include "bindings.hpp"
 #include "law_values.hpp"
@@ -29,12 +30,28 @@ void read_points(Keys& keys, L& law) {
   }
 }
 
+/// Numbers that choose one of some ways: between these they would mean one of them without a word.
+template <class L>
+void check_choices(Keys& keys, const L& law) {
+  if constexpr (requires { law.side; }) {
+    constexpr bool both = !std::is_same_v<L, Cable>;
+    if (std::abs(law.side) != 1 && !(both && law.side == 0))
+      keys.problem(fmt::format("'side' is {:g}, must be {}", law.side, both ? "1, -1, or 0 for both" : "1 or -1"));
+  }
+  if constexpr (requires { law.pull; })
+    if (law.pull != 0 && law.pull != 1) keys.problem(fmt::format("'pull' is {:g}, must be 0 or 1", law.pull));
+  if constexpr (std::is_same_v<L, LeadRubber>)
+    if (law.stiffness > 0 && keys.has("ratio"))
+      keys.problem("both 'stiffness' and 'ratio' are given; keep one: K1, or K1 over post_stiffness");
+}
+
 template <class L>
 int make_direction_law(lua_State* lua) {
   Keys keys(lua, 1, std::string(L::name));
   L law;
   if constexpr (TabulatedLaw<L>) read_points(keys, law);
   keys.declared(law);
+  check_choices(keys, law);
   keys.finish();
   if constexpr (requires { law.check(); }) law.check();
   push_handle(lua, DirectionLawValue{law});

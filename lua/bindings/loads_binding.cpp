@@ -1,4 +1,5 @@
 // Loads at points of bodies, in the plane and in space.
+#include <algorithm>
 #include <array>
 
 #include "bindings.hpp"
@@ -8,22 +9,44 @@
 namespace trilith::script {
 namespace {
 
-/// `at` = {x, y} or the name of a place; the points, one for each body.
-std::vector<std::optional<Vec2>> read_places(Keys& keys, const Model<2>& model, const std::vector<int>& bodies) {
+/// `at`: a point, or the name of a place or of a joint; the points, one for each body, and nothing for the whole of it.
+template <class M, class Point>
+auto read_places(Keys& keys, M& m, const std::vector<int>& bodies, const char* wanted, Point&& point_of) {
   lua_State* L = keys.lua();
-  std::vector<std::optional<Vec2>> places(bodies.size());
   const int type = keys.push("at");
   const std::string name = type == LUA_TSTRING ? text_at(L, -1) : "";
-  const auto point = type == LUA_TTABLE ? point_at(L, -1) : std::nullopt;
-  if (type != LUA_TNIL && type != LUA_TSTRING && !point) keys.wrong("at", "{x, y} or the name of a place");
+  const auto point = type == LUA_TTABLE ? point_of(L, -1) : decltype(point_of(L, -1))();
+  if (type != LUA_TNIL && type != LUA_TSTRING && !point) keys.wrong("at", wanted);
   lua_pop(L, 1);
   if (point && bodies.size() > 1) keys.problem("'at' is a point of one body; several are given: name a place instead");
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    places[i] = type == LUA_TSTRING ? named_place(model, bodies[i], name) : point;
-    if (type == LUA_TSTRING && !places[i])
-      keys.problem(fmt::format("'at' is '{}', must be {{x, y}} or one of {}", name, place_names));
-  }
+  std::vector<std::remove_const_t<decltype(point)>> places(bodies.size(), point);
+  for (std::size_t i = 0; i < bodies.size() && type == LUA_TSTRING; ++i)
+    places[i] = named_place(m, bodies[i], name, keys.owner());
   return places;
+}
+
+/// A load on what cannot move is told, once: it may be freed later.
+template <int D>
+void tell_held(lua_State* L, SimulatedModel<D>& m, const std::vector<int>& bodies, const std::string& name) {
+  const Model<D>& model = m.simulation().model();
+  const auto is_held = [&](int body) {
+    const Body& b = model.bodies[static_cast<std::size_t>(body)];
+    for (int n = b.first_node; n < b.first_node + b.nodes; ++n)
+      for (const Support s : model.support[static_cast<std::size_t>(n)])
+        if (s == Support::free) return false;
+    return true;
+  };
+  const auto held = std::find_if(bodies.begin(), bodies.end(), is_held);
+  if (held != bodies.end())
+    tell_note(L, m,
+              fmt::format("load '{}': body '{}' is held or driven in all directions, so that the load moves nothing "
+                          "before one of them is free",
+                          name, model.bodies[static_cast<std::size_t>(*held)].name));
+}
+
+std::vector<PointLoad<3>> solid_loads(const Model<3>& model, int body, const SolidLoadSpec& spec) {
+  if (!spec.at && !model.bodies[static_cast<std::size_t>(body)].is_rigid()) return spread_solid_load(model, body, spec);
+  return {make_solid_load(model, body, spec)};
 }
 
 int solid_point_load(lua_State* L, SpaceModel& m) {
@@ -35,14 +58,19 @@ int solid_point_load(lua_State* L, SpaceModel& m) {
   spec.force = keys.vector("force", Vec3::Zero());
   spec.moment = keys.vector("moment", Vec3::Zero());
   if (spec.force.isZero() && spec.moment.isZero()) keys.problem("gives neither a force nor a moment");
-  if (keys.has("at")) spec.at = keys.vector("at");
-  if (spec.at && bodies.size() > 1) keys.problem("'at' is a point of one body; several are given: leave it out");
   spec.follows = keys.flag("follow", false);
   spec.curve = read_load_curve(keys, m.time());
+  keys.know({"at"});
+  keys.finish();
+  const auto places = read_places(keys, m, bodies, "{x, y, z}, \"centroid\" or the name of a joint", vector_at);
   keys.finish();
   if (spec.name.empty()) spec.name = free_load_name(m, "load");
   std::vector<PointLoad<3>> loads;
-  for (const int body : bodies) loads.push_back(make_solid_load(m.simulation().model(), body, spec));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    spec.at = places[i];
+    for (PointLoad<3>& load : solid_loads(m.simulation().model(), bodies[i], spec)) loads.push_back(std::move(load));
+  }
+  tell_held(L, m, bodies, spec.name);
   m.change([loads](Model<3>& changed) {
     changed.point_loads.insert(changed.point_loads.end(), loads.begin(), loads.end());
   });
@@ -66,7 +94,7 @@ int point_load(lua_State* L) {
   keys.know({"at"});
   keys.finish();
   const Model<2>& model = m.simulation().model();
-  const auto places = read_places(keys, model, bodies);
+  const auto places = read_places(keys, m, bodies, "{x, y} or the name of a place or a joint", point_at);
   keys.finish();
   if (spec.name.empty()) spec.name = free_load_name(m, "load");
   std::vector<PointLoad<2>> loads;
@@ -74,6 +102,7 @@ int point_load(lua_State* L) {
     spec.at = places[i];
     for (PointLoad<2>& load : make_point_load(model, bodies[i], spec)) loads.push_back(std::move(load));
   }
+  tell_held(L, m, bodies, spec.name);
   m.change([loads](Model<2>& changed) {
     changed.point_loads.insert(changed.point_loads.end(), loads.begin(), loads.end());
   });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable.hpp"
 #include "base/team.hpp"
 #include "bindings.hpp"
 #include "body_reading.hpp"
@@ -117,12 +118,24 @@ void push_gravity(lua_State* L, const ModelBox& box) {
   push_list<3>(L, gravity_now<3>(space, space.builder.gravity));
 }
 
-/// How far gravity has turned [rad]; in the plane counter-clockwise.
+/// Counter-clockwise; the tilt that is on, which may be whole turns, beside what those before it came to.
+double tilt_in(const PlaneModel& m) {
+  const Gravity<2>& g = m.if_built()->model().gravity;
+  const Vec2& first = m.builder.gravity;
+  return portable::atan2(cross(first, g.field), first.dot(g.field)) + g.angle(m.time());
+}
+/// The angle between where gravity points and where it pointed first, at most half a turn.
+double tilt_in(const SpaceModel& m) {
+  const Vec3 now = m.if_built()->model().gravity.grown(m.time());
+  const Vec3& first = m.builder.gravity;
+  return portable::atan2(cross(first, now).norm(), first.dot(now));
+}
+/// How far gravity stands from where it began [rad].
 double tilt_now(const ModelBox& box) {
   const ScriptModel& m = box.get();
   if (!m.built()) return 0;
-  if (const PlaneModel* plane = as_plane(m)) return plane->if_built()->model().gravity.angle(m.time());
-  return static_cast<const SpaceModel&>(m).if_built()->model().gravity.angle(m.time()).norm();
+  if (const PlaneModel* plane = as_plane(m)) return tilt_in(*plane);
+  return tilt_in(static_cast<const SpaceModel&>(m));
 }
 
 using ModelProperty = Property<ModelBox>;
@@ -137,7 +150,7 @@ const std::array model_properties{
                   [](lua_State* L, const ModelBox& m) { lua_pushinteger(L, m.get().dim()); }},
     ModelProperty{"thickness", "m", "out of the plane", [](const ModelBox& m) { return m.plane().builder.thickness; }},
     ModelProperty{"gravity", "", "as it is now [m/s2]: {x, y}, in space {x, y, z}", nullptr, push_gravity},
-    ModelProperty{"tilted", "rad", "how far gravity has turned, see m:tilt", tilt_now},
+    ModelProperty{"tilted", "rad", "how far gravity stands from where it began, see m:tilt", tilt_now},
     ModelProperty{"speed", "m/s", "fastest point of all moving bodies",
                   [](const ModelBox& m) { return m.get().step_numbers().speed; }},
     ModelProperty{"ratio", "1", "unbalanced force over the largest carried one",

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "guard.hpp"
 #include "simulated_model.hpp"
 
 namespace trilith::script {
@@ -14,6 +15,13 @@ namespace {
 template <int D>
 bool is_bearing_removed(const State<D>& state, int bearing) {
   return state.bearing[static_cast<std::size_t>(bearing)].status == BearingStatus::removed;
+}
+
+/// What is refused at the step border was asked for at `place` of the script, and not in the line that runs the stage;
+/// "" where it is asked for now.
+[[noreturn]] void refuse_later(const std::string& place, const std::string& what) {
+  if (place.empty()) throw InputError(what);
+  throw ScriptError(place + what);
 }
 
 }  // namespace
@@ -126,12 +134,14 @@ void SimulatedModel<D>::remove(const std::vector<int>& which, const std::vector<
   simulation();
   const bool waits = running_ && !paused_;
   change([this, which, links, place = waits ? place : ""](Model<D>& model) {
-    for (const int b : which) require_present(b, "remove" + (place.empty() ? place : ": " + place));
+    for (const int b : which)
+      if (const std::string why = why_absent(b); !why.empty())
+        refuse_later(place, fmt::format("remove: body '{}' {}", body_name(b), why));
     require_unpushed(which);
     for (const int i : links)
       if (is_bearing_removed(simulation_->state(), i))
-        throw InputError(fmt::format("remove: {}bearing '{}' was removed already", place,
-                                     model.bearings[static_cast<std::size_t>(i)].name));
+        refuse_later(place, fmt::format("remove: bearing '{}' was removed already",
+                                        model.bearings[static_cast<std::size_t>(i)].name));
     simulation_->remove({which, links});
   });
 }
@@ -144,12 +154,12 @@ void SimulatedModel<D>::put_back(const std::vector<int>& which, const std::vecto
   change([this, which, links, place = waits ? place : ""](Model<D>& model) {
     for (const int b : which)
       if (!removed_at(b))
-        throw InputError(fmt::format("put_back: {}body '{}' is there; what was removed can be put back", place,
-                                     model.bodies[static_cast<std::size_t>(b)].name));
+        refuse_later(place, fmt::format("put_back: body '{}' is there; what was removed can be put back",
+                                        model.bodies[static_cast<std::size_t>(b)].name));
     for (const int i : links)
       if (!is_bearing_removed(simulation_->state(), i))
-        throw InputError(fmt::format("put_back: {}bearing '{}' is there; what was removed can be put back", place,
-                                     model.bearings[static_cast<std::size_t>(i)].name));
+        refuse_later(place, fmt::format("put_back: bearing '{}' is there; what was removed can be put back",
+                                        model.bearings[static_cast<std::size_t>(i)].name));
     simulation_->put_back({which, links});
   });
 }

@@ -290,7 +290,7 @@ const std::array motion_methods{
     Method{"baseline", guarded<baseline>, "baseline(degree): without the polynomial that fits it best"},
     Method{"filter", guarded<filter>, "filter{low=, high=, order=, pad=}: Butterworth, without a shift of phase"},
     Method{"resample", guarded<resample>, "resample(dt): samples at another step"},
-    Method{"rotate", guarded<rotate>, "rotate(other, angle): two components turned; gives both"},
+    Method{"rotate", guarded<rotate>, "rotate(other, angle): two components along axes turned by it; gives both"},
     Method{"passage", guarded<passage>, "passage{distance=, velocity=}: later by the time a wave takes"},
     Method{"difference", guarded<difference>, "difference(other): largest displacement and velocity against another"},
     Method{"sa", guarded<sa>, "sa(period, damping): pseudo-acceleration of an oscillator"},

@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "load/ramp.hpp"
+#include "load_reading.hpp"
 #include "pushover_order.hpp"
 #include "run/load_way.hpp"
 #include "run/pushover.hpp"
@@ -300,6 +301,7 @@ int push_in_space(lua_State* L, SpaceModel& m) {
   const StageUntil until = o.by_arc ? StageUntil{} : read_until(keys, m);
   keys.finish();
   require_stopped(m);
+  if (!o.place.empty()) o.at = named_place(m, o.bodies.front(), o.place, keys.owner());
   return o.by_arc ? push_by_arc(L, m, o) : push_by_time(L, m, o, until);
 }
 
@@ -312,8 +314,7 @@ int pushover(lua_State* L) {
   const StageUntil until = o.by_arc ? StageUntil{} : read_until(keys, m);
   keys.finish();
   require_stopped(m);
-  if (!o.place.empty() && !(o.at = named_place(m.simulation().model(), o.bodies.front(), o.place)))
-    throw InputError(fmt::format("pushover: 'at' is '{}', must be {{x, y}} or one of {}", o.place, place_names));
+  if (!o.place.empty()) o.at = named_place(m, o.bodies.front(), o.place, keys.owner());
   return o.by_arc ? push_by_arc(L, m, o) : push_by_time(L, m, o, until);
 }
 

@@ -36,18 +36,21 @@ void read_limits(Keys& keys, PushOrder<D>& o) {
     keys.problem(fmt::format("'drop' is {:g}, must be at least 0 and below 1", o.limits.drop));
 }
 
-/// `at`: a point, or in the plane the name of a place.
-void read_place(Keys& keys, PushOrder<2>& o) {
+/// `at`: a point, or the name of a place or a joint.
+template <int D>
+void read_place(Keys& keys, PushOrder<D>& o) {
   lua_State* L = keys.lua();
   const int type = keys.push("at");
   if (type == LUA_TSTRING)
     o.place = text_at(L, -1);
-  else if (type != LUA_TNIL && !(o.at = point_at(L, -1)))
-    keys.wrong("at", "{x, y} or the name of a place");
+  else if constexpr (D == 2)
+    o.at = type == LUA_TNIL ? std::nullopt : point_at(L, -1);
+  else
+    o.at = type == LUA_TNIL ? std::nullopt : vector_at(L, -1);
+  if (type != LUA_TNIL && type != LUA_TSTRING && !o.at)
+    keys.wrong("at",
+               D == 2 ? "{x, y} or the name of a place or a joint" : "{x, y, z}, \"centroid\" or the name of a joint");
   lua_pop(L, 1);
-}
-void read_place(Keys& keys, PushOrder<3>& o) {
-  if (keys.has("at")) o.at = keys.vector("at");
 }
 
 template <int D>

@@ -1,4 +1,5 @@
-// What becomes of loads, pushes and supports: a load's share changes, any of them is let go without a jolt.
+// What becomes of loads, pushes and supports: directions are held and freed, a load's share changes, any of them is let
+// go without a jolt.
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +16,23 @@ void require_load(ScriptModel& m, const std::string& name, const char* owner) {
   const std::vector<std::string> names = names_of_loads(m);
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw InputError(fmt::format("{}: there is no load '{}'{}", owner, name, name_hint(name, names)));
+}
+
+/// Names of the pushes alone.
+std::vector<std::string> names_of_pushes(ScriptModel& m) {
+  const auto of = [](const auto& model) {
+    std::vector<std::string> names;
+    for (const auto& push : model.pushes) names.push_back(push.name);
+    return names;
+  };
+  if (SpaceModel* space = as_space(m)) return of(space->simulation().model());
+  return of(as_plane(m)->simulation().model());
+}
+
+void require_push(ScriptModel& m, const std::string& name) {
+  const std::vector<std::string> names = names_of_pushes(m);
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw InputError(fmt::format("release: there is no push '{}'{}", name, name_hint(name, names)));
 }
 
 double read_span(Keys& keys, const char* key, double preset) {
@@ -116,7 +134,7 @@ int release_of(lua_State* L, SimulatedModel<D>& m) {
     require_load(m, load, "release");
     change_share(m, load, 0, fade);
   } else if (of_push) {
-    require_load(m, push, "release");
+    require_push(m, push);
     release_pushed(m, push, fade);
   } else {
     release_bodies(m, bodies, on, fade, user_place(L));
@@ -129,7 +147,85 @@ int release(lua_State* L) {
   return release_of<2>(L, this_plane(L));
 }
 
+/// Which degrees of freedom a text such as "xy" names; all where nothing is given. In the plane x, y and r, in space x,
+/// y, z and r, which is every turn.
+std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, int dim) {
+  std::array<bool, 6> on{};
+  if (lua_isnoneornil(L, index)) {
+    on.fill(true);
+    return on;
+  }
+  const std::string_view letters = dim == 2 ? "xyr" : "xyzr";
+  const std::string text = lua_type(L, index) == LUA_TSTRING ? text_at(L, index) : "?";
+  for (const char c : text) {
+    const std::size_t k = letters.find(c);
+    if (k != std::string_view::npos)
+      std::fill(on.begin() + static_cast<std::ptrdiff_t>(k), c == 'r' ? on.end() : on.begin() + k + 1, true);
+    else if (c != ' ' && c != ',')
+      throw InputError(fmt::format("{}: directions are {}, must be a text of {}, as in \"xy\"", owner,
+                                   what_is(L, index), dim == 2 ? "x, y and r" : "x, y, z and r"));
+  }
+  if (std::none_of(on.begin(), on.end(), [](bool k) { return k; }))
+    throw InputError(
+        fmt::format("{}: directions are {}, which names none; give some of {}, as in \"xy\", or leave "
+                    "them out for all",
+                    owner, what_is(L, index), dim == 2 ? "x, y and r" : "x, y, z and r"));
+  return on;
+}
+
+template <int D>
+void change_supports(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& on,
+                     Support support) {
+  m.change_supports([bodies, on, support](Model<D>& model) {
+    for (const int body : bodies)
+      for (int k = 0; k < Space<D>::dofs; ++k)
+        if (on[static_cast<std::size_t>(k)]) set_support(model, body, k, support);
+  });
+}
+
+/// Nodes of elements do not turn, so that holding turns alone holds nothing.
+template <int D>
+void refuse_turns_of_elements(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& on) {
+  const bool turn = std::any_of(on.begin() + D, on.begin() + Space<D>::dofs, [](bool k) { return k; });
+  const bool place = std::all_of(on.begin(), on.begin() + D, [](bool k) { return k; });
+  if (!turn || place) return;
+  const Model<D>& model = m.simulation().model();
+  for (const int body : bodies) {
+    if (body >= static_cast<int>(model.bodies.size()) || model.bodies[static_cast<std::size_t>(body)].nodes_turn())
+      continue;
+    throw InputError(
+        fmt::format("fix: body '{}' is made of elements, whose nodes have no rotation to hold; fix {}",
+                    model.bodies[static_cast<std::size_t>(body)].name,
+                    D == 2 ? "x and y, or hold some of its nodes" : "x, y and z, or hold some of its nodes"));
+  }
+}
+
+int set_supports(lua_State* L, const char* owner, Support support) {
+  ScriptModel& m = this_model(L);
+  const std::vector<int> bodies = some_bodies_at(L, 2, m, owner);
+  const std::array<bool, 6> on = directions_at(L, 3, owner, m.dim());
+  if (support == Support::fixed) {
+    if (SpaceModel* space = as_space(m))
+      refuse_turns_of_elements(*space, bodies, on);
+    else
+      refuse_turns_of_elements(require_plane(m, owner), bodies, on);
+  }
+  if (SpaceModel* space = as_space(m))
+    change_supports(*space, bodies, on, support);
+  else
+    change_supports(require_plane(m, owner), bodies, on, support);
+  return 0;
+}
+int fix(lua_State* L) {
+  return set_supports(L, "fix", Support::fixed);
+}
+int free_bodies(lua_State* L) {
+  return set_supports(L, "free", Support::free);
+}
+
 const std::array release_method_list{
+    Method{"fix", guarded<fix>, "fix(bodies, \"xyr\"): holds these directions"},
+    Method{"free", guarded<free_bodies>, "free(bodies, \"xyr\"): frees these directions"},
     Method{"set_load", guarded<set_load>, "set_load{name=, factor=, duration=}: a load's share from now on"},
     Method{"release", guarded<release>,
            "release{body=, x=, y=, z=, rotation=, fade=} or {load=, fade=} or {push=, fade=}: frees without a jolt"},

@@ -13,6 +13,28 @@ Vec3 read_place(Keys& keys, std::string_view key, const SeatSpecOf<3>& /*spec*/)
   return keys.vector(key);
 }
 
+/// Level, from the edge towards the end that lies beyond it. A problem is noted where that is nowhere.
+template <int D>
+Vec<D> inward_of(Keys& keys, const SeatSpecOf<D>& spec) {
+  Vec<D> way = spec.end - spec.edge;
+  way[D - 1] = 0;
+  if (way.norm() > 0) return way.normalized();
+  keys.problem(
+      "'at_end' is over the edge, so 'inward' does not follow from them; give inward, from the edge over the seat");
+  return Vec<D>::UnitX();
+}
+
+/// A seat that is lost before anything moves has its direction or its points wrong.
+template <int D>
+void check_length(Keys& keys, const SeatSpecOf<D>& spec) {
+  const double length = spec.inward.norm() > 0 ? (spec.end - spec.edge).dot(spec.inward.normalized()) : 0;
+  if (length < 0)
+    keys.problem(
+        fmt::format("'at_end' lies {:g} m beyond the edge, so that the seat is lost as it begins; 'inward' goes "
+                    "from the edge over the seat: turn it round, or leave it out",
+                    -length));
+}
+
 template <int D, class M>
 void add_seat_to(lua_State* L, M& m) {
   m.adding();
@@ -24,7 +46,11 @@ void add_seat_to(lua_State* L, M& m) {
   spec.support = body_name(keys, "support", m);
   spec.end = read_place(keys, "at_end", spec);
   spec.edge = read_place(keys, "edge", spec);
-  if (keys.has("inward")) spec.inward = read_place(keys, "inward", spec);
+  const bool given = keys.has("inward");
+  if (given) spec.inward = read_place(keys, "inward", spec);
+  keys.finish();
+  if (!given) spec.inward = inward_of(keys, spec);
+  check_length(keys, spec);
   keys.finish();
   m.builder.add_seat(spec);
   m.seats.push_back(spec.name);

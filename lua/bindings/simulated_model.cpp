@@ -29,6 +29,18 @@ std::string missed_text(const Model<D>& model, const MissedBonds& missed) {
       model.bodies[missed.body_a].name, model.bodies[missed.body_b].name, quantity_text(missed.gap, "m"));
 }
 
+/// The first bearing that waits for ever, or -1.
+template <int D>
+int idle_bearing(const Model<D>& model) {
+  const auto& all = model.bearings;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].starts_waiting && std::none_of(all.begin(), all.end(), [i](const Bearing<D>& b) {
+          return b.becomes_bearing == static_cast<int>(i);
+        }))
+      return static_cast<int>(i);
+  return -1;
+}
+
 }  // namespace
 
 template <int D>
@@ -38,6 +50,11 @@ Simulation<D>& SimulatedModel<D>::simulation() {
     caught_up_ = additions_;
     const MissedBonds missed = missed_bonds(simulation_->model(), simulation_->state());
     if (missed.count > 0) add_note(missed_text(simulation_->model(), missed));
+    if (const int idle = idle_bearing(simulation_->model()); idle >= 0)
+      add_note(
+          fmt::format("bearing '{}' waits, and no bearing becomes it, so that it carries nothing; name it in "
+                      "`becomes` of another one, or leave out waiting",
+                      simulation_->model().bearings[static_cast<std::size_t>(idle)].name));
   }
   return *simulation_;
 }

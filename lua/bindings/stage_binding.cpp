@@ -1,4 +1,4 @@
-// Stages, and what changes between them: supports, drives, gravity.
+// Stages, and what changes between them: drives, gravity, bounds.
 #include <algorithm>
 #include <cmath>
 
@@ -111,6 +111,8 @@ int run(lua_State* L) {
   o.name = keys.text("name", "run");
   const double to = keys.number("to", "s", unbounded);
   o.duration = std::isfinite(to) ? to - m.time() : keys.number("duration", "s");
+  if (std::isfinite(to) && keys.has("duration"))
+    keys.problem("both 'to' and 'duration' are given; keep one: the time at which it ends, or how long it lasts");
   if (std::isfinite(to)) o.end_time = to, keys.know({"duration"});
   if (std::isfinite(to) && !(to > m.time()))
     keys.problem(fmt::format("'to' is {:g} s, must be after the present {:g} s", to, m.time()));
@@ -206,63 +208,23 @@ int drive(lua_State* L) {
   return 0;
 }
 
-/// Which degrees of freedom a text such as "xy" names; all where nothing is given. In the plane x, y and r, in space x,
-/// y, z and r, which is every turn.
-std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, int dim) {
-  std::array<bool, 6> on{};
-  if (lua_isnoneornil(L, index)) {
-    on.fill(true);
-    return on;
-  }
-  const std::string_view letters = dim == 2 ? "xyr" : "xyzr";
-  const std::string text = lua_type(L, index) == LUA_TSTRING ? text_at(L, index) : "?";
-  for (const char c : text) {
-    const std::size_t k = letters.find(c);
-    if (k != std::string_view::npos)
-      std::fill(on.begin() + static_cast<std::ptrdiff_t>(k), c == 'r' ? on.end() : on.begin() + k + 1, true);
-    else if (c != ' ' && c != ',')
-      throw InputError(fmt::format("{}: directions are {}, must be a text of {}, as in \"xy\"", owner,
-                                   what_is(L, index), dim == 2 ? "x, y and r" : "x, y, z and r"));
-  }
-  return on;
-}
-
-template <int D>
-void change_supports(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& on,
-                     Support support) {
-  m.change_supports([bodies, on, support](Model<D>& model) {
-    for (const int body : bodies)
-      for (int k = 0; k < Space<D>::dofs; ++k)
-        if (on[static_cast<std::size_t>(k)]) set_support(model, body, k, support);
-  });
-}
-
-int set_supports(lua_State* L, const char* owner, Support support) {
-  ScriptModel& m = this_model(L);
-  const std::vector<int> bodies = some_bodies_at(L, 2, m, owner);
-  const std::array<bool, 6> on = directions_at(L, 3, owner, m.dim());
-  if (SpaceModel* space = as_space(m))
-    change_supports(*space, bodies, on, support);
-  else
-    change_supports(require_plane(m, owner), bodies, on, support);
-  return 0;
-}
-int fix(lua_State* L) {
-  return set_supports(L, "fix", Support::fixed);
-}
-int free_bodies(lua_State* L) {
-  return set_supports(L, "free", Support::free);
-}
-
-/// A number that is allowed but not usual gets a note, at once where a stage runs.
+/// A number that is allowed but not usual gets a note.
 void tell_doubt(lua_State* L, ScriptModel& m, const std::string& owner, std::string_view name, std::string_view unit,
                 double value) {
   std::vector<std::string> doubts;
   add_doubt(doubts, owner, name, unit, value);
-  for (const std::string& text : doubts) {
-    if (m.running() && host(L).observer != nullptr) host(L).observer->note(text);
-    if (!m.running()) m.add_note(text);
-  }
+  for (const std::string& text : doubts) tell_note(L, m, text);
+}
+
+/// Whether gravity turns now.
+bool is_tilting(const ScriptModel& m) {
+  const auto turns = [now = m.time()]<int D>(const SimulatedModel<D>& model) {
+    if (model.if_built() == nullptr) return false;
+    const Gravity<D>& g = model.if_built()->model().gravity;
+    return g.tilt_rate != nothing<Spin<D>>() && now < g.tilt_end;
+  };
+  if (const PlaneModel* plane = as_plane(m)) return turns(*plane);
+  return turns(static_cast<const SpaceModel&>(m));
 }
 
 /// From now on gravity turns at `rate`, for as long as it takes to turn by `by`.
@@ -288,6 +250,7 @@ int tilt(lua_State* L) {
   const double towards = m.dim() == 3 ? keys.number("towards", "rad", 0) : 0;
   if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate has the sign", by));
   keys.finish();
+  if (rate == 0 && !is_tilting(m)) tell_note(L, m, "tilt: rate is 0 rad/s, and gravity does not turn: nothing changes");
   tell_doubt(L, m, "tilt", "rate", "rad/s", rate);
   tell_doubt(L, m, "tilt", "by", "rad", by);
   const double duration = rate == 0 ? unbounded : by / std::abs(rate);
@@ -355,8 +318,6 @@ const std::array stage_method_list{
     Method{"shake", guarded<shake>,
            "shake{motions={{body=, x=, y=}, ...}, duration=, still={speed=, hold=}}: bodies follow ground motions"},
     Method{"drive", guarded<drive>, "drive{body=, x=, y=, rotation=}: a body follows a motion from now on"},
-    Method{"fix", guarded<fix>, "fix(bodies, \"xyr\"): holds these directions"},
-    Method{"free", guarded<free_bodies>, "free(bodies, \"xyr\"): frees these directions"},
     Method{"tilt", guarded<tilt>, "tilt{rate=, by=}: gravity turns from now on"},
     Method{"bounds", guarded<bounds>,
            "bounds{left=, right=, bottom=, top=}: what leaves them is an event and stands still from then on"},
@@ -364,6 +325,13 @@ const std::array stage_method_list{
 };
 
 }  // namespace
+
+void tell_note(lua_State* L, ScriptModel& model, const std::string& text) {
+  if (!model.running())
+    model.add_note(text);
+  else if (host(L).observer != nullptr)
+    host(L).observer->note(text);
+}
 
 std::span<const Method> stage_methods() {
   return stage_method_list;

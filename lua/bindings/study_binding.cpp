@@ -233,6 +233,7 @@ int study(lua_State* L) {
   watch.status = [&h](const std::string& text) { h.observer->status(text); };
   watch.goes_on = [&interrupt] { return !interrupt.pressed(); };
   const std::vector<StudyOutcome> outcomes = run_study(order, watch);
+  h.study.failed = any_failed(outcomes);
   if (!order.only.empty()) throw InputError(script_is_done);  // what the script makes of all cases is not its task
   push_study(L, order, outcomes);
   return 1;

@@ -10,7 +10,7 @@ return {
 body    bodies          on what
 force   point?          the force [N]; in space {x, y, z}
 moment  number N m = 0  the moment; in space a vector {x, y, z}
-at      place = "centroid"  a point {x, y} of the body, or a place's name; else the centroid; {x, y, z} in space
+at      place = "centroid"  a point {x, y} of the body, {x, y, z} in space, or the name of a place or of a frame's joint
 follow  flag = false    it turns with the body
 course  course = all at once  its share over time: ]] .. course .. [[
 
@@ -40,7 +40,7 @@ rotation  flag = false  this direction
 fade      number s = 1  over which it goes]] },
   { "model:pushover", "A stage that pushes bodies steadily, and what that takes.", keys = [[
 body          bodies           what is pushed
-at            place = "centroid"  a point {x, y} or the name of a place of one body; in space {x, y, z}
+at            place = "centroid"  a point {x, y} of one body, {x, y, z} in space, or the name of a place or joint
 direction     text = "x"       x, -x, y or -y; in space z or -z too
 pattern       text = "mass"    share of each body: mass, uniform or triangle
 control       text = "time"    "time": pushed steadily; "arc": by equilibria past limit points

@@ -25,7 +25,7 @@ damping      number s = 0  stress per strain rate over E
 band_damping  table?           of members of frames: { ratio =, from =, to = }, the same between two frequencies [Hz]
 solid        solid law?        instead of E: a law such as trilith.mohr_coulomb{...}
 plane        text = "stress"   "stress" or "strain"
-form         text = "assumed"  "assumed" or "plain": the element
+form         text = "assumed"  "assumed" or "plain": the element; "plain" keeps the limit of perfect plasticity
 strain_limit  number = 0.5     strain its elements are made for; beyond, the stage diverges]], gives = "string" },
   { "model:contact", "Which law holds between materials, groups or bodies. Later calls win.", keys = [[
 between  names          two names of materials, groups or bodies; "*" for any
@@ -73,7 +73,7 @@ body     body    what sits
 support  body    on what
 at_end   point   the body's end
 edge     point   the edge of the seat
-inward   point?  from the edge over the seat]], gives = "seat" },
+inward   point?  from the edge over the seat; without it level from the edge towards at_end]], gives = "seat" },
   { "model:remove", "Takes bodies, bearings or loads away: at once between stages, else at the next step border. What "
     .. "leaned on them is free from the next step on.",
     args = "what  bodies  a body, set, bearing, name of one, of a group or of a load, or a list of these" },

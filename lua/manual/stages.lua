@@ -70,7 +70,7 @@ directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r, wh
 bodies      bodies  a body, set, name, group or list of these
 directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
   { "model:tilt", "Gravity turns from now on.", keys = [[
-rate     number rad/s    counter-clockwise
+rate     number rad/s    counter-clockwise; 0 stops it
 by       number rad?     where it stops
 towards  number rad = 0  in space: the azimuth it turns towards, counted from x to y]], beside = { towards = true } },
   { "model:bounds", "What leaves them is an event, stands still from then on and touches nothing. Sides that are not "

@@ -66,7 +66,8 @@ order  integer = 4   of each side, 1 to 10
 pad    number s = 0  rest set before and after the record, which stays]], gives = "motion" },
   { "motion:resample", "Samples at another step, linear between the old ones; a longer step is filtered first.",
     args = "dt  number s  the new step", gives = "motion" },
-  { "motion:rotate", "Two horizontal components turned counter-clockwise.", args = [[
+  { "motion:rotate", "Two horizontal components along axes turned counter-clockwise: a cos + b sin, and "
+    .. "b cos - a sin.", args = [[
 other  motion      the other component
 angle  number rad  by which]], gives = "motion, motion" },
   { "motion:passage", "Later by the time a wave takes: supports along a bridge.", keys = [[

@@ -61,8 +61,8 @@ void describe_command_line(CLI::App& app, int& code) {
   app.footer(
       "trilith alone opens a console; trilith -i SCRIPT runs a script and stays; trilith SCRIPT runs it.\n"
       "trilith doctor says where the program, its Lua module and its records lie, and whether they work.\n"
-      "Exit codes: 0 all went well, 1 wrong input or an error in a script, 2 wrong words on the command line,\n"
-      "3 a run that is not to be trusted (it says why), 130 interrupted.");
+      "Exit codes: 0 all went well, 1 wrong input, an error in a script or in a case of a study,\n"
+      "2 wrong words on the command line, 3 a run that is not to be trusted (it says why), 130 interrupted.");
   app.require_subcommand(1);
   app.failure_message(failure_text);
   add_console(app, code);

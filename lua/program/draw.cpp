@@ -40,10 +40,9 @@ Window window_of(const results::ResultsReader& reader, const std::string& stage,
   const std::vector<double>& times = reader.frame_times();
   if (times.empty())
     throw results::ResultsError(fmt::format("results file '{}': there is no frame to draw", reader.path().string()));
-  const results::TimeOrigin origin = results::time_origin(reader, since.empty() ? stage : since);
-  if (stage.empty()) return {0, times.back(), origin};
+  if (stage.empty()) return {0, times.back(), results::time_origin(reader, since)};
   const results::StageRow row = results::find_stage(reader, stage);
-  return {row.begin, row.ended ? row.end : times.back(), origin};
+  return {row.begin, row.ended ? row.end : times.back(), results::time_origin(reader, since.empty() ? stage : since)};
 }
 
 /// A number of seconds, "start", "end", or the type of an event: the first one of it in the window.

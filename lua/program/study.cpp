@@ -114,9 +114,10 @@ int run_over(const StudyOptions& o) {
   watch.line = [&live](const std::string& text, bool strong) { live.line(text, strong); };
   watch.status = [&live](const std::string& text) { live.status(text); };
   watch.goes_on = [] { return signal_code() == 0; };
-  run_study(order, watch);
+  const std::vector<StudyOutcome> outcomes = run_study(order, watch);
   live.clear();
-  return signal_code() != 0 ? signal_code() : ended_well;
+  if (signal_code() != 0) return signal_code();
+  return any_failed(outcomes) ? wrong_input : ended_well;
 }
 
 /// The script says what the study is.
@@ -137,14 +138,15 @@ int run_own(const StudyOptions& o) {
   if (code == ended_well && !host.study.begun)
     throw InputError(
         fmt::format("{} has no study (trilith.study); give what to vary, as in --over mu=0.2,0.4", o.script));
-  return code;
+  return code == ended_well && host.study.failed ? wrong_input : code;
 }
 
 }  // namespace
 
 void add_study(CLI::App& app, int& code) {
   auto o = std::make_shared<StudyOptions>();
-  CLI::App* verb = app.add_subcommand("study", "Run many cases of a script, each in a process of its own");
+  CLI::App* verb = app.add_subcommand(
+      "study", "Run many cases of a script, each in a process of its own; it ends with 1 where one has failed");
   verb->add_option("script", o->script, "a script with trilith.study, or with --over one that runs a case")
       ->required()
       ->type_name("SCRIPT");

@@ -37,7 +37,7 @@ TEST_CASE("what a plain record leaves unclear is refused with its line") {
   refused("0 1\n0.01 2\n", {"m/s2", 0.02}, "dt is given as 0.02 s");
   refused("0 1\n0.01 x\n", {"m/s2", {}}, "line 2");
   refused("0 1\n0.01 2 3\n", {"m/s2", {}}, "has 3 columns");
-  refused("0 100\n0.01 200\n", {"m/s2", {}}, "above 5 g");
+  refused("0 100\n0.01 200\n", {"m/s2", {}}, "peak is 20.4 g with unit = \"m/s2\", above 5 g; probably");
   refused("title\n", {"m/s2", {}}, "no numbers");
   refused("1 1\n1 2\n", {"m/s2", {}}, "do not grow");
 }

@@ -42,3 +42,23 @@ assert(left.status == "changed", left.status)
 assert(seen.failed and seen.changed and seen.changed.id > seen.failed.id and seen.changed.cause == seen.failed.id)
 assert(seen[1] == "stage.begun" and seen[#seen] == "stage.ended")
 assert(share.max > 0.9)
+
+-- A seat whose `inward` is left out begins at the edge and goes towards the body's end, on either side, in space too.
+for _, side in ipairs { -1, 1 } do
+  local w = trilith.model { name = "seats" }
+  w:material { name = "s", density = 2500 }
+  w:contact { between = { "*", "*" }, law = slide }
+  w:block { name = "a", width = 2, height = 2, at = { side - 1, -2 }, material = "s", support = "fixed" }
+  w:block { name = "b", width = 1, height = 1, at = { side*0.2 - 0.5, 0.01 }, material = "s", floating = true }
+  local own = w:seat { name = "L", body = "b", support = "a", at_end = { side*0.3, 0.01 }, edge = { 0, 0 } }
+  w:run { duration = 1e-3 }
+  assert(math.abs(own.length - 0.3) < 1e-5 and not own.lost, own.length)
+  local u = trilith.model { name = "seats", dim = 3 }
+  u:material { name = "s", density = 2500 }
+  u:contact { between = { "*", "*" }, law = slide }
+  u:block { name = "a", size = { 2, 2, 2 }, at = { -1, side - 1, -2 }, material = "s", support = "fixed" }
+  u:block { name = "b", size = { 1, 1, 1 }, at = { -0.5, side*0.2 - 0.5, 0.01 }, material = "s", floating = true }
+  own = u:seat { name = "L", body = "b", support = "a", at_end = { 0, side*0.3, 0.01 }, edge = { 0, 0, 0 } }
+  u:run { duration = 1e-3 }
+  assert(math.abs(own.length - 0.3) < 1e-5 and not own.lost, own.length)
+end

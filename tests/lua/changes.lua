@@ -318,3 +318,16 @@ do
   assert(math.abs(bed.residual - residual) < 1e-6, bed.residual - residual)
   assert(base.present)
 end
+
+-- Numbers of a law that do not go together are refused, and the law is as it was.
+do
+  local w = trilith.model { name = "mortar" }
+  w:material { name = "stone", density = 2000 }
+  w:contact { between = { "*", "*" }, name = "mortar", law = trilith.cohesive { kn = 1e9, ks = 5e8, mu = 0.5,
+    cohesion = 1e5, tension = 5e4, energy_tension = 20, energy_shear = 50 } }
+  w:block { name = "ground", width = 6, height = 1, at = { -3, -1 }, material = "stone", support = "fixed" }
+  w:block { name = "b", width = 1, height = 1, material = "stone" }
+  w:run { duration = 1e-3 }
+  fails(function() w:change { law = "mortar", tension = 1e6 } end, "energy_tension is 20 J/m2, must be above")
+  w:change { law = "mortar", mu = 0.6 } -- which would be refused as well, had the tension been taken over
+end

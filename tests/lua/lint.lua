@@ -45,7 +45,7 @@ lacks(usual:lint(), "usual")
 
 local sliding = model {}
 sliding:bearing { name = "B", between = { "low", "top" }, at = { 0.5, 0.5 },
-                  along = trilith.friction { mu = 35, stiffness = 1e6 } }
+                  along = trilith.friction { mu = 35, stiffness = 1e6 }, axial = trilith.linear { stiffness = 1e6 } }
 has(sliding.notes, "bearing 'B': mu = 35 is above the usual 2")
 has(sliding:lint(), "bearing 'B': mu = 35 is above the usual 2")
 

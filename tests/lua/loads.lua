@@ -123,7 +123,8 @@ local function press(o) o.body = o.body or "block" return m:pressure(o) end
 refused("point_load: gives neither a force nor a moment", load, {})
 refused("point_load 'P': body: there is no body or group 'blok'; did you mean 'block'?", load,
         { name = "P", body = "blok", force = { 1, 0 } })
-refused("point_load: 'at' is 'topp', must be {x, y} or one of centroid, top", load, { force = { 1, 0 }, at = "topp" })
+refused("point_load: 'at' is 'topp', must be {x, y}, the name of a joint or one of centroid, top", load,
+        { force = { 1, 0 }, at = "topp" })
 refused("point_load: unknown key 'follows'; did you mean 'follow'?", load, { force = { 1, 0 }, follows = true })
 refused("course: give one of ramp = seconds, smooth = seconds, or points", load, { force = { 1, 0 }, course = {} })
 refused("course: its duration is -1 s, must be above 0", load, { force = { 1, 0 }, course = { ramp = -1 } })
@@ -147,3 +148,20 @@ refused("pushover: 'drop' is 2, must be at least 0 and below 1", m.pushover, m,
         { body = "block", rate = 1, displacement = 1, drop = 2 })
 refused("pushover: there are no storeys; leave 'storey' out", m.pushover, m,
         { body = "block", rate = 1, displacement = 1, storey = 1 })
+
+-- A joint's name is a place, of loads and of pushes.
+do
+  local bits = {}
+  for i, at in ipairs { "b", { 0, 2 } } do
+    local s = trilith.model { name = "post", gravity = 0 }
+    s:material { name = "steel", density = 7850, E = 2e11, nu = 0.3 }
+    s:frame { name = "f", material = "steel", joints = { a = { at = { 0, 0 }, support = "fixed" }, b = { 0, 2 } },
+      members = { { from = "a", to = "b", section = trilith.rectangle_section { width = 0.1, depth = 0.1 } } } }
+    s:point_load { body = "f", at = at, force = { 1e3, 0 } }
+    s:run { duration = 1e-3 }
+    s:pushover { body = "f", at = at, rate = 1, displacement = 1e-3 }
+    bits[i] = s.hash
+    s:close()
+  end
+  assert(bits[1] == bits[2])
+end

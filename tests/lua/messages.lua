@@ -50,6 +50,20 @@ local function with_results()
   return w
 end
 
+local function meshed()
+  local w = trilith.model { name = "meshed" }
+  w:material { name = "soft", density = 2000, E = 1e9, nu = 0.2 }
+  w:block { name = "mesh", width = 1, height = 1, material = "soft", body = { mesh = { 2, 2 } }, floating = true }
+  return w
+end
+local function bonded()
+  local w = new()
+  w:contact { between = { "stone", "stone" }, name = "mortar", law = trilith.cohesive { kn = 1e9, ks = 5e8, mu = 0.5,
+    cohesion = 1e5, tension = 5e4, energy_tension = 20, energy_shear = 50 } }
+  w:run { duration = 1e-4 }
+  return w
+end
+
 local m, b = new(), built()
 local nobody = b:bodies { name = "nobody" }
 local cases = {
@@ -57,6 +71,58 @@ local cases = {
     "block 'b': support: 'r' is written in full: rotation = \"fixed\"" },
   { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone" } end,
     "block 'b': 'size' is of blocks in space, of models with dim = 3; in the plane give width and height" },
+  -- bearings, seats and changes that would do nothing or harm
+  { function() with_block("up", 0):bearing { name = "b", between = { "base", "up" }, at = { 0.5, 0 },
+      along = trilith.friction { mu = 0.3, stiffness = 1e6 } } end,
+    "bearing 'b': friction slides under the compression of the axial law, of which there is none, so that it never "
+      .. "holds anything; give axial a law that presses, such as trilith.linear{...}" },
+  { function() with_block("up", 0):bearing { name = "b", between = { "base", "up" }, at = { 0.5, 0 },
+      axial = trilith.pendulum { radius = 1, mu = 0.3, stiffness = 1e6 } } end,
+    "bearing 'b': pendulum slides under the compression of the axial law, which slides itself, so that it never "
+      .. "holds anything; give axial a law that presses, such as trilith.linear{...}" },
+  { function() b:change { bearing = "B1", along = trilith.friction { mu = 0.3, stiffness = 1e6 } } end,
+    "change: bearing 'B1': friction slides under the compression of the axial law, of which there is none, so that it "
+      .. "never holds anything; give axial a law that presses, such as trilith.linear{...}" },
+  { function() with_block("up", 0):seat { name = "s", body = "up", support = "base", at_end = { 0.8, 0 },
+      edge = { 0.5, 0 }, inward = { -1, 0 } } end,
+    "seat 's': 'at_end' lies 0.3 m beyond the edge, so that the seat is lost as it begins; 'inward' goes from the edge "
+      .. "over the seat: turn it round, or leave it out" },
+  { function() with_block("up", 0):seat { name = "s", body = "up", support = "base", at_end = { 0.5, 1 },
+      edge = { 0.5, 0 } } end,
+    "seat 's': 'at_end' is over the edge, so 'inward' does not follow from them; give inward, from the edge over the "
+      .. "seat" },
+  { function() bonded():change { law = "mortar", tension = 1e6, cohesion = 1e6 } end,
+    "change: cohesive: energy_tension is 20 J/m2, must be above tension^2/(2 kn) = 500, what the joint stores at "
+      .. "its strength; give more energy, or a stiffer joint, or use the bonded law" },
+  -- what would have no effect
+  { function() b:fix("block", "") end,
+    "fix: directions are the text '', which names none; give some of x, y and r, as in \"xy\", or leave them out for "
+      .. "all" },
+  { function() late():run { to = 1, duration = 1 } end,
+    "run: both 'to' and 'duration' are given; keep one: the time at which it ends, or how long it lasts" },
+  { function() late():point_load { name = "p", body = "block", at = { 50, 5 }, force = { 0, 1 } } end,
+    "load 'p' on 'block': its point (50, 5) is 49 m away from body 'block', which is 1.41 m large; give a point in it "
+      .. "or near it, in m" },
+  { function() late():point_load { body = "block", at = "tip", force = { 0, 1 } } end,
+    "point_load: 'at' is 'tip', must be {x, y}, the name of a joint or one of centroid, top, bottom, left, right, "
+      .. "top left, top right, bottom left, bottom right" },
+  { function() trilith.cable { stiffness = 1, side = 0.5 } end, "cable: 'side' is 0.5, must be 1 or -1" },
+  { function() trilith.cable { stiffness = 1, side = 0 } end, "cable: 'side' is 0, must be 1 or -1" },
+  { function() trilith.gap { stiffness = 1, opening = 0, side = 0.5 } end,
+    "gap: 'side' is 0.5, must be 1, -1, or 0 for both" },
+  { function() trilith.gap { stiffness = 1, opening = 0, pull = 0.5 } end, "gap: 'pull' is 0.5, must be 0 or 1" },
+  { function() trilith.lead_rubber { strength = 1, post_stiffness = 10, stiffness = 50, ratio = 3 } end,
+    "lead_rubber: both 'stiffness' and 'ratio' are given; keep one: K1, or K1 over post_stiffness" },
+  { function() trilith.end_hinge { sagging = 1e5, softening = 0.1 } end,
+    "end_hinge: softening is 0.1 rad, but without a capping rotation it never softens; give capping, the plastic "
+      .. "rotation from which it does, or leave softening out" },
+  { function() trilith.end_hinge { sagging = 1e5, residual = 0.2 } end,
+    "end_hinge: residual is 0.2, but nothing takes the moment down to it; give capping and softening, or wear, or "
+      .. "leave residual out" },
+  { function() late():release { push = "q" } end, "release: there is no push 'q'; there are none" },
+  { function() meshed():fix("mesh", "r") end,
+    "fix: body 'mesh' is made of elements, whose nodes have no rotation to hold; fix x and y, or hold some of its nodes"
+  },
   -- mass scaling
   { function() late():run { duration = 1, mass_scaling = 2 } end,
     "run: 'mass_scaling' is 2, must be a table { step = , most = , bodies = }" },
@@ -387,4 +453,40 @@ do
   for i = 1, 101 do many:block { name = "b" .. i, width = 1, height = 1, at = { 2*i, 0 }, material = "stone" } end
   local good, message = pcall(many.body, many, "nobody here")
   assert(not good and message:find("known: b1, b2, .*b9, b10, and 91 more$"), message)
+end
+
+-- What is accepted and does nothing is told.
+do
+  local w = new()
+  w:block { name = "up", width = 1, height = 1, material = "stone", support = { rotation = "fixed" }, spin = 1 }
+  w:bearing { name = "y", between = { "base", "up" }, at = { 0.5, 0 }, along = spring, waiting = true }
+  w:point_load { name = "p", body = "base", force = { 1, 0 } }
+  w:tilt { rate = 0 }
+  local notes = w.notes
+  assert(#notes == 4, #notes)
+  assert(notes[1] == "body 'up': it is given a spin, and is held there, so that it does not move; free that direction "
+    .. "or leave it out", notes[1])
+  assert(notes[2] == "bearing 'y' waits, and no bearing becomes it, so that it carries nothing; name it in `becomes` "
+    .. "of another one, or leave out waiting", notes[2])
+  assert(notes[3]:find("^load 'p': body 'base' is held or driven in all directions"), notes[3])
+  assert(notes[4] == "tilt: rate is 0 rad/s, and gravity does not turn: nothing changes", notes[4])
+  w:tilt { rate = 0.1 }
+  w:run { duration = 0.1 }
+  w:tilt { rate = 0 } -- stops it
+  w:run { duration = 0.1 }
+  assert(#w.notes == 4 and math.abs(w.tilted - 0.01) < 1e-12, w.tilted)
+  w:tilt { rate = -0.1, by = 0.03 }
+  w:run { duration = 0.4 }
+  assert(math.abs(w.tilted + 0.02) < 1e-12 and math.abs(math.atan(w.gravity[1], -w.gravity[2]) - w.tilted) < 1e-12)
+  assert(tostring(stone):find("mu=0.5,", 1, true), tostring(stone))
+end
+-- What a handler asks for, and is refused at the step border, is told with the handler's line, and that alone.
+do
+  local w, done = late(), false
+  w:every(1e-3, function()
+    if not done then w:remove "block" w:remove "block" end
+    done = true
+  end)
+  local good, message = pcall(w.run, w, { duration = 0.01 })
+  assert(not good and message:find("^messages.lua:%d+: remove: body 'block' was removed at"), message)
 end

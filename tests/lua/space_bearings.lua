@@ -104,6 +104,8 @@ end
 local soft = trilith.linear { stiffness = 1e5 }
 refused("bearing 'b': has no law, so it carries nothing; give along, across, horizontal or axial a law", {})
 refused("unknown key 'turning'; known: name, between", { along = soft, turning = soft })
+refused("friction slides under the compression of the axial law, of which there is none",
+  { horizontal = trilith.friction { mu = 0.1, stiffness = 1e6 } })
 refused("'horizontal' is 5, must be a direction law", { horizontal = 5 })
 refused("horizontal is gap, which has no form for both directions at once",
   { horizontal = trilith.gap { stiffness = 1e5, opening = 0 } })

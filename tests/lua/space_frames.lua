@@ -166,7 +166,7 @@ refused("no member leads from joint 'A' to joint 'C'", function()
   m:frame { name = "f", joints = { A = { 0, 0, 0 }, B = { 0, 0, 1 }, C = { 1, 1, 1 } }, material = "concrete",
             members = { { from = "A", to = "B", section = section } } }
 end)
-refused("the body deforms; say with 'at' where the load acts", function()
+refused("the body deforms; say with 'at' where the force that follows acts", function()
   m:beam { name = "b", from = { 0, 0, 0 }, to = { 1, 0, 0 }, section = section, material = "concrete", floating = true }
-  m:point_load { body = "b", force = { 0, 0, 1 } }
+  m:point_load { body = "b", force = { 0, 0, 1 }, follow = true }
 end)

@@ -128,3 +128,42 @@ for _, angle in ipairs { 0, 0.7 } do
   assert(r.limit == "displacement" and z < -0.1, z)
   s:close()
 end
+
+-- A force on a meshed body without `at`, or at its "centroid", is spread as its mass: free, it goes by F t^2/2m whole.
+do
+  local bits = {}
+  for i, at in ipairs { "none", "centroid" } do
+    local s = trilith.model { name = "spread", dim = 3, gravity = 0 }
+    s:material { name = "soft", density = 2000, E = 1e8, nu = 0.2 }
+    local b = s:block { name = "b", size = { 1, 0.6, 0.4 }, material = "soft", floating = true,
+      body = { mesh = { 3, 2, 2 } } }
+    s:point_load { body = b, force = { 30, -20, 10 }, at = at ~= "none" and at or nil }
+    s:run { duration = 0.1 }
+    local t = s.time
+    near(b.ux, 30*t^2/2/b.mass, 1e-2)
+    near(b.uy, -20*t^2/2/b.mass, 1e-2)
+    assert(math.abs(b.ux/b.uy + 1.5) < 1e-9 and math.abs(b.uz/b.ux - 1/3) < 1e-9)
+    local x = b:point { 1, 0.3, 0.2 }
+    assert(math.abs(x - 1 - b.ux) < 1e-9, x - 1 - b.ux) -- nothing is strained
+    bits[i] = s.hash
+    s:close()
+  end
+  assert(bits[1] == bits[2])
+end
+
+-- A joint's name is a place, of loads and of pushes.
+do
+  local bits = {}
+  for i, at in ipairs { "b", { 0, 0, 2 } } do
+    local s = trilith.model { name = "post", dim = 3, gravity = 0 }
+    s:material { name = "steel", density = 7850, E = 2e11, nu = 0.3 }
+    s:frame { name = "f", material = "steel", joints = { a = { at = { 0, 0, 0 }, support = "fixed" }, b = { 0, 0, 2 } },
+      members = { { from = "a", to = "b", section = trilith.rectangle_section { width = 0.1, depth = 0.1 } } } }
+    s:point_load { body = "f", at = at, force = { 1e3, 0, 0 } }
+    s:run { duration = 1e-3 }
+    s:pushover { body = "f", at = at, direction = "y", rate = 1, displacement = 1e-3 }
+    bits[i] = s.hash
+    s:close()
+  end
+  assert(bits[1] == bits[2])
+end

@@ -19,6 +19,11 @@ local function with_block()
   m:block { name = "b", size = { 1, 1, 1 }, material = "stone" }
   return m
 end
+local function soft()
+  local w = new()
+  w:block { name = "b", size = { 1, 1, 1 }, material = "stone", body = { mesh = { 2, 2, 2 } } }
+  return w
+end
 local function part(...) return { { name = "p", outline = { ... } } } end
 
 local m, pulse = new(), trilith.motion { acceleration = { 0, 1, 0, -1, 0 }, dt = 0.1 }
@@ -84,6 +89,13 @@ local cases = {
   { function() with_block():point_load { name = "p", body = "b", force = { 1, 0, 0 }, at = { 100, 0.5, 0.5 } } end,
     "load 'p' on 'b': its point (100, 0.5, 0.5) is 98.6 m away from body 'b', which is 1.73 m large; give a point in "
       .. "it or near it, in m" },
+  { function() with_block():point_load { body = "b", force = { 1, 0, 0 }, at = "top" } end,
+    "point_load: 'at' is 'top', must be {x, y, z}, \"centroid\" or the name of a joint of 'b'" },
+  { function() soft():point_load { name = "p", body = "b", moment = { 1, 0, 0 } } end,
+    "load 'p' on 'b': the body deforms; say with 'at' where the moment acts" },
+  { function() soft():fix("b", "r") end,
+    "fix: body 'b' is made of elements, whose nodes have no rotation to hold; fix x, y and z, or hold some of its nodes"
+  },
   { function() m:shake { motions = { { body = "ground", x = pulse }, { body = "ground", x = pulse } } } end,
     "shake: body 'ground' is given two motions along x; keep one" },
 }
@@ -115,4 +127,22 @@ do
     .. "g/cm3? 2.4 t/m3 are 2400 kg/m3", notes[1])
   assert(notes[2] == "body 'b1': least side = 200 m is above the usual 40 m: is it in mm? multiply it by "
     .. 'trilith.units "mm", or give a file scale = 0.001', notes[2])
+end
+
+-- What is accepted and does nothing is told: motion along what is held, a load on it, a piece far from the others.
+do
+  local w = trilith.model { name = "idle", dim = 3 }
+  w:material { name = "stone", density = 2000 }
+  w:block { name = "b", size = { 1, 1, 1 }, material = "stone", support = "fixed", velocity = { 0, 1, 0 } }
+  w:body { name = "two", pieces = { { hull = box(5) }, { hull = box(9) } }, material = "stone", floating = true }
+  w:body { name = "near", pieces = { { hull = box(15) }, { hull = box(16) } }, material = "stone", floating = true }
+  w:point_load { name = "p", body = "b", force = { 1, 0, 0 } }
+  local notes = w.notes
+  assert(#notes == 3, #notes)
+  assert(notes[1] == "body 'b': it is given a velocity along y, and is held there, so that it does not move; free that "
+    .. "direction or leave it out", notes[1])
+  assert(notes[2] == "body 'two': its piece 1 of 1.73 m stands 3 m away from all others, and moves with them as if it "
+    .. "were fast to them; move it, or make it a body of its own", notes[2])
+  assert(notes[3] == "load 'p': body 'b' is held or driven in all directions, so that the load moves nothing before "
+    .. "one of them is free", notes[3])
 end

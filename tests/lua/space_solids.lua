@@ -138,8 +138,9 @@ do
   refused("must be a list of four, eight or ten numbers of nodes", function()
     m:body { name = "b", material = "stone", mesh = { nodes = { { 0, 0, 0 } }, elements = { { 1, 2, 3 } } } } end)
   m:block { name = "soft", size = size, material = "stone", body = "brick", at = { 0, 0, 0 } }
-  refused("say with 'at' where the load acts",
-          function() m:point_load { name = "p", body = "soft", force = { 1, 0, 0 } } m:run { duration = 1e-3 } end)
+  refused("say with 'at' where the force that follows acts", function()
+    m:point_load { name = "p", body = "soft", force = { 1, 0, 0 }, follow = true }
+  end)
   m:close()
 end
 

@@ -81,7 +81,7 @@ TEST_CASE("trilith draw refuses times, stages, views and files that are not ther
   check_refused(ask(here, "draw span.h5 --at 99"), "outside the frames of 'span.h5', 0 s to 3 s");
   check_refused(ask(here, "draw span.h5 --at 1x"), "'1x' is not a number");
   check_refused(ask(here, "draw span.h5 --at seat.lots"), "did you mean 'seat.lost'?");
-  check_refused(ask(here, "draw span.h5 --stage shakin"), "did you mean 'shaking'?");
+  check_refused(ask(here, "draw span.h5 --stage shakin"), "'span.h5' has no stage 'shakin'; did you mean 'shaking'?");
   check_refused(ask(here, "draw span.h5 --view 1,2,3"), "must be four numbers");
   check_refused(ask(here, "draw span.h5 --view 1,2,0,5"), "must be above 0");
   check_refused(ask(here, "draw span.h5 -o picture.gif"), "'.gif' names no picture format");
