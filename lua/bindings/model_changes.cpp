@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "simulated_model.hpp"
+#include "world/extend.hpp"
 
 namespace trilith::script {
 namespace {
@@ -150,6 +151,7 @@ void SimulatedModel<D>::put_back(const std::vector<int>& which, const std::vecto
       if (!is_bearing_removed(simulation_->state(), i))
         throw InputError(fmt::format("put_back: {}bearing '{}' is there; what was removed can be put back", place,
                                      model.bearings[static_cast<std::size_t>(i)].name));
+    if (!which.empty()) check_put_back(model, simulation_->state(), overlap_allowed(), which);
     simulation_->put_back({which, links});
   });
 }
