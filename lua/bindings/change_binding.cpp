@@ -120,6 +120,9 @@ std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
   changed.replaces_contact = keys.flag("replaces_contact", changed.replaces_contact);
   change_successor(keys, m, m.simulation().model(), changed);
   keys.finish();
+  std::vector<Bearing<2>> all = bearings;
+  all[row] = changed;
+  check_successor(all, row);
   const std::vector<int> begun = begins_anew(*it, changed) ? std::vector{static_cast<int>(row)} : std::vector<int>{};
   m.alter([row, changed](Model<2>& model) { model.bearings[row] = changed; }, begun);
   return fmt::format("bearing '{}' is now {}", name, bearing_text(m.simulation().model(), changed));
