@@ -102,7 +102,9 @@ std::string no_rest_reason(const Model<D>& model, const Equilibrium& found) {
   const std::string where = found.worst < 0 ? "nothing" : model.bodies[body_of_node(model, found.worst)].name;
   if (found.end == EquilibriumEnd::goes_off)
     return fmt::format(
-        "nothing holds {}, which goes farther than its own size; support it, or let it move: integrator = \"explicit\"",
+        "nothing holds {}, or it yields or bends so far: it goes farther than its own size; support it, bring the "
+        "loads "
+        "on by more shares, or let it move: integrator = \"explicit\"",
         where);
   return fmt::format(
       "{:.2g} of the largest force is left over, most of it on {}; integrator = \"explicit\" shows how it moves, "

@@ -76,7 +76,7 @@ class Search {
   const Model<D>& model_;
   const EquilibriumOptions& options_;
   StaticTrial<D> trial_;
-  std::vector<Vec<D>> begin_;  // [node]
+  std::vector<Vec<D>> begin_;  // [node] as the share of the loads began
   std::vector<int> body_of_;
   double merit_ = 0;
   bool has_failed_ = false;
@@ -183,6 +183,7 @@ double Search<D>::growth(int iterations) {
 template <int D>
 bool Search<D>::settle(Equilibrium& out) {
   double h = options_.first;
+  begin_ = trial_.state().position;
   trial_.measure(0);
   for (int steps = 0;; ++steps) {
     out.left = trial_.share(), out.worst = trial_.worst();

@@ -25,8 +25,8 @@ struct EquilibriumOptions {
   double first = 1;          ///< pseudo-time of the first step [s]; it is cut where that is too long
   int most_steps = 1000;     ///< of pseudo-time, for each share
   int most_iterations = 20;  ///< of a step
-  /// A body that has gone farther than this share of its size (the distance of its farthest point) from where it was
-  /// finds no rest.
+  /// A body that goes farther than this share of its size (the distance of its farthest point) within a share of the
+  /// loads, from where that began, finds no rest.
   double farthest = 1;
 };
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "step/begin_anew.hpp"
 #include "step/bearing_motion.hpp"
+#include "step/begin_anew.hpp"
 #include "step/displacement_control.hpp"
 #include "step/evaluate.hpp"
 #include "step/implicit_turn.hpp"
@@ -186,8 +186,8 @@ std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const
   return events;
 }
 
-/// Bodies come back where they were left, at rest, and may overlap what has moved there meanwhile: the energy of that
-/// is found by the same two balances. Bearings begin anew at the displacement they have now.
+/// Bodies come back where they were left, at rest, and may overlap a little what has moved there meanwhile: the energy
+/// of that is found by the same two balances. Bearings begin anew at the displacement they have now.
 template <int D>
 std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                             const Parts& parts) {
@@ -227,8 +227,8 @@ void alter(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& o
 
 namespace {
 
-/// Degrees of freedom that were held begin at the speed that they have by their motions, 0 where they stood. Returns the
-/// energy of motion that this is [J]: of what is driven the ledger knows none.
+/// Degrees of freedom that were held begin at the speed that they have by their motions, 0 where they stood. Returns
+/// the energy of motion that this is [J]: of what is driven the ledger knows none.
 template <int D>
 double begin_freed(const Model<D>& model, const Model<D>& changed, State<D>& state) {
   double moved = 0;
@@ -236,8 +236,7 @@ double begin_freed(const Model<D>& model, const Model<D>& changed, State<D>& sta
     for (int k = 0; k < Space<D>::dofs; ++k) {
       if (model.support[n][k] == Support::free || changed.support[n][k] != Support::free) continue;
       const int drive = model.drive_of[n][k], axis = k - Space<D>::translations;
-      const double speed =
-          drive < 0 ? 0 : model.drives[drive].motion->velocity(state.time - model.drives[drive].start);
+      const double speed = drive < 0 ? 0 : model.drives[drive].motion->velocity(state.time - model.drives[drive].start);
       (axis < 0 ? state.velocity[n][k] : number_at(axis, state.spin[n])) = speed;
       moved += 0.5 * mass_of(model, state, n)[k] * speed * speed;
     }

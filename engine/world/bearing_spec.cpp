@@ -161,6 +161,31 @@ Bearing<D> bearing_of(const BearingSpecOf<D>& spec, const std::vector<std::strin
 }
 
 template <int D>
+void check_successor(const std::vector<Bearing<D>>& bearings, std::size_t row) {
+  const Bearing<D>& b = bearings[row];
+  if (b.becomes_bearing < 0) return;
+  const int self = static_cast<int>(row);
+  if (b.becomes_bearing == self)
+    throw InputError(fmt::format(
+        "bearing '{}': becomes itself, which has failed by then; name another one that is made with waiting = true",
+        b.name));
+  const Bearing<D>& next = bearings[static_cast<std::size_t>(b.becomes_bearing)];
+  if (!next.starts_waiting)
+    throw InputError(
+        fmt::format("bearing '{}': becomes '{}', which carries from the start; make that one with waiting "
+                    "= true, or name another",
+                    b.name, next.name));
+  int at = next.becomes_bearing;
+  for (std::size_t i = 0; i < bearings.size() && at >= 0 && at != self; ++i)
+    at = bearings[static_cast<std::size_t>(at)].becomes_bearing;
+  if (at == self)
+    throw InputError(
+        fmt::format("bearing '{}': becomes '{}', which leads back to '{}', and that has failed by then; "
+                    "let the last one become a contact law, or nothing",
+                    b.name, next.name, b.name));
+}
+
+template <int D>
 void require_near(const Vec<D>& point, double distance, double size, const std::string& body,
                   const std::string& owner) {
   if (distance <= size) return;
@@ -180,6 +205,8 @@ template Bearing<2> bearing_of(const BearingSpecOf<2>&, const std::vector<std::s
                                const std::vector<BearingSpecOf<2>>&);
 template Bearing<3> bearing_of(const BearingSpecOf<3>&, const std::vector<std::string>&,
                                const std::vector<BearingSpecOf<3>>&);
+template void check_successor(const std::vector<Bearing<2>>&, std::size_t);
+template void check_successor(const std::vector<Bearing<3>>&, std::size_t);
 template void require_near<2>(const Vec2&, double, double, const std::string&, const std::string&);
 template void require_near<3>(const Vec3&, double, double, const std::string&, const std::string&);
 

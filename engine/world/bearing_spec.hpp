@@ -57,4 +57,9 @@ Bearing<D> bearing_of(const BearingSpecOf<D>& spec, const std::vector<std::strin
 template <int D>
 void require_near(const Vec<D>& point, double distance, double size, const std::string& body, const std::string& owner);
 
+/// Throws InputError where what follows bearing `row` of `bearings` can never begin to carry: itself, one that carries
+/// from the start, or one that leads back to it.
+template <int D>
+void check_successor(const std::vector<Bearing<D>>& bearings, std::size_t row);
+
 }  // namespace trilith

@@ -183,6 +183,8 @@ Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<st
   Model<2> model = assemble_bodies(faults);
   if (model.drive_of.empty()) return model;  // some body is at fault
   for (const BearingSpec& spec : bearings_) attempt(faults, [&] { append_bearing(spec, model); });
+  for (std::size_t i = 0; model.bearings.size() == bearings_.size() && i < bearings_.size(); ++i)
+    attempt(faults, [&] { check_successor(model.bearings, i); });
   for (const SeatSpec& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
   check_overlaps(model, overlap_allowed, faults, notes);
   check_held_up(model, floating_bodies(bodies_), faults);

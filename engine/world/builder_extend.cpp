@@ -35,6 +35,7 @@ void ModelBuilder::append_links(const Model<2>& model, const State<2>& state, Mo
     b.angle -= turned;
     b.rest_angle = pose_at(standing, now, b.end_b).rotation - turned;
   }
+  for (std::size_t i = model.bearings.size(); i < bearings_.size(); ++i) check_successor(standing.bearings, i);
   for (std::size_t i = model.seats.size(); i < seats_.size(); ++i) {
     append_seat(seats_[i], standing);
     Seat<2>& seat = standing.seats.back();

@@ -119,8 +119,9 @@ void check_overlaps(const Model<D>& model, double allowed, std::vector<std::stri
               found.end());
   std::stable_sort(found.begin(), found.end(), [](const DeepPair& l, const DeepPair& r) { return l.share > r.share; });
   for (const DeepPair& o : found) {
-    const std::string what = fmt::format("bodies '{}' and '{}' overlap by {:.4g} m at the start",
-                                         model.bodies[o.body_a].name, model.bodies[o.body_b].name, o.depth);
+    const std::string what = fmt::format("bodies '{}' and '{}' overlap by {:.4g} m {}", model.bodies[o.body_a].name,
+                                         model.bodies[o.body_b].name, o.depth,
+                                         among.back == nullptr ? "at the start" : "as they would stand");
     if (o.share > allowed)
       faults.push_back(fmt::format(
           "{} ({:.2g} of the smaller one's size, at most {:g} is allowed); move one of them, or raise overlap_allowed",

@@ -10,15 +10,20 @@
 
 namespace trilith {
 
-/// Which bodies are looked at: those from `first` on, beside all others but those that are out.
+/// Which bodies are looked at: those from `first` on, beside all others but those that are out; or those that come
+/// back, beside what is there.
 struct Newcomers {
   int first = 0;
-  const std::vector<std::uint8_t>* out = nullptr;  ///< [body] 1: it is not there; nullptr: all are
+  const std::vector<std::uint8_t>* out = nullptr;   ///< [body] 1: it is not there; nullptr: all are
+  const std::vector<std::uint8_t>* back = nullptr;  ///< [body] 1: it comes back; nullptr: none does
 
   [[nodiscard]] bool is_there(int body) const {
     return out == nullptr || static_cast<std::size_t>(body) >= out->size() || (*out)[body] == 0;
   }
-  [[nodiscard]] bool concerns(int a, int b) const { return std::max(a, b) >= first && is_there(a) && is_there(b); }
+  [[nodiscard]] bool concerns(int a, int b) const {
+    if (back != nullptr && (*back)[a] == (*back)[b]) return false;
+    return std::max(a, b) >= first && is_there(a) && is_there(b);
+  }
 };
 
 /// A fault for each two bodies that may touch and overlap deeper at the start than `allowed` times the smaller one's

@@ -8,6 +8,9 @@
 namespace trilith {
 namespace {
 
+/// What has run has settled by as much, as a share of the smaller body's size.
+constexpr double settled = 1e-4;
+
 /// The rows that `from` has, at the beginning of `to`.
 template <class T>
 void carry(const std::vector<T>& from, std::vector<T>& to) {
@@ -50,10 +53,18 @@ template <int D>
 void check_newcomers(const Model<D>& standing, const State<D>& state, double allowed,
                      const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
                      std::vector<std::string>& notes) {
-  constexpr double settled = 1e-4;
   const Newcomers among{static_cast<int>(state.left.size()), &state.left};
   check_overlaps(standing, std::max(allowed, settled), faults, notes, among);
   check_held_up(standing, floating, faults, among);
+}
+
+template <int D>
+void check_put_back(const Model<D>& model, const State<D>& state, double allowed, const std::vector<int>& bodies) {
+  std::vector<std::uint8_t> out = state.left, back(model.bodies.size(), 0);
+  for (const int b : bodies) out[static_cast<std::size_t>(b)] = 0, back[static_cast<std::size_t>(b)] = 1;
+  std::vector<std::string> faults, notes;
+  check_overlaps(as_it_stands(model, state), std::max(allowed, settled), faults, notes, {0, &out, &back});
+  if (!faults.empty()) throw InputError("put_back: " + faults.front());
 }
 
 template <int D>
@@ -73,6 +84,8 @@ template void check_newcomers(const Model<2>&, const State<2>&, double, const st
                               std::vector<std::string>&, std::vector<std::string>&);
 template void check_newcomers(const Model<3>&, const State<3>&, double, const std::vector<std::uint8_t>&,
                               std::vector<std::string>&, std::vector<std::string>&);
+template void check_put_back(const Model<2>&, const State<2>&, double, const std::vector<int>&);
+template void check_put_back(const Model<3>&, const State<3>&, double, const std::vector<int>&);
 template void widen_bounds(const Model<2>&, const Bounds<2>&, Model<2>&);
 template void widen_bounds(const Model<3>&, const Bounds<3>&, Model<3>&);
 

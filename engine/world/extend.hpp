@@ -47,6 +47,11 @@ void check_newcomers(const Model<D>& standing, const State<D>& state, double all
                      const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
                      std::vector<std::string>& notes);
 
+/// Throws InputError where one of `bodies`, which are out by `state`, would stand in what is there now, deeper than
+/// check_newcomers allows. What comes back together stands as it did.
+template <int D>
+void check_put_back(const Model<D>& model, const State<D>& state, double allowed, const std::vector<int>& bodies);
+
 /// Widens the bounds of `grown`, where `chosen` leaves them open, so that they are those of what is there now too.
 template <int D>
 void widen_bounds(const Model<D>& standing, const Bounds<D>& chosen, Model<D>& grown);

@@ -92,6 +92,7 @@ void SolidModelBuilder::append_links(const Model<3>& model, const State<3>& stat
   if (bearings_.size() == model.bearings.size() && seats_.size() == model.seats.size()) return;
   Model<3> standing = as_it_stands(grown, state);
   for (std::size_t i = model.bearings.size(); i < bearings_.size(); ++i) append_bearing(bearings_[i], standing);
+  for (std::size_t i = model.bearings.size(); i < bearings_.size(); ++i) check_successor(standing.bearings, i);
   for (std::size_t i = model.seats.size(); i < seats_.size(); ++i) append_seat(seats_[i], standing);
   grown.bearings = standing.bearings;
   grown.seats = standing.seats;

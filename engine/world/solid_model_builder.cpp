@@ -179,6 +179,8 @@ Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vect
   Model<3> model = assemble_bodies(faults);
   if (model.bodies.empty()) return model;  // some body is at fault
   for (const BearingSpecOf<3>& spec : bearings_) attempt(faults, [&] { append_bearing(spec, model); });
+  for (std::size_t i = 0; model.bearings.size() == bearings_.size() && i < bearings_.size(); ++i)
+    attempt(faults, [&] { check_successor(model.bearings, i); });
   for (const SeatSpecOf<3>& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
   check_overlaps(model, overlap_allowed, faults, notes);
   check_held_up(model, floating_bodies(bodies_), faults);

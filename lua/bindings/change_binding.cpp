@@ -130,6 +130,9 @@ std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
   change_successor(keys, m, m.simulation().model(), changed);
   keys.finish();
   require_compression(changed.law, changed.law[axial], fmt::format("change: bearing '{}'", name));
+  std::vector<Bearing<2>> all = bearings;
+  all[row] = changed;
+  check_successor(all, row);
   const std::vector<int> begun = begins_anew(*it, changed) ? std::vector{static_cast<int>(row)} : std::vector<int>{};
   m.alter([row, changed](Model<2>& model) { model.bearings[row] = changed; }, begun);
   return fmt::format("bearing '{}' is now {}", name, bearing_text(m.simulation().model(), changed));

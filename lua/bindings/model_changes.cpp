@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "guard.hpp"
 #include "simulated_model.hpp"
+#include "world/extend.hpp"
 
 namespace trilith::script {
 namespace {
@@ -160,6 +161,7 @@ void SimulatedModel<D>::put_back(const std::vector<int>& which, const std::vecto
       if (!is_bearing_removed(simulation_->state(), i))
         refuse_later(place, fmt::format("put_back: bearing '{}' is there; what was removed can be put back",
                                         model.bearings[static_cast<std::size_t>(i)].name));
+    if (!which.empty()) check_put_back(model, simulation_->state(), overlap_allowed(), which);
     simulation_->put_back({which, links});
   });
 }

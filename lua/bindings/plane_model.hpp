@@ -47,6 +47,7 @@ class PlaneModel final : public SimulatedModel<2> {
 
  protected:
   [[nodiscard]] Model<2> built_model() override { return builder.build(); }
+  [[nodiscard]] double overlap_allowed() const override { return builder.overlap_allowed; }
   [[nodiscard]] Model<2> extended_model(const Model<2>& model, const State<2>& state) override {
     return builder.extended(model, state);
   }

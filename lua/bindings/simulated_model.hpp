@@ -84,6 +84,8 @@ class SimulatedModel : public ScriptModel {
   [[nodiscard]] virtual Model<D> built_model() = 0;
   /// `model` with what was added to the builder since, beside what stands there by `state`.
   [[nodiscard]] virtual Model<D> extended_model(const Model<D>& model, const State<D>& state) = 0;
+  /// Deepest overlap of two bodies as they are put, as a share of the smaller one's size.
+  [[nodiscard]] virtual double overlap_allowed() const = 0;
   /// What is not in `model` any more, or not yet, was not added.
   virtual void forget_beyond(const Model<D>& model) = 0;
   /// A model of that body and nothing else.

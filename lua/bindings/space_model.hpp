@@ -38,6 +38,7 @@ class SpaceModel final : public SimulatedModel<3> {
 
  protected:
   [[nodiscard]] Model<3> built_model() override { return builder.build(); }
+  [[nodiscard]] double overlap_allowed() const override { return builder.overlap_allowed; }
   [[nodiscard]] Model<3> extended_model(const Model<3>& model, const State<3>& state) override {
     return builder.extended(model, state);
   }

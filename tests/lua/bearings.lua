@@ -62,3 +62,50 @@ for _, side in ipairs { -1, 1 } do
   u:run { duration = 1e-3 }
   assert(math.abs(own.length - 0.3) < 1e-5 and not own.lost, own.length)
 end
+
+-- What follows a bearing must be able to begin: not itself, none that carries already, none that leads back to it. In
+-- the plane, in space, and where it comes to a model that has run.
+local function rejects(text, f, ...)
+  local ok, message = pcall(f, ...)
+  assert(not ok and tostring(message):find(text, 1, true), tostring(message) .. " does not say: " .. text)
+end
+for _, dim in ipairs { 2, 3 } do
+  for _, later in ipairs { false, true } do
+    for _, case in ipairs { "itself", "one that is live", "ring", "chain" } do
+      local b = trilith.model { name = case, dim = dim, gravity = 0 }
+      b:material { name = "s", density = 1000 }
+      local function stone(name, x, support)
+        if dim == 2 then
+          return b:block { name = name, width = 1, height = 1, at = { x, 0 }, material = "s", support = support,
+            floating = not support }
+        end
+        return b:block { name = name, size = { 1, 1, 1 }, at = { x, 0, 0 }, material = "s", support = support,
+          floating = not support }
+      end
+      local pair = { stone("a", -2, "fixed"), stone("b", 0) }
+      if later then b:run { duration = 0.01 } end
+      local function link(name, becomes, waiting)
+        return b:bearing { name = name, between = pair, at = dim == 2 and { -0.5, 0.5 } or { -0.5, 0.5, 0.5 },
+          along = trilith.linear { stiffness = 1e4 }, limit = becomes and { along = 0.01 }, becomes = becomes,
+          waiting = waiting }
+      end
+      local function go()
+        if case == "one that is live" then link "y" end
+        if case == "ring" then link("y", "z", true) link("z", "y", true) end
+        if case == "chain" then link("y", "z", true) link("z", nil, true) end
+        link("x", case == "itself" and "x" or "y")
+        b:run { duration = 0.01 }
+      end
+      if case == "chain" then
+        if not later then go() end
+      elseif later and case ~= "one that is live" then
+        rejects("bearing '", go)
+      else
+        rejects(case == "itself" and "bearing 'x': becomes itself, which has failed by then"
+          or case == "ring" and "bearing 'y': becomes 'z', which leads back to 'y'"
+          or "bearing 'x': becomes 'y', which carries from the start", go)
+      end
+      b:close()
+    end
+  end
+end

@@ -208,7 +208,7 @@ for _, dim in ipairs { 2, 3 } do
   assert(math.abs(falling.energy.residual) < 1e-6*falling.energy.kinetic, falling.energy.residual)
 end
 
--- A body that is freed falls as if the run began with it: after long steps, in a handler, let go quietly or put back, by
+-- A body that is freed falls as if the run began with it: after long steps, in a handler, let go or put back, by
 -- explicit and implicit steps. One that a motion drove goes on at its speed of that instant, whose energy the support
 -- put in. What flies beside goes on as it was.
 local function free_model(dim, gravity)
@@ -229,28 +229,28 @@ local function fallen(b, dim) return dim == 2 and -b.uy or -b.uz end
 for _, dim in ipairs { 2, 3 } do
   for _, how in ipairs { "free", "release", "put back", "handler", "implicit" } do
     local free, stone = free_model(dim)
-    local held = stone("held", 0, { support = how ~= "put back" and "fixed" or nil, floating = how == "put back" })
+    local waits = stone("held", 0, { support = how ~= "put back" and "fixed" or nil, floating = how == "put back" })
     local flying = stone("flying", 5, { floating = true })
     local integrator = how == "implicit" and "implicit" or nil
     local from, lost = nil, 0
-    if how == "put back" then free:remove(held) end
+    if how == "put back" then free:remove(waits) end
     if how == "handler" then
       free:every(0.1, function()
         if from then return end
         from = free.time
-        free:free(held)
+        free:free(waits)
       end)
     else
       free:run { duration = 0.2, integrator = integrator }
       from = free.time
-      if how ~= "put back" then lost = fallen(held, dim) end
-      if how == "release" then free:release { body = held, fade = 0 }
-      elseif how == "put back" then free:put_back(held)
-      else free:free(held) end
+      if how ~= "put back" then lost = fallen(waits, dim) end
+      if how == "release" then free:release { body = waits, fade = 0 }
+      elseif how == "put back" then free:put_back(waits)
+      else free:free(waits) end
     end
-    local report = free:run { duration = 0.7, integrator = integrator }
-    assert(report.ending == "time", how)
-    near(fallen(held, dim) - lost, 0.5*g*(free.time - from)^2, 1e-10)
+    local stage = free:run { duration = 0.7, integrator = integrator }
+    assert(stage.ending == "time", how)
+    near(fallen(waits, dim) - lost, 0.5*g*(free.time - from)^2, 1e-10)
     near(fallen(flying, dim), 0.5*g*free.time^2, 1e-10)
     assert(math.abs(free.energy.added) < 1e-9*free.energy.kinetic, free.energy.added)
     free:close()
@@ -258,11 +258,11 @@ for _, dim in ipairs { 2, 3 } do
 
   -- Alone in its model, where its energies are all there is.
   local lone, only = free_model(dim)
-  local held = only("held", 0, { support = "fixed" })
+  local waits = only("held", 0, { support = "fixed" })
   lone:run { duration = 0.2 }
-  lone:free(held)
+  lone:free(waits)
   assert(lone:run { duration = 1 }.ending == "time")
-  near(fallen(held, dim), 0.5*g, 1e-10)
+  near(fallen(waits, dim), 0.5*g, 1e-10)
   lone:close()
 
   for _, integrator in ipairs { "explicit", "implicit" } do
@@ -280,14 +280,15 @@ for _, dim in ipairs { 2, 3 } do
     near(thrown.energy.kinetic, 0.5*1000*1.5^2, 1e-9)
     assert(math.abs(thrown.residual) < 1e-9*thrown.energy.kinetic, thrown.residual)
 
-    -- What moves and is held or driven takes the energy of its motion out of the ledger, and brings none when it is let
-    -- go where it stands.
+    -- What moves and is held or driven takes the energy of its motion out of the ledger, and brings none when it is
+    -- let go where it stands.
     for _, by in ipairs { "fix", "drive" } do
       local stopped, make = free_model(dim, 0)
       local a = make("a", 0, { floating = true, velocity = dim == 2 and { 2, 0 } or { 2, 0, 0 } })
       make("b", 9, { floating = true })
       stopped:run { duration = 0.1, integrator = integrator }
-      if by == "fix" then stopped:fix(a) else stopped:drive { body = a, x = trilith.ramp { by = 0.1, duration = 0.1 } } end
+      if by == "fix" then stopped:fix(a) end
+      if by == "drive" then stopped:drive { body = a, x = trilith.ramp { by = 0.1, duration = 0.1 } } end
       stopped:run { duration = 0.2, integrator = integrator }
       near(stopped.energy.removed, 2000, 1e-9)
       assert(math.abs(stopped.residual) < 1e-6, stopped.residual)
@@ -307,14 +308,14 @@ do
   bed:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.5 } }
   local base = bed:block { name = "base", width = 10, height = 1, at = { -5, -1 }, material = "stone",
     support = "fixed" }
-  local upper = bed:block { name = "upper", width = 1, height = 1, at = { -0.5, 0 }, material = "stone" }
+  local lying = bed:block { name = "lying", width = 1, height = 1, at = { -0.5, 0 }, material = "stone" }
   bed:consolidate { ratio = 1e-8 }
-  bed:fix(upper)
+  bed:fix(lying)
   bed:run { duration = 0.01 }
-  local residual, y = bed.residual, upper.y
-  bed:free(upper)
+  local residual, y = bed.residual, lying.y
+  bed:free(lying)
   bed:run { duration = 0.2 }
-  assert(math.abs(upper.y - y) < 1e-9 and math.abs(upper.ux) < 1e-9)
+  assert(math.abs(lying.y - y) < 1e-9 and math.abs(lying.ux) < 1e-9)
   assert(math.abs(bed.residual - residual) < 1e-6, bed.residual - residual)
   assert(base.present)
 end
@@ -330,4 +331,37 @@ do
   w:run { duration = 1e-3 }
   fails(function() w:change { law = "mortar", tension = 1e6 } end, "energy_tension is 20 J/m2, must be above")
   w:change { law = "mortar", mu = 0.6 } -- which would be refused as well, had the tension been taken over
+end
+
+-- What has been taken in the meantime is not given back: refused as what is added there, with the model as it was.
+for _, dim in ipairs { 2, 3 } do
+  local taken = trilith.model { name = "taken", dim = dim }
+  taken:material { name = "stone", density = 2400 }
+  taken:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.5, beta = 2e-4 } }
+  local function block(name, x, size, support)
+    if dim == 2 then
+      return taken:block { name = name, width = size, height = size, at = { x, support and -size or 0 },
+        material = "stone", support = support }
+    end
+    return taken:block { name = name, size = { size, size, size }, at = { x, x, support and -size or 0 },
+      material = "stone", support = support }
+  end
+  block("ground", -2, 4, "fixed")
+  local first = block("first", -0.5, 1)
+  taken:run { duration = 0.01 }
+  taken:remove(first)
+  local second = block("second", -0.5, 1)
+  taken:run { duration = 0.01 }
+  local hash, kinetic = taken.hash, taken.energy.kinetic
+  fails(function() taken:put_back(first) end,
+    "put_back: bodies 'first' and 'second' overlap by 1 m as they would stand")
+  assert(not first.present and taken.hash == hash and taken.energy.kinetic == kinetic)
+  taken:remove(second)
+  taken:put_back(first)
+  taken:run { duration = 0.1 }
+  assert(first.present and math.abs(first.ux) < 1e-6)
+  -- Two that come back together stand as they did.
+  taken:remove(first)
+  taken:put_back { first }
+  assert(first.present)
 end

@@ -165,3 +165,29 @@ do
   end
   assert(bits[1] == bits[2])
 end
+
+-- A point of a body is pushed though a node next to it is held, which has no part in that point: to the share of a free
+-- joint of the column's stiffness, and of a corner of a quad that is held along the other end of its side.
+do
+  local height, E, I = 4, 2.1e11, 2e-5
+  for divisions = 1, 2 do
+    local c = trilith.model { name = "cantilever", gravity = 0 }
+    c:material { name = "steel", density = 7850, E = E, nu = 0.3 }
+    local column = c:frame { name = "f", material = "steel", floating = true,
+      joints = { A = { at = { 0, 0 }, support = "fixed" }, B = { 0, height } },
+      members = { { name = "c", from = "A", to = "B", divisions = divisions,
+        section = trilith.section { area = 5e-3, inertia = I, depth = 0.2 } } } }
+    local path = c:pushover { body = column, at = { 0, height }, control = "arc", displacement = 1e-3 }
+    local steps = #path.curve.displacement
+    near(path.curve.force[steps]/path.curve.displacement[steps], 3*E*I/height^3, 1e-3)
+    c:close()
+  end
+  local panel = trilith.model { name = "quad", gravity = 0 }
+  panel:material { name = "stone", density = 2400, E = 1e9, nu = 0.2 }
+  local quad = panel:block { name = "q", width = 1, height = 2, material = "stone", body = "quad", floating = true,
+    hold = { { from = { 0, 0 }, to = { 1, 0 } } } }
+  refused("push: body 'q' is held or driven in the direction", panel.pushover, panel,
+    { body = quad, at = { 0, 1 }, control = "arc", displacement = 1e-3 })
+  assert(panel:pushover { body = quad, at = { 0, 2 }, control = "arc", displacement = 1e-3 }.limit == "displacement")
+  panel:close()
+end
