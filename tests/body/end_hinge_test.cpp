@@ -312,6 +312,10 @@ TEST_CASE("hinges that make no sense are refused") {
   CHECK_NOTHROW(check_softening(law, 2e7));
   law.ultimate = 0.01;
   CHECK_THROWS_AS(law.check(), InputError);
+  for (double HingeLaw::*idle : {&HingeLaw::softening, &HingeLaw::residual}) {
+    law = plain_hinge(), law.*idle = 0.1;
+    CHECK_THROWS_AS(law.check(), InputError);  // nothing begins it
+  }
   law = plain_hinge(), law.compression = 1e6;
   CHECK_THROWS_AS(law.check(), InputError);
   law = tabled_hinge(), law.share[1] = 0.1;
