@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/schema.hpp"
@@ -12,17 +13,13 @@
 
 namespace trilith {
 
+/// In the plane.
+using RecordedFieldTypes = TypeList<JointOpening, JointSlip, JointDamage, BodyStress>;
+/// In space. Stress of bodies that deform is beside them: run/space_stress_field.hpp.
+using SpaceFieldTypes = TypeList<JointOpening, JointSlip, JointDamage>;
+
 template <int D>
-struct RecordedFieldsOf;
-template <>
-struct RecordedFieldsOf<2> {
-  using Types = TypeList<JointOpening, JointSlip, JointDamage, BodyStress>;
-};
-/// Stress of bodies that deform is beside them: run/space_stress_field.hpp.
-template <>
-struct RecordedFieldsOf<3> {
-  using Types = TypeList<JointOpening, JointSlip, JointDamage>;
-};
+using RecordedFieldsOf = std::conditional_t<D == 2, RecordedFieldTypes, SpaceFieldTypes>;
 
 /// What each is asked: /frames/`name` has `width` numbers [`unit`] for each joint or body, which `take` appends.
 template <class F, int D>
@@ -34,7 +31,7 @@ concept RecordedFieldType = requires(const FieldSource<D>& from, std::vector<dou
   { F::width } -> std::convertible_to<int>;
   F::take(from, out);
 };
-static_assert(RecordedFieldsOf<2>::Types::all([]<class F>() { return RecordedFieldType<F, 2>; }));
-static_assert(RecordedFieldsOf<3>::Types::all([]<class F>() { return RecordedFieldType<F, 3>; }));
+static_assert(RecordedFieldTypes::all([]<class F>() { return RecordedFieldType<F, 2>; }));
+static_assert(SpaceFieldTypes::all([]<class F>() { return RecordedFieldType<F, 3>; }));
 
 }  // namespace trilith

@@ -54,7 +54,7 @@ void RecordedFields<D>::describe(const Model<D>& model, results::Header& header)
   if (with_stress_) describe_space_stress(header);
   for (const JointOf<D>& joint : joints_) header.joints.push_back(row_of<D>(model, joint));
   if (joints_.empty()) return;
-  RecordedFieldsOf<D>::Types::for_each([&]<class F>() {
+  RecordedFieldsOf<D>::for_each([&]<class F>() {
     header.fields.push_back({std::string(F::name), std::string(F::unit), std::string(F::sentence),
                              F::rows == RowsOf::joints ? joints_.size() : bodies_, F::width});
   });
@@ -70,7 +70,7 @@ const std::vector<std::vector<double>>& RecordedFields<D>::take(const Instant<D>
   displacements_.clear();
   for (const JointOf<D>& joint : joints_)
     displacements_.push_back(joint_displacement(joint, now.model, now.state, now.work));
-  RecordedFieldsOf<D>::Types::for_each([&]<class F>() {
+  RecordedFieldsOf<D>::for_each([&]<class F>() {
     values_.emplace_back();
     F::take(FieldSource<D>{now, joints_, touching, displacements_}, values_.back());
   });

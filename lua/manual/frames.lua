@@ -31,7 +31,7 @@ layers_across  integer?    in space: places across; so many that cells are about
 cover      number m = 0    thickness outside of the core
 cover_law  fibre law?      of the cover; else as the core
 core       section?        its shape, instead of what the cover leaves
-bars       list?           rows { { area = , height = }, ... } at a height above the bottom, area that of a whole row; in space count bars share it, with across and spread
+bars       list?           rows { area =, height = }, area of the row, height from below; in space count, across, spread
 bar_law    fibre law?      of the bars, such as trilith.menegotto_pinto{...}]], gives = "section" },
   { "body:hinges", "Plastic hinges of a member: joint, state, rotation, stretch, moment, normal, given_off, x, y; in "
     .. "space z, and rotation_y, rotation_z, moment_y, moment_z.",
