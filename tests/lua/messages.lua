@@ -259,8 +259,8 @@ local cases = {
   { function() m.time = 3 end, "'time' of model 'wrong' can be read, not set" },
   { function() return b:body("block").hight end,
     "body 'block' has no 'hight'; known: area, bearings, fibres, forces, groups, hinges, inertia, kind, mass, "
-      .. "material, name, outline, plastic, point, present, removed_at, resting, rotation, seats, speed, spin, "
-      .. "sxx, sxy, syy, ux, uy, vx, vy, x, y" },
+      .. "material, name, outline, plastic, point, present, reaction_x, reaction_y, reactions, removed_at, resting, "
+      .. "rotation, seats, speed, spin, sxx, sxy, syy, ux, uy, vx, vy, x, y" },
   { function() return m:bodies { grup = "x" } end, "bodies: unknown key 'grup'; did you mean 'group'?" },
   -- bearings and seats
   { function() m:bearing { name = "B", between = { "base", "nobody" }, at = { 0, 0 } } end,
@@ -373,7 +373,7 @@ local cases = {
   { function() m:wait { "impact", wihtin = 3 } end, "wait: unknown key 'wihtin'; did you mean 'within'?" },
   { function() m:history { name = "h", body = "base", what = "z" } end,
     "history 'h': 'what' is 'z', no number of a body; known: x, y, rotation, vx, vy, spin, ux, uy, speed, mass, "
-      .. "inertia, area, sxx, syy, sxy, plastic" },
+      .. "inertia, area, sxx, syy, sxy, reaction_x, reaction_y, plastic" },
   { function() m:history { name = "h", what = "sped" } end,
     "history 'h': 'what' is 'sped', no number of the model (for others give body, bearing, seat or storey); did "
       .. "you mean 'speed'?" },

@@ -134,9 +134,10 @@ struct TwoOnBearing {
     BearingSpec link;
     link.name = "link", link.body_a = "low", link.body_b = "up", link.point_a = {0.3, 1}, link.point_b = {0.3, 2};
     link.law[axial] = Linear{1e6, 0}, link.law[along] = Linear{1e5, 0};
-    link.law[direction] = law;
+    link.law[direction] = Linear{1e5, 0};
     scene.builder.add_bearing(link);
     model = scene.builder.build();
+    model.bearings[0].law[direction] = law;  // builders refuse what slides along the axis
     state = initial_state(model);
     Work<2> work;
     evaluate(model, state, work, 0);
