@@ -34,13 +34,18 @@ void read_points(Keys& keys, L& law) {
 template <class L>
 void check_choices(Keys& keys, const L& law) {
   if constexpr (requires { law.side; }) {
-    constexpr bool both = !requires { law.slack; };  // what pulls does so one way
+    constexpr bool both = !requires {
+      law.slack;
+    };  // what pulls does so one way
     if (std::abs(law.side) != 1 && !(both && law.side == 0))
       keys.problem(fmt::format("'side' is {:g}, must be {}", law.side, both ? "1, -1, or 0 for both" : "1 or -1"));
   }
   if constexpr (requires { law.pull; })
     if (law.pull != 0 && law.pull != 1) keys.problem(fmt::format("'pull' is {:g}, must be 0 or 1", law.pull));
-  if constexpr (requires { law.ratio; law.stiffness; })
+  if constexpr (requires {
+                  law.ratio;
+                  law.stiffness;
+                })
     if (law.stiffness > 0 && keys.has("ratio"))
       keys.problem("both 'stiffness' and 'ratio' are given; keep one: K1, or K1 over post_stiffness");
 }
