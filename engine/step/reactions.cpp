@@ -8,9 +8,10 @@ namespace {
 /// Of what a drive does to one direction of a node now [m/s2] or [rad/s2]; 0 where none does.
 template <int D>
 double driven_acceleration(const Model<D>& model, const State<D>& state, int node, int dof) {
-  for (const Drive& drive : model.drives)
-    if (drive.node == node && drive.dof == dof) return drive.motion->at(state.time - drive.start).acceleration;
-  return 0;
+  const int row = model.drive_of[node][static_cast<std::size_t>(dof)];
+  if (row < 0) return 0;
+  const Drive& drive = model.drives[static_cast<std::size_t>(row)];
+  return drive.motion->at(state.time - drive.start).acceleration;
 }
 
 double& part_of(double& moment, int /*axis*/) {

@@ -51,6 +51,10 @@ for _, dim in ipairs { 2, 3 } do
   m:shake { body = base, x = trilith.motion { acceleration = { 0, a, a, a, a }, dt = 0.1, allow_drift = true },
     duration = 0.35, name = "shake" }
   near(base.reaction_x, (base.mass + stone.mass)*a, 0.02)
+  -- The motion that it follows now counts, not one before.
+  m:shake { body = base, x = trilith.motion { acceleration = { a, -a, -a, -a, -a }, dt = 0.1, allow_drift = true,
+    v0 = 0 }, duration = 0.35, name = "back" }
+  near(base.reaction_x, -(base.mass + stone.mass)*a, 0.02)
   m:close()
 end
 
