@@ -63,7 +63,8 @@ std::string describe(const T& value) {
   std::string text = fmt::format("{}{{", T::name);
   std::string_view gap = "";
   for (const Parameter<T>& p : T::parameters()) {
-    text += fmt::format("{}{}={:g} {}", gap, p.name, value.*(p.member), p.unit);
+    text += fmt::format("{}{}={:g}", gap, p.name, value.*(p.member));
+    if (p.unit != "1") text += fmt::format(" {}", p.unit);
     gap = ", ";
   }
   return text + "}";

@@ -42,6 +42,7 @@ struct Member {
   int body = -1;
   int first_beam = 0, beams = 0;
   std::array<std::string, 2> joint;  ///< names of those it leads from and to
+  double strain_limit = 0;           ///< what its material is made for along the axis, of either sign [1]
 };
 
 }  // namespace trilith

@@ -127,17 +127,18 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   motion.at_corner = w.velocity_at(t.corner) - o.velocity_at(t.corner);
   motion.spin = w.spin - o.spin;
   const WedgeSums sums = press(t, motion, law);
-  const Lanes normal = root(dot_of(sums.force, sums.force));
+  const Lanes normal = sums.size;
   // Where the damping of pieces that part takes all the pressure away, the other one says what is left.
   const LaneMask pressed = (sums.pressure > zero) & (normal > zero);
   CornerAnswer r;
-  r.force = sign * sums.force;
+  const Plane2 direction = sign * sums.normal, along{-direction.y, direction.x}, force = normal * sums.normal;
+  r.force = sign * force;
   const Plane2 arm = (1.0 / select(pressed, sums.pressure, one)) * sums.arm;
   r.centre = t.corner + arm;
   r.length = sums.length, r.depth = t.deepest();
-  r.damping = sign * sums.damping;
+  r.damping = sums.damping * direction;
   const Plane2 from_a = t.corner - select_point(wedge_is_b, o.at, w.at);
-  r.damping_moment = sign * (sums.damping_moment + cross_of(from_a, sums.damping));
+  r.damping_moment = sign * (sums.damping_moment + cross_of(from_a, sums.damping * sums.normal));
   const ContactMemory* memory[lane_count];
   for (std::size_t i = 0; i < lane_count; ++i) memory[i] = pairs[i < pairs.size() ? i : 0].before;
   const RememberedFour before(memory);
@@ -145,14 +146,13 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   const Plane2 at_a = sign * motion.at(Plane2{} - from_a);
   const Lanes power_before = dot_of(before.damping, at_a) + before.damping_moment * (sign * motion.spin);
   r.lost_damping = (0.5 * law.dt) * (sums.power - power_before);
-  const Plane2 direction = (1.0 / select(pressed, normal, one)) * r.force, along{-direction.y, direction.x};
   HalfState<Lanes> state{};
   state.length = sums.length;
   state.slip_rate = state.slip_mean = dot_of(along, sign * motion.at(arm));
   r.shear.normal = normal;
   law.slide(state, sums.length, before.shear, r.shear);
   // Shear above 0 drives a along t and b against it.
-  const Plane2 friction = (-sign * r.shear.shear_total) * along, whole = sums.force + friction;
+  const Plane2 friction = (-sign * r.shear.shear_total) * along, whole = force + friction;
   const Lanes moment = sums.moment + cross_of(arm, friction);
   const FourByFour on_wedge = on_edge(t.before, t.corner, whole, moment),
                    on_owner = on_edge(t.face, t.corner, Plane2{} - whole, -moment);

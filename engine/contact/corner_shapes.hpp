@@ -6,6 +6,7 @@
 // words).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -160,57 +161,55 @@ struct Triangle {
   }
 };
 
-/// One of the four stretches: the force over it, where it acts, and the damping part of it, along one normal.
-struct PressedStretch {
-  Lanes total, share;             ///< [N]; where on the way it acts
-  Lanes damping, damping_moment;  ///< [N]; its first moment, over the way
-  Lanes power, length;            ///< of the damping [W]; [m]
+/// A stretch of an edge under pressure: it begins at `from` and goes `way`, both from v [m], pushes the wedge along
+/// `push`, and is as deep as d0 at its begin and d1 at its end [m].
+struct alignas(32) DeepStretch {
+  Plane2 push, from, way;
+  Lanes d0, d1, length;
 
-  TRILITH_INLINE PressedStretch(const Coulomb& law, const Lanes& d0, const Lanes& d1, const Lanes& c0, const Lanes& c1,
-                                const Lanes& way)
-      : length(way) {
-    const auto [stress, spring] = law.stretch(d0, d1, c0, c1);
-    const Lanes force = (0.5 * law.kn) * way, zero{};
-    total = larger(force * stress.sum, zero);
-    share = stress.moment / select(stress.sum > zero, stress.sum, all_lanes(1));
-    damping = force * (stress.sum - spring.sum), damping_moment = force * (stress.moment - spring.moment);
-    power = damping * c0 + damping_moment * (c1 - c0);
+  /// The mean depth over it, times its length, along its push: what its springs come to over kn.
+  [[nodiscard]] TRILITH_INLINE Plane2 springs() const { return (0.5 * length * (d0 + d1)) * push; }
+};
+
+/// Forces on the wedge and what goes with them, about v. Springs push along the normals of their edges, and together
+/// along `normal`; dampings all along that.
+struct alignas(32) WedgeSums {
+  Plane2 normal;                              ///< of length 1
+  Lanes size{}, damping{};                    ///< of the force along `normal`, and its damping part [N]
+  Lanes moment{}, damping_moment{}, power{};  ///< [N m], its damping part [N m], power of that [W]
+  Lanes pressure{}, length{};                 ///< whatever way it acts [N]; [m]
+  Plane2 arm{};                               ///< pressure times place [N m]
+
+  TRILITH_INLINE explicit WedgeSums(const Plane2& n) : normal(n) {}
+
+  /// The share m of the push that is along the normal n says what of the motion along it closes the stretch, at
+  /// -m (n . v), and what of the damping acts against it.
+  TRILITH_INLINE void add(const Coulomb& law, const RelativeMotion& motion, const DeepStretch& s) {
+    const Lanes along = dot_of(normal, s.push), facing = larger(along, Lanes{});
+    const Lanes c0 = -facing * dot_of(normal, motion.at(s.from)),
+                c1 = -facing * dot_of(normal, motion.at(s.from + s.way));
+    const auto [stress, spring] = law.stretch(s.d0, s.d1, c0, c1);
+    const Lanes force = (0.5 * law.kn) * s.length, total = force * stress.sum, first = force * stress.moment;
+    const Lanes damped = force * (stress.sum - spring.sum), damped_first = force * (stress.moment - spring.moment);
+    size += along * total, damping += facing * damped;
+    const Lanes turning = facing * (damped * cross_of(s.from, normal) + damped_first * cross_of(s.way, normal));
+    moment += force * (spring.sum * cross_of(s.from, s.push) + spring.moment * cross_of(s.way, s.push)) + turning;
+    damping_moment += turning, power += damped * c0 + damped_first * (c1 - c0);
+    pressure += total, arm = arm + total * s.from + first * s.way;
+    length += 0.5 * s.length;
   }
 };
 
-/// Forces on the wedge and what goes with them, about v.
-struct WedgeSums {
-  Plane2 force{}, damping{}, arm{};  ///< [N], [N]; pressure times place [N m]
-  Lanes moment{}, damping_moment{}, pressure{}, power{}, length{};
-
-  /// A stretch that begins at `from` and goes `way`, whose force on the wedge is along `normal`.
-  TRILITH_INLINE void add(const PressedStretch& s, const Plane2& normal, const Plane2& from, const Plane2& way) {
-    const Plane2 at = from + s.share * way;
-    force = force + s.total * normal, moment += s.total * cross_of(at, normal);
-    arm = arm + s.total * at, pressure += s.total;
-    damping = damping + s.damping * normal;
-    damping_moment += s.damping * cross_of(from, normal) + s.damping_moment * cross_of(way, normal);
-    power += s.power, length += 0.5 * s.length;
-  }
-};
-
+/// The elastic force is along the normal of the one face f, as moving along that changes nothing.
 TRILITH_INLINE WedgeSums press(const Triangle& t, const RelativeMotion& motion, const Coulomb& law) {
   const Plane2 zero{}, e{t.before.nx, t.before.ny}, g{t.after.nx, t.after.ny}, f{t.face.nx, t.face.ny};
-  const Plane2 at1 = motion.at(t.p1), at2 = motion.at(t.p2), at_b = motion.at(t.b);
   const Lanes none{}, base = root(dot_of(t.p1 - t.p2, t.p1 - t.p2));
-  // The wedge walks: it closes as it moves along its own normal, and is pushed back against it.
-  const PressedStretch a(law, none, t.depth, dot_of(e, at1), dot_of(e, motion.at_corner),
-                         t.share_before * root(t.before.length2));
-  const PressedStretch b(law, t.depth, none, dot_of(g, motion.at_corner), dot_of(g, at2),
-                         t.share_after * root(t.after.length2));
-  // The owner walks along f: it closes as the wedge comes against its normal.
-  const PressedStretch c(law, none, t.depth_b, -dot_of(f, at2), -dot_of(f, at_b), t.share_b * base);
-  const PressedStretch d(law, t.depth_b, none, -dot_of(f, at_b), -dot_of(f, at1), (1.0 - t.share_b) * base);
-  WedgeSums sums;
-  sums.add(a, zero - e, t.p1, zero - t.p1);
-  sums.add(b, zero - g, zero, t.p2);
-  sums.add(c, f, t.p2, t.b - t.p2);
-  sums.add(d, f, t.b, t.p1 - t.b);
+  WedgeSums sums(f);
+  // Where the wedge walks, it is pushed back against its own normals, and where the owner does, along that.
+  sums.add(law, motion, {zero - e, t.p1, zero - t.p1, none, t.depth, t.share_before * root(t.before.length2)});
+  sums.add(law, motion, {zero - g, zero, t.p2, t.depth, none, t.share_after * root(t.after.length2)});
+  sums.add(law, motion, {f, t.p2, t.b - t.p2, none, t.depth_b, t.share_b * base});
+  sums.add(law, motion, {f, t.b, t.p1 - t.b, t.depth_b, none, (1.0 - t.share_b) * base});
   return sums;
 }
 
@@ -265,26 +264,18 @@ struct CornerChain {
     return is_deeper(other, v.x[i] + corner.x[i], v.y[i] + corner.y[i], smaller(d0[i], d1[i]), before_it, at) &&
            is_deeper(other, v.x[i] + turn.x[i], v.y[i] + turn.y[i], depth[i], before_it, at);
   }
-  /// Its three stretches. `way` is 1.0 for the edges of the wedge, -1.0 for those of the owner.
-  TRILITH_INLINE void press(const RelativeMotion& motion, const Coulomb& law, double way, WedgeSums& sums) const {
+  /// Its three stretches. `way` is 1.0 for the edges of the wedge, -1.0 for those of the owner, which push it along
+  /// their normals.
+  [[nodiscard]] TRILITH_INLINE std::array<DeepStretch, 3> stretches(double way) const {
     const Lanes zero{}, one = all_lanes(1);
-    const Plane2 n0{way * before.nx, way * before.ny}, n1{way * after.nx, way * after.ny},
-        n = select_point(early, n0, n1);
+    const Plane2 n0{-way * before.nx, -way * before.ny}, n1{-way * after.nx, -way * after.ny};
     const Plane2 x = select_point(early, turn, corner), y = select_point(early, corner, turn);
     const Lanes at_x = select(early, depth, d0), at_y = select(early, d1, depth);
     const Lanes long_in = share_in * root(before.length2), long_out = share_out * root(after.length2);
     const Lanes rest = one - on_way;
-    const Plane2 moves_x = motion.at(x), moves_y = motion.at(y), none{};
-    const PressedStretch a(law, zero, at_x, dot_of(n0, motion.at(in)), dot_of(n0, moves_x),
-                           long_in * select(early, on_way, one));
-    const PressedStretch b(law, at_x, at_y, dot_of(n, moves_x), dot_of(n, moves_y),
-                           select(early, long_in * rest, long_out * on_way));
-    const PressedStretch c(law, at_y, zero, dot_of(n1, moves_y), dot_of(n1, motion.at(out)),
-                           long_out * select(early, one, rest));
-    // The wedge is pushed back against its normals, and where the owner walks along them.
-    sums.add(a, none - n0, in, x - in);
-    sums.add(b, none - n, x, y - x);
-    sums.add(c, none - n1, y, out - y);
+    return {{{n0, in, x - in, zero, at_x, long_in * select(early, on_way, one)},
+             {select_point(early, n0, n1), x, y - x, at_x, at_y, select(early, long_in * rest, long_out * on_way)},
+             {n1, y, out - y, at_y, zero, long_out * select(early, one, rest)}}};
   }
 };
 
@@ -319,9 +310,14 @@ struct CornerPair {
 };
 
 TRILITH_INLINE WedgeSums press(const CornerPair& t, const RelativeMotion& motion, const Coulomb& law) {
-  WedgeSums sums;
-  t.wedge.press(motion, law, 1.0, sums);
-  t.owner.press(motion, law, -1.0, sums);
+  const auto of_wedge = t.wedge.stretches(1.0), of_owner = t.owner.stretches(-1.0);
+  Plane2 push{};
+  for (const auto* chain : {&of_wedge, &of_owner})
+    for (const DeepStretch& s : *chain) push = push + s.springs();
+  const Lanes size = root(dot_of(push, push));
+  WedgeSums sums((1.0 / select(size > Lanes{}, size, all_lanes(1))) * push);
+  for (const auto* chain : {&of_wedge, &of_owner})
+    for (const DeepStretch& s : *chain) sums.add(law, motion, s);
   return sums;
 }
 

@@ -1,16 +1,16 @@
 #include "contact/edge_pressure.hpp"
 
 #include "contact/nearest_parts.hpp"
+#include "contact/pressed_triangles.hpp"
 #include "contact/tetrahedron_parts.hpp"
 #include "shape/edge_overlap.hpp"
 
 namespace trilith {
 namespace {
 
-[[gnu::target_clones("avx2", "default")]] bool press_faces(const MovingSolid& a, const MovingSolid& b, double beta,
-                                                           const EdgeOverlap& shared, PressedSums& sums) {
-  const ClosingMotion motion{b.velocity_at(shared.origin) - a.velocity_at(shared.origin), b.spin - a.spin};
-  TriangleLanes triangles(beta, motion);
+/// Lists the triangles of all faces of the shared solid.
+[[gnu::target_clones("avx2", "default")]] bool list_triangles(const MovingSolid& a, const MovingSolid& b,
+                                                              const EdgeOverlap& shared, TriangleLanes& triangles) {
   const TetrahedronParts tetrahedron(shared);
   const bool is_tetrahedron = tetrahedron.is_one();
   NearestParts parts;
@@ -25,7 +25,6 @@ namespace {
     if (!parts.find(shared, l, shared.depth[of_b ? 0 : 1])) return false;
     parts.add_to(triangles, face);
   }
-  sums = triangles.sums();
   return true;
 }
 
@@ -35,11 +34,13 @@ bool have_few_faces(const PlacedSolid& a, const PlacedSolid& b) {
   return has_few_faces(*a.solid) && has_few_faces(*b.solid) && a.solid->surface.empty() && b.solid->surface.empty();
 }
 
-bool edge_pressure(const MovingSolid& a, const MovingSolid& b, double kn, double beta, SolidPressure& out) {
+bool edge_pressure(const MovingSolid& a, const MovingSolid& b, double kn, double beta, std::vector<FourTriangles>& room,
+                   SolidPressure& out) {
   EdgeOverlap shared;
-  PressedSums sums;
-  if (!edge_overlap(a.placed, b.placed, shared) || !press_faces(a, b, beta, shared, sums)) return false;
-  out = pressure_of_sums(shared.origin, 0.5 * kn, sums);
+  TriangleLanes triangles(room);
+  if (!edge_overlap(a.placed, b.placed, shared) || !list_triangles(a, b, shared, triangles)) return false;
+  const ClosingMotion motion{b.velocity_at(shared.origin) - a.velocity_at(shared.origin), b.spin - a.spin};
+  out = pressure_of_sums(shared.origin, 0.5 * kn, pressed_triangles(triangles.all(), beta, motion));
   return true;
 }
 

@@ -7,6 +7,8 @@
 // (contact/pressed_triangles.hpp).
 #pragma once
 
+#include <vector>
+
 #include "contact/solid_pressure.hpp"
 
 namespace trilith {
@@ -16,6 +18,7 @@ bool have_few_faces(const PlacedSolid& a, const PlacedSolid& b);
 
 /// True where the two surely share a part and `out` has its pressure: `kn` [Pa/m] times the depth, damped over `beta`
 /// [s]. False of solids that are apart, or nearly so, or that a longer way must part. The pose alone decides.
-bool edge_pressure(const MovingSolid& a, const MovingSolid& b, double kn, double beta, SolidPressure& out);
+bool edge_pressure(const MovingSolid& a, const MovingSolid& b, double kn, double beta, std::vector<FourTriangles>& room,
+                   SolidPressure& out);
 
 }  // namespace trilith

@@ -15,11 +15,10 @@
 
 namespace trilith {
 
-/// A point of a pressed face: where it is from the point that moments are about, how deep in the other solid, and how
-/// fast the two close there.
+/// A point of a pressed face: where it is from the point that moments are about, and how deep in the other solid.
 struct PressedPoint {
   Vec3 arm;
-  double depth, closing;  // [m], [m/s]
+  double depth;  // [m]
 };
 
 /// A convex polygon with room for a triangle cut by many planes.
@@ -37,8 +36,7 @@ struct PressedPolygon {
 using CornerHeights = std::array<double, PressedPolygon::most>;
 
 inline PressedPoint between(const PressedPoint& p, const PressedPoint& q, double share) {
-  return {p.arm + share * (q.arm - p.arm), p.depth + share * (q.depth - p.depth),
-          p.closing + share * (q.closing - p.closing)};
+  return {p.arm + share * (q.arm - p.arm), p.depth + share * (q.depth - p.depth)};
 }
 
 /// The part of a polygon where a function that is linear over it is not negative.
@@ -52,15 +50,13 @@ inline void keep_above(const PressedPolygon& from, const CornerHeights& height, 
   }
 }
 
-/// A convex part of a face of the walker: points of the shared solid in their order, and the speeds at which the two
-/// close there.
+/// A convex part of a face of the walker: points of the shared solid in their order.
 struct Rim {
   static constexpr std::size_t most = 64;
   std::array<int, most> point;
-  std::array<double, most> closing;
   std::size_t count = 0;
 
-  void add(int p, double at) { point[count] = p, closing[count++] = at; }
+  void add(int p) { point[count++] = p; }
 };
 
 /// What of a rim is nearest to one of the faces of the owner. `noise` is well above what rounding does to a depth [m]:
@@ -126,7 +122,7 @@ class CellCutter {
   }
 
   [[nodiscard]] PressedPoint point(std::size_t i) const {
-    return {arms_[static_cast<std::size_t>(rim_.point[i])], own_[i], rim_.closing[i]};
+    return {arms_[static_cast<std::size_t>(rim_.point[i])], own_[i]};
   }
 
   /// The rim, cut by the first of the cutters if there is one.

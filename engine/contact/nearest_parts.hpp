@@ -11,8 +11,8 @@
 #include <cstdint>
 
 #include "base/lane_bits.hpp"
-#include "contact/triangle_lanes.hpp"
 #include "shape/edge_overlap.hpp"
+#include "shape/triangle_lanes.hpp"
 
 namespace trilith {
 

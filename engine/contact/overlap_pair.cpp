@@ -115,12 +115,12 @@ TRILITH_INLINE void add_opposite(std::span<Vec2> on_p, const PlacedPiece& p, int
 TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
                                  const Coulomb& law, const OverlapSums& sums, const CentreRates& rates,
                                  std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
-  const double normal = sums.force.norm();
+  const double normal = sums.force;
   if (!(normal > 0)) {
     out.lost_friction += released_energy(before, law.ks);
     return;
   }
-  const Vec2 t = left_of(Vec2(sums.force / normal));
+  const Vec2 t = left_of(sums.normal);
   // The law is asked as about one half of a face; either half then remembers half of it, good for two faces at any
   // step.
   HalfState<double> state{};
@@ -209,30 +209,26 @@ struct Overlapping {
     return in_a == 1 ? of_b : of_a;
   }
   TRILITH_INLINE OverlapSums press(const K& law, double crushed, std::span<Vec2> on_a, std::span<Vec2> on_b) const {
-    const OverlapPress<K> press{a, b, sides_a, sides_b, law, crushed, on_a, on_b};
-    std::array<OverlapStretch, room> list;
+    OverlapPress<K> press{a, b, sides_a, sides_b, law, crushed, on_a, on_b};
+    Vec2 push = Vec2::Zero();
     OverlapSums sums;
-    int count = 0;
+    const auto press_along = [&] {
+      const double size = push.norm();
+      press.normal = sums.normal = size > 0 ? Vec2(push / size) : Vec2(Vec2::Zero());
+    };
+    std::array<OverlapStretch, room> list;
     if constexpr (most == lane_count) {
-      count = b_in_a.stretches(sides_a.surface, sides_b.surface, true, list.data());
+      int count = b_in_a.stretches(sides_a.surface, sides_b.surface, true, list.data());
       count += a_in_b.stretches(sides_b.surface, sides_a.surface, false, list.data() + count);
+      count = pressed_part(crushed, list.data(), count);
+      push = press.springs(list.data(), count);
+      press_along();
+      press.press(list.data(), count, sums);
     } else {
-      for (const bool walker_is_b : {true, false}) {
-        const OverlapDepths<most>& depths = walker_is_b ? b_in_a : a_in_b;
-        const std::uint64_t owner = (walker_is_b ? sides_a : sides_b).surface;
-        std::uint64_t edges = depths.edges_inside() & (walker_is_b ? sides_b : sides_a).surface;
-        for (; edges != 0; edges &= edges - 1) {
-          depths.stretches_of(std::countr_zero(edges), owner, walker_is_b, [&](const OverlapStretch& stretch) {
-            list[static_cast<std::size_t>(count++)] = stretch;
-          });
-          // An edge may have a stretch for every face.
-          if (count <= room - most) continue;
-          press.press(list.data(), pressed_part(crushed, list.data(), count), sums);
-          count = 0;
-        }
-      }
+      by_parts(crushed, list.data(), [&](int count) { push += press.springs(list.data(), count); });
+      press_along();
+      by_parts(crushed, list.data(), [&](int count) { press.press(list.data(), count, sums); });
     }
-    press.press(list.data(), pressed_part(crushed, list.data(), count), sums);
     return sums;
   }
   /// Mean overlap above that at which the mortar crushes [m]. `springs`: without damping.
@@ -241,7 +237,7 @@ struct Overlapping {
     std::array<Vec2, most> on_a, on_b;  // asked for by the walk, and left
     on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
     const OverlapSums sums = press(springs, crushed, on_a, on_b);
-    return sums.length > 0 ? sums.force.norm() / (springs.kn * sums.length) - springs.crushing : -springs.crushing;
+    return sums.length > 0 ? sums.force / (springs.kn * sums.length) - springs.crushing : -springs.crushing;
   }
   /// The depth by which the mortar is crushed now: such that the mean pressure of the springs is its strength at most.
   /// Below a bearing that stands for the contact up to the depth `held` none is crushed.
@@ -258,6 +254,26 @@ struct Overlapping {
 
  private:
   static constexpr int room = most == lane_count ? 2 * most * most : 4 * most;
+
+  /// f(count) for the stretches of pieces of many corners, of which as many as there is room for are in `list`.
+  template <class F>
+  TRILITH_INLINE void by_parts(double crushed, OverlapStretch* list, F&& f) const {
+    int count = 0;
+    for (const bool walker_is_b : {true, false}) {
+      const OverlapDepths<most>& depths = walker_is_b ? b_in_a : a_in_b;
+      const std::uint64_t owner = (walker_is_b ? sides_a : sides_b).surface;
+      std::uint64_t edges = depths.edges_inside() & (walker_is_b ? sides_b : sides_a).surface;
+      for (; edges != 0; edges &= edges - 1) {
+        depths.stretches_of(std::countr_zero(edges), owner, walker_is_b,
+                            [&](const OverlapStretch& stretch) { list[count++] = stretch; });
+        // An edge may have a stretch for every face.
+        if (count <= room - most) continue;
+        f(pressed_part(crushed, list, count));
+        count = 0;
+      }
+    }
+    f(pressed_part(crushed, list, count));
+  }
   static int edges(const PlacedPiece& piece) { return static_cast<int>(piece.corner.size()); }
 };
 
@@ -301,7 +317,7 @@ TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, Overl
   const OverlapSums sums = pair.press(law, crushed, of.on_a, of.on_b);
   if (!(sums.length > 0)) return part(a, b, before, law, merged, out);
   out.touching = true;
-  out.force = sums.force;
+  out.force = sums.force * sums.normal;
   out.length = sums.length;
   out.depth = sums.deepest;
   out.memory.slip = before.slip;

@@ -7,8 +7,8 @@
 // two parallel faces the sum of both pressures is kn times the overlap, the stress of contact/face_pair. (A
 // distance potential over the overlap area is used in the combined finite-discrete element method: Munjiza, "The
 // combined finite-discrete element method", 2004, ch. 2; Feng and Owen, Int. J. Numer. Meth. Engng 61, 2004.)
-// Damping acts on the closing speed along each face's normal, total pressure never below 0. Friction acts on the
-// resultant, at the centre of pressure.
+// Damping acts on the motion along the resultant of the springs (contact/overlap_press.hpp), total pressure never below
+// 0. Friction acts on the resultant, at the centre of pressure.
 //
 // Mortar crushed by a depth z takes the place of phi by phi - z where that is above 0, in energy and pressure alike. It
 // is crushed on while the mean pressure is above its strength; faces that had two depths go on with the greater.

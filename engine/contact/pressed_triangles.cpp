@@ -5,146 +5,208 @@
 namespace trilith {
 namespace {
 
-using Four = PressedTriangles::Four;
-using SumsInLanes = PressedTriangles::Lane4;
+/// What of four triangles counts: 1 or 0 in each lane, for the springs and the area, and for the springs with their
+/// damping; how they face the push, and their closing speeds.
+struct alignas(32) CountedFour {
+  Lanes springs, damped, along;
+  std::array<Lanes, 3> closing;
+};
 
-/// Integrals over kn of a pressure that is linear over each triangle: of it, of
-/// it times the arm, of it times the closing speed.
-struct LinearPressure {
+/// A pressure that is linear over each triangle, as its integrals.
+struct LinearPressure : TrianglePressure {
   std::array<Lanes, 3> at;  // the corners
-  Lanes sum, force, power;
-  Triple<Lanes> weighted, first;
+  Lanes sum;
+  Triple<Lanes> weighted;
 
-  TRILITH_INLINE LinearPressure(const std::array<Lanes, 3>& corners, const Four& in, const Triple<Lanes>& arms,
-                                const Lanes& speed, const Lanes& twelfth)
-      : at(corners), sum(at[0] + at[1] + at[2]), force(4.0 * twelfth * sum) {
+  /// `speed`: the sum of the closing speeds at the corners; `twelfth` of the area.
+  TRILITH_INLINE LinearPressure(const std::array<Lanes, 3>& corners, const FourTriangles& in,
+                                const std::array<Lanes, 3>& closing, const Triple<Lanes>& arms, const Lanes& speed,
+                                const Lanes& twelfth)
+      : at(corners), sum(at[0] + at[1] + at[2]) {
+    force = 4.0 * twelfth * sum;
     weighted = in.arm[0] * at[0] + in.arm[1] * at[1] + in.arm[2] * at[2];
     first = (arms * sum + weighted) * twelfth;
-    power = twelfth * (sum * speed + at[0] * in.closing[0] + at[1] * in.closing[1] + at[2] * in.closing[2]);
+    power = twelfth * (sum * speed + at[0] * closing[0] + at[1] * closing[1] + at[2] * closing[2]);
+  }
+  /// Second moments, `sixtieth` of the area.
+  TRILITH_INLINE void add_second(const FourTriangles& in, const Triple<Lanes>& u, const Lanes& sixtieth,
+                                 std::array<Lanes, 6>& sums) const {
+    const ArmProducts uu(u, u), pp(in.arm[0], in.arm[0]), qq(in.arm[1], in.arm[1]), rr(in.arm[2], in.arm[2]),
+        uw(u, weighted), wu(weighted, u);
+    const std::array<Lanes, 3> own{sum + 2.0 * at[0], sum + 2.0 * at[1], sum + 2.0 * at[2]};
+    for (std::size_t k = 0; k < 6; ++k)
+      sums[k] +=
+          sixtieth * (sum * uu.of[k] + uw.of[k] + wu.of[k] + own[0] * pp.of[k] + own[1] * qq.of[k] + own[2] * rr.of[k]);
   }
 };
 
-/// Products of vectors, in the order of PressedSums.
-struct Products {
-  std::array<Lanes, 6> of;
-  TRILITH_INLINE Products(const Triple<Lanes>& a, const Triple<Lanes>& b)
-      : of{a.x * b.x, a.y * b.y, a.z * b.z, a.x * b.y, a.y * b.z, a.z * b.x} {}
-};
-
-/// Second moments of the area and of the pressure.
-TRILITH_INLINE void add_second(const Four& in, const Triple<Lanes>& u, const LinearPressure& p, const Lanes& area_share,
-                               const Lanes& share, SumsInLanes& sums) {
-  const Products uu(u, u), pp(in.arm[0], in.arm[0]), qq(in.arm[1], in.arm[1]), rr(in.arm[2], in.arm[2]),
-      uw(u, p.weighted), wu(p.weighted, u);
-  const std::array<Lanes, 3> own{p.sum + 2.0 * p.at[0], p.sum + 2.0 * p.at[1], p.sum + 2.0 * p.at[2]};
-  for (std::size_t k = 0; k < 6; ++k) {
-    sums.area_second[k] += area_share * (uu.of[k] + pp.of[k] + qq.of[k] + rr.of[k]);
-    sums.arm_second[k] +=
-        share * (p.sum * uu.of[k] + uw.of[k] + wu.of[k] + own[0] * pp.of[k] + own[1] * qq.of[k] + own[2] * rr.of[k]);
-  }
-}
-
-TRILITH_INLINE void sum_four(const Four& in, double beta, SumsInLanes& sums) {
+TRILITH_INLINE void sum_four(const FourTriangles& in, const CountedFour& of, double beta, TriangleSums& sums) {
   const Triple<Lanes> u = in.arm[0] + in.arm[1] + in.arm[2];
-  const Lanes area = 0.5 * in.normal.dot(cross(in.arm[1] - in.arm[0], in.arm[2] - in.arm[0]));
-  const Lanes speed = in.closing[0] + in.closing[1] + in.closing[2], whole = area * in.springs;
+  const Lanes area = area_of(in), speed = of.closing[0] + of.closing[1] + of.closing[2];
+  const Lanes twelfth = area * of.springs * (1.0 / 12);
   std::array<Lanes, 3> damped;
-  for (std::size_t i = 0; i < 3; ++i) damped[i] = in.depth[i] + beta * in.closing[i];
-  const LinearPressure springs(in.depth, in, u, speed, whole * (1.0 / 12)),
-      total(damped, in, u, speed, area * in.damped * (1.0 / 12));
-  const Triple<Lanes> n = in.normal * in.sign;
-  sums.force = sums.force + n * total.force, sums.moment = sums.moment + cross(total.first, n);
-  sums.damping = sums.damping + n * (total.force - springs.force);
-  sums.damping_moment = sums.damping_moment + cross(total.first - springs.first, n);
-  sums.power += total.power - springs.power;
-  sums.pressure += total.force, sums.arm = sums.arm + total.first;
-  sums.area += whole, sums.area_arm = sums.area_arm + u * (whole * (1.0 / 3));
-  add_second(in, u, total, whole * (1.0 / 12), area * in.damped * (1.0 / 60), sums);
-  for (const Lanes& d : in.depth) sums.depth = larger<Lanes>(sums.depth, d * in.springs);
+  for (std::size_t i = 0; i < 3; ++i) damped[i] = in.depth[i] + beta * of.closing[i];
+  const LinearPressure springs(in.depth, in, of.closing, u, speed, twelfth),
+      total(damped, in, of.closing, u, speed, area * of.damped * (1.0 / 12));
+  sums.add_pressure(in, of.along, springs, total);
+  sums.add_area(in, u, twelfth);
+  total.add_second(in, u, area * of.damped * (1.0 / 60), sums.arm_second);
+  for (const Lanes& d : in.depth) sums.depth = larger<Lanes>(sums.depth, d * of.springs);
 }
 
-// One copy for wide registers and one for any machine: the same operations, so
-// the same bits.
+/// A corner of a triangle that is pressed in part.
+struct DampedCorner {
+  Vec3 arm;
+  double depth, closing, damped;
+};
 
-void add_narrow(const Four& in, double beta, SumsInLanes& sums) {
-  sum_four(in, beta, sums);
+/// The part of a triangle in one lane where the damped pressure is above 0.
+struct PressedPart {
+  std::array<DampedCorner, 4> corner;
+  std::size_t count = 0;
+
+  PressedPart(const FourTriangles& in, const CountedFour& of, double beta, int lane) {
+    std::array<DampedCorner, 3> all;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double depth = in.depth[k][lane], closing = of.closing[k][lane];
+      all[k] = {lane_of(in.arm[k], lane), depth, closing, depth + beta * closing};
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const DampedCorner &p = all[k], &q = all[k == 2 ? 0 : k + 1];
+      if (p.damped >= 0) corner[count++] = p;
+      if ((p.damped > 0 && q.damped < 0) || (p.damped < 0 && q.damped > 0)) {
+        const double t = p.damped / (p.damped - q.damped);
+        corner[count++] = {p.arm + t * (q.arm - p.arm), p.depth + t * (q.depth - p.depth),
+                           p.closing + t * (q.closing - p.closing), 0};
+      }
+    }
+  }
+};
+
+/// Parts of triangles, of which damping counts, and the springs have counted.
+class PressedParts {
+ public:
+  PressedParts(double beta, TriangleSums& sums) : beta_(beta), sums_(sums) {}
+
+  [[gnu::noinline]] void add(const FourTriangles& in, const CountedFour& of, int lane) {
+    const PressedPart part(in, of, beta_, lane);
+    for (std::size_t i = 2; i < part.count; ++i) {
+      for (const std::size_t k : {0U, 1U, 2U}) {
+        const DampedCorner& c = part.corner[k == 0 ? 0 : i + k - 2];
+        set(four_.arm[k], c.arm);
+        four_.depth[k][count_] = c.depth, counted_.closing[k][count_] = c.closing;
+      }
+      set(four_.normal, lane_of(in.normal, lane));
+      four_.sign[count_] = in.sign[lane], counted_.along[count_] = of.along[lane];
+      if (++count_ == lane_count) flush();
+    }
+  }
+  void flush() {
+    if (count_ == 0) return;
+    const LaneMask counts = LaneMask{0, 1, 2, 3} < count_;
+    counted_.springs = Lanes{}, counted_.damped = select(counts, Lanes{} + 1.0, Lanes{});
+    sum_four(four_, counted_, beta_, sums_);
+    count_ = 0;
+  }
+
+ private:
+  void set(Triple<Lanes>& to, const Vec3& v) { to.x[count_] = v.x(), to.y[count_] = v.y(), to.z[count_] = v.z(); }
+
+  double beta_;
+  TriangleSums& sums_;
+  int count_ = 0;
+  FourTriangles four_{};
+  CountedFour counted_{};
+};
+
+/// Springs and area of all triangles, and the damping of those where it leaves the pressure above 0 in all corners. Of
+/// those where it does in some, the part where it does is added by itself.
+TRILITH_INLINE TriangleSums sum_all(std::span<const FourTriangles> triangles, double beta, const DampedMotion& motion) {
+  TriangleSums sums;
+  PressedParts parts(beta, sums);
+  for (const FourTriangles& in : triangles) {
+    CountedFour of;
+    of.along = motion.along(in), of.closing = motion.closing(in, of.along);
+    LaneMask some{}, all = ~LaneMask{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Lanes damped = in.depth[k] + beta * of.closing[k];
+      some |= damped > 0.0, all &= damped >= 0.0;
+    }
+    of.springs = Lanes{} + 1.0, of.damped = select(all, of.springs, Lanes{});
+    sum_four(in, of, beta, sums);
+    if (const LaneMask mixed = some & ~all; any(mixed))
+      for (int i = 0; i < lane_count; ++i)
+        if (mixed[i] != 0) parts.add(in, of, i);
+  }
+  parts.flush();
+  return sums;
+}
+
+// One copy for wide registers and one for any machine: the same operations, so the same bits.
+
+TriangleSums sum_narrow(std::span<const FourTriangles> triangles, double beta, const DampedMotion& motion) {
+  return sum_all(triangles, beta, motion);
 }
 #ifdef __x86_64__
-[[gnu::target("avx2")]] void add_wide(const Four& in, double beta, SumsInLanes& sums) {
-  sum_four(in, beta, sums);
+[[gnu::target("avx2")]] TriangleSums sum_wide(std::span<const FourTriangles> triangles, double beta,
+                                              const DampedMotion& motion) {
+  return sum_all(triangles, beta, motion);
 }
 #endif
 
 /// Sums over the lanes of four vectors.
-TRILITH_INLINE Lanes over_lanes(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+TRILITH_INLINE Lanes over_four(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
   const Lanes ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7),
               cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
   return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
-TRILITH_INLINE void over_lanes(const Triple<Lanes>& v, const Lanes& more, Vec3& sum, double& more_sum) {
-  const Lanes of = over_lanes(v.x, v.y, v.z, more);
+TRILITH_INLINE void over_four(const Triple<Lanes>& v, const Lanes& more, Vec3& sum, double& more_sum) {
+  const Lanes of = over_four(v.x, v.y, v.z, more);
   sum = {of[0], of[1], of[2]}, more_sum = of[3];
-}
-
-[[gnu::target_clones("avx2", "default")]] void add_lanes(const SumsInLanes& in, PressedSums& out) {
-  double none = 0;
-  over_lanes(in.force, in.power, out.force, out.damped), over_lanes(in.damping, in.pressure, out.damping, out.pressure);
-  over_lanes(in.moment, in.area, out.moment, out.area);
-  over_lanes(in.damping_moment, Lanes{}, out.damping_moment, none);
-  over_lanes(in.arm, in.arm_second[4], out.arm, out.arm_second[4]);
-  over_lanes(in.area_arm, in.area_second[4], out.area_arm, out.area_second[4]);
-  const auto four = [&](const std::array<Lanes, 6>& from, std::array<double, 6>& to) {
-    const Lanes sums = over_lanes(from[0], from[1], from[2], from[3]);
-    for (int k = 0; k < 4; ++k) to[static_cast<std::size_t>(k)] = sums[k];
-  };
-  four(in.arm_second, out.arm_second), four(in.area_second, out.area_second);
-  const Lanes rest = over_lanes(in.arm_second[5], in.area_second[5], Lanes{}, Lanes{});
-  out.arm_second[5] = rest[0], out.area_second[5] = rest[1];
-  for (int i = 0; i < lane_count; ++i) out.depth = out.depth > in.depth[i] ? out.depth : in.depth[i];
 }
 
 }  // namespace
 
-/// Each sum for itself: set as one stretch of memory, it would be waited for.
-PressedTriangles::PressedTriangles(double beta) : beta_(beta) {
+[[gnu::target_clones("avx2", "default")]] Vec3 springs_push(std::span<const FourTriangles> triangles) {
   const Lanes none{};
-  for (Triple<Lanes>* v :
-       {&sums_.force, &sums_.moment, &sums_.damping, &sums_.damping_moment, &sums_.arm, &sums_.area_arm})
-    v->x = none, v->y = none, v->z = none;
-  sums_.power = none, sums_.pressure = none, sums_.area = none, sums_.depth = none;
-  for (std::size_t k = 0; k < 6; ++k) sums_.arm_second[k] = none, sums_.area_second[k] = none;
+  Triple<Lanes> push{none, none, none};
+  for (const FourTriangles& in : triangles)
+    push = push + in.normal * (in.sign * area_of(in) * (in.depth[0] + in.depth[1] + in.depth[2]));
+  Vec3 sum;
+  double rest = 0;
+  over_four(push, none, sum, rest);
+  return sum / 3;
 }
 
-void PressedTriangles::flush() {
-  count_ = 0;
-  add_four(four_);
+[[gnu::target_clones("avx2", "default")]] PressedSums over_lanes(const TriangleSums& in, const Triple<Lanes>& normal) {
+  PressedSums out;
+  double damping = 0;
+  over_four(in.turning, in.damping, out.damping_moment, damping), over_four(in.moment, in.area, out.moment, out.area);
+  over_four(in.arm, in.arm_second[4], out.arm, out.arm_second[4]);
+  over_four(in.area_arm, in.area_second[4], out.area_arm, out.area_second[4]);
+  const auto four = [&](const std::array<Lanes, 6>& from, std::array<double, 6>& to) {
+    const Lanes sums = over_four(from[0], from[1], from[2], from[3]);
+    for (int k = 0; k < 4; ++k) to[static_cast<std::size_t>(k)] = sums[k];
+  };
+  four(in.arm_second, out.arm_second), four(in.area_second, out.area_second);
+  const Lanes rest = over_four(in.arm_second[5], in.area_second[5], in.pressure, in.power);
+  out.arm_second[5] = rest[0], out.area_second[5] = rest[1], out.pressure = rest[2], out.damped = rest[3];
+  for (int i = 0; i < lane_count; ++i) out.depth = out.depth > in.depth[i] ? out.depth : in.depth[i];
+  const Vec3 n = lane_of(normal, 0);
+  const Lanes force = over_four(in.force, Lanes{}, Lanes{}, Lanes{});
+  out.force = force[0] * n, out.damping = damping * n;
+  out.damping_moment = cross(out.damping_moment, n), out.moment += out.damping_moment;
+  return out;
 }
 
-void PressedTriangles::add_four(const Four& four) {
+PressedSums pressed_triangles(std::span<const FourTriangles> triangles, double beta, const ClosingMotion& motion) {
+  const DampedMotion damped(springs_push(triangles), motion);
 #ifdef __x86_64__
   static const bool wide = registers_here() != Registers::narrow;
-  if (wide) return add_wide(four, beta_, sums_);
+  if (wide) return over_lanes(sum_wide(triangles, beta, damped), damped.normal);
 #endif
-  add_narrow(four, beta_, sums_);
-}
-
-/// A copy of the first that counts for nothing.
-void PressedTriangles::leave_out(int lane) {
-  const auto copy = [&](Triple<Lanes>& v) { v.x[lane] = v.x[0], v.y[lane] = v.y[0], v.z[lane] = v.z[0]; };
-  copy(four_.normal), four_.sign[lane] = 0, four_.springs[lane] = 0, four_.damped[lane] = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    copy(four_.arm[k]), four_.depth[k][lane] = four_.depth[k][0], four_.closing[k][lane] = four_.closing[k][0];
-}
-
-PressedSums PressedTriangles::sums() {
-  if (count_ > 0) {
-    for (int i = count_; i < lane_count; ++i) leave_out(i);
-    flush();
-  }
-  PressedSums out;
-  add_lanes(sums_, out);
-  return out;
+  return over_lanes(sum_narrow(triangles, beta, damped), damped.normal);
 }
 
 }  // namespace trilith

@@ -134,8 +134,8 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
   }
   if (whole && have_few_faces(a.placed, b.placed) && is_linear(use.law)) {
     SolidPressure pressed;
-    const bool found =
-        with_kernel(use, [&](const Coulomb& law) { return edge_pressure(a, b, law.kn, law.beta, pressed); });
+    const bool found = with_kernel(
+        use, [&](const Coulomb& law) { return edge_pressure(a, b, law.kn, law.beta, shared.triangles, pressed); });
     if (found) {
       apart.distance = 0;
       return pressed;

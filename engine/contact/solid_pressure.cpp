@@ -14,151 +14,112 @@ namespace trilith {
 namespace {
 
 // Stages of one call: depths of all points of the shared solid below the faces of both; for each face of the shared
-// solid, its rim as a loop of points; of each rim the cells in which one face of the other solid is nearest; over the
-// triangles of each cell the pressure and its moments, four triangles at a time where the law is linear.
+// solid, its rim as a loop of points; of each rim the cells in which one face of the other solid is nearest, as
+// triangles; over all triangles, four at a time, the pressure and its moments.
 
-/// Integrals over a triangle, over kn: of the pressure and of its first moment about some point, of the pressure times
-/// the closing speed, of its second moments (xx, yy, zz, xy, yz, zx).
-struct TriangleSums {
-  double force = 0, power = 0;
-  Vec3 first = Vec3::Zero();
-  std::array<double, 6> second{};
+/// Integrals over kn of a pressure that is known at points of the triangles: six, exact to degree 4 (Dunavant 1985, as
+/// in contact/power.hpp).
+struct alignas(32) SampledPressure : TrianglePressure {
+  SampledPressure() {
+    const Lanes none{};
+    force = none, power = none, first = {none, none, none};
+  }
+  void add(const Lanes& at, const Lanes& closing, const Triple<Lanes>& arm) {
+    force += at, power += at * closing, first = first + arm * at;
+  }
 };
 
-/// f(place in such a list, row, column) for all of them.
-template <class F>
-TRILITH_INLINE void for_products(F&& f) {
-  f(0, 0, 0), f(1, 1, 1), f(2, 2, 2), f(3, 0, 1), f(4, 1, 2), f(5, 2, 0);
-}
+constexpr std::array<std::array<double, 3>, 2> sample_rule{{{0.108103018168070, 0.445948490915965, 0.223381589678011},
+                                                            {0.816847572980459, 0.091576213509771, 0.109951743655322}}};
 
-/// Six points of a triangle, exact to degree 4 (Dunavant 1985, as in contact/power.hpp), for laws that are not linear.
-template <class Pressure>
-void add_sampled(double area, const PressedPolygon& cell, const std::array<std::size_t, 3>& corners,
-                 Pressure&& pressure, TriangleSums& sums) {
-  constexpr std::array<std::array<double, 3>, 2> rule{{{0.108103018168070, 0.445948490915965, 0.223381589678011},
-                                                       {0.816847572980459, 0.091576213509771, 0.109951743655322}}};
-  for (const auto& [own, other, weight] : rule)
-    for (const std::size_t i : {0U, 1U, 2U}) {
-      const PressedPoint &p = cell.corner[corners[i]], &q = cell.corner[corners[(i + 1) % 3]],
-                         &r = cell.corner[corners[(i + 2) % 3]];
-      const double closing = own * p.closing + other * (q.closing + r.closing);
-      const double at = weight * area * pressure(own * p.depth + other * (q.depth + r.depth), closing);
-      sums.force += at, sums.power += at * closing;
-      const Vec3 arm = own * p.arm + other * (q.arm + r.arm);
-      sums.first += at * arm;
-      for_products([&](std::size_t k, int row, int column) { sums.second[k] += at * arm[row] * arm[column]; });
-    }
-}
-
-/// Adds a triangle to the area in contact.
-void add_area(double area, const Vec3& p, const Vec3& q, const Vec3& r, PressedSums& sums) {
-  const Vec3 sum = p + q + r;
-  sums.area += area, sums.area_arm += area / 3 * sum;
-  for_products([&](std::size_t k, int i, int j) {
-    sums.area_second[k] += area / 12 * (sum[i] * sum[j] + p[i] * p[j] + q[i] * q[j] + r[i] * r[j]);
-  });
-}
-
-/// Where what is pressed is summed up: triangles by lanes, and apart from them what laws come to that are not linear.
-struct PressedParts {
-  PressedTriangles triangles;
-  PressedSums sampled;
-};
-
-/// A face of the walker inside the owner.
+/// What the springs of four triangles push b by, over half the stiffness [m3].
 template <class K>
-struct PressedFace {
-  const K& law;
-  Vec3 normal;  // out of the walker
-  bool walker_is_b;
-  double crushed;  // [m]
-  PressedParts& parts;
+Vec3 sampled_push(const FourTriangles& in, const K& law) {
+  Lanes springs{};
+  for (const auto& [own, other, weight] : sample_rule)
+    for (const std::size_t i : {0U, 1U, 2U})
+      springs +=
+          weight * law.effective(Lanes(own * in.depth[i] + other * (in.depth[(i + 1) % 3] + in.depth[(i + 2) % 3])));
+  const Triple<Lanes> push = in.normal * (in.sign * area_of(in) * springs);
+  return {push.x[0] + push.x[1] + push.x[2] + push.x[3], push.y[0] + push.y[1] + push.y[2] + push.y[3],
+          push.z[0] + push.z[1] + push.z[2] + push.z[3]};
+}
 
-  /// On b acts -n where b walks, as n then points from b into a, and +n where a does.
-  [[nodiscard]] double sign() const { return walker_is_b ? -1 : 1; }
+template <class K>
+void sum_sampled(const FourTriangles& in, const K& law, const DampedMotion& motion, TriangleSums& sums) {
+  const Lanes area = area_of(in), along = motion.along(in);
+  const std::array<Lanes, 3> closing = motion.closing(in, along);
+  SampledPressure springs, total;
+  for (const auto& [own, other, weight] : sample_rule)
+    for (const std::size_t i : {0U, 1U, 2U}) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const Lanes here = weight * area, speed = own * closing[i] + other * (closing[j] + closing[k]);
+      const Triple<Lanes> arm = in.arm[i] * (Lanes{} + own) + (in.arm[j] + in.arm[k]) * (Lanes{} + other);
+      const Lanes spring = law.effective(Lanes(own * in.depth[i] + other * (in.depth[j] + in.depth[k])));
+      const Lanes pressed = here * larger<Lanes>(spring + law.beta * speed, Lanes{});
+      springs.add(here * spring, speed, arm), total.add(pressed, speed, arm);
+      const ArmProducts products(arm, arm);
+      for (std::size_t m = 0; m < 6; ++m) sums.arm_second[m] += pressed * products.of[m];
+    }
+  sums.add_pressure(in, along, springs, total);
+  sums.add_area(in, in.arm[0] + in.arm[1] + in.arm[2], area * (1.0 / 12));
+  for (const Lanes& d : in.depth) sums.depth = larger<Lanes>(sums.depth, d);
+}
 
-  /// Adds one cell, over which depth and closing speed are linear.
+/// Of a law whose pressure does not go with the depth.
+template <class K>
+PressedSums sampled_triangles(std::span<const FourTriangles> triangles, const K& law, const ClosingMotion& motion) {
+  Vec3 push = Vec3::Zero();
+  for (const FourTriangles& in : triangles) push += sampled_push(in, law);
+  const DampedMotion damped(push, motion);
+  TriangleSums sums;
+  for (const FourTriangles& in : triangles) sum_sampled(in, law, damped, sums);
+  return over_lanes(sums, damped.normal);
+}
+
+/// A face of the walker inside the owner, of which what lies deeper than `crushed` [m] is pressed, by what is left of
+/// its depth.
+class PressedFace {
+ public:
+  /// `normal`: out of the walker. On b acts -n where b walks, as n then points from b into a, and +n where a does.
+  PressedFace(const Vec3& normal, bool walker_is_b, double crushed, TriangleLanes& triangles)
+      : face_{normal.x(), normal.y(), normal.z(), walker_is_b ? -1.0 : 1.0},
+        crushed_(crushed),
+        triangles_(triangles),
+        owner_(walker_is_b ? 0 : 1) {}
+
+  /// 0: a, 1: b.
+  [[nodiscard]] std::size_t owner() const { return owner_; }
+
+  /// Adds one cell, over which the depth is linear.
   void add_cell(const PressedPolygon& cell) const {
-    if (crushed > 0)
-      add_deeper_part(cell);
-    else
-      add_whole(cell);
-  }
-
- private:
-  void add_whole(const PressedPolygon& cell) const {
-    if constexpr (K::linear)
-      add_linear_cell(cell);
-    else
-      add_sampled_cell(cell);
-  }
-
-  /// The triangles of a polygon about its first corner.
-  void add_triangles(const PressedPolygon& of, TriangleShare share) const {
-    const auto corner = [&](std::size_t i) -> TriangleCorner {
-      const PressedPoint& p = of.corner[i];
-      return {p.arm, p.depth, p.closing};
-    };
-    for (std::size_t i = 2; i < of.count; ++i)
-      parts.triangles.add(normal, sign(), share, {corner(0), corner(i - 1), corner(i)});
-  }
-
-  /// What of a cell lies deeper than the mortar is crushed, by the depth that is left to it.
-  void add_deeper_part(const PressedPolygon& cell) const {
+    if (!(crushed_ > 0)) return add_triangles(cell);
     CornerHeights left;
-    for (std::size_t i = 0; i < cell.count; ++i) left[i] = cell.corner[i].depth - crushed;
+    for (std::size_t i = 0; i < cell.count; ++i) left[i] = cell.corner[i].depth - crushed_;
     PressedPolygon deeper;
     keep_above(cell, left, deeper);
     for (std::size_t i = 0; i < deeper.count; ++i)
-      deeper.corner[i].depth = larger(deeper.corner[i].depth - crushed, 0.0);
-    if (deeper.count > 2) add_whole(deeper);
+      deeper.corner[i].depth = larger(deeper.corner[i].depth - crushed_, 0.0);
+    add_triangles(deeper);
   }
 
-  /// The damped pressure acts over the part of a cell where it is above 0.
-  void add_linear_cell(const PressedPolygon& cell) const {
-    CornerHeights damped;
-    bool some = false, all = true;
-    for (std::size_t i = 0; i < cell.count; ++i) {
-      damped[i] = cell.corner[i].depth + law.beta * cell.corner[i].closing;
-      some = some || damped[i] > 0, all = all && damped[i] >= 0;
-    }
-    add_triangles(cell, all ? TriangleShare::both : TriangleShare::springs);
-    if (all || !some) return;
-    PressedPolygon pressed;
-    keep_above(cell, damped, pressed);
-    add_triangles(pressed, TriangleShare::damped);
+ private:
+  /// The triangles of a polygon about its first corner.
+  void add_triangles(const PressedPolygon& of) const {
+    const auto corner = [&](std::size_t i) {
+      const PressedPoint& p = of.corner[i];
+      return Lanes{p.arm.x(), p.arm.y(), p.arm.z(), p.depth};
+    };
+    for (std::size_t i = 2; i < of.count; ++i) triangles_.add(face_, corner(0), corner(i - 1), corner(i));
   }
 
-  void add_sampled_cell(const PressedPolygon& cell) const {
-    TriangleSums springs, total;
-    const Vec3& p = cell.corner[0].arm;
-    for (std::size_t i = 2; i < cell.count; ++i) {
-      const Vec3 &q = cell.corner[i - 1].arm, &r = cell.corner[i].arm;
-      const double area = 0.5 * normal.dot(cross(Vec3(q - p), Vec3(r - p)));
-      const std::array<std::size_t, 3> at{0, i - 1, i};
-      add_sampled(
-          area, cell, at, [&](double d, double) { return law.effective(d); }, springs);
-      add_sampled(
-          area, cell, at, [&](double d, double c) { return std::max(0.0, law.effective(d) + law.beta * c); }, total);
-      add_area(area, p, q, r, parts.sampled);
-    }
-    for (std::size_t i = 0; i < cell.count; ++i)
-      parts.sampled.depth = std::max(parts.sampled.depth, cell.corner[i].depth);
-    add_to(parts.sampled, springs, total);
-  }
-
-  void add_to(PressedSums& sums, const TriangleSums& springs, const TriangleSums& total) const {
-    const Vec3 n = sign() * normal;
-    sums.force += total.force * n, sums.moment += cross(total.first, n);
-    sums.damping += (total.force - springs.force) * n;
-    sums.damping_moment += cross(Vec3(total.first - springs.first), n);
-    sums.damped += total.power - springs.power;
-    sums.pressure += total.force, sums.arm += total.first;
-    for (std::size_t i = 0; i < 6; ++i) sums.arm_second[i] += total.second[i];
-  }
+  Lanes face_;
+  double crushed_;
+  TriangleLanes& triangles_;
+  std::size_t owner_;
 };
 
-/// What is pressed: the shared solid, and how fast b moves away from a at its points.
+/// What is pressed: the shared solid, and how deep its points are in both.
 struct PressedSolid {
   const SolidOverlapBuffer& shared;
   Vec3 origin;                       // of arms
@@ -170,10 +131,7 @@ struct PressedSolid {
         origin(of.points[static_cast<std::size_t>(of.edges[0].from)]),
         noise(1e-13 * (a.placed.solid->size + b.placed.solid->size)),
         depths{DepthTable(a.placed, origin, arms(of), of.depths[0]),
-               DepthTable(b.placed, origin, of.arm, of.depths[1])} {
-    of.rate.clear();
-    for (const Vec3& x : of.points) of.rate.push_back(b.velocity_at(x) - a.velocity_at(x));
-  }
+               DepthTable(b.placed, origin, of.arm, of.depths[1])} {}
   [[nodiscard]] const Vec3& arm(int point) const { return shared.arm[static_cast<std::size_t>(point)]; }
 
  private:
@@ -186,14 +144,13 @@ struct PressedSolid {
 
 /// Presses a part of a face of the walker against the owner's nearest faces. Where one face is nearest to all corners
 /// it is so to all of the part, as depths are linear.
-template <class K>
-void press_rim(const PressedSolid& solid, const DepthTable& owner, const Rim& rim, const PressedFace<K>& face) {
+void press_rim(const PressedSolid& solid, const DepthTable& owner, const Rim& rim, const PressedFace& face) {
   const int nearest = owner.nearest(rim.point[0]);
   const auto end = rim.point.begin() + static_cast<std::ptrdiff_t>(rim.count);
   if (std::all_of(rim.point.begin(), end, [&](int p) { return owner.nearest(p) == nearest; })) {
     PressedPolygon cell;
     for (std::size_t i = 0; i < rim.count; ++i)
-      cell.add({solid.arm(rim.point[i]), larger(owner.row(rim.point[i])[nearest], 0.0), rim.closing[i]});
+      cell.add({solid.arm(rim.point[i]), larger(owner.row(rim.point[i])[nearest], 0.0)});
     return face.add_cell(cell);
   }
   CellCutter cutter(owner, solid.shared.arm, rim, solid.noise);
@@ -205,14 +162,13 @@ using RimEdges = std::span<const SolidOverlapBuffer::Edge>;
 
 /// The points of these edges in the order in which they follow on each other; false where they are not one loop that
 /// has room, as rounding may leave them.
-template <class Closing>
-bool make_rim(RimEdges edges, Closing&& closing, Rim& rim) {
+bool make_rim(RimEdges edges, Rim& rim) {
   if (edges.size() < 3 || edges.size() > Rim::most) return false;
   const int first = edges[0].from;
   int at = first;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (i > 0 && at == first) return false;
-    rim.add(at, closing(at));
+    rim.add(at);
     std::size_t next = i;  // mostly the next in the list
     if (edges[i].from != at)
       for (next = 0; next < edges.size() && edges[next].from != at;) ++next;
@@ -222,23 +178,18 @@ bool make_rim(RimEdges edges, Closing&& closing, Rim& rim) {
   return at == first;
 }
 
-/// One face of the shared solid: whole, or as triangles about one of its points, as laws are that are not linear, whose
-/// sums are the better the smaller the cells.
-template <class K>
-void press_face(const PressedSolid& solid, const PressedFace<K>& face, RimEdges edges) {
-  const DepthTable& owner = solid.depths[face.walker_is_b ? 0 : 1];
+/// One face of the shared solid: `whole`, or as triangles about one of its points, as laws are that are not linear,
+/// whose sums are the better the smaller the cells.
+void press_face(const PressedSolid& solid, const PressedFace& face, RimEdges edges, bool whole) {
+  const DepthTable& owner = solid.depths[face.owner()];
   if (owner.columns() == 0) return;  // a piece without a surface presses nothing
-  const auto closing_at = [&](int point) {
-    const double along = face.normal.dot(solid.shared.rate[static_cast<std::size_t>(point)]);
-    return face.walker_is_b ? along : -along;
-  };
   Rim rim;
-  if (K::linear && make_rim(edges, closing_at, rim)) return press_rim(solid, owner, rim, face);
+  if (whole && make_rim(edges, rim)) return press_rim(solid, owner, rim, face);
   const int base = edges[0].from;
   for (const auto& [from, to] : edges) {
     if (from == base || to == base) continue;
     Rim triangle;
-    for (const int point : {base, from, to}) triangle.add(point, closing_at(point));
+    for (const int point : {base, from, to}) triangle.add(point);
     press_rim(solid, owner, triangle, face);
   }
 }
@@ -259,22 +210,34 @@ bool on_surface(const PlacedSolid& a, const PlacedSolid& b, int of) {
   return of >= 0 ? a.solid->is_surface(of) : b.solid->is_surface(-1 - of);
 }
 
+/// Lists the triangles of all surface faces of the shared solid.
+void list_triangles(const PressedSolid& solid, const PlacedSolid& a, const PlacedSolid& b, bool whole, double crushed,
+                    TriangleLanes& triangles) {
+  int first = 0;
+  for (const auto& [of, end] : solid.shared.faces) {
+    if (on_surface(a, b, of)) {
+      const RimEdges edges =
+          RimEdges(solid.shared.edges).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
+      press_face(solid, PressedFace(normal_of(a, b, of), of < 0, crushed, triangles), edges, whole);
+    }
+    first = end;
+  }
+}
+
 template <class K>
 SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, SolidOverlapBuffer& shared,
                     double crushed) {
   const PressedSolid solid(a, b, shared);
-  PressedParts parts{PressedTriangles(law.beta), {}};
-  int first = 0;
-  for (const auto& [of, end] : shared.faces) {
-    const bool of_b = of < 0;
-    if (on_surface(a.placed, b.placed, of)) {
-      const RimEdges edges =
-          RimEdges(shared.edges).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
-      press_face(solid, PressedFace<K>{law, normal_of(a.placed, b.placed, of), of_b, crushed, parts}, edges);
-    }
-    first = end;
-  }
-  return pressure_of_sums(solid.origin, 0.5 * law.kn, K::linear ? parts.triangles.sums() : parts.sampled);
+  TriangleLanes triangles(shared.triangles);
+  list_triangles(solid, a.placed, b.placed, K::linear, crushed, triangles);
+  const ClosingMotion motion{b.velocity_at(solid.origin) - a.velocity_at(solid.origin), b.spin - a.spin};
+  const auto sums = [&] {
+    if constexpr (K::linear)
+      return pressed_triangles(triangles.all(), law.beta, motion);
+    else
+      return sampled_triangles(triangles.all(), law, motion);
+  };
+  return pressure_of_sums(solid.origin, 0.5 * law.kn, sums());
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 //           |   \__f__/ - - | - B    faces: linear in cells, each a convex polygon, over which all integrals are exact
 //           |_______________|        where the law is linear.
 //
-// Damping acts on the closing speed along each face's normal; the pressure is never below 0 with it.
+// Damping acts on the motion along the resultant of the springs (contact/triangle_sums.hpp); the pressure is never
+// below 0 with it.
 #pragma once
 
 #include <array>

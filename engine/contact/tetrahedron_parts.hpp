@@ -21,8 +21,8 @@
 //   of X and Y below the one they are not on.
 #pragma once
 
-#include "contact/triangle_lanes.hpp"
 #include "shape/edge_overlap.hpp"
+#include "shape/triangle_lanes.hpp"
 
 namespace trilith {
 

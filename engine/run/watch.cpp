@@ -13,6 +13,7 @@
 #include "body/element_gradients.hpp"
 #include "run/body_forces.hpp"
 #include "run/stage_end.hpp"
+#include "run/watch_beams.hpp"
 #include "step/central_difference.hpp"
 #include "world/element_rows.hpp"
 #include "world/event_text.hpp"
@@ -183,6 +184,27 @@ std::string element_name(const Model<D>& model, int element) {
   return fmt::format("element {}", element - first + 1);
 }
 
+/// "element 2", of a frame of several members "element 2 of column".
+template <int D>
+std::string beam_name(const Model<D>& model, const BeamStretch& s) {
+  const Member& member = model.members[static_cast<std::size_t>(s.member)];
+  const std::string of = member.name == model.bodies[member.body].name ? "" : " of " + member.name;
+  return fmt::format("element {}{}", s.beam - member.first_beam + 1, of);
+}
+
+/// What an element of `body` that is called `name` was strained beyond.
+template <int D>
+Divergence overstrained(const Instant<D>& now, const std::string& name, int body, double strain, double limit,
+                        const std::type_identity_t<Vec<D>>& place) {
+  Event event = stage_event(EventType::element_overstrained, now, name);
+  event.body_a = body, event.value = strain;
+  event.set_place(place);
+  return {fmt::format("{} (its solid is made for {:g} %)", event_text(event, now.model), 100 * limit),
+          "take a stiffer solid or less load, let it come on more slowly, or give the material a larger strain_limit "
+          "where it is made for more",
+          now.state.time - now.state.last_dt, event};
+}
+
 }  // namespace
 
 ElementStretch element_stretch(const Model<2>& model, const State<2>& state, int element) {
@@ -211,17 +233,23 @@ std::optional<Divergence> Watch::look_at_elements(const Instant<D>& now) {
   element_room_ = (1 - 1e-9) * room;
   if (worst.spare > 0) return std::nullopt;
   const auto& element = elements[worst.element];
-  Event event = stage_event(EventType::element_overstrained, now, element_name(now.model, worst.element));
-  event.body_a = element.body;
-  event.value = worst.strain;
   Vec<D> middle = Vec<D>::Zero();
   for (int i = 0; i < nodes_of(element); ++i) middle += now.state.position[element.node[i]] / nodes_of(element);
-  event.set_place(middle);
-  const double limit = now.model.solids[element.solid].strain_limit;
-  return Divergence{fmt::format("{} (its solid is made for {:g} %)", event_text(event, now.model), 100 * limit),
-                    "take a stiffer solid or less load, let it come on more slowly, or give the material a larger "
-                    "strain_limit where it is made for more",
-                    now.state.time - now.state.last_dt, event};
+  return overstrained(now, element_name(now.model, worst.element), element.body, worst.strain,
+                      now.model.solids[element.solid].strain_limit, middle);
+}
+
+template <int D>
+std::optional<Divergence> Watch::look_at_beams(const Instant<D>& now) {
+  if (now.model.members.empty()) return std::nullopt;
+  beam_room_ -= now.work.fastest * now.state.last_dt;
+  if (beam_room_ > 0) return std::nullopt;
+  const BeamStretch worst = worst_beam(now.model, now.state);
+  beam_room_ = (1 - 1e-9) * worst.room;
+  if (worst.spare > 0) return std::nullopt;
+  const Member& member = now.model.members[static_cast<std::size_t>(worst.member)];
+  return overstrained(now, beam_name(now.model, worst), member.body, worst.strain, member.strain_limit,
+                      middle_of_beam(now.model, now.state, worst.beam));
 }
 
 /// The ledger from which energy made is counted, and the speed that motions and start may give.
@@ -290,6 +318,7 @@ std::optional<Divergence> Watch::look(const Instant<D>& now, bool last) {
                       counts_ ? sound_until_ : now.begun,
                       {}};
   if (auto found = look_at_elements(now)) return found;
+  if (auto found = look_at_beams(now)) return found;
   if (!now.stage.watched) return std::nullopt;
   // Energies cost a pass over all contacts, so they are looked at now and then.
   if (counts_ && !last && now.speed <= 2 * looked_speed_ && now.state.step < next_look_) return std::nullopt;

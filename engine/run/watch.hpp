@@ -31,7 +31,7 @@ class Watch {
   /// Forgets all, as for another stage or state: what is there now counts as given.
   void reset();
   /// Looks at everything at the next instant: the model was changed.
-  void doubt() { element_room_ = bounds_room_ = 0; }
+  void doubt() { element_room_ = beam_room_ = bounds_room_ = 0; }
   /// To be called at every evaluated instant. What it finds depends on the instant alone for elements, and for the rest
   /// on when it looked before.
   template <int D>
@@ -44,11 +44,14 @@ class Watch {
   template <int D>
   std::optional<Divergence> look_at_elements(const Instant<D>& now);
   template <int D>
+  std::optional<Divergence> look_at_beams(const Instant<D>& now);
+  template <int D>
   std::optional<Divergence> look_at_magnitudes(const Instant<D>& now);
   template <int D>
   void count_from(const Instant<D>& now, const Energy& energy);
 
   double element_room_ = 0;  // path of the fastest point until an element may be at its limit [m]
+  double beam_room_ = 0;     // ... a beam of a member [m]
   double bounds_room_ = 0;   // ... until a node may be outside the bounds [m]
   double sound_until_ = 0;   // [s]
   bool counts_ = false;

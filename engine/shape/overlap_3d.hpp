@@ -16,6 +16,7 @@
 
 #include "shape/convex_solid.hpp"
 #include "shape/depth_table.hpp"
+#include "shape/triangle_lanes.hpp"
 
 namespace trilith {
 
@@ -45,7 +46,8 @@ struct SolidOverlapBuffer {
   std::vector<Cut> cuts;
   // scratch of what goes over the points afterwards
   std::array<DepthRoom, 2> depths;
-  std::vector<Vec3> arm, rate;
+  std::vector<Vec3> arm;
+  std::vector<FourTriangles> triangles;
 };
 
 /// A half-space: where normal . x <= offset. The normal may be of any length.

@@ -44,19 +44,30 @@ inline ContactTangent spring_tangent(const Model<2>& model, int law, double dept
   return with_kernel(law_in_use(model, law), [&](const auto& kernel) { return kernel.tangent(depth); });
 }
 
-/// Largest row sum of what is free, scaled by mass and inertia: at least the largest eigenvalue [1/s2], [1/s].
-/// `is_free`: along x, along y, turning.
-inline double row_bound(const Eigen::Matrix3d& m, double mass, double inertia, const std::array<bool, 3>& is_free) {
-  const std::array<double, 3> scale = {1 / std::sqrt(mass), 1 / std::sqrt(mass), 1 / std::sqrt(inertia)};
-  double most = 0;
-  for (int r = 0; r < 3; ++r) {
-    double row = 0;
-    for (int c = 0; c < 3; ++c)
-      // What is held or driven does not swing.
-      if (is_free[r] && is_free[c]) row += std::abs(m(r, c)) * scale[r] * scale[c];
-    most = std::max(most, row);
+/// The largest eigenvalue of a symmetric matrix that has none below 0, from above: Newton's steps on its characteristic
+/// polynomial from the largest row sum on, which is at least as much, never pass it but by rounding. A few are enough,
+/// as what they leave is on the safe side.
+inline double largest_eigenvalue(const Eigen::Matrix3d& m) {
+  const auto minor = [&](int i, int j) { return m(i, i) * m(j, j) - m(i, j) * m(i, j); };
+  const double sum = m.trace(), minors = minor(0, 1) + minor(1, 2) + minor(2, 0), product = m.determinant();
+  double x = m.cwiseAbs().rowwise().sum().maxCoeff();
+  for (int i = 0; i < 6; ++i) {
+    const double height = ((x - sum) * x + minors) * x - product, slope = (3 * x - 2 * sum) * x + minors;
+    if (!(height > 0 && slope > 0)) break;
+    x -= height / slope;
   }
-  return most;
+  return x;
+}
+
+/// ... of what is free, scaled by mass and inertia [1/s2], [1/s]. `is_free`: along x, along y, turning; what is held or
+/// driven does not swing.
+inline double rate_bound(const Eigen::Matrix3d& m, double mass, double inertia, const std::array<bool, 3>& is_free) {
+  const std::array<double, 3> scale = {1 / std::sqrt(mass), 1 / std::sqrt(mass), 1 / std::sqrt(inertia)};
+  Eigen::Matrix3d scaled = Eigen::Matrix3d::Zero();
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c)
+      if (is_free[r] && is_free[c]) scaled(r, c) = m(r, c) * scale[r] * scale[c];
+  return largest_eigenvalue(scaled);
 }
 
 }  // namespace trilith

@@ -81,8 +81,8 @@ void bound_faces(const Model<2>& model, Work<2>& work) {
     const int node = model.bodies[b].first_node;
     const auto bound = [&](const Eigen::Matrix3d& m) {
       const auto& s = model.support[node];
-      return row_bound(m, model.mass[node], model.inertia[node],
-                       {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
+      return rate_bound(m, model.mass[node], model.inertia[node],
+                        {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
     };
     work.face_bound[b] = {bound(local.k), bound(local.c)};
   }

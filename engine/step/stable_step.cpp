@@ -201,11 +201,11 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
   }
 }
 
-/// The largest row sum of a node's own springs.
+/// The largest rate of a node's own springs.
 double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
   const auto& s = model.support[node];
-  return row_bound(m, model.mass[node], model.inertia[node],
-                   {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
+  return rate_bound(m, model.mass[node], model.inertia[node],
+                    {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
 }
 
 /// Springs all around a body as if it were rigid, half as stiff as in full contact with bodies that move: at least as
@@ -239,7 +239,7 @@ RateBound rigid_rates(const Model<2>& model, const Work<2>& work, int body, cons
   const Local around = around_outline(model, work, body, whole.centre);
   const auto most = [&](const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
     constexpr std::array all{true, true, true};
-    return std::max(row_bound(a, whole.mass, whole.inertia, all), row_bound(b, whole.mass, whole.inertia, all));
+    return std::max(rate_bound(a, whole.mass, whole.inertia, all), rate_bound(b, whole.mass, whole.inertia, all));
   };
   return {most(locals.whole[body].k, around.k), most(locals.whole[body].c, around.c)};
 }

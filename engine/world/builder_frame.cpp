@@ -141,6 +141,7 @@ struct MemberMaterial {
   BeamMaterial elastic;
   double damping;  ///< [s]
   int band;        ///< of Model::bands, or -1
+  double strain_limit;
 };
 
 /// Room for what the branches of a beam remember, behind what it remembers of its yielding.
@@ -157,7 +158,8 @@ void append_beams(const FrameRows& rows, std::size_t m, const MemberMaterial& ma
                                 rows.body,
                                 static_cast<int>(rows.model.beams.size()),
                                 static_cast<int>(stations.size()) - 1,
-                                {rows.frame.joints[member.from].name, rows.frame.joints[member.to].name}});
+                                {rows.frame.joints[member.from].name, rows.frame.joints[member.to].name},
+                                made.strain_limit});
   YieldRows yields(member, made.elastic.shear, rows.model);
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     Beam beam;
@@ -272,7 +274,8 @@ std::vector<MemberMaterial> member_materials(const FrameRows& rows, const std::v
     made.push_back({spec.density.value_or(material.density) * member.section.area,
                     {young, member.shear ? young / (2 * (1 + poisson)) : 0.0},
                     material.solid->damping(),
-                    band_row(material.band, rows.model.bands)});
+                    band_row(material.band, rows.model.bands),
+                    material.solid->strain_limit});
     given += made.back().mass * length_of(rows.plan, m);
   }
   const double wanted = spec.mass ? *spec.mass : spec.weight ? *spec.weight / standard_gravity : given;

@@ -102,7 +102,8 @@ SpaceFrameBody SolidModelBuilder::frame_body(const SolidSpec& spec) const {
     out.material.push_back({spec.density.value_or(material.density) * m.section.area,
                             {young, young / (2 * (1 + poisson)), m.shear},
                             material.solid->damping(),
-                            material.band});
+                            material.band,
+                            material.solid->strain_limit});
     sum += out.material.back().mass * length_of(out.frame, m);
   }
   if (spec.mass)

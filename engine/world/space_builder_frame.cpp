@@ -149,12 +149,13 @@ void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int firs
   const SpaceFrameSpec& spec = body.frame;
   const SpaceMember& member = spec.members[m];
   const SpaceMemberMaterial& made = body.material[m];
-  model.members.push_back({name_of(spec, member),
-                           index,
-                           static_cast<int>(model.beams_3d.size()),
-                           member.divisions,
-                           {spec.joints[static_cast<std::size_t>(member.from)].name,
-                            spec.joints[static_cast<std::size_t>(member.to)].name}});
+  model.members.push_back(
+      {name_of(spec, member),
+       index,
+       static_cast<int>(model.beams_3d.size()),
+       member.divisions,
+       {spec.joints[static_cast<std::size_t>(member.from)].name, spec.joints[static_cast<std::size_t>(member.to)].name},
+       made.strain_limit});
   const UnitQuaternion axes = member_axes(spec, member);
   const double length = length_of(spec, member) / member.divisions;
   const HalfBeam half = half_beam(member, made.mass, length);
@@ -175,22 +176,76 @@ void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int firs
   }
 }
 
-/// The convex solids of one stretch of skin in the axes of its node; where they meet their neighbours along the member
-/// is no surface.
+/// The solids of all other members that end at a joint, there.
+std::vector<ConvexSolid> solids_beside(const SpaceFrameSpec& spec, std::size_t member, int joint) {
+  std::vector<ConvexSolid> out;
+  for (std::size_t m = 0; m < spec.members.size(); ++m) {
+    const SpaceMember& other = spec.members[m];
+    if (m == member || (other.from != joint && other.to != joint)) continue;
+    const std::vector<SkinStretch> stretches = skin_stretches(spec, m);
+    for (const Polyhedron& solid : skin_solids(spec, m, other.from == joint ? stretches.front() : stretches.back()))
+      out.push_back(convex_solid(solid, "a member", 1e-8));
+  }
+  return out;
+}
+
+/// Whether one of these holds all corners of a face of a solid.
+bool is_covered(const Polyhedron& solid, int face, const std::vector<ConvexSolid>& by) {
+  const auto holds = [&](const ConvexSolid& c, const Vec3& x) {
+    for (int f = 0; f < c.shape.faces.count(); ++f) {
+      const Vec3& on = c.shape.corners[static_cast<std::size_t>(c.shape.faces[f][0])];
+      if (c.normals[static_cast<std::size_t>(f)].dot(x - on) > 1e-6 * c.size) return false;
+    }
+    return true;
+  };
+  return std::any_of(by.begin(), by.end(), [&](const ConvexSolid& c) {
+    return std::ranges::all_of(solid.faces[face],
+                               [&](int k) { return holds(c, solid.corners[static_cast<std::size_t>(k)]); });
+  });
+}
+
+/// What is surface of the ends of a member's stretch: nothing where the next stretch goes on; at a joint what no solid
+/// of another member covers whole.
+class StretchEnds {
+ public:
+  StretchEnds(const SpaceFrameSpec& spec, std::size_t m, const SkinStretch& stretch)
+      : along_(turn_of(member_axes(spec, spec.members[m])).x()) {
+    const SpaceMember& member = spec.members[m];
+    at_joint_ = {!(stretch.from > 0), stretch.to > (1 - 1e-9) * length_of(spec, member)};
+    if (at_joint_[0] && !stretch.begins) beside_[0] = solids_beside(spec, m, member.from);
+    if (at_joint_[1] && !stretch.ends) beside_[1] = solids_beside(spec, m, member.to);
+  }
+  [[nodiscard]] bool is_surface(const Polyhedron& solid, int face, const Vec3& normal) const {
+    const double way = normal.dot(along_);
+    if (std::abs(way) <= 0.5) return true;
+    const std::size_t end = way > 0 ? 1 : 0;
+    return at_joint_[end] && !is_covered(solid, face, beside_[end]);
+  }
+
+ private:
+  Vec3 along_;
+  std::array<bool, 2> at_joint_;
+  std::array<std::vector<ConvexSolid>, 2> beside_;
+};
+
+/// The convex solids of one stretch of skin in the axes of its node.
 std::vector<ConvexSolid> stretch_pieces(const SpaceFrameBody& body, std::size_t m, const SkinStretch& stretch,
                                         const Vec3& place, const UnitQuaternion& rotation) {
   const UnitQuaternion back = inverse(rotation);
-  const Vec3 along = turn_of(back * member_axes(body.frame, body.frame.members[m])).x();
+  const Turn3 turn = turn_of(rotation);
+  const StretchEnds ends(body.frame, m, stretch);
+  const std::vector<Polyhedron> solids = skin_solids(body.frame, m, stretch);
   std::vector<ConvexSolid> pieces;
-  for (const Polyhedron& solid : skin_solids(body.frame, m, stretch))
+  for (const Polyhedron& solid : solids)
     pieces.push_back(convex_solid(placed(placed(solid, {}, -place), back, Vec3::Zero()), body.name, 1e-8));
   mark_inner_faces(pieces);
-  for (ConvexSolid& piece : pieces) {
-    const auto faces = static_cast<std::size_t>(piece.shape.faces.count());
-    if (piece.surface.empty()) piece.surface.assign(faces, 1);
-    for (std::size_t f = 0; f < faces; ++f) {
-      const double way = piece.normals[f].dot(along);
-      if ((way > 0.5 && !stretch.ends) || (way < -0.5 && !stretch.begins)) piece.surface[f] = 0;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    ConvexSolid& piece = pieces[p];
+    const int faces = piece.shape.faces.count();
+    if (piece.surface.empty()) piece.surface.assign(static_cast<std::size_t>(faces), 1);
+    for (int f = 0; f < faces; ++f) {
+      const auto row = static_cast<std::size_t>(f);
+      if (!ends.is_surface(solids[p], f, turn.apply(piece.normals[row]))) piece.surface[row] = 0;
     }
   }
   return pieces;

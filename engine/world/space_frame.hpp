@@ -56,6 +56,7 @@ struct SpaceMemberMaterial {
   BeamMaterial3 elastic;
   double damping;  ///< [s]
   std::optional<BandDamping> band;
+  double strain_limit;
 };
 
 /// A frame with all that its rows of a model are made from.

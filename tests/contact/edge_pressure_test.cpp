@@ -70,6 +70,7 @@ double check_pairs(const Pairs& of, double within, Solid&& solid) {
   law.kn = 1e8, law.beta = 1e-3;
   int touching = 0, left = 0;
   double worst = 0;
+  std::vector<FourTriangles> room;
   while (touching < of.pairs) {
     const ConvexSolid sa = solid(bits), sb = solid(bits);
     const UnitQuaternion turn = random_rotation(bits);
@@ -85,7 +86,7 @@ double check_pairs(const Pairs& of, double within, Solid&& solid) {
     if (!(expected.area > 0)) continue;
     ++touching;
     SolidPressure pressed;
-    if (edge_pressure(of_a, of_b, law.kn, law.beta, pressed))
+    if (edge_pressure(of_a, of_b, law.kn, law.beta, room, pressed))
       worst = std::max(worst, difference(pressed, expected, sa.size));
     else
       ++left;

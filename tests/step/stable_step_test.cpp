@@ -1,12 +1,16 @@
 // The step estimate against the step at which central differences really run away.
 #include "step/stable_step.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <random>
 
+#include "near.hpp"
 #include "physics/scene.hpp"
 #include "step/central_difference.hpp"
 #include "step/commit.hpp"
 #include "step/evaluate.hpp"
+#include "step/local_springs.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
@@ -108,4 +112,28 @@ TEST_CASE("the stable step of a stack and of a wall is on the safe side, and at 
     CHECK(of_wall.estimate < of_wall.real);
     CHECK(of_wall.estimate > of_wall.real / 3);
   }
+}
+
+TEST_CASE(
+    "the bound of what springs do to a body is never below the largest eigenvalue, and no more than .3 % above it") {
+  std::mt19937_64 bits(61);
+  std::normal_distribution<double> chance;
+  std::uniform_int_distribution<int> springs(1, 8);
+  double most = 0, least = 2;
+  for (int trial = 0; trial < 50000; ++trial) {
+    const double lever = trial % 3 == 0 ? 0.1 : trial % 3 == 1 ? 1 : 10;
+    Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+    for (int n = springs(bits); n > 0; --n) {
+      const Eigen::Vector3d v(chance(bits), chance(bits), lever * chance(bits));
+      m += 1e9 * v * v.transpose();
+    }
+    const double share = largest_eigenvalue(m) / Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m).eigenvalues()[2];
+    most = std::max(most, share), least = std::min(least, share);
+  }
+  CHECK(least > 1 - 1e-12);
+  CHECK(most < 1.003);
+  CHECK(largest_eigenvalue(Eigen::Matrix3d::Zero()) == 0);
+  // Three alike, as Newton's steps are slowest at, and two.
+  CHECK(near(largest_eigenvalue(Eigen::Matrix3d::Identity()), 1, 1e-12));
+  CHECK(near(largest_eigenvalue(Eigen::Vector3d(2, 2, 1).asDiagonal()), 2, 1e-12));
 }
