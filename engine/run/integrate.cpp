@@ -173,6 +173,7 @@ bool Simulation<D>::step_implicitly(double dt, const Energy& energy) {
                          std::min(dt, how.give_up));
   leave_implicit();
   advance(model_, state_, work_, {swept_.dt, rest_}, times_);
+  evaluated_ = false;  // what it was before the step
   return true;
 }
 

@@ -65,7 +65,8 @@ int check_bits(int count, Make&& make) {
     const ReferenceOverlap one = reference_overlap(a, b, Coulomb(damped, 1, 1e-4));
     touching += r.touching ? 1 : 0;
     const bool same_sums =
-        r.touching == (one.length > 0) && r.force == one.force && r.length == one.length && r.depth == one.depth &&
+        r.touching == (one.length > 0) && r.force == one.force * one.normal && r.length == one.length &&
+        r.depth == one.depth &&
         (!r.touching || (r.memory.damping_force[0] == one.damping.x() && r.memory.damping_force[1] == one.damping.y() &&
                          r.memory.damping_moment == one.damping_moment)) &&
         (one.pressure == 0 || r.centre == one.moment_arm / one.pressure);

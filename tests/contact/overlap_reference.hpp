@@ -1,5 +1,5 @@
 // The pressures of two convex pieces found one edge and one face after the other: what the engine's form, which works
-// on four at once, must give to the bit. Linear springs with damping; friction is left out.
+// on four at once, must give to the bit. Linear springs with damping along their resultant; friction is left out.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,9 @@ namespace trilith::testing {
 
 struct ReferenceOverlap {
   bool apart = false;
-  Vec2 force = Vec2::Zero(), moment_arm = Vec2::Zero(), damping = Vec2::Zero();
-  double damping_moment = 0, pressure = 0, length = 0, depth = 0;
+  Vec2 push = Vec2::Zero(), normal = Vec2::Zero();  ///< of the springs, over kn / 2; its direction
+  Vec2 moment_arm = Vec2::Zero(), damping = Vec2::Zero();
+  double force = 0, damping_moment = 0, pressure = 0, length = 0, depth = 0;
   std::vector<Vec2> on_a, on_b;
 };
 
@@ -34,9 +35,22 @@ class ReferenceWalk {
     }
     return false;
   }
-  void run(ReferenceOverlap& sums) const {
+  /// f(edge, face, from, to) for every stretch.
+  template <class F>
+  void each(F&& f) const {
     for (int e = 0; e < corners(walker_); ++e)
-      if (is_surface(walker_, e)) along(e, sums);
+      if (is_surface(walker_, e)) along(e, f);
+  }
+  void add_push(ReferenceOverlap& sums) const {
+    each([&](int e, int f, double from, double to) {
+      const double mean = law_.stretch(phi(e, f, from), phi(e, f, to), 0.0, 0.0).spring.sum,
+                   pressed = (to - from) * mean;
+      const Vec2 side = way(walker_, e), turned(pressed * side.y(), pressed * -side.x());
+      sums.push += walker_is_b_ ? Vec2(-turned) : turned;
+    });
+  }
+  void run(ReferenceOverlap& sums) const {
+    each([&](int e, int f, double from, double to) { press(e, f, from, to, sums); });
   }
 
  private:
@@ -47,7 +61,8 @@ class ReferenceWalk {
   static Vec2 way(const PlacedPiece& p, int e) { return p.corner[(e + 1) % corners(p)] - p.corner[e]; }
   static Vec2 normal(const PlacedPiece& p, int e) { return Vec2(way(p, e).y(), -way(p, e).x()) / way(p, e).norm(); }
 
-  void along(int e, ReferenceOverlap& sums) const {
+  template <class F>
+  void along(int e, F&& add) const {
     const int w = (e + 1) % corners(walker_);
     double from = 0, to = 1;
     for (int f = 0; f < corners(owner_); ++f) {
@@ -70,37 +85,47 @@ class ReferenceWalk {
       for (int f = 0; f < corners(owner_); ++f)
         if (counts(f, slope(face)))
           until = std::min(until, std::max(from, from + (here(f) - here(face)) / (slope(face) - slope(f))));
-      press(e, face, from, until, sums);
+      add(e, face, from, until);
       from = until, last = slope(face);
     }
   }
-  void press(int e, int f, double from, double to, ReferenceOverlap& sums) const {
+  [[nodiscard]] double phi(int e, int f, double at) const {
     const int w = (e + 1) % corners(walker_);
-    const Vec2 n = normal(walker_, e), start = walker_.corner[e];
-    const Vec2 x0 = start + from * way(walker_, e), x1 = start + to * way(walker_, e);
-    const auto phi = [&](double at) { return std::max(0.0, depth(f, e) + (depth(f, w) - depth(f, e)) * at); };
-    const auto closing = [&](const Vec2& x) { return n.dot(walker_.velocity_at(e, x) - owner_.velocity_at(f, x)); };
-    const auto [stress, spring] = law_.stretch(phi(from), phi(to), closing(x0), closing(x1));
-    const double stiff = 0.5 * law_.kn * (x1 - x0).norm(), total = stiff * stress.sum, sign = walker_is_b_ ? 1 : -1;
-    const double damping = stiff * (stress.sum - spring.sum), moment = stiff * (stress.moment - spring.moment);
-    const Vec2& about = walker_is_b_ ? owner_.origin : walker_.origin;
-    sums.length += 0.5 * (x1 - x0).norm();
-    sums.depth = std::max({sums.depth, phi(from), phi(to)});
-    sums.damping += -sign * damping * n;
-    sums.damping_moment += -sign * (damping * cross(Vec2(x0 - about), n) + moment * cross(Vec2(x1 - x0), n));
-    if (total <= 0) return;
-    const Vec2 x = x0 + (stress.moment / stress.sum) * (x1 - x0);
-    add(walker_, e, x, -total * n, walker_is_b_ ? sums.on_b : sums.on_a);
-    add(owner_, f, x, total * n, walker_is_b_ ? sums.on_a : sums.on_b);
-    sums.force += -sign * total * n;
-    sums.pressure += total;
-    sums.moment_arm += total * x;
+    return std::max(0.0, depth(f, e) + (depth(f, w) - depth(f, e)) * at);
   }
-  static void add(const PlacedPiece& p, int e, const Vec2& x, const Vec2& force, std::vector<Vec2>& on) {
+  void press(int e, int f, double from, double to, ReferenceOverlap& sums) const {
+    const Vec2 n = normal(walker_, e), start = walker_.corner[e], &along = sums.normal;
+    const Vec2 x0 = start + from * way(walker_, e), x1 = start + to * way(walker_, e), over = x1 - x0;
+    const double sign = walker_is_b_ ? 1 : -1;
+    const double share = -sign * along.dot(n), facing = std::max(0.0, share);
+    const auto closing = [&](const Vec2& x) {
+      const Vec2 at_walker = walker_.velocity_at(e, x), at_owner = owner_.velocity_at(f, x);
+      return -facing * along.dot(walker_is_b_ ? Vec2(at_walker - at_owner) : Vec2(at_owner - at_walker));
+    };
+    const auto [stress, spring] = law_.stretch(phi(e, f, from), phi(e, f, to), closing(x0), closing(x1));
+    const double stiff = 0.5 * law_.kn * over.norm(), total = stiff * stress.sum, elastic = stiff * spring.sum;
+    const double damping = facing * (stiff * (stress.sum - spring.sum)),
+                 moment = facing * (stiff * (stress.moment - spring.moment));
+    const Vec2& about = walker_is_b_ ? owner_.origin : walker_.origin;
+    sums.length += 0.5 * over.norm();
+    sums.depth = std::max({sums.depth, phi(e, f, from), phi(e, f, to)});
+    sums.damping += damping * along;
+    sums.damping_moment += damping * cross(Vec2(x0 - about), along) + moment * cross(over, along);
+    if (elastic <= 0) return;
+    const double at = spring.moment / spring.sum;
+    const Vec2 x = x0 + at * over, on_b = damping * along - sign * elastic * n;
+    const double turning = sign * ((moment - at * damping) * cross(over, along));
+    add(walker_, e, x, sign * on_b, turning, walker_is_b_ ? sums.on_b : sums.on_a);
+    add(owner_, f, x, -(sign * on_b), -turning, walker_is_b_ ? sums.on_a : sums.on_b);
+    sums.force += share * total;
+    sums.pressure += total;
+    sums.moment_arm += total * x0 + stiff * stress.moment * over;
+  }
+  static void add(const PlacedPiece& p, int e, const Vec2& x, const Vec2& force, double moment, std::vector<Vec2>& on) {
     const Vec2 along = way(p, e);
     const double share = along.dot(x - p.corner[e]) / along.squaredNorm();
     const Vec2 foot = p.corner[e] + share * along;
-    const Vec2 couple = left_of(along) * (cross(Vec2(x - foot), force) / along.squaredNorm());
+    const Vec2 couple = left_of(along) * ((cross(Vec2(x - foot), force) + moment) / along.squaredNorm());
     on[e] += (1 - share) * force - couple;
     on[(e + 1) % corners(p)] += share * force + couple;
   }
@@ -117,6 +142,8 @@ inline ReferenceOverlap reference_overlap(const PlacedPiece& a, const PlacedPiec
   const ReferenceWalk b_walks(a, b, true, law), a_walks(b, a, false, law);
   sums.apart = b_walks.apart() || a_walks.apart();
   if (sums.apart) return sums;
+  b_walks.add_push(sums), a_walks.add_push(sums);
+  if (const double size = sums.push.norm(); size > 0) sums.normal = sums.push / size;
   b_walks.run(sums);
   a_walks.run(sums);
   return sums;

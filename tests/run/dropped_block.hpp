@@ -35,6 +35,7 @@ inline StageOptions fall_stage(double duration = 1.5) {
   StageOptions o;
   o.name = "fall";
   o.duration = duration;
+  o.safety = 0.2;  // so that the blow is some ten steps, and its energy right to a percent
   o.frame_interval = 0.02;
   o.history_interval = 0.01;
   o.energy_interval = 0.02;

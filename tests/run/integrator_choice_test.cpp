@@ -18,6 +18,7 @@ Simulation<2> falling_block() {
 StageOptions open_stage(double duration) {
   StageOptions stage = adaptive_stage(AlphaScheme::hht(-0.05), duration, 0.005);
   stage.may_change = true;
+  stage.safety = 0.2;  // so that explicit steps resolve the blow
   return stage;
 }
 

@@ -115,7 +115,7 @@ TEST_CASE("the stable step of a stack and of a wall is on the safe side, and at 
 }
 
 TEST_CASE(
-    "the bound of what springs do to a body is never below the largest eigenvalue, and no more than .3 % above it") {
+    "the bound of what springs do to a body is never below the largest eigenvalue, and no more than .5 % above it") {
   std::mt19937_64 bits(61);
   std::normal_distribution<double> chance;
   std::uniform_int_distribution<int> springs(1, 8);
@@ -131,7 +131,7 @@ TEST_CASE(
     most = std::max(most, share), least = std::min(least, share);
   }
   CHECK(least > 1 - 1e-12);
-  CHECK(most < 1.003);
+  CHECK(most < 1.005);
   CHECK(largest_eigenvalue(Eigen::Matrix3d::Zero()) == 0);
   // Three alike, as Newton's steps are slowest at, and two.
   CHECK(near(largest_eigenvalue(Eigen::Matrix3d::Identity()), 1, 1e-12));

@@ -264,7 +264,7 @@ TEST_CASE("collapses at common speeds take the steps they took without the sweep
     std::int64_t shrunk = 0;
     while (state.time < c.duration) {
       evaluate(model, state, work, state.last_dt);
-      if (state.step % 32 == 0) state.dt = settled_step(stable_step(model, state, work).dt, 0.5);
+      if (state.step % 32 == 0) state.dt = settled_step(stable_step(model, state, work).dt, 0.4);
       shrunk += swept_step(model, state, work, state.dt).dt != state.dt ? 1 : 0;
       commit(model, state, work);
       advance(model, state, work, {state.dt, {}});

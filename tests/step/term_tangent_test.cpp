@@ -22,12 +22,12 @@ namespace {
 
 /// Largest difference between the two tangents at a state, as a share of the larger one of the largest entries of its
 /// row and its column. 0 where there is nothing but zeros.
-double worst_entry(const Model<2>& model, State<2> state, double dt, double rate) {
+double worst_entry(const Model<2>& model, State<2> state, double dt, double rate, double disturbance = 1.5e-9) {
   Work<2> work;
   evaluate(model, state, work, dt);
   Tangent<2> tangent;
   tangent.shape(model, work);
-  const TangentOptions options{dt, rate, 1, 0, 1.5e-9};
+  const TangentOptions options{dt, rate, 1, 0, disturbance};
   const std::uint64_t before = state_hash(state);
   tangent.assemble(model, state, work, options);
   CHECK(state_hash(state) == before);
@@ -185,7 +185,8 @@ TEST_CASE("the tangent of a structure as it comes down is that of everything") {
         advance(model, state, work, {state.dt, {}});
       }
       INFO(c.name, " at ", state.time, " s");
-      CHECK(worst_entry(model, state, state.last_dt, 1 / state.last_dt) < 1e-6);
+      // Places metres from the origin have fewer digits: noise falls with the disturbance, to 1e-8 in most of them.
+      CHECK(worst_entry(model, state, state.last_dt, 1 / state.last_dt, 6e-9) < 1e-6);
     }
   }
 }
