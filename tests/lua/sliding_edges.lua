@@ -1,5 +1,5 @@
--- What slides on an edge or a corner without friction is not braked, and what strikes on one gives back what the damping
--- leaves: contacts of any shape are damped along the resultant of their springs alone (docs/theory/contact.md).
+-- What slides on an edge or a corner without friction is not braked, and what strikes on one gives back what the
+-- damping leaves: contacts of any shape are damped along the resultant of their springs alone (docs/theory/contact.md).
 local trilith = require "trilith"
 
 local g <const> = 9.81
@@ -49,7 +49,8 @@ local function slides(case)
         local at = 2*math.pi*(i - 0.25)/case.sides + 0.01
         outline[i] = { 0.2*math.cos(at), 0.2*math.sin(at) + 0.2 }
       end
-      m:polygon { name = "a", outline = outline, material = "stone", velocity = { v, 0 }, support = { rotation = "fixed" } }
+      m:polygon { name = "a", outline = outline, material = "stone", velocity = { v, 0 },
+                  support = { rotation = "fixed" } }
     else
       m:block { name = "a", width = 0.5, height = 0.3, anchor = "centre", angle = -tilt, at = { 0, height },
                 material = "stone", velocity = { v, 0 }, support = { rotation = "fixed" } }
@@ -73,10 +74,10 @@ slides { "... stiff, strongly damped", dim = 3, kn = 1e10, beta = 1e-3 }
 slides { "... in implicit steps", dim = 3, kn = 1e9, beta = 1e-4, integrator = "implicit" }
 slides { "... under a power law", dim = 3, kn = 1e9, beta = 1e-4, power = true }
 
--- A square stands on a corner, or a cube on an edge, and is thrown against a floor that it leaves again. About the depth d
--- the flanks have the length d sqrt 2 each, the base is 2 d long and d / sqrt 2 deep at the most, and of a stress that rises from
--- 0 to s over a length, damped by c, (s + c)^2 / 2 s is left of s / 2 where it is above 0. The equation of motion is taken
--- by Runge and Kutta's method.
+-- A square stands on a corner, or a cube on an edge, and is thrown against a floor that it leaves again. At the depth d
+-- the flanks are d sqrt 2 long each, the base is 2 d long and d / sqrt 2 deep at the most, and of a stress that rises
+-- from 0 to s over a length, damped by c, (s + c)^2 / 2 s is left of s / 2 where it is above 0. The equation of motion
+-- is taken by Runge and Kutta's method.
 local function rebound(kn, beta, mass, speed)
   local function force(d, rate)
     if d <= 0 then return 0 end
@@ -128,13 +129,15 @@ for _, beta in ipairs { 1e-4, 1e-3 } do
   local length, thick, th0 = 3, 0.02, 1.2
   m:block { name = "floor", width = 8, height = 1, at = { 0, -1 }, material = "wood", support = "fixed" }
   m:block { name = "wall", width = 1, height = 8, at = { -1, 0 }, material = "wood", support = "fixed" }
-  local x, y = math.cos(th0)*length + math.sin(th0)*thick, math.sin(th0)*length + math.cos(th0)*thick
+  local c, s = math.cos(th0), math.sin(th0)
+  local x, y = c*length + s*thick, s*length + c*thick
   m:block { name = "ladder", width = length, height = thick, anchor = "centre", angle = -th0, at = { x/2, y/2 },
             material = "wood" }
   local ladder = m:body "ladder"
   m:run { duration = 3, until_true = function() return ladder.rotation > 0.35 end }
   local th = th0 - ladder.rotation
-  near(("a ladder's spin, beta %g"):format(beta), ladder.spin, math.sqrt(3*g/length*(math.sin(th0) - math.sin(th))), 0.02)
+  near(("spin of a ladder, beta %g"):format(beta),
+    ladder.spin, math.sqrt(3*g/length*(math.sin(th0) - math.sin(th))), 0.02)
   local taken = m.energy.contact_damping/-m.energy.gravity
   assert(taken < 0.005, ("its contacts took %g of what fell"):format(taken))
   m:close()

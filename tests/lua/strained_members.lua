@@ -1,5 +1,5 @@
--- Members along their axes are watched against strain_limit. Runs that diverge end the program with exit code 3, so this
--- script says at its end that all was as it must be.
+-- Members along their axes are watched against strain_limit. Runs that diverge end the program with exit code 3, so
+-- this script says at its end that all was as it must be.
 local trilith = require "trilith"
 
 local function near(value, expected, allowed)
