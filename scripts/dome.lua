@@ -52,12 +52,12 @@ m:on("impact", function(e)
   end
 end)
 local motions = {}
-for k = 1, n do
+for k = 1, p.spread > 0 and n or 0 do  -- 0: the ring holds
   local angle = (k - 0.5)*2*math.pi/n
   local function out(share) return trilith.ramp { by = p.spread*R*share, duration = p.over } end
   motions[k] = { body = ring[k], x = out(trilith.math.cos(angle)), y = out(trilith.math.sin(angle)) }
 end
-m:drive { motions = motions }
+if p.spread > 0 then m:drive { motions = motions } end
 m:every(0.02, function()
   if not came and key.vz < -1 then
     came = m.time
