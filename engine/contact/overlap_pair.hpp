@@ -53,7 +53,7 @@ struct PlacedPiece {
 /// What the general contact gives; forces on the corners of both pieces are added to `on_a` and `on_b`.
 struct OverlapResponse {
   ContactMemory memory;
-  Vec2 force = Vec2::Zero();   ///< normal resultant on b [N]
+  Vec2 force = Vec2::Zero();   ///< resultant of the pressure on b [N]
   Vec2 centre = Vec2::Zero();  ///< centre of pressure [m]
   double length = 0;           ///< length in contact [m]
   double depth = 0;            ///< greatest depth of a pressed face in the other piece [m]
@@ -84,9 +84,11 @@ struct CornerOnFace {
 
 /// `on_a`, `on_b`: force per corner [N], same sizes as the pieces' corners, added to. `law_after`: the row its law
 /// remembers from now on, written where the two touch; else what parted leaves. `alone`: where it is given and just one
-/// corner of either, or one of both, lies in the other, it is set to those, and nothing is answered.
+/// corner of either, or one of both, lies in the other, it is set to those, and nothing is answered. `along`: of length
+/// 1, where other pieces of the two bodies press at the same place the direction of all their springs: damping and
+/// friction know that one, in place of the pair's own.
 OverlapResponse respond_overlap(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before,
                                 const LawInUse& law, std::span<Vec2> on_a, std::span<Vec2> on_b, double* law_after,
-                                CornerOnFace* alone = nullptr);
+                                CornerOnFace* alone = nullptr, const Vec2* along = nullptr);
 
 }  // namespace trilith

@@ -33,7 +33,8 @@ struct alignas(32) OverlapStretch {
 
 /// Sums over the pressed faces of both sides, and the forces at the corners [N].
 struct OverlapSums {
-  Vec2 normal = Vec2::Zero();  ///< of the resultant, see OverlapPress
+  Vec2 push = Vec2::Zero();    ///< of the springs on b, over kn / 2 [m2]
+  Vec2 normal = Vec2::Zero();  ///< see OverlapPress
   double force = 0;            ///< on b along it [N]
   Vec2 moment_arm = Vec2::Zero();
   Vec2 damping = Vec2::Zero();  ///< damping part of the force on b ...
@@ -117,9 +118,10 @@ TRILITH_INLINE void add_row(std::span<Vec2> on, const PlacedPiece& piece, int e,
 
 /// Two pieces whose stretches press each other under a law, above a depth by which the mortar is crushed [m].
 ///
-/// Springs push along the normals of the walkers' edges, and together along some n. What is damped is the motion along
-/// that: a stretch whose push on b is along u closes at -m (n . v), m = u . n where that is above 0, and its damping
-/// acts on b along n with the share m. So what slides across n is not braked, and damping takes energy from any motion.
+/// Springs push along the normals of the walkers' edges, and together along some n; where other pieces of the same two
+/// bodies press at the same place n is the direction of all of them. What is damped is the motion along that: a stretch
+/// whose push on b is along u closes at -m (n . v), m = u . n where that is above 0, and its damping acts on b along n
+/// with the share m. So what slides across n is not braked, and damping takes energy from any motion.
 template <class K>
 struct OverlapPress {
   const PlacedPiece &a, &b;

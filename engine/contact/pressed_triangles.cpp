@@ -179,7 +179,8 @@ TRILITH_INLINE void over_four(const Triple<Lanes>& v, const Lanes& more, Vec3& s
   return sum / 3;
 }
 
-[[gnu::target_clones("avx2", "default")]] PressedSums over_lanes(const TriangleSums& in, const Triple<Lanes>& normal) {
+[[gnu::target_clones("avx2", "default")]] PressedSums over_lanes(const TriangleSums& in, const Triple<Lanes>& normal,
+                                                                 const Vec3* push) {
   PressedSums out;
   double damping = 0;
   over_four(in.turning, in.damping, out.damping_moment, damping), over_four(in.moment, in.area, out.moment, out.area);
@@ -195,18 +196,21 @@ TRILITH_INLINE void over_four(const Triple<Lanes>& v, const Lanes& more, Vec3& s
   for (int i = 0; i < lane_count; ++i) out.depth = out.depth > in.depth[i] ? out.depth : in.depth[i];
   const Vec3 n = lane_of(normal, 0);
   const Lanes force = over_four(in.force, Lanes{}, Lanes{}, Lanes{});
-  out.force = force[0] * n, out.damping = damping * n;
+  out.damping = damping * n;
+  out.force = push == nullptr ? Vec3(force[0] * n) : Vec3(*push + out.damping);
   out.damping_moment = cross(out.damping_moment, n), out.moment += out.damping_moment;
   return out;
 }
 
-PressedSums pressed_triangles(std::span<const FourTriangles> triangles, double beta, const ClosingMotion& motion) {
-  const DampedMotion damped(springs_push(triangles), motion);
+PressedSums pressed_triangles(std::span<const FourTriangles> triangles, double beta, const ClosingMotion& motion,
+                              const Vec3* along) {
+  const Vec3 push = springs_push(triangles), *const springs = along == nullptr ? nullptr : &push;
+  const DampedMotion damped(along == nullptr ? push : *along, motion);
 #ifdef __x86_64__
   static const bool wide = registers_here() != Registers::narrow;
-  if (wide) return over_lanes(sum_wide(triangles, beta, damped), damped.normal);
+  if (wide) return over_lanes(sum_wide(triangles, beta, damped), damped.normal, springs);
 #endif
-  return over_lanes(sum_narrow(triangles, beta, damped), damped.normal);
+  return over_lanes(sum_narrow(triangles, beta, damped), damped.normal, springs);
 }
 
 }  // namespace trilith

@@ -16,7 +16,8 @@
 
 namespace trilith {
 
-/// `beta` [s]: of damping.
-PressedSums pressed_triangles(std::span<const FourTriangles> triangles, double beta, const ClosingMotion& motion);
+/// `beta` [s]: of damping. `along`: see solid_pressure.
+PressedSums pressed_triangles(std::span<const FourTriangles> triangles, double beta, const ClosingMotion& motion,
+                              const Vec3* along = nullptr);
 
 }  // namespace trilith

@@ -35,8 +35,9 @@ Vec3 mean_sliding(const MovingSolid& a, const MovingSolid& b, const Vec3& x, con
 /// and flutter. What it can hold goes by the centre of pressure.
 void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const Coulomb& law,
                   const SolidPressure& pressed, SolidResponse& out) {
-  const double normal_force = pressed.force.norm();
-  const Vec3 n = pressed.force / normal_force;
+  const bool own = pressed.along == Vec3::Zero();
+  const double normal_force = own ? pressed.force.norm() : pressed.force.dot(pressed.along);
+  const Vec3 n = own ? Vec3(pressed.force / normal_force) : pressed.along;
   const double radius = pressed.radius, turning = n.dot(Vec3(b.spin - a.spin));
   Vec3 rate = b.velocity_at(pressed.middle) - a.velocity_at(pressed.middle);
   rate += (radius * turning - n.dot(rate)) * n;
@@ -97,10 +98,10 @@ SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemo
 /// then, damping with it. The mean over what is pressed of the springs alone is asked.
 template <class K>
 SolidPressure crushed_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, const K& law,
-                               SolidOverlapBuffer& shared, double before) {
+                               SolidOverlapBuffer& shared, double before, const Vec3* along) {
   SolidPressure pressed;
   const auto excess = [&](double depth) {
-    pressed = solid_pressure(a, b, use, shared, depth);
+    pressed = solid_pressure(a, b, use, shared, depth, along);
     pressed.crushed = depth;
     const double springs = (pressed.force - pressed.damping).norm();
     return pressed.area > 0 ? springs / (law.kn * pressed.area) - law.crushing : -law.crushing;
@@ -124,7 +125,7 @@ void keep_crushed(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
 }  // namespace
 
 SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, Separation3& apart,
-                               SolidOverlapBuffer& shared, bool may_be_flat, double crushed) {
+                               SolidOverlapBuffer& shared, bool may_be_flat, double crushed, const Vec3* along) {
   const bool whole = !(use.held > 0);  // the short ways know no depth from which on contact presses
   if (FaceOverlap3 faces; whole && may_be_flat && is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
     apart.distance = 0;
@@ -132,7 +133,7 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
       return face_pressure(a.by_face(faces.face_a), b.by_face(faces.face_b), law, faces);
     });
   }
-  if (whole && have_few_faces(a.placed, b.placed) && is_linear(use.law)) {
+  if (whole && along == nullptr && have_few_faces(a.placed, b.placed) && is_linear(use.law)) {
     SolidPressure pressed;
     const bool found = with_kernel(
         use, [&](const Coulomb& law) { return edge_pressure(a, b, law.kn, law.beta, shared.triangles, pressed); });
@@ -144,8 +145,8 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
   if (!overlap(a.placed, b.placed, apart, shared)) return {};
   return with_kernel(use, [&]<class K>(const K& law) {
     if constexpr (K::crushes)
-      if (whole && law.crushing > 0) return crushed_pressure(a, b, use, law, shared, crushed);
-    return solid_pressure(a, b, use, shared, whole ? 0 : std::max(crushed, use.held));
+      if (whole && law.crushing > 0) return crushed_pressure(a, b, use, law, shared, crushed, along);
+    return solid_pressure(a, b, use, shared, whole ? 0 : std::max(crushed, use.held), along);
   });
 }
 
@@ -159,7 +160,8 @@ SolidResponse respond_solids(const MovingSolid& whole_a, const MovingSolid& whol
     out.force = out.normal_force = pressed.force, out.moment = pressed.moment;
     out.centre = pressed.centre, out.area = pressed.area, out.depth = pressed.depth;
     out.face_a = pressed.face_a, out.face_b = pressed.face_b;
-    out.middle = pressed.middle, out.normal = pressed.force.normalized();
+    out.middle = pressed.middle;
+    out.normal = pressed.along == Vec3::Zero() ? Vec3(pressed.force.normalized()) : pressed.along;
     out.radius = pressed.radius, out.arm = pressed.arm, out.friction_arm = pressed.friction_arm;
     out.memory.state = contact_touching | contact_general;
     if (pressed.crushed > 0) keep_crushed(a, b, before, use, pressed.crushed, room, out);
@@ -168,7 +170,7 @@ SolidResponse respond_solids(const MovingSolid& whole_a, const MovingSolid& whol
     out.memory.damping_moment = pressed.damping_moment + cross(Vec3(pressed.centre - a.origin), pressed.damping);
     const double damped = a.behind == nullptr ? pressed.damped : -damping_power(a, b, out.memory, law.dt);
     out.lost_damping = 0.5 * law.dt * (damped - damping_power(a, b, before, law.dt));
-    if (pressed.force.squaredNorm() > 0) {
+    if (pressed.force.dot(out.normal) > 0) {
       out.lost_friction = 0;
       add_friction(a, b, before, law, pressed, out);
     }

@@ -62,8 +62,10 @@ struct SolidRoom {
 /// The normal pressure of two solids where they stand: of faces where they lie flat on each other, else of the volume
 /// they share; nothing where they are apart. `apart`: the axis that parted them last, and what parts them now. Not
 /// `may_be_flat`: it is known that no faces lie flat. `crushed`: depth by which their mortar was crushed before [m].
+/// `along`: see solid_pressure; faces that lie flat have a normal of their own.
 SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& law, Separation3& apart,
-                               SolidOverlapBuffer& shared, bool may_be_flat = true, double crushed = 0);
+                               SolidOverlapBuffer& shared, bool may_be_flat = true, double crushed = 0,
+                               const Vec3* along = nullptr);
 
 /// Of two solids that press each other by `pressed`. The motion over the step is that of now.
 SolidResponse respond_solids(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const LawInUse& law,

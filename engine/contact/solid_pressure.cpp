@@ -68,13 +68,14 @@ void sum_sampled(const FourTriangles& in, const K& law, const DampedMotion& moti
 
 /// Of a law whose pressure does not go with the depth.
 template <class K>
-PressedSums sampled_triangles(std::span<const FourTriangles> triangles, const K& law, const ClosingMotion& motion) {
+PressedSums sampled_triangles(std::span<const FourTriangles> triangles, const K& law, const ClosingMotion& motion,
+                              const Vec3* along) {
   Vec3 push = Vec3::Zero();
   for (const FourTriangles& in : triangles) push += sampled_push(in, law);
-  const DampedMotion damped(push, motion);
+  const DampedMotion damped(along == nullptr ? push : *along, motion);
   TriangleSums sums;
   for (const FourTriangles& in : triangles) sum_sampled(in, law, damped, sums);
-  return over_lanes(sums, damped.normal);
+  return over_lanes(sums, damped.normal, along == nullptr ? nullptr : &push);
 }
 
 /// A face of the walker inside the owner, of which what lies deeper than `crushed` [m] is pressed, by what is left of
@@ -226,18 +227,20 @@ void list_triangles(const PressedSolid& solid, const PlacedSolid& a, const Place
 
 template <class K>
 SolidPressure press(const MovingSolid& a, const MovingSolid& b, const K& law, SolidOverlapBuffer& shared,
-                    double crushed) {
+                    double crushed, const Vec3* along) {
   const PressedSolid solid(a, b, shared);
   TriangleLanes triangles(shared.triangles);
   list_triangles(solid, a.placed, b.placed, K::linear, crushed, triangles);
   const ClosingMotion motion{b.velocity_at(solid.origin) - a.velocity_at(solid.origin), b.spin - a.spin};
   const auto sums = [&] {
     if constexpr (K::linear)
-      return pressed_triangles(triangles.all(), law.beta, motion);
+      return pressed_triangles(triangles.all(), law.beta, motion, along);
     else
-      return sampled_triangles(triangles.all(), law, motion);
+      return sampled_triangles(triangles.all(), law, motion, along);
   };
-  return pressure_of_sums(solid.origin, 0.5 * law.kn, sums());
+  SolidPressure out = pressure_of_sums(solid.origin, 0.5 * law.kn, sums());
+  if (along != nullptr) out.along = *along;
+  return out;
 }
 
 }  // namespace
@@ -281,9 +284,9 @@ SolidPressure pressure_of_sums(const Vec3& origin, double k, const PressedSums& 
 }
 
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
-                             SolidOverlapBuffer& shared, double crushed) {
+                             SolidOverlapBuffer& shared, double crushed, const Vec3* along) {
   if (shared.faces.empty()) return {};
-  return with_kernel(law, [&](const auto& kernel) { return press(a, b, kernel, shared, crushed); });
+  return with_kernel(law, [&](const auto& kernel) { return press(a, b, kernel, shared, crushed, along); });
 }
 
 }  // namespace trilith

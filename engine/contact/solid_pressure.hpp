@@ -64,12 +64,15 @@ struct SolidPressure {
   double depth = 0;              ///< greatest depth of a pressed face in the other solid [m]
   int face_a = -1, face_b = -1;  ///< of faces that lie flat on each other; -1 of any other shape
   double crushed = 0;            ///< depth by which their mortar is crushed now [m]
+  Vec3 along = Vec3::Zero();     ///< that which was asked for, else zero: friction then goes by the force itself
 };
 
 /// Of the solid they share, which solid_overlap has left in `shared`, whose room is used; all zero where it is empty.
-/// Mortar crushed by the depth `crushed` [m] presses by what lies deeper.
+/// Mortar crushed by the depth `crushed` [m] presses by what lies deeper. `along`: of length 1, where other pieces of
+/// the two bodies press at the same place the direction of all their springs: damping knows that one, in place of the
+/// pair's own.
 SolidPressure solid_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& law,
-                             SolidOverlapBuffer& shared, double crushed = 0);
+                             SolidOverlapBuffer& shared, double crushed = 0, const Vec3* along = nullptr);
 
 /// Mean distance of a plane area from its centroid [m], from its second moments about it (of unit area, trace of the
 /// tensor and the product of its two principal values). A line of length l has l/4 and a gyration of l/sqrt(12), a

@@ -1,8 +1,9 @@
 // What pressed triangles come to, a lane each: forces, moments, power and how the pressure lies, springs and damping.
 //
 // Comes in: of four triangles the integrals of the pressure of springs and of that with its damping; which way they
-// push b. Goes out: sums. Springs push along the normals of the faces, and together along some n. What is damped is the
-// motion along that, v . n: a face whose push is along u closes at c = -m (v . n), m = u . n where that is above 0, and
+// push b. Goes out: sums. Springs push along the normals of the faces, and together along some n; where other pieces of
+// the same two bodies press at the same place n is the direction of all of them. What is damped is the motion along
+// that, v . n: a face whose push is along u closes at c = -m (v . n), m = u . n where that is above 0, and
 // its damping acts on b along n with the share m. So what slides across n is not braked, and any motion loses energy.
 #pragma once
 
@@ -106,8 +107,9 @@ struct alignas(32) TriangleSums {
 /// What the springs of all triangles push b by, over half the stiffness [m3].
 Vec3 springs_push(std::span<const FourTriangles> triangles);
 
-/// Over all lanes; `normal` that of the damped motion.
-PressedSums over_lanes(const TriangleSums& sums, const Triple<Lanes>& normal);
+/// Over all lanes; `normal` that of the damped motion. `push`: that of the springs where they do not push along it,
+/// else nullptr.
+PressedSums over_lanes(const TriangleSums& sums, const Triple<Lanes>& normal, const Vec3* push);
 
 struct SolidPressure;
 /// What such sums come to, with arms from `origin` [m] and `k` half of the stiffness [Pa/m], as the faces of the other

@@ -61,7 +61,7 @@ void copy_emptied(const ContactHistory& rows, ContactHistory& out) {
 /// at faces again where those that left theirs have the same neighbours as before.
 void find(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (!pairs_outdated(model, state, work)) return;
-  if (!work.valid) bound_faces(model, work), list_masses(model, work);
+  if (!work.valid) bound_faces(model, work), list_masses(model, work), work.ridges = shared_ridges(model);
   if (!find_pairs(model, state, work)) return;
   match_contacts(model, state.contacts, work);
   copy_emptied(work.matched, work.contacts);

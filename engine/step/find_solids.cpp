@@ -44,7 +44,7 @@ void copy_emptied(const SolidHistory& rows, SolidHistory& out) {
 /// Does nothing while the list of pairs still holds, or those that were looked up have the same neighbours as before.
 void find(const Model<3>& model, const State<3>& state, Work<3>& work) {
   if (!solids_are_due(model, state, work)) return;
-  if (!work.valid) bound_faces(model, work), list_masses(model, work);
+  if (!work.valid) bound_faces(model, work), list_masses(model, work), work.ridges = shared_ridges(model);
   if (!find_solid_pairs(model, state, work)) return;
   match_solids(state.contacts, work);
   copy_emptied(work.matched, work.contacts);

@@ -11,6 +11,7 @@
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
+#include "step/met_ridges.hpp"
 #include "step/stored_energy.hpp"
 
 namespace trilith {
@@ -103,7 +104,7 @@ struct GeneralPass {
   [[nodiscard]] CornerCase corner_case(int row, CornerOnFace at, OverlapAnswer& answer) const;
   void finish_corner(int row, CornerOnFace at, OverlapAnswer& answer) const;
   [[nodiscard]] bool holds_off(int row, OverlapAnswer& answer) const;
-  CornerOnFace respond_any(int row, OverlapAnswer& answer, bool may_be_corner) const;
+  CornerOnFace respond_any(int row, OverlapAnswer& answer, bool may_be_corner, const Vec2* along = nullptr) const;
   void finish(int row, OverlapAnswer& answer) const;
   void take_up(int row, const OverlapAnswer& answer) const;
 };
@@ -202,6 +203,10 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
         continue;
       }
     force = make_ready(answer, a, b, force);
+    if (Vec2 along; direction_at_ridges(work, row, along)) {
+      respond_any(row, answer, false, &along);
+      continue;
+    }
     const bool knows = knows_corners(pair, memory) && has_plain_corners(a) && has_plain_corners(b);
     CornerOnFace at = pair.corner_at;
     if (!knows || !at.is_there() || !there_is(at, a, b)) {
@@ -250,8 +255,8 @@ void GeneralPass::respond(int row, CornerOnFace tried, OverlapAnswer& answer) co
 }
 
 /// A row of any shape, whose pieces are placed. Where just one corner of either lies in the other, or one of both, and
-/// the row `may_be_corner`, that is returned and noted, and nothing is answered.
-CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_be_corner) const {
+/// the row `may_be_corner`, that is returned and noted, and nothing is answered. `along`: see direction_at_ridges.
+CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_be_corner, const Vec2* along) const {
   NearPair& pair = work.pairs[row];
   const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
                     &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
@@ -261,7 +266,7 @@ CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_b
   CornerOnFace alone;
   std::fill(answer.on_a, answer.on_b + b.corner.size(), Vec2::Zero());
   answer.response = respond_overlap(a, b, remembered, law, forces_on(answer.on_a, a), forces_on(answer.on_b, b),
-                                    work.contacts.law_numbers(row), may_be_corner ? &alone : nullptr);
+                                    work.contacts.law_numbers(row), may_be_corner ? &alone : nullptr, along);
   if (may_be_corner) pair.corner_at = alone;
   if (alone.is_there()) return alone;
   if (pair.replaced)
@@ -363,6 +368,7 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
   const GeneralPass pass{model, state, contacts_before(state, work), work, dt, forgets_all(model)};
   list_rows(pass, work);
   place_none(model, work);
+  meet_ridges(model, state, work, dt);
   const auto slots = static_cast<std::size_t>(stretches_under_way(work.threads));
   work.answer.resize(slots * general_stretch);
   constexpr std::size_t forces = std::size_t{general_stretch} * 2 * max_piece_corners;

@@ -11,6 +11,8 @@
 #include "detect/bearing_rules.hpp"
 #include "step/evaluate.hpp"
 #include "step/flat_rows.hpp"
+#include "step/met_ridges.hpp"
+#include "step/moving_solid.hpp"
 #include "step/solid_joints.hpp"
 
 namespace trilith {
@@ -21,22 +23,6 @@ namespace {
 constexpr int solid_row_stretch = 64;
 /// Of an answer: the row is left to those of faces that lie flat.
 constexpr int faces_to_come = -2;
-
-/// A piece where its body is now, with the velocity and spin of the node that it goes with, or of its fit.
-MovingSolid moving_solid(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
-  if (model.is_fitted(piece)) {
-    const auto first = static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)]);
-    const Fitted& whole = work.solids.fitted[first];
-    return {work.solids.placed[piece],
-            whole.place,
-            whole.velocity,
-            whole.spin,
-            step_behind(work, model.carrier_of(piece)),
-            &work.solids.face_motion[first + 1]};
-  }
-  const int n = model.node_of_piece(piece);
-  return {work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n], step_behind(work, n)};
-}
 
 /// Where a carrier (world/carrier.hpp) is [m].
 const Vec3& place_of(const State<3>& state, const Work<3>& work, int carrier) {
@@ -125,12 +111,7 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidRoom& ro
   answer.was_touching = true;
 }
 
-bool has_sphere(const Work<3>& work, const NearPair& pair) {
-  const std::vector<Sphere>& sphere = work.solids.sphere;
-  return !sphere.empty() && (sphere[pair.piece_a].radius > 0 || sphere[pair.piece_b].radius > 0);
-}
-
-/// The same of a piece that may be a sphere: its centre and radius beside its corners, of which a sphere has one.
+/// moving_solid() of a piece that may be a sphere: its centre and radius beside its corners, of which a sphere has one.
 SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
   const MovingSolid moving = moving_solid(model, state, work, piece);
   return {work.solids.sphere[piece], moving.placed, moving.origin, moving.velocity, moving.spin, moving.behind};
@@ -176,8 +157,10 @@ void SolidPass::respond_shapes(int row, bool may_be_flat, SolidRoom& room, Solid
   const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
                     b = moving_solid(model, state, work, pair.piece_b);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
-  const SolidPressure pressed =
-      pressure_between(a, b, law, work.solids.separation[r], room.shared, may_be_flat, before.crushed);
+  Vec3 along;
+  const bool met = direction_at_ridges(work, row, along);
+  const SolidPressure pressed = pressure_between(a, b, law, work.solids.separation[r], room.shared, may_be_flat,
+                                                 before.crushed, met ? &along : nullptr);
   if (pair.replaced && pressed.area > 0) return respond_beside_bearing(row, a, b, pressed, room, answer);
   // Of two that did not touch and do not there is nothing to let go.
   const bool never = !(pressed.area > 0) && (before.state & contact_touching) == 0 && before.crushed == 0;
@@ -352,6 +335,7 @@ void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work
   list_law_numbers(model, solids.law);
   solids.room.resize(static_cast<std::size_t>(work.threads));
   solids.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * solid_row_stretch);
+  meet_ridges(model, state, work, dt);
   const SolidPass pass{model, state, work, dt};
   const auto answer_of = [&](int slot, int i) -> SolidAnswer& {
     return solids.answer[static_cast<std::size_t>(slot * solid_row_stretch + i)];

@@ -18,6 +18,7 @@
 #include "world/model.hpp"
 #include "world/piece_search.hpp"
 #include "world/row_shares.hpp"
+#include "world/shared_ridges.hpp"
 #include "world/state.hpp"
 
 namespace trilith {
@@ -185,6 +186,13 @@ struct SolidWork<3> {
   std::vector<SolidAnswer> answer;          ///< of the rows that are worked on
 };
 
+/// A row of contact in which a ridge that several pieces share lies in the other piece.
+template <int D>
+struct MetRow {
+  int row;
+  Vec<D> push;  ///< on b, of its springs [N]
+};
+
 /// What a step needs and the next one can do without. `evaluate` writes nothing else; `commit` makes a State of it.
 template <int D>
 struct Work {
@@ -213,6 +221,7 @@ struct Work {
   std::vector<RateBound> face_bound;    ///< [body] lying on its stiffest face
   std::vector<RateBound> around_bound;  ///< [body] of elements in space: in contact all around, as if it were rigid
   ImpactWork impacts;
+  SharedRidges ridges;      ///< anew where the pairs must be found anew. Writer: find
   Contacts<D> matched;      ///< the state's contacts in the rows of the pairs, where these were found after
                             ///< the last commit; else room for them
   bool is_matched = false;  ///< they were
@@ -236,6 +245,8 @@ struct Work {
   std::vector<Vec2> answer_force;          ///< room of `answer` N
   std::vector<std::uint8_t> is_general;    ///< [contact] room: 1: one of those or of `general`
   std::vector<int> awake_rows;             ///< those of them that are worked on
+  std::vector<std::uint8_t> meets;         ///< room, by row: 1: a ridge lies in the other piece
+  std::vector<MetRow<D>> met;              ///< those rows, see step/met_ridges.hpp
   std::vector<OverlapAnswer> answer;       ///< of rows that threads take
   PlacedPieces placed;                     ///< the pieces of these rows
   std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch

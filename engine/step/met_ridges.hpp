@@ -1,0 +1,28 @@
+// Contacts of several pieces of one body at one place.
+//
+// Comes in: rows of contacts of any shape; the ridges that pieces of a body share (world/shared_ridges.hpp). Goes out:
+// of each row in which such a ridge lies in the other piece the push of its springs, and the direction of the sum of
+// those at the same ridges:
+//
+//   n = sum of s_i / |sum of s_i|,     i: the row, and all rows of pieces that share a met ridge with one of its two
+//
+// Damping and friction of these rows go by n. So the ridge of a chevron slides as that of a convex stone does. A piece
+// comes in by nothing as the ridge does, so n turns without a jump.
+#pragma once
+
+#include "world/work.hpp"
+
+namespace trilith {
+
+/// Fills work.met from work.awake_rows.
+void meet_ridges(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
+/// ... from all rows of work.pairs.
+void meet_ridges(const Model<3>& model, const State<3>& state, Work<3>& work, double dt);
+
+/// Sets `along` to n; false where nothing else presses at the ridges of the row.
+template <int D>
+bool direction_at_ridges(const Work<D>& work, int row, Vec<D>& along);
+extern template bool direction_at_ridges(const Work<2>& work, int row, Vec2& along);
+extern template bool direction_at_ridges(const Work<3>& work, int row, Vec3& along);
+
+}  // namespace trilith

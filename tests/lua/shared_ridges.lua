@@ -1,0 +1,115 @@
+-- A ridge or a corner that several pieces of one body share slides as that of one convex piece does: nothing brakes it
+-- where nothing rubs, and friction is Coulomb's (docs/decisions/0056-one-direction-at-a-ridge.md).
+local trilith = require "trilith"
+
+local g <const> = 9.81
+local show = os.getenv "TRILITH_SHOW"
+
+local function near(what, value, expected, share)
+  if show then print(("%-60s %.6g for %.6g"):format(what, value, expected)) end
+  assert(math.abs(value - expected) <= share*math.abs(expected), ("%s: %g for %g"):format(what, value, expected))
+end
+
+local function model_of(dim, mu, beta)
+  local m = trilith.model { name = "ridges", dim = dim, gravity = g }
+  m:material { name = "stone", density = 2000, E = 2e10, nu = 0.2 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = mu, beta = beta } }
+  return m
+end
+
+-- Fixed ridges 2 m apart, of a kind: one polygon, a chevron of two pieces, two triangles of a mesh.
+local function add_ridge(m, dim, kind, name, x)
+  local solid = { { x - 0.3, -0.3 }, { x + 0.3, -0.3 }, { x, 0 } }
+  if kind == "chevron" then solid = { { x - 0.3, -0.3 }, { x, -0.15 }, { x + 0.3, -0.3 }, { x, 0 } } end
+  if kind == "triangles" then
+    m:body { name = name, material = "stone", support = "fixed",
+             mesh = { nodes = { { x - 0.3, -0.3 }, { x, -0.3 }, { x + 0.3, -0.3 }, { x, 0 } },
+                      elements = { { 1, 2, 4 }, { 2, 3, 4 } } } }
+  elseif dim == 2 then
+    m:polygon { name = name, outline = solid, material = "stone", support = "fixed" }
+  else
+    m:extrusion { name = name, outline = solid, from = -0.5, depth = 1, material = "stone", support = "fixed" }
+  end
+end
+
+local function slab(m, dim, height, speed)
+  if dim == 2 then
+    return m:block { name = "slab", width = 4, height = height, at = { -2, 0 }, material = "stone",
+                     velocity = { speed, 0 } }
+  end
+  return m:block { name = "slab", size = { 4, 0.8, height }, at = { -2, -0.4, 0 }, material = "stone",
+                   velocity = { speed, 0, 0 } }
+end
+
+-- What the slab's speed is after .3 s. It leans a little as it goes, so that its weight drives it.
+local function speed_after(dim, kind, beta, integrator)
+  local m = model_of(dim, 0, beta)
+  for i, x in ipairs { -1, 1 } do add_ridge(m, dim, kind, "ridge" .. i, x) end
+  local a = slab(m, dim, 0.3, 1)
+  m:run { duration = 0.3, integrator = integrator }
+  local speed = a.vx
+  assert(m.energy.contact_damping >= -1e-9, kind)
+  m:close()
+  return speed
+end
+
+for _, case in ipairs {
+  { 2, "chevron" }, { 2, "chevron", "implicit" }, { 2, "triangles" }, { 2, "triangles", "implicit" },
+  { 3, "chevron" }, { 3, "chevron", "implicit" },
+} do
+  local dim, kind, integrator = table.unpack(case)
+  near(("dim %d, %s, %s: speed after .3 s"):format(dim, kind, integrator or "explicit"),
+    speed_after(dim, kind, 1e-3, integrator), speed_after(dim, "convex", 1e-3, integrator), 1e-5)
+end
+
+-- Pushed beyond what friction holds, and let go: it slows by mu g.
+for _, dim in ipairs { 2, 3 } do
+  for _, mu in ipairs { 0.1, 0.6 } do
+    local m = model_of(dim, mu, 0)
+    for i, x in ipairs { -1, 1 } do add_ridge(m, dim, "chevron", "ridge" .. i, x) end
+    local a = slab(m, dim, 0.1, 0)
+    m:consolidate { ratio = 1e-7, duration = 4 }
+    m:point_load { name = "push", body = a, at = "centroid",
+                   force = dim == 2 and { 1.5*a.mass*g, 0 } or { 1.5*a.mass*g, 0, 0 } }
+    m:run { duration = 0.1 }
+    m:set_load { name = "push", factor = 0 }
+    m:run { duration = 0.01 }
+    local x, given_off = a.ux, m.energy.contact_friction
+    m:run { duration = 0.04 }
+    near(("dim %d, mu %g: lost over weight times way"):format(dim, mu),
+      (m.energy.contact_friction - given_off)/(a.mass*g*(a.ux - x)), mu, 0.01)
+    m:close()
+  end
+end
+
+-- A slab on corners of cubes that stand on a corner each: rigid ones, and such of six tetrahedra, of which several
+-- share the corner.
+local function speed_on_corners(body)
+  local m = model_of(3, 0, 1e-3)
+  for i, at in ipairs { { -1, -0.5 }, { 1, -0.5 }, { -1, 0.5 }, { 1, 0.5 } } do
+    m:block { name = "cube" .. i, size = { 0.3, 0.3, 0.3 }, anchor = "centre",
+              turn = { axis = { 1, -1, 0 }, angle = math.acos(1/math.sqrt(3)) },
+              at = { at[1], at[2], -0.15*math.sqrt(3) }, material = "stone", support = "fixed", body = body }
+  end
+  local a = m:block { name = "slab", size = { 4, 1.6, 0.3 }, at = { -2, -0.8, 0 }, material = "stone",
+                      velocity = { 1, 0, 0 } }
+  m:run { duration = 0.3 }
+  local speed = a.vx
+  m:close()
+  return speed
+end
+
+near("on four corners of tetrahedra: speed after .3 s", speed_on_corners { mesh = { 1, 1, 1 }, element = "tet4" },
+  speed_on_corners(), 1e-5)
+
+-- A corner slides over the joints of a floor of elements.
+local m = model_of(2, 0, 1e-3)
+m:block { name = "floor", width = 2, height = 0.1, at = { -0.5, -0.1 }, material = "stone", support = "fixed",
+          body = { mesh = { 50, 2 } } }
+local tilt = 0.3
+local a = m:block { name = "a", width = 0.5, height = 0.3, anchor = "centre", angle = -tilt,
+                    at = { 0, 0.25*math.sin(tilt) + 0.15*math.cos(tilt) }, material = "stone", velocity = { 2, 0 },
+                    support = { rotation = "fixed" } }
+m:run { duration = 0.3 }
+near("a corner over 30 joints: speed after .3 s", a.vx, 2, 1e-5)
+m:close()
