@@ -1,6 +1,6 @@
 #include "world/element_place.hpp"
 
-#include <array>
+#include <algorithm>
 #include <vector>
 
 #include "body/element_point.hpp"
@@ -49,14 +49,24 @@ Found find_element(const Model<3>& model, int body, const Vec3& at, bool near_al
 
 }  // namespace
 
-Vec3 element_place(const Model<3>& model, const State<3>& state, int body, const Vec3& at) {
+ElementShares element_shares(const Model<3>& model, int body, const Vec3& at) {
   Found found = find_element(model, body, at, true);
   if (found.element < 0) found = find_element(model, body, at, false);
-  const SpaceElement& element = model.space_elements[static_cast<std::size_t>(found.element)];
-  const auto n = shape_functions(element.shape, found.natural);
+  const auto n = shape_functions(model.space_elements[static_cast<std::size_t>(found.element)].shape, found.natural);
+  ElementShares shares;
+  shares.element = found.element, shares.outside = found.outside > on_face ? found.outside : 0;
+  std::copy(n.begin(), n.end(), shares.share.begin());
+  return shares;
+}
+
+Vec3 element_place(const Model<3>& model, const State<3>& state, int body, const Vec3& at) {
+  const ElementShares shares = element_shares(model, body, at);
+  const SpaceElement& element = model.space_elements[static_cast<std::size_t>(shares.element)];
   Vec3 now = Vec3::Zero();
-  for (int i = 0; i < info_of(element.shape).nodes; ++i)
-    now += n[static_cast<std::size_t>(i)] * state.position[element.node[static_cast<std::size_t>(i)]];
+  for (int i = 0; i < info_of(element.shape).nodes; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    now += shares.share[k] * state.position[element.node[k]];
+  }
   return now;
 }
 

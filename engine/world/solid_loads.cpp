@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "world/bearing_spec.hpp"
+#include "world/element_place.hpp"
 #include "world/loads.hpp"
 #include "world/pose.hpp"
 
@@ -48,7 +49,7 @@ void check_pressure(const SolidPressureSpec& spec, const std::string& owner) {
 
 /// In the axes of the body where it follows, in those of the world where it does not; at the centroid by default.
 /// On a frame a load acts at the node that is nearest, on a body of elements on the nearest face of its skin, and goes
-/// with it.
+/// with it (see make_solid_loads).
 PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
   const Body& b = model.bodies[body];
   const std::string owner = solid_load_owner(spec, b);
@@ -69,7 +70,36 @@ PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpe
   return load;
 }
 
-std::vector<PointLoad<3>> spread_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
+namespace {
+
+/// A place may lie outside of the element it belongs to by this, in natural coordinates: elements of round bodies are
+/// not.
+constexpr double beside_element = 0.05;
+
+/// Shares of a force at its point, at the nodes of the element that holds it.
+std::vector<PointLoad<3>> element_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
+  const std::string owner = solid_load_owner(spec, model.bodies[body]);
+  check_solid_load(spec, owner);
+  const ElementShares shares = element_shares(model, body, *spec.at);
+  if (shares.outside > beside_element)
+    throw InputError(fmt::format("{}: its point ({:g}, {:g}, {:g}) is not in the body; give one in it or on it, in m",
+                                 owner, spec.at->x(), spec.at->y(), spec.at->z()));
+  const SpaceElement& element = model.space_elements[static_cast<std::size_t>(shares.element)];
+  std::vector<PointLoad<3>> loads;
+  for (int i = 0; i < info_of(element.shape).nodes; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (std::abs(shares.share[k]) < 1e-12) continue;  // as of a point on a face, of nodes that are not
+    PointLoad<3> load;
+    load.name = spec.name, load.body = body, load.curve = spec.curve;
+    load.force = shares.share[k] * spec.force;
+    load.at = Tie<3>::to_node(element.node[k], Vec3::Zero());
+    loads.push_back(std::move(load));
+  }
+  return loads;
+}
+
+/// Shares of a force by mass at all nodes.
+std::vector<PointLoad<3>> spread_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
   const Body& b = model.bodies[body];
   const std::string owner = solid_load_owner(spec, b);
   check_solid_load(spec, owner);
@@ -87,6 +117,15 @@ std::vector<PointLoad<3>> spread_solid_load(const Model<3>& model, int body, con
     loads.push_back(std::move(load));
   }
   return loads;
+}
+
+}  // namespace
+
+std::vector<PointLoad<3>> make_solid_loads(const Model<3>& model, int body, const SolidLoadSpec& spec) {
+  const Body& b = model.bodies[body];
+  if (!b.is_rigid() && !spec.at) return spread_load(model, body, spec);
+  if (!b.nodes_turn() && spec.moment.isZero() && !spec.follows) return element_load(model, body, spec);
+  return {make_solid_load(model, body, spec)};
 }
 
 std::vector<SolidFace> surface_faces(const Model<3>& model, int body) {

@@ -44,11 +44,6 @@ void tell_held(lua_State* L, SimulatedModel<D>& m, const std::vector<int>& bodie
                           name, model.bodies[static_cast<std::size_t>(*held)].name));
 }
 
-std::vector<PointLoad<3>> solid_loads(const Model<3>& model, int body, const SolidLoadSpec& spec) {
-  if (!spec.at && !model.bodies[static_cast<std::size_t>(body)].is_rigid()) return spread_solid_load(model, body, spec);
-  return {make_solid_load(model, body, spec)};
-}
-
 int solid_point_load(lua_State* L, SpaceModel& m) {
   Keys keys(L, 2, "point_load");
   SolidLoadSpec spec;
@@ -68,7 +63,7 @@ int solid_point_load(lua_State* L, SpaceModel& m) {
   std::vector<PointLoad<3>> loads;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     spec.at = places[i];
-    for (PointLoad<3>& load : solid_loads(m.simulation().model(), bodies[i], spec)) loads.push_back(std::move(load));
+    for (PointLoad<3>& load : make_solid_loads(m.simulation().model(), bodies[i], spec)) loads.push_back(std::move(load));
   }
   tell_held(L, m, bodies, spec.name);
   m.change([loads](Model<3>& changed) {

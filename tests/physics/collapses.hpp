@@ -98,6 +98,33 @@ inline Model<2> rolling_drums() {
   return scene.builder.build();
 }
 
+/// Concave stones of two pieces each and squares of two elements, which fall onto each other: ridges and corners that
+/// pieces share strike and slide.
+inline Model<2> falling_chevrons() {
+  Scene scene(Frictional{5e7, 2e7, 0.4, 1e-3});
+  scene.builder.add_material({"soft", 2000, Solid{LinearElastic{5e8, 0.2}}});
+  scene.fixed("floor", box(-4, -0.5, 4, 0));
+  for (int i = 0; i < 18; ++i) {
+    const Turn turn(0.9 * i);
+    const Vec2 at(-1.2 + 0.8 * (i % 4), 0.5 + 0.7 * (i / 4));
+    BodySpec spec;
+    spec.name = fmt::format("c{}", i), spec.floating = true, spec.spin = i % 3 - 1;
+    if (i % 3 == 2) {
+      spec.kind = BodyKind::mesh, spec.material = "soft", spec.spin = 0;
+      Mesh mesh;
+      for (const Vec2& x : {Vec2(-0.2, -0.2), Vec2(0.2, -0.2), Vec2(0.2, 0.2), Vec2(-0.2, 0.2)})
+        mesh.node.push_back(at + turn.apply(x));
+      mesh.element = {{0, 1, 2, -1}, {0, 2, 3, -1}};
+      spec.mesh = mesh;
+    } else {
+      for (const Vec2& x : {Vec2(-0.3, -0.2), Vec2(0, -0.05), Vec2(0.3, -0.2), Vec2(0, 0.15)})
+        spec.outline.push_back(at + turn.apply(x));
+    }
+    scene.add(spec);
+  }
+  return scene.builder.build();
+}
+
 /// A wall with mortar that loses its bonds. `by_point`: a half face at a time.
 inline Model<2> bonded_wall(bool by_point = false) {
   Scene scene(Bonded{2e8, 8e7, 0.7, 1e-4, 12e3, 16e3, by_point ? 1.0 : 0.0});
@@ -161,6 +188,7 @@ inline std::vector<Collapse> collapses() {
           {"shaken wall", shaken_wall, 2.0},
           {"falling polygons", [] { return falling_polygons(); }, 1.5},
           {"rolling drums", rolling_drums, 2.0},
+          {"falling chevrons and squares of two elements", falling_chevrons, 1.0},
           {"bonded wall", [] { return bonded_wall(); }, 1.0},
           {"bonded wall, by point", [] { return bonded_wall(true); }, 1.0},
           {"bonded wall, softening", softening_wall, 1.0},
