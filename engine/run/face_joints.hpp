@@ -24,6 +24,10 @@ struct FaceJoint {
   bool bonded = false;                                  ///< mortar held it at the start
 };
 
+inline bool is_bonded(const FaceJoint& joint) {
+  return joint.bonded;
+}
+
 template <int D>
 using JointOf = std::conditional_t<D == 2, Joint, FaceJoint>;
 

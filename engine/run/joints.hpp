@@ -26,6 +26,11 @@ struct Joint {
   std::uint32_t bonds = 0;                                ///< halves that are bonded at the start: 0, 1 or 2 bits
 };
 
+/// Whether mortar held it at the start, at one of its ends at least.
+inline bool is_bonded(const Joint& joint) {
+  return joint.bonds != 0;
+}
+
 /// What became of a joint.
 struct JointDisplacement {
   /// The farthest distance of a point of b's face from where it was, along the normal of a's; + is open [m].

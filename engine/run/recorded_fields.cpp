@@ -16,13 +16,6 @@ void set_place(const FaceJoint& joint, results::JointRow& row) {
   row.area = joint.area;
 }
 
-bool is_bonded(const Joint& joint) {
-  return joint.bonds != 0;
-}
-bool is_bonded(const FaceJoint& joint) {
-  return joint.bonded;
-}
-
 template <int D>
 results::JointRow row_of(const Model<D>& model, const JointOf<D>& joint) {
   results::JointRow row;

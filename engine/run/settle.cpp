@@ -1,6 +1,8 @@
 // Rest found by statics, as a stage of a run.
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "base/error.hpp"
@@ -12,8 +14,19 @@
 #include "step/equilibrium.hpp"
 
 namespace trilith {
+namespace {
 
-/// The state is another one meanwhile, and so are the loads that the path has scaled.
+/// Under which loads a stage without time has come to its end.
+template <int D>
+std::string loads_text(const LoadWay<D>* way) {
+  if (way == nullptr || way->points.empty() || way->loads.empty()) return "under all loads (load factor 1)";
+  return fmt::format("as the load factor of '{}' came to {:.4g}", way->loads.front().name, way->points.back().factor);
+}
+
+}  // namespace
+
+/// The state is another one meanwhile, and so are the loads that the path has scaled. What is strained beyond its limit
+/// is not told, as in a stage that diverges.
 template <int D>
 void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listener) {
   const State<D> end = state_;
@@ -27,6 +40,7 @@ void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listen
     drop_work();
     refresh();
     const Instant<D> now = instant();
+    if (is_overstrained(model_, state_)) break;
     if (options.frame_interval > 0 && listener.on_frame) listener.on_frame(now);
     if (options.history_interval > 0 && listener.on_history) listener.on_history(now);
   }
@@ -36,7 +50,8 @@ void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listen
   refresh();
 }
 
-/// All of it lies between two looks at the same instant: what led to rest is told at the second one.
+/// All of it lies between two looks at the same instant: what led to rest is told at the second one. What is strained
+/// beyond its limit as it begins, as at the end of a way, is not settled.
 template <int D>
 StageReport Simulation<D>::settle(const StageOptions& options, const EquilibriumOptions& how,
                                   const RunListener<D>& listener, const LoadWay<D>* way) {
@@ -47,18 +62,25 @@ StageReport Simulation<D>::settle(const StageOptions& options, const Equilibrium
     refresh();
     tell(stage_event(EventType::stage_begun, instant(), options.name), listener, instant());
     if (way != nullptr) tell_way(*way, listener);
-    const Equilibrium found = find_equilibrium(model_, state_, how);
-    watch_->reset();
-    drop_work();
-    refresh();
+    std::optional<Divergence> diverged =
+        watch_->look_at_strains(instant(), way != nullptr ? loads_text(way) : "as the stage began");
+    Equilibrium found;
+    if (!diverged) {
+      found = find_equilibrium(model_, state_, how);
+      watch_->reset();
+      drop_work();
+      refresh();
+      diverged = watch_->look_at_strains(instant(), loads_text(way));
+    }
     const Instant<D> now = instant();
     for (const Event& e : found.events) tell(e, listener, now);
     if (listener.on_step) listener.on_step(now);
-    report.steps = found.steps, report.ended = state_.time;
+    if (diverged && diverged->event) tell(*diverged->event, listener, now);
+    report.steps = found.steps;
     report.speed = now.speed, report.ratio = found.left;
-    report.end = found.converged ? StageEnd::rest : StageEnd::not_at_rest;
-    if (!found.converged) report.reason = no_rest_reason(model_, found);
-    tell_samples(listener, now, true);
+    set_end(report, now, diverged, found.converged ? StageEnd::rest : StageEnd::not_at_rest);
+    if (report.end == StageEnd::not_at_rest) report.reason = no_rest_reason(model_, found);
+    if (!diverged) tell_samples(listener, now, true);
     tell_end(listener, now);
   } catch (...) {
     stage_.reset();

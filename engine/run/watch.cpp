@@ -192,6 +192,19 @@ std::string beam_name(const Model<D>& model, const BeamStretch& s) {
   return fmt::format("element {}{}", s.beam - member.first_beam + 1, of);
 }
 
+/// Of all elements whose body is there, with the path that all points may go before any comes to its limit.
+template <int D>
+ElementStretch worst_element(const Model<D>& model, const State<D>& state, double& room) {
+  const auto& elements = elements_of(model);
+  ElementStretch worst{-1, 0, unbounded};
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
+    if (state.left[elements[e].body] != 0) continue;
+    const ElementStretch s = stretch_of(model, state, e, room);
+    if (s.spare < worst.spare) worst = s;
+  }
+  return worst;
+}
+
 /// What an element of `body` that is called `name` was strained beyond.
 template <int D>
 Divergence overstrained(const Instant<D>& now, const std::string& name, int body, double strain, double limit,
@@ -212,6 +225,12 @@ ElementStretch element_stretch(const Model<2>& model, const State<2>& state, int
   return stretch_of(model, state, element, room);
 }
 
+template <int D>
+bool is_overstrained(const Model<D>& model, const State<D>& state) {
+  double room = unbounded;
+  return worst_element(model, state, room).spare <= 0 || worst_beam(model, state).spare <= 0;
+}
+
 void Watch::reset() {
   *this = {};
 }
@@ -223,13 +242,8 @@ std::optional<Divergence> Watch::look_at_elements(const Instant<D>& now) {
   // Until the fastest point has gone as far as any element has room, none is looked at.
   element_room_ -= now.work.fastest * now.state.last_dt;
   if (element_room_ > 0) return std::nullopt;
-  ElementStretch worst{-1, 0, unbounded};
   double room = unbounded;
-  for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
-    if (now.state.left[elements[e].body] != 0) continue;
-    const ElementStretch s = stretch_of(now.model, now.state, e, room);
-    if (s.spare < worst.spare) worst = s;
-  }
+  const ElementStretch worst = worst_element(now.model, now.state, room);
   element_room_ = (1 - 1e-9) * room;
   if (worst.spare > 0) return std::nullopt;
   const auto& element = elements[worst.element];
@@ -250,6 +264,20 @@ std::optional<Divergence> Watch::look_at_beams(const Instant<D>& now) {
   const Member& member = now.model.members[static_cast<std::size_t>(worst.member)];
   return overstrained(now, beam_name(now.model, worst), member.body, worst.strain, member.strain_limit,
                       middle_of_beam(now.model, now.state, worst.beam));
+}
+
+/// What was strained beyond its limit without a time in which it came to that can come on no more slowly.
+template <int D>
+std::optional<Divergence> Watch::look_at_strains(const Instant<D>& now, const std::string& under) {
+  doubt();
+  std::optional<Divergence> found = look_at_elements(now);
+  if (!found) found = look_at_beams(now);
+  if (!found) return found;
+  found->found += ", " + under;
+  found->advice =
+      "take a stiffer solid or less load, or give the material a larger strain_limit where it is made for more";
+  found->sound_until = now.begun;
+  return found;
 }
 
 /// The ledger from which energy made is counted, and the speed that motions and start may give.
@@ -347,7 +375,11 @@ std::vector<int> Watch::leaving(const Model<D>& model, const State<D>& state, co
   return out;
 }
 
+template bool is_overstrained(const Model<2>&, const State<2>&);
+template bool is_overstrained(const Model<3>&, const State<3>&);
 template std::optional<Divergence> Watch::look(const Instant<2>&, bool);
+template std::optional<Divergence> Watch::look_at_strains(const Instant<2>&, const std::string&);
+template std::optional<Divergence> Watch::look_at_strains(const Instant<3>&, const std::string&);
 template std::vector<int> Watch::leaving(const Model<2>&, const State<2>&, const Work<2>&);
 template std::optional<Divergence> Watch::look(const Instant<3>&, bool);
 template std::vector<int> Watch::leaving(const Model<3>&, const State<3>&, const Work<3>&);

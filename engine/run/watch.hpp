@@ -26,6 +26,10 @@ struct ElementStretch {
 };
 ElementStretch element_stretch(const Model<2>& model, const State<2>& state, int element);
 
+/// Whether an element, or a beam along its axis, is strained beyond what its solid is made for.
+template <int D>
+bool is_overstrained(const Model<D>& model, const State<D>& state);
+
 class Watch {
  public:
   /// Forgets all, as for another stage or state: what is there now counts as given.
@@ -36,6 +40,10 @@ class Watch {
   /// on when it looked before.
   template <int D>
   std::optional<Divergence> look(const Instant<D>& now, bool last);
+  /// At elements and beams alone, whatever was looked at before: for stages without time, which have no speeds.
+  /// `under`: of which loads that is told, after a comma.
+  template <int D>
+  std::optional<Divergence> look_at_strains(const Instant<D>& now, const std::string& under);
   /// Bodies that have just come outside the bounds with all of their nodes, in order. Call it at every instant too.
   template <int D>
   std::vector<int> leaving(const Model<D>& model, const State<D>& state, const Work<D>& work);

@@ -9,6 +9,7 @@
 #include "world/builder.hpp"
 #include "world/flatness.hpp"
 #include "world/frame.hpp"
+#include "world/frame_ends.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
@@ -227,16 +228,18 @@ void append_piece(const FrameRows& rows, const std::vector<int>& skin, const Con
   }
 }
 
-/// A piece for each block and for each beam: its two long sides are faces, its ends where nothing joins on there.
+/// A piece for each block and for each beam: its two long sides are faces, its ends where nothing covers them.
 void append_frame_pieces(const FrameRows& rows) {
-  for (std::size_t m = 0; m < rows.skin.size(); ++m)
+  for (std::size_t m = 0; m < rows.skin.size(); ++m) {
+    const auto is_face = [&](int side) { return end_is_face(rows.frame, rows.plan, static_cast<int>(m), side); };
+    const std::array<bool, 2> face{is_face(0), is_face(1)};
     for (std::size_t i = 0; i + 1 < rows.skin[m].size(); ++i) {
       const auto& near = rows.skin[m][i];
       const auto& far = rows.skin[m][i + 1];
-      const bool begins = i == 0 && rows.plan.is_tip[m][0],
-                 ends = i + 2 == rows.skin[m].size() && rows.plan.is_tip[m][1];
+      const bool begins = i == 0 && face[0], ends = i + 2 == rows.skin[m].size() && face[1];
       append_piece(rows, {near[0], far[0], far[1], near[1]}, {{0, 1, 2, 3}, {0, ends ? 1 : -1, 2, begins ? 3 : -1}});
     }
+  }
   for (const std::vector<int>& block : rows.block_skin) {
     if (block.empty()) continue;
     std::vector<int> all(block.size());

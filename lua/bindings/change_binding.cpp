@@ -1,8 +1,10 @@
 // What changes of a built model: numbers of laws, bearings, and what is there at all.
 #include <algorithm>
 
+#include "base/terminal_text.hpp"
 #include "bindings.hpp"
 #include "law_values.hpp"
+#include "load_reading.hpp"
 #include "run/recording_header.hpp"
 #include "world/bearing_spec.hpp"
 #include "world/loads.hpp"
@@ -181,10 +183,35 @@ std::optional<int> bearing_at(lua_State* L, int index, const ScriptModel& m, con
 }
 
 bool is_load(lua_State* L, int index, ScriptModel& m) {
-  PlaneModel* plane = as_plane(m);
-  if (plane == nullptr || lua_type(L, index) != LUA_TSTRING) return false;
-  const std::vector<std::string> names = load_names(plane->simulation().model());
+  if (lua_type(L, index) != LUA_TSTRING) return false;
+  const std::vector<std::string> names = names_of_loads(m);
   return std::find(names.begin(), names.end(), text_at(L, index)) != names.end();
+}
+
+/// InputError where the text at `index` is the name of nothing; that of no bearing and no load is known.
+void require_named(lua_State* L, int index, ScriptModel& m, const std::string& owner) {
+  if (lua_type(L, index) != LUA_TSTRING) return;
+  const std::string name = text_at(L, index);
+  std::vector<std::string> known = m.body_names();
+  const auto add = [&](const std::vector<std::string>& names) {
+    for (const std::string& n : names)
+      if (std::find(known.begin(), known.end(), n) == known.end()) known.push_back(n);
+  };
+  for (int b = 0; b < m.body_count(); ++b) add(m.groups_of(b));
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  add(m.bearings), add(names_of_loads(m));
+  throw InputError(fmt::format("{}: there is no body or group '{}', and no bearing or load{}", owner, one_line(name),
+                               name_hint(name, known)));
+}
+
+/// InputError where no load has the name: it was removed, or is a push.
+template <int D>
+void drop_named(Model<D>& model, const std::string& name) {
+  if (drop_loads(model, name) > 0) return;
+  for (const Push<D>& push : model.pushes)
+    if (push.name == name)
+      throw InputError(fmt::format("remove: '{}' is a push; m:release {{ push = \"{}\" }} lets it go", name, name));
+  throw InputError(fmt::format("remove: load '{}' was removed already", name));
 }
 
 /// A body, a set, a bearing, a name of a body, group, bearing or load, or a list of these.
@@ -203,12 +230,14 @@ void choose(lua_State* L, int index, ScriptModel& m, const std::string& owner, C
   } else if (is_load(L, index, m)) {
     chosen.loads.push_back(text_at(L, index));
   } else {
+    require_named(L, index, m, owner);
     const std::vector<int> bodies = bodies_at(L, index, m, owner);
     chosen.bodies.insert(chosen.bodies.end(), bodies.begin(), bodies.end());
   }
 }
 
-void keep_each_once(std::vector<int>& rows) {
+template <class T>
+void keep_each_once(std::vector<T>& rows) {
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
 }
@@ -219,6 +248,7 @@ Chosen chosen_at(lua_State* L, ScriptModel& m, const std::string& owner) {
   choose(L, 2, m, owner, chosen);
   keep_each_once(chosen.bodies);
   keep_each_once(chosen.bearings);
+  keep_each_once(chosen.loads);
   if (chosen.bodies.empty() && chosen.bearings.empty() && chosen.loads.empty())
     throw InputError(owner + ": there is nothing of it; give a body, a set, a bearing, a load's name, or a list");
   return chosen;
@@ -232,10 +262,13 @@ int remove_parts(lua_State* L) {
   if (!m.running() || m.paused())
     for (const int b : chosen.bodies) m.require_present(b, "remove");
   if (!chosen.bodies.empty() || !chosen.bearings.empty()) m.remove(chosen.bodies, chosen.bearings, place);
-  for (const std::string& name : chosen.loads)
-    require_plane(m, "remove").change([name](Model<2>& model) {
-      if (drop_loads(model, name) == 0) throw InputError(fmt::format("remove: load '{}' was removed already", name));
-    });
+  for (const std::string& name : chosen.loads) {
+    const auto drop = [name](auto& model) { drop_named(model, name); };
+    if (SpaceModel* space = as_space(m))
+      space->change(drop);
+    else
+      require_plane(m, "remove").change(drop);
+  }
   return 0;
 }
 

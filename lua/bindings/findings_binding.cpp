@@ -77,13 +77,6 @@ double ratio_of(const StoreyHandle& h) {
   return height_of(h) > 0 ? drift_of(h) / height_of(h) : 0;
 }
 
-bool is_bonded(const Joint& joint) {
-  return joint.bonds != 0;
-}
-bool is_bonded(const FaceJoint& joint) {
-  return joint.bonded;
-}
-
 /// Mean over the bonded joints that `wanted` picks by their two bodies; 0 where there are none.
 template <class Wanted>
 double mean_damage(ScriptModel& m, Wanted&& wanted) {

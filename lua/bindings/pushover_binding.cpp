@@ -8,6 +8,7 @@
 #include "pushover_order.hpp"
 #include "run/load_way.hpp"
 #include "run/pushover.hpp"
+#include "run/watch.hpp"
 #include "stage_run.hpp"
 #include "step/equilibrium.hpp"
 #include "step/load_path.hpp"
@@ -149,15 +150,17 @@ class ArcRecorder {
   ArcRecorder(const Push<D>& push, const PushOrder<D>& order, std::function<double(const State<D>&)> drift)
       : push_(push), order_(order), drift_(std::move(drift)) {}
 
-  /// True where the path is to go on.
-  bool add(const PathPoint& point, const State<D>& state) {
+  /// True where the path is to go on. A point that is strained beyond a limit ends it, and is none of the curve's.
+  bool add(const PathPoint& point, const State<D>& state, bool overstrained) {
+    way_.push_back({state, point.factor});
+    if (overstrained) limit_ = "strain";
+    if (overstrained) return false;
     const double place = push_place(state, push_), drift = drift_(state);
     if (curve_.force.empty()) first_place_ = place, first_drift_ = drift;
     curve_.time.push_back(state.time);
     curve_.force.push_back(point.factor);
     curve_.displacement.push_back(place - first_place_);
     curve_.drift.push_back(drift - first_drift_);
-    way_.push_back({state, point.factor});
     const double most = curve_.force[curve_.peak()];
     if (std::abs(curve_.drift.back()) >= order_.limits.drift) limit_ = "drift";
     if (order_.limits.drop > 0 && most > 0 && point.factor < order_.limits.drop * most) limit_ = "drop";
@@ -252,7 +255,9 @@ int push_by_arc(lua_State* L, ModelOfScript& m, PushOrder<D>& o) {
   for (const PushRow<D>& row : push.rows)
     for (int k = 0; k < D; ++k)
       if (push.direction[k] != 0) how.followed.push_back({{row.node, k}, row.weight * push.direction[k]});
-  how.goes_on = [&](const PathPoint& point, const State<D>& state) { return recorder.add(point, state); };
+  how.goes_on = [&](const PathPoint& point, const State<D>& state) {
+    return recorder.add(point, state, is_overstrained(model, state));
+  };
   State<D> state = sim.state();
   const LoadPath path = follow_loads(model, state, how);
   if (path.end == PathEnd::no_rest)

@@ -89,6 +89,16 @@ std::string directions_text(const std::array<bool, dofs>& on) {
 
 /// `place`: of the script, for a message at the step border, where it is the run's line that is known.
 template <int D>
+[[noreturn]] void refuse_free(const Model<D>& model, const std::vector<int>& bodies,
+                              const std::array<bool, Space<D>::dofs>& on, const std::string& owner,
+                              const std::string& place) {
+  const std::string which = bodies.size() == 1 ? fmt::format("body '{}' is", model.bodies[bodies.front()].name)
+                                               : fmt::format("the {} bodies are", bodies.size());
+  throw InputError(fmt::format("{}: {}{} free already in {}, so there is nothing to let go", owner, place, which,
+                               directions_text(on)));
+}
+
+template <int D>
 void release_bodies(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, Space<D>::dofs>& on,
                     double fade, const std::string& place) {
   const bool waits = m.running() && !m.paused();
@@ -99,11 +109,7 @@ void release_bodies(SimulatedModel<D>& m, const std::vector<int>& bodies, const 
       box->simulation().drop_step();
       return;
     }
-    const Body& first = model.bodies[bodies.front()];
-    throw InputError(fmt::format(
-        "release: {}{} free already in {}, so there is nothing to let go", place,
-        bodies.size() == 1 ? fmt::format("body '{}' is", first.name) : fmt::format("the {} bodies are", bodies.size()),
-        directions_text(on)));
+    refuse_free(model, bodies, on, "release", place);
   });
 }
 
@@ -173,10 +179,27 @@ std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, in
   return on;
 }
 
+/// Whether any node of a body is held or driven along one of these directions; turns of elements are none.
 template <int D>
-void change_supports(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& on,
-                     Support support) {
-  m.change_supports([bodies, on, support](Model<D>& model) {
+bool is_held_in(const Model<D>& model, int body, const std::array<bool, Space<D>::dofs>& on) {
+  const Body& b = model.bodies[static_cast<std::size_t>(body)];
+  const std::size_t directions = b.nodes_turn() ? on.size() : D;
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n)
+    for (std::size_t k = 0; k < directions; ++k)
+      if (on[k] && model.support[static_cast<std::size_t>(n)][k] != Support::free) return true;
+  return false;
+}
+
+/// `place`: as of refuse_free. What is free of all of it already is refused, as a name or a direction is wrong then.
+template <int D>
+void change_supports(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& asked,
+                     Support support, const std::string& place) {
+  std::array<bool, Space<D>::dofs> on{};
+  std::copy_n(asked.begin(), on.size(), on.begin());
+  m.change_supports([bodies, on, support, place = m.running() && !m.paused() ? place : ""](Model<D>& model) {
+    const auto is_held = [&](int body) { return is_held_in(model, body, on); };
+    if (support == Support::free && std::none_of(bodies.begin(), bodies.end(), is_held))
+      refuse_free(model, bodies, on, "free", place);
     for (const int body : bodies)
       for (int k = 0; k < Space<D>::dofs; ++k)
         if (on[static_cast<std::size_t>(k)]) set_support(model, body, k, support);
@@ -211,9 +234,9 @@ int set_supports(lua_State* L, const char* owner, Support support) {
       refuse_turns_of_elements(require_plane(m, owner), bodies, on);
   }
   if (SpaceModel* space = as_space(m))
-    change_supports(*space, bodies, on, support);
+    change_supports(*space, bodies, on, support, user_place(L));
   else
-    change_supports(require_plane(m, owner), bodies, on, support);
+    change_supports(require_plane(m, owner), bodies, on, support, user_place(L));
   return 0;
 }
 int fix(lua_State* L) {

@@ -129,7 +129,7 @@ function Search:try(value)
   end
   if self.options.settle then
     local report = self.model:consolidate { integrator = "static", name = ("calibrate %d"):format(#self.tries + 1) }
-    if not report.rests then core.fail("calibrate: no rest was found on the way") end
+    if not report.rests then core.fail("calibrate: no rest was found on the way: " .. report.reason) end
   end
   local frequency, mode = frequency_now(self.model, self.options)
   self.tries[#self.tries + 1] = { value = value, frequency = frequency, mode = mode }

@@ -191,3 +191,52 @@ do
   assert(panel:pushover { body = quad, at = { 0, 2 }, control = "arc", displacement = 1e-3 }.limit == "displacement")
   panel:close()
 end
+
+-- Loads go in the plane and in space alike: between stages, from a handler, and one that a rewind has brought back.
+for _, dim in ipairs { 2, 3 } do
+  local l = trilith.model { name = "loads", gravity = 0, dim = dim }
+  l:material { name = "stone", density = 2000 }
+  local a = dim == 2 and l:block { name = "a", width = 1, height = 0.5, material = "stone", floating = true }
+    or l:block { name = "a", size = { 1, 1, 0.5 }, material = "stone", floating = true }
+  l:point_load { name = "push", body = a, at = "centroid", force = dim == 2 and { 1e3, 0 } or { 1e3, 0, 0 } }
+  l:pressure { name = "wind", body = a, face = "bottom", value = 1e3 }
+  l:checkpoints { every = 0.05 }
+  local up = dim == 2 and "vy" or "vz"
+  l:run { duration = 0.1, dt = 1e-3 }
+  local along, speed = a.vx, a[up]
+  near(along, 1e3/a.mass*0.0995, 1e-9)
+  refused("remove: there is no body or group 'pusch', and no bearing or load; did you mean 'push'?", l.remove, l,
+    "pusch")
+  refused("known: a, push, wind", l.remove, l, "nothing like it")
+  refused("put_back: load 'push' is there; put a new one on", l.put_back, l, "push")
+  l:remove { "push", "push" }
+  refused("there is no body or group 'push'", l.remove, l, "push")
+  l:run { duration = 0.1 }
+  near(a.vx, along, 1e-12)
+  local steady = a.vx
+  assert(a[up] > 1.8*speed)
+  local gone = 0
+  l:every(0.05, function(model)
+    gone = gone + 1
+    if gone == 1 then model:remove "wind" end
+  end)
+  l:run { duration = 0.2 }
+  assert(gone > 1 and a.vx == steady, a.vx - steady)
+  local coast = a[up]
+  l:run { duration = 0.1 }
+  assert(a[up] == coast)
+  -- Back with the state of then.
+  local hash
+  for _ = 1, 2 do
+    l:rewind(l.time - 0.04)
+    local before, from = a.vx, l.time
+    assert(from < 0.1)
+    l:run { duration = 0.1, dt = 1e-3 }
+    near(a.vx - before, 1e3/a.mass*(l.time - from), 1e-9)
+    assert(not hash or l.hash == hash)
+    hash = l.hash
+  end
+  l:pushover { name = "pushed", body = a, direction = "x", rate = 1, displacement = 0.01 }
+  refused("remove: 'pushed' is a push; m:release { push = \"pushed\" } lets it go", l.remove, l, "pushed")
+  l:close()
+end

@@ -48,4 +48,96 @@ for _, share in ipairs { -0.6, 0.09, 0.7 } do
   bar:close()
 end
 
+-- Statics are watched as motion is, beams and elements, in the plane and in space; what is free of strains beyond the
+-- limit comes to rest as F = E A u / L has it.
+local square = trilith.rectangle_section { width = 0.5, depth = 0.5 }
+local function bar_of(kind, dim)
+  local bar = trilith.model { name = "bar", gravity = 0, dim = dim }
+  bar:material { name = "soft", density = 1000, E = 2e8, nu = 0, strain_limit = 0.1 }
+  local zero, one = dim == 2 and { 0, 0 } or { 0, 0, 0 }, dim == 2 and { 1, 0 } or { 1, 0, 0 }
+  if kind == "beam" and dim == 2 then
+    return bar, bar:beam { name = "b", material = "soft", floating = true, from = zero, to = one, divisions = 4,
+      section = square, from_support = "fixed" }
+  elseif kind == "beam" then
+    return bar, bar:frame { name = "b", material = "soft", floating = true,
+      joints = { A = { at = zero, support = "fixed" }, B = one },
+      members = { { from = "A", to = "B", divisions = 4, section = square } } }
+  elseif dim == 2 then
+    return bar, bar:block { name = "b", width = 1, height = 0.5, at = zero, material = "soft", floating = true,
+      body = { mesh = { 4, 1 } }, body_thickness = 0.5, hold = { { from = { 0, 0 }, to = { 0, 0.5 } } } }
+  end
+  return bar, bar:block { name = "b", size = { 1, 0.5, 0.5 }, at = zero, material = "soft", floating = true,
+    body = { mesh = { 4, 1, 1 } }, hold = { { from = { 0, 0, 0 }, to = { 0, 0.5, 0.5 } } } }
+end
+for _, kind in ipairs { "beam", "mesh" } do
+  for _, dim in ipairs { 2, 3 } do
+    for _, share in ipairs { -0.15, 0.08, 0.12 } do
+      local bar, rod = bar_of(kind, dim)
+      local force = share*2e8*0.25
+      if kind == "beam" then
+        bar:point_load { body = rod, at = dim == 2 and { 1, 0 } or { 1, 0, 0 },
+          force = dim == 2 and { force, 0 } or { force, 0, 0 } }
+      else
+        bar:pressure { body = rod, face = "right", value = -force/0.25 }
+      end
+      local report = bar:consolidate { integrator = "static", or_go_on = true }
+      if share == 0.08 then
+        assert(report.rests and bar.verdict.sound, report.reason)
+        if kind == "beam" then near(rod:point(dim == 2 and { 1, 0 } or { 1, 0, 0 }), 1 + share, 1e-6) end
+        bar:run { duration = 1e-4 }
+        assert(bar.verdict.sound)
+      else
+        assert(report.ending == "diverged" and not bar.verdict.sound, report.ending)
+        for _, words in ipairs { "element ", " of b was " .. (share < 0 and "squeezed" or "stretched") .. " by ",
+          "its solid is made for 10 %", "load factor 1", "larger strain_limit" } do
+          assert(report.reason:find(words, 1, true), report.reason)
+        end
+        local ok, message = pcall(function() bar:run { duration = 0.1 } end)
+        assert(not ok and tostring(message):find("cannot begin", 1, true), message)
+      end
+      bar:close()
+    end
+  end
+end
+
+-- A path of equilibria ends at the first point beyond the limit, which is none of its curve; the load factor is said.
+for _, dim in ipairs { 2, 3 } do
+  for _, far in ipairs { 0.05, 0.3 } do
+    local bar, rod = bar_of("beam", dim)
+    bar:consolidate { integrator = "static" }
+    local report = bar:pushover { body = rod, at = dim == 2 and { 1, 0 } or { 1, 0, 0 }, control = "arc",
+      displacement = far, arc = 0.004 }
+    local curve = report.curve
+    for i, u in ipairs(curve.displacement) do
+      assert(u <= 0.1 + 1e-9 or far == 0.05, u)
+      assert(math.abs(curve.force[i] - 2e8*0.25*u) <= 1e-6*2e8*0.25*0.1, curve.force[i])
+    end
+    if far == 0.05 then
+      assert(report.limit == "displacement" and bar.verdict.sound, report.limit)
+    else
+      assert(report.limit == "strain" and report.ending == "diverged" and #curve.force > 3, report.limit)
+      -- No farther before it than the longest step, five times the first.
+      assert(curve.displacement[#curve.displacement] > 0.1 - 5.01*curve.displacement[2])
+      local factor = tonumber(report.reason:match "as the load factor of 'pushover' came to ([%d.e+]+)")
+      local strain = tonumber(report.reason:match "stretched by ([%d.]+) %%")
+      assert(factor and factor > curve.force[#curve.force] and strain > 10, report.reason)
+      near(factor, 2e8*0.25*strain/100, 5e-3) -- three figures of the strain are said
+    end
+    bar:close()
+  end
+end
+
+-- It can be gone back to before that.
+do
+  local bar, rod = bar_of("beam", 2)
+  bar:checkpoints { every = 0.01 }
+  bar:run { duration = 0.05 }
+  bar:point_load { name = "pull", body = rod, at = { 1, 0 }, force = { 1e7, 0 } }
+  assert(bar:consolidate { integrator = "static" }.ending == "diverged")
+  bar:rewind(0.03)
+  assert(bar.verdict.sound and math.abs((rod:point { 1, 0 }) - 1) < 1e-12)
+  assert(bar:run { duration = 0.01 }.ending == "time")
+  bar:close()
+end
+
 print "members are watched as they must be"

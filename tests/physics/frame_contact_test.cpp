@@ -218,5 +218,76 @@ TEST_CASE("what no frame can be is refused, with what to do") {
   CHECK(says(refusal([](BodySpec& b) { b.thickness = 3; }), "body_thickness"));
 }
 
+/// Members of a frame that meet at joint b, (0, 1), by their joints and depths.
+struct MemberOf {
+  int from, to;
+  double depth;
+};
+BodySpec meeting_at_b(const std::vector<MemberOf>& members, const Polygon& block = {}) {
+  BodySpec spec;
+  spec.name = "frame", spec.kind = BodyKind::frame, spec.material = "concrete", spec.floating = true;
+  FrameSpec frame;
+  frame.joints = {{.name = "a", .place = {0, 0}, .support = held},
+                  {.name = "b", .place = {0, 1}, .block = block},
+                  {.name = "c", .place = {0, 2}},
+                  {.name = "d", .place = {2, 1}}};
+  for (const MemberOf& m : members) {
+    FrameMember member;
+    member.from = m.from, member.to = m.to, member.section = rectangle_section(1, m.depth), member.divisions = 2;
+    frame.members.push_back(member);
+  }
+  frame.joints.erase(frame.joints.begin() + (members.back().to == 2 ? 3 : 2));
+  for (FrameMember& m : frame.members) m.to = std::min(m.to, 2);
+  spec.frame = frame;
+  return spec;
+}
+
+/// Of the two members that meet there: whether the end of the first and the begin of the second are faces.
+std::array<bool, 2> faces_at_b(const BodySpec& spec) {
+  const Model<2> model = of_frames(elastic_material("concrete", 2400, 30e9), {spec});
+  const auto is_face = [&](int piece, int edge) { return model.edge_is_face[model.piece_first[piece] + edge] != 0; };
+  return {is_face(1, 1), is_face(2, 3)};
+}
+
+TEST_CASE("an end of a member is a face unless what meets it covers it whole") {
+  using Faces = std::array<bool, 2>;
+  CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 2, 0.2}})) == Faces{true, false});
+  CHECK(faces_at_b(meeting_at_b({{0, 1, 0.2}, {1, 2, 0.6}})) == Faces{false, true});
+  CHECK(faces_at_b(meeting_at_b({{0, 1, 0.4}, {1, 2, 0.4}})) == Faces{false, false});
+  // A beam across: it covers no more than its side of the column's head, and the column the lower half of its end.
+  CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 3, 0.2}})) == Faces{true, true});
+  // A block of a joint does as a member does: as wide as the column, wider than the beam.
+  CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 3, 0.2}}, box(-0.3, 0.7, 0.3, 1.3))) == Faces{false, false});
+  CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 3, 0.2}}, box(-0.2, 0.7, 0.2, 1.3))) == Faces{true, false});
+}
+
+TEST_CASE("a block stands on the ledge of a column and on its head beside a beam, set down or dropped") {
+  struct Ledge {
+    MemberOf above;
+    double x, width;
+  };
+  for (const Ledge& ledge : {Ledge{{1, 2, 0.2}, 0.2, 0.18}, Ledge{{1, 3, 0.2}, -0.15, 0.2}})
+    for (const double drop : {0.0, 0.05}) {
+      const double stiffness = 1e9, half = 0.5 * ledge.width;
+      Scene scene(Frictional{stiffness, 4e8, 0.6, 1e-3});
+      scene.builder.add_material(elastic_material("concrete", 2400, 30e9, 0.2, 1e-5));
+      scene.builder.add_body(meeting_at_b({{0, 1, 0.6}, ledge.above}));
+      BodySpec block;
+      block.name = "b", block.outline = box(ledge.x - half, 1 + drop, ledge.x + half, 1.2 + drop), block.mass = 100;
+      block.floating = true;
+      scene.add(block);
+      Simulation<2> sim = scene.start();
+      const double start = body_pose(sim.model(), sim.state(), 1).place.y(), column = sim.state().position[1].y();
+      const StageReport report = settle(sim, 20, 1e-6);
+      CHECK(report.end == StageEnd::rest);
+      CHECK(sim.verdict().sound());
+      // The head turns under the block, which presses beside its middle: the block's own middle goes with it.
+      const double sinks = 100 * standard_gravity / (stiffness * ledge.width),
+                   head = sim.state().position[1].y() - column + ledge.x * sim.state().rotation[1];
+      const double came = start - body_pose(sim.model(), sim.state(), 1).place.y() - drop;
+      CHECK(near(came, sinks - head, 0.01));
+    }
+}
+
 }  // namespace
 }  // namespace trilith::testing
