@@ -16,4 +16,10 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
 /// not there, is a folder or a device, holds more than `most` bytes, or cannot be read.
 std::string text_of_file(const std::filesystem::path& path, std::string_view what, std::size_t most);
 
+/// `text` without the mark (byte order mark of UTF-8) that some editors begin a text file with.
+constexpr std::string_view without_byte_order_mark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
 }  // namespace trilith

@@ -263,7 +263,7 @@ void read_file(std::string_view text, std::string_view owner, GmshNodes& nodes, 
 Mesh parse_gmsh(std::string_view text, std::string_view owner) {
   GmshNodes nodes;
   Mesh mesh;
-  read_file(text, owner, nodes, mesh);
+  read_file(without_byte_order_mark(text), owner, nodes, mesh);
   keep_used(mesh, nodes, owner);
   return mesh;
 }
@@ -271,7 +271,7 @@ Mesh parse_gmsh(std::string_view text, std::string_view owner) {
 SpaceMesh parse_gmsh_in_space(std::string_view text, std::string_view owner) {
   GmshNodes nodes;
   SpaceMesh mesh;
-  read_file(text, owner, nodes, mesh);
+  read_file(without_byte_order_mark(text), owner, nodes, mesh);
   if (mesh.cell.empty())
     throw InputError(
         fmt::format("{}: there is no tetrahedron or hexahedron in it; mesh the volume (Mesh 3) before saving", owner));

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "build/solid_file.hpp"
 
 namespace trilith {
@@ -211,7 +212,7 @@ SolidParts parse_obj(std::string_view text, const SolidFile& how, std::string_vi
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
     throw InputError(
         fmt::format("{}: is no OBJ file: its byte {} is 0, and OBJ files are text; save it as OBJ", owner, zero + 1));
-  return solids_of_file(ObjReader(text, how, owner).run(), how, owner);
+  return solids_of_file(ObjReader(without_byte_order_mark(text), how, owner).run(), how, owner);
 }
 
 }  // namespace trilith

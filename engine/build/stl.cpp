@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "build/solid_file.hpp"
 
 namespace trilith {
@@ -186,8 +187,9 @@ class StlText {
 SolidParts parse_stl(std::string_view bytes, const SolidFile& how, std::string_view owner) {
   const FileAxes axes(how, owner);
   if (is_binary_stl(bytes)) return solids_of_file(binary_stl(bytes, axes, owner), how, owner);
-  refuse_damaged(bytes, owner);
-  return solids_of_file(StlText(bytes, axes, owner).run(), how, owner);
+  const std::string_view text = without_byte_order_mark(bytes);
+  refuse_damaged(text, owner);
+  return solids_of_file(StlText(text, axes, owner).run(), how, owner);
 }
 
 }  // namespace trilith

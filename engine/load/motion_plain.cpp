@@ -106,7 +106,7 @@ std::string plain_units() {
 
 /// Line by line; what is no number before the first sample is the title, later it is an error.
 GroundMotion parse_plain_motion(std::string_view text, const std::string& name, const PlainForm& form) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
+  text = without_byte_order_mark(text);
   const double in_g = unit_in_g(form.unit, name);
   TextLines lines(text, name);
   Columns columns;

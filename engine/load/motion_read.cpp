@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
 #include "load/motion_csv.hpp"
 #include "load/motion_peer.hpp"
 #include "load/text_lines.hpp"
@@ -51,7 +52,7 @@ GroundMotion read_motion(const std::filesystem::path& path) {
 
 /// What a file is shows from its first bytes, its name or its fourth line; nothing is guessed beyond that.
 GroundMotion parse_motion(std::string_view text, const std::string& name) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
+  text = without_byte_order_mark(text);
   TextLines lines(text, name);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) lines.fail_whole("is empty");

@@ -29,13 +29,32 @@ Vec3 first_point(const Model<3>& model, const State<3>& state, const Bearing<3>&
   return point_of(model, state, b.end_a);
 }
 
-/// What the device was, where it is, and by how much it was displaced in the direction that failed.
+bool goes_all_ways(const Bearing<2>& /*bearing*/) {
+  return false;
+}
+/// Along and across answer together.
+bool goes_all_ways(const Bearing<3>& bearing) {
+  return !std::holds_alternative<std::monostate>(bearing.horizontal);
+}
+
+/// The direction in which a bearing that was intact has come to yield or slide.
 template <int D>
-void push_bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, EventType type) {
+std::uint32_t yielded_direction(const Bearing<D>& b, const BearingMemory<D>& before, const BearingMemory<D>& after) {
+  const std::uint32_t level = goes_all_ways(b) ? Directions<3>::horizontal : 0;
+  for (std::size_t k = 0; k < after.direction.size(); ++k)
+    if (after.direction[k].travelled > before.direction[k].travelled)
+      return k < 2 && goes_all_ways(b) ? level : static_cast<std::uint32_t>(k);
+  return level;
+}
+
+/// What the device was, where it is, and by how much it was displaced in `direction`, which yielded or failed.
+template <int D>
+void push_bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, EventType type,
+                        std::uint32_t direction) {
   const Bearing<D>& b = model.bearings[i];
   Event e = event_now(state, type, b.body_a, b.body_b);
   e.bearing = static_cast<int>(i);
-  e.value = failed_displacement(work.bearing_displacement[i], work.bearing[i].failed_direction);
+  e.value = failed_displacement(work.bearing_displacement[i], direction);
   e.set_place(first_point(model, state, b));
   work.events.push_back(e);
 }
@@ -125,13 +144,17 @@ void bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, 
   const BearingStatus before = state.bearing[i].status;
   BearingMemory<D>& after = work.bearing[i];
   if (before == after.status) return;
-  if (after.status == BearingStatus::yielded) push_bearing_event(model, state, work, i, EventType::bearing_yielded);
-  if (after.status != BearingStatus::failed) return;
-  push_bearing_event(model, state, work, i, EventType::bearing_failed);
   const Bearing<D>& b = model.bearings[i];
+  const auto push = [&](EventType type, std::uint32_t direction) {
+    push_bearing_event(model, state, work, i, type, direction);
+  };
+  if (after.status == BearingStatus::yielded)
+    push(EventType::bearing_yielded, yielded_direction(b, state.bearing[i], after));
+  if (after.status != BearingStatus::failed) return;
+  push(EventType::bearing_failed, after.failed_direction);
   if (b.becomes_bearing < 0 && !b.alters_contact()) return;
   after.status = BearingStatus::changed;
-  push_bearing_event(model, state, work, i, EventType::bearing_changed);
+  push(EventType::bearing_changed, after.failed_direction);
   hand_on(model, state, work, i);
 }
 

@@ -1,8 +1,11 @@
 #include "world/element_place.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
+#include "base/error.hpp"
 #include "body/element_point.hpp"
 
 namespace trilith {
@@ -10,6 +13,9 @@ namespace {
 
 /// Natural coordinates beyond this lie outside of an element, be it by rounding or not.
 constexpr double on_face = 1e-9;
+/// A place may lie outside of the element it belongs to by this, in natural coordinates: elements of round bodies are
+/// not.
+constexpr double beside = 0.05;
 
 std::vector<Vec3> start_of(const Model<3>& model, const SpaceElement& element) {
   std::vector<Vec3> nodes;
@@ -56,6 +62,16 @@ ElementShares element_shares(const Model<3>& model, int body, const Vec3& at) {
   ElementShares shares;
   shares.element = found.element, shares.outside = found.outside > on_face ? found.outside : 0;
   std::copy(n.begin(), n.end(), shares.share.begin());
+  return shares;
+}
+
+ElementShares element_shares(const Model<3>& model, int body, const Vec3& at, const std::string& owner) {
+  const ElementShares shares = element_shares(model, body, at);
+  if (shares.outside > beside)
+    throw InputError(
+        fmt::format("{}: the point ({:g}, {:g}, {:g}) is not in '{}', which deforms, so there is nothing to "
+                    "tie it to; give a point in it or on it",
+                    owner, at.x(), at.y(), at.z(), model.bodies[body].name));
   return shares;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "world/model.hpp"
 #include "world/state.hpp"
@@ -17,6 +18,8 @@ struct ElementShares {
 
 /// `at`: a place at the start [m], of a body of elements.
 ElementShares element_shares(const Model<3>& model, int body, const Vec3& at);
+/// The same of a place that lies in the body; throws InputError, begun with `owner`, where it does not.
+ElementShares element_shares(const Model<3>& model, int body, const Vec3& at, const std::string& owner);
 
 /// Of what was at `at` [m] at the start: by the shape functions of the element that it lay in, or else of the one that
 /// it lay nearest to, which go on beyond it. The body is one of elements.

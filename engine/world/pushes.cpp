@@ -7,6 +7,8 @@
 
 #include "base/error.hpp"
 #include "load/load_curve.hpp"
+#include "world/bearing_spec.hpp"
+#include "world/element_place.hpp"
 #include "world/loads.hpp"
 #include "world/pose.hpp"
 #include "world/skin_places.hpp"
@@ -56,7 +58,8 @@ double lowest_of(const Model<D>& model, const std::vector<int>& bodies) {
 /// A node with less of a point than this, as a share, has nothing of it: what is left of a weight by rounding.
 constexpr double least_part = 1e-12;
 
-/// A point of a body that deforms: by the nodes it is tied to, in space by the node nearest to it, which turns it.
+/// A point of a body that deforms: by the nodes it is tied to, in space by those of the element that holds it, or by
+/// the node of a frame that is nearest to it, which turns it.
 void add_point_rows(const Model<2>& model, int body, const Vec2& at, double weight, std::vector<PushRow<2>>& rows) {
   const Tie<2> tie = tie_point(model, body, at, fmt::format("push of '{}'", model.bodies[body].name));
   for (int i = 0; i < tie.nodes; ++i)
@@ -64,10 +67,28 @@ void add_point_rows(const Model<2>& model, int body, const Vec2& at, double weig
       rows.push_back({tie.node[i], tie.turn[i], tie.arm[i], weight * tie.weight[i]});
 }
 void add_point_rows(const Model<3>& model, int body, const Vec3& at, double weight, std::vector<PushRow<3>>& rows) {
+  if (!model.bodies[body].nodes_turn()) {
+    const ElementShares shares = element_shares(model, body, at, fmt::format("push of '{}'", model.bodies[body].name));
+    const SpaceElement& element = model.space_elements[static_cast<std::size_t>(shares.element)];
+    for (int i = 0; i < info_of(element.shape).nodes; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (std::abs(shares.share[k]) < least_part) continue;
+      rows.push_back({element.node[k], element.node[k], Vec3::Zero(), weight * shares.share[k]});
+    }
+    return;
+  }
   const int n = nearest_node(model, body, at);
   const Vec3 arm = at - model.start_position[n];
-  const bool turns = model.bodies[body].nodes_turn();
-  rows.push_back({n, n, turns ? turn_of(model.start_rotation[n]).undo(arm) : Vec3(Vec3::Zero()), weight});
+  rows.push_back({n, n, turn_of(model.start_rotation[n]).undo(arm), weight});
+}
+
+/// A point that a rigid body takes with it: refused far from it, as for a load.
+template <int D>
+void require_near_body(const Model<D>& model, int body, const Vec<D>& at) {
+  const Body& b = model.bodies[body];
+  const double size = 2 * model.body_radius[body];
+  require_near<D>(at, (at - model.start_position[b.first_node]).norm() - 0.5 * size, size, b.name,
+                  fmt::format("push of '{}'", b.name));
 }
 
 /// A rigid body by one row; a point of one that deforms by its nodes there; a whole one by mass.
@@ -78,6 +99,7 @@ void add_body_rows(const Model<D>& model, int body, const std::optional<Vec<D>>&
   const int first = b.first_node;
   if (b.is_rigid()) {
     Vec<D> arm = Vec<D>::Zero();
+    if (at) require_near_body<D>(model, body, *at);
     if (at) arm = turn_of(model.start_rotation[first]).undo(*at - model.start_position[first]);
     rows.push_back({first, first, arm, weight});
     return;

@@ -19,7 +19,8 @@ namespace trilith {
 enum class PushPattern { uniform, mass, triangle };  ///< triangle: mass times height above the lowest of all bodies
 
 /// Rows of a push of `bodies`, at their centroids or, of a single body, at a point where it stands at the start [m].
-/// In space a point of a body of several nodes is that of the node nearest to it. Throws InputError where no body is
+/// In space a point of a body of elements is that of the element that holds it, one of a frame that of the node nearest
+/// to it. Throws InputError where no body is
 /// given, and where one cannot move along `direction` (unit vector).
 template <int D>
 std::vector<PushRow<D>> push_rows(const Model<D>& model, const std::vector<int>& bodies,

@@ -72,18 +72,11 @@ PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpe
 
 namespace {
 
-/// A place may lie outside of the element it belongs to by this, in natural coordinates: elements of round bodies are
-/// not.
-constexpr double beside_element = 0.05;
-
 /// Shares of a force at its point, at the nodes of the element that holds it.
 std::vector<PointLoad<3>> element_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
   const std::string owner = solid_load_owner(spec, model.bodies[body]);
   check_solid_load(spec, owner);
-  const ElementShares shares = element_shares(model, body, *spec.at);
-  if (shares.outside > beside_element)
-    throw InputError(fmt::format("{}: its point ({:g}, {:g}, {:g}) is not in the body; give one in it or on it, in m",
-                                 owner, spec.at->x(), spec.at->y(), spec.at->z()));
+  const ElementShares shares = element_shares(model, body, *spec.at, owner);
   const SpaceElement& element = model.space_elements[static_cast<std::size_t>(shares.element)];
   std::vector<PointLoad<3>> loads;
   for (int i = 0; i < info_of(element.shape).nodes; ++i) {

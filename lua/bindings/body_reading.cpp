@@ -16,45 +16,14 @@ Support support_at(Keys& keys, std::string_view key, const std::string& text) {
   return text == "fixed" ? Support::fixed : Support::free;
 }
 
-/// mesh = {nx, ny} or a number for both.
-void read_divisions(Keys& keys, std::array<int, 2>& divisions) {
-  lua_State* L = keys.lua();
-  const int type = keys.push("mesh");
-  bool good = type == LUA_TTABLE && lua_rawlen(L, -1) == 2;
-  for (int i = 0; i < 2 && good; ++i) {
-    lua_rawgeti(L, -1, i + 1);
-    good = lua_isinteger(L, -1) != 0;
-    const lua_Integer n = lua_tointeger(L, -1);
-    lua_pop(L, 1);
-    if (good && (n < 1 || n > 1000))
-      keys.problem(fmt::format("'mesh' has {} divisions of a side, must be 1 to 1000", n));
-    if (good && n >= 1 && n <= 1000) divisions[static_cast<std::size_t>(i)] = static_cast<int>(n);
-  }
-  if (!good) keys.wrong("mesh", "two whole numbers {nx, ny}, divisions along the first and second side");
-  lua_pop(L, 1);
-}
-
 /// hold = { { from = {x, y}, to = {x, y}, x = "fixed", y = "fixed" }, ... }: nodes of a deformable body in a box.
 void read_holds(Keys& keys, std::vector<NodeSupport>& holds) {
-  lua_State* L = keys.lua();
-  const int type = keys.push("hold");
-  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong("hold", "a list { { from = , to = , x = , y = }, ... }");
-  const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
-  for (lua_Integer i = 1; i <= count; ++i) {
-    lua_rawgeti(L, -1, i);
-    try {
-      Keys own(L, -1, fmt::format("hold {}", i));
-      NodeSupport hold;
-      hold.low = own.point("from"), hold.high = own.point("to");
-      hold.support = {support_at(own, "x", own.text("x", "fixed")), support_at(own, "y", own.text("y", "fixed"))};
-      own.finish();
-      holds.push_back(hold);
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  read_list(keys, "hold", "hold", [&](Keys& own) {
+    NodeSupport hold;
+    hold.low = own.point("from"), hold.high = own.point("to");
+    hold.support = {support_at(own, "x", own.text("x", "fixed")), support_at(own, "y", own.text("y", "fixed"))};
+    holds.push_back(hold);
+  });
 }
 
 /// What `keys` say of a body; `preset` where they say nothing.
@@ -176,7 +145,7 @@ BodyForm read_body_form(Keys& keys, const BodyForm& preset) {
   } else if (type == LUA_TTABLE) {
     Keys own(L, -1, "body");
     form = {BodyKind::mesh, {1, 1}};
-    read_divisions(own, form.divisions);
+    read_divisions(own, form.divisions, "two whole numbers {nx, ny}, divisions along the first and second side");
     try {
       own.finish();
     } catch (const InputError& e) {

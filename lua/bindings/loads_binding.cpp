@@ -63,7 +63,8 @@ int solid_point_load(lua_State* L, SpaceModel& m) {
   std::vector<PointLoad<3>> loads;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     spec.at = places[i];
-    for (PointLoad<3>& load : make_solid_loads(m.simulation().model(), bodies[i], spec)) loads.push_back(std::move(load));
+    for (PointLoad<3>& load : make_solid_loads(m.simulation().model(), bodies[i], spec))
+      loads.push_back(std::move(load));
   }
   tell_held(L, m, bodies, spec.name);
   m.change([loads](Model<3>& changed) {

@@ -2,13 +2,51 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/terminal_text.hpp"
 #include "handles.hpp"
 
 namespace trilith::script {
+
+/// Notes a problem where the table on top of the stack, that under `key`, has a key of its own beside its places: as a
+/// table of one entry whose braces were forgotten, or an entry that stands one brace too deep. `wanted` as for wrong().
+inline void require_plain_list(Keys& keys, std::string_view key, std::string_view wanted) {
+  lua_State* L = keys.lua();
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+    if (lua_isinteger(L, -2) != 0 && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= count) continue;
+    const std::string found = lua_type(L, -2) == LUA_TSTRING ? fmt::format("the key '{}'", one_line(text_at(L, -2)))
+                                                             : std::string("a key that is no place");
+    keys.problem(fmt::format("'{}' has {} in it, must be {}", key, found, wanted));
+    lua_pop(L, 2);
+    return;
+  }
+}
+
+/// mesh = {nx, ny, ...}: whole numbers from 1 to 1000; `wanted` says of what.
+template <std::size_t sides>
+void read_divisions(Keys& keys, std::array<int, sides>& divisions, const char* wanted) {
+  lua_State* L = keys.lua();
+  bool good = keys.push("mesh") == LUA_TTABLE && lua_rawlen(L, -1) == sides;
+  if (good) require_plain_list(keys, "mesh", wanted);
+  for (std::size_t i = 0; i < sides && good; ++i) {
+    lua_rawgeti(L, -1, static_cast<lua_Integer>(i) + 1);
+    int whole = 0;
+    const lua_Integer n = lua_tointegerx(L, -1, &whole);
+    good = whole != 0 && lua_type(L, -1) == LUA_TNUMBER;
+    lua_pop(L, 1);
+    if (good && (n < 1 || n > 1000))
+      keys.problem(fmt::format("'mesh' has {} divisions of a side, must be 1 to 1000", n));
+    divisions[i] = static_cast<int>(std::clamp<lua_Integer>(n, 1, 1000));
+  }
+  if (!good) keys.wrong("mesh", wanted);
+  lua_pop(L, 1);
+}
 
 /// Calls item(keys, i) for every table of the list under `key`; `owner` names one of them.
 template <class Item>
@@ -16,6 +54,7 @@ void read_list(Keys& keys, std::string_view key, const std::string& owner, Item&
   lua_State* L = keys.lua();
   const int type = keys.push(key);
   if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong(key, "a list of tables");
+  if (type == LUA_TTABLE) require_plain_list(keys, key, "a list of tables: { { ... }, { ... } }");
   const auto count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_rawgeti(L, -1, i);

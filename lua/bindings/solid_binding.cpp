@@ -39,23 +39,6 @@ void read_solid_support(Keys& keys, std::string_view key, std::array<Support, 6>
 
 namespace {
 
-/// mesh = {nx, ny, nz}: divisions along the three sides of a brick.
-void read_divisions(Keys& keys, std::array<int, 3>& divisions) {
-  lua_State* L = keys.lua();
-  bool good = keys.push("mesh") == LUA_TTABLE && lua_rawlen(L, -1) == 3;
-  for (int i = 0; i < 3 && good; ++i) {
-    lua_rawgeti(L, -1, i + 1);
-    good = lua_isinteger(L, -1) != 0;
-    const lua_Integer n = lua_tointeger(L, -1);
-    lua_pop(L, 1);
-    if (!good) continue;
-    if (n < 1 || n > 1000) keys.problem(fmt::format("'mesh' has {} divisions of a side, must be 1 to 1000", n));
-    divisions[static_cast<std::size_t>(i)] = static_cast<int>(std::clamp<lua_Integer>(n, 1, 1000));
-  }
-  if (!good) keys.wrong("mesh", "three whole numbers {nx, ny, nz}, divisions along the three sides");
-  lua_pop(L, 1);
-}
-
 /// hold = { { from = {x, y, z}, to = {x, y, z}, x = "fixed", y =, z = }, ... }: nodes of a deformable body in a box.
 void read_space_holds(Keys& keys, std::vector<SpaceNodeSupport>& holds) {
   read_list(keys, "hold", "hold", [&](Keys& own) {
@@ -86,7 +69,7 @@ SpaceForm read_space_form(Keys& keys, const SpaceForm& preset) {
     try {
       Keys own(keys.lua(), -1, "body");
       form = {BodyKind::mesh};
-      read_divisions(own, form.divisions);
+      read_divisions(own, form.divisions, "three whole numbers {nx, ny, nz}, divisions along the three sides");
       constexpr std::array shapes{ElementShape::brick, ElementShape::tetrahedron, ElementShape::quadratic_tetrahedron};
       form.element = shapes[own.choice("element", {"brick", "tet4", "tet10"}, 0)];
       own.finish();

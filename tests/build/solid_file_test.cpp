@@ -158,6 +158,16 @@ TEST_CASE("STL as text gives a body for each solid, in exactly its places") {
   CHECK(read.parts[1].pieces[0].faces.count() == 6);
 }
 
+TEST_CASE("text that begins with the mark of an editor is read as without it") {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const auto& [bytes, parse] :
+       {std::pair{obj_of({{"", cube}}), &parse_obj}, std::pair{stl_of("a", cube), &parse_stl}}) {
+    const SolidParts plain = parse(bytes, {}, "file"), marked = parse(mark + bytes, {}, "file");
+    REQUIRE(marked.parts.size() == 1);
+    CHECK(volume_of(marked.parts[0]) == volume_of(plain.parts[0]));
+  }
+}
+
 TEST_CASE("a dome in single precision, all stones in one binary STL, comes back with plane faces") {
   std::vector<SolidPart> dome = build_dome({.rings = 5, .sectors = 12, .phase = 0.123});
   for (SolidPart& part : dome) place_part(part, rotation_by(Vec3(0.3, 0.5, 0.1)), {0.1, 0.2, 0.3});

@@ -93,6 +93,31 @@ do
   near(top.uz, -0.1, 1e-2)
 end
 
+-- What an event tells is the displacement in the direction that yielded, whichever that is.
+for _, case in ipairs {
+  { "horizontal", 0 }, { "horizontal", 30 }, { "horizontal", 90 }, { "across", 90 }, { "axial" },
+} do
+  local direction, azimuth = table.unpack(case)
+  local s = trilith.model { name = "pulled", dim = 3, gravity = 0 }
+  s:material { name = "stone", density = 1000 }
+  s:contact { between = { "*", "*" }, law = "none" }
+  s:block { name = "g", size = { 1, 1, 1 }, material = "stone", support = "fixed" }
+  s:block { name = "b", size = { 1, 1, 1 }, at = { 0, 0, 2 }, material = "stone", support = "fixed" }
+  s:bearing { name = "q", between = { "g", "b" }, at = { 0.5, 0.5, 1.5 },
+    [direction] = trilith.elastic_plastic { stiffness = 1e6, yield = 2e4, hardening = 0.1 } }
+  local value
+  s:on("bearing.yielded", function(e) value = e.value end)
+  local a = math.rad(azimuth or 0)
+  local way = azimuth and { math.cos(a), math.sin(a), 0 } or { 0, 0, 1 }
+  local function ramp(k)
+    if math.abs(way[k]) > 1e-9 then return trilith.ramp { by = 0.1*way[k], duration = 1 } end
+  end
+  s:drive { body = "b", x = ramp(1), y = ramp(2), z = ramp(3) }
+  s:run { duration = 1, dt = 1e-3 }
+  assert(value and math.abs(value - 0.02) < 3e-4, ("%s, %s: %s"):format(direction, azimuth, value))
+  s:close()
+end
+
 -- Messages.
 local function says(text, f)
   local good, message = pcall(f)

@@ -167,3 +167,54 @@ do
   end
   assert(bits[1] == bits[2])
 end
+
+-- A force at a point of a meshed body goes to the nodes of the element that holds it: one on the axis of a bar moves
+-- nothing sideways, what it does elsewhere is what it would do here from there (Betti), and outside of it is no place.
+local function bar(at, force)
+  local s = trilith.model { name = "bar", dim = 3, gravity = 0 }
+  s:material { name = "soft", density = 2000, E = 1e9, nu = 0.3 }
+  local b = s:block { name = "bar", material = "soft", size = { 1, 1, 4 }, floating = true,
+    body = { mesh = { 2, 2, 8 } }, hold = { { from = { 0, 0, 0 }, to = { 1, 1, 0 } } } }
+  s:point_load { body = b, at = at, force = force }
+  s:consolidate { integrator = "static" }
+  return b, s
+end
+local function moved(b, at)
+  local x, y, z = b:point(at)
+  return { x - at[1], y - at[2], z - at[3] }
+end
+do
+  local b, s = bar({ 0.5, 0.5, 2 }, { 0, 0, 1e4 })
+  local here, left, right = moved(b, { 0.5, 0.5, 2 }), moved(b, { 0, 0.5, 2 }), moved(b, { 1, 0.5, 2 })
+  assert(math.abs(here[1]) < 1e-9*here[3] and math.abs(here[2]) < 1e-9*here[3])
+  near(left[3], right[3], 1e-6)
+  near(moved(b, { 0.5, 0.5, 4 })[3], 1e4*2/1e9, 0.02) -- beyond the load nothing is strained, below it F z/EA
+  s:close()
+  local one, other = { 0.2, 0.1, 3.9 }, { 1, 0.6, 2.3 }
+  b, s = bar(one, { 0, 0, 1e4 })
+  local there = moved(b, other)[1]
+  s:close()
+  b, s = bar(other, { 1e4, 0, 0 })
+  near(moved(b, one)[3], there, 1e-4)
+  s:close()
+  local good, message = pcall(bar, { 100, 0, 0 }, { 0, 0, 1e4 })
+  assert(not good and message:find("the point (100, 0, 0) is not in 'bar', which deforms, so there is nothing to tie it to", 1, true),
+    message)
+end
+
+-- A push at a point of such a body as well: at the middle of a free end it twists nothing.
+for _, control in ipairs { "time", "arc" } do
+  local s = trilith.model { name = "bar", dim = 3, gravity = 0 }
+  s:material { name = "soft", density = 2000, E = 1e9, nu = 0, damping = 1e-3 }
+  local b = s:block { name = "bar", material = "soft", size = { 1, 1, 4 }, floating = true,
+    body = { mesh = { 1, 1, 4 } }, hold = { { from = { 0, 0, 0 }, to = { 1, 1, 0 } } } }
+  s:pushover { body = b, at = { 0.5, 0.5, 4 }, direction = "x", control = control, displacement = 4e-3,
+    rate = control == "time" and 0.02 or nil }
+  local left, right = moved(b, { 0, 0, 4 }), moved(b, { 1, 0, 4 })
+  assert(math.abs(left[2] - right[2]) < 1e-9, left[2] - right[2])
+  near(moved(b, { 0.5, 0.5, 4 })[1], 4e-3, 0.05)
+  local good, message = pcall(s.pushover, s, { body = b, at = { 100, 0, 0 }, direction = "x", rate = 1,
+    displacement = 1e-3 })
+  assert(not good and message:find("the point (100, 0, 0) is not in 'bar'", 1, true), message)
+  s:close()
+end

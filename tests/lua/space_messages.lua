@@ -34,6 +34,17 @@ local cases = {
       .. "meets the edge from point 3 (1, 0) to point 4 (0, 1); give the points in order around the outline" },
   { function() m:add(part({ 0, 0 }, { 1, 0 }, { 2, 0 }), { depth = 1, material = "stone" }) end,
     "add: part 'p': outline has no area, all 3 points lie on one line from point 1 (0, 0)" },
+  -- lists with keys of their own
+  { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone", body = "brick",
+      hold = { from = { 0, 0, 0 }, to = { 0, 1, 1 } } } end,
+    "block 'b': 'hold' has the key 'from' in it, must be a list of tables: { { ... }, { ... } }" },
+  { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone",
+      body = { mesh = { 4, 1, 2, element = "tet4" } } } end,
+    "block 'b': body: 'mesh' has the key 'element' in it, must be three whole numbers {nx, ny, nz}, divisions along "
+      .. "the three sides" },
+  { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone",
+      body = { mesh = { 2.5, 2, 1 } } } end,
+    "block 'b': body: 'mesh' is {2.5, 2, 1}, must be three whole numbers {nx, ny, nz}, divisions along the three sides" },
   -- pieces
   { function() m:body { name = "b", pieces = { { hull = box(0) }, { hull = box(0.5) } }, material = "stone" } end,
     "body 'b': its pieces 1 and 2 overlap by 0.5 m (0.29 of the smaller one's size, at most 1e-06 is allowed), and "
