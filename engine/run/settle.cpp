@@ -23,6 +23,11 @@ std::string loads_text(const LoadWay<D>* way) {
   return fmt::format("as the load factor of '{}' came to {:.4g}", way->loads.front().name, way->points.back().factor);
 }
 
+StageEnd rest_end(const Equilibrium& found) {
+  if (found.end == EquilibriumEnd::stopped) return StageEnd::stopped;
+  return found.converged ? StageEnd::rest : StageEnd::not_at_rest;
+}
+
 }  // namespace
 
 /// The state is another one meanwhile, and so are the loads that the path has scaled. What is strained beyond its limit
@@ -78,7 +83,7 @@ StageReport Simulation<D>::settle(const StageOptions& options, const Equilibrium
     if (diverged && diverged->event) tell(*diverged->event, listener, now);
     report.steps = found.steps;
     report.speed = now.speed, report.ratio = found.left;
-    set_end(report, now, diverged, found.converged ? StageEnd::rest : StageEnd::not_at_rest);
+    set_end(report, now, diverged, rest_end(found));
     if (report.end == StageEnd::not_at_rest) report.reason = no_rest_reason(model_, found);
     if (!diverged) tell_samples(listener, now, true);
     tell_end(listener, now);

@@ -71,6 +71,7 @@ class Search {
   double shorter(double h);
   double growth(int iterations);
   [[nodiscard]] bool too_long() const;
+  [[nodiscard]] bool stopped() const { return options_.is_stopped && options_.is_stopped(); }
   [[nodiscard]] int gone() const;
 
   const Model<D>& model_;
@@ -144,7 +145,8 @@ bool Search<D>::step(double h, double from, Equilibrium& out) {
   bool stale = true;
   double least = merit_;
   int since = 0;  // iterations since the least was so much less
-  for (int i = 0; i < options_.most_iterations && std::isfinite(merit_) && since <= patience && !too_long(); ++i) {
+  for (int i = 0;
+       i < options_.most_iterations && std::isfinite(merit_) && since <= patience && !too_long() && !stopped(); ++i) {
     if (i > 0 && trial_.share() <= enough) {
       trial_.accept();
       return true;
@@ -191,9 +193,13 @@ bool Search<D>::settle(Equilibrium& out) {
     if (out.left <= options_.tolerance || steps == options_.most_steps) break;
     int before = out.iterations;
     // Fails until a shorter h succeeds; iterations of failed tries do not make a step count as a hard one.
-    for (; h > shortest_pseudo && !step(h, out.left, out); h = shorter(h)) ++out.cuts, before = out.iterations;
-    if (h <= shortest_pseudo) out.end = EquilibriumEnd::stuck;
-    if (h <= shortest_pseudo) break;
+    bool found = false;
+    while (h > shortest_pseudo && !stopped() && !(found = step(h, out.left, out)))
+      ++out.cuts, before = out.iterations, h = shorter(h);
+    if (!found) {
+      out.end = stopped() ? EquilibriumEnd::stopped : EquilibriumEnd::stuck;
+      break;
+    }
     ++out.steps;
     if (const int n = gone(); n >= 0) {
       out.end = EquilibriumEnd::goes_off, out.worst = n;
@@ -218,7 +224,7 @@ void check_rest(const EquilibriumOptions& o) {
 }  // namespace
 
 std::string_view name_of(EquilibriumEnd end) {
-  constexpr std::array<std::string_view, 4> names{"at rest", "goes off", "stuck", "unsettled"};
+  constexpr std::array<std::string_view, 5> names{"at rest", "goes off", "stuck", "unsettled", "stopped"};
   return names[static_cast<std::size_t>(end)];
 }
 

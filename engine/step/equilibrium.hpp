@@ -10,6 +10,7 @@
 // softening follow the way.
 #pragma once
 
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -28,11 +29,13 @@ struct EquilibriumOptions {
   /// A body that goes farther than this share of its size (the distance of its farthest point) within a share of the
   /// loads, from where that began, finds no rest.
   double farthest = 1;
+  /// Asked at each iteration: once it says true the search ends, and State is as it was. Empty: it goes on.
+  std::function<bool()> is_stopped;
 };
 
 /// How the search ended: at rest; a body has gone too far; no step of pseudo-time however short converges; no rest
-/// within the most steps.
-enum class EquilibriumEnd { rests, goes_off, stuck, unsettled };
+/// within the most steps; it was stopped.
+enum class EquilibriumEnd { rests, goes_off, stuck, unsettled, stopped };
 std::string_view name_of(EquilibriumEnd end);
 
 struct Equilibrium {

@@ -297,7 +297,7 @@ const std::array bearing_method_list{
 }  // namespace
 
 template <int D>
-void read_directions(Keys& keys, BearingSpecOf<D>& spec) {
+void read_directions(Keys& keys, BearingSpecOf<D>& spec, OtherLimits others) {
   const auto& names = Directions<D>::names;
   const auto read_law = [&](const char* key, DirectionLaw& law) {
     if (const auto* given = keys.maybe_handle<DirectionLawValue>(key)) law = given->law;
@@ -308,9 +308,10 @@ void read_directions(Keys& keys, BearingSpecOf<D>& spec) {
   const int type = keys.push("limit");
   if (type == LUA_TTABLE) {
     Keys own(L, -1, "limit");
+    const auto preset = [&](double limit) { return others == OtherLimits::kept ? limit : unbounded; };
     for (std::size_t k = 0; k < names.size(); ++k)
-      spec.limit[k] = own.number(names[k], unit_of_direction<D>(static_cast<int>(k)), unbounded);
-    if constexpr (D == 3) spec.horizontal_limit = own.number("horizontal", "m", unbounded);
+      spec.limit[k] = own.number(names[k], unit_of_direction<D>(static_cast<int>(k)), preset(spec.limit[k]));
+    if constexpr (D == 3) spec.horizontal_limit = own.number("horizontal", "m", preset(spec.horizontal_limit));
     try {
       own.finish();
     } catch (const InputError& e) {
@@ -322,8 +323,8 @@ void read_directions(Keys& keys, BearingSpecOf<D>& spec) {
   }
   lua_pop(L, 1);
 }
-template void read_directions(Keys&, BearingSpecOf<2>&);
-template void read_directions(Keys&, BearingSpecOf<3>&);
+template void read_directions(Keys&, BearingSpecOf<2>&, OtherLimits);
+template void read_directions(Keys&, BearingSpecOf<3>&, OtherLimits);
 
 std::span<const Method> bearing_methods() {
   return bearing_method_list;

@@ -1,13 +1,19 @@
 // What m:bearing, m:bearing_type and m:seat share.
 #pragma once
 
+#include <cstdint>
+
 #include "handles.hpp"
 
 namespace trilith::script {
 
-/// Reads the law of each direction, in space of both horizontal ones too, and the limits. Problems are noted in `keys`.
+/// What limits are that a given `limit` does not name.
+enum class OtherLimits : std::uint8_t { none, kept };
+
+/// Reads the law of each direction, in space of both horizontal ones too, and the limits; what is not given stays what
+/// it is in `spec`. Problems are noted in `keys`.
 template <int D>
-void read_directions(Keys& keys, BearingSpecOf<D>& spec);
+void read_directions(Keys& keys, BearingSpecOf<D>& spec, OtherLimits others = OtherLimits::none);
 
 /// m:seat{ name =, body =, support =, at_end =, edge =, inward = }
 int add_seat(lua_State* L);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/terminal_text.hpp"
+#include "bearing_reading.hpp"
 #include "bindings.hpp"
 #include "law_values.hpp"
 #include "load_reading.hpp"
@@ -45,8 +46,6 @@ ContactLaw changed_law(Keys& keys, ContactLaw law) {
   return law;
 }
 
-constexpr std::array law_directions{"along", "axial", "turning"};
-
 template <int D>
 std::string change_law(Keys& keys, SimulatedModel<D>& m, const std::string& name) {
   const auto& names = m.simulation().model().law_names;
@@ -61,32 +60,18 @@ std::string change_law(Keys& keys, SimulatedModel<D>& m, const std::string& name
   return fmt::format("law '{}' is now {}", name, law_text(law));
 }
 
-/// The limits under `limit`, which stay what they are where none is given.
-std::array<double, 3> changed_limits(Keys& keys, std::array<double, 3> limit) {
-  const int type = keys.push("limit");
-  if (type == LUA_TTABLE) {
-    Keys own(keys.lua(), -1, "change: limit");
-    for (std::size_t k = 0; k < 3; ++k) {
-      limit[k] = own.number(law_directions[k], k == 2 ? "rad" : "m", limit[k]);
-      if (!(limit[k] > 0)) own.problem(fmt::format("'{}' is {:g}, must be above 0", law_directions[k], limit[k]));
-    }
-    own.finish();
-  } else if (type != LUA_TNIL) {
-    keys.wrong("limit", "a table { along = , axial = , turning = }");
-  }
-  lua_pop(keys.lua(), 1);
-  return limit;
-}
-
 /// A law of another kind has no use for what the one before remembered.
-bool begins_anew(const Bearing<2>& before, const Bearing<2>& after) {
-  for (std::size_t k = 0; k < 3; ++k)
+template <int D>
+bool begins_anew(const Bearing<D>& before, const Bearing<D>& after) {
+  for (std::size_t k = 0; k < before.law.size(); ++k)
     if (before.law[k].index() != after.law[k].index()) return true;
+  if constexpr (D == 3) return before.horizontal.index() != after.horizontal.index();
   return false;
 }
 
 /// What follows a bearing under `becomes`: a contact law by its name, a bearing that waits, or false for nothing.
-void change_successor(Keys& keys, const PlaneModel& m, const Model<2>& model, Bearing<2>& changed) {
+template <int D>
+void change_successor(Keys& keys, const ScriptModel& m, const Model<D>& model, Bearing<D>& changed) {
   lua_State* L = keys.lua();
   const int type = keys.push("becomes");
   const auto* handle = type == LUA_TUSERDATA ? test_handle<BearingHandle>(L, -1) : nullptr;
@@ -115,7 +100,22 @@ void change_successor(Keys& keys, const PlaneModel& m, const Model<2>& model, Be
   lua_pop(L, 1);
 }
 
-std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
+/// Laws and limits that are given, and those that stay, as of a bearing to be: what is asked of one is asked of them.
+template <int D>
+void change_directions(Keys& keys, const std::string& owner, Bearing<D>& changed) {
+  BearingSpecOf<D> spec;
+  spec.law = changed.law, spec.limit = changed.limit;
+  if constexpr (D == 3) spec.horizontal = changed.horizontal, spec.horizontal_limit = changed.horizontal_limit;
+  read_directions<D>(keys, spec, OtherLimits::kept);
+  if constexpr (D == 2) changed.angle = keys.number("angle", "rad", changed.angle);
+  changed.replaces_contact = keys.flag("replaces_contact", changed.replaces_contact);
+  check_bearing(spec, owner);
+  changed.law = spec.law, changed.limit = spec.limit;
+  if constexpr (D == 3) changed.horizontal = spec.horizontal, changed.horizontal_limit = spec.horizontal_limit;
+}
+
+template <int D>
+std::string change_bearing(Keys& keys, SimulatedModel<D>& m, const std::string& name) {
   const auto& bearings = m.simulation().model().bearings;
   const auto it = std::find_if(bearings.begin(), bearings.end(), [&](const auto& b) { return b.name == name; });
   if (it == bearings.end())
@@ -123,27 +123,23 @@ std::string change_bearing(Keys& keys, PlaneModel& m, const std::string& name) {
   const auto row = static_cast<std::size_t>(it - bearings.begin());
   if (m.simulation().state().bearing[row].status == BearingStatus::removed)
     throw InputError(fmt::format("change: bearing '{}' was removed", name));
-  Bearing<2> changed = *it;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (const auto* law = keys.maybe_handle<DirectionLawValue>(law_directions[k])) changed.law[k] = law->law;
-  changed.limit = changed_limits(keys, it->limit);
-  changed.angle = keys.number("angle", "rad", changed.angle);
-  changed.replaces_contact = keys.flag("replaces_contact", changed.replaces_contact);
-  change_successor(keys, m, m.simulation().model(), changed);
+  Bearing<D> changed = *it;
+  change_successor<D>(keys, m, m.simulation().model(), changed);
+  change_directions<D>(keys, fmt::format("change: bearing '{}'", name), changed);
   keys.finish();
-  require_compression(changed.law, changed.law[axial], fmt::format("change: bearing '{}'", name));
-  std::vector<Bearing<2>> all = bearings;
+  std::vector<Bearing<D>> all = bearings;
   all[row] = changed;
   check_successor(all, row);
   const std::vector<int> begun = begins_anew(*it, changed) ? std::vector{static_cast<int>(row)} : std::vector<int>{};
-  m.alter([row, changed](Model<2>& model) { model.bearings[row] = changed; }, begun);
+  m.alter([row, changed](Model<D>& model) { model.bearings[row] = changed; }, begun);
   return fmt::format("bearing '{}' is now {}", name, bearing_text(m.simulation().model(), changed));
 }
 
 std::string change_named(Keys& keys, ScriptModel& m, const std::string& law, const std::string& bearing) {
-  if (!bearing.empty()) return change_bearing(keys, require_plane(m, "change: bearing"), bearing);
-  if (SpaceModel* space = as_space(m)) return change_law<3>(keys, *space, law);
-  return change_law<2>(keys, require_plane(m, "change"), law);
+  if (SpaceModel* space = as_space(m))
+    return law.empty() ? change_bearing<3>(keys, *space, bearing) : change_law<3>(keys, *space, law);
+  PlaneModel& plane = require_plane(m, "change");
+  return law.empty() ? change_bearing<2>(keys, plane, bearing) : change_law<2>(keys, plane, law);
 }
 
 /// m:change{ law = "name", mu = 0.4 } or m:change{ bearing = "name", along = , limit = { along = 0.3 } }

@@ -28,7 +28,10 @@ std::string table_text(lua_State* L, int index) {
     lua_pop(L, 1);
     if (!plain) return "a table";
   }
-  return text + "}";
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING)
+      text += fmt::format("{}{} = ...", text.empty() ? "{" : ", ", one_line(text_at(L, -2)));
+  return (text.empty() ? "{" : text) + "}";
 }
 
 }  // namespace
@@ -73,6 +76,8 @@ std::optional<V> numbers_at(lua_State* L, int index) {
     if (good) p[i] = lua_tonumber(L, -1);
     lua_pop(L, 1);
   }
+  // A key of its own is none of a list: it was meant for the table around it.
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) good = good && lua_isinteger(L, -2) != 0;
   if (!good || !p.allFinite()) return {};
   return p;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bindings.hpp"
+#include "interrupt_watch.hpp"
 #include "load/ramp.hpp"
 #include "load_reading.hpp"
 #include "pushover_order.hpp"
@@ -255,8 +256,9 @@ int push_by_arc(lua_State* L, ModelOfScript& m, PushOrder<D>& o) {
   for (const PushRow<D>& row : push.rows)
     for (int k = 0; k < D; ++k)
       if (push.direction[k] != 0) how.followed.push_back({{row.node, k}, row.weight * push.direction[k]});
+  const InterruptWatch watch(L, host(L));
   how.goes_on = [&](const PathPoint& point, const State<D>& state) {
-    return recorder.add(point, state, is_overstrained(model, state));
+    return !watch.pressed() && recorder.add(point, state, is_overstrained(model, state));
   };
   State<D> state = sim.state();
   const LoadPath path = follow_loads(model, state, how);

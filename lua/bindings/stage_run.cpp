@@ -28,6 +28,7 @@ class Handlers {
   Handlers& operator=(const Handlers&) = delete;
   ~Handlers() { lua_settop(L_, first_ - 1); }
 
+  [[nodiscard]] bool interrupted() const { return watch_.pressed(); }
   /// After the stage: an interrupt leaves the results unfinished, and goes on as the error it may have been.
   void end() {
     if (host_.console == nullptr && interrupted()) model_.break_off("interrupted");
@@ -111,7 +112,6 @@ class Handlers {
 
  private:
   enum Function { dispatch, tick, wake, stepped, sample };
-  [[nodiscard]] bool interrupted() const { return watch_.pressed(); }
   void begin(Function f) { lua_pushvalue(L_, first_ + f); }
 
   /// Whether an interrupt or a signal ends the stage: at its next border, as stopped, and without any more Lua code.
@@ -231,8 +231,10 @@ StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& o
                          AnyLoadWay way) {
   Host& h = host(L);
   refuse_unread_arguments(h);
-  return listen(L, model, h, [&](Handlers& /*handlers*/, const ScriptListener& listener) {
-    return model.run(options, listener, h, &how, way);
+  return listen(L, model, h, [&](Handlers& handlers, const ScriptListener& listener) {
+    EquilibriumOptions asked = how;
+    asked.is_stopped = [&handlers] { return handlers.interrupted(); };
+    return model.run(options, listener, h, &asked, way);
   });
 }
 

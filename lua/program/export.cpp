@@ -22,7 +22,9 @@ results::FrameRange frame_range(const std::string& text) {
   results::FrameRange range;
   const auto refuse = [&] {
     throw InputError(fmt::format(
-        "--frames: '{}' must be FROM:TO:EVERY, whole numbers counted from 0, each of which may be left out", text));
+        "--frames: '{}' must be FROM:TO:EVERY, whole numbers counted from 0, each of which may be left out, FROM not "
+        "above TO and EVERY not 0",
+        text));
   };
   std::size_t part = 0;
   std::string digits;

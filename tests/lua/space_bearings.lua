@@ -118,6 +118,31 @@ for _, case in ipairs {
   s:close()
 end
 
+-- A bearing may be changed between stages: a spring of twice the stiffness gives half, one in all directions of the
+-- horizon as well, and a limit ends it.
+for _, direction in ipairs { "along", "horizontal" } do
+  local s = trilith.model { name = "hung", dim = 3, gravity = 0 }
+  s:material { name = "stone", density = 1000 }
+  s:contact { between = { "*", "*" }, law = "none" }
+  s:block { name = "g", size = { 1, 1, 1 }, material = "stone", support = "fixed" }
+  local b = s:block { name = "b", size = { 1, 1, 1 }, at = { 0, 0, 2 }, material = "stone", support = {
+    y = "fixed", z = "fixed", turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } }
+  local q = s:bearing { name = "q", between = { "g", "b" }, at = { 0.5, 0.5, 1.5 },
+    [direction] = trilith.linear { stiffness = 1e5 } }
+  s:point_load { body = b, force = { 1e3, 0, 0 } }
+  s:consolidate { integrator = "static" }
+  near(b.ux, 1e-2, 1e-6)
+  s:change { bearing = "q", [direction] = trilith.linear { stiffness = 2e5 } }
+  s:consolidate { integrator = "static" }
+  near(b.ux, 5e-3, 1e-6)
+  s:change { bearing = "q", limit = { [direction] = 4e-3 } }
+  s:run { duration = 0.01 }
+  assert(q.status == "failed", q.status)
+  local good, message = pcall(s.change, s, { bearing = "q", limit = { [direction] = -1 } })
+  assert(not good and message:find("change: bearing 'q': limit displacement is -1, must be above 0", 1, true), message)
+  s:close()
+end
+
 -- Messages.
 local function says(text, f)
   local good, message = pcall(f)

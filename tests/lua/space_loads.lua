@@ -172,7 +172,7 @@ end
 -- nothing sideways, what it does elsewhere is what it would do here from there (Betti), and outside of it is no place.
 local function bar(at, force)
   local s = trilith.model { name = "bar", dim = 3, gravity = 0 }
-  s:material { name = "soft", density = 2000, E = 1e9, nu = 0.3 }
+  s:material { name = "soft", density = 2000, E = 1e9, nu = 0 }
   local b = s:block { name = "bar", material = "soft", size = { 1, 1, 4 }, floating = true,
     body = { mesh = { 2, 2, 8 } }, hold = { { from = { 0, 0, 0 }, to = { 1, 1, 0 } } } }
   s:point_load { body = b, at = at, force = force }

@@ -42,6 +42,8 @@ local cases = {
       body = { mesh = { 4, 1, 2, element = "tet4" } } } end,
     "block 'b': body: 'mesh' has the key 'element' in it, must be three whole numbers {nx, ny, nz}, divisions along "
       .. "the three sides" },
+  { function() new():block { name = "b", size = { 1, 1, 1, depth = 3 }, material = "stone" } end,
+    "block 'b': 'size' is {1, 1, 1, depth = ...}, must be {x, y, z}, three finite numbers" },
   { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone",
       body = { mesh = { 2.5, 2, 1 } } } end,
     "block 'b': body: 'mesh' is {2.5, 2, 1}, must be three whole numbers {nx, ny, nz}, divisions along the three sides" },
