@@ -28,10 +28,12 @@ std::string table_text(lua_State* L, int index) {
     lua_pop(L, 1);
     if (!plain) return "a table";
   }
+  std::vector<std::string> names;  // in their order: a Lua table has none of its own
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1))
-    if (lua_type(L, -2) == LUA_TSTRING)
-      text += fmt::format("{}{} = ...", text.empty() ? "{" : ", ", one_line(text_at(L, -2)));
-  return (text.empty() ? "{" : text) + "}";
+    if (lua_type(L, -2) == LUA_TSTRING) names.push_back(one_line(text_at(L, -2)));
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) text += fmt::format(", {} = ...", name);
+  return text + "}";
 }
 
 }  // namespace

@@ -18,14 +18,14 @@ namespace trilith::script {
 inline void require_plain_list(Keys& keys, std::string_view key, std::string_view wanted) {
   lua_State* L = keys.lua();
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  std::string found;  // the first by name: a Lua table has no order of its own
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
     if (lua_isinteger(L, -2) != 0 && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= count) continue;
-    const std::string found = lua_type(L, -2) == LUA_TSTRING ? fmt::format("the key '{}'", one_line(text_at(L, -2)))
-                                                             : std::string("a key that is no place");
-    keys.problem(fmt::format("'{}' has {} in it, must be {}", key, found, wanted));
-    lua_pop(L, 2);
-    return;
+    const std::string name = lua_type(L, -2) == LUA_TSTRING ? fmt::format("the key '{}'", one_line(text_at(L, -2)))
+                                                            : std::string("a key that is no place");
+    found = found.empty() ? name : std::min(found, name);
   }
+  if (!found.empty()) keys.problem(fmt::format("'{}' has {} in it, must be {}", key, found, wanted));
 }
 
 /// mesh = {nx, ny, ...}: whole numbers from 1 to 1000; `wanted` says of what.

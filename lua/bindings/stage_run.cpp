@@ -6,6 +6,7 @@
 
 #include "bindings.hpp"
 #include "interrupt_watch.hpp"
+#include "step/equilibrium.hpp"
 
 namespace trilith::script {
 namespace {

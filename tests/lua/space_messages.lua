@@ -46,7 +46,8 @@ local cases = {
     "block 'b': 'size' is {1, 1, 1, depth = ...}, must be {x, y, z}, three finite numbers" },
   { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone",
       body = { mesh = { 2.5, 2, 1 } } } end,
-    "block 'b': body: 'mesh' is {2.5, 2, 1}, must be three whole numbers {nx, ny, nz}, divisions along the three sides" },
+    "block 'b': body: 'mesh' is {2.5, 2, 1}, must be three whole numbers {nx, ny, nz}, divisions along the three "
+      .. "sides" },
   -- pieces
   { function() m:body { name = "b", pieces = { { hull = box(0) }, { hull = box(0.5) } }, material = "stone" } end,
     "body 'b': its pieces 1 and 2 overlap by 0.5 m (0.29 of the smaller one's size, at most 1e-06 is allowed), and "

@@ -314,6 +314,20 @@ TEST_CASE("A6: an arch is at rest below its limit tilt, and beyond it statics fi
   check_no_rest("arch at 1.2 of its limit", tilted_arch(.15, 1.2 * limit).builder.build(), "");
 }
 
+TEST_CASE("statics that is stopped ends at its next iteration, and leaves the state as it was") {
+  const Model<2> model = leaning_stack(1e-3);
+  State<2> state = initial_state(model);
+  const std::uint64_t hash = state_hash(state);
+  int asked = 0;
+  EquilibriumOptions options;
+  options.is_stopped = [&asked] { return ++asked > 3; };
+  const Equilibrium e = rest_of("stopped", model, state, options);
+  CHECK(e.end == EquilibriumEnd::stopped);
+  CHECK_FALSE(e.converged);
+  CHECK(e.iterations <= 3);
+  CHECK(state_hash(state) == hash);
+}
+
 TEST_CASE("a block in the air above nothing has no rest") {
   Scene scene(Frictional{1e10, 5e9, 0.6, 1e-4});
   scene.fixed("base", box(10, -1, 12, 0));
