@@ -67,8 +67,8 @@ bool has_ridges(const Work<D>& work, const NearPair& pair) {
   return !work.ridges.parts_of(pair.piece_a).empty() || !work.ridges.parts_of(pair.piece_b).empty();
 }
 
-/// Lists those of `count` rows, the i-th of which is row_of(i), that meet(row) in work.met, and writes each its
-/// push(row, thread).
+/// Lists in work.met those of so many rows, the i-th of which is row_of(i), for which meets(row) holds, and writes each
+/// its push(row, thread).
 template <int D, class RowOf, class Meets, class Push>
 void list_met(Work<D>& work, std::size_t rows, RowOf&& row_of, Meets&& meets, Push&& push) {
   work.met.clear();

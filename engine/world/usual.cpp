@@ -13,6 +13,7 @@ constexpr std::array usual_ranges{
     UsualRange{"beta", "s", 0, 0.1,
                "no step is as long; it is 2*zeta/omega, with omega = sqrt(kn*area/mass) of a body on its contact"},
     UsualRange{"damping", "s", 0, 0.1, "no step is as long; it is 2*zeta/omega of the vibration to be damped"},
+    UsualRange{"E", "Pa", 1e4, unbounded, "is it in GPa or MPa? 30 GPa are 30e9 Pa"},
     UsualRange{"density", "kg/m3", 25, unbounded, "is it in t/m3 or g/cm3? 2.4 t/m3 are 2400 kg/m3"},
     UsualRange{"least side", "m", 0, 40,
                "is it in mm? multiply it by trilith.units \"mm\", or give a file scale = 0.001"},
