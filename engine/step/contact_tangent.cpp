@@ -11,6 +11,7 @@
 #include "detect/bearing_rules.hpp"
 #include "step/contact_rows.hpp"
 #include "step/face_rows.hpp"
+#include "step/met_ridges.hpp"
 #include "step/near_faces.hpp"
 #include "step/term_tangent.hpp"
 
@@ -278,21 +279,35 @@ void add_faces(TermSum& sum, Work<2>& work, const ContactHistory& before) {
   }
 }
 
-/// The skin points of two pieces; those that go with a node are placed anew, and all are put back.
-class PairSkins {
+/// A row, and those whose springs turn its direction at a ridge that pieces share.
+std::vector<int> rows_with(const Work<2>& work, int row) {
+  const RidgeRows<2> ridge = rows_at_ridges(work, row);
+  if (!ridge.has_others()) return {row};
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < ridge.count; ++i) rows.push_back(ridge.row[i]->row);
+  return rows;
+}
+
+/// The skin points of the pieces of rows; those that go with a node are placed anew, and all are put back.
+class RowSkins {
  public:
-  PairSkins(const Model<2>& model, Work<2>& work, const NearPair& pair) : model_(model), work_(work) {
-    for (const int piece : {pair.piece_a, pair.piece_b})
+  RowSkins(const Model<2>& model, Work<2>& work, std::span<const int> rows) : model_(model), work_(work) {
+    std::vector<int> pieces;
+    for (const int row : rows)
+      for (const int piece : {work.pairs[row].piece_a, work.pairs[row].piece_b})
+        if (std::find(pieces.begin(), pieces.end(), piece) == pieces.end()) pieces.push_back(piece);
+    for (const int piece : pieces)
       for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c)
-        skin_.push_back(model.corner_skin[c]);
+        if (std::find(skin_.begin(), skin_.end(), model.corner_skin[c]) == skin_.end())
+          skin_.push_back(model.corner_skin[c]);
     for (const int s : skin_) {
       was_.push_back(work.skin[s]);
       if (!work.skin_mean.empty()) mean_was_.push_back(work.skin_mean[s]);
     }
   }
-  PairSkins(const PairSkins&) = delete;
-  PairSkins& operator=(const PairSkins&) = delete;
-  ~PairSkins() { put_back(); }
+  RowSkins(const RowSkins&) = delete;
+  RowSkins& operator=(const RowSkins&) = delete;
+  ~RowSkins() { put_back(); }
 
   void put_back() {
     for (std::size_t i = 0; i < skin_.size(); ++i) {
@@ -339,34 +354,51 @@ void take_corners(const TermSum& sum, const Work<2>& work, int piece, const Vec2
   }
 }
 
-/// The contact of two pieces by the overlap of their areas, as they are placed in `work`.
+/// The contact of two pieces by the overlap of their areas, as they are placed in `work`. `rows`: its own, then those
+/// whose springs turn its direction.
 class GeneralTerm {
  public:
-  GeneralTerm(const TermSum& sum, const Work<2>& work, const ContactHistory& before, int row)
-      : sum_(sum),
-        work_(work),
-        pair_(work.pairs[row]),
-        remembered_{before.memory[row], before.law_numbers(row)},
-        law_(law_beside_bearings(sum.model, sum.state, work, pair_, sum.options.dt)),
-        law_after_(law_number_counts[before.law_row[row].place] + 1) {}
+  GeneralTerm(const TermSum& sum, const Work<2>& work, const ContactHistory& before, std::span<const int> rows)
+      : sum_(sum), work_(work), before_(before), rows_(rows) {}
 
   void respond(const TermNodes& nodes, TermForces& out) {
-    PieceCorners corners_a, corners_b;
-    const PlacedPiece a = placed_piece(sum_.model, sum_.state, work_, pair_.piece_a, corners_a),
-                      b = placed_piece(sum_.model, sum_.state, work_, pair_.piece_b, corners_b);
+    const NearPair& pair = work_.pairs[rows_[0]];
     on_a_.fill(Vec2::Zero()), on_b_.fill(Vec2::Zero());
-    const auto on = [](auto& force, const PlacedPiece& p) { return std::span(force).first(p.corner.size()); };
-    respond_overlap(a, b, remembered_, law_, on(on_a_, a), on(on_b_, b), law_after_.data());
-    take_corners(sum_, work_, pair_.piece_a, on_a_.data(), nodes, out);
-    take_corners(sum_, work_, pair_.piece_b, on_b_.data(), nodes, out);
+    const Vec2 along = rows_.size() > 1 ? direction() : Vec2(Vec2::Zero());
+    ask(rows_[0], [&](const PlacedPiece& a, const PlacedPiece& b, const Remembered& before, const LawInUse& law) {
+      const auto on = [](auto& force, const PlacedPiece& p) { return std::span(force).first(p.corner.size()); };
+      respond_overlap(a, b, before, law, on(on_a_, a), on(on_b_, b), law_after_.data(), nullptr,
+                      rows_.size() > 1 ? &along : nullptr);
+    });
+    take_corners(sum_, work_, pair.piece_a, on_a_.data(), nodes, out);
+    take_corners(sum_, work_, pair.piece_b, on_b_.data(), nodes, out);
   }
 
  private:
+  /// Calls f with the two pieces of a row as they stand, what it remembers, and its law.
+  template <class F>
+  void ask(int row, F&& f) {
+    const NearPair& pair = work_.pairs[row];
+    PieceCorners corners_a, corners_b;
+    law_after_.resize(law_number_counts[before_.law_row[row].place] + 1);
+    f(placed_piece(sum_.model, sum_.state, work_, pair.piece_a, corners_a),
+      placed_piece(sum_.model, sum_.state, work_, pair.piece_b, corners_b),
+      Remembered{before_.memory[row], before_.law_numbers(row)},
+      law_beside_bearings(sum_.model, sum_.state, work_, pair, sum_.options.dt));
+  }
+  [[nodiscard]] Vec2 direction() {
+    Vec2 push = Vec2::Zero();
+    for (const int row : rows_)
+      ask(row, [&](const PlacedPiece& a, const PlacedPiece& b, const Remembered& before, const LawInUse& law) {
+        push += springs_push(a, b, before, law, law_after_.data());
+      });
+    return push.normalized();
+  }
+
   const TermSum& sum_;
   const Work<2>& work_;
-  const NearPair& pair_;
-  const Remembered remembered_;
-  const LawInUse law_;
+  const ContactHistory& before_;
+  std::span<const int> rows_;
   std::vector<double> law_after_;  // of no use
   std::array<Vec2, max_piece_corners> on_a_, on_b_;
 };
@@ -379,9 +411,10 @@ void add_general(TermSum& sum, Work<2>& work, const ContactHistory& before) {
     if (!is_general(work, row)) continue;
     const bool touches = (work.contacts.memory[row].state & contact_touching) != 0;
     if (!touches && (work.pairs[row].replaced || work.asleep_until[row] > near)) continue;
-    PairSkins skins(sum.model, work, work.pairs[row]);
+    const std::vector<int> rows = rows_with(work, row);
+    RowSkins skins(sum.model, work, rows);
     skins.list_nodes(nodes);
-    GeneralTerm term(sum, work, before, row);
+    GeneralTerm term(sum, work, before, rows);
     sum.add(nodes, [&](const Freedom& moved, TermForces& out) {
       skins.place(sum.state, moved);
       term.respond(nodes, out);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "detect/due_pairs.hpp"
+
 namespace trilith {
 namespace {
 
@@ -77,6 +79,19 @@ void add_beams(const Model<D>& model, Groups<D>& groups) {
   for (const Beam3& beam : model.beams_3d) groups.add(beam.node[0]), groups.add(beam.node[1]), groups.end();
 }
 
+/// Two pieces that are near each other, and those that share a ridge with either and are near the other: where a ridge
+/// is met their direction is one (step/met_ridges.hpp). `a`, `b`: the pieces of a pair, or the other way round.
+template <int D>
+void add_ridge_pieces(const Work<D>& work, int a, int b, Groups<D>& groups) {
+  for (const RidgePart& part : work.ridges.parts_of(a))
+    for (const int piece : work.ridges.pieces_of(part.ridge)) {
+      const ContactKey key = contact_key(std::min(piece, b), std::max(piece, b));
+      const auto near = std::lower_bound(work.pairs.begin(), work.pairs.end(), key,
+                                         [](const NearPair& p, ContactKey k) { return key_of(p) < k; });
+      if (near != work.pairs.end() && key_of(*near) == key) groups.add_piece(piece);
+    }
+}
+
 /// Bearings join the nodes that their ends hang on, loads that follow those of their place, and each near pair of
 /// pieces all nodes of both: which of them press can change within a step.
 template <int D>
@@ -85,7 +100,11 @@ void add_links(const Model<D>& model, const Work<D>& work, Groups<D>& groups) {
   for (const PointLoad<D>& load : model.point_loads) groups.add(load.at), groups.end();
   for (const FaceLoad<D>& load : model.face_loads)
     groups.add_skin(load.skin_a), groups.add_skin(load.skin_b), groups.end();
-  for (const NearPair& p : work.pairs) groups.add_piece(p.piece_a), groups.add_piece(p.piece_b), groups.end();
+  for (const NearPair& p : work.pairs) {
+    groups.add_piece(p.piece_a), groups.add_piece(p.piece_b);
+    add_ridge_pieces(work, p.piece_a, p.piece_b, groups), add_ridge_pieces(work, p.piece_b, p.piece_a, groups);
+    groups.end();
+  }
 }
 
 void make_unique(std::vector<std::vector<int>>& near) {

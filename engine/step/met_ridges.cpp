@@ -15,8 +15,6 @@ namespace {
 
 /// Rows that threads take at a time.
 constexpr int met_stretch = 64;
-/// Rows at the ridges of one that are summed; of more, as where very many tetrahedra meet, the first ones.
-constexpr std::size_t most_at_ridges = 64;
 
 /// Whether a ridge of one piece lies in another one.
 bool lies_in(const Work<2>& work, int owner, const RidgePart& part, int other) {
@@ -95,13 +93,8 @@ Vec2 push_of(const Model<2>& model, const State<2>& state, Work<2>& work, int ro
   const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
                     &b = work.placed.piece[static_cast<std::size_t>(pair.piece_b)];
   const auto r = static_cast<std::size_t>(row);
-  std::array<Vec2, max_piece_corners> on_a, on_b;
-  on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
-  const OverlapResponse response = respond_overlap(
-      a, b, {before.memory[r], before.law_numbers(r)}, law_in_use(model, pair.law, dt),
-      std::span(on_a).first(a.corner.size()), std::span(on_b).first(b.corner.size()), work.contacts.law_numbers(r));
-  if (!response.touching) return Vec2::Zero();
-  return response.force - Vec2(response.memory.damping_force[0], response.memory.damping_force[1]);
+  return springs_push(a, b, {before.memory[r], before.law_numbers(r)}, law_in_use(model, pair.law, dt),
+                      work.contacts.law_numbers(r));
 }
 
 Vec3 push_of(const Model<3>& model, const State<3>& state, Work<3>& work, int row, double dt, SolidRoom& room) {
@@ -155,30 +148,47 @@ void meet_ridges(const Model<3>& model, const State<3>& state, Work<3>& work, do
   });
 }
 
+Vec2 springs_push(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before, const LawInUse& law,
+                  double* law_after) {
+  std::array<Vec2, max_piece_corners> on_a, on_b;  // asked for, and left
+  on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
+  const OverlapResponse response = respond_overlap(a, b, before, law, std::span(on_a).first(a.corner.size()),
+                                                   std::span(on_b).first(b.corner.size()), law_after);
+  if (!response.touching) return Vec2::Zero();
+  return response.force - Vec2(response.memory.damping_force[0], response.memory.damping_force[1]);
+}
+
 template <int D>
-bool direction_at_ridges(const Work<D>& work, int row, Vec<D>& along) {
+RidgeRows<D> rows_at_ridges(const Work<D>& work, int row) {
+  RidgeRows<D> rows;
   const auto met =
       std::lower_bound(work.met.begin(), work.met.end(), row, [](const MetRow<D>& m, int r) { return m.row < r; });
-  if (met == work.met.end() || met->row != row) return false;
-  std::array<const MetRow<D>*, most_at_ridges> seen;
-  seen[0] = &*met;
-  std::size_t count = 1;
-  Vec<D> sum = met->push;
+  if (met == work.met.end() || met->row != row) return rows;
+  rows.row[rows.count++] = &*met;
+  rows.push = met->push;
   for_met(work, work.pairs[static_cast<std::size_t>(row)], [&](int ridge, int owner, int other) {
     for (const int piece : work.ridges.pieces_of(ridge)) {
-      const MetRow<D>* at = piece == owner || count == seen.size() ? nullptr : find_met(work, piece, other);
-      const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
-      if (at == nullptr || std::find(seen.begin(), end, at) != end) continue;
-      seen[count++] = at;
-      sum += at->push;
+      const MetRow<D>* at = piece == owner || rows.count == rows.row.size() ? nullptr : find_met(work, piece, other);
+      const auto end = rows.row.begin() + static_cast<std::ptrdiff_t>(rows.count);
+      if (at == nullptr || std::find(rows.row.begin(), end, at) != end) continue;
+      rows.row[rows.count++] = at;
+      rows.push += at->push;
     }
   });
-  const double size = sum.norm();
-  if (!(size > 0) || sum == met->push) return false;
-  along = sum / size;
+  return rows;
+}
+
+template <int D>
+bool direction_at_ridges(const Work<D>& work, int row, Vec<D>& along) {
+  if (work.met.empty()) return false;
+  const RidgeRows<D> rows = rows_at_ridges(work, row);
+  if (!rows.has_others()) return false;
+  along = rows.push / rows.push.norm();
   return true;
 }
 
+template RidgeRows<2> rows_at_ridges(const Work<2>& work, int row);
+template RidgeRows<3> rows_at_ridges(const Work<3>& work, int row);
 template bool direction_at_ridges(const Work<2>& work, int row, Vec2& along);
 template bool direction_at_ridges(const Work<3>& work, int row, Vec3& along);
 

@@ -10,6 +10,9 @@
 // comes in by nothing as the ridge does, so n turns without a jump.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "world/work.hpp"
 
 namespace trilith {
@@ -18,6 +21,30 @@ namespace trilith {
 void meet_ridges(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
 /// ... from all rows of work.pairs.
 void meet_ridges(const Model<3>& model, const State<3>& state, Work<3>& work, double dt);
+
+/// Rows that are summed at most at the ridges of one; of more, as where very many tetrahedra meet, the first ones.
+inline constexpr std::size_t most_at_ridges = 64;
+
+/// The rows of which n is the direction for one of them, which is the first.
+template <int D>
+struct RidgeRows {
+  std::array<const MetRow<D>*, most_at_ridges> row;
+  std::size_t count = 0;
+  Vec<D> push = Vec<D>::Zero();  ///< the sum of theirs [N]
+
+  /// Something presses there beside the first row.
+  [[nodiscard]] bool has_others() const { return count > 1 && push != row[0]->push && push.norm() > 0; }
+};
+
+/// None at all where no ridge of the row is met.
+template <int D>
+RidgeRows<D> rows_at_ridges(const Work<D>& work, int row);
+extern template RidgeRows<2> rows_at_ridges(const Work<2>& work, int row);
+extern template RidgeRows<3> rows_at_ridges(const Work<3>& work, int row);
+
+/// What the springs of a contact in the plane push b by [N]; `law_after`: room of its law.
+Vec2 springs_push(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before, const LawInUse& law,
+                  double* law_after);
 
 /// Sets `along` to n; false where nothing else presses at the ridges of the row.
 template <int D>
