@@ -137,7 +137,7 @@ void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work,
   for (int i = 0; i < coupling_.size(); ++i)
     matrix_.coeffRef(i, i) = inertia * mass_of(model, state, coupling_.freedom[i].node)[coupling_.freedom[i].k];
   TermSum terms(model, state, options, coupling_.unknown, matrix_);
-  add_contact_terms(terms, work);
+  add_face_terms(terms, work), add_overlap_terms(terms, work);
   add_bearing_terms(terms);
   add_element_terms(terms);
   add_load_terms(terms, work);

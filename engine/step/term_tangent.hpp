@@ -95,9 +95,17 @@ struct PlacedSkin {
 };
 PlacedSkin placed_skin(const Model<2>& model, const State<2>& state, int skin);
 
-/// Contacts, bearings, elements and loads that follow, about the state that `work` is evaluated at. Skin points of
-/// `work` are disturbed meanwhile, and left as they were. What is not touched at this state gives nothing.
-void add_contact_terms(TermSum& sum, Work<2>& work);
+/// True where the last evaluation answered the row as one of general shape.
+inline bool is_general(const Work<2>& work, int row) {
+  if (work.general.empty() && work.general_now.empty()) return false;
+  return work.is_general[static_cast<std::size_t>(row)] != 0;
+}
+
+/// Contacts of faces, those of general shape, bearings, elements and loads that follow, about the state that `work` is
+/// evaluated at. Skin points of `work` are disturbed meanwhile, and left as they were. What is not touched at this
+/// state gives nothing.
+void add_face_terms(TermSum& sum, Work<2>& work);
+void add_overlap_terms(TermSum& sum, Work<2>& work);
 void add_bearing_terms(TermSum& sum);
 void add_element_terms(TermSum& sum);
 void add_load_terms(TermSum& sum, Work<2>& work);
