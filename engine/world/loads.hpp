@@ -87,9 +87,9 @@ std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const
 /// Throws InputError for numbers that are not finite, and a load curve that makes no sense.
 PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec);
 /// The same on any body in space, as the model holds it. A force at a point of a body of elements goes to the nodes of
-/// the element that holds it, by the shape functions, and without a point to all nodes by mass, as weight does; a moment
-/// there, or a force that follows, to the nearest face of its skin. Throws InputError too for a point outside of a body
-/// of elements, and for a moment or a force that follows without a point on a body that deforms.
+/// the element that holds it, by the shape functions, and without a point to all nodes by mass, as weight does; a
+/// moment there, or a force that follows, to the nearest face of its skin. Throws InputError too for a point outside of
+/// a body of elements, and for a moment or a force that follows without a point on a body that deforms.
 std::vector<PointLoad<3>> make_solid_loads(const Model<3>& model, int body, const SolidLoadSpec& spec);
 /// All plane faces of a body's surface in space; a sphere has none.
 std::vector<SolidFace> surface_faces(const Model<3>& model, int body);
