@@ -193,13 +193,23 @@ bool is_limited(const BearingHandle& b) {
 
 // Of a direction by its place in the plane and in space.
 
+/// The place that holds in D dimensions.
+template <int D, std::size_t in_plane, std::size_t in_space>
+constexpr std::size_t direction_in() {
+  if constexpr (D == 2)
+    return in_plane;
+  else
+    return in_space;
+}
+
 template <std::size_t in_plane, std::size_t in_space>
 double force(const BearingHandle& b) {
-  return with_live(b, []<int D>(const LiveBearing<D>& l) { return l.force(D == 2 ? in_plane : in_space); });
+  return with_live(b, []<int D>(const LiveBearing<D>& l) { return l.force(direction_in<D, in_plane, in_space>()); });
 }
 template <std::size_t in_plane, std::size_t in_space>
 double displacement(const BearingHandle& b) {
-  return with_live(b, []<int D>(const LiveBearing<D>& l) { return displacements(l)[D == 2 ? in_plane : in_space]; });
+  return with_live(
+      b, []<int D>(const LiveBearing<D>& l) { return displacements(l)[direction_in<D, in_plane, in_space>()]; });
 }
 /// Of one that models in space alone have.
 template <std::size_t k>
