@@ -155,7 +155,7 @@ std::vector<PushRow<D>> push_rows(const Model<D>& model, const std::vector<int>&
 
 template <int D>
 void add_push(Model<D>& model, const State<D>& state, const std::string& name, std::vector<PushRow<D>> rows,
-              const std::type_identity_t<Vec<D>>& direction, std::shared_ptr<const GroundMotion> motion) {
+              const std::type_identity_t<Vec<D>>& direction, const std::shared_ptr<const GroundMotion>& motion) {
   for (const Push<D>& other : model.pushes) {
     if (other.name == name)
       throw InputError(fmt::format("push: there is one called '{}' already; release it, or give another name", name));
@@ -167,7 +167,7 @@ void add_push(Model<D>& model, const State<D>& state, const std::string& name, s
   }
   Push<D> push;
   push.name = name, push.rows = std::move(rows), push.direction = direction, push.start = state.time;
-  push.motion = std::move(motion);
+  push.motion = motion;
   push.origin = push_place(state, push) - push.motion->displacement(0);
   model.pushes.push_back(std::move(push));
 }
@@ -201,9 +201,9 @@ template std::vector<PushRow<2>> push_rows(const Model<2>&, const std::vector<in
 template std::vector<PushRow<3>> push_rows(const Model<3>&, const std::vector<int>&, const std::optional<Vec3>&,
                                            PushPattern, const Vec3&);
 template void add_push(Model<2>&, const State<2>&, const std::string&, std::vector<PushRow<2>>, const Vec2&,
-                       std::shared_ptr<const GroundMotion>);
+                       const std::shared_ptr<const GroundMotion>&);
 template void add_push(Model<3>&, const State<3>&, const std::string&, std::vector<PushRow<3>>, const Vec3&,
-                       std::shared_ptr<const GroundMotion>);
+                       const std::shared_ptr<const GroundMotion>&);
 template bool release_push(Model<2>&, const State<2>&, const Work<2>&, const std::string&, double);
 template bool release_push(Model<3>&, const State<3>&, const Work<3>&, const std::string&, double);
 

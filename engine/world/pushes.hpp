@@ -30,7 +30,7 @@ std::vector<PushRow<D>> push_rows(const Model<D>& model, const std::vector<int>&
 /// Adds it, from the present place on. Throws InputError where one of its nodes is pushed already or its name is taken.
 template <int D>
 void add_push(Model<D>& model, const State<D>& state, const std::string& name, std::vector<PushRow<D>> rows,
-              const std::type_identity_t<Vec<D>>& direction, std::shared_ptr<const GroundMotion> motion);
+              const std::type_identity_t<Vec<D>>& direction, const std::shared_ptr<const GroundMotion>& motion);
 
 /// Where a push stands: the weighed mean of its points' places along its direction [m].
 template <int D>
