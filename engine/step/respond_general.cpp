@@ -99,7 +99,6 @@ struct GeneralPass {
     return with_kernel(law_in_use(model, law, dt), [](const Coulomb& kernel) { return kernel; });
   }
   void fetch(std::span<const int> rows) const;
-  void fetch_pairs(std::span<const int> rows) const;
   void respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const;
   void respond(int row, CornerOnFace tried, OverlapAnswer& answer) const;
   [[nodiscard]] CornerCase corner_case(int row, CornerOnFace at, OverlapAnswer& answer) const;
@@ -146,11 +145,6 @@ Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece&
   answer.corner_at = {};
   answer.on_a = force, answer.on_b = force + a.corner.size();
   return answer.on_b + b.corner.size();
-}
-
-/// Asks for who rows to come are of, which fetch() reads a stretch later.
-void GeneralPass::fetch_pairs(std::span<const int> rows) const {
-  for (const int row : rows) __builtin_prefetch(&work.pairs[row]), __builtin_prefetch(&before.memory[row]);
 }
 
 /// Asks for what rows to come begin with, while others are worked on: they are too far apart in memory for the
@@ -343,7 +337,7 @@ constexpr int general_stretch = 32;
 
 /// The stretch that begins there, or what there is of it.
 std::span<const int> rows_after(const std::vector<int>& rows, int first) {
-  const auto from = std::min(static_cast<std::size_t>(first), rows.size());
+  const auto from = static_cast<std::size_t>(first);
   return std::span(rows).subspan(from, std::min<std::size_t>(general_stretch, rows.size() - from));
 }
 
@@ -385,7 +379,6 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
       [&](int first, int last, int /*thread*/, int slot) {
         const auto count = static_cast<std::size_t>(last - first);
         pass.fetch(rows_after(work.awake_rows, last));
-        pass.fetch_pairs(rows_after(work.awake_rows, last + general_stretch));
         pass.respond_rows(std::span(work.awake_rows).subspan(static_cast<std::size_t>(first), count), answers_of(slot),
                           &work.answer_force[static_cast<std::size_t>(slot) * forces]);
       },
