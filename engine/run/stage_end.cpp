@@ -96,6 +96,9 @@ std::string stuck_reason(const Model<D>& model, const State<D>& state, const Imp
       state.time, step.dt, step.left, where);
 }
 
+/// Below this share of the largest force what statics leaves over may be taken for rest.
+constexpr double little_left = 1e-4;
+
 /// Either something is not held at all, which no number of iterations mends, or the last forces do not vanish.
 template <int D>
 std::string no_rest_reason(const Model<D>& model, const Equilibrium& found) {
@@ -106,10 +109,14 @@ std::string no_rest_reason(const Model<D>& model, const Equilibrium& found) {
         "loads "
         "on by more shares, or let it move: integrator = \"explicit\"",
         where);
-  return fmt::format(
-      "{:.2g} of the largest force is left over, most of it on {}; integrator = \"explicit\" shows how it moves, "
-      "shares = 10 brings the weight on more slowly",
-      found.left, where);
+  const std::string left = fmt::format("{:.2g} of the largest force is left over after {} steps, most of it on {}",
+                                       found.left, found.steps, where);
+  if (found.left < little_left)
+    return fmt::format("{}; tolerance = {:.0e} takes that for rest, integrator = \"explicit\" shows how it moves", left,
+                       2 * found.left);
+  // What still slides or falls does so under each share too.
+  const std::string slower = found.end == EquilibriumEnd::stuck ? ", shares = 10 brings the weight on more slowly" : "";
+  return fmt::format("{}; integrator = \"explicit\" shows how it moves{}", left, slower);
 }
 
 template <int D>

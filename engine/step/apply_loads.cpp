@@ -16,6 +16,18 @@ void push_load(const Model<2>& model, const State<2>& state, const PointLoad<2>&
   push_at(model, state, p.at, share * force, share * p.moment, node_force, node_moment);
 }
 
+/// In space a force that follows turns with the body, its moment does too.
+void push_load(const Model<3>& model, const State<3>& state, const PointLoad<3>& p, std::vector<Vec3>& node_force,
+               std::vector<Vec3>& node_moment) {
+  const double share = p.curve.at(state.time);
+  if (share == 0) return;
+  const int n = p.at.node[0];
+  const Turn3 turn = turn_of(motion_of(model, state, n).rotation);
+  const Vec3 force = share * (p.follows ? turn.apply(p.force) : p.force),
+             moment = share * (p.follows ? turn.apply(p.moment) : p.moment);
+  push_carrier(model, state, n, point_of(model, state, p.at), force, moment, node_force, node_moment);
+}
+
 /// A pressure over a face goes to its two skin points by the shares of the face that it covers, and from there to their
 /// nodes: the force as it is, its moment by the arm.
 void push_load(const Model<2>& model, const State<2>& state, const FaceLoad<2>& f, const Work<2>& work,
@@ -60,18 +72,10 @@ bool begin_loads(const Model<D>& model, Work<D>& work) {
 
 }  // namespace
 
-/// In space there are loads at points alone; a force that follows turns with the body, its moment does too.
+/// In space there are loads at points alone.
 void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work) {
   if (!begin_loads(model, work)) return;
-  for (const PointLoad<3>& p : model.point_loads) {
-    const double share = p.curve.at(state.time);
-    if (share == 0) continue;
-    const int n = p.at.node[0];
-    const Turn3 turn = turn_of(motion_of(model, state, n).rotation);
-    const Vec3 force = share * (p.follows ? turn.apply(p.force) : p.force),
-               moment = share * (p.follows ? turn.apply(p.moment) : p.moment);
-    push_carrier(model, state, n, point_of(model, state, p.at), force, moment, work.load, work.load_moment);
-  }
+  for (const PointLoad<3>& p : model.point_loads) push_load(model, state, p, work.load, work.load_moment);
 }
 
 void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work) {

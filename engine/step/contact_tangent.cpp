@@ -165,7 +165,7 @@ constexpr double pressed_in = 32;
 /// Rows of one law, each with the copies that belong to it.
 class FaceTerms {
  public:
-  FaceTerms(TermSum& sum, Work<2>& work, const ContactHistory& before, const LawInUse& law)
+  FaceTerms(TermSum<2>& sum, Work<2>& work, const ContactHistory& before, const LawInUse& law)
       : sum_(sum), work_(work), law_(law), copies_(sum.model, work, before, !work.skin_mean.empty()) {}
 
   void add(int row) {
@@ -246,7 +246,7 @@ class FaceTerms {
     return end;
   }
 
-  TermSum& sum_;
+  TermSum<2>& sum_;
   Work<2>& work_;
   const LawInUse law_;
   FaceCopies copies_;
@@ -258,7 +258,7 @@ class FaceTerms {
 /// The rows that evaluation asks the laws of: what touches, and what is so near that it may. Faces that just meet, as
 /// those of blocks that are put on each other do, may count as closed and sticking: with half of their stiffness, the
 /// mean of both sides, and no friction yet, statics would send what they carry far away.
-void add_faces(TermSum& sum, Work<2>& work, const ContactHistory& before) {
+void add_faces(TermSum<2>& sum, Work<2>& work, const ContactHistory& before) {
   for (const FaceBatch& batch : work.batches) {
     FaceTerms terms(sum, work, before, law_in_use(sum.model, batch.law, sum.options.dt));
     const std::vector<int>& facing = batch.choice.empty() ? batch.row : batch.now;
@@ -272,7 +272,7 @@ void add_faces(TermSum& sum, Work<2>& work, const ContactHistory& before) {
 
 }  // namespace
 
-void add_face_terms(TermSum& sum, Work<2>& work) {
+void add_face_terms(TermSum<2>& sum, Work<2>& work) {
   add_faces(sum, work, contacts_before(sum.state, work));
 }
 

@@ -30,11 +30,8 @@ class Groups {
   void add(int node) {
     if (model_.moves(node)) group_.push_back(node);
   }
-  /// A node, or in space all nodes of a fit (world/carrier.hpp).
   void add_carrier(int carrier) {
-    if (carrier >= 0) return add(carrier);
-    const Fit& fit = model_.fits[static_cast<std::size_t>(-1 - carrier)];
-    for (int i = 0; i < fit.nodes; ++i) add(fit.node[static_cast<std::size_t>(i)]);
+    for_nodes_of(model_, carrier, [&](int n) { add(n); });
   }
   void add(const Tie<D>& tie) {
     for (int i = 0; i < tie.nodes; ++i) add_carrier(tie.node[i]), add_carrier(tie.turn[i]);
@@ -43,7 +40,7 @@ class Groups {
   void add_piece(int piece) {
     const Body& body = model_.bodies[model_.piece_body[piece]];
     if (body.is_rigid()) return add(body.first_node);
-    if (model_.is_fitted(piece)) return add_carrier(model_.carrier_of(piece));
+    if (model_.is_fitted(piece)) return for_nodes_of_piece(model_, piece, [&](int n) { add(n); });
     for (int c = model_.piece_first[piece]; c < model_.piece_first[piece + 1]; ++c) add_skin(model_.corner_skin[c]);
   }
   void end() {
@@ -141,10 +138,9 @@ Coupling<D> coupling_of(const Model<D>& model, const Work<D>& work) {
   Groups groups(model, out);
   add_bodies(model, groups);
   add_links(model, work, groups);
-  make_unique(out.near);
-  choose_colours(out);
   add_beams(model, groups);
   make_unique(out.near);
+  choose_colours(out);
   return out;
 }
 

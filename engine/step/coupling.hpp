@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "world/model.hpp"
@@ -20,6 +21,23 @@ constexpr bool is_turn(const Freedom& f) {
   return f.k >= Space<D>::translations;
 }
 
+/// Calls f(node) for a node, or in space for all nodes of a fit (world/carrier.hpp).
+template <int D, class F>
+void for_nodes_of(const Model<D>& model, int carrier, F&& f) {
+  if (carrier >= 0) return f(carrier);
+  const Fit& fit = model.fits[static_cast<std::size_t>(-1 - carrier)];
+  for (int i = 0; i < fit.nodes; ++i) f(fit.node[static_cast<std::size_t>(i)]);
+}
+
+/// Calls f(node), some more than once, for all nodes that say where a piece in space is and how it moves.
+template <int D, class F>
+void for_nodes_of_piece(const Model<D>& model, int piece, F&& f) {
+  for_nodes_of(model, model.carrier_of(piece), f);
+  if (!model.is_fitted(piece) || model.piece_bounds.empty()) return;
+  // Faces beside it that bound its body there too.
+  for (const int fit : model.piece_bounds[static_cast<std::size_t>(piece)]) for_nodes_of(model, -1 - fit, f);
+}
+
 /// Nodes that are free to move, and what couples them: elements, beams, bearings, loads that follow, and every pair of
 /// pieces that may come to touch before pairs are found anew.
 template <int D>
@@ -27,7 +45,7 @@ struct Coupling {
   std::vector<Freedom> freedom;                          ///< [unknown] by node, then by k
   std::vector<std::array<int, Space<D>::dofs>> unknown;  ///< [node] index into `freedom`, or -1
   std::vector<std::vector<int>> near;    ///< [node] free nodes that its forces depend on, itself too; sorted
-  std::vector<std::vector<int>> colour;  ///< nodes no two of which act on the same node, but by beams
+  std::vector<std::vector<int>> colour;  ///< nodes no two of which act on the same node
 
   [[nodiscard]] int size() const { return static_cast<int>(freedom.size()); }
 };

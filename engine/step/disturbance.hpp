@@ -1,7 +1,11 @@
 // An unknown of a state moved a little, to see how forces answer.
 #pragma once
 
+#include <cstddef>
+
+#include "body/rigid.hpp"
 #include "step/coupling.hpp"
+#include "step/implicit_turn.hpp"
 #include "step/tangent.hpp"
 #include "world/model.hpp"
 #include "world/state.hpp"
@@ -13,28 +17,33 @@ namespace trilith {
 template <int D>
 double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOptions& options);
 
-/// The number of State that an unknown stands for, and its rate.
-inline double& place_of(State<2>& state, const Freedom& f) {
-  return f.k == 2 ? state.rotation[f.node] : state.position[f.node][f.k];
-}
-inline double& rate_of(State<2>& state, const Freedom& f) {
-  return f.k == 2 ? state.spin[f.node] : state.velocity[f.node][f.k];
-}
-
 /// Moves an unknown by `by`, its rate by `rate` times that, for as long as this lives.
+template <int D>
 class Moved {
  public:
-  Moved(State<2>& state, const Freedom& f, double by, double rate)
-      : place_(place_of(state, f)), rate_(rate_of(state, f)), was_(place_), ran_(rate_) {
-    place_ += by, rate_ += rate * by;
+  Moved(State<D>& state, const Freedom& f, double by, double rate)
+      : state_(state),
+        node_(static_cast<std::size_t>(f.node)),
+        was_{state.position[node_], state.rotation[node_], state.velocity[node_], state.spin[node_]} {
+    if (is_turn<D>(f)) {
+      const int axis = f.k - Space<D>::translations;
+      turn_about(axis, by, state.rotation[node_]);
+      number_at(axis, state.spin[node_]) += rate * by;
+    } else {
+      state.position[node_][f.k] += by, state.velocity[node_][f.k] += rate * by;
+    }
   }
   Moved(const Moved&) = delete;
   Moved& operator=(const Moved&) = delete;
-  ~Moved() { place_ = was_, rate_ = ran_; }
+  ~Moved() {
+    state_.position[node_] = was_.position, state_.rotation[node_] = was_.rotation;
+    state_.velocity[node_] = was_.velocity, state_.spin[node_] = was_.spin;
+  }
 
  private:
-  double &place_, &rate_;
-  const double was_, ran_;
+  State<D>& state_;
+  const std::size_t node_;
+  const NodeMotion<D> was_;
 };
 
 }  // namespace trilith

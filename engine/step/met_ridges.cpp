@@ -97,17 +97,6 @@ Vec2 push_of(const Model<2>& model, const State<2>& state, Work<2>& work, int ro
                       work.contacts.law_numbers(r));
 }
 
-Vec3 push_of(const Model<3>& model, const State<3>& state, Work<3>& work, int row, double dt, SolidRoom& room) {
-  const auto r = static_cast<std::size_t>(row);
-  const NearPair& pair = work.pairs[r];
-  const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
-                    b = moving_solid(model, state, work, pair.piece_b);
-  const SolidPressure pressed =
-      pressure_between(a, b, {model.laws[pair.law], model.thickness, dt}, work.solids.separation[r], room.shared, true,
-                       contacts_before(state, work).memory[r].crushed);
-  return pressed.force - pressed.damping;
-}
-
 /// The row of two pieces in work.met, nullptr: none.
 template <int D>
 const MetRow<D>* find_met(const Work<D>& work, int piece, int other) {
@@ -144,7 +133,7 @@ void meet_ridges(const Model<3>& model, const State<3>& state, Work<3>& work, do
   };
   const auto row_of = [](int i) { return i; };
   list_met(work, work.pairs.size(), row_of, meets, [&](int row, int thread) {
-    return push_of(model, state, work, row, dt, work.solids.room[static_cast<std::size_t>(thread)]);
+    return springs_push(model, state, work, row, dt, work.solids.room[static_cast<std::size_t>(thread)]);
   });
 }
 
@@ -156,6 +145,17 @@ Vec2 springs_push(const PlacedPiece& a, const PlacedPiece& b, const Remembered& 
                                                    std::span(on_b).first(b.corner.size()), law_after);
   if (!response.touching) return Vec2::Zero();
   return response.force - Vec2(response.memory.damping_force[0], response.memory.damping_force[1]);
+}
+
+Vec3 springs_push(const Model<3>& model, const State<3>& state, Work<3>& work, int row, double dt, SolidRoom& room) {
+  const auto r = static_cast<std::size_t>(row);
+  const NearPair& pair = work.pairs[r];
+  const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
+                    b = moving_solid(model, state, work, pair.piece_b);
+  const SolidPressure pressed =
+      pressure_between(a, b, {model.laws[pair.law], model.thickness, dt}, work.solids.separation[r], room.shared, true,
+                       contacts_before(state, work).memory[r].crushed);
+  return pressed.force - pressed.damping;
 }
 
 template <int D>

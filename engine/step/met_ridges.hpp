@@ -45,6 +45,8 @@ extern template RidgeRows<3> rows_at_ridges(const Work<3>& work, int row);
 /// What the springs of a contact in the plane push b by [N]; `law_after`: room of its law.
 Vec2 springs_push(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before, const LawInUse& law,
                   double* law_after);
+/// ... one in space, by its row.
+Vec3 springs_push(const Model<3>& model, const State<3>& state, Work<3>& work, int row, double dt, SolidRoom& room);
 
 /// Sets `along` to n; false where nothing else presses at the ridges of the row.
 template <int D>

@@ -75,7 +75,7 @@ class RowSkins {
 };
 
 /// Forces at the corners of a piece, at its nodes.
-void take_corners(const TermSum& sum, const Work<2>& work, int piece, const Vec2* force, const TermNodes& nodes,
+void take_corners(const TermSum<2>& sum, const Work<2>& work, int piece, const Vec2* force, const TermNodes& nodes,
                   TermForces& out) {
   const Model<2>& model = sum.model;
   for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c, ++force) {
@@ -92,7 +92,7 @@ void take_corners(const TermSum& sum, const Work<2>& work, int piece, const Vec2
 /// whose springs turn its direction.
 class GeneralTerm {
  public:
-  GeneralTerm(const TermSum& sum, const Work<2>& work, const ContactHistory& before, std::span<const int> rows)
+  GeneralTerm(const TermSum<2>& sum, const Work<2>& work, const ContactHistory& before, std::span<const int> rows)
       : sum_(sum), work_(work), before_(before), rows_(rows) {}
 
   void respond(const TermNodes& nodes, TermForces& out) {
@@ -129,7 +129,7 @@ class GeneralTerm {
     return push.normalized();
   }
 
-  const TermSum& sum_;
+  const TermSum<2>& sum_;
   const Work<2>& work_;
   const ContactHistory& before_;
   std::span<const int> rows_;
@@ -139,7 +139,7 @@ class GeneralTerm {
 
 }  // namespace
 
-void add_overlap_terms(TermSum& sum, Work<2>& work) {
+void add_overlap_terms(TermSum<2>& sum, Work<2>& work) {
   const ContactHistory& before = contacts_before(sum.state, work);
   // What sleeps longer touches in no copy: no corner goes farther than some disturbances as its body turns.
   const double near = work.travel + 10 * (sum.options.move > 0 ? sum.options.move : 1e-8);

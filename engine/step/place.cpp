@@ -9,6 +9,7 @@
 #include "base/team.hpp"
 #include "body/rigid.hpp"
 #include "step/evaluate.hpp"
+#include "step/single_terms.hpp"
 
 namespace trilith {
 namespace {
@@ -284,17 +285,21 @@ bool piece_moves(const Model<3>& model, int piece) {
   return std::any_of(whole.node.begin(), whole.node.begin() + whole.nodes, [&](int n) { return model.moves(n); });
 }
 
-/// How all nodes and fits went along an implicit step; nothing after an explicit one.
+/// How all nodes went along an implicit step, with room for fits; nothing after an explicit one.
 void place_behind(const Model<3>& model, const State<3>& state, std::vector<StepBehind>& behind) {
   behind.clear();
   if (!state.implicit()) return;
-  behind.reserve(state.position.size() + model.fits.size());
+  behind.resize(state.position.size() + model.fits.size());
   for (std::size_t n = 0; n < state.position.size(); ++n)
-    behind.emplace_back(state.position[n], state.rotation[n], state.position_before[n], state.rotation_before[n]);
+    behind[n] = {state.position[n], state.rotation[n], state.position_before[n], state.rotation_before[n]};
+}
+
+/// ... and all fits, which have been placed.
+void place_fits_behind(const Model<3>& model, const State<3>& state, SolidWork<3>& solids) {
+  if (solids.behind.empty()) return;
   for (std::size_t i = 0; i < model.fits.size(); ++i) {
-    const int carrier = -1 - static_cast<int>(i);
-    const BodyMotion now = motion_of(model, state, carrier), before = motion_before(model, state, carrier);
-    behind.emplace_back(now.place, now.rotation, before.place, before.rotation);
+    const BodyMotion now = solids.fitted[i].motion(), before = motion_before(model, state, -1 - static_cast<int>(i));
+    solids.behind[state.position.size() + i] = {now.place, now.rotation, before.place, before.rotation};
   }
 }
 
@@ -305,15 +310,34 @@ PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& wor
   if (!model.fits.empty()) work.solids.before.resize(pieces);
   if (!work.valid) list_spheres(model, work.solids.sphere);
   place_behind(model, state, work.solids.behind);
-  return place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int first, int last, PlacedReach& to) {
-    for (int p = first; p < last; ++p) {
-      const SkinReach of = place_piece(model, state, p, work.solids);
-      to.add(of, piece_moves(model, p));
-    }
-  });
+  const PlacedReach reach =
+      place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int first, int last, PlacedReach& to) {
+        for (int p = first; p < last; ++p) {
+          const SkinReach of = place_piece(model, state, p, work.solids);
+          to.add(of, piece_moves(model, p));
+        }
+      });
+  place_fits_behind(model, state, work.solids);
+  return reach;
 }
 
 }  // namespace
+
+/// Where a piece and its faces were as an implicit step began does not change; where they are now, its fits know.
+void place_again(const Model<3>& model, const State<3>& state, Work<3>& work, int piece) {
+  SolidWork<3>& solids = work.solids;
+  place_piece(model, state, piece, solids);
+  if (solids.behind.empty()) return;
+  const bool is_fitted = model.is_fitted(piece);
+  const int faces = is_fitted ? model.piece_solid[static_cast<std::size_t>(piece)].shape.faces.count() : 0;
+  for (int face = -1; face < faces; ++face) {
+    const int carrier = model.carrier_of(piece, face), fit = -1 - carrier;
+    StepBehind& behind = solids.behind[static_cast<std::size_t>(is_fitted ? model.nodes() + fit : carrier)];
+    const BodyMotion now =
+        is_fitted ? solids.fitted[static_cast<std::size_t>(fit)].motion() : motion_of(model, state, carrier);
+    behind = {now.place, now.rotation, behind.place_before, behind.rotation_before};
+  }
+}
 
 template <int D>
 void place(const Model<D>& model, const State<D>& state, Work<D>& work) {

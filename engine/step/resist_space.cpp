@@ -7,6 +7,7 @@
 #include "step/beam_motion.hpp"
 #include "step/evaluate.hpp"
 #include "step/resist_beams.hpp"
+#include "step/single_terms.hpp"
 #include "step/space_element_now.hpp"
 
 namespace trilith {
@@ -172,6 +173,10 @@ void resist_elements(const Model<3>& model, const State<3>& state, Work<3>& work
 }
 
 }  // namespace
+
+void resist_element(const Model<3>& model, const State<3>& state, Work<3>& work, int element, SpaceElementAnswer& out) {
+  resist_one(model, model.space_elements[static_cast<std::size_t>(element)], state, work, out);
+}
 
 void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double dt) {
   work.element_stored = 0;

@@ -13,6 +13,7 @@
 #include "step/flat_rows.hpp"
 #include "step/met_ridges.hpp"
 #include "step/moving_solid.hpp"
+#include "step/single_terms.hpp"
 #include "step/solid_joints.hpp"
 
 namespace trilith {
@@ -320,6 +321,10 @@ void list_law_numbers(const Model<3>& model, std::vector<LawNumbers>& numbers) {
 }
 
 }  // namespace
+
+void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, int row, double dt, SolidAnswer& answer) {
+  SolidPass{model, state, work, dt}.respond(row, row + 1, work.solids.room.front(), &answer);
+}
 
 /// Several threads answer the rows; the answers are taken up in the order of rows, so that sums and lists have the bits
 /// of one row after the other.

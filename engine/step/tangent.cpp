@@ -1,6 +1,7 @@
 #include "step/tangent.hpp"
 
 #include <algorithm>
+#include <list>
 #include <utility>
 
 #include "body/rigid.hpp"
@@ -22,21 +23,6 @@ double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOpti
   const double radius = gyration_of(model, f.node);
   return move / (radius > 0 ? radius : 1);
 }
-
-namespace {
-
-/// Moves a node by `by` along one of its freedoms, and changes its velocity by `rate` times that.
-template <int D>
-void disturb(State<D>& state, const Freedom& f, double by, double rate) {
-  if (is_turn<D>(f)) {
-    turn_about(f.k - Space<D>::translations, by, state.rotation[f.node]);
-    number_at(f.k - Space<D>::translations, state.spin[f.node]) += rate * by;
-  } else {
-    state.position[f.node][f.k] += by, state.velocity[f.node][f.k] += rate * by;
-  }
-}
-
-}  // namespace
 
 template <int D>
 double net_force(const Model<D>& model, const State<D>& state, const Work<D>& work, const Freedom& f) {
@@ -68,22 +54,13 @@ void Tangent<D>::shape(const Model<D>& model, const Work<D>& work) {
 template <int D>
 void Tangent<D>::disturbed(const Model<D>& model, State<D>& state, Work<D>& work, const std::vector<int>& nodes, int k,
                            double side, const TangentOptions& options, Eigen::VectorXd& force) const {
-  std::vector<NodeMotion<D>> kept;
-  for (const int n : nodes) {
-    if (coupling_.unknown[n][k] < 0) continue;
-    kept.push_back({state.position[n], state.rotation[n], state.velocity[n], state.spin[n]});
-    disturb(state, {n, k}, side * disturbance_of(model, {n, k}, options), options.rate);
-  }
-  if (kept.empty()) return;
+  std::list<Moved<D>> moved;
+  for (const int n : nodes)
+    if (coupling_.unknown[n][k] >= 0)
+      moved.emplace_back(state, Freedom{n, k}, side * disturbance_of(model, {n, k}, options), options.rate);
+  if (moved.empty()) return;
   evaluate(model, state, work, options.dt);
   for (int i = 0; i < coupling_.size(); ++i) force[i] = net_force(model, state, work, coupling_.freedom[i]);
-  auto at = kept.begin();
-  for (const int n : nodes) {
-    if (coupling_.unknown[n][k] < 0) continue;
-    state.position[n] = at->position, state.rotation[n] = at->rotation;
-    state.velocity[n] = at->velocity, state.spin[n] = at->spin;
-    ++at;
-  }
 }
 
 /// Column by column, but all nodes of a colour at once:
@@ -136,7 +113,7 @@ void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work,
   const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
   for (int i = 0; i < coupling_.size(); ++i)
     matrix_.coeffRef(i, i) = inertia * mass_of(model, state, coupling_.freedom[i].node)[coupling_.freedom[i].k];
-  TermSum terms(model, state, options, coupling_.unknown, matrix_);
+  TermSum<2> terms(model, state, options, coupling_.unknown, matrix_);
   add_face_terms(terms, work), add_overlap_terms(terms, work);
   add_bearing_terms(terms);
   add_element_terms(terms);
@@ -144,11 +121,25 @@ void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work,
   add_beams(model, state, options);
 }
 
-/// In space by differences of everything.
+/// The same in space, where inertia and damping by mass of a turn are a block. What rows of contact answered last is
+/// that of a place beside, so all is evaluated once more.
 template <>
 void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work, const TangentOptions& options) {
   shape(model, work);
-  assemble_by_differences(model, state, work, options);
+  matrix_.coeffs().setZero();
+  for (int column = 0; column < coupling_.size(); ++column) {
+    const Freedom f = coupling_.freedom[column];
+    const Dofs<3> own = inertia_column(model, state, f, options.inertia, options.rate);
+    for (int k = 0; k < Space<3>::dofs; ++k)
+      if (const int row = coupling_.unknown[f.node][k]; row >= 0) matrix_.coeffRef(row, column) = own[k];
+  }
+  TermSum<3> terms(model, state, options, coupling_.unknown, matrix_);
+  add_mass_damping_terms(terms);
+  add_solid_terms(terms, work);
+  add_bearing_terms(terms);
+  add_element_terms(terms);
+  add_point_load_terms(terms);
+  add_beams(model, state, options);
   evaluate(model, state, work, options.dt);
 }
 

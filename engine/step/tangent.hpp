@@ -2,11 +2,10 @@
 //
 //   A = m (1 - alpha_m) / (b dt^2) - (1 - alpha_f) (dF/dx + c dF/dv),   c = g / (b dt)
 //
-// with b, g, alpha of step/alpha_scheme.hpp. dF is found by central differences: in the plane of single terms
-// (step/term_tangent.hpp), in space of `evaluate` itself, many nodes at a time, where nodes that act on no common node
-// move together (Curtis, Powell and Reid 1974). So it is that of every law, branch and load there is, one that is added
-// included; rounding leaves it exact to about 1e-6. Beams have theirs by themselves (step/beam_tangent.hpp), which
-// costs less; in the plane by hand, of one side of a kink where a fibre or a hinge begins to yield.
+// with b, g, alpha of step/alpha_scheme.hpp. dF is found by central differences of single terms (step/term_tangent.hpp).
+// So it is that of every law, branch and load there is, one that is added included; rounding leaves it exact to about
+// 1e-6. Beams have theirs by themselves (step/beam_tangent.hpp), which costs less; in the plane by hand, of one side of
+// a kink where a fibre or a hinge begins to yield.
 //
 // In space a rotation is changed by a turn about an axis of the world, after those it has made (from the left): the
 // unknown of a rotation is that rotation vector, and m is the block that step/implicit_turn.hpp gives.
@@ -52,8 +51,8 @@ class Tangent {
 
   /// At a trial state that `work` is evaluated at. Both are as before afterwards.
   void assemble(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options);
-  /// The same by differences of `evaluate`, many nodes at a time: what the other is checked against. `work` is then
-  /// evaluated elsewhere.
+  /// The same by differences of `evaluate`, many nodes at a time, where nodes that act on no common node move together
+  /// (Curtis, Powell and Reid 1974): what the other is checked against. `work` is then evaluated elsewhere.
   void assemble_by_differences(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options);
   /// The same, made ready to solve with and kept in the state. False where it is singular.
   bool find(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options,

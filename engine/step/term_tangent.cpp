@@ -15,36 +15,20 @@ PlacedSkin placed_skin(const Model<2>& model, const State<2>& state, int skin) {
   return {{x.x(), x.y(), v.x(), v.y()}, arm};
 }
 
-void TermSum::add_column(const TermNodes& nodes, int column, const TermForces& more, const TermForces& less,
-                         double apart) {
+template <int D>
+void TermSum<D>::add_column(const TermNodes& nodes, int column, const TermForces& more, const TermForces& less,
+                            double apart) {
+  constexpr auto dofs = static_cast<std::size_t>(Space<D>::dofs);
   const double scale = -options.force / apart;
   for (std::size_t i = 0; i < more.size(); ++i) {
-    const int row = unknown[nodes.list()[i / 3]][i % 3];
+    const int row = unknown[nodes.list()[i / dofs]][i % dofs];
     if (row < 0 || more[i] == less[i]) continue;
     matrix.coeffRef(row, column) += scale * (more[i] - less[i]);
   }
 }
 
-namespace {
-
-/// Forces and moments on all nodes, of which a term has only few: these are taken out, and put back to 0.
-struct NodeArrays {
-  std::vector<Vec2> force;
-  std::vector<double> moment;
-  explicit NodeArrays(const Model<2>& model) : force(model.mass.size(), Vec2::Zero()), moment(model.mass.size(), 0) {}
-  void take(const TermNodes& nodes, TermForces& out) {
-    double* to = out.data();
-    for (const int n : nodes.list()) {
-      *to++ += force[n].x(), *to++ += force[n].y(), *to++ += moment[n];
-      force[n].setZero(), moment[n] = 0;
-    }
-  }
-};
-
-}  // namespace
-
 /// An element by itself: its stresses and dampings, as resist has them.
-void add_element_terms(TermSum& sum) {
+void add_element_terms(TermSum<2>& sum) {
   const Model<2>& model = sum.model;
   if (model.elements.empty()) return;
   Work<2> own;
@@ -68,19 +52,29 @@ void add_element_terms(TermSum& sum) {
   }
 }
 
-/// Forces at points turn with arms, those that follow in themselves too; pressures on faces go with these.
-void add_load_terms(TermSum& sum, Work<2>& work) {
-  const Model<2>& model = sum.model;
-  if (model.point_loads.empty() && model.face_loads.empty()) return;
-  NodeArrays all(model);
+/// Forces at points turn with arms, those that follow in themselves too.
+template <int D>
+void add_point_load_terms(TermSum<D>& sum) {
+  const Model<D>& model = sum.model;
+  if (model.point_loads.empty()) return;
+  NodeArrays<D> all(model);
   TermNodes nodes;
-  for (const PointLoad<2>& load : model.point_loads) {
-    nodes.clear(), nodes.add(load.at);
+  for (const PointLoad<D>& load : model.point_loads) {
+    nodes.clear(), nodes.add(model, load.at);
     sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
       push_load(model, sum.state, load, all.force, all.moment);
       all.take(nodes, out);
     });
   }
+}
+
+/// Pressures on faces go with these.
+void add_load_terms(TermSum<2>& sum, Work<2>& work) {
+  add_point_load_terms(sum);
+  const Model<2>& model = sum.model;
+  if (model.face_loads.empty()) return;
+  NodeArrays<2> all(model);
+  TermNodes nodes;
   for (const FaceLoad<2>& load : model.face_loads) {
     nodes.clear(), nodes.add_skin(model, load.skin_a), nodes.add_skin(model, load.skin_b);
     SkinMotion<2>&a = work.skin[load.skin_a], &b = work.skin[load.skin_b];
@@ -95,16 +89,17 @@ void add_load_terms(TermSum& sum, Work<2>& work) {
 }
 
 /// A bearing by itself, in all its directions.
-void add_bearing_terms(TermSum& sum) {
-  const Model<2>& model = sum.model;
+template <int D>
+void add_bearing_terms(TermSum<D>& sum) {
+  const Model<D>& model = sum.model;
   if (model.bearings.empty()) return;
-  Work<2> own;
+  Work<D> own;
   begin_bearings(model, own);
-  NodeArrays all(model);
+  NodeArrays<D> all(model);
   TermNodes nodes;
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    const Bearing<2>& b = model.bearings[i];
-    nodes.clear(), nodes.add(b.end_a), nodes.add(b.end_b);
+    const Bearing<D>& b = model.bearings[i];
+    nodes.clear(), nodes.add(model, b.end_a), nodes.add(model, b.end_b);
     sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
       respond_bearing(model, sum.state, own, i, sum.options.dt);
       push_ends(model, sum.state, b, own.bearing_force[i], own.bearing_moment[i], all.force, all.moment);
@@ -112,5 +107,11 @@ void add_bearing_terms(TermSum& sum) {
     });
   }
 }
+
+template struct TermSum<2>;
+template struct TermSum<3>;
+template void add_point_load_terms(TermSum<3>& sum);
+template void add_bearing_terms(TermSum<2>& sum);
+template void add_bearing_terms(TermSum<3>& sum);
 
 }  // namespace trilith
