@@ -30,6 +30,9 @@ Vec3 normal_of(const std::vector<Vec3>& loop) {
   return sum.normalized();
 }
 
+/// What counts as flat or convex, as a share of a solid's size.
+constexpr double flat_share = 1e-6;
+
 SolidPiece piece_of(const Header& header, const Placement& at, int index) {
   const BodyRow& body = header.bodies[static_cast<std::size_t>(index)];
   SolidPiece out{index, {}};
@@ -40,6 +43,29 @@ SolidPiece piece_of(const Header& header, const Placement& at, int index) {
     face.is_edge.assign(face.corners.size(), true);
     face.normal = normal_of(face.corners);
     if (face.normal.allFinite()) out.faces.push_back(std::move(face));
+  }
+  return out;
+}
+
+/// Whether the skin of a body is stretched over its nodes, as that of finite elements is: one closed surface that does
+/// not pass through itself.
+bool has_stretched_skin(const Header& header, const BodyRow& body) {
+  const auto first = header.vertices.begin() + 3 * static_cast<std::ptrdiff_t>(body.first_vertex);
+  return body.node_count > 1 && std::all_of(first, first + 3 * static_cast<std::ptrdiff_t>(body.vertex_count),
+                                            [](double arm) { return arm == 0; });
+}
+
+/// Of a strained skin each face that looks towards the eye is a piece: nothing is divided, so that edges stay whole.
+std::vector<SolidPiece> with_seen_faces(std::vector<SolidPiece> pieces, const ViewAxes& view) {
+  std::vector<SolidPiece> out;
+  for (SolidPiece& piece : pieces) {
+    if (is_convex(piece, flat_share * piece_size(piece))) {
+      out.push_back(std::move(piece));
+      continue;
+    }
+    for (PieceFace& face : piece.faces)
+      if (face.kind != FaceKind::border && face.normal.dot(view.toward) > rounding)
+        out.push_back({piece.body, {std::move(face)}});
   }
   return out;
 }
@@ -144,7 +170,11 @@ void add_solids(const Header& header, const Frame& frame, const SolidsView& show
   for (std::size_t i = 0; i < header.bodies.size(); ++i) {
     SolidPiece solid = piece_of(header, at, static_cast<int>(i));
     if (solid.faces.empty() || left_out[i]) continue;
-    const double slack = 1e-6 * piece_size(solid);
+    if (has_stretched_skin(header, header.bodies[i])) {
+      pieces.push_back(std::move(solid));
+      continue;
+    }
+    const double slack = flat_share * piece_size(solid);
     for (SolidPiece& piece : convex_pieces(std::move(solid), slack)) pieces.push_back(std::move(piece));
   }
   std::vector<SeenSphere> spheres = seen_spheres(header, at, left_out);
@@ -158,7 +188,7 @@ void add_solids(const Header& header, const Frame& frame, const SolidsView& show
     pieces = trimmed_ground(std::move(pieces), is_held, *shown.around);
   }
   if (pieces.empty() && spheres.empty()) throw InputError("the cut leaves nothing to draw");
-  pieces = paint_order(std::move(pieces), view);
+  pieces = paint_order(with_seen_faces(std::move(pieces), view), view);
   add_all_faces(pieces, spheres, shown.cracks, view, scene);
   set_outlines(pieces, view, scene);
   static constexpr const char* names[] = {"x", "y", "z"};

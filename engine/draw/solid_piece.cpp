@@ -70,33 +70,73 @@ std::vector<Vec3> hull_in_plane(std::vector<Vec3> points, const Vec3& normal, do
   return hull;
 }
 
-std::optional<SolidPiece> half_of(const SolidPiece& piece, const CutPlane& plane, double sign, double slack,
-                                  FaceKind kind) {
-  SolidPiece out{piece.body, {}, piece.borders};
-  std::vector<Vec3> cut;
+/// The faces of a piece on one side of a plane, and where the plane meets them.
+struct Side {
+  std::vector<PieceFace> faces;
+  std::vector<std::vector<Vec3>> cuts;  ///< of each face that has an area there its points in the plane
+};
+
+Side faces_beside(const SolidPiece& piece, const CutPlane& plane, double sign, double slack, bool cut_is_edge) {
+  Side out;
   for (const PieceFace& face : piece.faces) {
     const std::vector<double> height = heights(face, plane, slack);
-    const auto inside = [&](double h) { return sign * h > 0; };
-    if (std::none_of(height.begin(), height.end(), inside)) {
-      // A face in the plane stays with the part that it bounds.
-      if (std::any_of(height.begin(), height.end(), [](double h) { return h != 0; })) continue;
-      if (sign * face.normal.dot(plane.normal) > 0) continue;
-      out.faces.push_back(face);
+    if (std::all_of(height.begin(), height.end(), [](double h) { return h == 0; })) {
+      // What lies in the plane bounds the part below it or, turned round, the one above.
+      if (sign * face.normal.dot(plane.normal) < 0) out.faces.push_back(face);
       continue;
     }
-    PieceFace part = side_of(face, height, sign, kind == FaceKind::section, cut);
+    if (std::none_of(height.begin(), height.end(), [&](double h) { return sign * h > 0; })) continue;
+    std::vector<Vec3> cut;
+    PieceFace part = side_of(face, height, sign, cut_is_edge, cut);
     if (part.corners.size() >= 3) out.faces.push_back(std::move(part));
+    out.cuts.push_back(std::move(cut));
   }
-  if (out.faces.empty()) return std::nullopt;
+  return out;
+}
+
+/// Whether one of the lines between the first and the last of so many points goes through `p`.
+bool is_on_any(const std::vector<std::vector<Vec3>>& lines, const Vec3& p, double slack) {
+  return std::any_of(lines.begin(), lines.end(), [&](const std::vector<Vec3>& line) {
+    if (line.size() < 2) return false;
+    const Vec3 along = line.back() - line.front();
+    const double share = std::clamp(along.dot(p - line.front()) / along.squaredNorm(), 0.0, 1.0);
+    return (line.front() + share * along - p).norm() <= slack;
+  });
+}
+
+/// The face that a plane gives to what is on one side of it of a convex piece. Sides of a section are edges where the
+/// skin ends there, and not where the piece was divided from others.
+std::optional<PieceFace> closing_face(const Side& side, const CutPlane& plane, double sign, double slack,
+                                      FaceKind kind) {
   const Vec3 normal = -sign * plane.normal;
-  const bool bounded = std::any_of(out.faces.begin(), out.faces.end(), [&](const PieceFace& face) {
+  const bool bounded = std::any_of(side.faces.begin(), side.faces.end(), [&](const PieceFace& face) {
     return face.normal.dot(normal) > 1 - 1e-9 && std::abs(plane.above(face.corners[0])) <= slack;
   });
-  if (bounded) return out;
-  std::vector<Vec3> corners = cut.empty() ? cut : hull_in_plane(std::move(cut), normal, slack);
-  if (corners.size() < 3) return out;
-  const std::size_t sides = corners.size();
-  out.faces.push_back({std::move(corners), std::vector<bool>(sides, kind == FaceKind::section), normal, kind});
+  std::vector<Vec3> points;
+  for (const std::vector<Vec3>& cut : side.cuts) points.insert(points.end(), cut.begin(), cut.end());
+  if (bounded || points.empty()) return std::nullopt;
+  PieceFace out{hull_in_plane(std::move(points), normal, slack), {}, normal, kind};
+  const std::size_t count = out.corners.size();
+  if (count < 3) return std::nullopt;
+  for (std::size_t i = 0; i < count; ++i)
+    out.is_edge.push_back(kind == FaceKind::section &&
+                          is_on_any(side.cuts, 0.5 * (out.corners[i] + out.corners[(i + 1) % count]), 1e3 * slack));
+  return out;
+}
+
+std::optional<SolidPiece> half_of(const SolidPiece& piece, const CutPlane& plane, double sign, double slack,
+                                  FaceKind kind) {
+  const Side whole = faces_beside(piece, plane, sign, slack, kind == FaceKind::section);
+  if (whole.faces.empty()) return std::nullopt;
+  SolidPiece out{piece.body, whole.faces, piece.borders};
+  const auto close = [&](const Side& side) {
+    if (auto face = closing_face(side, plane, sign, slack, kind)) out.faces.push_back(std::move(*face));
+  };
+  if (kind == FaceKind::border)
+    close(whole);
+  else
+    for (const SolidPiece& part : convex_pieces(piece, 1e3 * slack))
+      close(faces_beside(part, plane, sign, slack, kind == FaceKind::section));
   return out;
 }
 
@@ -112,23 +152,10 @@ const PieceFace* reflex_face(const SolidPiece& piece, double slack) {
   return nullptr;
 }
 
-/// As half_of, of a solid that is not convex: the border may have any shape, and stays without a face.
+/// As half_of, and the border, which may have any shape, stays without a face.
 SolidPiece open_half(const SolidPiece& piece, const CutPlane& plane, double sign, double slack) {
-  SolidPiece out{piece.body, {}, piece.borders};
+  SolidPiece out{piece.body, faces_beside(piece, plane, sign, slack, false).faces, piece.borders};
   out.borders.push_back(plane.normal);
-  std::vector<Vec3> cut;
-  for (const PieceFace& face : piece.faces) {
-    const std::vector<double> height = heights(face, plane, slack);
-    const bool flat = std::all_of(height.begin(), height.end(), [](double h) { return h == 0; });
-    // What lies in the plane bounds the part below it or, turned round, the one above.
-    if (flat) {
-      if (sign * face.normal.dot(plane.normal) < 0) out.faces.push_back(face);
-      continue;
-    }
-    if (std::none_of(height.begin(), height.end(), [&](double h) { return sign * h > 0; })) continue;
-    PieceFace part = side_of(face, height, sign, false, cut);
-    if (part.corners.size() >= 3) out.faces.push_back(std::move(part));
-  }
   return out;
 }
 
@@ -165,6 +192,10 @@ std::vector<SolidPiece> convex_pieces(SolidPiece solid, double slack) {
     for (const double sign : {-1.0, 1.0}) todo.push_back(open_half(piece, plane, sign, slack));
   }
   return done;
+}
+
+bool is_convex(const SolidPiece& piece, double slack) {
+  return reflex_face(piece, slack) == nullptr;
 }
 
 double piece_size(const SolidPiece& piece) {

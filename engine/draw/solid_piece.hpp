@@ -30,21 +30,24 @@ struct PieceFace {
   FaceKind kind = FaceKind::skin;
 };
 
-/// A convex part of a body.
+/// A body or a part of it: convex, the skin of a solid of any shape, or one face that is seen.
 struct SolidPiece {
   int body = 0;
   std::vector<PieceFace> faces;
   std::vector<Vec3> borders = {};  ///< normals of borders that have no face
 };
 
-/// What lies below and what lies above a plane, each with a face of `kind` where it was cut; nullopt where nothing is.
-/// What lies in the plane within `slack` [m] counts to neither.
+/// What lies below and what lies above a plane, each with a face of `kind` where it was cut, of a solid that is not
+/// convex with several of them; nullopt where nothing is. What lies in the plane within `slack` [m] counts to neither.
 std::pair<std::optional<SolidPiece>, std::optional<SolidPiece>> divided(const SolidPiece& piece, const CutPlane& plane,
                                                                         double slack, FaceKind kind);
 
 /// A solid as convex pieces: itself where it is convex, else cut along the planes of faces that have a part of it above
 /// them. `slack` [m]: what rounding may leave above a face.
 std::vector<SolidPiece> convex_pieces(SolidPiece solid, double slack);
+
+/// True where nothing of a piece lies above the plane of a face of it by more than `slack` [m].
+bool is_convex(const SolidPiece& piece, double slack);
 
 /// Diagonal of the box around a piece [m].
 double piece_size(const SolidPiece& piece);
