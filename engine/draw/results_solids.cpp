@@ -22,6 +22,8 @@ namespace {
 
 /// What rounding leaves of lengths, as a share of them.
 constexpr double rounding = 1e-9;
+/// What a solid that counts as convex may have above a face, as a share of its size.
+constexpr double flat_share = 1e-6;
 
 /// Newell's normal (Sutherland, Sproull and Schumacker, 1974): right for any plane polygon.
 Vec3 normal_of(const std::vector<Vec3>& loop) {
@@ -29,9 +31,6 @@ Vec3 normal_of(const std::vector<Vec3>& loop) {
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += cross(Vec3(loop[i] - loop[0]), Vec3(loop[i + 1] - loop[0]));
   return sum.normalized();
 }
-
-/// What counts as flat or convex, as a share of a solid's size.
-constexpr double flat_share = 1e-6;
 
 SolidPiece piece_of(const Header& header, const Placement& at, int index) {
   const BodyRow& body = header.bodies[static_cast<std::size_t>(index)];

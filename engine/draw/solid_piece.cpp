@@ -17,9 +17,8 @@ std::vector<double> heights(const PieceFace& face, const CutPlane& plane, double
 }
 
 /// The part of a face on the side where `sign` times the height is not below 0 (Sutherland and Hodgman, 1974); empty
-/// where none has an area there. Points that lie in the plane go to `cut`.
-PieceFace side_of(const PieceFace& face, const std::vector<double>& height, double sign, bool cut_is_edge,
-                  std::vector<Vec3>& cut) {
+/// where none has an area there.
+PieceFace side_of(const PieceFace& face, const std::vector<double>& height, double sign, bool cut_is_edge) {
   PieceFace out{{}, {}, face.normal, face.kind};
   const std::size_t count = face.corners.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -34,11 +33,9 @@ PieceFace side_of(const PieceFace& face, const std::vector<double>& height, doub
     const double before = sign * height[(i + count - 1) % count];
     if (a > 0 || (a == 0 && (b > 0 || before > 0)))
       add(face.corners[i], b < 0 && a == 0 ? cut_is_edge : face.is_edge[i]);
-    if (a == 0) cut.push_back(face.corners[i]);
     if ((a < 0 && b > 0) || (a > 0 && b < 0)) {
       const Vec3 p = face.corners[i] + (face.corners[next] - face.corners[i]) * (a / (a - b));
       add(p, a > 0 ? cut_is_edge : face.is_edge[i]);
-      cut.push_back(p);
     }
   }
   return out;
@@ -70,11 +67,24 @@ std::vector<Vec3> hull_in_plane(std::vector<Vec3> points, const Vec3& normal, do
   return hull;
 }
 
-/// The faces of a piece on one side of a plane, and where the plane meets them.
+struct Line {
+  Vec3 from, to;
+};
+
+/// The faces of a piece on one side of a plane, and the lines in which they end there, each as it runs round its face.
 struct Side {
   std::vector<PieceFace> faces;
-  std::vector<std::vector<Vec3>> cuts;  ///< of each face that has an area there its points in the plane
+  std::vector<Line> ends;
 };
+
+void add_ends(const PieceFace& part, const CutPlane& plane, double slack, std::vector<Line>& ends) {
+  const std::size_t count = part.corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 &from = part.corners[i], &to = part.corners[(i + 1) % count];
+    if (std::abs(plane.above(from)) <= slack && std::abs(plane.above(to)) <= slack && (to - from).norm() > slack)
+      ends.push_back({from, to});
+  }
+}
 
 Side faces_beside(const SolidPiece& piece, const CutPlane& plane, double sign, double slack, bool cut_is_edge) {
   Side out;
@@ -86,57 +96,88 @@ Side faces_beside(const SolidPiece& piece, const CutPlane& plane, double sign, d
       continue;
     }
     if (std::none_of(height.begin(), height.end(), [&](double h) { return sign * h > 0; })) continue;
-    std::vector<Vec3> cut;
-    PieceFace part = side_of(face, height, sign, cut_is_edge, cut);
-    if (part.corners.size() >= 3) out.faces.push_back(std::move(part));
-    out.cuts.push_back(std::move(cut));
+    PieceFace part = side_of(face, height, sign, cut_is_edge);
+    if (part.corners.size() < 3) continue;
+    add_ends(part, plane, slack, out.ends);
+    out.faces.push_back(std::move(part));
   }
   return out;
 }
 
-/// Whether one of the lines between the first and the last of so many points goes through `p`.
-bool is_on_any(const std::vector<std::vector<Vec3>>& lines, const Vec3& p, double slack) {
-  return std::any_of(lines.begin(), lines.end(), [&](const std::vector<Vec3>& line) {
-    if (line.size() < 2) return false;
-    const Vec3 along = line.back() - line.front();
-    const double share = std::clamp(along.dot(p - line.front()) / along.squaredNorm(), 0.0, 1.0);
-    return (line.front() + share * along - p).norm() <= slack;
-  });
+bool goes_through(const Line& line, const Vec3& p, double slack) {
+  const Vec3 along = line.to - line.from;
+  const double share = std::clamp(along.dot(p - line.from) / along.squaredNorm(), 0.0, 1.0);
+  return (line.from + share * along - p).norm() <= slack;
 }
 
-/// The face that a plane gives to what is on one side of it of a convex piece. Sides of a section are edges where the
-/// skin ends there, and not where the piece was divided from others.
-std::optional<PieceFace> closing_face(const Side& side, const CutPlane& plane, double sign, double slack,
-                                      FaceKind kind) {
-  const Vec3 normal = -sign * plane.normal;
+/// What closes a convex piece: a convex polygon. Its sides are edges where the skin ends there, and not where the piece
+/// was divided from others.
+PieceFace hull_of_ends(const std::vector<Line>& ends, const Vec3& normal, double slack, FaceKind kind) {
+  std::vector<Vec3> points;
+  for (const Line& line : ends) points.push_back(line.from), points.push_back(line.to);
+  PieceFace out{hull_in_plane(std::move(points), normal, slack), {}, normal, kind};
+  const std::size_t count = out.corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 middle = 0.5 * (out.corners[i] + out.corners[(i + 1) % count]);
+    out.is_edge.push_back(kind == FaceKind::section && std::any_of(ends.begin(), ends.end(), [&](const Line& line) {
+                            return goes_through(line, middle, 1e3 * slack);
+                          }));
+  }
+  return out;
+}
+
+/// Takes a line out of `left` and those that go on from it, until none does; against their sense, as they bound what
+/// closes the faces.
+std::vector<Vec3> next_loop(std::vector<Line>& left, double slack) {
+  std::vector<Vec3> loop;
+  for (auto line = left.end() - 1; line != left.end();) {
+    const Vec3 at = line->from;
+    loop.push_back(line->to);
+    left.erase(line);
+    line = std::find_if(left.begin(), left.end(), [&](const Line& l) { return (l.to - at).norm() <= slack; });
+  }
+  return loop;
+}
+
+/// What closes the skin of a solid of any shape: the loops in which it ends, holes among them, as one polygon that goes
+/// from its first corner to each loop and back.
+PieceFace loops_of_ends(std::vector<Line> ends, const Vec3& normal, double slack, FaceKind kind) {
+  PieceFace out{{}, {}, normal, kind};
+  const auto add = [&](const Vec3& p, bool edge) {
+    out.corners.push_back(p);
+    out.is_edge.push_back(edge && kind == FaceKind::section);
+  };
+  while (!ends.empty()) {
+    const std::vector<Vec3> loop = next_loop(ends, 1e3 * slack);
+    const bool first = out.corners.empty();
+    const Vec3 home = first ? loop[0] : out.corners[0];
+    if (!first) add(home, false);
+    for (const Vec3& p : loop) add(p, true);
+    if (!first) add(loop[0], false);
+  }
+  return out;
+}
+
+/// The face that a plane gives to what is on one side of it, where that has none of its own there.
+std::optional<PieceFace> closing_face(const SolidPiece& piece, const Side& side, const CutPlane& plane,
+                                      const Vec3& normal, double slack, FaceKind kind) {
   const bool bounded = std::any_of(side.faces.begin(), side.faces.end(), [&](const PieceFace& face) {
     return face.normal.dot(normal) > 1 - 1e-9 && std::abs(plane.above(face.corners[0])) <= slack;
   });
-  std::vector<Vec3> points;
-  for (const std::vector<Vec3>& cut : side.cuts) points.insert(points.end(), cut.begin(), cut.end());
-  if (bounded || points.empty()) return std::nullopt;
-  PieceFace out{hull_in_plane(std::move(points), normal, slack), {}, normal, kind};
-  const std::size_t count = out.corners.size();
-  if (count < 3) return std::nullopt;
-  for (std::size_t i = 0; i < count; ++i)
-    out.is_edge.push_back(kind == FaceKind::section &&
-                          is_on_any(side.cuts, 0.5 * (out.corners[i] + out.corners[(i + 1) % count]), 1e3 * slack));
-  return out;
+  if (bounded || side.ends.empty()) return std::nullopt;
+  PieceFace face = is_convex(piece, 1e3 * slack) ? hull_of_ends(side.ends, normal, slack, kind)
+                                                 : loops_of_ends(side.ends, normal, slack, kind);
+  if (face.corners.size() < 3) return std::nullopt;
+  return face;
 }
 
 std::optional<SolidPiece> half_of(const SolidPiece& piece, const CutPlane& plane, double sign, double slack,
                                   FaceKind kind) {
-  const Side whole = faces_beside(piece, plane, sign, slack, kind == FaceKind::section);
-  if (whole.faces.empty()) return std::nullopt;
-  SolidPiece out{piece.body, whole.faces, piece.borders};
-  const auto close = [&](const Side& side) {
-    if (auto face = closing_face(side, plane, sign, slack, kind)) out.faces.push_back(std::move(*face));
-  };
-  if (kind == FaceKind::border)
-    close(whole);
-  else
-    for (const SolidPiece& part : convex_pieces(piece, 1e3 * slack))
-      close(faces_beside(part, plane, sign, slack, kind == FaceKind::section));
+  Side side = faces_beside(piece, plane, sign, slack, kind == FaceKind::section);
+  if (side.faces.empty()) return std::nullopt;
+  auto closing = closing_face(piece, side, plane, -sign * plane.normal, slack, kind);
+  SolidPiece out{piece.body, std::move(side.faces), piece.borders};
+  if (closing) out.faces.push_back(std::move(*closing));
   return out;
 }
 

@@ -21,8 +21,8 @@ struct CutPlane {
 /// which is never seen.
 enum class FaceKind { skin, section, border };
 
-/// A plane polygon with 3 corners or more. `is_edge[i]`: the side from corner i to the next is an edge of the solid,
-/// and not only where it was divided.
+/// A plane polygon with 3 corners or more; convex, or the section of a skin of any shape. `is_edge[i]`: the side from
+/// corner i to the next is an edge of the solid, and not only where it was divided.
 struct PieceFace {
   std::vector<Vec3> corners;
   std::vector<bool> is_edge;
@@ -37,8 +37,8 @@ struct SolidPiece {
   std::vector<Vec3> borders = {};  ///< normals of borders that have no face
 };
 
-/// What lies below and what lies above a plane, each with a face of `kind` where it was cut, of a solid that is not
-/// convex with several of them; nullopt where nothing is. What lies in the plane within `slack` [m] counts to neither.
+/// What lies below and what lies above a plane, each with a face of `kind` where it was cut; nullopt where nothing is.
+/// What lies in the plane within `slack` [m] counts to neither.
 std::pair<std::optional<SolidPiece>, std::optional<SolidPiece>> divided(const SolidPiece& piece, const CutPlane& plane,
                                                                         double slack, FaceKind kind);
 
