@@ -253,7 +253,7 @@ TEST_CASE("edges of plates of elements in space are drawn as far as they are see
     }
 }
 
-TEST_CASE("the section of a strained mesh in space is whole, and its edges are those of the skin") {
+TEST_CASE("the section of a strained mesh in space is whole and its edges are those of the skin") {
   for (const ElementShape shape : all_shapes) {
     CAPTURE(std::string(info_of(shape).name));
     // Nothing is moved along y: one polygon at each y.
@@ -284,4 +284,35 @@ TEST_CASE("the section of a mesh in space with a hole shows the hole") {
   const Sections seen = sections_of(body, "top", {Vec3::UnitZ(), 0.4});
   CHECK(near(seen.area, 8, 1e-9));
   CHECK(near(seen.edges, 16, 1e-9));
+}
+
+TEST_CASE("a ball is painted before a strained plate that it is behind and after one that it is before") {
+  for (const double height : {-1.0, 1.0}) {
+    const SolidSpec plate = box_of("b", box_solid(Vec3::Zero(), Vec3(3, 3, 0.1)), "m", {6, 6, 1});
+    StrainedBody body(plate, waved);
+    results::Header& header = body.header;
+    const std::array place{1.5, 1.5, height}, zero{0.0, 0.0, 0.0};
+    const std::array turn{1.0, 0.0, 0.0, 0.0};
+    header.add_solid_body({"ball", "rigid", "m", "", "free"}, place, turn, 1, zero, zero, {});
+    header.add_sphere(0, 0.2);
+    body.frame.position = header.node_position, body.frame.rotation = header.node_rotation;
+    for (const char* from : {"iso", "-100,55", "133,-31"}) {
+      CAPTURE(std::string(from));
+      Scene scene;
+      scene.bodies.resize(2);
+      SolidsView shown;
+      shown.from = view_direction(from);
+      add_solids(header, body.frame, shown, {false, false}, scene);
+      const auto ball =
+          std::find_if(scene.faces.begin(), scene.faces.end(), [](const SceneFace& f) { return f.radius > 0; });
+      REQUIRE(ball != scene.faces.end());
+      const bool is_before = (shown.from.elevation > 0) == (height > 0);
+      // Of the plate's faces that it covers, or that cover it, in the picture.
+      const auto over = [&](auto first, auto last) {
+        return std::any_of(first, last, [&](const SceneFace& f) { return f.radius == 0 && covers(f, ball->centre); });
+      };
+      CHECK(over(is_before ? scene.faces.begin() : ball, is_before ? ball : scene.faces.end()));
+      CHECK_FALSE(over(is_before ? ball : scene.faces.begin(), is_before ? scene.faces.end() : ball));
+    }
+  }
 }
