@@ -54,6 +54,22 @@ bool has_stretched_skin(const Header& header, const BodyRow& body) {
                                             [](double arm) { return arm == 0; });
 }
 
+/// Skins of elements whole, of any shape, and all other bodies as convex pieces.
+std::vector<SolidPiece> all_pieces(const Header& header, const Placement& at, const std::vector<bool>& left_out) {
+  std::vector<SolidPiece> out;
+  for (std::size_t i = 0; i < header.bodies.size(); ++i) {
+    SolidPiece solid = piece_of(header, at, static_cast<int>(i));
+    if (solid.faces.empty() || left_out[i]) continue;
+    if (has_stretched_skin(header, header.bodies[i])) {
+      out.push_back(std::move(solid));
+      continue;
+    }
+    const double slack = flat_share * piece_size(solid);
+    for (SolidPiece& piece : convex_pieces(std::move(solid), slack)) out.push_back(std::move(piece));
+  }
+  return out;
+}
+
 /// Of a strained skin each face that looks towards the eye is a piece: nothing is divided, so that edges stay whole.
 std::vector<SolidPiece> with_seen_faces(std::vector<SolidPiece> pieces, const ViewAxes& view) {
   std::vector<SolidPiece> out;
@@ -165,17 +181,7 @@ void add_solids(const Header& header, const Frame& frame, const SolidsView& show
                 Scene& scene) {
   const Placement at(header, frame);
   const ViewAxes view(shown.from);
-  std::vector<SolidPiece> pieces;
-  for (std::size_t i = 0; i < header.bodies.size(); ++i) {
-    SolidPiece solid = piece_of(header, at, static_cast<int>(i));
-    if (solid.faces.empty() || left_out[i]) continue;
-    if (has_stretched_skin(header, header.bodies[i])) {
-      pieces.push_back(std::move(solid));
-      continue;
-    }
-    const double slack = flat_share * piece_size(solid);
-    for (SolidPiece& piece : convex_pieces(std::move(solid), slack)) pieces.push_back(std::move(piece));
-  }
+  std::vector<SolidPiece> pieces = all_pieces(header, at, left_out);
   std::vector<SeenSphere> spheres = seen_spheres(header, at, left_out);
   if (pieces.empty() && spheres.empty())
     throw InputError("the results tell of no faces of their solids, so that there is nothing to draw");
