@@ -17,6 +17,7 @@
 #include <array>
 #include <string>
 #include <type_traits>
+#include <variant>
 
 #include "base/space.hpp"
 #include "base/tie.hpp"
@@ -66,8 +67,13 @@ constexpr bool is_live(BearingStatus s) {
 struct HorizontalPart {
   DirectionLaw horizontal;
   double horizontal_limit = unbounded;  ///< resultant displacement that ends it [m]
+
+  /// Whether along and across answer together, as in a circular yield or friction surface.
+  [[nodiscard]] bool has_horizontal() const { return !std::holds_alternative<std::monostate>(horizontal); }
 };
-struct NoHorizontalPart {};
+struct NoHorizontalPart {
+  [[nodiscard]] static constexpr bool has_horizontal() { return false; }
+};
 
 template <std::size_t count>
 constexpr std::array<double, count> no_limits() {

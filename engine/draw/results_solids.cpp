@@ -22,6 +22,8 @@ namespace {
 
 /// What rounding leaves of lengths, as a share of them.
 constexpr double rounding = 1e-9;
+/// What a solid that counts as convex may have above a face, as a share of its size.
+constexpr double flat_share = 1e-6;
 
 /// Newell's normal (Sutherland, Sproull and Schumacker, 1974): right for any plane polygon.
 Vec3 normal_of(const std::vector<Vec3>& loop) {
@@ -40,6 +42,45 @@ SolidPiece piece_of(const Header& header, const Placement& at, int index) {
     face.is_edge.assign(face.corners.size(), true);
     face.normal = normal_of(face.corners);
     if (face.normal.allFinite()) out.faces.push_back(std::move(face));
+  }
+  return out;
+}
+
+/// Whether the skin of a body is stretched over its nodes, as that of finite elements is: one closed surface that does
+/// not pass through itself.
+bool has_stretched_skin(const Header& header, const BodyRow& body) {
+  const auto first = header.vertices.begin() + 3 * static_cast<std::ptrdiff_t>(body.first_vertex);
+  return body.node_count > 1 && std::all_of(first, first + 3 * static_cast<std::ptrdiff_t>(body.vertex_count),
+                                            [](double arm) { return arm == 0; });
+}
+
+/// Skins of elements whole, of any shape, and all other bodies as convex pieces.
+std::vector<SolidPiece> all_pieces(const Header& header, const Placement& at, const std::vector<bool>& left_out) {
+  std::vector<SolidPiece> out;
+  for (std::size_t i = 0; i < header.bodies.size(); ++i) {
+    SolidPiece solid = piece_of(header, at, static_cast<int>(i));
+    if (solid.faces.empty() || left_out[i]) continue;
+    if (has_stretched_skin(header, header.bodies[i])) {
+      out.push_back(std::move(solid));
+      continue;
+    }
+    const double slack = flat_share * piece_size(solid);
+    for (SolidPiece& piece : convex_pieces(std::move(solid), slack)) out.push_back(std::move(piece));
+  }
+  return out;
+}
+
+/// Of a strained skin each face that looks towards the eye is a piece: nothing is divided, so that edges stay whole.
+std::vector<SolidPiece> with_seen_faces(std::vector<SolidPiece> pieces, const ViewAxes& view) {
+  std::vector<SolidPiece> out;
+  for (SolidPiece& piece : pieces) {
+    if (is_convex(piece, flat_share * piece_size(piece))) {
+      out.push_back(std::move(piece));
+      continue;
+    }
+    for (PieceFace& face : piece.faces)
+      if (face.kind != FaceKind::border && face.normal.dot(view.toward) > rounding)
+        out.push_back({piece.body, {std::move(face)}});
   }
   return out;
 }
@@ -140,13 +181,7 @@ void add_solids(const Header& header, const Frame& frame, const SolidsView& show
                 Scene& scene) {
   const Placement at(header, frame);
   const ViewAxes view(shown.from);
-  std::vector<SolidPiece> pieces;
-  for (std::size_t i = 0; i < header.bodies.size(); ++i) {
-    SolidPiece solid = piece_of(header, at, static_cast<int>(i));
-    if (solid.faces.empty() || left_out[i]) continue;
-    const double slack = 1e-6 * piece_size(solid);
-    for (SolidPiece& piece : convex_pieces(std::move(solid), slack)) pieces.push_back(std::move(piece));
-  }
+  std::vector<SolidPiece> pieces = all_pieces(header, at, left_out);
   std::vector<SeenSphere> spheres = seen_spheres(header, at, left_out);
   if (pieces.empty() && spheres.empty())
     throw InputError("the results tell of no faces of their solids, so that there is nothing to draw");
@@ -158,7 +193,7 @@ void add_solids(const Header& header, const Frame& frame, const SolidsView& show
     pieces = trimmed_ground(std::move(pieces), is_held, *shown.around);
   }
   if (pieces.empty() && spheres.empty()) throw InputError("the cut leaves nothing to draw");
-  pieces = paint_order(std::move(pieces), view);
+  pieces = paint_order(with_seen_faces(std::move(pieces), view), view);
   add_all_faces(pieces, spheres, shown.cracks, view, scene);
   set_outlines(pieces, view, scene);
   static constexpr const char* names[] = {"x", "y", "z"};

@@ -29,7 +29,8 @@ SeenPiece seen_piece(const SolidPiece& piece, const ViewAxes& view) {
   return out;
 }
 
-/// Whether a convex piece is behind a sphere: the face that the sphere is farthest above of looks towards the eye.
+/// Whether a convex piece is behind a sphere: the face that the sphere is farthest above of looks towards the eye. A
+/// face alone is so where the sphere is above it.
 bool lies_behind(const SolidPiece& piece, const SeenSphere& sphere, const ViewAxes& view) {
   double most = -std::numeric_limits<double>::infinity();
   bool behind = false;
@@ -37,6 +38,7 @@ bool lies_behind(const SolidPiece& piece, const SeenSphere& sphere, const ViewAx
     const double above = face.normal.dot(sphere.centre - face.corners[0]);
     if (above > most) most = above, behind = face.normal.dot(view.toward) > 0;
   }
+  if (piece.faces.size() == 1) return behind == (most > 0);
   return behind;
 }
 

@@ -17,9 +17,8 @@ std::vector<double> heights(const PieceFace& face, const CutPlane& plane, double
 }
 
 /// The part of a face on the side where `sign` times the height is not below 0 (Sutherland and Hodgman, 1974); empty
-/// where none has an area there. Points that lie in the plane go to `cut`.
-PieceFace side_of(const PieceFace& face, const std::vector<double>& height, double sign, bool cut_is_edge,
-                  std::vector<Vec3>& cut) {
+/// where none has an area there.
+PieceFace side_of(const PieceFace& face, const std::vector<double>& height, double sign, bool cut_is_edge) {
   PieceFace out{{}, {}, face.normal, face.kind};
   const std::size_t count = face.corners.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -34,11 +33,9 @@ PieceFace side_of(const PieceFace& face, const std::vector<double>& height, doub
     const double before = sign * height[(i + count - 1) % count];
     if (a > 0 || (a == 0 && (b > 0 || before > 0)))
       add(face.corners[i], b < 0 && a == 0 ? cut_is_edge : face.is_edge[i]);
-    if (a == 0) cut.push_back(face.corners[i]);
     if ((a < 0 && b > 0) || (a > 0 && b < 0)) {
       const Vec3 p = face.corners[i] + (face.corners[next] - face.corners[i]) * (a / (a - b));
       add(p, a > 0 ? cut_is_edge : face.is_edge[i]);
-      cut.push_back(p);
     }
   }
   return out;
@@ -70,33 +67,117 @@ std::vector<Vec3> hull_in_plane(std::vector<Vec3> points, const Vec3& normal, do
   return hull;
 }
 
-std::optional<SolidPiece> half_of(const SolidPiece& piece, const CutPlane& plane, double sign, double slack,
-                                  FaceKind kind) {
-  SolidPiece out{piece.body, {}, piece.borders};
-  std::vector<Vec3> cut;
+struct Line {
+  Vec3 from, to;
+};
+
+/// The faces of a piece on one side of a plane, and the lines in which they end there, each as it runs round its face.
+struct Side {
+  std::vector<PieceFace> faces;
+  std::vector<Line> ends;
+};
+
+void add_ends(const PieceFace& part, const CutPlane& plane, double slack, std::vector<Line>& ends) {
+  const std::size_t count = part.corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 &from = part.corners[i], &to = part.corners[(i + 1) % count];
+    if (std::abs(plane.above(from)) <= slack && std::abs(plane.above(to)) <= slack && (to - from).norm() > slack)
+      ends.push_back({from, to});
+  }
+}
+
+Side faces_beside(const SolidPiece& piece, const CutPlane& plane, double sign, double slack, bool cut_is_edge) {
+  Side out;
   for (const PieceFace& face : piece.faces) {
     const std::vector<double> height = heights(face, plane, slack);
-    const auto inside = [&](double h) { return sign * h > 0; };
-    if (std::none_of(height.begin(), height.end(), inside)) {
-      // A face in the plane stays with the part that it bounds.
-      if (std::any_of(height.begin(), height.end(), [](double h) { return h != 0; })) continue;
-      if (sign * face.normal.dot(plane.normal) > 0) continue;
-      out.faces.push_back(face);
+    if (std::all_of(height.begin(), height.end(), [](double h) { return h == 0; })) {
+      // What lies in the plane bounds the part below it or, turned round, the one above.
+      if (sign * face.normal.dot(plane.normal) < 0) out.faces.push_back(face);
       continue;
     }
-    PieceFace part = side_of(face, height, sign, kind == FaceKind::section, cut);
-    if (part.corners.size() >= 3) out.faces.push_back(std::move(part));
+    if (std::none_of(height.begin(), height.end(), [&](double h) { return sign * h > 0; })) continue;
+    PieceFace part = side_of(face, height, sign, cut_is_edge);
+    if (part.corners.size() < 3) continue;
+    add_ends(part, plane, slack, out.ends);
+    out.faces.push_back(std::move(part));
   }
-  if (out.faces.empty()) return std::nullopt;
-  const Vec3 normal = -sign * plane.normal;
-  const bool bounded = std::any_of(out.faces.begin(), out.faces.end(), [&](const PieceFace& face) {
+  return out;
+}
+
+bool goes_through(const Line& line, const Vec3& p, double slack) {
+  const Vec3 along = line.to - line.from;
+  const double share = std::clamp(along.dot(p - line.from) / along.squaredNorm(), 0.0, 1.0);
+  return (line.from + share * along - p).norm() <= slack;
+}
+
+/// What closes a convex piece: a convex polygon. Its sides are edges where the skin ends there, and not where the piece
+/// was divided from others.
+PieceFace hull_of_ends(const std::vector<Line>& ends, const Vec3& normal, double slack, FaceKind kind) {
+  std::vector<Vec3> points;
+  for (const Line& line : ends) points.push_back(line.from), points.push_back(line.to);
+  PieceFace out{hull_in_plane(std::move(points), normal, slack), {}, normal, kind};
+  const std::size_t count = out.corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 middle = 0.5 * (out.corners[i] + out.corners[(i + 1) % count]);
+    out.is_edge.push_back(kind == FaceKind::section && std::any_of(ends.begin(), ends.end(), [&](const Line& line) {
+                            return goes_through(line, middle, 1e3 * slack);
+                          }));
+  }
+  return out;
+}
+
+/// Takes a line out of `left` and those that go on from it, until none does; against their sense, as they bound what
+/// closes the faces.
+std::vector<Vec3> next_loop(std::vector<Line>& left, double slack) {
+  std::vector<Vec3> loop;
+  for (auto line = left.end() - 1; line != left.end();) {
+    const Vec3 at = line->from;
+    loop.push_back(line->to);
+    left.erase(line);
+    line = std::find_if(left.begin(), left.end(), [&](const Line& l) { return (l.to - at).norm() <= slack; });
+  }
+  return loop;
+}
+
+/// What closes the skin of a solid of any shape: the loops in which it ends, holes among them, as one polygon that goes
+/// from its first corner to each loop and back.
+PieceFace loops_of_ends(std::vector<Line> ends, const Vec3& normal, double slack, FaceKind kind) {
+  PieceFace out{{}, {}, normal, kind};
+  const auto add = [&](const Vec3& p, bool edge) {
+    out.corners.push_back(p);
+    out.is_edge.push_back(edge && kind == FaceKind::section);
+  };
+  while (!ends.empty()) {
+    const std::vector<Vec3> loop = next_loop(ends, 1e3 * slack);
+    const bool first = out.corners.empty();
+    const Vec3 home = first ? loop[0] : out.corners[0];
+    if (!first) add(home, false);
+    for (const Vec3& p : loop) add(p, true);
+    if (!first) add(loop[0], false);
+  }
+  return out;
+}
+
+/// The face that a plane gives to what is on one side of it, where that has none of its own there.
+std::optional<PieceFace> closing_face(const SolidPiece& piece, const Side& side, const CutPlane& plane,
+                                      const Vec3& normal, double slack, FaceKind kind) {
+  const bool bounded = std::any_of(side.faces.begin(), side.faces.end(), [&](const PieceFace& face) {
     return face.normal.dot(normal) > 1 - 1e-9 && std::abs(plane.above(face.corners[0])) <= slack;
   });
-  if (bounded) return out;
-  std::vector<Vec3> corners = cut.empty() ? cut : hull_in_plane(std::move(cut), normal, slack);
-  if (corners.size() < 3) return out;
-  const std::size_t sides = corners.size();
-  out.faces.push_back({std::move(corners), std::vector<bool>(sides, kind == FaceKind::section), normal, kind});
+  if (bounded || side.ends.empty()) return std::nullopt;
+  PieceFace face = is_convex(piece, 1e3 * slack) ? hull_of_ends(side.ends, normal, slack, kind)
+                                                 : loops_of_ends(side.ends, normal, slack, kind);
+  if (face.corners.size() < 3) return std::nullopt;
+  return face;
+}
+
+std::optional<SolidPiece> half_of(const SolidPiece& piece, const CutPlane& plane, double sign, double slack,
+                                  FaceKind kind) {
+  Side side = faces_beside(piece, plane, sign, slack, kind == FaceKind::section);
+  if (side.faces.empty()) return std::nullopt;
+  auto closing = closing_face(piece, side, plane, -sign * plane.normal, slack, kind);
+  SolidPiece out{piece.body, std::move(side.faces), piece.borders};
+  if (closing) out.faces.push_back(std::move(*closing));
   return out;
 }
 
@@ -112,23 +193,10 @@ const PieceFace* reflex_face(const SolidPiece& piece, double slack) {
   return nullptr;
 }
 
-/// As half_of, of a solid that is not convex: the border may have any shape, and stays without a face.
+/// As half_of, and the border, which may have any shape, stays without a face.
 SolidPiece open_half(const SolidPiece& piece, const CutPlane& plane, double sign, double slack) {
-  SolidPiece out{piece.body, {}, piece.borders};
+  SolidPiece out{piece.body, faces_beside(piece, plane, sign, slack, false).faces, piece.borders};
   out.borders.push_back(plane.normal);
-  std::vector<Vec3> cut;
-  for (const PieceFace& face : piece.faces) {
-    const std::vector<double> height = heights(face, plane, slack);
-    const bool flat = std::all_of(height.begin(), height.end(), [](double h) { return h == 0; });
-    // What lies in the plane bounds the part below it or, turned round, the one above.
-    if (flat) {
-      if (sign * face.normal.dot(plane.normal) < 0) out.faces.push_back(face);
-      continue;
-    }
-    if (std::none_of(height.begin(), height.end(), [&](double h) { return sign * h > 0; })) continue;
-    PieceFace part = side_of(face, height, sign, false, cut);
-    if (part.corners.size() >= 3) out.faces.push_back(std::move(part));
-  }
   return out;
 }
 
@@ -165,6 +233,10 @@ std::vector<SolidPiece> convex_pieces(SolidPiece solid, double slack) {
     for (const double sign : {-1.0, 1.0}) todo.push_back(open_half(piece, plane, sign, slack));
   }
   return done;
+}
+
+bool is_convex(const SolidPiece& piece, double slack) {
+  return reflex_face(piece, slack) == nullptr;
 }
 
 double piece_size(const SolidPiece& piece) {

@@ -21,8 +21,8 @@ struct CutPlane {
 /// which is never seen.
 enum class FaceKind { skin, section, border };
 
-/// A plane polygon with 3 corners or more. `is_edge[i]`: the side from corner i to the next is an edge of the solid,
-/// and not only where it was divided.
+/// A plane polygon with 3 corners or more; convex, or the section of a skin of any shape. `is_edge[i]`: the side from
+/// corner i to the next is an edge of the solid, and not only where it was divided.
 struct PieceFace {
   std::vector<Vec3> corners;
   std::vector<bool> is_edge;
@@ -30,7 +30,7 @@ struct PieceFace {
   FaceKind kind = FaceKind::skin;
 };
 
-/// A convex part of a body.
+/// A body or a part of it: convex, the skin of a solid of any shape, or one face that is seen.
 struct SolidPiece {
   int body = 0;
   std::vector<PieceFace> faces;
@@ -45,6 +45,9 @@ std::pair<std::optional<SolidPiece>, std::optional<SolidPiece>> divided(const So
 /// A solid as convex pieces: itself where it is convex, else cut along the planes of faces that have a part of it above
 /// them. `slack` [m]: what rounding may leave above a face.
 std::vector<SolidPiece> convex_pieces(SolidPiece solid, double slack);
+
+/// True where nothing of a piece lies above the plane of a face of it by more than `slack` [m].
+bool is_convex(const SolidPiece& piece, double slack);
 
 /// Diagonal of the box around a piece [m].
 double piece_size(const SolidPiece& piece);

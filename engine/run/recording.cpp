@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "results/extended.hpp"
+#include "run/recorded_texts.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/element_stress.hpp"
 #include "step/solid_resultants.hpp"

@@ -21,7 +21,6 @@
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
 #include "step/take_out.hpp"
-#include "world/event_text.hpp"
 
 namespace trilith {
 namespace {
@@ -164,30 +163,6 @@ Energy Simulation<D>::energy() const {
 }
 
 template <int D>
-Instant<D> Simulation<D>::instant() const {
-  const double ratio = work_.carried > 0 ? work_.unbalanced / work_.carried : 0;
-  return {model_, state_, work_, stage_->options, stage_->report.begun, swept_.dt, work_.fastest_moving, ratio};
-}
-
-/// Every event of a run goes through here.
-template <int D>
-void Simulation<D>::tell(Event event, const RunListener<D>& listener, const Instant<D>& now) {
-  causes_.name(event);
-  if (has_trait(event.type, spoils_run)) verdict_.add(event.type, event.time, event.value, event_text(event, model_));
-  if (listener.on_event) listener.on_event(event, now);
-}
-
-/// That the stage has ended; before it, why it is not to be trusted, where it is not.
-template <int D>
-void Simulation<D>::tell_end(const RunListener<D>& listener, const Instant<D>& now) {
-  const StageReport& report = stage_->report;
-  if (report.end == StageEnd::diverged) tell(diverged_event(now, report), listener, now);
-  if (report.end == StageEnd::not_at_rest && now.stage.must_rest) tell(unsettled_event(now), listener, now);
-  tell(stage_event(EventType::stage_ended, now, fmt::format("{}: {}", now.stage.name, name_of(report.end))), listener,
-       now);
-}
-
-template <int D>
 void Simulation<D>::begin_stage(const StageOptions& options) {
   require_valid(options);
   assert(!running_);
@@ -314,30 +289,6 @@ bool Simulation<D>::ends(const RunListener<D>& listener, const Instant<D>& now) 
           : options.until_rest ? StageEnd::not_at_rest
                                : StageEnd::time);
   return true;
-}
-
-template <int D>
-void Simulation<D>::tell_samples(const RunListener<D>& listener, const Instant<D>& now, bool ends) {
-  StageProgress& stage = *stage_;
-  const StageOptions& options = stage.options;
-  if ((stage.frames.due(state_.time, now.dt) || (ends && options.frame_interval > 0)) && listener.on_frame)
-    listener.on_frame(now);
-  if ((stage.histories.due(state_.time, now.dt) || (ends && options.history_interval > 0)) && listener.on_history)
-    listener.on_history(now);
-  if ((stage.energies.due(state_.time, now.dt) || (ends && options.energy_interval > 0)) && listener.on_energy)
-    listener.on_energy(now, energy());
-}
-
-/// After a step, with the new state evaluated: tells what happened in it. What handlers read is of one instant, that of
-/// the state; what they change holds from the next step on, which is then looked at anew.
-template <int D>
-void Simulation<D>::tell_step(const RunListener<D>& listener) {
-  StepClock clock(times_);
-  const Instant<D> now = instant();
-  for (const Event& e : work_.events) tell(e, listener, now);
-  if (listener.on_step) listener.on_step(now);
-  if (listener.change_model && listener.change_model(model_)) unscale_masses(), edited();
-  clock.mark(StepPart::listen);
 }
 
 /// Ends the stage where no step could be found: the state is that of the last whole one.

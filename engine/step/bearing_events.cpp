@@ -29,21 +29,13 @@ Vec3 first_point(const Model<3>& model, const State<3>& state, const Bearing<3>&
   return point_of(model, state, b.end_a);
 }
 
-bool goes_all_ways(const Bearing<2>& /*bearing*/) {
-  return false;
-}
-/// Along and across answer together.
-bool goes_all_ways(const Bearing<3>& bearing) {
-  return !std::holds_alternative<std::monostate>(bearing.horizontal);
-}
-
 /// The direction in which a bearing that was intact has come to yield or slide.
 template <int D>
 std::uint32_t yielded_direction(const Bearing<D>& b, const BearingMemory<D>& before, const BearingMemory<D>& after) {
-  const std::uint32_t level = goes_all_ways(b) ? Directions<3>::horizontal : 0;
+  const std::uint32_t level = b.has_horizontal() ? Directions<3>::horizontal : 0;
   for (std::size_t k = 0; k < after.direction.size(); ++k)
     if (after.direction[k].travelled > before.direction[k].travelled)
-      return k < 2 && goes_all_ways(b) ? level : static_cast<std::uint32_t>(k);
+      return k < 2 && b.has_horizontal() ? level : static_cast<std::uint32_t>(k);
   return level;
 }
 
@@ -98,10 +90,8 @@ double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>
   const PlacedSolid &first = work.solids.placed[pair.piece_a], &second = work.solids.placed[pair.piece_b];
   LawInUse law{model.laws[pair.law], model.thickness, 0};
   SolidMemory memory;
-  const ContactKey key = contact_key(pair.piece_a, pair.piece_b);
-  const auto row = std::lower_bound(work.contacts.key.begin(), work.contacts.key.end(), key);
-  if (row != work.contacts.key.end() && *row == key)
-    memory = work.contacts.memory[static_cast<std::size_t>(row - work.contacts.key.begin())];
+  if (const int row = work.contacts.find(contact_key(pair.piece_a, pair.piece_b)); row >= 0)
+    memory = work.contacts.memory[static_cast<std::size_t>(row)];
   const auto at_rest = [&](const PlacedSolid& solid, int piece) {
     return MovingSolid{solid, motion_of(model, state, model.carrier_of(piece)).place, Vec3::Zero(), Vec3::Zero()};
   };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "detect/due_pairs.hpp"
-
 namespace trilith {
 namespace {
 
@@ -81,12 +79,8 @@ void add_beams(const Model<D>& model, Groups<D>& groups) {
 template <int D>
 void add_ridge_pieces(const Work<D>& work, int a, int b, Groups<D>& groups) {
   for (const RidgePart& part : work.ridges.parts_of(a))
-    for (const int piece : work.ridges.pieces_of(part.ridge)) {
-      const ContactKey key = contact_key(std::min(piece, b), std::max(piece, b));
-      const auto near = std::lower_bound(work.pairs.begin(), work.pairs.end(), key,
-                                         [](const NearPair& p, ContactKey k) { return key_of(p) < k; });
-      if (near != work.pairs.end() && key_of(*near) == key) groups.add_piece(piece);
-    }
+    for (const int piece : work.ridges.pieces_of(part.ridge))
+      if (work.contacts.find(contact_key(std::min(piece, b), std::max(piece, b))) >= 0) groups.add_piece(piece);
 }
 
 /// Bearings join the nodes that their ends hang on, loads that follow those of their place, and each near pair of

@@ -6,7 +6,6 @@
 
 #include "base/team.hpp"
 #include "contact/solid_contact.hpp"
-#include "detect/due_pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/moving_solid.hpp"
 
@@ -97,14 +96,18 @@ Vec2 push_of(const Model<2>& model, const State<2>& state, Work<2>& work, int ro
                       work.contacts.law_numbers(r));
 }
 
-/// The row of two pieces in work.met, nullptr: none.
+/// A row in work.met, nullptr: not there.
+template <int D>
+const MetRow<D>* find_met(const Work<D>& work, int row) {
+  const auto met =
+      std::lower_bound(work.met.begin(), work.met.end(), row, [](const MetRow<D>& m, int r) { return m.row < r; });
+  return met != work.met.end() && met->row == row ? &*met : nullptr;
+}
+
+/// That of two pieces.
 template <int D>
 const MetRow<D>* find_met(const Work<D>& work, int piece, int other) {
-  const ContactKey key = contact_key(std::min(piece, other), std::max(piece, other));
-  const auto key_at = [&](const MetRow<D>& m) { return key_of(work.pairs[static_cast<std::size_t>(m.row)]); };
-  const auto found = std::lower_bound(work.met.begin(), work.met.end(), key,
-                                      [&](const MetRow<D>& m, ContactKey k) { return key_at(m) < k; });
-  return found != work.met.end() && key_at(*found) == key ? &*found : nullptr;
+  return find_met(work, work.contacts.find(contact_key(std::min(piece, other), std::max(piece, other))));
 }
 
 }  // namespace
@@ -161,10 +164,9 @@ Vec3 springs_push(const Model<3>& model, const State<3>& state, Work<3>& work, i
 template <int D>
 RidgeRows<D> rows_at_ridges(const Work<D>& work, int row) {
   RidgeRows<D> rows;
-  const auto met =
-      std::lower_bound(work.met.begin(), work.met.end(), row, [](const MetRow<D>& m, int r) { return m.row < r; });
-  if (met == work.met.end() || met->row != row) return rows;
-  rows.row[rows.count++] = &*met;
+  const MetRow<D>* met = find_met(work, row);
+  if (met == nullptr) return rows;
+  rows.row[rows.count++] = met;
   rows.push = met->push;
   for_met(work, work.pairs[static_cast<std::size_t>(row)], [&](int ridge, int owner, int other) {
     for (const int piece : work.ridges.pieces_of(ridge)) {

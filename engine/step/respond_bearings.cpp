@@ -59,11 +59,6 @@ DirectionResponse respond_horizontal(const Bearing<3>& b, const BearingMemory<3>
       b.horizontal);
 }
 
-/// Whether along and across answer together, as in a circular yield or friction surface.
-bool has_horizontal(const Bearing<3>& b) {
-  return !std::holds_alternative<std::monostate>(b.horizontal);
-}
-
 HorizontalMotion horizontal_motion(const BearingMotion<3>& m, const std::array<double, 6>& mean, double dt,
                                    double compression) {
   return {{m.displacement[0], m.displacement[1]}, {m.rate[0], m.rate[1]}, dt, compression, {mean[0], mean[1]}};
@@ -107,7 +102,7 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   }
   if constexpr (D == 3) {
     for (const std::size_t k : {0, 1, 2}) after.turned[k] = m.displacement[3 + k];
-    if (has_horizontal(b)) {
+    if (b.has_horizontal()) {
       take_up(respond_horizontal(b, before, horizontal_motion(m, mean, dt, compression), false, after), i, after.status,
               work);
       for (const std::size_t k : {0, 1}) force[k] = after.direction[k].force + after.direction[k].damping;

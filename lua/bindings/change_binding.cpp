@@ -6,7 +6,7 @@
 #include "bindings.hpp"
 #include "law_values.hpp"
 #include "load_reading.hpp"
-#include "run/recording_header.hpp"
+#include "run/recorded_texts.hpp"
 #include "world/bearing_spec.hpp"
 #include "world/loads.hpp"
 #include "world/usual.hpp"

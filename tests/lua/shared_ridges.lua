@@ -1,14 +1,9 @@
 -- A ridge or a corner that several pieces of one body share slides as that of one convex piece does: nothing brakes it
 -- where nothing rubs, and friction is Coulomb's (docs/decisions/0056-one-direction-at-a-ridge.md).
 local trilith = require "trilith"
+local near = require "near_expected"
 
 local g <const> = 9.81
-local show = os.getenv "TRILITH_SHOW"
-
-local function near(what, value, expected, share)
-  if show then print(("%-60s %.6g for %.6g"):format(what, value, expected)) end
-  assert(math.abs(value - expected) <= share*math.abs(expected), ("%s: %g for %g"):format(what, value, expected))
-end
 
 local function model_of(dim, mu, beta)
   local m = trilith.model { name = "ridges", dim = dim, gravity = g }

@@ -1,14 +1,9 @@
 -- What slides on an edge or a corner without friction is not braked, and what strikes on one gives back what the
 -- damping leaves: contacts of any shape are damped along the resultant of their springs alone (docs/theory/contact.md).
 local trilith = require "trilith"
+local near = require "near_expected"
 
 local g <const> = 9.81
-local show = os.getenv "TRILITH_SHOW"
-
-local function near(what, value, expected, share)
-  if show then print(("%-60s %.6g for %.6g"):format(what, value, expected)) end
-  assert(math.abs(value - expected) <= share*math.abs(expected), ("%s: %g for %g"):format(what, value, expected))
-end
 
 local function law_of(case)
   if case.power then return trilith.power { kn = case.kn, depth = 1e-5, ks = case.kn/2, mu = 0, beta = case.beta } end

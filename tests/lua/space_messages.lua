@@ -1,5 +1,6 @@
 -- Wrong input in space: each case is one line of script and the one line of message it must give, at its own line.
 local trilith = require "trilith"
+local given = require "wrong_input"
 
 local function new()
   local m = trilith.model { name = "wrong", dim = 3 }
@@ -114,17 +115,7 @@ local cases = {
     "shake: body 'ground' is given two motions along x; keep one" },
 }
 
-local wrong = 0
-for _, case in ipairs(cases) do
-  local info = debug.getinfo(case[1], "S")
-  local good, message = pcall(case[1])
-  local expected = ("space_messages.lua:%d: %s"):format(info.linedefined, case[2])
-  if good or message ~= expected then
-    wrong = wrong + 1
-    print(("line %d\n  expected: %s\n  was:      %s"):format(info.linedefined, expected, message or "no error"))
-  end
-end
-assert(wrong == 0, wrong .. " messages are not as they should be")
+given.check(cases)
 
 -- An outline that runs clockwise is turned round, in m:add too.
 do

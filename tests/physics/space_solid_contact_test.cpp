@@ -1,4 +1,4 @@
-// Deformable bodies in space: free flight, contact with each other and with rigid ones, waves, bearings, bits.
+// Deformable bodies in space: free flight, contact with each other and with rigid ones, waves, bearings.
 #include <fmt/format.h>
 
 #include <doctest/doctest.h>
@@ -6,43 +6,16 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <span>
 
 #include "bearing/linear.hpp"
 #include "load/ramp.hpp"
 #include "near.hpp"
-#include "physics/space_solids.hpp"
+#include "physics/soft_solids.hpp"
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
-#include "world/state_words.hpp"
 
 namespace trilith::testing {
 namespace {
-
-const std::array<Support, 6> all_fixed{Support::fixed, Support::fixed, Support::fixed,
-                                       Support::fixed, Support::fixed, Support::fixed};
-
-SolidSpec rigid_box(const std::string& name, const Polyhedron& box) {
-  SolidSpec spec;
-  spec.name = name, spec.pieces = {box}, spec.material = "soft";
-  return spec;
-}
-
-SolidSpec fixed_box(const std::string& name, const Polyhedron& box) {
-  SolidSpec spec = rigid_box(name, box);
-  spec.support = all_fixed;
-  return spec;
-}
-
-/// Bodies of one soft material with one law between all.
-SolidModelBuilder soft_world(const ContactLaw& law, double young, double poisson, double damping = 0,
-                             double density = 2000) {
-  SolidModelBuilder builder;
-  builder.add_material(elastic_in("soft", density, young, poisson, damping));
-  builder.add_law("law", law);
-  builder.set_contact("*", "*", "law");
-  return builder;
-}
 
 /// A step as long as is stable, times `safety`.
 double stable_dt(const Model<3>& model, double safety = 0.8) {
@@ -345,62 +318,6 @@ TEST_CASE("T5 with elastic bars: one on edge across two others on edge presses e
   for (const GeneralContact<3>& c : run.work().general_touching) (c.centre.x() < 0 ? left : right) += c.force.z();
   CHECK(near(left, weight / 2, 0.01));
   CHECK(near(right, weight / 2, 0.01));
-}
-
-/// Stones of all kinds that fall on each other.
-Model<3> heap() {
-  SolidModelBuilder builder = soft_world(frictional(2e7, 2e7, 0.6, 1e-3), 5e7, 0.2, 1e-4);
-  builder.add_body(fixed_box("ground", box_solid(Vec3(-2, -2, -0.5), Vec3(2, 2, 0))));
-  for (int i = 0; i < 9; ++i) {
-    const Polyhedron box = box_at(Vec3(0.5, 0.4, 0.3), Vec3(0.1 * (i % 3), 0.08 * (i % 2), 0.4 + 0.72 * i),
-                                  rotation_by(Vec3(0.2 * i, 0.1, 0.3 * i)));
-    SolidSpec spec =
-        i % 4 == 3 ? rigid_box(fmt::format("s{}", i), box)
-                   : box_of(fmt::format("s{}", i), box, "soft", {1, 1, 1}, all_shapes[static_cast<std::size_t>(i % 3)]);
-    spec.floating = true;
-    builder.add_body(std::move(spec));
-  }
-  return builder.build();
-}
-
-constexpr double heap_step = 1e-4;
-
-TEST_CASE("a heap of deformable and rigid stones has the same bits on any number of threads, saved and continued" *
-          doctest::test_suite("long")) {
-  const Model<3> model = heap();
-  std::vector<std::uint64_t> hashes;
-  for (const int threads : {1, 2, 3}) {
-    State<3> state = initial_state(model);
-    Work<3> work;
-    work.threads = threads;
-    for (int i = 0; i < 4500; ++i) {
-      evaluate(model, state, work, state.last_dt);
-      commit(model, state, work);
-      StepOptions options;
-      options.dt = heap_step;
-      advance(model, state, work, options);
-      if (threads == 1 && i == 3000) {
-        const auto words = state_words(state);
-        state = state_from_words(model, std::span<const std::uint64_t>(words), "here");
-        work.drop();
-      }
-    }
-    hashes.push_back(state_hash(state));
-  }
-  CHECK(hashes[0] == hashes[1]);
-  CHECK(hashes[0] == hashes[2]);
-}
-
-TEST_CASE("the ledger of a heap of deformable stones that fall closes" * doctest::test_suite("long")) {
-  const Model<3> model = heap();
-  SolidRun run(model, heap_step);
-  double fall = 0;
-  for (int n = 0; n < model.nodes(); ++n)
-    if (model.moves(n)) fall += model.mass[n] * standard_gravity * model.start_position[n].z();
-  const double begun = run.energy().balance();
-  run.run(1.5);
-  CHECK(near_zero(run.energy().balance() - begun, 1e-2 * fall));
-  for (int n = 1; n < model.nodes(); ++n) CHECK(run.state().position[n].z() > -0.2);
 }
 
 }  // namespace

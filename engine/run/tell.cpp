@@ -1,0 +1,72 @@
+// What the listeners of a run are told of an instant: events, samples, the end of a stage.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "run/simulation.hpp"
+#include "run/stage_end.hpp"
+#include "step/step_times.hpp"
+#include "world/event_text.hpp"
+
+namespace trilith {
+
+template <int D>
+Instant<D> Simulation<D>::instant() const {
+  const double ratio = work_.carried > 0 ? work_.unbalanced / work_.carried : 0;
+  return {model_, state_, work_, stage_->options, stage_->report.begun, swept_.dt, work_.fastest_moving, ratio};
+}
+
+/// Every event of a run goes through here.
+template <int D>
+void Simulation<D>::tell(Event event, const RunListener<D>& listener, const Instant<D>& now) {
+  causes_.name(event);
+  if (has_trait(event.type, spoils_run)) verdict_.add(event.type, event.time, event.value, event_text(event, model_));
+  if (listener.on_event) listener.on_event(event, now);
+}
+
+/// That the stage has ended; before it, why it is not to be trusted, where it is not.
+template <int D>
+void Simulation<D>::tell_end(const RunListener<D>& listener, const Instant<D>& now) {
+  const StageReport& report = stage_->report;
+  if (report.end == StageEnd::diverged) tell(diverged_event(now, report), listener, now);
+  if (report.end == StageEnd::not_at_rest && now.stage.must_rest) tell(unsettled_event(now), listener, now);
+  tell(stage_event(EventType::stage_ended, now, fmt::format("{}: {}", now.stage.name, name_of(report.end))), listener,
+       now);
+}
+
+template <int D>
+void Simulation<D>::tell_samples(const RunListener<D>& listener, const Instant<D>& now, bool ends) {
+  StageProgress& stage = *stage_;
+  const StageOptions& options = stage.options;
+  if ((stage.frames.due(state_.time, now.dt) || (ends && options.frame_interval > 0)) && listener.on_frame)
+    listener.on_frame(now);
+  if ((stage.histories.due(state_.time, now.dt) || (ends && options.history_interval > 0)) && listener.on_history)
+    listener.on_history(now);
+  if ((stage.energies.due(state_.time, now.dt) || (ends && options.energy_interval > 0)) && listener.on_energy)
+    listener.on_energy(now, energy());
+}
+
+/// After a step, with the new state evaluated: tells what happened in it. What handlers read is of one instant, that of
+/// the state; what they change holds from the next step on, which is then looked at anew.
+template <int D>
+void Simulation<D>::tell_step(const RunListener<D>& listener) {
+  StepClock clock(times_);
+  const Instant<D> now = instant();
+  for (const Event& e : work_.events) tell(e, listener, now);
+  if (listener.on_step) listener.on_step(now);
+  if (listener.change_model && listener.change_model(model_)) unscale_masses(), edited();
+  clock.mark(StepPart::listen);
+}
+
+template Instant<2> Simulation<2>::instant() const;
+template void Simulation<2>::tell(Event, const RunListener<2>&, const Instant<2>&);
+template void Simulation<2>::tell_end(const RunListener<2>&, const Instant<2>&);
+template void Simulation<2>::tell_samples(const RunListener<2>&, const Instant<2>&, bool);
+template void Simulation<2>::tell_step(const RunListener<2>&);
+template Instant<3> Simulation<3>::instant() const;
+template void Simulation<3>::tell(Event, const RunListener<3>&, const Instant<3>&);
+template void Simulation<3>::tell_end(const RunListener<3>&, const Instant<3>&);
+template void Simulation<3>::tell_samples(const RunListener<3>&, const Instant<3>&, bool);
+template void Simulation<3>::tell_step(const RunListener<3>&);
+
+}  // namespace trilith
