@@ -151,13 +151,17 @@ std::vector<std::string> EventLines::tell(const Event& event, const Model<D>& mo
   if (show_ == EventShow::none) return lines;
   const std::string text = event_text(event, model);
   const bool is_stage = event.type == EventType::stage_begun || event.type == EventType::stage_ended;
-  if (!has_trait(event.type, is_minor) && !is_stage) causes_[event.id] = {event.time, text};
+  // Events of a model are numbered as they come: what has this number or a later one is of a run that was taken back,
+  // or of a model that is gone.
+  std::map<std::int64_t, Cause>& causes = causes_[&model];
+  causes.erase(causes.lower_bound(event.id), causes.end());
+  if (!has_trait(event.type, is_minor) && !is_stage) causes[event.id] = {event.time, text};
   count_from(event, lines);
   if (leaves_out(event) || thins_out(event, lines)) return lines;
   std::string line = fmt::format("{:10.3f} s  {:<15}  {}", event.time - zero_, info_of(event.type).heading, text);
   // A bearing changes as it fails, one line below.
-  const auto cause = causes_.find(event.cause);
-  if (cause != causes_.end() && event.type != EventType::bearing_changed)
+  const auto cause = causes.find(event.cause);
+  if (cause != causes.end() && event.type != EventType::bearing_changed)
     line += fmt::format("  (because at {:.3f} s: {})", cause->second.time - zero_, cause->second.text);
   lines.push_back(std::move(line));
   return lines;

@@ -88,7 +88,7 @@ class EventLines {
     double time;
     std::string text;
   };
-  std::map<std::int64_t, Cause> causes_;  // by id
+  std::map<const void*, std::map<std::int64_t, Cause>> causes_;  // of each model by id
   std::array<Crowd, event_types> crowd_{};
 };
 

@@ -60,7 +60,9 @@ void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listen
 template <int D>
 StageReport Simulation<D>::settle(const StageOptions& options, const EquilibriumOptions& how,
                                   const RunListener<D>& listener, const LoadWay<D>* way) {
-  begin_stage(options);
+  StageOptions asked = options;
+  asked.must_rest = false;  // what finds no rest leaves the state as it was, and spoils nothing
+  begin_stage(asked);
   StageReport& report = stage_->report;
   const Flagged running(running_);
   try {

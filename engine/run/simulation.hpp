@@ -73,8 +73,8 @@ class Simulation {
   /// InputError too after a stage that diverged: its state means nothing.
   StageReport run(const StageOptions& options, const RunListener<D>& listener = {});
   /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Where
-  /// none is found the state is as it was, and the report says what fails. Of `options` name, must_rest and intervals
-  /// count. `way`: what has led here, each of its points a frame and a sample, all of them at the present time.
+  /// none is found the state is as it was, and the report says what fails. Of `options` name and intervals count.
+  /// `way`: what has led here, each of its points a frame and a sample, all of them at the present time.
   StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener = {},
                      const LoadWay<D>* way = nullptr);
   /// Runs a stage that restore() has brought back to its end.

@@ -18,6 +18,8 @@ constexpr double slow_step = 1e3;
 /// Nodes are moved for the tangent by this share of how far the stiffest one is pressed in, or joints would open and
 /// close under it; and by so much at least and at most [m].
 constexpr double share_of_pressed = 1e-2, least_disturbance = 1e-12, most_disturbance = 1e-8;
+/// ... and by no more than this share of the way of the step, or what slides a little would seem to stick half of it.
+constexpr double share_of_way = 0.1;
 
 template <int D>
 void stop_moving(State<D>& state) {
@@ -177,10 +179,21 @@ double StaticTrial<D>::measure(double inertia) {
   return sum;
 }
 
+/// The largest way of a node within the step [m].
+template <int D>
+double StaticTrial<D>::farthest() const {
+  double most = 0;
+  for (std::size_t n = 0; n < begin_position_.size(); ++n)
+    most = std::max(most, (state_.position[n] - begin_position_[n]).norm());
+  return most;
+}
+
 /// The tangent, and what follows from it.
 template <int D>
 bool StaticTrial<D>::find_tangent(double inertia, bool closes) {
-  const bool regular = tangent_.find(model_, state_, work_, {slow_step, 0, 1, inertia, disturbance_, true, closes});
+  const double gone = farthest();
+  const double move = gone > 0 ? std::clamp(share_of_way * gone, least_disturbance, disturbance_) : disturbance_;
+  const bool regular = tangent_.find(model_, state_, work_, {slow_step, 0, 1, inertia, move, true, closes});
   if (rounding_.size() != coupling().size()) rounding_ = Eigen::VectorXd::Zero(coupling().size());
   find_rounding();
   find_stiffest(inertia);

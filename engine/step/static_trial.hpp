@@ -63,6 +63,7 @@ class StaticTrial {
   void find_rounding();
   void find_stiffest(double inertia);
   [[nodiscard]] double carried() const;
+  [[nodiscard]] double farthest() const;
 
   const Model<D>& model_;
   State<D> state_;

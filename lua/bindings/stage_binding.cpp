@@ -59,6 +59,14 @@ void refuse(Keys& keys, std::initializer_list<const char*> names, std::string_vi
       keys.problem(fmt::format("'{}' is of integrator = \"{}\", and this stage is explicit; leave it out", key, of));
 }
 
+/// Which of the given keys say how explicit steps come to rest, "'damping', 'grow'"; "": none.
+std::string explicit_keys(Keys& keys) {
+  std::string out;
+  for (const char* const key : {"damping", "grow", "hold", "ratio", "speed", "duration", "dt", "safety"})
+    if (keys.has(key)) out += fmt::format("{}'{}'", out.empty() ? "" : ", ", key);
+  return out;
+}
+
 /// { integrator =, alpha =, spectral_radius =, tolerance = }: which scheme takes the steps.
 void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
@@ -151,6 +159,7 @@ int consolidate(lua_State* L) {
     keys.problem("mass_scaling is of explicit steps; integrator = \"static\" takes none");
   if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a stage of its own");
   o.must_rest = !or_go_on;
+  const std::string unused = by_statics ? explicit_keys(keys) : "";
   const StageUntil until = read_until(keys, m);
   keys.finish();
   if (fresh && m.running()) throw InputError("consolidate: a stage runs already; mortar cannot be fresh within it");
@@ -165,12 +174,13 @@ int consolidate(lua_State* L) {
   if (report.end == StageEnd::not_at_rest && !or_go_on)
     throw InputError(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
                                  by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
-  if (report.end == StageEnd::not_at_rest) {
-    const std::string said =
-        fmt::format("{} did not come to rest, and goes on all the same: {}", o.name, report.reason);
+  const auto note = [&](const std::string& said) {
     m.note(said);
     if (host(L).observer != nullptr) host(L).observer->note(said);
-  }
+  };
+  if (!unused.empty()) note(fmt::format("{}: {} told explicit steps what to do; statics takes none", o.name, unused));
+  if (report.end == StageEnd::not_at_rest)
+    note(fmt::format("{} did not come to rest, and goes on all the same: {}", o.name, report.reason));
   if (fresh && report.end != StageEnd::diverged) m.set_bonds();
   push_report(L, report);
   return 1;

@@ -66,7 +66,9 @@ TEST_CASE("the ledger of a heap of deformable stones that fall closes" * doctest
   const double begun = run.energy().balance();
   run.run(1.5);
   CHECK(near_zero(run.energy().balance() - begun, 1e-2 * fall));
-  for (int n = 1; n < model.nodes(); ++n) CHECK(run.state().position[n].z() > -0.2);
+  // What has rolled over the edge of the ground falls beside it.
+  for (int n = 1; n < model.nodes(); ++n)
+    if (const Vec3& at = run.state().position[n]; at.head<2>().cwiseAbs().maxCoeff() < 2) CHECK(at.z() > -0.2);
 }
 
 }  // namespace
