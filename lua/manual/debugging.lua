@@ -31,13 +31,19 @@ on     flag = true         false: none are taken]], gives = "findings" },
 law      text?   a contact law, with its numbers: mu = 0.4
 bearing  text?   or a bearing
 along    direction law?  its law along; one of another kind begins anew
-axial    direction law?  across
-turning  direction law?  for turning
-limit    table?  its limits { along = , axial = , turning = }
-angle    number rad?  of its direction along
+across   direction law?  in space: its law across
+horizontal  direction law?  in space: one law of along and across, instead of these
+axial    direction law?  its law in the axial direction
+turning  direction law?  in the plane: for turning
+turning_along   direction law?  in space: for turning about along
+turning_across  direction law?  in space: for turning about across
+turning_axial   direction law?  in space: for turning about axial
+limit    table?  its limits by the names of these, { along = , axial = }; those that are not named stay
+angle    number rad?  in the plane: of its direction along
 replaces_contact  flag?  it stands for the flat contact it sits in
 becomes  text?  what is there after it failed: a contact law or a bearing that waits; false: nothing]],
-    beside = { along = true, axial = true, turning = true, angle = true, replaces_contact = true, becomes = true } },
+    beside = { along = true, across = true, horizontal = true, axial = true, turning = true, turning_along = true,
+               turning_across = true, turning_axial = true, angle = true, replaces_contact = true, becomes = true } },
   { "model:lint", "What keeps a model from being built, and what of it is likely not meant, each with the next "
     .. "thing to try.", keys = [[
 slip  number m = 0.1  how far joints are expected to slide: friction is to give by a thousandth of that at most]],

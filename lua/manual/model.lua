@@ -94,7 +94,7 @@ spin            number rad/s = 0  at the start
 load            point = {0, 0}  steady force [N]
 floating        flag = false     it may stand on nothing
 body            body form = the model's  "rigid", "quad" or { mesh = {nx, ny} }
-hold            table?           boxes whose nodes are held]],
+hold            table?           boxes { from = , to = } whose nodes are held, in each direction that is not "free"]],
     bodies = [[
 fixed           names?           names or groups that are fixed
 by_group        table?           what holds for a group alone]] },
