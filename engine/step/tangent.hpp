@@ -2,10 +2,10 @@
 //
 //   A = m (1 - alpha_m) / (b dt^2) - (1 - alpha_f) (dF/dx + c dF/dv),   c = g / (b dt)
 //
-// with b, g, alpha of step/alpha_scheme.hpp. dF is found by central differences of single terms (step/term_tangent.hpp).
-// So it is that of every law, branch and load there is, one that is added included; rounding leaves it exact to about
-// 1e-6. Beams have theirs by themselves (step/beam_tangent.hpp), which costs less; in the plane by hand, of one side of
-// a kink where a fibre or a hinge begins to yield.
+// with b, g, alpha of step/alpha_scheme.hpp. dF is found by central differences of single terms
+// (step/term_tangent.hpp). So it is that of every law, branch and load there is, one that is added included; rounding
+// leaves it exact to about 1e-6. Beams have theirs by themselves (step/beam_tangent.hpp), which costs less; in the
+// plane by hand, of one side of a kink where a fibre or a hinge begins to yield.
 //
 // In space a rotation is changed by a turn about an axis of the world, after those it has made (from the left): the
 // unknown of a rotation is that rotation vector, and m is the block that step/implicit_turn.hpp gives.

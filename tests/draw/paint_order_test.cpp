@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "draw/inside_outline.hpp"
 #include "draw/paint_order.hpp"
 #include "draw/results_picture.hpp"
 #include "draw/solid_samples.hpp"
@@ -16,16 +17,6 @@ using namespace trilith::draw;
 using namespace trilith::testing;
 
 namespace {
-
-bool contains(const std::vector<Vec2>& outline, const Vec2& p) {
-  bool inside = false;
-  for (std::size_t i = 0, k = outline.size() - 1; i < outline.size(); k = i++)
-    if ((outline[i].y() > p.y()) != (outline[k].y() > p.y()) &&
-        p.x() < outline[i].x() +
-                    (p.y() - outline[i].y()) / (outline[k].y() - outline[i].y()) * (outline[k].x() - outline[i].x()))
-      inside = !inside;
-  return inside;
-}
 
 /// The body that is seen at `p` of the picture; -1: none.
 int seen_at(const Scene& scene, const Vec2& p) {

@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "draw/inside_outline.hpp"
 #include "draw/results_solids.hpp"
 #include "near.hpp"
 #include "physics/space_solids.hpp"
@@ -117,17 +118,6 @@ bool is_hidden(const Skin& skin, const SkinEdge& edge, const Vec2& p, double dep
   return false;
 }
 
-bool covers(const SceneFace& face, const Vec2& p) {
-  bool inside = false;
-  const std::vector<Vec2>& outline = face.outline;
-  for (std::size_t i = 0, k = outline.size() - 1; i < outline.size(); k = i++)
-    if ((outline[i].y() > p.y()) != (outline[k].y() > p.y()) &&
-        p.x() < outline[i].x() +
-                    (p.y() - outline[i].y()) / (outline[k].y() - outline[i].y()) * (outline[k].x() - outline[i].x()))
-      inside = !inside;
-  return inside;
-}
-
 bool draws_edge_at(const SceneFace& face, const Vec2& p, double slack) {
   const std::size_t count = face.outline.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -161,7 +151,7 @@ void look_at(const Scene& scene, const Skin& skin, const SkinEdge& edge, double 
   for (const SceneFace& face : scene.faces)
     if (draws_edge_at(face, p, 1e-9 * skin.size))
       ++drawn, is_whole = true;
-    else if (std::any_of(places.begin(), places.end(), [&](const Vec2& q) { return covers(face, q); }))
+    else if (std::any_of(places.begin(), places.end(), [&](const Vec2& q) { return contains(face.outline, q); }))
       is_whole = false;
   out.missing += is_whole ? 0 : 1;
   out.not_once += drawn == looking ? 0 : 1;
@@ -309,7 +299,8 @@ TEST_CASE("a ball is painted before a strained plate that it is behind and after
       const bool is_before = (shown.from.elevation > 0) == (height > 0);
       // Of the plate's faces that it covers, or that cover it, in the picture.
       const auto over = [&](auto first, auto last) {
-        return std::any_of(first, last, [&](const SceneFace& f) { return f.radius == 0 && covers(f, ball->centre); });
+        return std::any_of(first, last,
+                           [&](const SceneFace& f) { return f.radius == 0 && contains(f.outline, ball->centre); });
       };
       CHECK(over(is_before ? scene.faces.begin() : ball, is_before ? ball : scene.faces.end()));
       CHECK_FALSE(over(is_before ? ball : scene.faces.begin(), is_before ? scene.faces.end() : ball));

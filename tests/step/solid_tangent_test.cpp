@@ -1,7 +1,6 @@
 // The tangent in space by single terms against differences of everything: stones and balls as they fall, meshes on
 // meshes and on stones, mortar, bearings, frames, loads that follow, damping by mass.
 #include <doctest/doctest.h>
-#include <Eigen/Dense>
 
 #include <cmath>
 
@@ -10,6 +9,7 @@
 #include "contact/held_joint.hpp"
 #include "physics/space_solids.hpp"
 #include "shape/convex_hull.hpp"
+#include "step/compared_tangents.hpp"
 #include "step/disturbance.hpp"
 #include "step/implicit_step.hpp"
 #include "step/node_forces.hpp"
@@ -42,8 +42,7 @@ Eigen::MatrixXd by_differences(const Model<3>& model, State<3>& state, const Cou
   return out;
 }
 
-/// Largest difference between the two tangents at a state, as a share of the larger one of the largest entries of its
-/// row and its column. 0 where there is nothing but zeros.
+/// worst_difference() of the two tangents at a state.
 double worst_entry(const Model<3>& model, State<3> state, double dt, double rate, double disturbance) {
   Work<3> work;
   evaluate(model, state, work, dt);
@@ -55,13 +54,7 @@ double worst_entry(const Model<3>& model, State<3> state, double dt, double rate
   CHECK(state_hash(state) == before);
   CHECK(work.force == force);
   const Eigen::MatrixXd terms(tangent.matrix()), all = by_differences(model, state, tangent.coupling(), options);
-  double worst = 0;
-  for (Eigen::Index i = 0; i < all.rows(); ++i)
-    for (Eigen::Index j = 0; j < all.cols(); ++j) {
-      const double size = std::max(all.row(i).cwiseAbs().maxCoeff(), all.col(j).cwiseAbs().maxCoeff());
-      if (size > 0) worst = std::max(worst, std::abs(terms(i, j) - all(i, j)) / size);
-    }
-  return worst;
+  return worst_difference(terms, all);
 }
 
 /// The same at so many times of a run of `seconds`, by a step of implicit time behind each where `implicit`.

@@ -2,8 +2,6 @@
 // structures as they come down; loads that follow.
 #include "step/term_tangent.hpp"
 
-#include <Eigen/Dense>
-
 #include "bearing/direction_samples.hpp"
 #include "contact/contact_samples.hpp"
 #include "physics/collapses.hpp"
@@ -11,6 +9,7 @@
 #include "physics/solids.hpp"
 #include "step/central_difference.hpp"
 #include "step/commit.hpp"
+#include "step/compared_tangents.hpp"
 #include "step/implicit_step.hpp"
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
@@ -20,8 +19,7 @@
 namespace trilith::testing {
 namespace {
 
-/// Largest difference between the two tangents at a state, as a share of the larger one of the largest entries of its
-/// row and its column. 0 where there is nothing but zeros.
+/// worst_difference() of the two tangents at a state.
 double worst_entry(const Model<2>& model, State<2> state, double dt, double rate, double disturbance = 1.5e-9) {
   Work<2> work;
   evaluate(model, state, work, dt);
@@ -34,13 +32,7 @@ double worst_entry(const Model<2>& model, State<2> state, double dt, double rate
   const Eigen::MatrixXd terms(tangent.matrix());
   tangent.assemble_by_differences(model, state, work, options);
   const Eigen::MatrixXd all(tangent.matrix());
-  double worst = 0;
-  for (Eigen::Index i = 0; i < all.rows(); ++i)
-    for (Eigen::Index j = 0; j < all.cols(); ++j) {
-      const double size = std::max(all.row(i).cwiseAbs().maxCoeff(), all.col(j).cwiseAbs().maxCoeff());
-      if (size > 0) worst = std::max(worst, std::abs(terms(i, j) - all(i, j)) / size);
-    }
-  return worst;
+  return worst_difference(terms, all);
 }
 
 /// How two blocks stand: the upper one against the lower one, at the end of a step and at its begin.
