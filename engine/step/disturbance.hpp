@@ -17,6 +17,12 @@ namespace trilith {
 template <int D>
 double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOptions& options);
 
+/// What is farther apart than this touches nowhere as an unknown is moved: no corner goes farther than some
+/// disturbances as its body turns [m].
+inline double reach_of_moves(const TangentOptions& options) {
+  return 10 * (options.move > 0 ? options.move : 1e-8);
+}
+
 /// Moves an unknown by `by`, its rate by `rate` times that, for as long as this lives.
 template <int D>
 class Moved {

@@ -141,8 +141,7 @@ class GeneralTerm {
 
 void add_overlap_terms(TermSum<2>& sum, Work<2>& work) {
   const ContactHistory& before = contacts_before(sum.state, work);
-  // What sleeps longer touches in no copy: no corner goes farther than some disturbances as its body turns.
-  const double near = work.travel + 10 * (sum.options.move > 0 ? sum.options.move : 1e-8);
+  const double near = work.travel + reach_of_moves(sum.options);
   TermNodes nodes;
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
     if (!is_general(work, row)) continue;

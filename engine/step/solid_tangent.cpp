@@ -102,8 +102,7 @@ class SolidTerm {
 }  // namespace
 
 void add_solid_terms(TermSum<3>& sum, Work<3>& work) {
-  // What sleeps longer touches nowhere: no corner goes farther than some disturbances as its body turns.
-  const double near = work.travel + 10 * (sum.options.move > 0 ? sum.options.move : 1e-8);
+  const double near = work.travel + reach_of_moves(sum.options);
   const Contacts<3>& before = contacts_before(sum.state, work);
   NodeArrays<3> all(sum.model);
   TermNodes nodes;

@@ -57,7 +57,7 @@ double worst_entry(const Model<3>& model, State<3> state, double dt, double rate
   return worst_difference(terms, all);
 }
 
-/// The same at so many times of a run of `seconds`, by a step of implicit time behind each where `implicit`.
+/// The largest at so many times of a run of `seconds`, of the explicit state and of the implicit one that begins there.
 double worst_on_the_way(const Model<3>& model, double dt, double seconds, int times, double disturbance) {
   SolidRun run(model, dt);
   double worst = 0;
