@@ -31,10 +31,38 @@ inline FaceLine face_line(const Model<2>& model) {
   return {model.skin_before.data(), model.skin_after.data()};
 }
 
-/// Whether the faces of a pair, which are no pair of faces by themselves, are flat with their neighbours in line.
-/// `skin`: as Work is placed; `overlap`: of the two faces alone.
-bool is_flat_in_line(const FaceLine& line, const SkinMotion<2>* skin, const NearPair& pair,
-                     const FaceOverlap<double>& overlap);
+/// From the ends of two faces to the next skin points in line, as columns; 0 where there are none [m].
+template <class T>
+struct NextInLine {
+  T a0x, a0y, a1x, a1y, b0x, b0y, b1x, b1y;
+  Mask<T> some;  ///< there is one
+};
+
+/// How far the neighbour at an end reaches along the common direction of the faces [m]; 0 where it is tilted too much.
+template <class T>
+TRILITH_INLINE T reach_in_line(const FaceOverlap<T>& o, T x, T y) {
+  const T along = o.dx * x + o.dy * y, across = o.dy * x - o.dx * y;
+  return select(magnitude(across) < face_pair_max_tilt * magnitude(along), along, T{});
+}
+
+/// Whether the faces of pairs, which are no pairs of faces by themselves, are flat with their neighbours in line.
+/// `o`: of the faces alone; `corner`: see NearPair.
+template <class T>
+TRILITH_INLINE Mask<T> are_flat_in_line(const FaceOverlap<T>& o, const NextInLine<T>& next, T corner) {
+  const T zero{};
+  // They look at each other, and are nearly parallel.
+  const Mask<T> look = (o.inv_a > zero) & (o.inv_b > zero) & (o.tilt < zero + face_pair_max_tilt);
+  const T end_a = 1.0 / o.inv_a, end_b = o.sb1 + 1.0 / o.inv_b;
+  // Along d the ends of A go on to lower s before a.0 and to higher s after a.1; B runs against it.
+  const T low_a = smaller(reach_in_line(o, next.a0x, next.a0y), zero),
+          low_b = o.sb1 + smaller(reach_in_line(o, next.b1x, next.b1y), zero),
+          high_a = end_a + larger(reach_in_line(o, next.a1x, next.a1y), zero),
+          high_b = end_b + larger(reach_in_line(o, next.b0x, next.b0y), zero);
+  const T low = larger(low_b, low_a), high = smaller(high_b, high_a), depth = -smaller(o.gap_hi, o.gap_lo);
+  return next.some & look & (high > low) & (depth * corner <= (high - low) * face_pair_max_depth);
+}
+
+/// The same of one pair, its skin as Work is placed.
 bool is_flat_in_line(const FaceLine& line, const SkinMotion<2>* skin, const NearPair& pair);
 
 /// How much longer the two faces get by their neighbours, at most [m].

@@ -81,19 +81,38 @@ struct Sweep {
   const Model<2>& model;
   const State<2>& state;
   std::vector<Pace> pace;  ///< [body]
-  Vec2 common;             ///< [m/s]
-  double fastest = 0;      ///< beside `common` [m/s]
+  Range all;               ///< velocities of all points of all bodies [m/s]
   double time, share;      ///< [s], [1]
+  /// What most go by, which is no motion against each other: a quake alone makes no pair [m/s].
+  Vec2 common = Vec2::Zero();
+  double fastest = 0;  ///< beside `common` [m/s]
 
+  Sweep(const Model<2>& m, const State<2>& s, const Work<2>& work, double dt, double of)
+      : model(m), state(s), pace(paces(m, s, work)), time(std::abs(dt)), share(of) {
+    for (const Pace& p : pace) all.add(p.velocity.array() - p.spread), all.add(p.velocity.array() + p.spread);
+  }
+  /// At most how far any two go against each other [m].
+  [[nodiscard]] double farthest() const { return 2 * all.half() * time; }
+  void find_common() {
+    common = {median(pace, 0), median(pace, 1)};
+    for (const Pace& p : pace) fastest = std::max(fastest, (p.velocity - common).norm() + p.spread);
+  }
   [[nodiscard]] double speed(int piece) const {
     const Pace& p = pace[model.piece_body[piece]];
     return (p.velocity - common).norm() + p.spread;
   }
+  /// At most how fast a piece goes against any other [m/s].
+  [[nodiscard]] double closing(int piece) const {
+    const Pace& p = pace[model.piece_body[piece]];
+    return (p.velocity - all.low).cwiseMax(all.high - p.velocity).norm() + p.spread;
+  }
   /// Any pair that counts has one piece that is fast for the thinnest of all, and one that is thin for the fastest.
   /// With v_a + v_b > s / t one of the two is above s / 2 t: so the shorter of both lists, `fewest`, misses no pair.
-  [[nodiscard]] bool is_fast(int piece) const { return 2 * speed(piece) * time > share * model.least_thickness; }
+  [[nodiscard]] bool is_fast(int piece) const {
+    return std::min(2 * speed(piece), closing(piece)) * time > share * model.least_thickness;
+  }
   [[nodiscard]] bool is_thin(int piece) const {
-    return (speed(piece) + fastest) * time > share * model.piece_thickness[piece];
+    return std::min(speed(piece) + fastest, closing(piece)) * time > share * model.piece_thickness[piece];
   }
   /// A law holds between them, one may move, and they go against each other by more than their share of the thinner.
   [[nodiscard]] bool counts(int p, int q) const {
@@ -117,15 +136,11 @@ std::vector<int> fewest(const Sweep& sweep) {
 
 std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<2>& state, const Work<2>& work,
                                              double dt, double share) {
-  Sweep sweep{model, state, paces(model, state, work), Vec2::Zero(), 0, std::abs(dt), share};
-  // What most go by is no motion against each other: a quake alone makes no pair.
-  sweep.common = {median(sweep.pace, 0), median(sweep.pace, 1)};
-  for (const Pace& p : sweep.pace)
-    sweep.fastest = std::max(sweep.fastest, (p.velocity - sweep.common).norm() + p.spread);
+  Sweep sweep(model, state, work, dt, share);
   std::vector<std::pair<int, int>> found;
-  // Two of the fastest against each other; what has run away, or is no number, is not followed.
-  const double farthest = 2 * sweep.fastest * sweep.time;
-  if (!(farthest > share * model.least_thickness && farthest < beyond_all)) return found;
+  // What has run away, or is no number, is not followed.
+  if (!(sweep.farthest() > share * model.least_thickness && sweep.farthest() < beyond_all)) return found;
+  sweep.find_common();
   const std::vector<int> few = fewest(sweep);
   if (few.empty()) return found;
   std::vector<Box> boxes(static_cast<std::size_t>(model.pieces()));

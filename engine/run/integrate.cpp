@@ -32,6 +32,11 @@ double longest_implicit(const StageOptions& o) {
   return o.dt > 0 ? o.dt : usual_implicit_step;
 }
 
+/// True where the longest stable step allows for the one that masses are scaled for.
+bool is_as_asked(double longest, const StageOptions& options) {
+  return options.mass_scaling && options.safety * longest >= (1 - 1e-9) * options.mass_scaling->step;
+}
+
 /// True where a multiple of `interval` lies within the step behind.
 bool passes_multiple(double time, double last_dt, double interval) {
   return std::floor(time / interval) != std::floor((time - last_dt) / interval);
@@ -69,9 +74,8 @@ NextStep Simulation<D>::choose_step() const {
   if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return {state_.dt, state_.safety, 0};
   const double longest = stable_step(model_, state_, work_).dt;
   // With scaled masses the step is the one asked for, as long as bodies have what they need for it.
-  const double asked = options.mass_scaling ? options.mass_scaling->step : 0;
-  const bool as_asked = asked > 0 && options.safety * longest >= (1 - 1e-9) * asked;
-  return {given > 0 ? given : as_asked ? asked : settled_step(longest, options.safety), safety, longest};
+  const double dt = is_as_asked(longest, options) ? options.mass_scaling->step : settled_step(longest, options.safety);
+  return {given > 0 ? given : dt, safety, longest};
 }
 
 /// Where a stage asks for it: bodies are given what they lack for its step, whenever that is looked at. A run that is
@@ -87,6 +91,9 @@ void Simulation<D>::scale_masses() {
   const bool due = state_.added_share.empty() || state_.dt == 0 || state_.step % steps_between_estimates == 0;
   if (!due) return;
   if (!stage_->report.scaled) stage_->report.scaled.emplace();
+  // Bodies have what they need where the longest stable step is the one asked for.
+  if (!state_.added_share.empty() && state_.dt != 0 && is_as_asked(next_.longest, stage_->options))
+    return measure_scaled(model_, state_, *stage_->report.scaled);
   const bool changed = trilith::scale_masses(model_, state_, work_, *stage_->options.mass_scaling,
                                              stage_->options.safety, stage_->first, *stage_->report.scaled);
   if (!changed) return;

@@ -90,7 +90,7 @@ template <bool turns>
   return turns ? s[2] == Support::free : s[2] == Support::fixed && state.spin[n] == 0;
 }
 
-/// The works of nodes are added to the ledger as they come ...
+/// The works of nodes that go plainly are added to the ledger as they come ...
 struct AddedWork {
   State<2>& state;
   double gravity = state.given[EnergyTerm::gravity], load = state.given[EnergyTerm::load],
@@ -106,13 +106,20 @@ struct AddedWork {
   }
 };
 
-/// ... or kept, where threads share them.
+/// ... or kept, where threads share them. A turn that elements damp has a work of its own.
 struct KeptWork {
-  NodeWork* room;
-  int first;  ///< the node that the room begins with
+  NodeWorks& works;
+  bool turns_are_damped;
 
-  void take(int n, const NodeWork& w) const { room[n - first] = w; }
-  void take_turn(int n, double damping) const { room[n - first].turn_damping = damping; }
+  void take(int n, const NodeWork& w) const {
+    const auto at = static_cast<std::size_t>(n);
+    works.is_plain[at] = turns_are_damped ? 0 : 1;
+    if (turns_are_damped)
+      works.full[at] = w;
+    else
+      works.plain[at] = {w.weight, w.load, w.element_damping};
+  }
+  void take_turn(int n, double damping) const { works.full[static_cast<std::size_t>(n)].turn_damping = damping; }
   void end() const {}
 };
 
@@ -162,8 +169,7 @@ struct FreeNodes {
   const Work<3>& work;
   const Outside<3>& outside;
   StepSpan span;
-  NodeWork* room;  ///< of the works
-  int first;       ///< the node that it begins with
+  NodeWorks& works;
   std::array<int, lane_count> node{};
   int count = 0;
 
@@ -193,33 +199,37 @@ struct FreeNodes {
     turn_four(turning, span.between, span.next);
     for (int i = 0; i < count; ++i) {
       const int n = node[static_cast<std::size_t>(i)];
-      room[n - first] = advance_one(n);
+      const auto at = static_cast<std::size_t>(n);
+      works.plain[at] = advance_one(n), works.is_plain[at] = 1;
       state.spin[n] = lane_of(turning.spin, i);
       state.rotation[n] = {turning.rotation.w[i], turning.rotation.x[i], turning.rotation.y[i], turning.rotation.z[i]};
     }
     count = 0;
   }
-  NodeWork advance_one(int n) {
+  PlainWork advance_one(int n) {
     const double mass = model.mass[n];
     Vec3 &v = state.velocity[n], &place = state.position[n];
     const Vec3 next = v + work.force[n] / mass * span.between, path = 0.5 * (span.last * v + span.next * next);
     v = next, place += span.next * next;
-    NodeWork done;
-    done.weight = mass * outside.field.dot(path), done.load = outside.load[n].dot(path);
-    return done;
+    return {mass * outside.field.dot(path), outside.load[n].dot(path), 0};
   }
 };
 
+void keep(int n, const NodeWork& work, NodeWorks& works) {
+  const auto at = static_cast<std::size_t>(n);
+  works.full[at] = work, works.is_plain[at] = 0;
+}
+
 /// Nodes from `first` to before `last` in space.
 void advance_range(const Model<3>& model, State<3>& state, const Work<3>& work, const StepOptions& options,
-                   const StepSpan& span, const Outside<3>& outside, int first, int last, NodeWork* room) {
+                   const StepSpan& span, const Outside<3>& outside, int first, int last, NodeWorks& works) {
   const bool plain = goes_plainly(model, outside, options) && work.element_damping.empty();
-  FreeNodes free{model, state, work, outside, span, room, first};
+  FreeNodes free{model, state, work, outside, span, works};
   for (int n = first; n < last; ++n) {
     if (plain && is_free(model, n))
       free.add(n);
     else
-      room[n - first] = advance_node(model, state, work, outside, options, span, n);
+      keep(n, advance_node(model, state, work, outside, options, span, n), works);
   }
   free.end();
 }
@@ -244,11 +254,17 @@ void advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, 
 
 /// Adds what nodes came to, with the bits of one after the other: sums in registers take half the time of sums in
 /// memory.
-void add_all(const std::vector<NodeWork>& all, Energy& given) {
+void add_all(const NodeWorks& all, Energy& given) {
   double gravity = given[EnergyTerm::gravity], load = given[EnergyTerm::load], support = given[EnergyTerm::support],
          element_damping = given[EnergyTerm::element_damping], rest = given[EnergyTerm::rest_damping],
          mass = given[EnergyTerm::mass_damping];
-  for (const NodeWork& w : all) {
+  for (std::size_t n = 0; n < all.is_plain.size(); ++n) {
+    if (all.is_plain[n] != 0) {
+      const PlainWork& w = all.plain[n];
+      gravity -= w.weight, load += w.load, element_damping -= w.element_damping;
+      continue;
+    }
+    const NodeWork& w = all.full[n];
     gravity -= w.weight, load += w.load, support -= w.support;
     element_damping -= w.element_damping;
     if (w.turn_damping != 0) element_damping -= w.turn_damping;
@@ -274,22 +290,22 @@ void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const 
       return advance_range(
           model, state, work, options, span, outside, 0, model.nodes(), [&] { return AddedWork{state}; },
           [&](int /*n*/, const NodeWork& w) { add(w, state.given); });
-  std::vector<NodeWork>& done = work.node_work;
-  done.resize(static_cast<std::size_t>(model.nodes()));
+  NodeWorks& works = work.node_work;
+  works.resize(static_cast<std::size_t>(model.nodes()));
+  const bool turns_are_damped = !work.element_damping_moment.empty();
   share(work.threads, model.nodes(), stretch, [&](int first, int last, int /*thread*/) {
-    NodeWork* const room = &done[static_cast<std::size_t>(first)];
     if constexpr (D == 2) {
       advance_range(
           model, state, work, options, span, outside, first, last,
           [&] {
-            return KeptWork{room, first};
+            return KeptWork{works, turns_are_damped};
           },
-          [&](int n, const NodeWork& w) { room[n - first] = w; });
+          [&](int n, const NodeWork& w) { keep(n, w, works); });
     } else {
-      advance_range(model, state, work, options, span, outside, first, last, room);
+      advance_range(model, state, work, options, span, outside, first, last, works);
     }
   });
-  add_all(done, state.given);
+  add_all(works, state.given);
 }
 
 /// Elastic energies that are found from the state [J].

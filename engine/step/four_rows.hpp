@@ -32,21 +32,6 @@ static_assert(offsetof(ContactMemory, bonds) == offsetof(ContactMemory, slip) + 
 // ... as (slip, word), the bonds in the lower half of the word and the state in the upper.
 static_assert(std::endian::native == std::endian::little, "bonds and state are read as one number");
 
-/// Two columns as a pair for each of four rows.
-/// Lanes 0 and 2 of both columns lie in `row02`, 1 and 3 in `row13`: of(row) is then two neighbouring numbers.
-struct RowPairs {
-  Lanes row02, row13;
-  RowPairs() = default;
-  TRILITH_INLINE RowPairs(const Lanes& c0, const Lanes& c1) {
-    const Lanes low = even(c0, c1), high = odd(c0, c1);
-    row02 = low, row13 = high;
-  }
-  TRILITH_INLINE LanePair of(int row) const {
-    const Lanes& v = row % 2 == 0 ? row02 : row13;
-    return row < 2 ? LanePair{v[0], v[1]} : LanePair{v[2], v[3]};
-  }
-};
-
 TRILITH_INLINE LaneMask bits_of(const Lanes& v) {
   LaneMask m;
   __builtin_memcpy(&m, &v, sizeof m);
@@ -103,24 +88,26 @@ struct FourRows {
 };
 
 /// Rows that are no pairs of faces by themselves and are so with their neighbours in line: flat, or where they share no
-/// length open. What a bond holds together goes by itself.
-[[gnu::noinline]] inline void join_lines(const FacePass& pass, const FourRows& rows, FaceMotion<Lanes>& motion) {
+/// length open. What a bond holds together goes by itself. `p`, `a`, `b`: their pairs, and the ends of the faces.
+TRILITH_INLINE void join_lines(const FacePass& pass, const FourRows& rows, const NearPair* const* p,
+                               const FaceEnds<Lanes>& a, const FaceEnds<Lanes>& b, FaceMotion<Lanes>& motion) {
   FaceOverlap<Lanes>& o = motion.overlap;
+  LaneMask joins{};
+  if (pass.known == nullptr)
+    joins = are_flat_in_line<Lanes>(o, load_next(pass.line, pass.skin, p, a, b),
+                                    Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner});
   for (int i = 0; i < lane_count; ++i) {
     const int row = rows.row[i];
-    if ((o.sane[i] != 0 && motion.flat[i] != 0) || pass.before[row].bonds != 0) continue;
-    FaceOverlap<double> one;
-    one.dx = o.dx[i], one.dy = o.dy[i], one.sb1 = o.sb1[i], one.inv_a = o.inv_a[i], one.inv_b = o.inv_b[i];
-    one.gap_lo = o.gap_lo[i], one.gap_hi = o.gap_hi[i], one.tilt = o.tilt[i];
-    if (pass.known != nullptr ? pass.known[row] == 0 : !is_flat_in_line(pass.line, pass.skin, pass.pairs[row], one))
-      continue;
-    motion.flat[i] = -1;
-    if (o.sane[i] != 0) continue;
-    constexpr double open = 1, least = 1e-12;  // [m]
-    o.sane[i] = -1;
-    o.hi[i] = o.lo[i] + least, o.shared[i] = least;
-    o.gap_lo[i] = o.gap_hi[i] = open;
+    if (pass.known != nullptr && pass.known[row] != 0) joins[i] = -1;
+    if (pass.before[row].bonds != 0) joins[i] = 0;
   }
+  joins &= flip(o.sane & motion.flat);
+  const LaneMask opens = joins & flip(o.sane);
+  constexpr double open = 1, least = 1e-12;  // [m]
+  const Lanes zero{};
+  motion.flat |= joins, o.sane |= opens;
+  o.hi = select(opens, o.lo + least, o.hi), o.shared = select(opens, zero + least, o.shared);
+  o.gap_lo = select(opens, zero + open, o.gap_lo), o.gap_hi = select(opens, zero + open, o.gap_hi);
 }
 
 /// Places and velocities of the four face ends of each row, as columns. After an implicit step the mean velocities over
@@ -149,7 +136,7 @@ TRILITH_INLINE FaceMotion<Lanes> load_motion(const FacePass& pass, const FourRow
     motion.over_step(a, b);
   }
   if (pass.line.is_there() || pass.known != nullptr)
-    if (any(flip(motion.overlap.sane & motion.flat))) join_lines(pass, rows, motion);
+    if (any(flip(motion.overlap.sane & motion.flat))) join_lines(pass, rows, p, a, b, motion);
   return motion;
 }
 

@@ -32,6 +32,17 @@ inline void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, d
     }
 }
 
+/// A spring along unit direction e that turns nothing: the same but for what is 0.
+inline void add_spring(Local& local, const Vec2& e, double k, double beta, double weight) {
+  const double stiffness = weight * k;
+  for (int column = 0; column < 2; ++column)
+    for (int row = 0; row < 2; ++row) {
+      const double m = stiffness * e[row] * e[column];
+      local.k(row, column) += m;
+      local.c(row, column) += beta * m;
+    }
+}
+
 /// Where a contact is and how stiff: `length` along left_of(normal), its middle at `at`.
 struct ContactSprings {
   Vec2 at, normal;
@@ -68,6 +79,16 @@ inline double rate_bound(const Eigen::Matrix3d& m, double mass, double inertia, 
     for (int c = 0; c < 3; ++c)
       if (is_free[r] && is_free[c]) scaled(r, c) = m(r, c) * scale[r] * scale[c];
   return largest_eigenvalue(scaled);
+}
+
+/// The larger of `known` and the rate bound of a node's own springs. Where their trace, which is no less than any
+/// eigenvalue, is below what is known there is nothing to be found.
+inline double larger_rate(const Model<2>& model, int node, const Eigen::Matrix3d& m, double known) {
+  const double mass = model.mass[node], inertia = model.inertia[node];
+  if ((m(0, 0) + m(1, 1)) / mass + (m(2, 2) > 0 ? m(2, 2) / inertia : 0) <= known) return known;
+  const auto& s = model.support[node];
+  return std::max(known,
+                  rate_bound(m, mass, inertia, {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free}));
 }
 
 }  // namespace trilith

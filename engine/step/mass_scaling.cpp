@@ -75,9 +75,8 @@ template <int D>
       asked.step, allowed, name));
 }
 
-/// What the shares come to by now.
 template <int D>
-void describe(const Model<D>& model, const State<D>& state, ScaledMass& found) {
+void find_shares(const Model<D>& model, const State<D>& state, ScaledMass& found) {
   double mass = 0, added = 0;
   int bodies = 0;
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
@@ -136,6 +135,12 @@ void shorten_to_scaled(const BodyRates& rates, double share, double mass_damping
 }
 
 template <int D>
+void measure_scaled(const Model<D>& model, const State<D>& state, ScaledMass& found) {
+  find_shares(model, state, found);
+  find_energies(model, state, found);
+}
+
+template <int D>
 bool scale_masses(const Model<D>& model, State<D>& state, const Work<D>& work, const MassScaling& asked, double safety,
                   bool must, ScaledMass& found) {
   const std::vector<BodyRates> rates = body_rates(model, state, work, true);
@@ -164,8 +169,7 @@ bool scale_masses(const Model<D>& model, State<D>& state, const Work<D>& work, c
         "mass_scaling: step is {:g} s, must be at most {:.2g} s: body '{}' ({}), whose masses are not scaled, takes no "
         "longer one",
         asked.step, safety * stable.dt, model.bodies[stable.body].name, name_of(model.bodies[stable.body].kind)));
-  describe(model, state, found);
-  find_energies(model, state, found);
+  measure_scaled(model, state, found);
   return changed;
 }
 
@@ -177,6 +181,26 @@ void unscale_masses(const Model<D>& model, State<D>& state) {
 
 namespace {
 
+/// Acceleration of a body that turns as its nodes do, under the forces on them, as if it were rigid.
+template <int D>
+RigidPart<D> rigid_acceleration(const Model<D>& model, const State<D>& state, int body, const WholeBody<D>& whole,
+                                const std::vector<Vec<D>>& force) {
+  RigidPart<D> out;
+  if (!whole.moves()) return out;
+  out.centre = whole.centre;
+  Moment<D> momentum = nothing<Moment<D>>(), moment = nothing<Moment<D>>();
+  const Body& b = model.bodies[body];
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
+    const Vec<D> arm = state.position[n] - whole.centre;
+    momentum += cross(arm, Vec<D>(model.mass[n] * state.velocity[n]));
+    out.along += force[n], moment += cross(arm, force[n]);
+  }
+  out.spin = turn_from(whole, momentum);
+  out.along = whole.goes.cwiseProduct(out.along) / whole.mass;
+  out.about = turn_from(whole, moment - gyroscopic(whole, out.spin));
+  return out;
+}
+
 /// f, then f' = (m a - f) share / (1 + share): what is to be added to f, with a of the rigid body under f. `all_count`:
 /// forces are all that the nodes go by where they are free.
 template <int D>
@@ -185,15 +209,14 @@ void add_inertia_of(const Model<D>& model, const State<D>& state, const Work<D>&
   const double part = state.added_share[b] / (1 + state.added_share[b]);
   const Body& body = model.bodies[b];
   const WholeBody<D> whole = whole_body(model, state, b);
+  const bool plain = all_count && whole.is_free();
+  if (!plain)
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+      added[n] = along_of(node_forces(model, state, work, n, velocity_of(state, n), outside, rest).force);
+  const std::vector<Vec<D>>& force = plain ? work.force : added;
+  const RigidPart<D> rigid = rigid_acceleration(model, state, b, whole, force);
   for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
-    added[n] = all_count && whole.is_free()
-                   ? work.force[n]
-                   : along_of(node_forces(model, state, work, n, velocity_of(state, n), outside, rest).force);
-  const Spin<D> spin = rigid_motion(model, state, b, whole).about;
-  const RigidPart<D> rigid = rigid_part(
-      model, state, b, whole, [&](int n) { return added[n]; }, spin);
-  for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
-    added[n] = part * (model.mass[n] * rigid.turning_at(state.position[n]) - added[n]);
+    added[n] = part * (model.mass[n] * rigid.turning_at(state.position[n]) - force[n]);
 }
 
 }  // namespace
@@ -233,6 +256,8 @@ double added_kinetic(const Model<D>& model, const State<D>& state, const Work<D>
 
 template bool scale_masses(const Model<2>&, State<2>&, const Work<2>&, const MassScaling&, double, bool, ScaledMass&);
 template bool scale_masses(const Model<3>&, State<3>&, const Work<3>&, const MassScaling&, double, bool, ScaledMass&);
+template void measure_scaled(const Model<2>&, const State<2>&, ScaledMass&);
+template void measure_scaled(const Model<3>&, const State<3>&, ScaledMass&);
 template void unscale_masses(const Model<2>&, State<2>&);
 template void unscale_masses(const Model<3>&, State<3>&);
 template void add_inertia(const Model<2>&, const State<2>&, Work<2>&, const StepOptions&);

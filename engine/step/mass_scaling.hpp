@@ -61,6 +61,9 @@ void shorten_to_scaled(const BodyRates& rates, double share, double mass_damping
 template <int D>
 bool scale_masses(const Model<D>& model, State<D>& state, const Work<D>& work, const MassScaling& asked, double safety,
                   bool must, ScaledMass& found);
+/// What the shares and the energy of their motion come to by now, where none had to grow.
+template <int D>
+void measure_scaled(const Model<D>& model, const State<D>& state, ScaledMass& found);
 /// Takes all of it away again; the ledger has what it held.
 template <int D>
 void unscale_masses(const Model<D>& model, State<D>& state);

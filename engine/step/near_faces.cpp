@@ -39,15 +39,49 @@ TRILITH_INLINE LaneMask clearly_apart(const SkinMotion<2>* skin, const NearPair*
   return parallel & ((over_a > slack * (ax * ax + ay * ay)) | (over_b > slack * (bx * bx + by * by)));
 }
 
-/// Of the first `count` of a padded list keeps those that are not clearly apart, in their order.
-[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] std::size_t keep_near(const SkinMotion<2>* skin,
+/// The faces of four pairs, where they are.
+struct FourFacePairs {
+  FaceEnds<Lanes> a{}, b{};
+  FaceOverlap<Lanes> overlap;
+  Lanes corner;
+
+  TRILITH_INLINE FourFacePairs(const SkinMotion<2>* skin, const NearPair* const* p)
+      : corner{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner} {
+    load_ends(skin, p, &NearPair::a0, &SkinMotion<2>::x, a.x0, a.y0);
+    load_ends(skin, p, &NearPair::a1, &SkinMotion<2>::x, a.x1, a.y1);
+    load_ends(skin, p, &NearPair::b0, &SkinMotion<2>::x, b.x0, b.y0);
+    load_ends(skin, p, &NearPair::b1, &SkinMotion<2>::x, b.x1, b.y1);
+    overlap = FaceOverlap<Lanes>(a, b);
+  }
+};
+
+/// True of faces that share no length and are flat with their neighbours in line: a pair of faces, as the kernel would
+/// find (see join_lines), and one that does not touch. Each face of a mesh that lies in a joint has two such beside the
+/// one across.
+TRILITH_INLINE LaneMask lie_beside(const FaceLine& line, const SkinMotion<2>* skin, const NearPair* const* p) {
+  const FourFacePairs faces(skin, p);
+  return flip(faces.overlap.sane) &
+         are_flat_in_line<Lanes>(faces.overlap, load_next(line, skin, p, faces.a, faces.b), faces.corner);
+}
+
+/// Of the first `count` of a padded list of rows that did not touch keeps those that may, in their order. `before`:
+/// what a bond holds is looked at in any case.
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] std::size_t keep_near(const FaceLine& line,
+                                                                                  const ContactMemory* before,
+                                                                                  const SkinMotion<2>* skin,
                                                                                   const NearPair* pairs, int* rows,
                                                                                   std::size_t count) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; i += lane_count) {
     const int four[lane_count] = {rows[i], rows[i + 1], rows[i + 2], rows[i + 3]};
     const NearPair* const p[lane_count] = {&pairs[four[0]], &pairs[four[1]], &pairs[four[2]], &pairs[four[3]]};
-    const LaneMask apart = clearly_apart(skin, p);
+    LaneMask apart = clearly_apart(skin, p);
+    if (line.is_there() && any(flip(apart))) {
+      LaneMask beside = lie_beside(line, skin, p);
+      for (int lane = 0; lane < lane_count; ++lane)
+        if (before[four[lane]].bonds != 0) beside[lane] = 0;
+      apart |= beside;
+    }
     for (int lane = 0; lane < lane_count; ++lane) {
       rows[kept] = four[lane];
       kept += i + static_cast<std::size_t>(lane) < count && apart[lane] == 0 ? 1 : 0;
@@ -60,13 +94,8 @@ TRILITH_INLINE LaneMask clearly_apart(const SkinMotion<2>* skin, const NearPair*
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] unsigned are_faces(const SkinMotion<2>* skin,
                                                                                const NearPair* pairs, const int* row) {
   const NearPair* const p[lane_count] = {&pairs[row[0]], &pairs[row[1]], &pairs[row[2]], &pairs[row[3]]};
-  FaceEnds<Lanes> a{}, b{};
-  load_ends(skin, p, &NearPair::a0, &SkinMotion<2>::x, a.x0, a.y0);
-  load_ends(skin, p, &NearPair::a1, &SkinMotion<2>::x, a.x1, a.y1);
-  load_ends(skin, p, &NearPair::b0, &SkinMotion<2>::x, b.x0, b.y0);
-  load_ends(skin, p, &NearPair::b1, &SkinMotion<2>::x, b.x1, b.y1);
-  const FaceOverlap<Lanes> overlap(a, b);
-  const LaneMask are = overlap.sane & overlap.is_flat(Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner});
+  const FourFacePairs faces(skin, p);
+  const LaneMask are = faces.overlap.sane & faces.overlap.is_flat(faces.corner);
   unsigned bits = 0;
   for (int i = 0; i < lane_count; ++i) bits |= are[i] != 0 ? 1U << i : 0U;
   return bits;
@@ -138,7 +167,7 @@ SortedRows sort_stretch(const FaceLine& line, const ContactHistory& before, cons
     touched = without(end, tumbling, rows, touched);
   }
   pad(fresh, rest);
-  return {touched, keep_near(work.skin.data(), work.pairs.data(), fresh, rest), tumbling};
+  return {touched, keep_near(line, before.memory.data(), work.skin.data(), work.pairs.data(), fresh, rest), tumbling};
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/portable.hpp"
+#include "base/team.hpp"
 #include "detect/lookup.hpp"
 #include "detect/moving_piece.hpp"
 #include "detect/pairs.hpp"
@@ -137,9 +139,9 @@ bool is_beneath(const Model<2>& model, const Work<2>& work, int owner, int other
   return false;
 }
 
-/// How much deeper the pieces of a row may get [m]; not above 0: they are too deep, and that is told now. Of those that
-/// are not half as deep as that, at least half.
-double room_of(const Model<2>& model, State<2>& state, const Work<2>& work, int row, std::vector<Event>& told) {
+/// How much deeper the pieces of a row may get [m]; below 0: they are too deep, and that was not told yet. Of those
+/// that are not half as deep as that, at least half.
+double room_of(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& pair = work.pairs[row];
   const int p = pair.piece_a, q = pair.piece_b;
   const double allowed = deepest_allowed(model, p, q), half = 0.5 * allowed;
@@ -147,29 +149,66 @@ double room_of(const Model<2>& model, State<2>& state, const Work<2>& work, int 
   if (pair.facing > 0 && beneath_face(model, work, pair) <= half) return half;
   if (is_beneath(model, work, p, q, half) || is_beneath(model, work, q, p, half)) return half;
   if (is_told(model, state, p, q)) return half;
-  const Two two(model, state, p, q);
-  if (two.overlap.depth > allowed) tell(model, state, p, q, two, told);
-  return allowed - two.overlap.depth;
+  const double left = allowed - Two(model, state, p, q).overlap.depth;
+  return left == 0 ? half : left;
 }
 
-/// Looks at a row, and finds how long that will do: for as long as neither piece is looked up again where what both may
-/// move by until then makes them no deeper than is told, else up to the path that may. Two corners come nearer to each
-/// other by twice the path of the fastest at most.
-void look_at(const Model<2>& model, State<2>& state, Work<2>& work, int row, std::vector<Event>& told) {
+/// Until which path a look at a row will do that has so much room: for as long as neither piece is looked up again
+/// where what both may move by until then makes them no deeper than is told, else up to the path that may. Two corners
+/// come nearer to each other by twice the path of the fastest at most.
+double clear_until(const Work<2>& work, int row, double room) {
   const NearPair& pair = work.pairs[row];
-  double left = room_of(model, state, work, row, told);
-  if (left <= 0) left = 0.5 * deepest_allowed(model, pair.piece_a, pair.piece_b);  // told, once for all
   const double nearer = reach_of(work.search, pair.piece_a) + reach_of(work.search, pair.piece_b);
-  work.clear_until[row] = left > nearer ? unbounded : work.travel + 0.5 * (1 - 1e-9) * left;
+  return room > nearer ? unbounded : work.travel + 0.5 * (1 - 1e-9) * room;
 }
+
+/// Of rows that are found to be too deep, until that is told.
+constexpr double too_deep = -1;
+
+/// Looks at those rows from `first` to before `last` that are to be looked at by now. Returns the shortest path until
+/// which all of them will do, `too_deep` where some is.
+double look_at_rows(const Model<2>& model, const State<2>& state, Work<2>& work, int first, int last) {
+  double least = unbounded;
+  for (int row = first; row < last; ++row) {
+    double& clear = work.clear_until[row];
+    if (!(work.travel < clear)) {
+      const double room = room_of(model, state, work, row);
+      clear = room < 0 ? too_deep : clear_until(work, row, room);
+    }
+    least = std::min(least, clear);
+  }
+  return least;
+}
+
+/// Tells of the rows that are too deep, in their order, once for each two bodies.
+void tell_deep(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
+  work.clear_path = unbounded;
+  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
+    if (work.clear_until[row] == too_deep) {
+      const int p = work.pairs[row].piece_a, q = work.pairs[row].piece_b;
+      if (!is_told(model, state, p, q)) tell(model, state, p, q, Two(model, state, p, q), told);
+      work.clear_until[row] = clear_until(work, row, 0.5 * deepest_allowed(model, p, q));
+    }
+    work.clear_path = std::min(work.clear_path, work.clear_until[row]);
+  }
+}
+
+/// Rows that threads look at at a time: some microseconds.
+constexpr int looked_stretch = 512;
 
 /// Looks at all rows that are to be looked at by now.
 void look_now(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
+  struct alignas(64) Path {
+    double least = unbounded;
+  };
+  std::array<Path, most_threads> by{};
+  share(work.threads, static_cast<int>(work.pairs.size()), looked_stretch, [&](int first, int last, int thread) {
+    double& least = by[static_cast<std::size_t>(thread)].least;
+    least = std::min(least, look_at_rows(model, state, work, first, last));
+  });
   work.clear_path = unbounded;
-  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
-    if (!(work.travel < work.clear_until[row])) look_at(model, state, work, row, told);
-    work.clear_path = std::min(work.clear_path, work.clear_until[row]);
-  }
+  for (const Path& path : by) work.clear_path = std::min(work.clear_path, path.least);
+  if (work.clear_path == too_deep) tell_deep(model, state, work, told);
 }
 
 /// Where a bearing held a contact off, it may begin deep.

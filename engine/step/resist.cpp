@@ -6,6 +6,7 @@
 #include "body/corotation.hpp"
 #include "step/element_stress.hpp"
 #include "step/evaluate.hpp"
+#include "step/face_columns.hpp"
 #include "step/resist_beams.hpp"
 #include "step/single_terms.hpp"
 #include "world/element_rows.hpp"
@@ -35,57 +36,103 @@ struct ElementPass {
   Work<2>& work;
 };
 
-/// Nodes of one element, where they are read and written.
-template <int N>
-struct ElementNodes {
-  const Vec2 *position[N], *velocity[N];
-  Vec2 *force[N], *damping[N];
-  TRILITH_INLINE ElementNodes(const ElementPass& pass, const Element& e) {
-    for (int i = 0; i < N; ++i) {
-      const auto n = static_cast<std::size_t>(e.node[i]);
-      position[i] = &pass.state.position[n], velocity[i] = &pass.state.velocity[n];
-      force[i] = &pass.work.element_force[n], damping[i] = &pass.work.element_damping[n];
-    }
-  }
-};
-
-/// beta k v: the elastic forces of the rate of the deformation, times a time.
-template <int N>
-TRILITH_INLINE void add_damping(const Deformation<N>& now, const double* shape, const double* k, double beta,
-                                const ElementNodes<N>& nodes) {
-  alignas(32) double g[8];
-  multiply(k, now.v, 2 * N, g);
-  for (double& v : g) v *= beta;
-  now.subtract(shape, g, nodes.damping);
+/// Four elements share their rows of Model::element_number.
+TRILITH_INLINE bool are_alike(const Element* four) {
+  return four[0].first_number == four[1].first_number && four[0].first_number == four[2].first_number &&
+         four[0].first_number == four[3].first_number;
 }
 
-/// h = k d in the element's own axes, energy d . k d / 2; Deformation turns h to forces on the nodes (see
-/// body/corotation.hpp). Loops are over fixed counts, so that one copy for wide registers has the same bits.
+/// Places or velocities of the nodes of an element.
+template <int N>
+TRILITH_INLINE NodeColumns<N, double> columns_of(const std::vector<Vec2>& of, const Element& e) {
+  NodeColumns<N, double> out;
+  for (int i = 0; i < N; ++i) {
+    const Vec2& v = of[static_cast<std::size_t>(e.node[i])];
+    out.x[i] = v.x(), out.y[i] = v.y();
+  }
+  return out;
+}
+/// The same of four elements.
+template <int N>
+TRILITH_INLINE NodeColumns<N, Lanes> columns_of(const std::vector<Vec2>& of, const Element* four) {
+  NodeColumns<N, Lanes> out;
+  for (int i = 0; i < N; ++i) {
+    const double* row[lane_count];
+    for (int lane = 0; lane < lane_count; ++lane) row[lane] = of[static_cast<std::size_t>(four[lane].node[i])].data();
+    load_columns(row, out.x[i], out.y[i]);
+  }
+  return out;
+}
+
+TRILITH_INLINE void subtract_at(std::vector<Vec2>& from, int node, const LanePair& force) {
+  double* const on = from[static_cast<std::size_t>(node)].data();
+  store_pair(on, load_pair(on) - force);
+}
+template <int N>
+TRILITH_INLINE void subtract(std::vector<Vec2>& from, const Element& e, const NodeColumns<N, double>& force) {
+  for (int i = 0; i < N; ++i) subtract_at(from, e.node[i], LanePair{force.x[i], force.y[i]});
+}
+/// Element after element: two of four may have a node in common.
+template <int N>
+TRILITH_INLINE void subtract(std::vector<Vec2>& from, const Element* four, const NodeColumns<N, Lanes>& force) {
+  RowPairs rows[N];
+  for (int i = 0; i < N; ++i) rows[i] = RowPairs(force.x[i], force.y[i]);
+  for (int lane = 0; lane < lane_count; ++lane)
+    for (int i = 0; i < N; ++i) subtract_at(from, four[lane].node[i], rows[i].of(lane));
+}
+
+/// beta k v: the elastic forces of the rate of the deformation, times a time. `which`: one element, or the first of
+/// four.
+template <int N, class T, class Which>
+TRILITH_INLINE void add_damping(const ElementPass& pass, const Deformation<N, T>& now, const double* shape, double beta,
+                                const Which& which) {
+  const auto v = now.rate(shape, columns_of<N>(pass.state.velocity, which));
+  std::array<T, 8> h = multiply<N>(shape + element_shape_numbers, v);
+  for (T& force : h) force *= beta;
+  subtract<N>(pass.work.element_damping, which, now.forces(shape, h));
+}
+
+/// h = k d in the element's own axes, whose forces on the nodes are taken off; Deformation turns h to them (see
+/// body/corotation.hpp). Of `which`, as above, with these rows of Model::element_number; returns d . k d / 2 [J].
+template <int N, class T, class Which>
+TRILITH_INLINE T resist_elastic(const ElementPass& pass, const double* shape, double beta, const Which& which) {
+  const Deformation<N, T> now(shape, columns_of<N>(pass.state.position, which));
+  const std::array<T, 8> h = multiply<N>(shape + element_shape_numbers, now.d);
+  T twice{};
+  for (int j = 0; j < 2 * N; ++j) twice += h[j] * now.d[j];
+  subtract<N>(pass.work.element_force, which, now.forces(shape, h));
+  if (beta > 0) add_damping<N, T>(pass, now, shape, beta, which);
+  return 0.5 * twice;
+}
+
+/// Elements of one shape that follow each other go four at a time. Loops are over fixed counts, so that a lane, an
+/// element by itself and copies for wide registers have the same bits.
 template <int N>
 TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, EnergySink& energies) {
   const double beta = pass.model.solids[batch.solid].damping();
-  for (int i = batch.first; i < batch.first + batch.count; ++i) {
-    const Element& e = pass.model.elements[i];
-    const double* const shape = &pass.model.element_number[e.first_number];
-    const double* const k = shape + element_shape_numbers;
-    const ElementNodes<N> nodes(pass, e);
-    const Deformation<N> now(shape, nodes.position, nodes.velocity);
-    alignas(32) double g[8];
-    multiply(k, now.d, 2 * N, g);
-    double twice = 0;
-    for (int j = 0; j < 2 * N; ++j) twice += g[j] * now.d[j];
-    energies.add(0.5 * twice, 0);
-    now.subtract(shape, g, nodes.force);
-    if (beta > 0) add_damping<N>(now, shape, k, beta, nodes);
+  const int end = batch.first + batch.count;
+  for (int i = batch.first; i < end;) {
+    const Element* const e = &pass.model.elements[static_cast<std::size_t>(i)];
+    const double* const shape = &pass.model.element_number[static_cast<std::size_t>(e->first_number)];
+    if (i + lane_count <= end && are_alike(e)) {
+      const Lanes stored = resist_elastic<N, Lanes>(pass, shape, beta, e);
+      for (int lane = 0; lane < lane_count; ++lane) energies.add(stored[lane], 0);
+      i += lane_count;
+    } else {
+      energies.add(resist_elastic<N, double>(pass, shape, beta, *e), 0);
+      ++i;
+    }
   }
 }
 
-[[gnu::target_clones("avx2", "default")]] void resist_quads(const ElementPass& pass, const ElementBatch& batch,
-                                                            EnergySink& energies) {
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void resist_quads(const ElementPass& pass,
+                                                                              const ElementBatch& batch,
+                                                                              EnergySink& energies) {
   resist_elastic<4>(pass, batch, energies);
 }
-[[gnu::target_clones("avx2", "default")]] void resist_triangles(const ElementPass& pass, const ElementBatch& batch,
-                                                                EnergySink& energies) {
+[[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void resist_triangles(const ElementPass& pass,
+                                                                                  const ElementBatch& batch,
+                                                                                  EnergySink& energies) {
   resist_elastic<3>(pass, batch, energies);
 }
 
@@ -107,9 +154,8 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
     const Element& e = pass.model.elements[i];
     const double* const shape = &pass.model.element_number[e.first_number];
     const double* const k = shape + element_shape_numbers;
-    const ElementNodes<N> nodes(pass, e);
-    const Deformation<N> now(shape, nodes.position, nodes.velocity);
-    double g[8] = {};
+    const Deformation<N> now(shape, columns_of<N>(pass.state.position, e));
+    std::array<double, 8> h{};
     for (int p = 0; p < points; ++p) {
       const double* const point = k + element_stiffness_numbers + p * element_point_numbers;
       const double volume = point[24];
@@ -119,10 +165,10 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
       // Each point stands for `volume` of the element.
       energies.add(volume * r.stored, volume * r.dissipated);
       const PlaneVector s = volume * r.stress.in_plane();
-      for (int j = 0; j < 2 * N; ++j) g[j] += point[3 * j] * s[0] + point[3 * j + 1] * s[1] + point[3 * j + 2] * s[2];
+      for (int j = 0; j < 2 * N; ++j) h[j] += point[3 * j] * s[0] + point[3 * j + 1] * s[1] + point[3 * j + 2] * s[2];
     }
-    now.subtract(shape, g, nodes.force);
-    if (law.damping > 0) add_damping<N>(now, shape, k, law.damping, nodes);
+    subtract<N>(pass.work.element_force, e, now.forces(shape, h));
+    if (law.damping > 0) add_damping<N, double>(pass, now, shape, law.damping, e);
   }
 }
 
@@ -212,13 +258,9 @@ ElementStress element_stress(const Model<2>& model, const State<2>& state, int e
   const Solid& solid = model.solids[e.solid];
   const double* const shape = &model.element_number[e.first_number];
   std::vector<Vec2> corners;
-  const Vec2 *position[max_element_nodes], *velocity[max_element_nodes];
-  for (int i = 0; i < e.nodes; ++i) {
-    corners.emplace_back(shape[2 * i], shape[2 * i + 1]);
-    position[i] = &state.position[e.node[i]], velocity[i] = &state.velocity[e.node[i]];
-  }
+  for (int i = 0; i < e.nodes; ++i) corners.emplace_back(shape[2 * i], shape[2 * i + 1]);
   const auto deform = [&]<int N>() {
-    const Deformation<N> now(shape, position, velocity);
+    const Deformation<N> now(shape, columns_of<N>(state.position, e));
     return std::pair(now.d, std::pair(now.c, now.s));
   };
   const auto [d, axes] = e.nodes == 4 ? deform.template operator()<4>() : deform.template operator()<3>();

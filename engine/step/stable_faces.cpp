@@ -3,6 +3,7 @@
 
 #include "step/local_springs.hpp"
 #include "step/stable_step.hpp"
+#include "step/whole_body.hpp"
 #include "world/pose.hpp"
 #include "world/skin_places.hpp"
 
@@ -67,24 +68,46 @@ Local on_stiffest_face(const Model<2>& model, int body) {
   return stiffest;
 }
 
+/// Springs all around a body of elements as if it were rigid, half as stiff as in full contact with bodies that move:
+/// at least as much as its longest side gives, as no side is longer than half the outline.
+RateBound around_outline(const Model<2>& model, int body) {
+  const WholeBody<2> whole = whole_body(model, model.start_position, body);
+  if (!whole.moves()) return {};
+  ContactTangent stiffest{0, 0, 0};
+  const Body& b = model.bodies[body];
+  for (int other = 0; other < model.surfaces; ++other)
+    if (const int law = model.law_of[b.surface * model.surfaces + other]; law >= 0)
+      if (const ContactTangent t = spring_tangent(model, law, 0); t.normal > stiffest.normal) stiffest = t;
+  Local out;
+  for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
+    for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
+      if (!model.edge_is_face[first + c]) continue;
+      const Vec2 p = skin_start(model, model.corner_skin[first + c]),
+                 q = skin_start(model, model.corner_skin[first + (c + 1) % count]);
+      const double length = (q - p).norm();
+      const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q) - whole.centre;
+      add_spring(out, n, arm, stiffest.normal * length, stiffest.beta, length, t, 1);
+      add_spring(out, t, arm, stiffest.shear * length, stiffest.beta, length, t, 1);
+    }
+  constexpr std::array all{true, true, true};
+  return {rate_bound(out.k, whole.mass, whole.inertia, all), rate_bound(out.c, whole.mass, whole.inertia, all)};
+}
+
 }  // namespace
 
 void bound_faces(const Model<2>& model, Work<2>& work) {
   work.face_bound.resize(model.bodies.size());
+  work.around_bound.assign(model.bodies.size(), {});
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (!model.body_moves(static_cast<int>(b))) continue;
+    if (is_of_elements(model.bodies[b])) work.around_bound[b] = around_outline(model, static_cast<int>(b));
     const Local local = on_stiffest_face(model, static_cast<int>(b));
     if (!model.bodies[b].is_rigid()) {
       work.face_bound[b] = {local.k(0, 0), local.c(0, 0)};
       continue;
     }
     const int node = model.bodies[b].first_node;
-    const auto bound = [&](const Eigen::Matrix3d& m) {
-      const auto& s = model.support[node];
-      return rate_bound(m, model.mass[node], model.inertia[node],
-                        {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
-    };
-    work.face_bound[b] = {bound(local.k), bound(local.c)};
+    work.face_bound[b] = {larger_rate(model, node, local.k, 0), larger_rate(model, node, local.c, 0)};
   }
 }
 

@@ -34,9 +34,8 @@ void add_to_face(const Model<2>& model, const std::array<int, 2>& node, const Ve
   const double spread = c.length * c.length / (6 * size), least = std::min(model.mass[node[0]], model.mass[node[1]]);
   for (const int i : {0, 1}) {
     const double k = (i == 0 ? 1 - share : share) + spread, scaled = weight * k * model.mass[node[i]] / least;
-    const Vec2 none = Vec2::Zero();
-    add_spring(locals[node[i]], c.normal, none, c.law.normal * c.length, c.law.beta, 0, none, scaled);
-    add_spring(locals[node[i]], left_of(c.normal), none, c.law.shear * c.length, c.law.beta, 0, none, scaled);
+    add_spring(locals[node[i]], c.normal, c.law.normal * c.length, c.law.beta, scaled);
+    add_spring(locals[node[i]], left_of(c.normal), c.law.shear * c.length, c.law.beta, scaled);
   }
 }
 
@@ -45,9 +44,9 @@ void add_to_face(const Model<2>& model, const std::array<int, 2>& node, const Ve
 void add_to_skin(const Model<2>& model, const State<2>& state, int skin, const Vec2& at, const Vec2& e, double k,
                  double beta, std::vector<Local>& locals) {
   const int n = model.skin_node[skin], t = model.skin_turn[skin];
-  const Vec2 arm = at - state.position[n], none = Vec2::Zero();
-  if (n == t) return add_spring(locals[n], e, arm, k, beta, 0, none, 1);
-  add_spring(locals[n], e, none, k, beta, 0, none, 2);
+  const Vec2 arm = at - state.position[n];
+  if (n == t) return add_spring(locals[n], e, arm, k, beta, 0, Vec2::Zero(), 1);
+  add_spring(locals[n], e, k, beta, 2);
   const double turning = 2 * k * cross(arm, e) * cross(arm, e);
   locals[t].k(2, 2) += turning, locals[t].c(2, 2) += beta * turning;
 }
@@ -201,47 +200,16 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
   }
 }
 
-/// The largest rate of a node's own springs.
-double bound(const Model<2>& model, int node, const Eigen::Matrix3d& m) {
-  const auto& s = model.support[node];
-  return rate_bound(m, model.mass[node], model.inertia[node],
-                    {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
-}
-
-/// Springs all around a body as if it were rigid, half as stiff as in full contact with bodies that move: at least as
-/// much as its longest side gives, as no side is longer than half the outline.
-Local around_outline(const Model<2>& model, const Work<2>& work, int body, const Vec2& centre) {
-  ContactTangent stiffest{0, 0, 0};
-  const Body& b = model.bodies[body];
-  for (int other = 0; other < model.surfaces; ++other)
-    if (const int law = model.law_of[b.surface * model.surfaces + other]; law >= 0)
-      if (const ContactTangent t = spring_tangent(model, law, 0); t.normal > stiffest.normal) stiffest = t;
-  Local out;
-  for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
-    for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
-      if (!model.edge_is_face[first + c]) continue;
-      const SkinMotion<2>&p = work.skin[model.corner_skin[first + c]],
-            &q = work.skin[model.corner_skin[first + (c + 1) % count]];
-      const Vec2 along(q.x - p.x, q.y - p.y), middle(0.5 * (p.x + q.x), 0.5 * (p.y + q.y));
-      const double length = along.norm();
-      const Vec2 t = along / length, n(t.y(), -t.x()), arm = middle - centre;
-      add_spring(out, n, arm, stiffest.normal * length, stiffest.beta, length, t, 1);
-      add_spring(out, t, arm, stiffest.shear * length, stiffest.beta, length, t, 1);
-    }
-  return out;
-}
-
 /// What contacts and bearings can do to a body of elements that moves as if it were rigid; being held along some axis
 /// makes no eigenvalue larger.
-RateBound rigid_rates(const Model<2>& model, const Work<2>& work, int body, const Locals& locals) {
+RateBound rigid_rates(const Work<2>& work, int body, const Locals& locals) {
   const WholeBody<2>& whole = locals.body[body];
   if (!whole.moves()) return {};
-  const Local around = around_outline(model, work, body, whole.centre);
-  const auto most = [&](const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
-    constexpr std::array all{true, true, true};
-    return std::max(rate_bound(a, whole.mass, whole.inertia, all), rate_bound(b, whole.mass, whole.inertia, all));
-  };
-  return {most(locals.whole[body].k, around.k), most(locals.whole[body].c, around.c)};
+  constexpr std::array all{true, true, true};
+  const auto bound = [&](const Eigen::Matrix3d& m) { return rate_bound(m, whole.mass, whole.inertia, all); };
+  const RateBound& around = work.around_bound[body];
+  return {std::max(bound(locals.whole[body].k), around.stiffness),
+          std::max(bound(locals.whole[body].c), around.damping)};
 }
 
 }  // namespace
@@ -270,12 +238,12 @@ std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, 
     // The largest of its nodes' bounds bounds the whole.
     for (int node = body.first_node; node < body.first_node + body.nodes; ++node) {
       if (!model.moves(node)) continue;
-      k = std::max(k, bound(model, node, locals.node[node].k));
-      c = std::max(c, bound(model, node, locals.node[node].c));
+      k = larger_rate(model, node, locals.node[node].k, k);
+      c = larger_rate(model, node, locals.node[node].c, c);
     }
     const RateBound& own = model.element_bound[b];
     out[b] = {own, {k, c}, {}, step_for(k + own.stiffness, c + (own.damping + model.mass_damping))};
-    if (as_rigid && is_of_elements(body)) out[b].rigid = rigid_rates(model, work, static_cast<int>(b), locals);
+    if (as_rigid && is_of_elements(body)) out[b].rigid = rigid_rates(work, static_cast<int>(b), locals);
   }
   return out;
 }

@@ -41,7 +41,7 @@ struct BodyRates {
 std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, const Work<2>& work, bool as_rigid);
 std::vector<BodyRates> body_rates(const Model<3>& model, const State<3>& state, const Work<3>& work, bool as_rigid);
 
-/// Fills work.face_bound: every body on its stiffest face. In space work.around_bound too.
+/// Fills work.face_bound: every body on its stiffest face; and work.around_bound.
 void bound_faces(const Model<2>& model, Work<2>& work);
 void bound_faces(const Model<3>& model, Work<3>& work);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/shared_numbers.hpp"
+
 namespace trilith {
 namespace {
 
@@ -12,22 +14,22 @@ std::vector<Vec2> corners_at_start(const Model<2>& model, const Element& element
 }
 
 /// Nodes from their mean, then mean gradients, eight numbers each; a triangle's last two are 0.
-void append_shape(Model<2>& model, std::span<const Vec2> corners) {
+void append_shape(std::span<const Vec2> corners, std::vector<double>& numbers) {
   Vec2 mean = Vec2::Zero();
   for (const Vec2& x : corners) mean += x;
   mean /= static_cast<double>(corners.size());
   for (std::size_t i = 0; i < max_element_nodes; ++i) {
     const Vec2 x = i < corners.size() ? Vec2(corners[i] - mean) : Vec2::Zero();
-    model.element_number.insert(model.element_number.end(), {x.x(), x.y()});
+    numbers.insert(numbers.end(), {x.x(), x.y()});
   }
-  for (const Vec2& g : mean_gradients(corners)) model.element_number.insert(model.element_number.end(), {g.x(), g.y()});
+  for (const Vec2& g : mean_gradients(corners)) numbers.insert(numbers.end(), {g.x(), g.y()});
 }
 
-void append_points(Model<2>& model, const ElementStrain& strain, double thickness) {
+void append_points(const ElementStrain& strain, double thickness, std::vector<double>& numbers) {
   for (int p = 0; p < strain.points; ++p) {
     for (int i = 0; i < 2 * max_element_nodes; ++i)
-      for (int k = 0; k < 3; ++k) model.element_number.push_back(strain.matrix[p](k, i));
-    model.element_number.push_back(strain.area[p] * thickness);
+      for (int k = 0; k < 3; ++k) numbers.push_back(strain.matrix[p](k, i));
+    numbers.push_back(strain.area[p] * thickness);
   }
 }
 
@@ -55,11 +57,13 @@ void append_element(Model<2>& model, Element element, double density) {
   const ElementStrain strain = element_strain(corners, solid);
   // Of an inelastic solid too: damping and the longest step go by it.
   const ElementMatrix stiffness = element.thickness * element_stiffness(strain, solid.elastic());
-  element.first_number = static_cast<int>(model.element_number.size());
-  append_shape(model, corners);
-  model.element_number.insert(model.element_number.end(), stiffness.data(), stiffness.data() + stiffness.size());
+  ElementNumbers numbers{{}, 2 * max_element_nodes};
+  append_shape(corners, numbers.all);
+  numbers.all.insert(numbers.all.end(), stiffness.data(), stiffness.data() + stiffness.size());
+  if (!solid.is_elastic()) append_points(strain, element.thickness, numbers.all);
+  const auto is_like = [&](const Element& e) { return e.nodes == element.nodes && e.solid == element.solid; };
+  element.first_number = shared_numbers(model.elements, is_like, numbers, model.element_number);
   if (!solid.is_elastic()) {
-    append_points(model, strain, element.thickness);
     element.first_point = model.plastic_points;
     model.plastic_points += strain.points;
   }

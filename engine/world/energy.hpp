@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace trilith {
 
@@ -84,6 +87,20 @@ struct Energy {
 struct NodeWork {
   double weight = 0, load = 0, support = 0, element_damping = 0, rest = 0, mass = 0;
   double turn_damping = 0;  ///< of elements, where what they do to a turn is added apart
+};
+
+/// The same of a node on which nothing else works: less to be kept by one thread and read by another.
+struct PlainWork {
+  double weight = 0, load = 0, element_damping = 0;
+};
+
+/// Works of all nodes where threads share them, to be added in the order of nodes.
+struct NodeWorks {
+  std::vector<PlainWork> plain;        ///< [node]
+  std::vector<std::uint8_t> is_plain;  ///< [node] `plain` has all of it
+  std::vector<NodeWork> full;          ///< [node] of the others
+
+  void resize(std::size_t nodes) { plain.resize(nodes), is_plain.resize(nodes), full.resize(nodes); }
 };
 
 /// Adds it to the ledger's sums.

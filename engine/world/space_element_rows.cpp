@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "world/shared_numbers.hpp"
 #include "world/space_builder.hpp"
 
 namespace trilith {
@@ -18,22 +19,20 @@ void append(std::vector<double>& to, const Vec3& v) {
   to.insert(to.end(), v.data(), v.data() + 3);
 }
 
-void append_numbers(Model<3>& model, std::span<const Vec3> nodes, ElementShape shape,
-                    const Eigen::MatrixXd& stiffness) {
+void append_shape(std::span<const Vec3> nodes, ElementShape shape, std::vector<double>& numbers) {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& x : nodes) mean += x;
   mean /= static_cast<double>(nodes.size());
-  for (const Vec3& x : nodes) append(model.element_number, x - mean);
+  for (const Vec3& x : nodes) append(numbers, x - mean);
   const auto gradient = mean_gradients(shape, nodes);
-  for (std::size_t i = 0; i < nodes.size(); ++i) append(model.element_number, gradient[i]);
-  model.element_number.insert(model.element_number.end(), stiffness.data(), stiffness.data() + stiffness.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) append(numbers, gradient[i]);
 }
 
-void append_points(Model<3>& model, const SpaceElementStrain& strain, int nodes) {
+void append_points(const SpaceElementStrain& strain, int nodes, std::vector<double>& numbers) {
   for (std::size_t p = 0; p < static_cast<std::size_t>(strain.points); ++p) {
     const double* const first = strain.matrix[p].data();
-    model.element_number.insert(model.element_number.end(), first, first + 18 * nodes);
-    model.element_number.push_back(strain.volume[p]);
+    numbers.insert(numbers.end(), first, first + 18 * nodes);
+    numbers.push_back(strain.volume[p]);
   }
 }
 
@@ -78,10 +77,13 @@ void append_element(Model<3>& model, SpaceElement element, double density) {
   const SpaceElementStrain strain = element_strain(element.shape, nodes, solid);
   // Of an inelastic solid too: damping and the longest step go by it.
   const Eigen::MatrixXd stiffness = element_stiffness(element.shape, strain, elastic_in_space(solid));
-  element.first_number = static_cast<int>(model.element_number.size());
-  append_numbers(model, nodes, element.shape, stiffness);
+  ElementNumbers numbers{{}, 3 * nodes.size()};
+  append_shape(nodes, element.shape, numbers.all);
+  numbers.all.insert(numbers.all.end(), stiffness.data(), stiffness.data() + stiffness.size());
+  if (!solid.is_elastic()) append_points(strain, static_cast<int>(nodes.size()), numbers.all);
+  const auto is_like = [&](const SpaceElement& e) { return e.shape == element.shape && e.solid == element.solid; };
+  element.first_number = shared_numbers(model.space_elements, is_like, numbers, model.element_number);
   if (!solid.is_elastic()) {
-    append_points(model, strain, static_cast<int>(nodes.size()));
     element.first_point = model.plastic_points;
     model.plastic_points += strain.points;
   }

@@ -219,7 +219,7 @@ struct Work {
   std::vector<NearPair> spare_pairs;  ///< room for the list to come
   std::vector<double> spare_asleep, spare_clear;
   std::vector<RateBound> face_bound;    ///< [body] lying on its stiffest face
-  std::vector<RateBound> around_bound;  ///< [body] of elements in space: in contact all around, as if it were rigid
+  std::vector<RateBound> around_bound;  ///< [body] of elements: in contact all around, as if it were rigid
   ImpactWork impacts;
   SharedRidges ridges;      ///< anew where the pairs must be found anew. Writer: find
   Contacts<D> matched;      ///< the state's contacts in the rows of the pairs, where these were found after
@@ -285,7 +285,7 @@ struct Work {
   std::vector<Vec<D>> added_inertia;   ///< [node] see step/mass_scaling.hpp; empty without it N. Writer: it
   double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
 
-  std::vector<NodeWork> node_work;  ///< room of advance, for what threads take
+  NodeWorks node_work;  ///< room of advance, for what threads take
 
   // Writer: find_events
   std::vector<Event> events;             ///< of this step

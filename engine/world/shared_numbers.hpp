@@ -1,0 +1,57 @@
+// Elements of one shape share their rows of Model::element_number, as those of a wall of like units do: a step reads
+// some hundreds of bytes for each shape, not for each element.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace trilith {
+
+/// Numbers of two elements that differ by less than this share of the largest are those of one shape: far above the
+/// rounding of coordinates some kilometres from the origin, far below any strain.
+inline constexpr double same_shape = 1e-12;
+
+/// Numbers of one element in the order of Model::element_number: shape and gradients, `part` each, then what follows
+/// from them and the solid.
+struct ElementNumbers {
+  std::vector<double> all;
+  std::size_t part;
+
+  /// True where those from `other` on are of the same shape. Shape, gradients and the rest differ in size by many
+  /// powers of ten, so each is held to the largest of its own.
+  [[nodiscard]] bool are_those_of(const double* other) const {
+    const auto are = [&](std::size_t from, std::size_t to) {
+      double most = 0, off = 0;
+      for (std::size_t i = from; i < to; ++i)
+        most = std::max(most, std::abs(all[i])), off = std::max(off, std::abs(all[i] - other[i]));
+      return off <= same_shape * most;
+    };
+    return are(0, part) && are(part, 2 * part) && are(2 * part, all.size());
+  }
+};
+
+/// Where the numbers of an element begin in `rows`: those of one of the same kind and solid, which `is_like(other)` is
+/// true of, among the last ones of `elements`, if they are of one shape; else they are appended.
+template <class E, class IsLike>
+int shared_numbers(const std::vector<E>& elements, const IsLike& is_like, const ElementNumbers& numbers,
+                   std::vector<double>& rows) {
+  constexpr std::size_t most_shapes = 24, farthest = 4096;
+  std::array<int, most_shapes> seen{};
+  std::size_t shapes = 0;
+  for (std::size_t back = 1; back <= std::min(farthest, elements.size()) && shapes < most_shapes; ++back) {
+    const E& other = elements[elements.size() - back];
+    const auto end = seen.begin() + static_cast<std::ptrdiff_t>(shapes);
+    if (std::find(seen.begin(), end, other.first_number) != end) continue;
+    seen[shapes++] = other.first_number;
+    if (is_like(other) && numbers.are_those_of(&rows[static_cast<std::size_t>(other.first_number)]))
+      return other.first_number;
+  }
+  const auto first = static_cast<int>(rows.size());
+  rows.insert(rows.end(), numbers.all.begin(), numbers.all.end());
+  return first;
+}
+
+}  // namespace trilith
