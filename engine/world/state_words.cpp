@@ -297,19 +297,25 @@ void walk_numbers(File& file, V& v) {
   for_each_number(v, [&](auto& number) { file.number(number); });
 }
 
-/// The way in which a bearing failed; one that stands for a depth of contact is marked, and the depth follows.
-constexpr std::uint32_t stands_mark = 1U << 31U;
+/// The way in which a bearing failed; one that stands for a depth of contact is marked, and the depth follows, and one
+/// that counts from where it took over, with where that was.
+constexpr std::uint32_t stands_mark = 1U << 31U, begun_mark = 1U << 30U;
 template <int D>
 void walk_status(Writer& file, const BearingMemory<D>& m) {
   const bool stands = m.stood_for > 0;
-  file.pair(m.status, m.failed_direction | (stands ? stands_mark : 0U));
+  const bool begun = std::any_of(m.begun_at.begin(), m.begun_at.end(), [](double at) { return at != 0; });
+  file.pair(m.status, m.failed_direction | (stands ? stands_mark : 0U) | (begun ? begun_mark : 0U));
   if (stands) file.number(m.stood_for);
+  if (begun)
+    for (const double& at : m.begun_at) file.number(at);
 }
 template <int D>
 void walk_status(Reader& file, BearingMemory<D>& m) {
   file.pair(m.status, m.failed_direction);
   if ((m.failed_direction & stands_mark) != 0) file.number(m.stood_for);
-  m.failed_direction &= ~stands_mark;
+  if ((m.failed_direction & begun_mark) != 0)
+    for (double& at : m.begun_at) file.number(at);
+  m.failed_direction &= ~(stands_mark | begun_mark);
 }
 
 /// What bearings remember, one after the other.
