@@ -109,7 +109,7 @@ TEST_CASE("what takes over does alike both ways and in a world that is turned") 
   const auto farthest = [](double way, double turn) {
     HandedOn scene(way, turn);
     Simulation<2> sim = scene.start(true);
-    return follow(sim, 0.3, false, 2e-4).farthest;
+    return follow(sim, 0.5, false, 2e-4).farthest;
   };
   const double there = farthest(1, 0);
   CHECK(there > reach);

@@ -151,7 +151,7 @@ struct TwoOnBearing {
 
 TEST_CASE("the tangent of a bearing by itself is that of everything: all laws in all directions") {
   for (const DirectionSample& sample : direction_samples(2e3))
-    for (const int at : {axial, along, turning, axial + 3, along + 3, turning + 3}) {
+    for (int at = 0; at < 6; ++at) {
       const int direction = at % 3;
       TwoOnBearing pair(sample.law, direction);
       if (at >= 3) pair.state.bearing[0].begun_at = {0.004, 0.003, -0.01};  // as of one that took over there
