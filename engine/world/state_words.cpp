@@ -297,17 +297,15 @@ void walk_numbers(File& file, V& v) {
   for_each_number(v, [&](auto& number) { file.number(number); });
 }
 
-/// The way in which a bearing failed; one that stands for a depth of contact is marked, and the depth follows, and one
-/// that counts from where it took over, with where that was.
+/// The way in which a bearing failed, with a mark where the depth of a contact that it stands for follows, and with one
+/// where the displacement does that it counts from.
 constexpr std::uint32_t stands_mark = 1U << 31U, begun_mark = 1U << 30U;
 template <int D>
 void walk_status(Writer& file, const BearingMemory<D>& m) {
-  const bool stands = m.stood_for > 0;
-  const bool begun = std::any_of(m.begun_at.begin(), m.begun_at.end(), [](double at) { return at != 0; });
+  const bool stands = m.stood_for > 0, begun = m.begun_at != decltype(m.begun_at){};
   file.pair(m.status, m.failed_direction | (stands ? stands_mark : 0U) | (begun ? begun_mark : 0U));
   if (stands) file.number(m.stood_for);
-  if (begun)
-    for (const double& at : m.begun_at) file.number(at);
+  for (std::size_t k = 0; begun && k < m.begun_at.size(); ++k) file.number(m.begun_at[k]);
 }
 template <int D>
 void walk_status(Reader& file, BearingMemory<D>& m) {

@@ -135,7 +135,8 @@ do
   bar:point_load { name = "pull", body = rod, at = { 1, 0 }, force = { 1e7, 0 } }
   -- It was asked for rest, and says why there is none, as any search for it does.
   local ok, message = pcall(function() bar:consolidate { integrator = "static" } end)
-  for _, words in ipairs { "consolidation did not come to rest: element ", " of b was stretched by ", "strain_limit" } do
+  for _, words in ipairs { "consolidation did not come to rest: element ", " of b was stretched by ",
+    "strain_limit" } do
     assert(not ok and tostring(message):find(words, 1, true), message)
   end
   assert(not bar.verdict.sound)
