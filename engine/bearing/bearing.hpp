@@ -14,6 +14,7 @@
 // rotation vectors that differ by whole turns the one nearest to the last counts: t goes on past half a turn.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <type_traits>
@@ -100,10 +101,15 @@ struct Bearing : std::conditional_t<D == 3, HorizontalPart, NoHorizontalPart> {
   int contact_after = -1;          ///< index into Model::laws of the contact of the two pieces after
                                    ///< failure, or -1 for the one their surfaces have
   int becomes_bearing = -1;        ///< the bearing that goes live after failure, or -1
-  bool starts_waiting = false;     ///< goes live only as another bearing's successor
+  std::array<bool, directions> next_from_here{};  ///< directions in which that one counts displacement from where it
+                                                  ///< takes over, and not from where it was placed
+  bool starts_waiting = false;                    ///< goes live only as another bearing's successor
 
   [[nodiscard]] bool sits_between(int p, int q) const {
     return (piece_a == p && piece_b == q) || (piece_a == q && piece_b == p);
+  }
+  [[nodiscard]] bool next_counts_from_here() const {
+    return std::find(next_from_here.begin(), next_from_here.end(), true) != next_from_here.end();
   }
   /// True where its failure changes the rule for the contact of the two pieces it sits between.
   [[nodiscard]] bool alters_contact() const { return replaces_contact || contact_after >= 0; }
@@ -122,6 +128,7 @@ struct BearingMemory : std::conditional_t<D == 3, HorizontalMemory, NoHorizontal
   BearingStatus status = BearingStatus::intact;
   std::uint32_t failed_direction = 0;
   std::array<DirectionMemory, Space<D>::dofs> direction;
+  std::array<double, Space<D>::dofs> begun_at{};  ///< displacement that its laws and limits count from [m], [rad]
   double stood_for = 0;  ///< depth of the contact it stands for when that last lay flat, 0 once the two part [m]
 };
 

@@ -127,6 +127,15 @@ std::string directions_text(const Bearing<3>& b) {
   return out;
 }
 
+/// In which directions what follows it counts from where it takes over.
+template <int D>
+std::string from_here_text(const Bearing<D>& b) {
+  std::string out;
+  for (std::size_t k = 0; k < b.next_from_here.size(); ++k)
+    if (b.next_from_here[k]) out += fmt::format("{}{}", out.empty() ? " from here " : ", ", Directions<D>::names[k]);
+  return std::count(b.next_from_here.begin(), b.next_from_here.end(), false) == 0 ? " from here" : out;
+}
+
 }  // namespace
 
 template <int D>
@@ -136,7 +145,7 @@ std::string bearing_text(const Model<D>& model, const Bearing<D>& bearing) {
   if (bearing.replaces_contact) out += "; its bodies do not touch while it holds";
   if (bearing.contact_after >= 0) out += fmt::format("; becomes contact {}", model.law_names[bearing.contact_after]);
   if (bearing.becomes_bearing >= 0)
-    out += fmt::format("; becomes bearing {}", model.bearings[bearing.becomes_bearing].name);
+    out += fmt::format("; becomes bearing {}{}", model.bearings[bearing.becomes_bearing].name, from_here_text(bearing));
   return out;
 }
 

@@ -82,12 +82,12 @@ struct Closing {
 template <int D, class F>
 void each_closing(const Bearing<D>& b, const BearingMemory<D>& memory, const BearingMotion<D>& motion, std::size_t k,
                   F&& f) {
+  const double displacement = motion.counted(memory)[k];
   std::visit(
       [&](const auto& law) {
         if constexpr (ClosesAndOpens<std::decay_t<decltype(law)>>)
           for (const double way : {1.0, -1.0})
-            f(Closing{clearance(law, memory.direction[k], motion.displacement[k], way), way * motion.rate[k],
-                      law.stiffness});
+            f(Closing{clearance(law, memory.direction[k], displacement, way), way * motion.rate[k], law.stiffness});
       },
       b.law[k]);
 }

@@ -117,13 +117,23 @@ double released_contact_energy(const Model<D>& model, const State<D>& state, con
          energy_beside(model, state, work, state.bearing, b.piece_a, b.piece_b);
 }
 
+/// Displacement at which the bearing that follows `b` takes over, in the directions in which it counts from there.
+template <int D>
+std::array<double, Space<D>::dofs> takes_over_at(const Model<D>& model, const State<D>& state, const Bearing<D>& b) {
+  std::array<double, Space<D>::dofs> at{};
+  const auto here = bearing_motion(model, state, static_cast<std::size_t>(b.becomes_bearing)).displacement;
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (b.next_from_here[k]) at[k] = here[k];
+  return at;
+}
+
 /// Lets what follows a failed bearing begin. The elastic energy it begins with counts as not given off.
 template <int D>
 void hand_on(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i) {
   const Bearing<D>& b = model.bearings[i];
   double& given_off = work.given[EnergyTerm::bearing_failure];
   if (b.becomes_bearing >= 0 && work.bearing[b.becomes_bearing].status == BearingStatus::waiting)
-    given_off -= begin_bearing(model, state, work, b.becomes_bearing);
+    given_off -= begin_bearing(model, state, work, b.becomes_bearing, takes_over_at(model, state, b));
   if (!b.alters_contact()) return;
   given_off -= released_contact_energy(model, state, work, i);
   work.valid = false;  // another rule holds for the contact of its two pieces from now on

@@ -15,6 +15,15 @@ Vec3 BearingMotion<3>::translation() const {
   return {displacement[0], displacement[1], displacement[2]};
 }
 
+template <int D>
+std::array<double, Space<D>::dofs> BearingMotion<D>::counted(const BearingMemory<D>& memory) const {
+  std::array<double, Space<D>::dofs> out{};
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = displacement[k] - memory.begun_at[k];
+  return out;
+}
+template std::array<double, 3> BearingMotion<2>::counted(const BearingMemory<2>&) const;
+template std::array<double, 6> BearingMotion<3>::counted(const BearingMemory<3>&) const;
+
 template <>
 Vec2 BearingMotion<2>::force(const std::array<double, 3>& resisting) const {
   return -axes.apply(Vec2(resisting[along], resisting[axial]));

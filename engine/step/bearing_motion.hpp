@@ -16,6 +16,9 @@ struct BearingMotion {
   std::array<double, Space<D>::dofs> displacement{}, rate{};  ///< see Directions [m] or [rad], and per s
   Vec<D> point = Vec<D>::Zero();                              ///< of b, in the world [m]
 
+  /// Displacement as laws and limits count it: less that at which the bearing took over, where it counts from there.
+  [[nodiscard]] std::array<double, Space<D>::dofs> counted(const BearingMemory<D>& memory) const;
+
   [[nodiscard]] Vec<D> translation() const;
   /// What forces and couples by direction, which resist displacement, are on body b, in the axes of the world. The
   /// opposite acts on a, through the same point.

@@ -25,10 +25,11 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
 void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work, double dt);
 template <int D>
 void respond_bearings(const Model<D>& model, const State<D>& state, Work<D>& work, double dt);
-/// Makes the waiting bearing `i` live where it stands: sliders begin unstressed there, springs act from where the
-/// bearing was placed. Writes its trial memory. Returns the elastic energy it begins with [J].
+/// Makes the waiting bearing `i` live where it stands: sliders begin unstressed there, springs act from `begun_at`, by
+/// direction [m], [rad]. Writes its trial memory. Returns the elastic energy it begins with [J].
 template <int D>
-double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i);
+double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i,
+                     const std::array<double, Space<D>::dofs>& begun_at);
 /// Deformable bodies: forces and dampings of their elements on their nodes, trial plastic memory, energies.
 /// `dt`: as for evaluate; 0 where nothing has gone by since the last commit.
 void resist(const Model<2>& model, const State<2>& state, Work<2>& work, double dt = 0);

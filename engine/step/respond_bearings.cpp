@@ -59,9 +59,9 @@ DirectionResponse respond_horizontal(const Bearing<3>& b, const BearingMemory<3>
       b.horizontal);
 }
 
-HorizontalMotion horizontal_motion(const BearingMotion<3>& m, const std::array<double, 6>& mean, double dt,
-                                   double compression) {
-  return {{m.displacement[0], m.displacement[1]}, {m.rate[0], m.rate[1]}, dt, compression, {mean[0], mean[1]}};
+HorizontalMotion horizontal_motion(const std::array<double, 6>& displacement, const std::array<double, 6>& rate,
+                                   const std::array<double, 6>& mean, double dt, double compression) {
+  return {{displacement[0], displacement[1]}, {rate[0], rate[1]}, dt, compression, {mean[0], mean[1]}};
 }
 
 /// The first direction beyond its limit, or -1.
@@ -89,11 +89,11 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   const BearingMemory<D>& before = state.bearing[i];
   BearingMemory<D>& after = work.bearing[i];
   const BearingMotion<D> m = bearing_motion(model, state, i);
-  const auto mean = mean_rates(model, state, b, m, dt);
+  const auto mean = mean_rates(model, state, b, m, dt), displacement = m.counted(before);
   std::array<double, Space<D>::dofs> force{};
   double compression = 0;
   for (const int k : direction_order<D>) {
-    const DirectionMotion motion{m.displacement[k], m.rate[k], dt, compression, mean[k]};
+    const DirectionMotion motion{displacement[k], m.rate[k], dt, compression, mean[k]};
     const DirectionResponse r = respond(b.law[k], motion, before.direction[k]);
     after.direction[k] = r.memory;
     force[k] = r.force();
@@ -103,8 +103,8 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   if constexpr (D == 3) {
     for (const std::size_t k : {0, 1, 2}) after.turned[k] = m.displacement[3 + k];
     if (b.has_horizontal()) {
-      take_up(respond_horizontal(b, before, horizontal_motion(m, mean, dt, compression), false, after), i, after.status,
-              work);
+      const HorizontalMotion level = horizontal_motion(displacement, m.rate, mean, dt, compression);
+      take_up(respond_horizontal(b, before, level, false, after), i, after.status, work);
       for (const std::size_t k : {0, 1}) force[k] = after.direction[k].force + after.direction[k].damping;
     }
   }
@@ -112,8 +112,8 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   // On b, against its displacement; a gets the opposite through b's point, so that nothing turns both together.
   work.bearing_force[i] = m.force(force);
   work.bearing_moment[i] = m.moment(force);
-  work.bearing_displacement[i] = m.translation();
-  const int beyond = direction_beyond(b, m.displacement);
+  for (int k = 0; k < D; ++k) work.bearing_displacement[i][k] = displacement[static_cast<std::size_t>(k)];
+  const int beyond = direction_beyond(b, displacement);
   if (beyond < 0) return;
   after.status = BearingStatus::failed;
   after.failed_direction = static_cast<std::uint32_t>(beyond);
@@ -141,7 +141,7 @@ template <int D>
 double turned_back(const Model<D>& model, const State<D>& state, const Work<D>& work, std::size_t i, double dt) {
   const Bearing<D>& b = model.bearings[i];
   const BearingMotion<D> m = bearing_motion(model, state, i);
-  const auto mean = mean_rates(model, state, b, m, dt);
+  const auto mean = mean_rates(model, state, b, m, dt), displacement = m.counted(state.bearing[i]);
   const double compression = std::max(0.0, -work.bearing[i].direction[Directions<D>::axial].force);
   double sum = 0;
   for (const int k : direction_order<D>) {
@@ -149,8 +149,8 @@ double turned_back(const Model<D>& model, const State<D>& state, const Work<D>& 
     const Ways way(m.rate[k], mean[k], dt);
     if (way.back == 0) continue;
     const double time_on = dt - way.time_back;
-    const DirectionMotion on{m.displacement[k] - way.back, 0, time_on, compression, way.on / time_on};
-    const DirectionMotion back{m.displacement[k], m.rate[k], way.time_back, compression, way.back / way.time_back};
+    const DirectionMotion on{displacement[k] - way.back, 0, time_on, compression, way.on / time_on};
+    const DirectionMotion back{displacement[k], m.rate[k], way.time_back, compression, way.back / way.time_back};
     const DirectionResponse r = respond(b.law[k], back, respond(b.law[k], on, state.bearing[i].direction[k]).memory);
     const DirectionMemory& now = work.bearing[i].direction[k];
     sum += 0.5 * std::abs((now.force + now.damping - r.force()) * way.back);
@@ -171,26 +171,29 @@ DirectionMemory memory_at(const DirectionLaw& law, double displacement) {
 
 }  // namespace
 
-/// Sliders and dashpots begin where they are, springs with what their displacement asks: that energy is new.
+/// Sliders and dashpots begin where they are, springs with what their displacement asks, and where that is not counted
+/// from here their energy is new.
 /// A law that can begin elsewhere than at 0 says so by begin_at; every other starts from an empty memory.
 template <int D>
-double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i) {
+double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i,
+                     const std::array<double, Space<D>::dofs>& begun_at) {
   const Bearing<D>& b = model.bearings[i];
   BearingMemory<D>& begun = work.bearing[i];
   begun = {};
+  begun.begun_at = begun_at;
   const BearingMotion<D> m = bearing_motion(model, state, static_cast<std::size_t>(i));
+  const auto displacement = m.counted(begun);
   double stored = 0, compression = 0;
   for (const int k : direction_order<D>) {
-    const DirectionMotion at_rest{m.displacement[k], 0, 0, compression};
-    const DirectionResponse r = respond(b.law[k], at_rest, memory_at(b.law[k], m.displacement[k]));
+    const DirectionMotion at_rest{displacement[k], 0, 0, compression};
+    const DirectionResponse r = respond(b.law[k], at_rest, memory_at(b.law[k], displacement[k]));
     begun.direction[k] = r.memory;
     stored += r.stored;
     if (k == Directions<D>::axial) compression = std::max(0.0, -r.memory.force);
   }
   if constexpr (D == 3) {
     for (const std::size_t k : {0, 1, 2}) begun.turned[k] = m.displacement[3 + k];
-    HorizontalMotion at_rest = horizontal_motion(m, m.rate, 0, compression);
-    at_rest.rate = at_rest.mean = Vec2::Zero();
+    const HorizontalMotion at_rest = horizontal_motion(displacement, {}, {}, 0, compression);
     stored += respond_horizontal(b, BearingMemory<3>{}, at_rest, true, begun).stored;
   }
   return stored;
@@ -237,8 +240,8 @@ double bearings_turned_back(const Model<D>& model, const State<D>& state, const 
 
 template double bearings_turned_back(const Model<2>&, const State<2>&, const Work<2>&, double);
 template double bearings_turned_back(const Model<3>&, const State<3>&, const Work<3>&, double);
-template double begin_bearing(const Model<2>&, const State<2>&, Work<2>&, int);
-template double begin_bearing(const Model<3>&, const State<3>&, Work<3>&, int);
+template double begin_bearing(const Model<2>&, const State<2>&, Work<2>&, int, const std::array<double, 3>&);
+template double begin_bearing(const Model<3>&, const State<3>&, Work<3>&, int, const std::array<double, 6>&);
 template void begin_bearings(const Model<2>&, Work<2>&);
 template void begin_bearings(const Model<3>&, Work<3>&);
 template void respond_bearing(const Model<2>&, const State<2>&, Work<2>&, std::size_t, double);

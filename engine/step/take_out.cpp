@@ -200,7 +200,7 @@ std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, con
     events.push_back(body_event(model, state, EventType::body_added, b));
   }
   for (const int i : parts.bearings) {
-    begin_bearing(model, state, work, i);
+    begin_bearing(model, state, work, i, state.bearing[i].begun_at);
     state.bearing[i] = work.bearing[i];
     if (model.bearings[i].starts_waiting) state.bearing[i].status = BearingStatus::waiting;
     events.push_back(bearing_event_of(model, state, EventType::bearing_added, static_cast<std::size_t>(i)));
@@ -219,7 +219,7 @@ void alter(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& o
   change(model);
   for (const int i : begun) {
     if (!is_live(state.bearing[i].status)) continue;
-    begin_bearing(model, state, work, i);
+    begin_bearing(model, state, work, i, state.bearing[i].begun_at);
     state.bearing[i] = work.bearing[i];
   }
   book(state, work, EnergyTerm::added, before - balance_anew(model, state, work, options));

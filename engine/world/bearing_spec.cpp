@@ -102,6 +102,9 @@ void check_purpose(const BearingSpecOf<D>& spec, const std::string& owner) {
   if (!next.empty() && std::all_of(limits.begin(), limits.end(), [](double l) { return l == unbounded; }))
     throw InputError(
         fmt::format("{}: becomes '{}' at its limit, but has none; give limit = {}", owner, next, words_of_limits<D>));
+  if (spec.becomes_bearing.empty() && std::count(spec.next_from_here.begin(), spec.next_from_here.end(), true) > 0)
+    throw InputError(
+        fmt::format("{}: becomes_from is \"here\", but it becomes no bearing; name one under becomes", owner));
 }
 
 }  // namespace
@@ -143,6 +146,7 @@ Bearing<D> bearing_of(const BearingSpecOf<D>& spec, const std::vector<std::strin
   b.angle = spec.angle, b.law = spec.law, b.limit = spec.limit;
   if constexpr (D == 3) b.horizontal = spec.horizontal, b.horizontal_limit = spec.horizontal_limit;
   b.replaces_contact = spec.replaces_contact;
+  b.next_from_here = spec.next_from_here;
   b.starts_waiting = spec.starts_waiting;
   const auto place = [&](const std::vector<std::string>& known, const std::string& name, std::string_view what) {
     const auto it = std::find(known.begin(), known.end(), name);

@@ -23,6 +23,7 @@ struct BearingSpecOf : std::conditional_t<D == 3, HorizontalPart, NoHorizontalPa
                                   ///< to its points; their corners still touch
   std::string contact_after;      ///< name of the contact law after failure; "": the one of the surfaces
   std::string becomes_bearing;    ///< name of the bearing that follows; "": none
+  std::array<bool, Space<D>::dofs> next_from_here{};  ///< directions in which it counts from where it takes over
   bool starts_waiting = false;
 };
 using BearingSpec = BearingSpecOf<2>;
@@ -38,7 +39,8 @@ struct SeatSpecOf {
 using SeatSpec = SeatSpecOf<2>;
 
 /// Throws InputError: points that are not finite, numbers of laws out of range, no law at all, a law of both horizontal
-/// directions beside one of along or across, limits that are not above 0, a successor without a limit.
+/// directions beside one of along or across, limits that are not above 0, a successor without a limit,
+/// or none of which it is said where it counts from.
 template <int D>
 void check_bearing(const BearingSpecOf<D>& spec, const std::string& owner);
 /// Throws InputError where one of a bearing's laws slides under the compression of its axial law, which is none or

@@ -121,6 +121,7 @@ void add(Hash& hash, const Bearing<D>& b) {
   add(hash, b.angle), add(hash, b.rest_angle);
   add(hash, b.law), add(hash, b.limit);
   add(hash, b.replaces_contact), add(hash, b.starts_waiting);
+  if (b.next_counts_from_here()) add(hash, b.next_from_here);
   if constexpr (D == 3) add(hash, b.horizontal), add(hash, b.horizontal_limit);
 }
 

@@ -297,19 +297,23 @@ void walk_numbers(File& file, V& v) {
   for_each_number(v, [&](auto& number) { file.number(number); });
 }
 
-/// The way in which a bearing failed; one that stands for a depth of contact is marked, and the depth follows.
-constexpr std::uint32_t stands_mark = 1U << 31U;
+/// The way in which a bearing failed, with a mark where the depth of a contact that it stands for follows, and with one
+/// where the displacement does that it counts from.
+constexpr std::uint32_t stands_mark = 1U << 31U, begun_mark = 1U << 30U;
 template <int D>
 void walk_status(Writer& file, const BearingMemory<D>& m) {
-  const bool stands = m.stood_for > 0;
-  file.pair(m.status, m.failed_direction | (stands ? stands_mark : 0U));
+  const bool stands = m.stood_for > 0, begun = m.begun_at != decltype(m.begun_at){};
+  file.pair(m.status, m.failed_direction | (stands ? stands_mark : 0U) | (begun ? begun_mark : 0U));
   if (stands) file.number(m.stood_for);
+  for (std::size_t k = 0; begun && k < m.begun_at.size(); ++k) file.number(m.begun_at[k]);
 }
 template <int D>
 void walk_status(Reader& file, BearingMemory<D>& m) {
   file.pair(m.status, m.failed_direction);
   if ((m.failed_direction & stands_mark) != 0) file.number(m.stood_for);
-  m.failed_direction &= ~stands_mark;
+  if ((m.failed_direction & begun_mark) != 0)
+    for (double& at : m.begun_at) file.number(at);
+  m.failed_direction &= ~(stands_mark | begun_mark);
 }
 
 /// What bearings remember, one after the other.

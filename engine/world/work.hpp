@@ -254,7 +254,7 @@ struct Work {
   std::vector<Vec<D>> skin_force;                   ///< [skin] N; in space none
   std::vector<Vec<D>> bearing_force;                ///< [bearing] on body b, in world axes N
   std::vector<Moment<D>> bearing_moment;            ///< [bearing] on body b N m
-  std::vector<Vec<D>> bearing_displacement;         ///< [bearing] in its axes m
+  std::vector<Vec<D>> bearing_displacement;         ///< [bearing] in its axes, as its limits count it [m]
   Energy given;                                     ///< trial: energy given off and put in up to this instant J
   std::vector<double> bearing_energy;               ///< [bearing] elastic energy J
   double bearing_stored = 0;                        ///< their sum J

@@ -109,6 +109,7 @@ void add_bearing_to(lua_State* L, M& m) {
   spec.starts_waiting = keys.flag("waiting", false);
   spec.replaces_contact = keys.flag("replaces_contact", false);
   read_successor(keys, m, spec);
+  read_becomes_from<D>(keys, spec.next_from_here);
   keys.finish();
   m.builder.add_bearing(spec);
   m.bearings.push_back(spec.name);
@@ -170,10 +171,18 @@ std::array<double, 6> displacements(const LiveBearing<3>& l) {
   return bearing_motion(l.model, l.state, l.row).displacement;
 }
 
+/// As limits count them.
+template <int D>
+auto counted_displacements(const LiveBearing<D>& l) {
+  auto d = displacements(l);
+  for (std::size_t k = 0; k < d.size(); ++k) d[k] -= l.state.bearing[l.row].begun_at[k];
+  return d;
+}
+
 /// Largest displacement over its limit, of all directions.
 double share_of(const BearingHandle& b) {
   return with_live(b, []<int D>(const LiveBearing<D>& l) {
-    const auto d = displacements(l);
+    const auto d = counted_displacements(l);
     const auto share = [](double size, double limit) { return std::isfinite(limit) ? std::abs(size) / limit : 0.0; };
     double most = 0;
     for (std::size_t k = 0; k < d.size(); ++k) most = std::max(most, share(d[k], l.bearing().limit[k]));
@@ -299,8 +308,9 @@ const std::array bearing_properties{
 
 const std::array bearing_method_list{
     Method{"bearing", guarded<add_bearing>,
-           "bearing{name=, between=, at= | from=, to=, along=, axial=, turning=, limit=, becomes=, waiting=}; in space "
-           "across=, horizontal=, turning_along=, ... too"},
+           "bearing{name=, between=, at= | from=, to=, along=, axial=, turning=, limit=, becomes=, becomes_from=, "
+           "waiting=}; in "
+           "space across=, horizontal=, turning_along=, ... too"},
     Method{"seat", guarded<add_seat>, "seat{name=, body=, support=, at_end=, edge=, inward=}"},
 };
 
@@ -335,6 +345,32 @@ void read_directions(Keys& keys, BearingSpecOf<D>& spec, OtherLimits others) {
 }
 template void read_directions(Keys&, BearingSpecOf<2>&, OtherLimits);
 template void read_directions(Keys&, BearingSpecOf<3>&, OtherLimits);
+
+template <int D>
+void read_becomes_from(Keys& keys, std::array<bool, Space<D>::dofs>& from_here) {
+  const auto is_here = [](Keys& own, const char* key, bool preset) {
+    return own.choice(key, {"start", "here"}, preset ? 1 : 0) == 1;
+  };
+  lua_State* L = keys.lua();
+  const int type = keys.push("becomes_from");
+  if (type == LUA_TTABLE) {
+    Keys own(L, -1, "becomes_from");
+    if constexpr (D == 3)
+      if (own.has("horizontal")) from_here[0] = from_here[1] = is_here(own, "horizontal", false);
+    for (std::size_t k = 0; k < from_here.size(); ++k)
+      from_here[k] = is_here(own, Directions<D>::names[k], from_here[k]);
+    try {
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL) {
+    from_here.fill(is_here(keys, "becomes_from", false));
+  }
+  lua_pop(L, 1);
+}
+template void read_becomes_from<2>(Keys&, std::array<bool, 3>&);
+template void read_becomes_from<3>(Keys&, std::array<bool, 6>&);
 
 std::span<const Method> bearing_methods() {
   return bearing_method_list;

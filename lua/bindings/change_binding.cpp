@@ -81,6 +81,7 @@ void change_successor(Keys& keys, const ScriptModel& m, const Model<D>& model, B
                                : "";
   if (type == LUA_TBOOLEAN && lua_toboolean(L, -1) == 0) {
     changed.contact_after = changed.becomes_bearing = -1;
+    changed.next_from_here = {};
   } else if (!name.empty()) {
     const auto law = std::find(model.law_names.begin(), model.law_names.end(), name);
     const auto next =
@@ -125,6 +126,9 @@ std::string change_bearing(Keys& keys, SimulatedModel<D>& m, const std::string& 
     throw InputError(fmt::format("change: bearing '{}' was removed", name));
   Bearing<D> changed = *it;
   change_successor<D>(keys, m, m.simulation().model(), changed);
+  read_becomes_from<D>(keys, changed.next_from_here);
+  if (changed.becomes_bearing < 0 && changed.next_counts_from_here())
+    keys.problem("'becomes_from' is \"here\", but it becomes no bearing; name one under becomes");
   change_directions<D>(keys, fmt::format("change: bearing '{}'", name), changed);
   keys.finish();
   std::vector<Bearing<D>> all = bearings;

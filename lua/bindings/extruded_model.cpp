@@ -115,7 +115,8 @@ BearingSpecOf<3> extruded_bearing(const BearingSpec& flat) {
   spec.angle = rotation_by({0, -flat.angle, 0});
   constexpr std::array<std::size_t, 3> direction{0, 2, 4};  // along, axial and turning_across of Directions<3>
   for (std::size_t k = 0; k < direction.size(); ++k)
-    spec.law[direction[k]] = flat.law[k], spec.limit[direction[k]] = flat.limit[k];
+    spec.law[direction[k]] = flat.law[k], spec.limit[direction[k]] = flat.limit[k],
+    spec.next_from_here[direction[k]] = flat.next_from_here[k];
   spec.replaces_contact = flat.replaces_contact, spec.contact_after = flat.contact_after;
   spec.becomes_bearing = flat.becomes_bearing, spec.starts_waiting = flat.starts_waiting;
   return spec;

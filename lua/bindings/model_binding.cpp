@@ -280,9 +280,10 @@ int make_model(lua_State* L) {
   const int dim = keys.count("dim", 2);
   if (dim != 2 && dim != 3) keys.problem(fmt::format("'dim' is {}, must be 2 (in the plane) or 3 (in space)", dim));
   std::shared_ptr<ScriptModel> model = dim == 3 ? make_space_model(keys, name) : make_plane_model(keys, name);
-  model->threads = keys.count("threads", 0);
-  if (model->threads < 0 || model->threads > most_threads)
-    keys.problem(fmt::format("'threads' is {}, must be 1 to {}", model->threads, most_threads));
+  const int threads = keys.count("threads", 1);
+  if (threads < 1 || threads > most_threads)
+    keys.problem(fmt::format("'threads' is {}, must be 1 to {}", threads, most_threads));
+  if (keys.has("threads")) model->threads = threads;
   keys.finish();
   push_handle(L, ModelBox{std::move(model)}, 1);
   lua_newtable(L);

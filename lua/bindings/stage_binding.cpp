@@ -82,6 +82,8 @@ void read_integrator(Keys& keys, StageOptions& o) {
   o.may_change = name == "auto";
   const double alpha = keys.number("alpha", "1", -0.05), radius = keys.number("spectral_radius", "1", unbounded);
   o.tolerance = keys.number("tolerance", "1", o.tolerance);
+  if (keys.has("alpha") && keys.has("spectral_radius"))
+    keys.problem("both 'alpha' and 'spectral_radius' are given; keep one: each says by itself how much is damped");
   if (!(alpha >= -1.0 / 3 && alpha <= 0))
     keys.problem(fmt::format("'alpha' is {:g}, must be from -1/3 to 0, where nothing is damped", alpha));
   if (std::isfinite(radius) && !(radius >= 0 && radius <= 1))
@@ -174,6 +176,9 @@ int consolidate(lua_State* L) {
   if (report.end == StageEnd::not_at_rest && !or_go_on)
     throw InputError(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
                                  by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
+  // What explicit steps bring beyond strain_limit moves, and its verdict says so; statics was asked for rest.
+  if (by_statics && report.end == StageEnd::diverged && !or_go_on)
+    throw InputError(fmt::format("{} did not come to rest: {}", o.name, report.reason));
   const auto note = [&](const std::string& said) {
     m.note(said);
     if (host(L).observer != nullptr) host(L).observer->note(said);

@@ -1,5 +1,8 @@
 #include "stage_run.hpp"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <utility>
@@ -228,10 +231,42 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
   });
 }
 
+namespace {
+
+/// Loads that have nothing of their course at this instant, and will have some later, each once: "'a', 'b'".
+template <int D>
+std::string loads_to_come(const SimulatedModel<D>& model) {
+  if (model.if_built() == nullptr) return "";
+  const double now = model.if_built()->state().time;
+  std::vector<std::string> names;
+  const auto add = [&](const auto& loads) {
+    for (const auto& load : loads)
+      if (load.curve.at(now) == 0 && !load.curve.spent(now) &&
+          std::find(names.begin(), names.end(), load.name) == names.end())
+        names.push_back(load.name);
+  };
+  add(model.if_built()->model().point_loads), add(model.if_built()->model().face_loads);
+  return names.empty() ? "" : fmt::format("'{}'", fmt::join(names, "', '"));
+}
+
+/// A course goes by time, of which statics takes none.
+void tell_loads_to_come(lua_State* L, ScriptModel& model, const std::string& stage) {
+  const PlaneModel* plane = as_plane(model);
+  const std::string names = plane != nullptr ? loads_to_come(*plane) : loads_to_come(*as_space(model));
+  if (names.empty()) return;
+  tell_note(L, model,
+            fmt::format("{}: nothing acts of {} at {:g} s of its course, and statics takes no time; for the whole load "
+                        "leave out the course, or let time go by first",
+                        stage, names, model.time()));
+}
+
+}  // namespace
+
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how,
                          AnyLoadWay way) {
   Host& h = host(L);
   refuse_unread_arguments(h);
+  tell_loads_to_come(L, model, options.name);
   return listen(L, model, h, [&](Handlers& handlers, const ScriptListener& listener) {
     EquilibriumOptions asked = how;
     asked.is_stopped = [&handlers] { return handlers.interrupted(); };

@@ -41,9 +41,11 @@ turning_axial   direction law?  in space: for turning about axial
 limit    table?  its limits by the names of these, { along = , axial = }; those that are not named stay
 angle    number rad?  in the plane: of its direction along
 replaces_contact  flag?  it stands for the flat contact it sits in
-becomes  text?  what is there after it failed: a contact law or a bearing that waits; false: nothing]],
+becomes  text?  what is there after it failed: a contact law or a bearing that waits; false: nothing
+becomes_from  text or table?  where that bearing counts from, "start" or "here"; or { along = "here" }]],
     beside = { along = true, across = true, horizontal = true, axial = true, turning = true, turning_along = true,
-               turning_across = true, turning_axial = true, angle = true, replaces_contact = true, becomes = true } },
+               turning_across = true, turning_axial = true, angle = true, replaces_contact = true, becomes = true,
+               becomes_from = true } },
   { "model:lint", "What keeps a model from being built, and what of it is likely not meant, each with the next "
     .. "thing to try.", keys = [[
 slip  number m = 0.1  how far joints are expected to slide: friction is to give by a thousandth of that at most]],

@@ -7,7 +7,7 @@ bond.cracked        the bond of a joint opened on a part of its face; value: the
 bond.broken         the bond of a joint is lost; value: the force it carried last
 joint.crushed       a joint reached its strength in compression; value: the force
 bearing.yielded     a bearing left its elastic range for the first time
-bearing.failed      a bearing reached its limit and carries nothing more, or what it becomes does
+bearing.failed      a bearing reached its limit, as that counts, and carries nothing more, or what it becomes does
 bearing.changed     a bearing became what its `becomes` says
 member.yielded      a member of a frame yielded at an end for the first time
 member.failed       a member of a frame parted or lost its moment

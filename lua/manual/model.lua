@@ -62,7 +62,8 @@ turning_along      direction law?  in space: moment about along
 turning_across     direction law?  in space: moment about across
 turning_axial      direction law?  in space: moment about axial
 limit              table?         displacement at its end: { along = , axial = }; horizontal: of both
-becomes            bearing or law?  what follows its failure: a law, or another bearing, which counts from the start
+becomes            bearing or law?  what follows its failure: a law, or another bearing that waits
+becomes_from       text or table = "start"  "here": that bearing counts from where it takes over; or { along = "here" }
 waiting            flag = false   it goes live only as another's successor
 replaces_contact  flag = false   it stands for the flat contact it sits in]],
     beside = { across = true, horizontal = true, turn = true, turning_across = true, turning_along = true,

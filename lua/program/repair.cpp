@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <string>
 
 #include "output_folder.hpp"
 #include "results/reader.hpp"
@@ -14,10 +15,30 @@ struct RepairOptions {
   std::string result, out;
 };
 
+/// How many of the frames that were written can be read, and what is wrong with the first of the others.
+struct Readable {
+  std::size_t count = 0, written = 0;
+  std::string why;
+};
+Readable readable_frames(const results::ResultsReader& reader) {
+  Readable found{0, reader.frame_count(), ""};
+  for (std::size_t i = 0; i < found.written; ++i) try {
+      reader.frame(i);
+      ++found.count;
+    } catch (const results::ResultsError& error) {
+      if (found.why.empty()) found.why = error.what();
+    }
+  return found;
+}
+
 int repair_result(const RepairOptions& options) {
   make_folder_for(options.out);
   results::repair(options.result, options.out);
-  fmt::print("{}: {} frames\n", options.out, results::ResultsReader(options.out).frame_count());
+  const Readable found = readable_frames(results::ResultsReader(options.out));
+  if (!found.why.empty())
+    throw results::ResultsError(
+        fmt::format("{}; of {} frames in this copy {} can be read", found.why, found.written, found.count));
+  fmt::print("{}: {} frames\n", options.out, found.count);
   return ended_well;
 }
 

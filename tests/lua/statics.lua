@@ -89,3 +89,37 @@ do
   assert(not found.rests and found.reason:find("nothing holds low, or it yields or bends", 1, true), found.reason)
   loose:close()
 end
+
+-- Statics takes no time: a load acts by the share that its course has now, and where that is none yet it is told.
+for _, dim in ipairs { 2, 3 } do
+  for course, share in pairs { [{ ramp = 0.1 }] = 0, [{ { 0, 0.25 }, { 0.1, 1 } }] = 0.25, [0.5] = 0.5 } do
+    local flat = dim == 2
+    local c = trilith.model { name = "pressed", dim = dim }
+    c:material { name = "brick", density = 1000 }
+    c:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.6, beta = 1e-4 } }
+    local function cube(name, z, support)
+      return c:block { name = name, material = "brick", support = support, width = flat and 1 or nil,
+        height = flat and 1 or nil, size = not flat and { 1, 1, 1 } or nil, at = flat and { 0, z } or { 0, 0, z } }
+    end
+    cube("base", -1, "fixed")
+    local top = cube("top", 0)
+    c:point_load { name = "push", body = top, force = flat and { 0, -1e4 } or { 0, 0, -1e4 }, course = course }
+    local function carried()
+      local sum = 0
+      for _, joint in ipairs(c:contacts()) do sum = sum + joint.normal end
+      return sum/(1000*9.80665 + 1e4)
+    end
+    c:consolidate { integrator = "static" }
+    assert(math.abs(carried() - (9806.65 + share*1e4)/19806.65) < 1e-6, carried())
+    local said = "consolidation: nothing acts of 'push' at 0 s of its course, and statics takes no time"
+    local notes = table.concat(c.notes, "\n")
+    assert((notes:find(said, 1, true) ~= nil) == (share == 0), notes)
+    if share < 0.5 then
+      c:run { duration = 0.2, damping = 0.8 }
+      c:consolidate { integrator = "static" }
+      assert(math.abs(carried() - 1) < 1e-6, carried())
+      assert(#c.notes == (share == 0 and 1 or 0), #c.notes)
+    end
+    c:close()
+  end
+end

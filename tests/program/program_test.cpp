@@ -213,6 +213,39 @@ TEST_CASE("unfinished results are told as such, drawn, and repaired to a clean f
   CHECK(ask(here, "repair early.h5 -o clean.h5").out == "clean.h5: 6 frames\n");
   CHECK(ask(here, "info clean.h5").says("NOT finished"));
   check_refused(ask(here, "repair early.h5 -o early.h5.part"), "cannot be repaired in place");
+  // Where something is gone that every frame needs, what is left is copied, and no frame is counted that is not there.
+  const std::string lose = "cd '" + here.string() + "' && /usr/bin/python3 2>/dev/null -c 'import h5py\n" +
+                           "with h5py.File(\"clean.h5\", \"r+\") as f: del f[\"frames/position\"]'";
+  if (std::system(lose.c_str()) != 0) {
+    MESSAGE("skipped: /usr/bin/python3 has no h5py");
+    return;
+  }
+  const Said poor = ask(here, "repair clean.h5 -o poor.h5");
+  check_refused(poor, "there is no readable /frames/position");
+  check_refused(poor, "; of 6 frames in this copy 0 can be read");
+  CHECK(ask(here, "info poor.h5").code == 0);
+}
+
+TEST_CASE("numbers of threads that cannot be are refused, from the command line and from the surroundings") {
+  if (program_is_missing()) return;
+  const std::filesystem::path& here = folder().path;
+  std::ofstream(here / "block.lua") << R"(local m = require("trilith").model { name = "m" }
+m:material { name = "s", density = 1 }
+m:block { name = "b", width = 1, height = 1, material = "s", floating = true }
+m:run { duration = 1e-3 }
+)";
+  for (const std::string wrong : {"0", "-1", "65", "two"}) {
+    const Said said = ask(here, "run block.lua --quiet --threads " + wrong);
+    CHECK(said.code == 2);
+    CHECK(said.err.find("--threads") != std::string::npos);
+    ::setenv("TRILITH_THREADS", wrong.c_str(), 1);
+    const Said surrounded = ask(here, "run block.lua --quiet");
+    ::unsetenv("TRILITH_THREADS");
+    CHECK(surrounded.code == 1);
+    CHECK(surrounded.err.find("TRILITH_THREADS is '" + wrong + "', must be a whole number from 1 to 64") !=
+          std::string::npos);
+  }
+  CHECK(ask(here, "run block.lua --quiet --threads 1").code == 0);
 }
 
 TEST_CASE("trilith motion prints the figures of a record and draws it") {

@@ -1,0 +1,104 @@
+-- A bearing that becomes another one which counts from where it takes over, by `becomes_from`: in the plane and in
+-- space, under explicit and implicit steps and statics, as it is changed, taken back and told of.
+local trilith = require "trilith"
+
+local function near(value, expected, allowed)
+  assert(math.abs(value - expected) <= allowed*math.abs(expected), ("%.9g instead of %.9g"):format(value, expected))
+end
+
+-- A block of 2,000 kg with 100 J, which goes from a spring of 10 kN/m with 50 J at its limit to one of 1 MN/m.
+local function handed_on(dim, from, speed)
+  local m = trilith.model { name = "handed on", dim = dim, gravity = 0 }
+  m:material { name = "stone", density = 1000 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.5 } }
+  local flat = dim == 2
+  local function stone(name, x, more)
+    more.name, more.material, more.mass = name, "stone", 2000
+    if flat then more.width, more.height, more.at = 1, 1, { x, 0 }
+    else more.size, more.at = { 1, 1, 1 }, { x, 0, 0 } end
+    return m:block(more)
+  end
+  stone("base", 0, { support = "fixed" })
+  local block = stone("block", 2, { floating = true,
+    velocity = flat and { speed or 0.1^0.5, 0 } or { speed or 0.1^0.5, 0, 0 } })
+  local function link(name, stiffness, more)
+    more.name, more.between, more.along = name, { "base", "block" }, trilith.linear { stiffness = stiffness }
+    more.from, more.to = flat and { 1, 0.5 } or { 1, 0.5, 0.5 }, flat and { 2, 0.5 } or { 2, 0.5, 0.5 }
+    return m:bearing(more)
+  end
+  local first = link("first", 1e4, { limit = { along = 0.1 }, becomes = "second", becomes_from = from })
+  return m, first, link("second", 1e6, { waiting = true, limit = { along = 0.05 } }), block
+end
+
+for _, dim in ipairs { 2, 3 } do
+  for _, integrator in ipairs { "explicit", "implicit" } do
+    for _, from in ipairs { "here", "start", { along = "here" } } do
+      local m, first, second = handed_on(dim, from)
+      local farthest, most = 0, 0
+      m:on_step(function()
+        farthest = math.max(farthest, second.displacement_along)
+        if second.status == "intact" then most = math.max(most, second.share) end
+      end)
+      if from == "start" then
+        -- Beyond the limit of the second one from its first instant on.
+        m:run { duration = 0.4, dt = 5e-4, integrator = integrator }
+        assert(first.status == "changed" and second.status == "failed", second.status)
+      else
+        m:run { duration = 0.6, dt = 5e-4, integrator = integrator }
+        assert(first.status == "changed" and second.status == "intact", second.status)
+        local energy = m.energy
+        near(energy.bearing_failure, 50, 5e-3)
+        assert(math.abs(energy.residual) < 1e-9*100, energy.residual)
+        near(farthest, 0.11, 2e-3)
+        -- Its limit counts from there as well; displacement is told from where the bearing was placed.
+        near(most, 0.01/0.05, 1e-2)
+      end
+      m:close()
+    end
+  end
+end
+
+-- Gone back to the middle of the second one, and to the first one, it takes the same way again.
+for _, dim in ipairs { 2, 3 } do
+  local m, first, second = handed_on(dim, "here")
+  m:checkpoints { every = 0.05 }
+  m:run { duration = 0.6, dt = 5e-4 }
+  local hash = m.hash
+  for _, time in ipairs { 0.45, 0.2 } do
+    m:rewind { to = time }
+    assert(second.status == (time > 0.3 and "intact" or "waiting"), second.status)
+    m:continue()
+    assert(m.hash == hash and first.status == "changed")
+  end
+  m:close()
+end
+
+-- Under a load of 2 kN, which the first one could carry at 0.2 m, statics find rest where the second one, from where it
+-- took over, carries it.
+for _, dim in ipairs { 2, 3 } do
+  local m, first, second, block = handed_on(dim, "here", 0)
+  m:fix(block, dim == 2 and "yr" or "yz")
+  m:point_load { body = block, force = dim == 2 and { 2e3, 0 } or { 2e3, 0, 0 } }
+  local report = m:consolidate { integrator = "static" }
+  assert(report.rests and first.status == "changed" and second.status == "intact", report.reason)
+  near(second.force_along, 2e3, 1e-5)
+  near(second.share, 2e-3/0.05, 1e-5)
+  assert(second.displacement_along > 0.1)
+  assert(m.energy.bearing_failure > 49)
+  m:close()
+end
+
+-- Said later on, for one direction or for all, and undone with what it becomes.
+do
+  local m, first = handed_on(2, nil)
+  m:run { duration = 0.01, dt = 5e-4 }
+  m:change { bearing = "first", becomes = false }
+  local ok, message = pcall(function() m:change { bearing = "first", becomes_from = { along = "here" } } end)
+  assert(not ok and tostring(message):find("'becomes_from' is \"here\", but it becomes no bearing", 1, true), message)
+  m:change { bearing = "first", becomes = "second", becomes_from = "start" }
+  m:change { bearing = "first", becomes_from = { along = "here" } }
+  m:run { duration = 0.6, dt = 5e-4 }
+  near(m.energy.bearing_failure, 50, 5e-3)
+  assert(first.status == "changed")
+  m:close()
+end
