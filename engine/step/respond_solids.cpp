@@ -13,6 +13,7 @@
 #include "step/flat_rows.hpp"
 #include "step/met_ridges.hpp"
 #include "step/moving_solid.hpp"
+#include "step/rows_by_kind.hpp"
 #include "step/single_terms.hpp"
 #include "step/solid_joints.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 /// Rows that threads take at a time: some twenty microseconds of what touches. In so many there are mostly four of a
 /// kind (FlatResponses::kind) and four more.
 constexpr int solid_row_stretch = 64;
+static_assert(solid_row_stretch <= RowsByKind::most);
 /// Of an answer: the row is left to those of faces that lie flat.
 constexpr int faces_to_come = -2;
 
@@ -285,27 +287,23 @@ void SolidPass::ask_early(int row) const {
 /// Rows one by one, and those of faces that lie flat four of a kind at a time, those of few corners and those of many
 /// apart. Which go together changes no bit.
 void SolidPass::respond(int first, int last, SolidRoom& room, SolidAnswer* answers) const {
-  constexpr std::uint32_t many = std::uint32_t{1} << 31, place = 8;
-  static_assert(solid_row_stretch <= 1 << place && flat_kinds <= many >> place);
-  std::array<std::uint32_t, solid_row_stretch> flat;  // the kind, and below it the place of the row in the stretch
-  std::size_t count = 0;
+  RowsByKind flat;
   for (int row = first; row < last; ++row) {
     SolidAnswer& answer = answers[row - first];
     answer.row = -1;
     respond_alone(row, room, answer);
     if (answer.row != faces_to_come) continue;
-    const FacePair& faces = work.solids.faces[static_cast<std::size_t>(row)];
-    flat[count++] = (faces.few ? 0 : many) | static_cast<std::uint32_t>(faces.kind) << place |
-                    static_cast<std::uint32_t>(row - first);
+    flat.put(row - first, work.solids.faces[static_cast<std::size_t>(row)]);
   }
-  std::sort(flat.begin(), flat.begin() + static_cast<std::ptrdiff_t>(count));
+  const std::span<const std::uint8_t> order = flat.ordered();
+  const auto row_at = [&](std::size_t i) { return first + order[i]; };
+  const auto few_at = [&](std::size_t i) { return work.solids.faces[static_cast<std::size_t>(row_at(i))].few; };
   std::array<int, lane_count> four;
   std::size_t taken = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    four[taken++] = first + static_cast<int>(flat[i] & ((1U << place) - 1));
-    if (taken < four.size() && i + 1 < count && (flat[i + 1] & many) == (flat[i] & many)) continue;
-    for (std::size_t k = i + 1; k < std::min(i + 1 + four.size(), count); ++k)
-      ask_early(first + static_cast<int>(flat[k] & ((1U << place) - 1)));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    four[taken++] = row_at(i);
+    if (taken < four.size() && i + 1 < order.size() && few_at(i + 1) == few_at(i)) continue;
+    for (std::size_t k = i + 1; k < std::min(i + 1 + four.size(), order.size()); ++k) ask_early(row_at(k));
     respond_faces({four.data(), taken}, first, room, answers);
     taken = 0;
   }
