@@ -108,11 +108,9 @@ struct Sweep {
   }
   /// Any pair that counts has one piece that is fast for the thinnest of all, and one that is thin for the fastest.
   /// With v_a + v_b > s / t one of the two is above s / 2 t: so the shorter of both lists, `fewest`, misses no pair.
-  [[nodiscard]] bool is_fast(int piece) const {
-    return std::min(2 * speed(piece), closing(piece)) * time > share * model.least_thickness;
-  }
+  [[nodiscard]] bool is_fast(int piece) const { return 2 * speed(piece) * time > share * model.least_thickness; }
   [[nodiscard]] bool is_thin(int piece) const {
-    return std::min(speed(piece) + fastest, closing(piece)) * time > share * model.piece_thickness[piece];
+    return (speed(piece) + fastest) * time > share * model.piece_thickness[piece];
   }
   /// A law holds between them, one may move, and they go against each other by more than their share of the thinner.
   [[nodiscard]] bool counts(int p, int q) const {
@@ -123,12 +121,18 @@ struct Sweep {
   }
 };
 
-std::vector<int> fewest(const Sweep& sweep) {
+/// The shorter list, or none. What most go by is looked for only where some piece is fast and some is thin for any.
+std::vector<int> fewest(Sweep& sweep) {
   std::vector<int> fast, thin;
   for (int p = 0; p < sweep.model.pieces(); ++p) {
-    if (sweep.is_fast(p)) fast.push_back(p);
-    if (sweep.is_thin(p)) thin.push_back(p);
+    const double way = sweep.closing(p) * sweep.time;
+    if (way > sweep.share * sweep.model.least_thickness) fast.push_back(p);
+    if (way > sweep.share * sweep.model.piece_thickness[p]) thin.push_back(p);
   }
+  if (fast.empty() || thin.empty()) return {};
+  sweep.find_common();
+  std::erase_if(fast, [&](int p) { return !sweep.is_fast(p); });
+  std::erase_if(thin, [&](int p) { return !sweep.is_thin(p); });
   return fast.size() < thin.size() ? fast : thin;
 }
 
@@ -140,7 +144,6 @@ std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<
   std::vector<std::pair<int, int>> found;
   // What has run away, or is no number, is not followed.
   if (!(sweep.farthest() > share * model.least_thickness && sweep.farthest() < beyond_all)) return found;
-  sweep.find_common();
   const std::vector<int> few = fewest(sweep);
   if (few.empty()) return found;
   std::vector<Box> boxes(static_cast<std::size_t>(model.pieces()));

@@ -2,7 +2,10 @@
 --
 -- `trilith run tests/bench/pile.lua --profile` says what a step costs and what of it is searching.
 local trilith = require "trilith"
-local p = trilith.params { boxes = { 5000, "boxes" }, seconds = { 2.0, "of fall" }, across = { 100, "boxes in a row" } }
+local p = trilith.params {
+  boxes = { 5000, "boxes" }, seconds = { 2.0, "of fall" }, across = { 100, "boxes in a row" },
+  safety = { 0.5, "share of the longest stable step" },
+}
 
 local m = trilith.model { name = "pile", thickness = 1 }
 m:material { name = "stone", density = 2400 }
@@ -30,6 +33,6 @@ for i = 0, p.boxes - 1 do
   m:polygon { name = "box" .. i, outline = outline, material = "stone", floating = true,
               velocity = { 2 * random() - 1, -1 } }
 end
-local report = m:run { duration = p.seconds }
+local report = m:run { duration = p.seconds, safety = p.safety }
 local told = "%d boxes, %d contacts, %g s: %d steps, hash %s"
 print(told:format(p.boxes, #m:contacts(), p.seconds, report.steps, m.hash))

@@ -7,6 +7,8 @@ local p = trilith.params {
   courses = { 24, "courses" }, columns = { 18, "whole units in a course" }, seconds = { 0.5, "of shaking" },
   body = { "rigid", "what a unit is: rigid, quad (one finite element), or mesh (2 by 2)" },
   step = { 0, "length of a step; 0: as long as is stable", "s" },
+  safety = { 0.5, "share of the longest stable step" },
+  scaled = { 0, "length of a step that masses are scaled for; 0: they are not", "s" },
 }
 
 local m = trilith.model { name = "wall in the plane", thickness = 1 }
@@ -31,9 +33,15 @@ for course = 1, p.courses do
 end
 
 local step = p.step > 0 and p.step or nil
-m:run { name = "settle", duration = p.seconds / 5, dt = step, damping = 0.8 }
+local safety = step == nil and p.safety or nil
+local scaling = p.scaled > 0 and { step = p.scaled } or nil
+m:run {
+  name = "settle", duration = p.seconds / 5, dt = step, damping = 0.8, safety = safety, mass_scaling = scaling,
+}
 local samples = {}
 for i = 0, 2000 do samples[i + 1] = 0.5 * 9.81 * math.sin(4 * math.pi * 0.005 * i) end
 local motion = trilith.motion { acceleration = samples, dt = 0.005 }
-local report = m:shake { body = "base", x = motion, duration = p.seconds, dt = step }
+local report = m:shake {
+  body = "base", x = motion, duration = p.seconds, dt = step, safety = safety, mass_scaling = scaling,
+}
 print(("%d units, %d contacts, %d steps, hash %s"):format(#m:bodies() - 1, #m:contacts(), report.steps, m.hash))
