@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
-#include "base/lane_vectors.hpp"
+#include "base/lane_rows.hpp"
 #include "contact/solid_faces.hpp"
 
 namespace trilith {
@@ -53,22 +54,63 @@ struct FourFacesOfSolids {
   }
 };
 
-/// How four nodes stand and move.
-TRILITH_INLINE MovingInLanes four_nodes(const State<3>& state, const std::array<int, lane_count>& n) {
-  const auto four = [&](const std::vector<Vec3>& v) { return four_of(v[n[0]], v[n[1]], v[n[2]], v[n[3]]); };
-  return {four(state.position), four(state.velocity), four(state.spin)};
+/// What nodes have, of four of them.
+TRILITH_INLINE Triple<Lanes> four_nodes(const std::vector<Vec3>& of, const std::array<int, lane_count>& n) {
+  return four_of(of[static_cast<std::size_t>(n[0])], of[static_cast<std::size_t>(n[1])],
+                 of[static_cast<std::size_t>(n[2])], of[static_cast<std::size_t>(n[3])]);
+}
+TRILITH_INLINE MovingInLanes moving_nodes(const State<3>& state, const std::array<int, lane_count>& n) {
+  return {four_nodes(state.position, n), four_nodes(state.velocity, n), four_nodes(state.spin, n)};
 }
 
+// Rows of numbers are read and written by whole registers, in this order.
+static_assert(std::is_standard_layout_v<SolidMemory> && offsetof(SolidMemory, normal) == 7 * sizeof(double) &&
+              offsetof(SolidMemory, damping_moment) == 13 * sizeof(double) &&
+              offsetof(SolidMemory, slip) == 16 * sizeof(double));
+static_assert(std::is_standard_layout_v<SolidAnswer> &&
+              offsetof(SolidAnswer, centre) + sizeof(Vec3) - offsetof(SolidAnswer, area) == 20 * sizeof(double));
+static_assert(std::is_standard_layout_v<ContactArea> && offsetof(ContactArea, arm) == 9 * sizeof(double) &&
+              offsetof(ContactArea, face_a) == 15 * sizeof(double));
+static_assert(offsetof(LawNumbers, beta) == 3 * sizeof(double));
+
 /// What four contacts remember into lanes.
-TRILITH_INLINE void load_memories(const std::array<const SolidMemory*, lane_count>& m, FlatMemory& out) {
-  const auto four = [&](const auto& of) { return four_of(of(*m[0]), of(*m[1]), of(*m[2]), of(*m[3])); };
-  out.shear.elastic = four([](const SolidMemory& s) -> const Vec3& { return s.shear.elastic; });
-  out.shear.total = four([](const SolidMemory& s) -> const Vec3& { return s.shear.total; });
-  out.normal = four([](const SolidMemory& s) -> const Vec3& { return s.normal; });
-  out.damping = four([](const SolidMemory& s) -> const Vec3& { return s.damping; });
-  out.damping_moment = four([](const SolidMemory& s) -> const Vec3& { return s.damping_moment; });
-  out.shear.area = Lanes{m[0]->shear.area, m[1]->shear.area, m[2]->shear.area, m[3]->shear.area};
-  out.slip = Lanes{m[0]->slip, m[1]->slip, m[2]->slip, m[3]->slip};
+TRILITH_INLINE void load_memories(const std::array<const double*, lane_count>& of, FlatMemory& out) {
+  const FourRowsOf<const double> row(of);
+  Triple<Lanes>&elastic = out.shear.elastic, &total = out.shear.total, &moment = out.damping_moment;
+  row.load(0, elastic.x, elastic.y, elastic.z, total.x);
+  row.load(4, total.y, total.z, out.shear.area, out.normal.x);
+  row.load(8, out.normal.y, out.normal.z, out.damping.x, out.damping.y);
+  row.load(12, out.damping.z, moment.x, moment.y, moment.z);
+  row.load(16, out.slip);
+}
+
+TRILITH_INLINE void store_memories(const FlatMemory& m, const std::array<double*, lane_count>& to) {
+  const FourRowsOf<double> row(to);
+  const Triple<Lanes>&elastic = m.shear.elastic, &total = m.shear.total, &moment = m.damping_moment;
+  row.store(0, elastic.x, elastic.y, elastic.z, total.x);
+  row.store(4, total.y, total.z, m.shear.area, m.normal.x);
+  row.store(8, m.normal.y, m.normal.z, m.damping.x, m.damping.y);
+  row.store(12, m.damping.z, moment.x, moment.y, moment.z);
+  row.store(16, m.slip);
+}
+
+TRILITH_INLINE void store_answers(const FlatResponses& out, const std::array<double*, lane_count>& to) {
+  const FourRowsOf<double> row(to);
+  const Triple<Lanes>&f = out.force, &a = out.moment_a, &b = out.moment_b, &n = out.normal_force, &c = out.centre;
+  row.store(0, out.area, out.depth, out.lost_damping, out.lost_friction);
+  row.store(4, Lanes{}, f.x, f.y, f.z);  // nothing breaks
+  row.store(8, a.x, a.y, a.z, b.x);
+  row.store(12, b.y, b.z, n.x, n.y);
+  row.store(16, n.z, c.x, c.y, c.z);
+}
+
+TRILITH_INLINE void store_areas(const FlatResponses& out, const std::array<double*, lane_count>& to) {
+  const FourRowsOf<double> row(to);
+  const Triple<Lanes>&m = out.middle, &n = out.normal, &along = out.arm[0], &aside = out.arm[1];
+  row.store(0, m.x, m.y, m.z, n.x);
+  row.store(4, n.y, n.z, out.area, out.radius);
+  row.store(8, out.friction_arm, along.x, along.y, along.z);
+  row.store(12, aside.x), row.store(13, aside.y), row.store(14, aside.z);
 }
 
 /// The faces of four rows into lanes.
@@ -104,20 +146,27 @@ TRILITH_INLINE void load_faces(const Work<3>& work, const std::array<const NearP
   std::array<const NearPair*, lane_count> pairs;
   std::array<const FacePair*, lane_count> faces;
   std::array<int, lane_count> node_a, node_b;
-  std::array<const SolidMemory*, lane_count> memory;
+  std::array<const double*, lane_count> memory, law;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const auto r = static_cast<std::size_t>(row[i]);
-    pairs[i] = &work.pairs[r], faces[i] = &work.solids.faces[r], memory[i] = &before[r];
+    pairs[i] = &work.pairs[r], faces[i] = &work.solids.faces[r], memory[i] = before[r].shear.elastic.data();
     node_a[i] = faces[i]->node_a, node_b[i] = faces[i]->node_b;
-    const LawNumbers& law = work.solids.law[static_cast<std::size_t>(pairs[i]->law)];
-    const auto lane = static_cast<int>(i);
-    in.kn[lane] = law.kn, in.ks[lane] = law.ks, in.mu[lane] = law.mu, in.beta[lane] = law.beta;
-    in.near[lane] = faces[i]->near, in.b_is_larger[lane] = faces[i]->b_is_larger ? -1 : 0;
+    law[i] = &work.solids.law[static_cast<std::size_t>(pairs[i]->law)].kn;
   }
+  FourRowsOf<const double>(law).load(0, in.kn, in.ks, in.mu, in.beta);
+  in.near = Lanes{faces[0]->near, faces[1]->near, faces[2]->near, faces[3]->near};
+  const auto larger = [&](std::size_t i) { return faces[i]->b_is_larger ? std::int64_t{-1} : std::int64_t{0}; };
+  in.b_is_larger = LaneMask{larger(0), larger(1), larger(2), larger(3)};
   in.dt = dt;
   load_faces(work, pairs, faces, in.faces);
-  in.a = four_nodes(state, node_a), in.b = four_nodes(state, node_b);
+  in.a = moving_nodes(state, node_a), in.b = moving_nodes(state, node_b);
   load_memories(memory, in.before);
+}
+
+[[gnu::target_clones("avx2", "default")]] void store_flat(const FlatResponses& out, const FlatPlaces& to) {
+  store_answers(out, to.answer);
+  store_memories(out.memory, to.memory);
+  store_areas(out, to.area);
 }
 
 }  // namespace trilith

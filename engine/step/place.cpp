@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "base/lane_vectors.hpp"
+#include "base/lane_rows.hpp"
 #include "base/portable_lanes.hpp"
 #include "base/team.hpp"
 #include "body/rigid.hpp"
@@ -190,29 +190,52 @@ TRILITH_INLINE Lanes in_lanes(const Vec3& v) {
   return Lanes{v.x(), v.y(), v.z(), 0};
 }
 
-/// Corners and normals of a piece whose body moves and stands so: corners four at a time, lanes beyond the last repeat
-/// it; normals one by one, in a lane for each axis. The largest squares of speed and path are those of single corners.
+/// A body as it stands and moves, in all lanes, and the largest squares of speed and path of the corners it placed.
+struct MovingCorners {
+  Triple<Lanes> x, y, z, at, velocity, spin;
+  Lanes speed2{}, path2{};
+
+  TRILITH_INLINE MovingCorners(const NodeMotion<3>& node, const Turn3& turn)
+      : x(in_all(turn.x())),
+        y(in_all(turn.y())),
+        z(in_all(turn.z())),
+        at(in_all(node.position)),
+        velocity(in_all(node.velocity)),
+        spin(in_all(node.spin)) {}
+  TRILITH_INLINE static Triple<Lanes> in_all(const Vec3& v) { return four_of(v, v, v, v); }
+  [[nodiscard]] TRILITH_INLINE Triple<Lanes> turned(const Triple<Lanes>& r) const {
+    return x * r.x + y * r.y + z * r.z;
+  }
+  TRILITH_INLINE Triple<Lanes> place(const Triple<Lanes>& own, const Triple<Lanes>& before) {
+    const Triple<Lanes> arm = turned(own), now = at + arm, rate = velocity + cross(spin, arm);
+    speed2 = larger(speed2, rate.square()), path2 = larger(path2, (now - before).square());
+    return now;
+  }
+};
+
+/// Corners and normals of a piece whose body moves and stands so, four at a time: of corners lanes beyond the last
+/// repeat it; normals beyond the last four one by one, in a lane for each axis.
 [[gnu::target_clones("avx2", "default")]] void place_solid(const ConvexSolid& solid, const NodeMotion<3>& node,
                                                            const Turn3& turn, PlacedSolid& out, SkinReach& reach) {
-  const auto in_all = [](const Vec3& v) { return four_of(v, v, v, v); };
-  const Triple<Lanes> x = in_all(turn.x()), y = in_all(turn.y()), z = in_all(turn.z()), at = in_all(node.position),
-                      velocity = in_all(node.velocity), spin = in_all(node.spin);
+  MovingCorners body(node, turn);
   const std::vector<Vec3>& own = solid.shape.corners;
-  Lanes speed2{}, path2{};
-  for (std::size_t i = 0; i < own.size(); i += lane_count) {
-    const std::size_t last = own.size() - 1, k1 = std::min(i + 1, last), k2 = std::min(i + 2, last),
-                      k3 = std::min(i + 3, last);
-    Vec3 *const p0 = &out.corners[i], *const p1 = &out.corners[k1], *const p2 = &out.corners[k2],
-                *const p3 = &out.corners[k3];
-    const Triple<Lanes> r = four_of(own[i], own[k1], own[k2], own[k3]), before = four_of(*p0, *p1, *p2, *p3);
-    const Triple<Lanes> arm = x * r.x + y * r.y + z * r.z, place = at + arm, rate = velocity + cross(spin, arm);
-    speed2 = larger(speed2, rate.square()), path2 = larger(path2, (place - before).square());
-    *p0 = lane_of(place, 0), *p1 = lane_of(place, 1), *p2 = lane_of(place, 2), *p3 = lane_of(place, 3);
+  const std::size_t fours = own.size() - own.size() % lane_count;
+  for (std::size_t i = 0; i < fours; i += lane_count)
+    store_neighbours(body.place(load_neighbours(&own[i]), load_neighbours(&out.corners[i])), &out.corners[i]);
+  if (const std::size_t i = fours; i < own.size()) {
+    const std::size_t last = own.size() - 1, k1 = std::min(i + 1, last), k2 = std::min(i + 2, last);
+    Vec3 *const p0 = &out.corners[i], *const p1 = &out.corners[k1], *const p2 = &out.corners[k2];
+    const Triple<Lanes> place = body.place(four_of(own[i], own[k1], own[k2], own[k2]), four_of(*p0, *p1, *p2, *p2));
+    *p0 = lane_of(place, 0), *p1 = lane_of(place, 1), *p2 = lane_of(place, 2);
   }
-  for (int lane = 0; lane < lane_count; ++lane) reach.add(speed2[lane], path2[lane]);
+  for (int lane = 0; lane < lane_count; ++lane) reach.add(body.speed2[lane], body.path2[lane]);
+  const std::vector<Vec3>& normals = solid.normals;
+  const std::size_t whole = normals.size() - normals.size() % lane_count;
+  for (std::size_t f = 0; f < whole; f += lane_count)
+    store_neighbours(body.turned(load_neighbours(&normals[f])), &out.normals[f]);
   const Lanes along_x = in_lanes(turn.x()), along_y = in_lanes(turn.y()), along_z = in_lanes(turn.z());
-  for (std::size_t f = 0; f < solid.normals.size(); ++f) {
-    const Vec3& n = solid.normals[f];
+  for (std::size_t f = whole; f < normals.size(); ++f) {
+    const Vec3& n = normals[f];
     const Lanes now = along_x * n.x() + along_y * n.y() + along_z * n.z();
     out.normals[f] = {now[0], now[1], now[2]};
   }

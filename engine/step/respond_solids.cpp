@@ -83,9 +83,11 @@ struct SolidPass {
   void respond_beside_bearing(int row, const MovingSolid& a, const MovingSolid& b, const SolidPressure& whole,
                               SolidRoom& room, SolidAnswer& answer) const;
   void respond_faces(std::span<const int> rows, int first, SolidRoom& room, SolidAnswer* answers) const;
+  void begin_answer(const FlatResponses& out, std::size_t i, int row, SolidAnswer& answer, FlatPlaces& places) const;
   void ask_early(int row) const;
   [[nodiscard]] bool stays_apart(int row) const;
   [[nodiscard]] bool looks_flat(int row) const;
+  [[nodiscard]] bool is_flat_still(std::size_t row, const Contacts<3>& before) const;
   void finish(int row, bool joint_changed, const SolidResponse& response, SolidAnswer& answer) const;
 };
 
@@ -228,6 +230,15 @@ bool SolidPass::looks_flat(int row) const {
   return faces.a >= 0;
 }
 
+/// Whether that is known at a glance, as of most rows of a wall: nothing of what would send a row elsewhere changes in
+/// a list of pairs without bearings, so that one which looked flat and may not have changed looks so. Of others nothing
+/// is said.
+bool SolidPass::is_flat_still(std::size_t row, const Contacts<3>& before) const {
+  const FacePair& faces = work.solids.faces[row];
+  return (before.memory[row].state & contact_touching) != 0 && work.travel < faces.until && faces.a >= 0 &&
+         before.joint_at(row) == nullptr && model.bearings.empty() && work.solids.behind.empty();
+}
+
 /// Forces about the places of what carries the two, what is remembered and how the area lies: of rows that are answered
 /// one by one.
 void SolidPass::finish(int row, bool joint_changed, const SolidResponse& r, SolidAnswer& answer) const {
@@ -249,6 +260,31 @@ void SolidPass::finish(int row, bool joint_changed, const SolidResponse& r, Soli
   work.solids.areas[i] = {r.middle, r.normal, area, r.radius, r.friction_arm, r.arm, r.face_a, r.face_b};
 }
 
+/// Faces lie flat, and rounding keeps the kernel from nothing.
+bool is_answered(const FlatResponses& out, std::size_t i) {
+  const auto lane = static_cast<int>(i);
+  return out.rough[lane] == 0 && out.flat[lane] != 0;
+}
+
+/// Of a row whose faces lie flat all but what is the more of it, for which `places` says where it goes.
+void SolidPass::begin_answer(const FlatResponses& out, std::size_t i, int row, SolidAnswer& answer,
+                             FlatPlaces& places) const {
+  const auto r = static_cast<std::size_t>(row);
+  const FacePair& faces = work.solids.faces[r];
+  SolidMemory& memory = work.contacts.memory[r];
+  const auto lane = static_cast<int>(i);
+  answer.row = row, answer.joint_changed = false;
+  answer.was_touching = (contacts_before(state, work).memory[r].state & contact_touching) != 0;
+  answer.touching = out.presses[lane] != 0;
+  answer.carrier_a = faces.node_a, answer.carrier_b = faces.node_b;
+  // Of those that touch it is 0 already.
+  if (!answer.was_touching || !answer.touching) work.solids.separation[r].distance = 0;
+  if (answer.touching) return places.set(i, answer, memory, work.solids.areas[r]);
+  answer.lost_damping = out.lost_damping[lane], answer.lost_friction = out.lost_friction[lane];
+  answer.lost_fracture = 0;
+  memory = {};
+}
+
 /// Four rows of faces into lanes and their answers out of them. Lanes beyond the last row repeat it.
 void SolidPass::respond_faces(std::span<const int> rows, int first, SolidRoom& room, SolidAnswer* answers) const {
   FlatContacts in;
@@ -257,22 +293,15 @@ void SolidPass::respond_faces(std::span<const int> rows, int first, SolidRoom& r
   for (std::size_t i = 0; i < row.size(); ++i) row[i] = rows[std::min(i, rows.size() - 1)];
   load_flat(state, work, row, dt, in);
   respond_flat(in, out);
+  std::array<double, 20> nowhere;
+  FlatPlaces places(nowhere);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (is_answered(out, i)) begin_answer(out, i, row[i], answers[row[i] - first], places);
+  store_flat(out, places);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto lane = static_cast<int>(i);
-    const auto r = static_cast<std::size_t>(row[i]);
-    SolidAnswer& answer = answers[row[i] - first];
-    FacePair& faces = work.solids.faces[r];
-    faces.kind = static_cast<std::int32_t>(out.kind[lane]);
-    if (out.rough[lane] == 0 && out.flat[lane] != 0) {
-      answer.row = row[i];
-      answer.was_touching = (contacts_before(state, work).memory[r].state & contact_touching) != 0;
-      answer.carrier_a = faces.node_a, answer.carrier_b = faces.node_b;
-      // Of those that touch it is 0 already.
-      if (!answer.was_touching || out.presses[lane] == 0) work.solids.separation[r].distance = 0;
-      store_flat(out, lane, answer, work.contacts.memory[r], work.solids.areas[r]);
-      continue;
-    }
-    respond_shapes(row[i], out.rough[lane] != 0, room, answer);
+    work.solids.faces[static_cast<std::size_t>(row[i])].kind = static_cast<std::int32_t>(out.kind[lane]);
+    if (!is_answered(out, i)) respond_shapes(row[i], out.rough[lane] != 0, room, answers[row[i] - first]);
   }
 }
 
@@ -288,12 +317,16 @@ void SolidPass::ask_early(int row) const {
 /// apart. Which go together changes no bit.
 void SolidPass::respond(int first, int last, SolidRoom& room, SolidAnswer* answers) const {
   RowsByKind flat;
+  const Contacts<3>& before = contacts_before(state, work);
   for (int row = first; row < last; ++row) {
-    SolidAnswer& answer = answers[row - first];
-    answer.row = -1;
-    respond_alone(row, room, answer);
-    if (answer.row != faces_to_come) continue;
-    flat.put(row - first, work.solids.faces[static_cast<std::size_t>(row)]);
+    const auto r = static_cast<std::size_t>(row);
+    if (!is_flat_still(r, before)) {
+      SolidAnswer& answer = answers[row - first];
+      answer.row = -1;
+      respond_alone(row, room, answer);
+      if (answer.row != faces_to_come) continue;
+    }
+    flat.put(row - first, work.solids.faces[r]);
   }
   const std::span<const std::uint8_t> order = flat.ordered();
   const auto row_at = [&](std::size_t i) { return first + order[i]; };
