@@ -57,7 +57,7 @@ void append_element(Model<2>& model, Element element, double density) {
   const ElementStrain strain = element_strain(corners, solid);
   // Of an inelastic solid too: damping and the longest step go by it.
   const ElementMatrix stiffness = element.thickness * element_stiffness(strain, solid.elastic());
-  ElementNumbers numbers{{}, 2 * max_element_nodes};
+  ElementNumbers numbers{{}, 2 * max_element_nodes, rounding_of(std::span<const Vec2>(corners))};
   append_shape(corners, numbers.all);
   numbers.all.insert(numbers.all.end(), stiffness.data(), stiffness.data() + stiffness.size());
   if (!solid.is_elastic()) append_points(strain, element.thickness, numbers.all);

@@ -6,19 +6,31 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace trilith {
 
-/// Numbers of two elements that differ by less than this share of the largest are those of one shape: far above the
-/// rounding of coordinates some kilometres from the origin, far below any strain.
-inline constexpr double same_shape = 1e-12;
+/// Share by which numbers of two elements of one shape may differ that stand as far from the origin as these nodes: the
+/// rounding of their places, and what it grows to in gradients and stiffness [1].
+template <class Place>
+double rounding_of(std::span<const Place> nodes) {
+  constexpr double growth = 64;
+  Place mean = Place::Zero();
+  for (const Place& x : nodes) mean += x / static_cast<double>(nodes.size());
+  double reach = 0, size = 0;
+  for (const Place& x : nodes)
+    reach = std::max(reach, x.cwiseAbs().maxCoeff()), size = std::max(size, (x - mean).norm());
+  return growth * std::numeric_limits<double>::epsilon() * reach / size;
+}
 
 /// Numbers of one element in the order of Model::element_number: shape and gradients, `part` each, then what follows
 /// from them and the solid.
 struct ElementNumbers {
   std::vector<double> all;
   std::size_t part;
+  double rounding;  ///< see rounding_of [1]
 
   /// True where those from `other` on are of the same shape. Shape, gradients and the rest differ in size by many
   /// powers of ten, so each is held to the largest of its own.
@@ -27,7 +39,7 @@ struct ElementNumbers {
       double most = 0, off = 0;
       for (std::size_t i = from; i < to; ++i)
         most = std::max(most, std::abs(all[i])), off = std::max(off, std::abs(all[i] - other[i]));
-      return off <= same_shape * most;
+      return off <= rounding * most;
     };
     return are(0, part) && are(part, 2 * part) && are(2 * part, all.size());
   }

@@ -77,7 +77,7 @@ void append_element(Model<3>& model, SpaceElement element, double density) {
   const SpaceElementStrain strain = element_strain(element.shape, nodes, solid);
   // Of an inelastic solid too: damping and the longest step go by it.
   const Eigen::MatrixXd stiffness = element_stiffness(element.shape, strain, elastic_in_space(solid));
-  ElementNumbers numbers{{}, 3 * nodes.size()};
+  ElementNumbers numbers{{}, 3 * nodes.size(), rounding_of(std::span<const Vec3>(nodes))};
   append_shape(nodes, element.shape, numbers.all);
   numbers.all.insert(numbers.all.end(), stiffness.data(), stiffness.data() + stiffness.size());
   if (!solid.is_elastic()) append_points(strain, static_cast<int>(nodes.size()), numbers.all);
