@@ -364,8 +364,11 @@ void read_becomes_from(Keys& keys, std::array<bool, Space<D>::dofs>& from_here) 
     } catch (const InputError& e) {
       keys.problem(e.what());
     }
-  } else if (type != LUA_TNIL) {
+  } else if (type == LUA_TSTRING) {
     from_here.fill(is_here(keys, "becomes_from", false));
+  } else if (type != LUA_TNIL) {
+    keys.problem(fmt::format(
+        "'becomes_from' is {}, must be \"start\", \"here\", or a table as in {{ along = \"here\" }}", what_is(L, -1)));
   }
   lua_pop(L, 1);
 }

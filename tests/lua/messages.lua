@@ -225,7 +225,7 @@ given.check {
   { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 }, becomes_from = "there" } end,
     "bearing 'B': 'becomes_from' is 'there', must be one of start, here" },
   { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 }, becomes_from = 3 } end,
-    "bearing 'B': 'becomes_from' is 3, must be a text" },
+    "bearing 'B': 'becomes_from' is 3, must be \"start\", \"here\", or a table as in { along = \"here\" }" },
   { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 }, becomes_from = { allong = "here" } }
     end, "bearing 'B': becomes_from: unknown key 'allong'; did you mean 'along'?" },
   { function() built():bearing { name = "B", between = { "base", "block" }, at = { 0.5, 3 }, along = spring } end,
