@@ -14,13 +14,12 @@ TEST_CASE("four rows of numbers are read as columns and written back as they wer
   const FourRowsOf<double> to({written[0].data(), written[1].data(), written[2].data(), written[3].data()});
   Lanes a, b, c, d, last;
   from.load(1, a, b, c, d), from.load(5, last);
-  for (int i = 0; i < lane_count; ++i) {
-    CHECK(a[i] == 10 * i + 1);
-    CHECK(b[i] == 10 * i + 2);
-    CHECK(c[i] == 10 * i + 3);
-    CHECK(d[i] == 10 * i + 4);
-    CHECK(last[i] == 10 * i + 5);
-  }
+  const std::array columns{a, b, c, d, last};
+  for (int i = 0; i < lane_count; ++i)
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const double number = columns[k][i];
+      CHECK(number == rows[static_cast<std::size_t>(i)][k + 1]);
+    }
   to.store(1, a, b, c, d), to.store(5, last);
   for (std::size_t i = 0; i < 4; ++i) {
     CHECK(written[i][0] == 0);
