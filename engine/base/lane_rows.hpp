@@ -15,14 +15,14 @@ namespace trilith {
 
 static_assert(lane_count == 4 && sizeof(Vec3) == 3 * sizeof(double), "rows are written for four lanes");
 
-/// Lanes as they lie in memory, wherever that begins and whatever it holds besides.
-using LanesInMemory = double __attribute__((vector_size(sizeof(Lanes)), aligned(sizeof(double)), may_alias));
-
+/// Lanes from wherever they lie in memory, and back.
 TRILITH_INLINE Lanes load_lanes(const double* from) {
-  return *reinterpret_cast<const LanesInMemory*>(from);
+  Lanes v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
 }
 TRILITH_INLINE void store_lanes(double* to, const Lanes& v) {
-  *reinterpret_cast<LanesInMemory*>(to) = v;
+  __builtin_memcpy(to, &v, sizeof v);
 }
 
 /// Four rows as four columns, or the other way round.
