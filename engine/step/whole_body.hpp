@@ -112,21 +112,21 @@ struct RigidPart {
 };
 
 /// Of a body with momenta of(n) at its nodes, the motion with the same momentum and angular momentum, as far as it may
-/// go along. Forces give accelerations likewise: those of a rigid body that turns with `spin`.
+/// go along.
 template <int D, class Momentum>
 RigidPart<D> rigid_part(const Model<D>& model, const State<D>& state, int body, const WholeBody<D>& whole,
-                        Momentum&& of, const std::type_identity_t<Spin<D>>& spin = nothing<Spin<D>>()) {
+                        Momentum&& of) {
   RigidPart<D> out;
   if (!whole.moves()) return out;
   const Body& b = model.bodies[body];
-  out.centre = whole.centre, out.spin = spin;
+  out.centre = whole.centre;
   Moment<D> moment = nothing<Moment<D>>();
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
     const Vec<D> momentum = of(n);
     out.along += momentum, moment += cross(Vec<D>(state.position[n] - whole.centre), momentum);
   }
   out.along = whole.goes.cwiseProduct(out.along) / whole.mass;
-  out.about = turn_from(whole, moment - gyroscopic(whole, spin));
+  out.about = turn_from(whole, moment);
   return out;
 }
 

@@ -171,18 +171,10 @@ std::array<double, 6> displacements(const LiveBearing<3>& l) {
   return bearing_motion(l.model, l.state, l.row).displacement;
 }
 
-/// As limits count them.
-template <int D>
-auto counted_displacements(const LiveBearing<D>& l) {
-  auto d = displacements(l);
-  for (std::size_t k = 0; k < d.size(); ++k) d[k] -= l.state.bearing[l.row].begun_at[k];
-  return d;
-}
-
 /// Largest displacement over its limit, of all directions.
 double share_of(const BearingHandle& b) {
   return with_live(b, []<int D>(const LiveBearing<D>& l) {
-    const auto d = counted_displacements(l);
+    const auto d = bearing_motion(l.model, l.state, l.row).counted(l.state.bearing[l.row]);
     const auto share = [](double size, double limit) { return std::isfinite(limit) ? std::abs(size) / limit : 0.0; };
     double most = 0;
     for (std::size_t k = 0; k < d.size(); ++k) most = std::max(most, share(d[k], l.bearing().limit[k]));
@@ -309,8 +301,7 @@ const std::array bearing_properties{
 const std::array bearing_method_list{
     Method{"bearing", guarded<add_bearing>,
            "bearing{name=, between=, at= | from=, to=, along=, axial=, turning=, limit=, becomes=, becomes_from=, "
-           "waiting=}; in "
-           "space across=, horizontal=, turning_along=, ... too"},
+           "waiting=}; in space across=, horizontal=, turning_along=, ... too"},
     Method{"seat", guarded<add_seat>, "seat{name=, body=, support=, at_end=, edge=, inward=}"},
 };
 
