@@ -20,34 +20,49 @@ struct NodeMotion {
   Spin<D> spin;          ///< [rad/s]
 };
 
-/// How fast skin points are and how far they have come since they were placed last: the largest squares.
-struct SkinReach {
-  double speed2 = 0;  ///< [m2/s2]
-  double path2 = 0;   ///< [m2]
+/// Of two vectors.
+TRILITH_INLINE LanePair squared_sizes(const LanePair& a, const LanePair& b) {
+  const LanePair of_a = a * a, of_b = b * b;
+  return LanePair(__builtin_shufflevector(of_a, of_b, 0, 2)) + LanePair(__builtin_shufflevector(of_a, of_b, 1, 3));
+}
 
-  void add(double speed, double path) { speed2 = std::max(speed2, speed), path2 = std::max(path2, path); }
+/// How fast skin points are and how far they have come since they were placed last.
+class SkinReach {
+ public:
+  /// `drift`: beside which `step` is counted [m].
+  explicit SkinReach(const Vec2& drift) : drift_{drift.x(), drift.y()} {}
+
+  TRILITH_INLINE void add(const LanePair& rate, const LanePair& moved) {
+    const LanePair sizes = squared_sizes(rate, moved), beside = moved - drift_, steps = beside * beside;
+    most2_ = sizes > most2_ ? sizes : most2_;
+    step2_ = steps > step2_ ? steps : step2_;
+  }
+  [[nodiscard]] double speed2() const { return most2_[0]; }  ///< the largest square [m2/s2]
+  [[nodiscard]] double path2() const { return most2_[1]; }   ///< likewise [m2]
+  /// The most along x and along y [m].
+  [[nodiscard]] TRILITH_INLINE LanePair step() const { return LanePair{root(step2_[0]), root(step2_[1])}; }
+
+ private:
+  LanePair drift_, most2_{}, step2_{};
 };
 
 /// place: skin points fixed in the body's axes to where they are and how fast they move.
 /// `turn`: of the node's rotation. `Point` has x, y [m], u, v [m/s], side by side at a multiple of 16; of before, and
-/// overwritten.
+/// overwritten. `reach`: taken up.
 template <class Point>
-SkinReach place_rigid(const NodeMotion<2>& node, const portable::SineCosine& turn, std::span<const Vec2> skin,
-                      std::span<Point> out) {
+void place_rigid(const NodeMotion<2>& node, const portable::SineCosine& turn, std::span<const Vec2> skin,
+                 std::span<Point> out, SkinReach& reach) {
   const auto [s, c] = turn;
   const LanePair to_x{c, s}, to_y{-s, c}, spin{-node.spin, node.spin};  // columns of the turn; spin x (y, x)
   const LanePair origin{node.position.x(), node.position.y()}, velocity{node.velocity.x(), node.velocity.y()};
-  SkinReach reach;
   for (std::size_t i = 0; i < skin.size(); ++i) {
     const double x = skin[i].x(), y = skin[i].y();
     const LanePair arm = to_x * x + to_y * y;
-    const LanePair rate = velocity + spin * __builtin_shufflevector(arm, arm, 1, 0), squares = rate * rate;
-    const LanePair place = origin + arm, moved = place - load_pair(&out[i].x), paths = moved * moved;
+    const LanePair rate = velocity + spin * __builtin_shufflevector(arm, arm, 1, 0), place = origin + arm;
+    reach.add(rate, place - load_pair(&out[i].x));
     store_pair(&out[i].x, place);
     store_pair(&out[i].u, rate);
-    reach.add(squares[0] + squares[1], paths[0] + paths[1]);
   }
-  return reach;
 }
 
 /// What forces at skin points come to at the node.

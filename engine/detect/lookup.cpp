@@ -76,6 +76,11 @@ double half_diagonal(const Model<2>& model, int piece) {
 
 constexpr int most_samples = 63;
 
+/// Where a skin point is beside `together`.
+Vec2 place_beside(const Work<2>& work, const PieceSearch<2>& search, int skin) {
+  return Vec2(work.skin[skin].x, work.skin[skin].y) - search.together;
+}
+
 /// The first corners of some pieces, spread over all.
 void take_sample(const Model<2>& model, const Work<2>& work, PieceSearch<2>& search) {
   const int count = std::min(most_samples, model.pieces());
@@ -84,8 +89,7 @@ void take_sample(const Model<2>& model, const Work<2>& work, PieceSearch<2>& sea
   for (int i = 0; i < count; ++i) {
     const int piece = static_cast<int>(std::int64_t{i} * model.pieces() / count);
     search.sample[i] = model.corner_skin[model.piece_first[piece]];
-    const SkinMotion<2>& s = work.skin[search.sample[i]];
-    search.sample_at[i] = {s.x, s.y};
+    search.sample_at[i] = place_beside(work, search, search.sample[i]);
   }
 }
 
@@ -105,49 +109,56 @@ Vec2 median_of_sample(const PieceSearch<2>& search, Value&& value) {
   return {x[middle], y[middle]};
 }
 
-/// Moves `together` on by what the middle one of the sample has moved by since: a few that fly do not count among many
-/// that stand.
-void follow(const Work<2>& work, PieceSearch<2>& search) {
-  const auto at = [&](int skin) { return Vec2(work.skin[skin].x, work.skin[skin].y); };
-  const Vec2 by = median_of_sample(search, [&](int skin, auto i) { return Vec2(at(skin) - search.sample_at[i]); });
-  if (!(by.squaredNorm() < unbounded)) return;  // no numbers: the watch ends the stage
-  search.together += by;
-  for (std::size_t i = 0; i < search.sample.size(); ++i) search.sample_at[i] = at(search.sample[i]);
-}
-
 Vec2 common_velocity(const Work<2>& work, const PieceSearch<2>& search) {
   return median_of_sample(search, [&](int skin, auto) { return Vec2(work.skin[skin].u, work.skin[skin].v); });
 }
 
-/// What is left to a piece before one of its corners has gone as far as it may [m]; below 0: it has.
+/// Moves `together` on to what the middle one of the sample has moved by since it was found last, and lets it drift as
+/// that does now: a few that fly do not count among many that stand.
+void follow(const Work<2>& work, PieceSearch<2>& search) {
+  const Vec2 by = median_of_sample(
+      search, [&](int skin, auto i) { return Vec2(place_beside(work, search, skin) - search.sample_at[i]); });
+  const Vec2 drift = common_velocity(work, search);
+  if (!(by.squaredNorm() + drift.squaredNorm() < unbounded)) return;  // no numbers: the watch ends the stage
+  search.together += by, search.drift = drift;
+  search.shifted += LanePair{std::abs(by.x()), std::abs(by.y())};
+  for (std::size_t i = 0; i < search.sample.size(); ++i)
+    search.sample_at[i] = place_beside(work, search, search.sample[i]);
+}
+
+LanePair least_of(const LanePair& a, const LanePair& b) {
+  return a < b ? a : b;
+}
+
+/// What is left to a piece along each axis before one of its corners has gone as far as it may [m]; below 0: it has.
 /// With q = x - together and q_0 where it was looked up, for each corner and axis
 ///     low <= q - q_0 <= high        on time, and for `ahead` [s] at the velocity of now beside `common`.
-double left_to(const Model<2>& model, const Work<2>& work, int piece, double ahead, const Vec2& common) {
+LanePair left_to(const Model<2>& model, const Work<2>& work, int piece, double ahead, const Vec2& common) {
   const PieceSearch<2>& s = work.search;
-  const double x0 = allowed_share * s.low[piece].x(), x1 = allowed_share * s.high[piece].x(),
-               y0 = allowed_share * s.low[piece].y(), y1 = allowed_share * s.high[piece].y();
-  const double dx = s.together.x() + ahead * common.x(), dy = s.together.y() + ahead * common.y();
-  double left = unbounded;
+  const LanePair low = allowed_share * load_pair(s.low[piece].data()),
+                 high = allowed_share * load_pair(s.high[piece].data());
+  const Vec2 origin = s.together + ahead * common;
+  LanePair left{unbounded, unbounded};
   bool known = true;
   for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c) {
     const SkinMotion<2>& skin = work.skin[model.corner_skin[c]];
-    const double x = skin.x + ahead * skin.u - dx - s.corner[c].x(), y = skin.y + ahead * skin.v - dy - s.corner[c].y();
-    left = std::min(left, std::min(std::min(x - x0, x1 - x), std::min(y - y0, y1 - y)));
-    known = known && x == x && y == y;
+    const LanePair at = load_pair(&skin.x) + ahead * load_pair(&skin.u) - LanePair{origin.x(), origin.y()} -
+                        load_pair(s.corner[c].data());
+    left = least_of(left, least_of(at - low, high - at));
+    known = known && none_below(at, at);
   }
-  return known ? left : -1;
+  return known ? left : LanePair{-1, -1};
 }
+
+constexpr LanePair nothing_left{0, 0};
 
 void set_due(PieceSearch<2>& search, int piece) {
   search.is_due[piece] = 1;
   search.due.push_back(piece);
 }
 
-/// From how far the fastest point has gone now, no piece leaves its box before it has gone as far as this.
-/// A corner goes no farther in x or y than that path, and neither does what all move by together.
-double put_off(const Work<2>& work, double left) {
-  return work.travel + 0.5 * (1 - 1e-6) * left;
-}
+/// Of what is left to a piece, for the rounding of sums of many steps.
+constexpr double left_share = 1 - 1e-6;
 
 }  // namespace
 
@@ -160,64 +171,89 @@ void look_up_all(const Model<2>& model, const State<2>& /*state*/, Work<2>& work
   search.low.assign(static_cast<std::size_t>(pieces), Vec2::Zero());
   search.high.assign(static_cast<std::size_t>(pieces), Vec2::Zero());
   search.arm.assign(static_cast<std::size_t>(pieces), 0);
-  search.until.assign(static_cast<std::size_t>(pieces), 0);
   search.is_due.assign(static_cast<std::size_t>(pieces), 0);
   search.due.clear();
   for (int p = 0; p < pieces; ++p) {
     if (model.bodies[model.piece_body[p]].is_rigid()) search.arm[p] = half_diagonal(model, p);
     set_due(search, p);
   }
-  search.together = Vec2::Zero();
+  search.left.assign(model.bodies.size(), {});
+  search.may_have_left = true;
+  search.together = search.drift = Vec2::Zero();
+  search.shifted = LanePair{};
   take_sample(model, work, search);
 }
 
-/// Pieces that threads take at a time: some five microseconds.
-static constexpr int looked_stretch = 512;
+namespace {
 
-/// Lists all that have left their boxes or will within `ahead` [s], and puts the next look at each of the others off
-/// until it may have; at those until they may have once they are looked up. Threads mark their pieces; they are listed
-/// in order.
-static void find_due(const Model<2>& model, Work<2>& work, const Vec2& common, double ahead) {
+/// Bodies that threads take at a time: some five microseconds.
+constexpr int looked_stretch = 512;
+
+/// Runs look(body) for all bodies to which less is left than so many more steps may take; true where it once was.
+template <class Look>
+bool look_at_few(Work<2>& work, double steps, Look&& look) {
+  struct alignas(64) Found {
+    bool some = false;
+  };
   PieceSearch<2>& search = work.search;
-  std::array<double, most_threads> by;
-  by.fill(unbounded);
-  share(work.threads, model.pieces(), looked_stretch, [&](int first, int last, int thread) {
-    double least = by[static_cast<std::size_t>(thread)];  // of its own: beside those of others it would go to and fro
-    for (int p = first; p < last; ++p) {
-      const double now = left_to(model, work, p, 0, common);
-      const bool due = now < 0 || left_to(model, work, p, ahead, common) < 0;
-      search.is_due[p] = due ? 1 : 0;
-      search.until[p] = put_off(work, due ? allowed_share * search.margin[p] : now);
-      least = std::min(least, search.until[p]);
-    }
-    by[static_cast<std::size_t>(thread)] = least;
+  std::array<Found, most_threads> by{};
+  share(work.threads, static_cast<int>(search.left.size()), looked_stretch, [&](int first, int last, int thread) {
+    bool some = false;
+    for (int b = first; b < last; ++b)
+      if (!search.left[b].lasts(steps, search.shifted)) some = look(b) || some;
+    if (some) by[static_cast<std::size_t>(thread)].some = true;
+  });
+  return std::any_of(by.begin(), by.end(), [](const Found& found) { return found.some; });
+}
+
+/// Finds what is left to a body now; true where some piece of it has left its box.
+bool look_at_body(const Model<2>& model, Work<2>& work, int body) {
+  const Body& b = model.bodies[body];
+  LanePair left{unbounded, unbounded};
+  for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p)
+    left = least_of(left, left_to(model, work, p, 0, Vec2::Zero()));
+  work.search.left[body].left = left_share * left + work.search.shifted;
+  return !none_below(left, nothing_left);
+}
+
+/// Marks the pieces of a body that have left their boxes or will within `ahead` [s]. To these is left what they may go
+/// by once they are looked up.
+void mark_due(const Model<2>& model, Work<2>& work, int body, double ahead, const Vec2& common) {
+  PieceSearch<2>& search = work.search;
+  const Body& b = model.bodies[body];
+  LanePair left{unbounded, unbounded};
+  for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p) {
+    const LanePair now = left_to(model, work, p, 0, common);
+    const bool due =
+        !none_below(now, nothing_left) || !none_below(left_to(model, work, p, ahead, common), nothing_left);
+    search.is_due[p] = due ? 1 : 0;
+    const double margin = allowed_share * search.margin[p];
+    left = least_of(left, due ? LanePair{margin, margin} : now);
+  }
+  search.left[body].left = left_share * left + search.shifted;
+}
+
+/// Lists all that have left their boxes or will within `steps` more, in order.
+void find_due(const Model<2>& model, Work<2>& work, const Vec2& common, double steps, double dt) {
+  PieceSearch<2>& search = work.search;
+  look_at_few(work, steps, [&](int body) {
+    mark_due(model, work, body, steps * dt, common);
+    return true;
   });
   for (int p = 0; p < model.pieces(); ++p)
     if (search.is_due[p] != 0) search.due.push_back(p);
-  work.look_again = *std::min_element(by.begin(), by.end());
 }
 
-/// A piece is looked at only once it may have left its box. Each thread keeps the least of what it looks at: the least
-/// of these is the same in any order.
+}  // namespace
+
+/// A body is looked at only once it may have left its box.
 bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work) {
-  if (work.travel < work.look_again) return false;
   PieceSearch<2>& search = work.search;
+  if (!search.may_have_left) return false;
+  search.may_have_left = false;
   follow(work, search);
-  const int pieces = model.pieces();
-  std::array<double, most_threads> by;
-  by.fill(unbounded);
-  share(work.threads, pieces, looked_stretch, [&](int first, int last, int thread) {
-    double least = by[static_cast<std::size_t>(thread)];
-    for (int p = first; p < last; ++p) {
-      if (!(work.travel < search.until[p])) search.until[p] = put_off(work, left_to(model, work, p, 0, Vec2::Zero()));
-      least = std::min(least, search.until[p]);
-    }
-    by[static_cast<std::size_t>(thread)] = least;
-  });
-  work.look_again = *std::min_element(by.begin(), by.end());
-  // Who has left has less than nothing left.
-  if (work.look_again >= work.travel) return false;
-  find_due(model, work, common_velocity(work, search), steps_due * state.last_dt);
+  if (!look_at_few(work, 0, [&](int body) { return look_at_body(model, work, body); })) return false;
+  find_due(model, work, search.drift, steps_due, state.last_dt);
   return true;
 }
 

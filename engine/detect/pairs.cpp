@@ -159,6 +159,7 @@ void sort_into_batches(const Model<2>& model, Work<2>& work) {
 }  // namespace
 
 int contact_law(const Model<2>& model, int body_a, int body_b) {
+  if (model.surfaces == 1) return model.law_of[0];  // asked of many pairs, whose bodies lie far apart
   return model.law_of[model.bodies[body_a].surface * model.surfaces + model.bodies[body_b].surface];
 }
 
@@ -172,7 +173,7 @@ bool may_ever_touch(const Model<2>& model, const State<2>& state, const PieceSea
 }
 
 /// Pieces and rows that threads take at a time: some ten microseconds.
-constexpr int due_stretch = 16, scanned_stretch = 2048, faced_stretch = 64;
+constexpr int due_stretch = 16, faced_stretch = 64;
 
 /// Runs f(list) with what a thread has found so far: taken out, as the ends of lists that lie beside each other would
 /// go to and fro between threads.
@@ -196,6 +197,17 @@ void find_by_boxes(const Model<2>& model, const State<2>& state, const PieceSear
   }
 }
 
+/// Lists the rows of which a piece is due: `to_face`. `keys`: of all rows, which lie closer together than the pairs.
+void list_due_rows(const std::vector<ContactKey>& keys, PieceSearch<2>& search) {
+  search.to_face.resize(keys.size());
+  std::size_t due = 0;
+  for (std::size_t row = 0; row < keys.size(); ++row) {
+    search.to_face[due] = static_cast<int>(row);
+    due += search.is_due[first_piece(keys[row])] | search.is_due[second_piece(keys[row])];
+  }
+  search.to_face.resize(due);
+}
+
 /// Keys of the pairs that remember something, wherever they are; of a piece that is due.
 void find_remembered(const Model<2>& model, const State<2>& state, Work<2>& work) {
   PieceSearch<2>& search = work.search;
@@ -208,12 +220,9 @@ void find_remembered(const Model<2>& model, const State<2>& state, Work<2>& work
     return;
   }
   const ContactHistory& before = contacts_before(state, work);
-  share(work.threads, static_cast<int>(work.pairs.size()), scanned_stretch, [&](int first, int last, int thread) {
-    add_found(search, thread, [&](std::vector<ContactKey>& found) {
-      for (int row = first; row < last; ++row)
-        if (is_due(search, work.pairs[row]) && !before.memory[row].empty()) found.push_back(key_of(work.pairs[row]));
-    });
-  });
+  list_due_rows(before.key, search);
+  for (const int row : search.to_face)
+    if (!before.memory[row].empty()) search.found.push_back(before.key[row]);
 }
 
 /// Keys of the pairs of pieces that are due, by their boxes; and of those that remember something. Each thread has a
@@ -242,14 +251,16 @@ void face_rows(const Model<2>& model, Work<2>& work) {
   });
 }
 
-/// Looks at the faces of the rows anew of which a piece was looked up.
+/// True where the pairs found are those that were there, of which the rows are `to_face`.
+bool are_same(const Work<2>& work) {
+  const PieceSearch<2>& search = work.search;
+  return std::equal(search.to_face.begin(), search.to_face.end(), search.found.begin(), search.found.end(),
+                    [&](int row, ContactKey key) { return key_of(work.pairs[row]) == key; });
+}
+
+/// Looks at the faces of the rows anew of which a piece was looked up: `to_face`.
 void face_again(const Model<2>& model, Work<2>& work) {
-  work.search.to_face.clear();
-  for (std::size_t row = 0; row < work.pairs.size(); ++row) {
-    if (!is_due(work.search, work.pairs[row])) continue;
-    work.search.to_face.push_back(static_cast<int>(row));
-    work.clear_until[row] = 0;
-  }
+  for (const int row : work.search.to_face) work.clear_until[row] = 0;
   face_rows(model, work);
 }
 
@@ -294,8 +305,7 @@ void begin_paths(Work<2>& work) {
   const auto less = [&](double& path) { path -= (1 + 1e-12) * work.travel; };
   for (double& path : work.asleep_until) less(path);
   for (double& path : work.clear_until) less(path);
-  for (double& path : work.search.until) less(path);
-  less(work.look_again), less(work.clear_path);
+  less(work.clear_path);
   work.travel = 0;
 }
 
@@ -309,14 +319,14 @@ bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work)
 bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   PieceSearch<2>& search = work.search;
   if (!work.valid) {
-    work.travel = work.look_again = 0;
+    work.travel = 0;
     work.pairs.clear(), work.asleep_until.clear(), work.clear_until.clear();
     list_bearings(model, search);
   }
   if (work.travel > 1) begin_paths(work);
   place_boxes(model, state, work);
   find_keys(model, state, work);
-  const bool same = work.valid && same_keys(work);
+  const bool same = work.valid && are_same(work);
   same ? face_again(model, work) : merge_found(model, state, work);
   sort_into_batches(model, work);
   for (const int p : search.due) search.is_due[p] = 0;

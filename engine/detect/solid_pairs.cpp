@@ -35,12 +35,19 @@ constexpr double reach_steps = 96, most_margins = 10;
 /// a long list is made anew for one as for many.
 constexpr double due_steps = 24, share_due = 0.1;
 
-/// How far a box may still grow within another, negative where it reaches out [m].
-double room_left(const FatBox<3>& inner, const FatBox<3>& outer) {
-  double least = unbounded;
-  for (std::size_t k = 0; k < 3; ++k)
-    least = std::min({least, inner.low[k] - outer.low[k], outer.high[k] - inner.high[k]});
-  return least;
+/// How far a box may still grow within another along each axis, negative where it reaches out [m].
+Lanes room_left(const FatBox<3>& inner, const FatBox<3>& outer) {
+  Lanes left{};
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    left[k] = std::min(inner.low[i] - outer.low[i], outer.high[i] - inner.high[i]);
+  }
+  return left;
+}
+
+/// The same number for all axes.
+Lanes along_all(double by) {
+  return Lanes{by, by, by, 0};
 }
 
 FatBox<3> moved(FatBox<3> box, const Vec3& by) {
@@ -77,11 +84,12 @@ void find_solid_margins(const Model<3>& model, PieceSearch<3>& search) {
 void look_up_all_solids(const Model<3>& model, Work<3>& work) {
   PieceSearch<3>& search = work.search;
   find_solid_margins(model, search);
-  search.until.assign(search.margin.size(), unbounded);
+  search.left.assign(search.margin.size(), WayLeft<3>{along_all(unbounded), {}});
+  search.may_have_left = false;
   search.boxes.reset(model.pieces());
   search.due.clear();
   for (int p = 0; p < model.pieces(); ++p) search.due.push_back(p), search.is_due[static_cast<std::size_t>(p)] = 1;
-  work.travel = work.look_again = work.clear_path = 0;
+  work.travel = work.clear_path = 0;
   work.pairs.clear(), work.asleep_until.clear(), work.solids.separation.clear();
   work.solids.faces.clear();
   list_bearings(model, search);
@@ -96,14 +104,10 @@ int law_between(const Model<3>& model, const State<3>& state, const PieceSearch<
   return model.law_of[model.bodies[a].surface * model.surfaces + model.bodies[b].surface];
 }
 
-/// A piece that has this left [m] keeps within its box until the fastest point has gone as far.
-void put_off(Work<3>& work, int piece, double left) {
-  work.search.until[piece] = work.travel + left * (1 - 1e-6);
-}
-
-/// No piece leaves its box before the fastest point has gone as far as this.
-double next_look(const PieceSearch<3>& search) {
-  return search.until.empty() ? unbounded : *std::min_element(search.until.begin(), search.until.end());
+/// A piece that has this left [m] keeps within its box until its corners have gone as far; less the rounding of sums of
+/// many steps.
+void put_off(Work<3>& work, int piece, const Lanes& left) {
+  work.search.left[piece].left = left * (1 - 1e-6);
 }
 
 /// What the middle of a piece's box goes by in `ahead` [s] as it moves now; nothing of one that deforms.
@@ -130,7 +134,7 @@ void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
   PieceSearch<3>& search = work.search;
   for (const int p : search.due) {
     search.boxes.put(p, box_ahead(model, state, work, p));
-    if (search.may_move[p] != 0) put_off(work, p, search.margin[p]);
+    if (search.may_move[p] != 0) put_off(work, p, along_all(search.margin[p]));
   }
   search.found.clear();
   for (const int p : search.due)
@@ -208,11 +212,12 @@ void list_due(const Model<3>& model, const State<3>& state, Work<3>& work) {
   PieceSearch<3>& search = work.search;
   search.due.clear();
   for (int p = 0; p < model.pieces(); ++p) {
-    if (search.may_move[p] == 0) continue;
+    const Lanes least = along_all(share_due * search.margin[p]);
+    if (search.may_move[p] == 0 || search.left[p].lasts(due_steps, least)) continue;
     const FatBox<3> now = box_around(work.solids.placed[p]);
-    const double left = room_left(now, search.boxes.box(p));
+    const Lanes left = room_left(now, search.boxes.box(p));
     const Vec3 way = way_ahead(model, state, p, now, due_steps * state.last_dt);
-    if (left < share_due * search.margin[p] || room_left(moved(now, way), search.boxes.box(p)) < 0)
+    if (!none_below(left, least) || !none_below(room_left(moved(now, way), search.boxes.box(p)), Lanes{}))
       search.due.push_back(p), search.is_due[p] = 1;
     else
       put_off(work, p, left);
@@ -221,24 +226,24 @@ void list_due(const Model<3>& model, const State<3>& state, Work<3>& work) {
 
 }  // namespace
 
-/// A piece is looked at once the fastest point has gone as far as that piece had left when it was looked at last.
+/// A piece is looked at once its corners have gone as far as it had left when it was looked at last.
 bool solids_are_due(const Model<3>& model, const State<3>& state, Work<3>& work) {
   if (!work.valid) {
     look_up_all_solids(model, work);
     return true;
   }
-  if (work.travel < work.look_again) return false;
   PieceSearch<3>& search = work.search;
+  if (!search.may_have_left) return false;
+  search.may_have_left = false;
   for (int p = 0; p < model.pieces(); ++p) {
-    if (work.travel < search.until[p]) continue;
-    const double left = room_left(box_around(work.solids.placed[p]), search.boxes.box(p));
-    if (left < 0) {
+    if (search.left[p].lasts(0, search.shifted)) continue;
+    const Lanes left = room_left(box_around(work.solids.placed[p]), search.boxes.box(p));
+    if (!none_below(left, Lanes{})) {
       list_due(model, state, work);
       return true;
     }
     put_off(work, p, left);
   }
-  work.look_again = next_look(search);
   return false;
 }
 
@@ -248,7 +253,6 @@ bool find_solid_pairs(const Model<3>& model, const State<3>& state, Work<3>& wor
   const bool changes = !work.valid || !same_keys(work);
   if (changes) patch_pairs(model, state, work);
   for (const int p : work.search.due) work.search.is_due[p] = 0;
-  work.look_again = next_look(work.search);
   work.valid = true;
   return changes;
 }

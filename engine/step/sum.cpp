@@ -102,11 +102,6 @@ void spread_bearing(const Model<3>& model, const State<3>& state, Work<3>& work,
   push_ends(model, state, model.bearings[i], work.bearing_force[i], work.bearing_moment[i], work.force, work.moment);
 }
 
-double squared_size(const LanePair& v) {
-  const LanePair squares = v * v;
-  return squares[0] + squares[1];
-}
-
 /// The largest forces carried and left over, squared; one to each thread, each in a line of its own of the cache.
 struct alignas(64) LargestForces {
   double unbalanced = 0, carried = 0;  ///< [N2]
@@ -118,19 +113,24 @@ void add_outside(const Model<2>& model, const Vec2& field, int first, int last, 
   const bool loaded = !work.load.empty();
   const Vec2* load = loaded ? work.load.data() : model.load.data();
   const LanePair pull{field.x(), field.y()};
-  double unbalanced = largest.unbalanced, carried = largest.carried;
+  LanePair most{largest.unbalanced, largest.carried};
+  double carried = largest.carried;
   for (int n = first; n < last; ++n) {
     const LanePair reacts = load_pair(work.force[n].data()), steady = model.mass[n] * pull + load_pair(load[n].data());
     LanePair left = reacts + steady;
     store_pair(work.force[n].data(), left);
     if (loaded) work.moment[n] += work.load_moment[n];
-    if (!model.moves(n)) continue;
-    carried = std::max(carried, std::max(squared_size(reacts), squared_size(steady)));
-    for (const int k : {0, 1})
-      if (model.support[n][k] != Support::free) left[k] = 0;
-    unbalanced = std::max(unbalanced, squared_size(left));
+    const auto& held = model.support[n];
+    if (held[0] != Support::free || held[1] != Support::free) {
+      if (!model.moves(n)) continue;
+      for (const int k : {0, 1})
+        if (held[k] != Support::free) left[k] = 0;
+    }
+    const LanePair sizes = squared_sizes(left, reacts), steady2 = steady * steady;
+    most = sizes > most ? sizes : most;
+    carried = std::max(carried, steady2[0] + steady2[1]);
   }
-  largest = {unbalanced, carried};
+  largest = {most[0], std::max(carried, most[1])};
 }
 
 /// The same in space.

@@ -3,14 +3,41 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "base/lanes.hpp"
 #include "base/space.hpp"
 #include "shape/fat_boxes.hpp"
 #include "world/contact_history.hpp"
 
 namespace trilith {
+
+/// A number for each axis; in space the last lane is 0.
+template <int D>
+using AxisLanes = std::conditional_t<D == 2, LanePair, Lanes>;
+
+TRILITH_INLINE bool none_below(const LanePair& a, const LanePair& b) {
+  const auto holds = a >= b;
+  return (holds[0] & holds[1]) != 0;
+}
+TRILITH_INLINE bool none_below(const Lanes& a, const Lanes& b) {
+  return !any(flip(a >= b));
+}
+
+/// How far all corners of a body may still go along each axis before they are looked at [m], and what the one that went
+/// farthest went by at the last pose [m]: both beside PieceSearch::drift.
+template <int D>
+struct WayLeft {
+  AxisLanes<D> left{}, step{};
+
+  TRILITH_INLINE void go(const AxisLanes<D>& way) { step = way, left -= way; }
+  /// False where some corner may have gone farther after so many more steps as the last.
+  [[nodiscard]] TRILITH_INLINE bool lasts(double steps, const AxisLanes<D>& shifted) const {
+    return none_below(left - steps * step, shifted);
+  }
+};
 
 /// Places are beside `together`, which may be anything as long as it is the same for all pieces at an instant: what
 /// most move by then moves none of them, as of a building on its ground.
@@ -22,13 +49,15 @@ struct PieceSearch {
   std::vector<Vec<D>> high;    ///< [piece] ... and the most m
 
   Vec<D> together = Vec<D>::Zero();  ///< m
+  Vec<D> drift = Vec<D>::Zero();     ///< what it goes by from one pose to the next, in a step of one second m/s
+  AxisLanes<D> shifted{};            ///< how far it was moved beside that, which nobody has left any more m
   std::vector<int> sample;           ///< some skin points all over the model
   std::vector<Vec<D>> sample_at;     ///< [sample] where they were when `together` was found last m
 
   double beside = 0;  ///< faces whose corners are to move by no more than this to touch lie beside each other m
   std::vector<double> margin;                     ///< [piece] how far it may go however slow it is m
-  std::vector<double> until;                      ///< [piece] it keeps within its box while Work::travel is below
-                                                  ///< this m
+  std::vector<WayLeft<D>> left;                   ///< [body], in space [piece]
+  bool may_have_left = false;                     ///< some piece its box. Writer: place, detect
   std::vector<double> arm;                        ///< [piece] half its longest diagonal; 0 of a body that deforms m
   std::vector<std::uint8_t> may_move;             ///< [piece] 1: its body does
   std::vector<std::uint8_t> is_due;               ///< [piece] 1: to be looked up now

@@ -65,6 +65,7 @@ struct alignas(32) SkinMotion<3> {
 struct BodyRow {
   int node, nodes;  ///< the first, and how many
   int skin, skins;
+  int piece, pieces;
   SkinLayout layout;
   int fit = 0, fits = 0;
 };
@@ -227,7 +228,6 @@ struct Work {
   bool is_matched = false;  ///< they were
   double travel = 0;        ///< path of the skin point that went farthest since the pairs were found anew, from one
                             ///< evaluated pose to the next, an upper bound. Writer: place m
-  double look_again = 0;    ///< no piece has left its box while `travel` is below this m
 
   SolidWork<D> solids;  ///< in space
 

@@ -28,6 +28,22 @@ std::set<ContactKey> keys_of(const Work<2>& work) {
   return keys;
 }
 
+/// How many bodies have a corner that has less left to where it may go than is said of its body.
+int left_less(const Model<2>& model, const PieceSearch<2>& search, const Work<2>& work) {
+  int count = 0;
+  for (int p = 0; p < model.pieces(); ++p) {
+    const LanePair said = search.left[static_cast<std::size_t>(model.piece_body[p])].left - search.shifted;
+    Vec2 left = Vec2::Constant(unbounded);
+    for (int c = model.piece_first[p]; c < model.piece_first[p + 1]; ++c) {
+      const SkinMotion<2>& skin = work.skin[static_cast<std::size_t>(model.corner_skin[c])];
+      const Vec2 gone = Vec2(skin.x, skin.y) - search.together - search.corner[static_cast<std::size_t>(c)];
+      left = left.cwiseMin(gone - search.low[p]).cwiseMin(search.high[p] - gone);
+    }
+    count += said[0] <= left.x() && said[1] <= left.y() ? 0 : 1;
+  }
+  return count;
+}
+
 /// Stones of sizes up to `unlike` times different, with room for all.
 Scene stones(std::mt19937_64& bits, int count, double unlike) {
   Scene scene(Frictional{1e8, 5e7, 0.6, 0});
@@ -56,7 +72,7 @@ TEST_CASE("a list that is patched gives the bits of one found anew and misses no
     const Model<2> model = scene.builder.build();
     State<2> state = initial_state(model);
     Work<2> kept;
-    int missed = 0, differ = 0, overlapping = 0, unsorted = 0;
+    int missed = 0, differ = 0, overlapping = 0, unsorted = 0, less = 0;
     for (int step = 0; step < 1500; ++step) {
       // Each turns off its way now and then; some stand for a while.
       for (int n = 1; n < model.nodes(); ++n)
@@ -67,6 +83,7 @@ TEST_CASE("a list that is patched gives the bits of one found anew and misses no
         }
       move_on(model, state, 1e-3);
       evaluate(model, state, kept, 1e-3);
+      less += left_less(model, kept.search, kept);
       for (std::size_t row = 1; row < kept.pairs.size(); ++row)
         unsorted += kept.pairs[row - 1].piece_a < kept.pairs[row].piece_a ||
                             (kept.pairs[row - 1].piece_a == kept.pairs[row].piece_a &&
@@ -88,6 +105,7 @@ TEST_CASE("a list that is patched gives the bits of one found anew and misses no
         }
     }
     CHECK(missed == 0);
+    CHECK(less == 0);
     CHECK(differ == 0);
     CHECK(unsorted == 0);
     CHECK(overlapping > 500);
@@ -118,6 +136,7 @@ TEST_CASE("what stands is not looked up again while something else flies by and 
   evaluate(model, state, work, 1e-3);
   const auto pairs = work.pairs.size();
   const std::vector<Vec2> corners = work.search.corner;
+  const WayLeft<2> of_block = work.search.left[1];
   int looked_up = 0;
   Vec2 last = corners.back();
   for (int step = 0; step < 1780; ++step) {  // 8.9 m down: into the row's boxes, not into a block
@@ -128,6 +147,9 @@ TEST_CASE("what stands is not looked up again while something else flies by and 
   }
   const auto standing = static_cast<std::ptrdiff_t>(corners.size()) - 4;
   CHECK(std::equal(corners.begin(), corners.begin() + standing, work.search.corner.begin()));
+  const WayLeft<2>& now = work.search.left[1];
+  CHECK(now.left[0] == of_block.left[0]);
+  CHECK(now.left[1] == of_block.left[1]);
   CHECK(looked_up > 20);
   CHECK(looked_up < 200);
   // 5 mm, a step's way, above the two it falls on: they are to be pairs before they touch.
