@@ -15,10 +15,10 @@ namespace {
 /// twentieth of it, 2 sqrt(2) of this.
 constexpr double margin_share = 0.05 / 2.8284271247461903;
 /// A box reaches as far ahead as its piece gets in this many steps, but by no more than this many times its size.
-constexpr double steps_ahead = 24, most_stretch = 2;
+constexpr double steps_ahead = 32, most_stretch = 2;
 /// Who leaves within so many steps is looked up with those that have left: patching a long list costs as much for one
 /// as for many.
-constexpr double steps_due = 8;
+constexpr double steps_due = 12;
 /// PieceSearch::beside, as a share of the median thickness.
 constexpr double beside_share = 0.025;
 /// Of what is allowed, for the rounding of places.
