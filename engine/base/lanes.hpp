@@ -54,6 +54,11 @@ TRILITH_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) {
 TRILITH_INLINE double root(double x) {
   return std::sqrt(x);
 }
+TRILITH_INLINE LanePair root(LanePair x) {
+  LanePair r;
+  for (int i = 0; i < 2; ++i) r[i] = __builtin_sqrt(x[i]);
+  return r;
+}
 TRILITH_INLINE Lanes root(Lanes x) {
   Lanes r;
   for (int i = 0; i < lane_count; ++i) r[i] = __builtin_sqrt(x[i]);

@@ -40,7 +40,7 @@ class SkinReach {
   [[nodiscard]] double speed2() const { return most2_[0]; }  ///< the largest square [m2/s2]
   [[nodiscard]] double path2() const { return most2_[1]; }   ///< likewise [m2]
   /// The most along x and along y [m].
-  [[nodiscard]] TRILITH_INLINE LanePair step() const { return LanePair{root(step2_[0]), root(step2_[1])}; }
+  [[nodiscard]] TRILITH_INLINE LanePair step() const { return root(step2_); }
 
  private:
   LanePair drift_, most2_{}, step2_{};

@@ -108,7 +108,7 @@ void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
 /// What threads take at a time: some two microseconds.
 constexpr int body_stretch = 64;
 
-PlacedReach place_all(const Model<2>& model, const State<2>& state, Work<2>& work) {
+PlacedReach<2> place_all(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.skin.resize(model.skin_place.size());
   work.skin_force.resize(model.skin_place.size());
   PieceSearch<2>& search = work.search;
@@ -116,8 +116,8 @@ PlacedReach place_all(const Model<2>& model, const State<2>& state, Work<2>& wor
   const Vec2 drift = state.last_dt * search.drift;
   search.together += drift;
   const bool with_pieces = may_place_wanted(model, state, work);
-  const PlacedReach reach =
-      place_shared(work, static_cast<int>(work.body.size()), body_stretch, [&](int first, int last, PlacedReach& to) {
+  const PlacedReach<2> reach = place_shared(
+      work, static_cast<int>(work.body.size()), body_stretch, [&](int first, int last, PlacedReach<2>& to) {
         portable::FourTurns turns;
         for (int b = first; b < last; ++b) {
           const auto lane = static_cast<std::size_t>((b - first) % lane_count);
@@ -128,7 +128,7 @@ PlacedReach place_all(const Model<2>& model, const State<2>& state, Work<2>& wor
           // By the thread that will add to them, mostly.
           std::fill_n(work.skin_force.begin() + body.skin, body.skins, Vec2::Zero());
           to.add(of, [&] { return moves(model, body); });
-          to.follow(search, of.step(), search.left[static_cast<std::size_t>(b)]);
+          to.follow(of.step(), search.left[static_cast<std::size_t>(b)]);
           if (with_pieces) place_wanted(model, state, work, body);
         }
       });

@@ -199,7 +199,7 @@ void place_fits_behind(const Model<3>& model, const State<3>& state, SolidWork<3
   }
 }
 
-PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
+PlacedReach<3> place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
   const std::size_t pieces = model.piece_solid.size();
   work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces);
   work.solids.fitted.resize(model.fits.size()), work.solids.face_motion.resize(model.fits.size());
@@ -207,12 +207,12 @@ PlacedReach place_all(const Model<3>& model, const State<3>& state, Work<3>& wor
   if (!work.valid) list_spheres(model, work.solids.sphere);
   place_behind(model, state, work.solids.behind);
   work.search.left.resize(pieces);
-  const PlacedReach reach =
-      place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int first, int last, PlacedReach& to) {
+  const PlacedReach<3> reach =
+      place_shared(work, static_cast<int>(pieces), piece_stretch, [&](int first, int last, PlacedReach<3>& to) {
         for (int p = first; p < last; ++p) {
           const SolidReach of = place_piece(model, state, p, work.solids);
           to.add(of, [&] { return piece_moves(model, p); });
-          to.follow(work.search, of.step(), work.search.left[static_cast<std::size_t>(p)]);
+          to.follow(of.step(), work.search.left[static_cast<std::size_t>(p)]);
         }
       });
   place_fits_behind(model, state, work.solids);

@@ -10,12 +10,13 @@
 
 namespace trilith {
 
-/// The largest squares of all that is placed, of its speeds and of those of bodies that are free to move. One to each
-/// thread: none has part of another's in a line of its cache.
+/// The largest squares of all that is placed, of its speeds and of those of bodies that are free to move, and the least
+/// that is left along each axis. One to each thread: none has part of another's in a line of its cache.
+template <int D>
 struct alignas(64) PlacedReach {
-  double speed2 = 0, moving = 0;  ///< [m2/s2]
-  double path2 = 0;               ///< [m2]
-  bool may_have_left = false;     ///< see PieceSearch
+  double speed2 = 0, moving = 0;                   ///< [m2/s2]
+  double path2 = 0;                                ///< [m2]
+  AxisLanes<D> left = AxisLanes<D>{} + unbounded;  ///< see WayLeft [m]
 
   /// `moves`(): asked where it says something.
   template <class Reach, class Moves>
@@ -24,29 +25,28 @@ struct alignas(64) PlacedReach {
     if (of.speed2() > moving && moves()) moving = of.speed2();
   }
   /// Takes what a body or piece went by from what is left to it.
-  template <int D>
-  TRILITH_INLINE void follow(const PieceSearch<D>& search, const AxisLanes<D>& step, WayLeft<D>& left) {
-    left.go(step);
-    may_have_left = may_have_left || !left.lasts(0, search.shifted);
+  TRILITH_INLINE void follow(const AxisLanes<D>& step, WayLeft<D>& way) {
+    way.go(step);
+    left = way.left < left ? way.left : left;
   }
   void add(const PlacedReach& other) {
     speed2 = std::max(speed2, other.speed2), path2 = std::max(path2, other.path2);
-    moving = std::max(moving, other.moving), may_have_left = may_have_left || other.may_have_left;
+    moving = std::max(moving, other.moving), left = other.left < left ? other.left : left;
   }
 };
 
 /// Each thread keeps the largest of what it places: the largest of these is the same in any order.
 /// place(first, last, reach).
 template <int D, class Place>
-PlacedReach place_shared(const Work<D>& work, int count, int stretch, Place&& place) {
-  std::array<PlacedReach, most_threads> by{};
+PlacedReach<D> place_shared(const Work<D>& work, int count, int stretch, Place&& place) {
+  std::array<PlacedReach<D>, most_threads> by{};
   share(work.threads, count, stretch, [&](int first, int last, int thread) {
-    PlacedReach reach;
+    PlacedReach<D> reach;
     place(first, last, reach);
     by[static_cast<std::size_t>(thread)].add(reach);
   });
-  PlacedReach reach;
-  for (const PlacedReach& one : by) reach.add(one);
+  PlacedReach<D> reach;
+  for (const PlacedReach<D>& one : by) reach.add(one);
   return reach;
 }
 
@@ -61,11 +61,12 @@ void list_bodies(const Model<D>& model, Work<D>& work) {
 
 /// What later stages ask of all together.
 template <int D>
-void keep_reach(const PlacedReach& reach, Work<D>& work) {
+void keep_reach(const PlacedReach<D>& reach, Work<D>& work) {
   work.fastest = std::sqrt(reach.speed2);
   work.fastest_moving = std::sqrt(reach.moving);
   // Both of no meaning, and not asked for, before the pairs are found.
-  work.travel += std::sqrt(reach.path2), work.search.may_have_left = reach.may_have_left;
+  work.travel += std::sqrt(reach.path2);
+  work.search.may_have_left = !none_below(reach.left, work.search.shifted);
 }
 
 }  // namespace trilith
