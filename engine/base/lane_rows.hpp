@@ -1,14 +1,10 @@
 // Numbers that lie row by row in memory, as lanes and back: four rows at once, by whole registers.
-//
-//     row 0   a0 b0 c0 d0              a = a0 a1 a2 a3
-//     row 1   a1 b1 c1 d1   <----->    b = b0 b1 b2 b3
-//     row 2   a2 b2 c2 d2              ...
-//     row 3   a3 b3 c3 d3
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "base/four_by_four.hpp"
 #include "base/lane_vectors.hpp"
 
 namespace trilith {
@@ -25,20 +21,6 @@ TRILITH_INLINE void store_lanes(double* to, const Lanes& v) {
   __builtin_memcpy(to, &v, sizeof v);
 }
 
-/// Four rows as four columns, or the other way round.
-struct TurnedRows {
-  Lanes a, b, c, d;
-
-  TRILITH_INLINE TurnedRows(const Lanes& r0, const Lanes& r1, const Lanes& r2, const Lanes& r3) {
-    const Lanes even01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6),
-                odd01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7),
-                even23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6),
-                odd23 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
-    a = __builtin_shufflevector(even01, even23, 0, 1, 4, 5), b = __builtin_shufflevector(odd01, odd23, 0, 1, 4, 5);
-    c = __builtin_shufflevector(even01, even23, 2, 3, 6, 7), d = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
-  }
-};
-
 /// Four rows of many numbers: `k` is the place in them of the first of four.
 template <class Number>
 struct FourRowsOf {
@@ -47,13 +29,14 @@ struct FourRowsOf {
   TRILITH_INLINE explicit FourRowsOf(const std::array<Number*, lane_count>& row)
       : r0(row[0]), r1(row[1]), r2(row[2]), r3(row[3]) {}
   TRILITH_INLINE void load(int k, Lanes& a, Lanes& b, Lanes& c, Lanes& d) const {
-    const TurnedRows columns(load_lanes(r0 + k), load_lanes(r1 + k), load_lanes(r2 + k), load_lanes(r3 + k));
-    a = columns.a, b = columns.b, c = columns.c, d = columns.d;
+    const FourByFour columns(load_lanes(r0 + k), load_lanes(r1 + k), load_lanes(r2 + k), load_lanes(r3 + k));
+    a = columns.v[0], b = columns.v[1], c = columns.v[2], d = columns.v[3];
   }
   TRILITH_INLINE void load(int k, Lanes& a) const { a = Lanes{r0[k], r1[k], r2[k], r3[k]}; }
   TRILITH_INLINE void store(int k, const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) const {
-    const TurnedRows rows(a, b, c, d);
-    store_lanes(r0 + k, rows.a), store_lanes(r1 + k, rows.b), store_lanes(r2 + k, rows.c), store_lanes(r3 + k, rows.d);
+    const FourByFour rows(a, b, c, d);
+    store_lanes(r0 + k, rows.v[0]), store_lanes(r1 + k, rows.v[1]), store_lanes(r2 + k, rows.v[2]),
+        store_lanes(r3 + k, rows.v[3]);
   }
   TRILITH_INLINE void store(int k, const Lanes& a) const { r0[k] = a[0], r1[k] = a[1], r2[k] = a[2], r3[k] = a[3]; }
 };

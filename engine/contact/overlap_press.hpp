@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 
+#include "base/four_by_four.hpp"
 #include "contact/overlap_pair.hpp"
 
 namespace trilith {
@@ -43,21 +44,6 @@ struct OverlapSums {
   double pressure = 0, length = 0, deepest = 0;
   double most_a = 0, most_b = 0;  ///< largest share of the pressure on one edge, and which edge
   int edge_a = 0, edge_b = 0;
-};
-
-/// Four rows of four numbers as columns, or columns as rows.
-struct alignas(32) FourByFour {
-  Lanes v[4];
-  TRILITH_INLINE FourByFour(const Lanes& r0, const Lanes& r1, const Lanes& r2, const Lanes& r3) {
-    const Lanes low01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6),
-                high01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
-    const Lanes low23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6),
-                high23 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
-    v[0] = __builtin_shufflevector(low01, low23, 0, 1, 4, 5),
-    v[1] = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
-    v[2] = __builtin_shufflevector(low01, low23, 2, 3, 6, 7),
-    v[3] = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
-  }
 };
 
 TRILITH_INLINE Lanes load_four(const double* four) {

@@ -1,4 +1,4 @@
-// Pieces where they stand, for the general contact of one evaluation: each placed once, however many contacts it has.
+// Pieces as the general contact of one evaluation has placed them: each once, however many contacts it has.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,6 @@ namespace trilith {
 /// Of no meaning outside the evaluation that fills it; kept for its room. Spans and pointers in `piece` point here.
 struct PlacedPieces {
   std::vector<std::uint8_t> is_placed;  ///< [piece] see make_once: the rest is of now
-  std::vector<std::uint8_t> is_wanted;  ///< [piece] 1: some contact asked for it, so it will be by the next step
   std::vector<PlacedPiece> piece;       ///< [piece] their views stay from step to step. Emptied where pairs are new
   std::vector<PlacedPiece> over_step;   ///< [piece] with mean velocities; empty in explicit stages
   std::vector<Vec2> place;              ///< [corner] m

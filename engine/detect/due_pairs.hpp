@@ -1,6 +1,9 @@
 // Pairs of which a piece is looked up: what searching asks of the list that there is, in the plane and in space.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "world/work.hpp"
 
 namespace trilith {
@@ -14,16 +17,25 @@ bool is_due(const PieceSearch<D>& search, const NearPair& pair) {
   return search.is_due[pair.piece_a] != 0 || search.is_due[pair.piece_b] != 0;
 }
 
-/// True where the pairs found are those that were there.
+/// Lists the rows of which a piece is due: PieceSearch::due_rows. `keys`: of all rows, which lie closer together than
+/// the pairs.
 template <int D>
-bool same_keys(const Work<D>& work) {
-  std::size_t next = 0;
-  for (const NearPair& pair : work.pairs) {
-    if (!is_due(work.search, pair)) continue;
-    if (next == work.search.found.size() || work.search.found[next] != key_of(pair)) return false;
-    ++next;
+void list_due_rows(const std::vector<ContactKey>& keys, PieceSearch<D>& search) {
+  search.due_rows.resize(keys.size());
+  std::size_t due = 0;
+  for (std::size_t row = 0; row < keys.size(); ++row) {
+    search.due_rows[due] = static_cast<int>(row);
+    due += search.is_due[first_piece(keys[row])] | search.is_due[second_piece(keys[row])];
   }
-  return next == work.search.found.size();
+  search.due_rows.resize(due);
+}
+
+/// True where the pairs found are those that were there, once these are listed.
+template <int D>
+bool are_same(const Work<D>& work) {
+  const PieceSearch<D>& search = work.search;
+  return std::equal(search.due_rows.begin(), search.due_rows.end(), search.found.begin(), search.found.end(),
+                    [&](int row, ContactKey key) { return key_of(work.pairs[row]) == key; });
 }
 
 }  // namespace trilith

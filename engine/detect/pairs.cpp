@@ -197,17 +197,6 @@ void find_by_boxes(const Model<2>& model, const State<2>& state, const PieceSear
   }
 }
 
-/// Lists the rows of which a piece is due: `to_face`. `keys`: of all rows, which lie closer together than the pairs.
-void list_due_rows(const std::vector<ContactKey>& keys, PieceSearch<2>& search) {
-  search.to_face.resize(keys.size());
-  std::size_t due = 0;
-  for (std::size_t row = 0; row < keys.size(); ++row) {
-    search.to_face[due] = static_cast<int>(row);
-    due += search.is_due[first_piece(keys[row])] | search.is_due[second_piece(keys[row])];
-  }
-  search.to_face.resize(due);
-}
-
 /// Keys of the pairs that remember something, wherever they are; of a piece that is due.
 void find_remembered(const Model<2>& model, const State<2>& state, Work<2>& work) {
   PieceSearch<2>& search = work.search;
@@ -221,7 +210,7 @@ void find_remembered(const Model<2>& model, const State<2>& state, Work<2>& work
   }
   const ContactHistory& before = contacts_before(state, work);
   list_due_rows(before.key, search);
-  for (const int row : search.to_face)
+  for (const int row : search.due_rows)
     if (!before.memory[row].empty()) search.found.push_back(before.key[row]);
 }
 
@@ -243,25 +232,17 @@ void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
   search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
 }
 
-/// Looks at the faces of the rows `to_face`. Each asks its own pieces and writes itself alone.
-void face_rows(const Model<2>& model, Work<2>& work) {
-  const std::vector<int>& rows = work.search.to_face;
+/// Looks at the faces of some rows. Each asks its own pieces and writes itself alone.
+void face_rows(const Model<2>& model, Work<2>& work, const std::vector<int>& rows) {
   share(work.threads, static_cast<int>(rows.size()), faced_stretch, [&](int first, int last, int /*thread*/) {
     for (int i = first; i < last; ++i) find_facing(model, work, work.pairs[rows[i]]);
   });
 }
 
-/// True where the pairs found are those that were there, of which the rows are `to_face`.
-bool are_same(const Work<2>& work) {
-  const PieceSearch<2>& search = work.search;
-  return std::equal(search.to_face.begin(), search.to_face.end(), search.found.begin(), search.found.end(),
-                    [&](int row, ContactKey key) { return key_of(work.pairs[row]) == key; });
-}
-
-/// Looks at the faces of the rows anew of which a piece was looked up: `to_face`.
+/// Looks at the faces of the rows anew of which a piece was looked up.
 void face_again(const Model<2>& model, Work<2>& work) {
-  for (const int row : work.search.to_face) work.clear_until[row] = 0;
-  face_rows(model, work);
+  for (const int row : work.search.due_rows) work.clear_until[row] = 0;
+  face_rows(model, work, work.search.due_rows);
 }
 
 /// Merges what was found into the list: rows of pieces that are not due stay, of the others those that were found.
@@ -297,7 +278,7 @@ void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.pairs.swap(work.spare_pairs);
   work.asleep_until.swap(work.spare_asleep);
   work.clear_until.swap(work.spare_clear);
-  face_rows(model, work);
+  face_rows(model, work, to_face);
 }
 
 /// Lets paths begin at 0 again, so that they keep their digits; rounded to the safe side.

@@ -143,12 +143,12 @@ void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
       if (law_between(model, state, search, p, q) >= 0)
         search.found.push_back(contact_key(std::min(p, q), std::max(p, q)));
     });
-  for (std::size_t row = 0; row < state.contacts.size(); ++row) {
-    const ContactKey key = state.contacts.key[row];
-    const int p = first_piece(key), q = second_piece(key);
-    if (!state.contacts.memory[row].empty() && (search.is_due[p] != 0 || search.is_due[q] != 0) &&
-        law_between(model, state, search, p, q) >= 0)  // none where one is out of the step, or both are held
-      search.found.push_back(key);
+  const SolidHistory& before = work.valid ? contacts_before(state, work) : state.contacts;
+  list_due_rows(before.key, search);
+  for (const int row : search.due_rows) {
+    const ContactKey key = before.key[row];
+    if (!before.memory[row].empty() && law_between(model, state, search, first_piece(key), second_piece(key)) >= 0)
+      search.found.push_back(key);  // none where one is out of the step, or both are held
   }
   std::sort(search.found.begin(), search.found.end());
   search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
@@ -250,7 +250,7 @@ bool solids_are_due(const Model<3>& model, const State<3>& state, Work<3>& work)
 /// Both lists are in the order of keys: one pass over both. What the state remembers is in the rows of the pairs.
 bool find_solid_pairs(const Model<3>& model, const State<3>& state, Work<3>& work) {
   look_up(model, state, work);
-  const bool changes = !work.valid || !same_keys(work);
+  const bool changes = !work.valid || !are_same(work);
   if (changes) patch_pairs(model, state, work);
   for (const int p : work.search.due) work.search.is_due[p] = 0;
   work.valid = true;

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/four_by_four.hpp"
 #include "base/lane_vectors.hpp"
 
 namespace trilith {
@@ -48,13 +49,9 @@ class alignas(32) TriangleLanes {
 
  private:
   TRILITH_INLINE static void turn(const std::array<Lanes, lane_count>& rows, Triple<Lanes>& xyz, Lanes& last) {
-    const Lanes &a = rows[0], &b = rows[1], &c = rows[2], &d = rows[3];
-    const Lanes ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7),
-                cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    xyz.x = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-    xyz.z = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-    xyz.y = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-    last = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+    const FourByFour columns(rows[0], rows[1], rows[2], rows[3]);
+    xyz.x = columns.v[0], xyz.y = columns.v[1], xyz.z = columns.v[2];
+    last = columns.v[3];
   }
   TRILITH_INLINE void flush() {
     count_ = 0;

@@ -62,13 +62,8 @@ const GeneralContact<D>* general_contact(const Work<D>& work, int row) {
   return found != work.general_touching.end() && found->row == row ? &*found : nullptr;
 }
 
-/// Before bodies are placed: true where pieces that contacts asked for last may be placed with them. Else none is, and
-/// whoever asks first places them.
-bool may_place_wanted(const Model<2>& model, const State<2>& state, Work<2>& work);
-/// The pieces of a body that were asked for, while its skin points are at hand. What is left is not placed.
-void place_wanted(const Model<2>& model, const State<2>& state, Work<2>& work, const BodyRow& body);
-/// Room for all pieces in work.placed; none is placed where there was none.
-void make_room_for_pieces(const Model<2>& model, Work<2>& work);
+/// None of the pieces of work.placed is placed; there is room for all.
+void place_none(const Model<2>& model, Work<2>& work);
 /// A piece as it stands now, with its edges, in work.placed: placed by the first of its contacts that asks, in whatever
 /// thread.
 void place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece);

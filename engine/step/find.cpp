@@ -31,15 +31,16 @@ void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>&
   ContactHistory& now = work.matched;
   make_room(now.key, work.pairs.size()), make_room(now.memory, work.pairs.size());
   now.key.resize(work.pairs.size());
-  now.memory.assign(work.pairs.size(), {});
+  now.memory.resize(work.pairs.size());
   now.law_memory.assign(lay_law_rows(model, work, now.law_row), 0.0);
   // Both lists are sorted by key, the pieces of a pair: one pass over both.
   std::size_t old = 0;
   for (std::size_t row = 0; row < now.size(); ++row) {
     now.key[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);
     while (old < state.size() && state.key[old] < now.key[row]) ++old;
-    if (old == state.size() || state.key[old] != now.key[row] || state.memory[old].empty()) continue;
-    now.memory[row] = state.memory[old];
+    const bool remembers = old < state.size() && state.key[old] == now.key[row] && !state.memory[old].empty();
+    now.memory[row] = remembers ? state.memory[old] : ContactMemory{};
+    if (!remembers) continue;
     if (now.law_row[row].place == state.law_row[old].place)
       std::copy_n(state.law_numbers(old), law_number_counts[now.law_row[row].place], now.law_numbers(row));
   }

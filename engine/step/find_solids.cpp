@@ -17,14 +17,15 @@ void match_solids(const SolidHistory& state, Work<3>& work) {
   SolidHistory& now = work.matched;
   make_room(now.key, work.pairs.size()), make_room(now.memory, work.pairs.size());
   now.key.resize(work.pairs.size());
-  now.memory.assign(work.pairs.size(), {});
+  now.memory.resize(work.pairs.size());
   now.joint_of.clear(), now.joint.clear();
   std::size_t old = 0;
   for (std::size_t row = 0; row < now.size(); ++row) {
     now.key[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);
     while (old < state.size() && state.key[old] < now.key[row]) ++old;
-    if (old == state.size() || state.key[old] != now.key[row]) continue;
-    now.memory[row] = state.memory[old];
+    const bool was_there = old < state.size() && state.key[old] == now.key[row];
+    now.memory[row] = was_there ? state.memory[old] : SolidMemory{};
+    if (!was_there) continue;
     if (const JointMemory* joint = state.joint_at(old); joint != nullptr && !joint->empty())
       now.add_joint(row) = *joint;
   }

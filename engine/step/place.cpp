@@ -1,4 +1,4 @@
-// Skin points, and pieces that contacts ask for, where the nodes put them, and how they move.
+// Skin points where the nodes put them, and how they move.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -6,7 +6,6 @@
 #include "base/portable_lanes.hpp"
 #include "base/team.hpp"
 #include "body/rigid.hpp"
-#include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
 #include "step/placed_reach.hpp"
 
@@ -115,7 +114,6 @@ PlacedReach<2> place_all(const Model<2>& model, const State<2>& state, Work<2>& 
   search.left.resize(work.body.size());
   const Vec2 drift = state.last_dt * search.drift;
   search.together += drift;
-  const bool with_pieces = may_place_wanted(model, state, work);
   const PlacedReach<2> reach = place_shared(
       work, static_cast<int>(work.body.size()), body_stretch, [&](int first, int last, PlacedReach<2>& to) {
         portable::FourTurns turns;
@@ -129,7 +127,6 @@ PlacedReach<2> place_all(const Model<2>& model, const State<2>& state, Work<2>& 
           std::fill_n(work.skin_force.begin() + body.skin, body.skins, Vec2::Zero());
           to.add(of, [&] { return moves(model, body); });
           to.follow(of.step(), search.left[static_cast<std::size_t>(b)]);
-          if (with_pieces) place_wanted(model, state, work, body);
         }
       });
   work.skin_mean.clear();

@@ -111,6 +111,16 @@ struct MovingCorners {
   }
 }
 
+/// The one corner of a sphere, its centre: by the operations of a lane of place_solid.
+void place_centre(const Vec3& own, const NodeMotion<3>& node, const Turn3& turn, Vec3& out, SolidReach& reach) {
+  const auto square = [](const Vec3& v) { return v.x() * v.x() + v.y() * v.y() + v.z() * v.z(); };
+  const Vec3 arm = turn.x() * own.x() + turn.y() * own.y() + turn.z() * own.z(), now = node.position + arm,
+             rate = node.velocity + cross(node.spin, arm), moved = now - out;
+  const Lanes way = in_lanes(moved);
+  reach.add(square(rate), square(moved), way * way);
+  out = now;
+}
+
 /// The faces beside a piece that bound its body there too.
 void place_beside(const Model<3>& model, const State<3>& state, std::size_t piece, PlacedSolid& out) {
   if (model.piece_bounds.empty()) return;
@@ -168,7 +178,8 @@ SolidReach place_piece(const Model<3>& model, const State<3>& state, int piece, 
   if (out.corners.size() != solid.shape.corners.size()) out.corners.assign(solid.shape.corners.size(), node.position);
   out.normals.resize(solid.normals.size());
   SolidReach reach;
-  place_solid(solid, node, turn, out, reach);
+  solid.is_sphere() ? place_centre(solid.shape.corners[0], node, turn, out.corners[0], reach)
+                    : place_solid(solid, node, turn, out, reach);
   solids.speed2[p] = reach.speed2();
   if (!solids.sphere.empty()) solids.sphere[p].centre = out.corners[0];
   return reach;

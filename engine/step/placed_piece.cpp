@@ -1,8 +1,5 @@
 // Pieces where they stand, for contacts of general shape.
-#include <algorithm>
-#include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "base/lanes.hpp"
@@ -121,35 +118,14 @@ void place_sides(const Model<2>& model, const State<2>& state, const Work<2>& wo
 
 }  // namespace
 
-bool may_place_wanted(const Model<2>& model, const State<2>& state, Work<2>& work) {
+void place_none(const Model<2>& model, Work<2>& work) {
   PlacedPieces& placed = work.placed;
-  // Mean velocities are not there before all skin points are placed.
-  if (work.skin_mean.empty() && !state.implicit() && are_laid(model, work, placed)) return true;
-  std::fill(placed.is_placed.begin(), placed.is_placed.end(), std::uint8_t{0});
-  return false;
-}
-
-void place_wanted(const Model<2>& model, const State<2>& state, Work<2>& work, const BodyRow& body) {
-  PlacedPieces& placed = work.placed;
-  for (int p = body.piece; p < body.piece + body.pieces; ++p) {
-    placed.is_placed[p] = 0;
-    if (placed.is_wanted[p] == 0) continue;
-    placed.is_wanted[p] = 0;
-    make_once(1, placed.is_placed[p], [&] { place_sides(model, state, work, p, placed); });
-  }
-}
-
-void make_room_for_pieces(const Model<2>& model, Work<2>& work) {
-  PlacedPieces& placed = work.placed;
-  if (are_laid(model, work, placed)) return;
-  lay_pieces(model, work, placed);
   const auto pieces = static_cast<std::size_t>(model.pieces());
-  placed.is_placed.assign(pieces, 0), placed.is_wanted.assign(pieces, 0);
+  placed.is_placed.assign(pieces, 0);
+  if (!are_laid(model, work, placed)) lay_pieces(model, work, placed);
 }
 
 void place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece) {
-  const std::atomic_ref wanted(work.placed.is_wanted[static_cast<std::size_t>(piece)]);
-  if (wanted.load(std::memory_order_relaxed) == 0) wanted.store(1, std::memory_order_relaxed);
   make_once(work.threads, work.placed.is_placed[static_cast<std::size_t>(piece)],
             [&] { place_sides(model, state, work, piece, work.placed); });
 }

@@ -55,8 +55,7 @@ template <int D>
 void list_bodies(const Model<D>& model, Work<D>& work) {
   work.body.clear();
   for (const Body& b : model.bodies)
-    work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, b.first_piece, b.pieces, info_of(b.kind).skin,
-                         b.first_fit, b.fits});
+    work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, info_of(b.kind).skin, b.first_fit, b.fits});
 }
 
 /// What later stages ask of all together.

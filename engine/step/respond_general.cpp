@@ -1,9 +1,11 @@
 // Contacts of general shape: corners, deep overlap, pieces that tumble.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <span>
 
+#include "base/ask_for.hpp"
 #include "base/team.hpp"
 #include "contact/overlap_energy.hpp"
 #include "detect/bearing_rules.hpp"
@@ -57,9 +59,6 @@ bool forgets_all(const Model<2>& model) {
   });
 }
 
-/// Rows that threads take at a time: some five microseconds.
-constexpr std::size_t general_stretch = 32;
-
 /// One evaluation's rows. Each is found from what State and its own row hold, and writes its own row alone.
 struct GeneralPass {
   const Model<2>& model;
@@ -100,6 +99,7 @@ struct GeneralPass {
   [[nodiscard]] Coulomb friction_of(int law) const {
     return with_kernel(law_in_use(model, law, dt), [](const Coulomb& kernel) { return kernel; });
   }
+  void fetch(std::span<const int> rows) const;
   void respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const;
   void respond(int row, CornerOnFace tried, OverlapAnswer& answer) const;
   [[nodiscard]] CornerCase corner_case(int row, CornerOnFace at, OverlapAnswer& answer) const;
@@ -146,6 +146,32 @@ Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece&
   answer.corner_at = {};
   answer.on_a = force, answer.on_b = force + a.corner.size();
   return answer.on_b + b.corner.size();
+}
+
+/// Asks for what rows to come begin with, while others are worked on: they are too far apart in memory for the
+/// processor to see by itself which will be next. Of their pieces, what placing reads and writes.
+void GeneralPass::fetch(std::span<const int> rows) const {
+  for (const int row : rows) {
+    const NearPair& pair = work.pairs[row];
+    ask_for<Asked::read, sizeof(ContactMemory)>(&before.memory[row]);
+    ask_for<Asked::write, sizeof(ContactMemory)>(&work.contacts.memory[row]);
+    for (const int piece : {pair.piece_a, pair.piece_b}) {
+      // Another thread may be placing it; then nothing is lost but the asking.
+      if (std::atomic_ref(work.placed.is_placed[piece]).load(std::memory_order_relaxed) != 0) continue;
+      const int first = model.piece_first[piece], skin = model.corner_skin[first];
+      const int node = work.body[model.piece_body[piece]].node;
+      const std::size_t four = PlacedPieces::first_four(piece, first);
+      ask_for<Asked::read, lane_count * sizeof(SkinMotion<2>)>(&work.skin[skin]);
+      ask_for<Asked::read, sizeof(Vec2)>(&state.position[node]),
+          ask_for<Asked::read, sizeof(Vec2)>(&state.velocity[node]);
+      ask_for<Asked::read, sizeof(double)>(&state.spin[node]);
+      ask_for<Asked::write, sizeof(PlacedPiece)>(&work.placed.piece[piece]);
+      ask_for<Asked::write, lane_count * sizeof(Vec2)>(&work.placed.place[first]);
+      ask_for<Asked::write, sizeof(EdgeLanes)>(&work.placed.four[four]);
+      ask_for<Asked::write, lane_count * sizeof(EdgeRow)>(&work.placed.row[four * lane_count]);
+      ask_for<Asked::write, lane_count * sizeof(Vec2)>(&work.skin_force[skin]);
+    }
+  }
 }
 
 /// One corner below one face, or one of each piece in the other, is answered for several rows at once: for those in
@@ -310,6 +336,15 @@ void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
   work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
 }
 
+/// Rows that threads take at a time: some five microseconds.
+constexpr int general_stretch = 32;
+
+/// The stretch that begins there, or what there is of it.
+std::span<const int> rows_after(const std::vector<int>& rows, int first) {
+  const auto from = static_cast<std::size_t>(first);
+  return std::span(rows).subspan(from, std::min<std::size_t>(general_stretch, rows.size() - from));
+}
+
 /// Rows of general shape, and those that were to be faces and are not now, in the order of rows: those that are worked
 /// on.
 void list_rows(const GeneralPass& pass, Work<2>& work) {
@@ -336,17 +371,18 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
   if (work.general.empty() && work.general_now.empty()) return;
   const GeneralPass pass{model, state, contacts_before(state, work), work, dt, forgets_all(model)};
   list_rows(pass, work);
-  make_room_for_pieces(model, work);
+  place_none(model, work);
   meet_ridges(model, state, work, dt);
   const auto slots = static_cast<std::size_t>(stretches_under_way(work.threads));
   work.answer.resize(slots * general_stretch);
-  constexpr std::size_t forces = general_stretch * 2 * max_piece_corners;
+  constexpr std::size_t forces = std::size_t{general_stretch} * 2 * max_piece_corners;
   work.answer_force.resize(slots * forces);
-  const auto answers_of = [&](int slot) { return &work.answer[static_cast<std::size_t>(slot) * general_stretch]; };
+  const auto answers_of = [&](int slot) { return &work.answer[static_cast<std::size_t>(slot * general_stretch)]; };
   share_in_order(
-      work.threads, static_cast<int>(work.awake_rows.size()), static_cast<int>(general_stretch),
+      work.threads, static_cast<int>(work.awake_rows.size()), general_stretch,
       [&](int first, int last, int /*thread*/, int slot) {
         const auto count = static_cast<std::size_t>(last - first);
+        pass.fetch(rows_after(work.awake_rows, last));
         pass.respond_rows(std::span(work.awake_rows).subspan(static_cast<std::size_t>(first), count), answers_of(slot),
                           &work.answer_force[static_cast<std::size_t>(slot) * forces]);
       },

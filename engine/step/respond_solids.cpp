@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/ask_for.hpp"
 #include "base/team.hpp"
 #include "contact/flat_contact.hpp"
 #include "contact/joint.hpp"
@@ -55,16 +56,6 @@ void take_up(Work<3>& work, const SolidAnswer& answer) {
   add_to_carrier(answer.carrier_a, -answer.force, answer.moment_a, work.solids);
   add_to_carrier(answer.carrier_b, answer.force, answer.moment_b, work.solids);
   work.general_touching.push_back({answer.row, answer.area, answer.depth, answer.centre, answer.normal_force});
-}
-
-/// How memory that is asked for early is used.
-enum class Asked : std::uint8_t { read, write };
-
-template <Asked use>
-TRILITH_INLINE void ask_for(const void* from, std::size_t size) {
-  constexpr std::size_t line = 64;
-  const char* const first = static_cast<const char*>(from);
-  for (std::size_t i = 0; i < size; i += line) __builtin_prefetch(first + i, use == Asked::write ? 1 : 0);
 }
 
 /// What the rows of one evaluation are found from. Each writes what is its own row's alone, and `room`.
@@ -308,9 +299,9 @@ void SolidPass::respond_faces(std::span<const int> rows, int first, SolidRoom& r
 /// Asks for what a row of faces that lie flat remembers and writes, which lies far in memory in large models.
 void SolidPass::ask_early(int row) const {
   const auto r = static_cast<std::size_t>(row);
-  ask_for<Asked::read>(&contacts_before(state, work).memory[r], sizeof(SolidMemory));
-  ask_for<Asked::write>(&work.contacts.memory[r], sizeof(SolidMemory));
-  ask_for<Asked::write>(&work.solids.areas[r], sizeof(ContactArea));
+  ask_for<Asked::read, sizeof(SolidMemory)>(&contacts_before(state, work).memory[r]);
+  ask_for<Asked::write, sizeof(SolidMemory)>(&work.contacts.memory[r]);
+  ask_for<Asked::write, sizeof(ContactArea)>(&work.solids.areas[r]);
 }
 
 /// Rows one by one, and those of faces that lie flat four of a kind at a time, those of few corners and those of many

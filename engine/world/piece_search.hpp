@@ -64,6 +64,7 @@ struct PieceSearch {
   std::vector<int> due;                           ///< those pieces
   std::vector<ContactKey> found;                  ///< pairs of which one piece is due, sorted
   std::vector<std::vector<ContactKey>> found_by;  ///< [thread] room: the same as they come
+  std::vector<int> due_rows;                      ///< room: rows of the list that there is with one of those pieces
   std::vector<int> to_face;                       ///< room: rows whose faces are to be looked at
 
   /// Bearings that alter the contact of the two pieces they sit between, by these, then by bearing.

@@ -65,7 +65,6 @@ struct alignas(32) SkinMotion<3> {
 struct BodyRow {
   int node, nodes;  ///< the first, and how many
   int skin, skins;
-  int piece, pieces;
   SkinLayout layout;
   int fit = 0, fits = 0;
 };
