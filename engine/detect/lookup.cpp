@@ -126,10 +126,6 @@ void follow(const Work<2>& work, PieceSearch<2>& search) {
     search.sample_at[i] = place_beside(work, search, search.sample[i]);
 }
 
-LanePair least_of(const LanePair& a, const LanePair& b) {
-  return a < b ? a : b;
-}
-
 /// What is left to a piece along each axis before one of its corners has gone as far as it may [m]; below 0: it has.
 /// With q = x - together and q_0 where it was looked up, for each corner and axis
 ///     low <= q - q_0 <= high        on time, and for `ahead` [s] at the velocity of now beside `common`.
@@ -177,10 +173,10 @@ void look_up_all(const Model<2>& model, const State<2>& /*state*/, Work<2>& work
     if (model.bodies[model.piece_body[p]].is_rigid()) search.arm[p] = half_diagonal(model, p);
     set_due(search, p);
   }
-  search.left.assign(model.bodies.size(), {});
+  search.left.assign(model.bodies.size(), WayLeft<2>());
   search.may_have_left = true;
   search.together = search.drift = Vec2::Zero();
-  search.shifted = LanePair{};
+  set_all(search.shifted, 0);
   take_sample(model, work, search);
 }
 

@@ -36,18 +36,13 @@ constexpr double reach_steps = 96, most_margins = 10;
 constexpr double due_steps = 24, share_due = 0.1;
 
 /// How far a box may still grow within another along each axis, negative where it reaches out [m].
-Lanes room_left(const FatBox<3>& inner, const FatBox<3>& outer) {
-  Lanes left{};
+Vec3 room_left(const FatBox<3>& inner, const FatBox<3>& outer) {
+  Vec3 left;
   for (int k = 0; k < 3; ++k) {
     const auto i = static_cast<std::size_t>(k);
     left[k] = std::min(inner.low[i] - outer.low[i], outer.high[i] - inner.high[i]);
   }
   return left;
-}
-
-/// The same number for all axes.
-Lanes along_all(double by) {
-  return Lanes{by, by, by, 0};
 }
 
 FatBox<3> moved(FatBox<3> box, const Vec3& by) {
@@ -84,7 +79,9 @@ void find_solid_margins(const Model<3>& model, PieceSearch<3>& search) {
 void look_up_all_solids(const Model<3>& model, Work<3>& work) {
   PieceSearch<3>& search = work.search;
   find_solid_margins(model, search);
-  search.left.assign(search.margin.size(), WayLeft<3>{along_all(unbounded), {}});
+  WayLeft<3> all;
+  set_all(all.left, unbounded);
+  search.left.assign(search.margin.size(), all);
   search.may_have_left = false;
   search.boxes.reset(model.pieces());
   search.due.clear();
@@ -106,7 +103,7 @@ int law_between(const Model<3>& model, const State<3>& state, const PieceSearch<
 
 /// A piece that has this left [m] keeps within its box until its corners have gone as far; less the rounding of sums of
 /// many steps.
-void put_off(Work<3>& work, int piece, const Lanes& left) {
+void put_off(Work<3>& work, int piece, const Vec3& left) {
   work.search.left[piece].left = left * (1 - 1e-6);
 }
 
@@ -134,7 +131,7 @@ void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
   PieceSearch<3>& search = work.search;
   for (const int p : search.due) {
     search.boxes.put(p, box_ahead(model, state, work, p));
-    if (search.may_move[p] != 0) put_off(work, p, along_all(search.margin[p]));
+    if (search.may_move[p] != 0) put_off(work, p, Vec3::Constant(search.margin[p]));
   }
   search.found.clear();
   for (const int p : search.due)
@@ -212,12 +209,12 @@ void list_due(const Model<3>& model, const State<3>& state, Work<3>& work) {
   PieceSearch<3>& search = work.search;
   search.due.clear();
   for (int p = 0; p < model.pieces(); ++p) {
-    const Lanes least = along_all(share_due * search.margin[p]);
+    const Vec3 least = Vec3::Constant(share_due * search.margin[p]);
     if (search.may_move[p] == 0 || search.left[p].lasts(due_steps, least)) continue;
     const FatBox<3> now = box_around(work.solids.placed[p]);
-    const Lanes left = room_left(now, search.boxes.box(p));
+    const Vec3 left = room_left(now, search.boxes.box(p));
     const Vec3 way = way_ahead(model, state, p, now, due_steps * state.last_dt);
-    if (!none_below(left, least) || !none_below(room_left(moved(now, way), search.boxes.box(p)), Lanes{}))
+    if (!none_below(left, least) || !none_below(room_left(moved(now, way), search.boxes.box(p)), Vec3::Zero()))
       search.due.push_back(p), search.is_due[p] = 1;
     else
       put_off(work, p, left);
@@ -237,8 +234,8 @@ bool solids_are_due(const Model<3>& model, const State<3>& state, Work<3>& work)
   search.may_have_left = false;
   for (int p = 0; p < model.pieces(); ++p) {
     if (search.left[p].lasts(0, search.shifted)) continue;
-    const Lanes left = room_left(box_around(work.solids.placed[p]), search.boxes.box(p));
-    if (!none_below(left, Lanes{})) {
+    const Vec3 left = room_left(box_around(work.solids.placed[p]), search.boxes.box(p));
+    if (!none_below(left, Vec3::Zero())) {
       list_due(model, state, work);
       return true;
     }

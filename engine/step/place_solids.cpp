@@ -29,22 +29,27 @@ TRILITH_INLINE Lanes in_lanes(const Vec3& v) {
   return Lanes{v.x(), v.y(), v.z(), 0};
 }
 
+/// As far as that either way.
+TRILITH_INLINE Lanes way_of(const Lanes& moved) {
+  return larger(moved, -moved);
+}
+
 /// How fast corners of solids are and how far they have come since they were placed last.
 class SolidReach {
  public:
-  /// Squares of speed [m2/s2] and path [m2], and those of the path along each axis [m2].
-  TRILITH_INLINE void add(double speed2, double path2, const Lanes& steps2) {
+  /// Squares of speed [m2/s2] and path [m2], and how far along each axis [m].
+  TRILITH_INLINE void add(double speed2, double path2, const Vec3& steps) {
     speed2_ = std::max(speed2_, speed2), path2_ = std::max(path2_, path2);
-    step2_ = larger(step2_, steps2);
+    step_ = step_.cwiseMax(steps);
   }
   [[nodiscard]] double speed2() const { return speed2_; }  ///< the largest square [m2/s2]
   [[nodiscard]] double path2() const { return path2_; }    ///< likewise [m2]
   /// The most along each axis [m].
-  [[nodiscard]] TRILITH_INLINE Lanes step() const { return root(step2_); }
+  [[nodiscard]] const Vec3& step() const { return step_; }
 
  private:
   double speed2_ = 0, path2_ = 0;
-  Lanes step2_{};
+  Vec3 step_ = Vec3::Zero();
 };
 
 /// The largest of four.
@@ -52,12 +57,12 @@ TRILITH_INLINE double largest_of(const Lanes& of) {
   return std::max(std::max(of[0], of[1]), std::max(of[2], of[3]));
 }
 
-/// A body as it stands and moves, in all lanes, and of the corners it placed the largest squares of speed, of path and
-/// of path along each axis.
+/// A body as it stands and moves, in all lanes, and of the corners it placed the largest squares of speed and of path,
+/// and the longest way along each axis.
 struct MovingCorners {
   Triple<Lanes> x, y, z, at, velocity, spin;
   Lanes speed2{}, path2{};
-  Triple<Lanes> step2{};
+  Triple<Lanes> step{};
 
   TRILITH_INLINE MovingCorners(const NodeMotion<3>& node, const Turn3& turn)
       : x(in_all(turn.x())),
@@ -72,14 +77,13 @@ struct MovingCorners {
   }
   TRILITH_INLINE Triple<Lanes> place(const Triple<Lanes>& own, const Triple<Lanes>& before) {
     const Triple<Lanes> arm = turned(own), now = at + arm, rate = velocity + cross(spin, arm);
-    const Triple<Lanes> moved = now - before, square{moved.x * moved.x, moved.y * moved.y, moved.z * moved.z};
-    speed2 = larger(speed2, rate.square()), path2 = larger(path2, square.x + square.y + square.z);
-    step2 = {larger(step2.x, square.x), larger(step2.y, square.y), larger(step2.z, square.z)};
+    const Triple<Lanes> moved = now - before;
+    speed2 = larger(speed2, rate.square()), path2 = larger(path2, moved.square());
+    step = {larger(step.x, way_of(moved.x)), larger(step.y, way_of(moved.y)), larger(step.z, way_of(moved.z))};
     return now;
   }
   TRILITH_INLINE void take_up(SolidReach& reach) const {
-    reach.add(largest_of(speed2), largest_of(path2),
-              Lanes{largest_of(step2.x), largest_of(step2.y), largest_of(step2.z), 0});
+    reach.add(largest_of(speed2), largest_of(path2), {largest_of(step.x), largest_of(step.y), largest_of(step.z)});
   }
 };
 
@@ -116,8 +120,7 @@ void place_centre(const Vec3& own, const NodeMotion<3>& node, const Turn3& turn,
   const auto square = [](const Vec3& v) { return v.x() * v.x() + v.y() * v.y() + v.z() * v.z(); };
   const Vec3 arm = turn.x() * own.x() + turn.y() * own.y() + turn.z() * own.z(), now = node.position + arm,
              rate = node.velocity + cross(node.spin, arm), moved = now - out;
-  const Lanes way = in_lanes(moved);
-  reach.add(square(rate), square(moved), way * way);
+  reach.add(square(rate), square(moved), moved.cwiseAbs());
   out = now;
 }
 
@@ -158,8 +161,7 @@ SolidReach place_fitted(const Model<3>& model, const State<3>& state, int piece,
   SolidReach reach;
   for (std::size_t c = 0; c < out.corners.size(); ++c) {
     const Vec3 moved = out.corners[c] - solids.before[p][c];
-    const Lanes way = in_lanes(moved);
-    reach.add(speed2, moved.squaredNorm(), way * way);
+    reach.add(speed2, moved.squaredNorm(), moved.cwiseAbs());
   }
   solids.speed2[p] = reach.speed2();
   return reach;

@@ -14,9 +14,11 @@ namespace trilith {
 /// that is left along each axis. One to each thread: none has part of another's in a line of its cache.
 template <int D>
 struct alignas(64) PlacedReach {
-  double speed2 = 0, moving = 0;                   ///< [m2/s2]
-  double path2 = 0;                                ///< [m2]
-  AxisLanes<D> left = AxisLanes<D>{} + unbounded;  ///< see WayLeft [m]
+  double speed2 = 0, moving = 0;  ///< [m2/s2]
+  double path2 = 0;               ///< [m2]
+  AxisNumbers<D> left;            ///< see WayLeft [m]
+
+  PlacedReach() { set_all(left, unbounded); }
 
   /// `moves`(): asked where it says something.
   template <class Reach, class Moves>
@@ -25,13 +27,13 @@ struct alignas(64) PlacedReach {
     if (of.speed2() > moving && moves()) moving = of.speed2();
   }
   /// Takes what a body or piece went by from what is left to it.
-  TRILITH_INLINE void follow(const AxisLanes<D>& step, WayLeft<D>& way) {
+  TRILITH_INLINE void follow(const AxisNumbers<D>& step, WayLeft<D>& way) {
     way.go(step);
-    left = way.left < left ? way.left : left;
+    left = least_of(way.left, left);
   }
   void add(const PlacedReach& other) {
     speed2 = std::max(speed2, other.speed2), path2 = std::max(path2, other.path2);
-    moving = std::max(moving, other.moving), left = other.left < left ? other.left : left;
+    moving = std::max(moving, other.moving), left = least_of(other.left, left);
   }
 };
 

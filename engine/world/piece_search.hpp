@@ -2,6 +2,7 @@
 // there.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -14,27 +15,40 @@
 
 namespace trilith {
 
-/// A number for each axis; in space the last lane is 0.
+/// A number for each axis: in the plane in one register. In space plain ones, which four lanes are not everywhere.
 template <int D>
-using AxisLanes = std::conditional_t<D == 2, LanePair, Lanes>;
+using AxisNumbers = std::conditional_t<D == 2, LanePair, Vec3>;
 
+inline void set_all(LanePair& of, double number) {
+  of = LanePair{number, number};
+}
+inline void set_all(Vec3& of, double number) {
+  of.setConstant(number);
+}
 TRILITH_INLINE bool none_below(const LanePair& a, const LanePair& b) {
   const auto holds = a >= b;
   return (holds[0] & holds[1]) != 0;
 }
-TRILITH_INLINE bool none_below(const Lanes& a, const Lanes& b) {
-  return !any(flip(a >= b));
+TRILITH_INLINE bool none_below(const Vec3& a, const Vec3& b) {
+  return a.x() >= b.x() && a.y() >= b.y() && a.z() >= b.z();
+}
+TRILITH_INLINE LanePair least_of(const LanePair& a, const LanePair& b) {
+  return a < b ? a : b;
+}
+TRILITH_INLINE Vec3 least_of(const Vec3& a, const Vec3& b) {
+  return {std::min(b.x(), a.x()), std::min(b.y(), a.y()), std::min(b.z(), a.z())};
 }
 
 /// How far all corners of a body may still go along each axis before they are looked at [m], and what the one that went
 /// farthest went by at the last pose [m]: both beside PieceSearch::drift.
 template <int D>
 struct WayLeft {
-  AxisLanes<D> left{}, step{};
+  AxisNumbers<D> left, step;
 
-  TRILITH_INLINE void go(const AxisLanes<D>& way) { step = way, left -= way; }
+  WayLeft() { set_all(left, 0), set_all(step, 0); }
+  TRILITH_INLINE void go(const AxisNumbers<D>& way) { step = way, left -= way; }
   /// False where some corner may have gone farther after so many more steps as the last.
-  [[nodiscard]] TRILITH_INLINE bool lasts(double steps, const AxisLanes<D>& shifted) const {
+  [[nodiscard]] TRILITH_INLINE bool lasts(double steps, const AxisNumbers<D>& shifted) const {
     return none_below(left - steps * step, shifted);
   }
 };
@@ -49,8 +63,8 @@ struct PieceSearch {
   std::vector<Vec<D>> high;    ///< [piece] ... and the most m
 
   Vec<D> together = Vec<D>::Zero();  ///< m
-  Vec<D> drift = Vec<D>::Zero();     ///< what it goes by from one pose to the next, in a step of one second m/s
-  AxisLanes<D> shifted{};            ///< how far it was moved beside that, which nobody has left any more m
+  Vec<D> drift = Vec<D>::Zero();     ///< at which it goes on from pose to pose until the next look m/s
+  AxisNumbers<D> shifted;            ///< how far it was moved beside that, which nobody has left any more m
   std::vector<int> sample;           ///< some skin points all over the model
   std::vector<Vec<D>> sample_at;     ///< [sample] where they were when `together` was found last m
 
@@ -69,6 +83,8 @@ struct PieceSearch {
 
   /// Bearings that alter the contact of the two pieces they sit between, by these, then by bearing.
   std::vector<std::pair<ContactKey, int>> bearing;
+
+  PieceSearch() { set_all(shifted, 0); }
 };
 
 }  // namespace trilith
