@@ -128,12 +128,12 @@ void follow(const Work<2>& work, PieceSearch<2>& search) {
 
 /// What is left to a piece along each axis before one of its corners has gone as far as it may [m]; below 0: it has.
 /// With q = x - together and q_0 where it was looked up, for each corner and axis
-///     low <= q - q_0 <= high        on time, and for `ahead` [s] at the velocity of now beside `common`.
-LanePair left_to(const Model<2>& model, const Work<2>& work, int piece, double ahead, const Vec2& common) {
+///     low <= q - q_0 <= high        now, or `ahead` [s] from now at the velocity of now beside the drift.
+LanePair left_to(const Model<2>& model, const Work<2>& work, int piece, double ahead = 0) {
   const PieceSearch<2>& s = work.search;
   const LanePair low = allowed_share * load_pair(s.low[piece].data()),
                  high = allowed_share * load_pair(s.high[piece].data());
-  const Vec2 origin = s.together + ahead * common;
+  const Vec2 origin = s.together + ahead * s.drift;
   LanePair left{unbounded, unbounded};
   bool known = true;
   for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c) {
@@ -185,7 +185,7 @@ namespace {
 /// Bodies that threads take at a time: some five microseconds.
 constexpr int looked_stretch = 512;
 
-/// Runs look(body) for all bodies to which less is left than so many more steps may take; true where it once was.
+/// Runs look(body) for all bodies to which less is left than so many more steps may take; true where it was for some.
 template <class Look>
 bool look_at_few(Work<2>& work, double steps, Look&& look) {
   struct alignas(64) Found {
@@ -206,22 +206,20 @@ bool look_at_few(Work<2>& work, double steps, Look&& look) {
 bool look_at_body(const Model<2>& model, Work<2>& work, int body) {
   const Body& b = model.bodies[body];
   LanePair left{unbounded, unbounded};
-  for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p)
-    left = least_of(left, left_to(model, work, p, 0, Vec2::Zero()));
+  for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p) left = least_of(left, left_to(model, work, p));
   work.search.left[body].left = left_share * left + work.search.shifted;
   return !none_below(left, nothing_left);
 }
 
 /// Marks the pieces of a body that have left their boxes or will within `ahead` [s]. To these is left what they may go
 /// by once they are looked up.
-void mark_due(const Model<2>& model, Work<2>& work, int body, double ahead, const Vec2& common) {
+void mark_due(const Model<2>& model, Work<2>& work, int body, double ahead) {
   PieceSearch<2>& search = work.search;
   const Body& b = model.bodies[body];
   LanePair left{unbounded, unbounded};
   for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p) {
-    const LanePair now = left_to(model, work, p, 0, common);
-    const bool due =
-        !none_below(now, nothing_left) || !none_below(left_to(model, work, p, ahead, common), nothing_left);
+    const LanePair now = left_to(model, work, p);
+    const bool due = !none_below(now, nothing_left) || !none_below(left_to(model, work, p, ahead), nothing_left);
     search.is_due[p] = due ? 1 : 0;
     const double margin = allowed_share * search.margin[p];
     left = least_of(left, due ? LanePair{margin, margin} : now);
@@ -230,10 +228,10 @@ void mark_due(const Model<2>& model, Work<2>& work, int body, double ahead, cons
 }
 
 /// Lists all that have left their boxes or will within `steps` more, in order.
-void find_due(const Model<2>& model, Work<2>& work, const Vec2& common, double steps, double dt) {
+void find_due(const Model<2>& model, Work<2>& work, double steps, double dt) {
   PieceSearch<2>& search = work.search;
   look_at_few(work, steps, [&](int body) {
-    mark_due(model, work, body, steps * dt, common);
+    mark_due(model, work, body, steps * dt);
     return true;
   });
   for (int p = 0; p < model.pieces(); ++p)
@@ -249,7 +247,7 @@ bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work) {
   search.may_have_left = false;
   follow(work, search);
   if (!look_at_few(work, 0, [&](int body) { return look_at_body(model, work, body); })) return false;
-  find_due(model, work, search.drift, steps_due, state.last_dt);
+  find_due(model, work, steps_due, state.last_dt);
   return true;
 }
 

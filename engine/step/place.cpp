@@ -61,6 +61,7 @@ void list_element_stretches(const Model<2>& model, Work<2>& work) {
     first = i;
   }
 }
+
 /// `turn`: of the rotation of its first node, where the body is rigid.
 void place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, const portable::SineCosine& turn,
                 Work<2>& work, SkinReach& reach) {

@@ -1,4 +1,5 @@
-// What placing finds of all bodies beside where they are: how fast they are, how far they have come.
+// What placing does alike in the plane and in space: the rows of bodies, and of all that is placed how fast it is, how
+// far it has come and what that leaves it.
 #pragma once
 
 #include <algorithm>

@@ -162,8 +162,8 @@ void GeneralPass::fetch(std::span<const int> rows) const {
       const int node = work.body[model.piece_body[piece]].node;
       const std::size_t four = PlacedPieces::first_four(piece, first);
       ask_for<Asked::read, lane_count * sizeof(SkinMotion<2>)>(&work.skin[skin]);
-      ask_for<Asked::read, sizeof(Vec2)>(&state.position[node]),
-          ask_for<Asked::read, sizeof(Vec2)>(&state.velocity[node]);
+      ask_for<Asked::read, sizeof(Vec2)>(&state.position[node]);
+      ask_for<Asked::read, sizeof(Vec2)>(&state.velocity[node]);
       ask_for<Asked::read, sizeof(double)>(&state.spin[node]);
       ask_for<Asked::write, sizeof(PlacedPiece)>(&work.placed.piece[piece]);
       ask_for<Asked::write, lane_count * sizeof(Vec2)>(&work.placed.place[first]);
