@@ -64,7 +64,7 @@ struct CornerRowsOf {
 
 /// These as columns.
 struct CornerEdges {
-  EdgeStarts before, after, next, far;
+  EdgeLanes before, after, next, far;
   TRILITH_INLINE explicit CornerEdges(const CornerRowsOf& e)
       : before(e.before), after(e.after), next(e.next), far(e.far) {}
 
@@ -74,7 +74,7 @@ struct CornerEdges {
   [[nodiscard]] TRILITH_INLINE LaneMask is_nearer(const Plane2& at, const Lanes& depth) const {
     return ~(below(next, at) <= depth) & ~(below(far, at) <= depth);
   }
-  [[nodiscard]] TRILITH_INLINE static Lanes below(const EdgeStarts& e, const Plane2& at) {
+  [[nodiscard]] TRILITH_INLINE static Lanes below(const EdgeLanes& e, const Plane2& at) {
     return e.nx * (e.x - at.x) + e.ny * (e.y - at.y);
   }
 };
@@ -85,7 +85,7 @@ TRILITH_INLINE bool is_deeper(const PlacedPiece& piece, double x, double y, doub
   const Lanes px = all_lanes(x), py = all_lanes(y);
   std::uint64_t shallow = 0;
   for (int k = 0; k < edge_blocks(static_cast<int>(piece.corner.size())); ++k) {
-    const EdgeLanes& e = piece.sides.four[k];
+    const EdgeLanes e(piece.sides.row + k * lane_count);
     const Lanes d = e.nx * (e.x - px) + e.ny * (e.y - py);
     shallow |= bits_of_mask(d <= all_lanes(depth)) << (k * lane_count);
   }

@@ -1,26 +1,40 @@
-// The edges of a convex piece where it stands, as the general contact reads them: four by four, and one by one.
+// The edges of a convex piece where it stands, as the general contact reads them: one by one, and four by four.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <span>
 
-#include "base/lanes.hpp"
+#include "base/four_by_four.hpp"
 #include "base/space.hpp"
 
 namespace trilith {
 
 inline constexpr int max_piece_corners = 64;
 
-/// Four edges of a piece, a lane each: the corner each begins at [m] and its unit outward normal [1]. Lanes beyond the
-/// last edge repeat the first one, so that what holds for all edges holds for all lanes.
-struct alignas(32) EdgeLanes {
-  Lanes x, y, nx, ny;
-};
-
 /// One edge: the corner it begins at [m] and its unit outward normal [1]. It ends where the next one begins.
 struct alignas(32) EdgeRow {
   double x, y, nx, ny;
+};
+
+/// Four numbers that stand on 32 bytes.
+TRILITH_INLINE Lanes load_four(const double* four) {
+  Lanes v;
+  __builtin_memcpy(&v, __builtin_assume_aligned(four, 32), sizeof v);
+  return v;
+}
+
+/// The corners that four edges begin at and their unit outward normals, a lane each.
+struct alignas(32) EdgeLanes {
+  Lanes x, y, nx, ny;
+
+  TRILITH_INLINE EdgeLanes(const EdgeRow& e0, const EdgeRow& e1, const EdgeRow& e2, const EdgeRow& e3) {
+    const FourByFour rows(load_four(&e0.x), load_four(&e1.x), load_four(&e2.x), load_four(&e3.x));
+    x = rows.v[0], y = rows.v[1], nx = rows.v[2], ny = rows.v[3];
+  }
+  /// Of edges side by side.
+  TRILITH_INLINE explicit EdgeLanes(const EdgeRow* first) : EdgeLanes(first[0], first[1], first[2], first[3]) {}
+  TRILITH_INLINE explicit EdgeLanes(const EdgeRow* const* e) : EdgeLanes(*e[0], *e[1], *e[2], *e[3]) {}
 };
 
 /// How many fours hold so many edges.
@@ -28,11 +42,10 @@ constexpr int edge_blocks(int edges) {
   return (edges + lane_count - 1) / lane_count;
 }
 
-/// Where the edges of a piece are and which of them press. The pointers are nullptr where nobody has placed them yet.
+/// Where the edges of a piece are and which of them press.
 struct PieceSides {
-  const EdgeLanes* four = nullptr;  ///< [edge_blocks(edges)]
-  const EdgeRow* row = nullptr;     ///< [edge_blocks(edges) * lane_count]
-  std::uint64_t surface = 0;        ///< bit e: edge e is part of the body's surface
+  const EdgeRow* row = nullptr;  ///< [edge_blocks(edges) * lane_count]; nullptr: nobody has placed them yet
+  std::uint64_t surface = 0;     ///< bit e: edge e is part of the body's surface
 };
 
 /// Bit e: edge e counts as surface. A piece cut out of the inside of a body has none of its own: then every edge
@@ -43,9 +56,10 @@ inline std::uint64_t surface_bits(std::span<const std::uint8_t> is_face) {
   return bits != 0 || is_face.empty() ? bits : ~std::uint64_t{0} >> (64 - is_face.size());
 }
 
-/// Writes the edges of a piece to `four` and `row`, edge_blocks(corner.size()) fours of them.
-/// The normal is the edge turned by -90 degrees over its length.
-void place_edges(std::span<const Vec2> corner, EdgeLanes* four, EdgeRow* row);
+/// Writes the edges of a piece to `row`, edge_blocks(corner.size()) fours of them. The normal is the edge turned by -90
+/// degrees over its length. Beyond the last edge the first is repeated, so that what holds for all edges holds for all
+/// lanes.
+void place_edges(std::span<const Vec2> corner, EdgeRow* row);
 
 /// How far all these points lie outside of an edge at least [m]; 0 where one of them does not.
 inline double distance_outside(const EdgeRow& edge, std::span<const Vec2> points) {

@@ -67,19 +67,17 @@ struct alignas(32) DepthsOfMany {
   TRILITH_INLINE std::uint64_t fill(const PieceSides& owner, int faces, const PieceSides& /*sides*/,
                                     std::span<const Vec2> other) {
     corners = static_cast<int>(other.size()), fours = edge_blocks(faces);
-    std::uint64_t apart = ~std::uint64_t{0};
-    for (int v = 0; v < corners; ++v) {
-      const Lanes x = all_lanes(other[v].x()), y = all_lanes(other[v].y());
-      std::uint64_t out = 0;
-      for (int k = 0; k < blocks(); ++k) {
-        const EdgeLanes& f = owner.four[k];
-        const Lanes depth = f.nx * (f.x - x) + f.ny * (f.y - y);
+    std::fill_n(outside.begin(), corners, std::uint64_t{0});
+    for (int k = 0; k < blocks(); ++k) {
+      const EdgeLanes f(owner.row + k * lane_count);
+      for (int v = 0; v < corners; ++v) {
+        const Lanes depth = f.nx * (f.x - other[v].x()) + f.ny * (f.y - other[v].y());
         value[static_cast<std::size_t>(v * blocks() + k)] = depth;
-        out |= bits_of_mask(depth <= Lanes{}) << (k * lane_count);
+        outside[static_cast<std::size_t>(v)] |= bits_of_mask(depth <= Lanes{}) << (k * lane_count);
       }
-      outside[static_cast<std::size_t>(v)] = out;
-      apart &= out;
     }
+    std::uint64_t apart = ~std::uint64_t{0};
+    for (int v = 0; v < corners; ++v) apart &= outside[static_cast<std::size_t>(v)];
     return apart;
   }
 
@@ -196,7 +194,8 @@ struct alignas(32) DepthsOfFour {
   /// As DepthsOfMany::fill.
   TRILITH_INLINE std::uint64_t fill(const PieceSides& owner, int face_count, const PieceSides& other,
                                     std::span<const Vec2> /*corners*/) {
-    const Lanes zero{}, x = other.four->x, y = other.four->y;
+    const EdgeLanes ends(other.row);
+    const Lanes zero{}, x = ends.x, y = ends.y;
     faces = face_count;
     out = LaneMask{};
     for (int f = 0; f < lane_count; ++f) {  // beyond the last face the first again

@@ -237,13 +237,12 @@ void respond_as_here(const OverlapCase<K>& of, LawMemory<K>& after, OverlapRespo
 
 /// The sides of a piece, placed in `room` where nobody has placed them yet.
 struct SidesRoom {
-  std::array<EdgeLanes, edge_blocks(max_piece_corners)> four;
   std::array<EdgeRow, max_piece_corners> row;
 
   PieceSides of(const PlacedPiece& piece) {
-    if (piece.sides.four != nullptr) return piece.sides;
-    place_edges(piece.corner, four.data(), row.data());
-    return {four.data(), row.data(), surface_bits(piece.is_face)};
+    if (piece.sides.row != nullptr) return piece.sides;
+    place_edges(piece.corner, row.data());
+    return {row.data(), surface_bits(piece.is_face)};
   }
 };
 

@@ -46,25 +46,10 @@ struct OverlapSums {
   int edge_a = 0, edge_b = 0;
 };
 
-TRILITH_INLINE Lanes load_four(const double* four) {
-  Lanes v;
-  __builtin_memcpy(&v, __builtin_assume_aligned(four, 32), sizeof v);
-  return v;
-}
-
-/// Where edges begin and their normals, a lane each.
-struct alignas(32) EdgeStarts {
-  Lanes x, y, nx, ny;
-  TRILITH_INLINE explicit EdgeStarts(const EdgeRow* const* e) {
-    const FourByFour rows(load_four(&e[0]->x), load_four(&e[1]->x), load_four(&e[2]->x), load_four(&e[3]->x));
-    x = rows.v[0], y = rows.v[1], nx = rows.v[2], ny = rows.v[3];
-  }
-};
-
 /// Edges, a lane each: with the way to where the next one begins [m] and its square [m2].
 struct alignas(32) EdgeColumns {
   Lanes x, y, along_x, along_y, nx, ny, length2;
-  TRILITH_INLINE EdgeColumns(const EdgeStarts& e, const EdgeStarts& next)
+  TRILITH_INLINE EdgeColumns(const EdgeLanes& e, const EdgeLanes& next)
       : x(e.x), y(e.y), along_x(next.x - e.x), along_y(next.y - e.y), nx(e.nx), ny(e.ny) {
     length2 = along_x * along_x + along_y * along_y;
   }
@@ -176,8 +161,8 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
   const FourByFour parts(load_four(&s[0]->span.from), load_four(&s[1]->span.from), load_four(&s[2]->span.from),
                          load_four(&s[3]->span.from));
   const Lanes from = parts.v[0], to = parts.v[1], d0 = parts.v[2], d1 = parts.v[3];
-  const EdgeColumns walker{EdgeStarts(walkers), EdgeStarts(past_walkers)},
-      owner{EdgeStarts(owners), EdgeStarts(past_owners)};
+  const EdgeColumns walker{EdgeLanes(walkers), EdgeLanes(past_walkers)},
+      owner{EdgeLanes(owners), EdgeLanes(past_owners)};
   const Lanes zero{}, nx = walker.nx, ny = walker.ny;  // out of the walker, into the owner
   const Lanes x0 = walker.x + from * walker.along_x, y0 = walker.y + from * walker.along_y;
   const Lanes x1 = walker.x + to * walker.along_x, y1 = walker.y + to * walker.along_y;

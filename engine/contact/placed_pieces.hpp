@@ -7,6 +7,11 @@
 
 namespace trilith {
 
+/// Where what a piece is placed from begins: all that a contact must know to ask for it early.
+struct PieceSource {
+  int corner, skin, node;
+};
+
 /// Of no meaning outside the evaluation that fills it; kept for its room. Spans and pointers in `piece` point here.
 struct PlacedPieces {
   std::vector<std::uint8_t> is_placed;  ///< [piece] see make_once: the rest is of now
@@ -15,12 +20,12 @@ struct PlacedPieces {
   std::vector<Vec2> place;              ///< [corner] m
   std::vector<Vec2> velocity;           ///< [corner] where a body deforms; else empty m/s
   std::vector<Vec2> mean;               ///< [corner] empty in explicit stages m/s
-  std::vector<EdgeLanes> four;          ///< of a piece from first_four(...) on
-  std::vector<EdgeRow> row;             ///< [four * lane_count]
+  std::vector<EdgeRow> row;             ///< of a piece from first_row(...) on
+  std::vector<PieceSource> source;      ///< [piece] they stay too
 
-  /// Where the fours of a piece begin: with as much room as it may need, and no list to look it up in.
-  static constexpr std::size_t first_four(int piece, int first_corner) {
-    return static_cast<std::size_t>(first_corner / lane_count + piece);
+  /// Where the edges of a piece begin: with as much room as fours of them may need, and no list to look it up in.
+  static constexpr std::size_t first_row(int piece, int first_corner) {
+    return static_cast<std::size_t>((first_corner / lane_count + piece) * lane_count);
   }
 };
 

@@ -90,69 +90,42 @@ template <bool turns>
   return turns ? s[2] == Support::free : s[2] == Support::fixed && state.spin[n] == 0;
 }
 
-/// The works of nodes that go plainly are added to the ledger as they come ...
-struct AddedWork {
-  State<2>& state;
-  double gravity = state.given[EnergyTerm::gravity], load = state.given[EnergyTerm::load],
-         element_damping = state.given[EnergyTerm::element_damping];
-
-  void take(int /*n*/, const NodeWork& w) { gravity -= w.weight, load += w.load, element_damping -= w.element_damping; }
-  /// Of a turn alone, after the rest.
-  void take_turn(int /*n*/, double damping) { element_damping -= damping; }
-  void end() const {
-    state.given[EnergyTerm::gravity] = gravity;
-    state.given[EnergyTerm::load] = load;
-    state.given[EnergyTerm::element_damping] = element_damping;
-  }
-};
-
-/// ... or kept, where threads share them. A turn that elements damp has a work of its own.
-struct KeptWork {
-  NodeWorks& works;
-  bool turns_are_damped;
-
-  void take(int n, const NodeWork& w) const {
-    const auto at = static_cast<std::size_t>(n);
-    works.is_plain[at] = turns_are_damped ? 0 : 1;
-    if (turns_are_damped)
-      works.full[at] = w;
-    else
-      works.plain[at] = {w.weight, w.load, w.element_damping};
-  }
-  void take_turn(int n, double damping) const { works.full[static_cast<std::size_t>(n)].turn_damping = damping; }
-  void end() const {}
-};
-
 /// advance_node for a run of free nodes before `last` that go plainly: the same sums without the terms that are 0, kept
-/// in registers. Returns the first node after the run.
-template <bool turns, class Taken>
+/// in registers, as are the works. Returns the first node after the run.
+template <bool turns>
 int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside<2>& outside,
-                 const StepSpan& span, int n, int last, Taken taken) {
+                 const StepSpan& steps, int n, int last, NodeWork& sums) {
+  // Copies of its own: nothing that the loop writes can change them.
+  const StepSpan span = steps;
+  const Vec2 field = outside.field, *const load = outside.load, *const on = work.force.data();
+  const double *const masses = model.mass.data(), *const inertias = model.inertia.data();
+  const double* const moment = work.moment.data();
   const Vec2* damping = work.element_damping.empty() ? nullptr : work.element_damping.data();
   const Vec2* added = work.added_inertia.empty() ? nullptr : work.added_inertia.data();
   const double* couple = work.element_damping_moment.empty() ? nullptr : work.element_damping_moment.data();
+  Vec2 *const velocity = state.velocity.data(), *const position = state.position.data();
+  double *const spins = state.spin.data(), *const rotations = state.rotation.data();
+  double weight = sums.weight, from_load = sums.load, damped = sums.element_damping;
   for (; n < last && is_free<turns>(model, state, n); ++n) {
-    const double mass = model.mass[n];
-    const Vec2 force = added == nullptr ? work.force[n] : Vec2(work.force[n] + added[n]), &steady = outside.load[n];
-    Vec2 &v = state.velocity[n], &place = state.position[n];
+    const double mass = masses[n];
+    const Vec2 force = added == nullptr ? on[n] : Vec2(on[n] + added[n]), &steady = load[n];
+    Vec2 &v = velocity[n], &place = position[n];
     const double u = v.x() + force.x() / mass * span.between, w = v.y() + force.y() / mass * span.between;
     const double x = 0.5 * (span.last * v.x() + span.next * u), y = 0.5 * (span.last * v.y() + span.next * w);
-    NodeWork done;
-    done.weight = mass * outside.field.x() * x + mass * outside.field.y() * y;
-    done.load = steady.x() * x + steady.y() * y;
-    if (damping != nullptr) done.element_damping = damping[n].x() * x + damping[n].y() * y;
-    taken.take(n, done);
+    weight += mass * field.x() * x + mass * field.y() * y;
+    from_load += steady.x() * x + steady.y() * y;
+    if (damping != nullptr) damped += damping[n].x() * x + damping[n].y() * y;
     v = {u, w};
     place = {place.x() + span.next * u, place.y() + span.next * w};
     if constexpr (turns) {
-      double& spin = state.spin[n];
+      double& spin = spins[n];
       const double before = spin;
-      spin += work.moment[n] / model.inertia[n] * span.between;
-      if (couple != nullptr) taken.take_turn(n, couple[n] * 0.5 * (span.last * before + span.next * spin));
-      state.rotation[n] += span.next * spin;
+      spin += moment[n] / inertias[n] * span.between;
+      if (couple != nullptr) damped += couple[n] * 0.5 * (span.last * before + span.next * spin);
+      rotations[n] += span.next * spin;
     }
   }
-  taken.end();
+  sums.weight = weight, sums.load = from_load, sums.element_damping = damped;
   return n;
 }
 
@@ -169,7 +142,7 @@ struct FreeNodes {
   const Work<3>& work;
   const Outside<3>& outside;
   StepSpan span;
-  NodeWorks& works;
+  NodeWork& sums;
   std::array<int, lane_count> node{};
   int count = 0;
 
@@ -199,113 +172,76 @@ struct FreeNodes {
     turn_four(turning, span.between, span.next);
     for (int i = 0; i < count; ++i) {
       const int n = node[static_cast<std::size_t>(i)];
-      const auto at = static_cast<std::size_t>(n);
-      works.plain[at] = advance_one(n), works.is_plain[at] = 1;
+      advance_one(n);
       state.spin[n] = lane_of(turning.spin, i);
       state.rotation[n] = {turning.rotation.w[i], turning.rotation.x[i], turning.rotation.y[i], turning.rotation.z[i]};
     }
     count = 0;
   }
-  PlainWork advance_one(int n) {
+  void advance_one(int n) {
     const double mass = model.mass[n];
     Vec3 &v = state.velocity[n], &place = state.position[n];
     const Vec3 next = v + work.force[n] / mass * span.between, path = 0.5 * (span.last * v + span.next * next);
     v = next, place += span.next * next;
-    return {mass * outside.field.dot(path), outside.load[n].dot(path), 0};
+    sums.weight += mass * outside.field.dot(path), sums.load += outside.load[n].dot(path);
   }
 };
 
-void keep(int n, const NodeWork& work, NodeWorks& works) {
-  const auto at = static_cast<std::size_t>(n);
-  works.full[at] = work, works.is_plain[at] = 0;
-}
-
-/// Nodes from `first` to before `last` in space.
-void advance_range(const Model<3>& model, State<3>& state, const Work<3>& work, const StepOptions& options,
-                   const StepSpan& span, const Outside<3>& outside, int first, int last, NodeWorks& works) {
+/// Nodes from `first` to before `last` in space. Returns what works on them.
+NodeWork advance_range(const Model<3>& model, State<3>& state, const Work<3>& work, const StepOptions& options,
+                       const StepSpan& span, const Outside<3>& outside, int first, int last) {
+  NodeWork sums;
   const bool plain = goes_plainly(model, outside, options) && work.element_damping.empty();
-  FreeNodes free{model, state, work, outside, span, works};
+  FreeNodes free{model, state, work, outside, span, sums};
   for (int n = first; n < last; ++n) {
     if (plain && is_free(model, n))
       free.add(n);
     else
-      keep(n, advance_node(model, state, work, outside, options, span, n), works);
+      sums += advance_node(model, state, work, outside, options, span, n);
   }
   free.end();
+  return sums;
 }
 
-/// Nodes from `first` to before `last` in the plane. `run()`: what takes the works of nodes that go plainly;
-/// `add(n, work)` takes those of the others.
-template <class Run, class Add>
-void advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
-                   const StepSpan& span, const Outside<2>& outside, int first, int last, Run&& run, Add&& add) {
+/// Nodes from `first` to before `last` in the plane. Returns what works on them.
+NodeWork advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
+                       const StepSpan& span, const Outside<2>& outside, int first, int last) {
   const bool plain = goes_plainly(model, outside, options);
+  NodeWork sums;
   for (int n = first; n < last;) {
     if (plain && is_free<true>(model, state, n)) {
-      n = advance_free<true>(model, state, work, outside, span, n, last, run());
+      n = advance_free<true>(model, state, work, outside, span, n, last, sums);
     } else if (plain && is_free<false>(model, state, n)) {
-      n = advance_free<false>(model, state, work, outside, span, n, last, run());
+      n = advance_free<false>(model, state, work, outside, span, n, last, sums);
     } else {
-      add(n, advance_node(model, state, work, outside, options, span, n));
+      sums += advance_node(model, state, work, outside, options, span, n);
       ++n;
     }
   }
+  return sums;
 }
 
-/// Adds what nodes came to, with the bits of one after the other: sums in registers take half the time of sums in
-/// memory.
-void add_all(const NodeWorks& all, Energy& given) {
-  double gravity = given[EnergyTerm::gravity], load = given[EnergyTerm::load], support = given[EnergyTerm::support],
-         element_damping = given[EnergyTerm::element_damping], rest = given[EnergyTerm::rest_damping],
-         mass = given[EnergyTerm::mass_damping];
-  for (std::size_t n = 0; n < all.is_plain.size(); ++n) {
-    if (all.is_plain[n] != 0) {
-      const PlainWork& w = all.plain[n];
-      gravity -= w.weight, load += w.load, element_damping -= w.element_damping;
-      continue;
-    }
-    const NodeWork& w = all.full[n];
-    gravity -= w.weight, load += w.load, support -= w.support;
-    element_damping -= w.element_damping;
-    if (w.turn_damping != 0) element_damping -= w.turn_damping;
-    rest -= w.rest, mass -= w.mass;
-  }
-  given[EnergyTerm::gravity] = gravity, given[EnergyTerm::load] = load, given[EnergyTerm::support] = support;
-  given[EnergyTerm::element_damping] = element_damping;
-  given[EnergyTerm::rest_damping] = rest, given[EnergyTerm::mass_damping] = mass;
-}
-
-/// Nodes that threads take at a time: some ten microseconds.
+/// Nodes whose works are summed up by themselves, and that a thread takes at a time: some ten microseconds.
 template <int D>
 constexpr int node_stretch = D == 2 ? 128 : 64;
 
-/// Nodes do not ask each other; their works are added in their order.
+/// Nodes do not ask each other. Their works are summed by stretches, and the stretches in their order, whoever took
+/// them: the same bits with any number of threads.
 template <int D>
 void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                    const StepSpan& span) {
   const Outside outside(model, state, work);
   constexpr int stretch = node_stretch<D>;
-  if constexpr (D == 2)
-    if (work.threads <= 1 || model.nodes() <= stretch)
-      return advance_range(
-          model, state, work, options, span, outside, 0, model.nodes(), [&] { return AddedWork{state}; },
-          [&](int /*n*/, const NodeWork& w) { add(w, state.given); });
-  NodeWorks& works = work.node_work;
-  works.resize(static_cast<std::size_t>(model.nodes()));
-  const bool turns_are_damped = !work.element_damping_moment.empty();
-  share(work.threads, model.nodes(), stretch, [&](int first, int last, int /*thread*/) {
-    if constexpr (D == 2) {
-      advance_range(
-          model, state, work, options, span, outside, first, last,
-          [&] {
-            return KeptWork{works, turns_are_damped};
-          },
-          [&](int n, const NodeWork& w) { keep(n, w, works); });
-    } else {
-      advance_range(model, state, work, options, span, outside, first, last, works);
+  const int stretches = (model.nodes() + stretch - 1) / stretch;
+  work.node_work.resize(static_cast<std::size_t>(stretches));
+  share(work.threads, stretches, 1, [&](int first, int last, int /*thread*/) {
+    for (int s = first; s < last; ++s) {
+      const int from = s * stretch, to = std::min(model.nodes(), from + stretch);
+      work.node_work[static_cast<std::size_t>(s)] =
+          advance_range(model, state, work, options, span, outside, from, to);
     }
   });
-  add_all(works, state.given);
+  for (const NodeWork& w : work.node_work) add(w, state.given);
 }
 
 /// Elastic energies that are found from the state [J].

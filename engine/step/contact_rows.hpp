@@ -54,14 +54,6 @@ inline PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, co
   return placed_piece(model, state, work, piece, corners.room());
 }
 
-/// What a row that touches by its general shape came to; null of others. Their list rises with the row.
-template <int D>
-const GeneralContact<D>* general_contact(const Work<D>& work, int row) {
-  const auto found = std::lower_bound(work.general_touching.begin(), work.general_touching.end(), row,
-                                      [](const GeneralContact<D>& c, int r) { return c.row < r; });
-  return found != work.general_touching.end() && found->row == row ? &*found : nullptr;
-}
-
 /// None of the pieces of work.placed is placed; there is room for all.
 void place_none(const Model<2>& model, Work<2>& work);
 /// A piece as it stands now, with its edges, in work.placed: placed by the first of its contacts that asks, in whatever

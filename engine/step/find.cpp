@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/make_room.hpp"
+#include "base/team.hpp"
 #include "detect/pairs.hpp"
 #include "step/evaluate.hpp"
 #include "step/impact_step.hpp"
@@ -25,18 +26,16 @@ std::uint32_t lay_law_rows(const Model<2>& model, const Work<2>& work, std::vect
   return numbers;
 }
 
-/// Brings what the state remembers into the rows of the pairs just found: kept memories move, the rest start empty.
-/// What a law remembers is of no use to one of another kind.
-void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>& work) {
-  ContactHistory& now = work.matched;
-  make_room(now.key, work.pairs.size()), make_room(now.memory, work.pairs.size());
-  now.key.resize(work.pairs.size());
-  now.memory.resize(work.pairs.size());
-  now.law_memory.assign(lay_law_rows(model, work, now.law_row), 0.0);
-  // Both lists are sorted by key, the pieces of a pair: one pass over both.
-  std::size_t old = 0;
-  for (std::size_t row = 0; row < now.size(); ++row) {
-    now.key[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);
+/// match_contacts for the rows of the pairs from `first` to before `last`. Both lists are sorted by key, the pieces of
+/// a pair: one pass over both.
+void match_rows(const Work<2>& work, const ContactHistory& state, std::size_t first, std::size_t last,
+                ContactHistory& now) {
+  if (first == last) return;
+  const auto key_at = [&](std::size_t row) { return contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b); };
+  auto old = static_cast<std::size_t>(std::lower_bound(state.key.begin(), state.key.end(), key_at(first)) -
+                                      state.key.begin());
+  for (std::size_t row = first; row < last; ++row) {
+    now.key[row] = key_at(row);
     while (old < state.size() && state.key[old] < now.key[row]) ++old;
     const bool remembers = old < state.size() && state.key[old] == now.key[row] && !state.memory[old].empty();
     now.memory[row] = remembers ? state.memory[old] : ContactMemory{};
@@ -44,16 +43,32 @@ void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>&
     if (now.law_row[row].place == state.law_row[old].place)
       std::copy_n(state.law_numbers(old), law_number_counts[now.law_row[row].place], now.law_numbers(row));
   }
-  work.is_matched = true;
 }
 
-/// As many rows, and all empty.
-void copy_emptied(const ContactHistory& rows, ContactHistory& out) {
-  make_room(out.key, rows.size()), make_room(out.memory, rows.size()), make_room(out.law_row, rows.size());
-  out.key = rows.key;
-  out.memory.assign(rows.size(), {});
-  out.law_row = rows.law_row;
-  out.law_memory.assign(rows.law_memory.size(), 0.0);
+/// Room for so many rows, whatever is in them.
+void resize_rows(std::size_t count, ContactHistory& rows) {
+  make_room(rows.key, count), make_room(rows.memory, count);
+  rows.key.resize(count), rows.memory.resize(count);
+}
+
+/// Rows that threads match at a time: some ten microseconds.
+constexpr int matched_stretch = 512;
+
+/// Brings what the state remembers into the rows of the pairs just found: kept memories move, the rest start empty.
+/// What a law remembers is of no use to one of another kind. As many rows of the trial are empty.
+void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>& work) {
+  ContactHistory &now = work.matched, &trial = work.contacts;
+  resize_rows(work.pairs.size(), now), resize_rows(work.pairs.size(), trial);
+  now.law_memory.assign(lay_law_rows(model, work, now.law_row), 0.0);
+  trial.law_memory.assign(now.law_memory.size(), 0.0);
+  make_room(trial.law_row, now.size());
+  trial.law_row = now.law_row;
+  share(work.threads, static_cast<int>(now.size()), matched_stretch, [&](int first, int last, int /*thread*/) {
+    match_rows(work, state, static_cast<std::size_t>(first), static_cast<std::size_t>(last), now);
+    std::copy(now.key.begin() + first, now.key.begin() + last, trial.key.begin() + first);
+    std::fill(trial.memory.begin() + first, trial.memory.begin() + last, ContactMemory{});
+  });
+  work.is_matched = true;
 }
 
 }  // namespace
@@ -65,13 +80,12 @@ void find(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (!work.valid) bound_faces(model, work), list_masses(model, work), work.ridges = shared_ridges(model);
   if (!find_pairs(model, state, work)) return;
   match_contacts(model, state.contacts, work);
-  copy_emptied(work.matched, work.contacts);
   work.changed_rows.clear();
   work.row_shares.forget();
   if (work.threads > 1)  // what share_rows() will fill within a step
     make_room(work.row_shares.border, work.pairs.size()), make_room(work.row_shares.share_of, model.bodies.size());
   make_room(work.general_now, work.pairs.size());
-  make_room(work.general_touching, work.pairs.size());
+  work.general_touching.reserve(work.pairs.size());
   make_room(work.changed_rows, work.pairs.size());
   make_room_for_closing(work);
 }

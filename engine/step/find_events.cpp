@@ -36,7 +36,7 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
   const auto velocity = [&](int piece, const Vec2& x) {
     return placed_piece(model, state, work, piece, corners).velocity_at(x);
   };
-  if (const GeneralContact<2>* g = general_contact(work, row); g != nullptr) {
+  if (const GeneralContact<2>* g = work.general_touching.find(row); g != nullptr) {
     const double size = g->force.norm();
     const Vec2 n = size > 0 ? Vec2(g->force / size) : Vec2::Zero();
     return {g->centre, -n.dot(velocity(nb, g->centre) - velocity(na, g->centre))};
@@ -77,7 +77,7 @@ void bond_event(const Model<2>& model, const State<2>& state, Work<2>& work, int
 
 /// Of a contact that touches now.
 ContactResultant resultant_now(const Model<2>& model, const Work<2>& work, int row) {
-  if (const GeneralContact<2>* g = general_contact(work, row); g != nullptr)
+  if (const GeneralContact<2>* g = work.general_touching.find(row); g != nullptr)
     return general_resultant(g->centre, g->force, work.contacts.memory[row]);
   return face_resultant(model, work, work.pairs[row], work.contacts.memory[row], work.contacts.law_numbers(row));
 }

@@ -33,7 +33,7 @@ bool are_grains(const Model<3>& model, const NearPair& pair) {
 void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) {
   // A contact that closes again is told only where it strikes.
   const bool again = has_closed_again(work, work.contacts.key[row]);
-  const GeneralContact<3>* contact = general_contact(work, row);
+  const GeneralContact<3>* contact = work.general_touching.find(row);
   const double closing = closing_speed(model, state, work, *contact);
   const bool strikes = closing > model.impact_speed;
   if ((again || are_grains(model, work.pairs[row])) && !strikes) return;
@@ -64,7 +64,7 @@ double crushed_depth(const Contacts<3>& contacts, std::size_t row) {
 void crushing_event(const Model<3>& model, const State<3>& state, Work<3>& work, int row) {
   const auto r = static_cast<std::size_t>(row);
   if (crushed_depth(contacts_before(state, work), r) > 0 || !(crushed_depth(work.contacts, r) > 0)) return;
-  const GeneralContact<3>* contact = general_contact(work, row);
+  const GeneralContact<3>* contact = work.general_touching.find(row);
   if (contact == nullptr) return;
   const NearPair& pair = work.pairs[row];
   Event e = event_now(state, EventType::joint_crushed, model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]);

@@ -52,7 +52,7 @@ void find(const Model<3>& model, const State<3>& state, Work<3>& work) {
   work.changed_rows.clear();
   make_room(work.changed_rows, work.pairs.size());
   make_room_for_closing(work);
-  make_room(work.general_touching, work.pairs.size());
+  work.general_touching.reserve(work.pairs.size());
 }
 
 }  // namespace trilith

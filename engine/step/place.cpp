@@ -44,24 +44,6 @@ void place_one_node(const Model<2>& model, const State<2>& state, const BodyRow&
               std::span(model.skin_place).subspan(first, count), std::span(work.skin).subspan(first, count), reach);
 }
 
-/// Elements that threads take at a time: some ten microseconds.
-constexpr int least_elements = 64;
-
-/// Cuts the elements between bodies, which have no nodes in common, so that threads can take the parts. Bodies come one
-/// after the other in the list of elements; where they did not, it would not be cut.
-void list_element_stretches(const Model<2>& model, Work<2>& work) {
-  work.element_stretches.clear();
-  const auto& all = model.elements;
-  const int count = static_cast<int>(all.size());
-  const bool in_order =
-      std::is_sorted(all.begin(), all.end(), [](const Element& a, const Element& b) { return a.body < b.body; });
-  for (int first = 0, i = 1; i <= count; ++i) {
-    if (i < count && (!in_order || i - first < least_elements || all[i].body == all[i - 1].body)) continue;
-    work.element_stretches.push_back({first, i - first});
-    first = i;
-  }
-}
-
 /// `turn`: of the rotation of its first node, where the body is rigid.
 void place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, const portable::SineCosine& turn,
                 Work<2>& work, SkinReach& reach) {
@@ -139,7 +121,7 @@ PlacedReach<2> place_all(const Model<2>& model, const State<2>& state, Work<2>& 
 
 template <>
 void place(const Model<2>& model, const State<2>& state, Work<2>& work) {
-  if (!work.valid) list_bodies(model, work), list_element_stretches(model, work), work.placed.piece.clear();
+  if (!work.valid) list_bodies(model, work), work.element_stretches.clear(), work.placed.piece.clear();
   keep_reach(place_all(model, state, work), work);
 }
 

@@ -89,14 +89,14 @@ void lay_pieces(const Model<2>& model, const Work<2>& work, PlacedPieces& placed
   placed.place.resize(corners);
   placed.velocity.resize(corners);
   placed.mean.resize(means ? corners : 0);
-  const std::size_t fours = PlacedPieces::first_four(model.pieces(), static_cast<int>(corners));
-  placed.four.resize(fours);
-  placed.row.resize(fours * lane_count);
+  placed.row.resize(PlacedPieces::first_row(model.pieces(), static_cast<int>(corners)));
+  placed.source.resize(pieces);
   for (int p = 0; p < model.pieces(); ++p) {
     PlacedPiece& piece = placed.piece[p];
     lay_piece(model, work, p, piece_room(model, p, placed), piece);
-    const std::size_t four = PlacedPieces::first_four(p, model.piece_first[p]);
-    piece.sides = {&placed.four[four], &placed.row[four * lane_count], surface_bits(piece.is_face)};
+    const int first = model.piece_first[p];
+    piece.sides = {&placed.row[PlacedPieces::first_row(p, first)], surface_bits(piece.is_face)};
+    placed.source[p] = {first, model.corner_skin[first], work.body[model.piece_body[p]].node};
   }
 }
 
@@ -112,8 +112,7 @@ bool are_laid(const Model<2>& model, const Work<2>& work, const PlacedPieces& pl
 void place_sides(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, PlacedPieces& all) {
   PlacedPiece& placed = all.piece[piece];
   move_piece(model, state, work, piece, piece_room(model, piece, all), placed);
-  const std::size_t four = PlacedPieces::first_four(piece, model.piece_first[piece]);
-  place_edges(placed.corner, &all.four[four], &all.row[four * lane_count]);
+  place_edges(placed.corner, &all.row[PlacedPieces::first_row(piece, all.source[piece].corner)]);
 }
 
 }  // namespace

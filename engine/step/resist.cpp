@@ -14,22 +14,6 @@
 namespace trilith {
 namespace {
 
-/// Room for what one element adds to the energies: once for each of its points.
-constexpr std::size_t most_energies = 4;
-
-/// Takes the energies of elements in their order: adds them up, or keeps them to be added later.
-struct EnergySink {
-  ResistSums* sums;
-  std::array<double, 2>* kept = nullptr;  ///< the place of the next; nullptr: they are added up
-
-  void add(double stored, double plastic) {
-    if (kept != nullptr)
-      *kept++ = {stored, plastic};
-    else
-      sums->stored += stored, sums->plastic += plastic;
-  }
-};
-
 struct ElementPass {
   const Model<2>& model;
   const State<2>& state;
@@ -108,7 +92,7 @@ TRILITH_INLINE T resist_elastic(const ElementPass& pass, const double* shape, do
 /// Elements of one shape that follow each other go four at a time. Loops are over fixed counts, so that a lane, an
 /// element by itself and copies for wide registers have the same bits.
 template <int N>
-TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, EnergySink& energies) {
+TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, ElementEnergy& energy) {
   const double beta = pass.model.solids[batch.solid].damping();
   const int end = batch.first + batch.count;
   for (int i = batch.first; i < end;) {
@@ -116,10 +100,10 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
     const double* const shape = &pass.model.element_number[static_cast<std::size_t>(e->first_number)];
     if (i + lane_count <= end && are_alike(e)) {
       const Lanes stored = resist_elastic<N, Lanes>(pass, shape, beta, e);
-      for (int lane = 0; lane < lane_count; ++lane) energies.add(stored[lane], 0);
+      for (int lane = 0; lane < lane_count; ++lane) energy.stored += stored[lane];
       i += lane_count;
     } else {
-      energies.add(resist_elastic<N, double>(pass, shape, beta, *e), 0);
+      energy.stored += resist_elastic<N, double>(pass, shape, beta, *e);
       ++i;
     }
   }
@@ -127,13 +111,13 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
 
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void resist_quads(const ElementPass& pass,
                                                                               const ElementBatch& batch,
-                                                                              EnergySink& energies) {
-  resist_elastic<4>(pass, batch, energies);
+                                                                              ElementEnergy& energy) {
+  resist_elastic<4>(pass, batch, energy);
 }
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void resist_triangles(const ElementPass& pass,
                                                                                   const ElementBatch& batch,
-                                                                                  EnergySink& energies) {
-  resist_elastic<3>(pass, batch, energies);
+                                                                                  ElementEnergy& energy) {
+  resist_elastic<3>(pass, batch, energy);
 }
 
 /// Strain of the deformation `d` at a point: its rows of Model::element_number.
@@ -147,7 +131,7 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
 /// h = sum over the points of B' s V: strain e = B d in, stress s and the memory of the trial out. Damping goes by the
 /// elastic stiffness whatever has yielded.
 template <int N, class Law>
-void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const Law& law, EnergySink& energies) {
+void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const Law& law, ElementEnergy& energy) {
   const Plane plane = pass.model.solids[batch.solid].plane;
   constexpr int points = N == 4 ? 4 : 1;
   for (int i = batch.first; i < batch.first + batch.count; ++i) {
@@ -163,7 +147,7 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
       const PointResponse r = law.respond(plane, strain_at(point, now.d), pass.state.plastic[e.first_point + p]);
       pass.work.plastic[e.first_point + p] = r.memory;
       // Each point stands for `volume` of the element.
-      energies.add(volume * r.stored, volume * r.dissipated);
+      energy.stored += volume * r.stored, energy.plastic += volume * r.dissipated;
       const PlaneVector s = volume * r.stress.in_plane();
       for (int j = 0; j < 2 * N; ++j) h[j] += point[3 * j] * s[0] + point[3 * j + 1] * s[1] + point[3 * j + 2] * s[2];
     }
@@ -172,63 +156,79 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
   }
 }
 
-void resist_batch(const ElementPass& pass, const ElementBatch& batch, EnergySink& energies) {
+void resist_batch(const ElementPass& pass, const ElementBatch& batch, ElementEnergy& energy) {
   std::visit(
       [&](const auto& law) {
         if constexpr (std::decay_t<decltype(law)>::is_elastic)
-          batch.nodes == 4 ? resist_quads(pass, batch, energies) : resist_triangles(pass, batch, energies);
+          batch.nodes == 4 ? resist_quads(pass, batch, energy) : resist_triangles(pass, batch, energy);
         else
-          batch.nodes == 4 ? resist_inelastic<4>(pass, batch, law, energies)
-                           : resist_inelastic<3>(pass, batch, law, energies);
+          batch.nodes == 4 ? resist_inelastic<4>(pass, batch, law, energy)
+                           : resist_inelastic<3>(pass, batch, law, energy);
       },
       pass.model.solids[batch.solid].law);
 }
 
-/// The elements of a stretch, which may lie in several batches.
-void resist_stretch(const ElementPass& pass, const ElementRange& stretch, EnergySink& energies) {
-  const int end = stretch.first + stretch.count;
-  for (const ElementBatch& batch : pass.model.element_batches) {
-    const int from = std::max(batch.first, stretch.first), to = std::min(batch.first + batch.count, end);
-    if (from < to) resist_batch(pass, {from, to - from, batch.nodes, batch.solid}, energies);
+/// Elements whose energies are summed up by themselves, and that a thread takes at a time: some ten microseconds.
+constexpr int least_elements = 64;
+
+/// Cuts the elements between bodies, which have no nodes in common, so that threads can take the parts. Bodies come one
+/// after the other in the list of elements; where they did not, it would not be cut.
+void list_element_stretches(const Model<2>& model, Work<2>& work) {
+  work.element_stretches.clear();
+  const auto& all = model.elements;
+  const int count = static_cast<int>(all.size());
+  const bool in_order =
+      std::is_sorted(all.begin(), all.end(), [](const Element& a, const Element& b) { return a.body < b.body; });
+  for (int first = 0, i = 1; i <= count; ++i) {
+    if (i < count && (!in_order || i - first < least_elements || all[i].body == all[i - 1].body)) continue;
+    work.element_stretches.push_back({first, i - first});
+    first = i;
   }
 }
 
-/// Threads take stretches of elements, whose forces meet at no node; their energies are added in the order of elements.
-void resist_elements(const ElementPass& pass, ResistSums& sums) {
-  Work<2>& work = pass.work;
-  const int count = static_cast<int>(work.element_stretches.size());
-  if (work.threads <= 1 || count < 2) {
-    EnergySink energies{&sums};
-    for (const ElementBatch& batch : pass.model.element_batches) resist_batch(pass, batch, energies);
-    return;
+/// Nothing on the nodes of the bodies of a stretch yet.
+void clear_nodes(const ElementPass& pass, const ElementRange& stretch) {
+  const std::vector<Element>& all = pass.model.elements;
+  const Body& first = pass.model.bodies[all[stretch.first].body];
+  const Body& last = pass.model.bodies[all[stretch.first + stretch.count - 1].body];
+  const int nodes = last.first_node + last.nodes - first.first_node;
+  std::fill_n(pass.work.element_force.begin() + first.first_node, nodes, Vec2::Zero());
+  std::fill_n(pass.work.element_damping.begin() + first.first_node, nodes, Vec2::Zero());
+}
+
+/// The elements of a stretch, which may lie in several batches.
+ElementEnergy resist_stretch(const ElementPass& pass, const ElementRange& stretch) {
+  ElementEnergy energy;
+  const std::vector<ElementBatch>& batches = pass.model.element_batches;
+  const int end = stretch.first + stretch.count;
+  auto batch = std::upper_bound(batches.begin(), batches.end(), stretch.first,
+                                [](int first, const ElementBatch& b) { return first < b.first + b.count; });
+  for (; batch != batches.end() && batch->first < end; ++batch) {
+    const int from = std::max(batch->first, stretch.first), to = std::min(batch->first + batch->count, end);
+    resist_batch(pass, {from, to - from, batch->nodes, batch->solid}, energy);
   }
-  std::size_t most = 0;
-  for (const ElementRange& stretch : work.element_stretches)
-    most = std::max(most, most_energies * static_cast<std::size_t>(stretch.count));
-  const auto slots = static_cast<std::size_t>(stretches_under_way(work.threads));
-  work.element_energy.resize(slots * (most + 1));
-  // The first entry of a slot is how many there are.
-  const auto room_of = [&](int slot) { return &work.element_energy[static_cast<std::size_t>(slot) * (most + 1)]; };
-  share_in_order(
-      work.threads, count, 1,
-      [&](int first, int /*last*/, int /*thread*/, int slot) {
-        std::array<double, 2>* const room = room_of(slot);
-        EnergySink energies{nullptr, room + 1};
-        resist_stretch(pass, work.element_stretches[static_cast<std::size_t>(first)], energies);
-        (*room)[0] = static_cast<double>(energies.kept - room - 1);
-      },
-      [&](int /*first*/, int /*last*/, int slot) {
-        const std::array<double, 2>* const room = room_of(slot);
-        for (int i = 1; i <= static_cast<int>((*room)[0]); ++i) sums.stored += room[i][0], sums.plastic += room[i][1];
-      });
+  return energy;
+}
+
+/// Threads take stretches of elements, whose forces meet at no node. Energies are summed by stretches, and these in
+/// their order, whoever took them.
+void resist_elements(const ElementPass& pass, ElementEnergy& sums) {
+  Work<2>& work = pass.work;
+  if (work.element_stretches.empty()) list_element_stretches(pass.model, work);
+  work.element_energy.resize(work.element_stretches.size());
+  share(work.threads, static_cast<int>(work.element_stretches.size()), 1, [&](int first, int last, int /*thread*/) {
+    for (auto s = static_cast<std::size_t>(first); s < static_cast<std::size_t>(last); ++s) {
+      clear_nodes(pass, work.element_stretches[s]);
+      work.element_energy[s] = resist_stretch(pass, work.element_stretches[s]);
+    }
+  });
+  for (const ElementEnergy& energy : work.element_energy) sums.stored += energy.stored, sums.plastic += energy.plastic;
 }
 
 }  // namespace
 
 void resist_element(const Model<2>& model, const State<2>& state, Work<2>& work, int element) {
-  ResistSums sums;
-  EnergySink energies{&sums};
-  resist_stretch({model, state, work}, {element, 1}, energies);
+  resist_stretch({model, state, work}, {element, 1});
 }
 
 /// Batches of elements in their order, then beams. Energies that are stored are of the instant, those given
@@ -237,10 +237,13 @@ void resist(const Model<2>& model, const State<2>& state, Work<2>& work, double 
   work.element_stored = 0;
   if (model.elements.empty() && model.beams.empty()) return;
   const auto nodes = static_cast<std::size_t>(model.nodes());
-  work.element_force.assign(nodes, Vec2::Zero());
-  work.element_damping.assign(nodes, Vec2::Zero());
+  // Nodes of elements are cleared by who takes these; others only beams write to.
+  if (!model.beams.empty() || work.element_force.size() != nodes) {
+    work.element_force.assign(nodes, Vec2::Zero());
+    work.element_damping.assign(nodes, Vec2::Zero());
+  }
   work.plastic.resize(state.plastic.size());
-  ResistSums sums;
+  ElementEnergy sums;
   resist_elements({model, state, work}, sums);
   if (!model.beams.empty()) {
     work.element_moment.assign(nodes, 0);

@@ -29,7 +29,7 @@ bool is_removed(const Model<2>& model, const Beam& beam, std::span<const double>
 
 /// Forces and moments on the nodes are the derivatives of a beam's energy where it is elastic (body/beam_element.hpp),
 /// and what its fibres or hinges carry where it yields (body/beam_yield.hpp); the ends go with their nodes rigidly.
-void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ResistSums& sums) {
+void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ElementEnergy& sums) {
   BandRelaxation<2> bands(model, state, work, dt);
   for (const Beam& beam : model.beams) {
     std::array<Vec2, 2> arm;

@@ -10,18 +10,12 @@
 
 namespace trilith {
 
-/// Energies of deformable bodies, summed in the order of their elements.
-struct ResistSums {
-  double stored = 0;   ///< [J]
-  double plastic = 0;  ///< given off in this step [J]
-};
-
 /// Adds to the forces and dampings on the nodes, and writes the trial memories of beams that yield or are damped over a
 /// band, of a step of `dt` [s].
-void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ResistSums& sums);
+void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ElementEnergy& sums);
 
 /// The same of a frame in space; `work` has its arrays.
-void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, double dt, ResistSums& sums);
+void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, double dt, ElementEnergy& sums);
 
 /// True where the beam is gone for good.
 bool is_removed(const Model<2>& model, const Beam& beam, std::span<const double> memories);

@@ -30,7 +30,7 @@ bool is_removed(const Model<3>& model, const Beam3& beam, std::span<const double
 /// s = K(d) of the strains d in axes that go with the chord, and beta K d' of their rates, which brakes; of beams that
 /// yield what they carry, and what is left of K. Branches of a band brake with the stress they remember. The transpose
 /// of d' brings all of it to the nodes.
-void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, double dt, ResistSums& sums) {
+void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, double dt, ElementEnergy& sums) {
   BandRelaxation<3> bands(model, state, work, dt);
   const auto add_band = [&](const Beam3& beam, const BeamNow3& now, const BeamStress3& stress) {
     if (beam.band >= 0)
@@ -146,7 +146,7 @@ template <int N>
 constexpr int space_stretch = 16;
 
 /// Threads answer elements; forces and energies are taken up in the order of elements, whoever answered.
-void resist_elements(const Model<3>& model, const State<3>& state, Work<3>& work, ResistSums& sums) {
+void resist_elements(const Model<3>& model, const State<3>& state, Work<3>& work, ElementEnergy& sums) {
   work.element_answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * space_stretch);
   const auto answer_of = [&](int slot, int i) -> SpaceElementAnswer& {
     return work.element_answer[static_cast<std::size_t>(slot * space_stretch + i)];
@@ -185,7 +185,7 @@ void resist(const Model<3>& model, const State<3>& state, Work<3>& work, double 
   work.element_force.assign(nodes, Vec3::Zero()), work.element_damping.assign(nodes, Vec3::Zero());
   work.element_moment.assign(nodes, Vec3::Zero()), work.element_damping_moment.assign(nodes, Vec3::Zero());
   work.plastic.resize(state.plastic.size()), work.beam_memory.resize(state.beam_memory.size());
-  ResistSums sums;
+  ElementEnergy sums;
   resist_elements(model, state, work, sums);
   if (!work.leave_out_beams) resist_beams(model, state, work, dt, sums);
   work.element_stored = sums.stored;

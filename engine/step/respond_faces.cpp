@@ -180,7 +180,7 @@ void list_runs(const RowShares& shares, std::span<const int> rows, std::size_t t
   runs.clear();
   std::size_t four = 0;
   for (const auto& part : {rows.first(touched), rows.subspan(touched)})
-    for (int t = 0; t < shares.threads; ++t) {
+    for (int t = 0; t < shares.runs(); ++t) {
       const auto end_of = [&](int share) {
         const auto at = std::lower_bound(part.begin(), part.end(), shares.first[static_cast<std::size_t>(share)]);
         return static_cast<std::size_t>(part.data() - rows.data() + (at - part.begin()));
@@ -190,17 +190,17 @@ void list_runs(const RowShares& shares, std::span<const int> rows, std::size_t t
     }
 }
 
-/// Each thread answers its share of the rows and adds forces where no other thread does; what else they come to is
-/// added in the order of rows.
+/// Each thread answers its runs of the rows and adds forces where no other run does; what else they come to is added in
+/// the order of rows.
 template <class K>
 void respond_shares(const FacePass& pass, const K& law, std::span<const int> rows, std::size_t touched,
                     GivenOff& given) {
   Work<2>& work = pass.work;
   const RowShares& shares = work.row_shares;
   list_runs(shares, rows, touched, work.row_runs);
-  const auto parts = static_cast<std::size_t>(shares.threads);
+  const auto parts = static_cast<std::size_t>(shares.runs());
   make_room(work, rows.size() / lane_count + 2 * parts);
-  share(work.threads, shares.threads, 1, [&](int first, int last, int /*thread*/) {
+  share(work.threads, shares.runs(), 1, [&](int first, int last, int /*thread*/) {
     for (auto t = static_cast<std::size_t>(first); t < static_cast<std::size_t>(last); ++t)
       for (const std::size_t r : {t, parts + t}) {
         const RowRun& run = work.row_runs[r];

@@ -12,29 +12,13 @@
 #include "detect/pairs.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
+#include "step/general_runs.hpp"
 #include "step/met_ridges.hpp"
 #include "step/stored_energy.hpp"
 
 namespace trilith {
 
 namespace {
-
-void add_to_skin(const Model<2>& model, int piece, const Vec2* force, Work<2>& work) {
-  const int *skin = &model.corner_skin[model.piece_first[piece]], count = model.corners_of(piece);
-  Vec2* const on = work.skin_force.data();  // read once: the compiler cannot know that sums do not change it
-  for (int c = 0; c < count; ++c) {
-    double* const at = on[skin[c]].data();
-    store_pair(at, load_pair(at) + load_pair(force[c].data()));
-  }
-}
-
-/// To the corners at both ends of edge e.
-void add_to_edge(const Model<2>& model, int piece, int e, const std::array<Vec2, 2>& force, Work<2>& work) {
-  const int *skin = &model.corner_skin[model.piece_first[piece]], next = e + 1 < model.corners_of(piece) ? e + 1 : 0;
-  double *const first = work.skin_force[skin[e]].data(), *const second = work.skin_force[skin[next]].data();
-  store_pair(first, load_pair(first) + load_pair(force[0].data()));
-  store_pair(second, load_pair(second) + load_pair(force[1].data()));
-}
 
 /// What two faces held that their contact does not as one of general shape.
 /// Dilation that faces held open, halves crushed unlike: neither has a place in the overlap of areas.
@@ -99,7 +83,9 @@ struct GeneralPass {
   [[nodiscard]] Coulomb friction_of(int law) const {
     return with_kernel(law_in_use(model, law, dt), [](const Coulomb& kernel) { return kernel; });
   }
+  void fetch_pairs(std::span<const int> rows) const;
   void fetch(std::span<const int> rows) const;
+  void respond_run(GeneralRun<2>& run, OverlapAnswer* answers, Vec2* force) const;
   void respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const;
   void respond(int row, CornerOnFace tried, OverlapAnswer& answer) const;
   [[nodiscard]] CornerCase corner_case(int row, CornerOnFace at, OverlapAnswer& answer) const;
@@ -107,7 +93,6 @@ struct GeneralPass {
   [[nodiscard]] bool holds_off(int row, OverlapAnswer& answer) const;
   CornerOnFace respond_any(int row, OverlapAnswer& answer, bool may_be_corner, const Vec2* along = nullptr) const;
   void finish(int row, OverlapAnswer& answer) const;
-  void take_up(int row, const OverlapAnswer& answer) const;
 };
 
 /// Rows of one law in which one corner is below a face, or one of each piece in the other, or was last: to be answered
@@ -149,27 +134,30 @@ Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece&
 }
 
 /// Asks for what rows to come begin with, while others are worked on: they are too far apart in memory for the
-/// processor to see by itself which will be next. Of their pieces, what placing reads and writes.
+/// processor to see by itself which will be next.
+void GeneralPass::fetch_pairs(std::span<const int> rows) const {
+  for (const int row : rows) ask_for<Asked::read, sizeof(NearPair)>(&work.pairs[row]);
+}
+
+/// The same of what they remember, and of their pieces what placing reads and writes.
 void GeneralPass::fetch(std::span<const int> rows) const {
+  PlacedPieces& placed = work.placed;
   for (const int row : rows) {
     const NearPair& pair = work.pairs[row];
     ask_for<Asked::read, sizeof(ContactMemory)>(&before.memory[row]);
     ask_for<Asked::write, sizeof(ContactMemory)>(&work.contacts.memory[row]);
     for (const int piece : {pair.piece_a, pair.piece_b}) {
       // Another thread may be placing it; then nothing is lost but the asking.
-      if (std::atomic_ref(work.placed.is_placed[piece]).load(std::memory_order_relaxed) != 0) continue;
-      const int first = model.piece_first[piece], skin = model.corner_skin[first];
-      const int node = work.body[model.piece_body[piece]].node;
-      const std::size_t four = PlacedPieces::first_four(piece, first);
-      ask_for<Asked::read, lane_count * sizeof(SkinMotion<2>)>(&work.skin[skin]);
-      ask_for<Asked::read, sizeof(Vec2)>(&state.position[node]);
-      ask_for<Asked::read, sizeof(Vec2)>(&state.velocity[node]);
-      ask_for<Asked::read, sizeof(double)>(&state.spin[node]);
-      ask_for<Asked::write, sizeof(PlacedPiece)>(&work.placed.piece[piece]);
-      ask_for<Asked::write, lane_count * sizeof(Vec2)>(&work.placed.place[first]);
-      ask_for<Asked::write, sizeof(EdgeLanes)>(&work.placed.four[four]);
-      ask_for<Asked::write, lane_count * sizeof(EdgeRow)>(&work.placed.row[four * lane_count]);
-      ask_for<Asked::write, lane_count * sizeof(Vec2)>(&work.skin_force[skin]);
+      if (std::atomic_ref(placed.is_placed[piece]).load(std::memory_order_relaxed) != 0) continue;
+      const PieceSource& source = placed.source[piece];
+      ask_for<Asked::read, lane_count * sizeof(SkinMotion<2>)>(&work.skin[source.skin]);
+      ask_for<Asked::read, sizeof(Vec2)>(&state.position[source.node]);
+      ask_for<Asked::read, sizeof(Vec2)>(&state.velocity[source.node]);
+      ask_for<Asked::read, sizeof(double)>(&state.spin[source.node]);
+      ask_for<Asked::write, sizeof(PlacedPiece)>(&placed.piece[piece]);
+      ask_for<Asked::write, lane_count * sizeof(Vec2)>(&placed.place[source.corner]);
+      ask_for<Asked::write, lane_count * sizeof(EdgeRow)>(&placed.row[PlacedPieces::first_row(piece, source.corner)]);
+      ask_for<Asked::write, lane_count * sizeof(Vec2)>(&work.skin_force[source.skin]);
     }
   }
 }
@@ -313,83 +301,84 @@ void GeneralPass::finish(int row, OverlapAnswer& answer) const {
   if (!was || !forgets) sleep(row, r.separation);
 }
 
-/// Adds what a row came to to forces, ledger and lists.
-void GeneralPass::take_up(int row, const OverlapAnswer& answer) const {
-  if (!answer.counts) return;
-  const OverlapResponse& r = answer.response;
-  if (answer.changed) work.changed_rows.push_back(row);
-  work.given[EnergyTerm::contact_friction] += answer.let_go.friction;
-  work.given[EnergyTerm::contact_fracture] += answer.let_go.fracture;
-  work.given[EnergyTerm::contact_damping] += r.lost_damping;
-  work.given[EnergyTerm::contact_friction] += r.lost_friction;
-  work.given[EnergyTerm::contact_fracture] += r.lost_fracture;
-  if (!answer.touching) return;
-  const NearPair& pair = work.pairs[row];
-  if (const CornerOnFace at = answer.corner_at; at.is_there()) {
-    const int wedge = at.wedge_is_b ? pair.piece_b : pair.piece_a, owner = at.wedge_is_b ? pair.piece_a : pair.piece_b;
-    add_to_edge(model, wedge, at.corner > 0 ? at.corner - 1 : model.corners_of(wedge) - 1, answer.push.on_wedge, work);
-    add_to_edge(model, owner, at.face, answer.push.on_owner, work);
-  } else {
-    add_to_skin(model, pair.piece_a, answer.on_a, work);
-    add_to_skin(model, pair.piece_b, answer.on_b, work);
-  }
-  work.general_touching.push_back({row, r.length, r.depth, r.centre, r.force});
-}
-
-/// Rows that threads take at a time: some five microseconds.
+/// Rows that are answered before what they came to is taken up.
 constexpr int general_stretch = 32;
 
-/// The stretch that begins there, or what there is of it.
-std::span<const int> rows_after(const std::vector<int>& rows, int first) {
-  const auto from = static_cast<std::size_t>(first);
-  return std::span(rows).subspan(from, std::min<std::size_t>(general_stretch, rows.size() - from));
+/// What a run has of the stretch that begins there, nothing beyond its end.
+std::span<const int> rows_from(const Work<2>& work, const GeneralRun<2>& run, int first) {
+  const int from = std::min(first, run.last), to = std::min(first + general_stretch, run.last);
+  return std::span(work.awake_rows).subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from));
 }
 
-/// Rows of general shape, and those that were to be faces and are not now, in the order of rows: those that are worked
-/// on.
-void list_rows(const GeneralPass& pass, Work<2>& work) {
-  const std::size_t count = work.pairs.size();
-  work.is_general.assign(count, 0);
-  for (const int row : work.general) work.is_general[row] = 1;
-  for (const int row : work.general_now) work.is_general[row] = 1;
-  work.awake_rows.resize(count);
-  std::size_t awake = 0;
-  for (std::size_t row = 0; row < count; ++row) {
-    work.awake_rows[awake] = static_cast<int>(row);
-    if (work.is_general[row] != 0) awake += pass.wakes(static_cast<int>(row)) ? 1 : 0;
+/// `answers`: room for a stretch, `force` for the forces of its rows.
+void GeneralPass::respond_run(GeneralRun<2>& run, OverlapAnswer* answers, Vec2* force) const {
+  fetch_pairs(rows_from(work, run, run.first + general_stretch));
+  fetch(rows_from(work, run, run.first));
+  for (int first = run.first; first < run.last; first += general_stretch) {
+    const std::span<const int> rows = rows_from(work, run, first);
+    fetch_pairs(rows_from(work, run, first + 2 * general_stretch));
+    fetch(rows_from(work, run, first + general_stretch));
+    respond_rows(rows, answers, force);
+    take_up(model, work, run, first, first + static_cast<int>(rows.size()), answers);
   }
-  work.awake_rows.resize(awake);
+}
+
+/// Rows of general shape, and those that were to be faces and are not now, of a stretch of all: those that are worked
+/// on, in their order, to where the stretch begins in Work::awake_rows. Returns how many there are.
+int list_stretch(const GeneralPass& pass, Work<2>& work, int first, int last) {
+  std::fill(work.is_general.begin() + first, work.is_general.begin() + last, std::uint8_t{0});
+  const auto begin = std::lower_bound(work.general.begin(), work.general.end(), first);
+  for (auto row = begin; row != work.general.end() && *row < last; ++row) work.is_general[*row] = 1;
+  for (const int row : work.general_now)
+    if (row >= first && row < last) work.is_general[row] = 1;
+  int* const awake = work.awake_rows.data() + first;
+  int count = 0;
+  for (int row = first; row < last; ++row) {
+    awake[count] = row;
+    if (work.is_general[row] != 0) count += pass.wakes(row) ? 1 : 0;
+  }
+  return count;
+}
+
+/// The same of all rows: threads list as many each, and their lists are moved together.
+void list_rows(const GeneralPass& pass, Work<2>& work) {
+  constexpr int least_listed = 1024;
+  const int count = static_cast<int>(work.pairs.size());
+  const int stretch = std::max(least_listed, (count + work.threads - 1) / std::max(1, work.threads));
+  const int stretches = (count + stretch - 1) / stretch;
+  work.is_general.resize(work.pairs.size()), work.awake_rows.resize(work.pairs.size());
+  work.awake_counts.resize(static_cast<std::size_t>(stretches));
+  share(work.threads, stretches, 1, [&](int first, int last, int /*thread*/) {
+    for (int s = first; s < last; ++s)
+      work.awake_counts[s] = list_stretch(pass, work, s * stretch, std::min(count, (s + 1) * stretch));
+  });
+  auto end = work.awake_rows.begin() + work.awake_counts[0];
+  for (int s = 1; s < stretches; ++s) {
+    const auto from = work.awake_rows.begin() + s * stretch;
+    end = std::copy(from, from + work.awake_counts[s], end);
+  }
+  work.awake_rows.erase(end, work.awake_rows.end());
 }
 
 }  // namespace
 
-/// Several threads answer the rows; the answers are taken up in the order of rows, so that sums and lists have the bits
-/// of one row after the other.
+/// Each thread answers its run of the rows (see step/general_runs.hpp).
 void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
-  work.general_touching.clear();
   begin_to_stand(model, work);
-  if (work.general.empty() && work.general_now.empty()) return;
+  if (work.general.empty() && work.general_now.empty()) return work.general_touching.begin_anew(0);
   const GeneralPass pass{model, state, contacts_before(state, work), work, dt, forgets_all(model)};
   list_rows(pass, work);
   place_none(model, work);
   meet_ridges(model, state, work, dt);
-  const auto slots = static_cast<std::size_t>(stretches_under_way(work.threads));
-  work.answer.resize(slots * general_stretch);
+  part_general_rows(model, work);
   constexpr std::size_t forces = std::size_t{general_stretch} * 2 * max_piece_corners;
-  work.answer_force.resize(slots * forces);
-  const auto answers_of = [&](int slot) { return &work.answer[static_cast<std::size_t>(slot * general_stretch)]; };
-  share_in_order(
-      work.threads, static_cast<int>(work.awake_rows.size()), general_stretch,
-      [&](int first, int last, int /*thread*/, int slot) {
-        const auto count = static_cast<std::size_t>(last - first);
-        pass.fetch(rows_after(work.awake_rows, last));
-        pass.respond_rows(std::span(work.awake_rows).subspan(static_cast<std::size_t>(first), count), answers_of(slot),
-                          &work.answer_force[static_cast<std::size_t>(slot) * forces]);
-      },
-      [&](int first, int last, int slot) {
-        const OverlapAnswer* answer = answers_of(slot);
-        for (int i = first; i < last; ++i) pass.take_up(work.awake_rows[i], *answer++);
-      });
+  const std::size_t runs = work.general_runs.size();
+  work.answer.resize(runs * general_stretch), work.answer_force.resize(runs * forces);
+  share(work.threads, static_cast<int>(runs), 1, [&](int first, int last, int /*thread*/) {
+    for (auto r = static_cast<std::size_t>(first); r < static_cast<std::size_t>(last); ++r)
+      pass.respond_run(work.general_runs[r], &work.answer[r * general_stretch], &work.answer_force[r * forces]);
+  });
+  join_general_runs(work);
 }
 
 }  // namespace trilith

@@ -12,6 +12,7 @@
 #include "detect/bearing_rules.hpp"
 #include "step/evaluate.hpp"
 #include "step/flat_rows.hpp"
+#include "step/general_runs.hpp"
 #include "step/met_ridges.hpp"
 #include "step/moving_solid.hpp"
 #include "step/rows_by_kind.hpp"
@@ -32,30 +33,6 @@ constexpr int faces_to_come = -2;
 const Vec3& place_of(const State<3>& state, const Work<3>& work, int carrier) {
   return carrier < 0 ? work.solids.fitted[static_cast<std::size_t>(-1 - carrier)].place
                      : state.position[static_cast<std::size_t>(carrier)];
-}
-
-/// Adds a force and a moment about a carrier's place to the sums of nodes or of fits.
-TRILITH_INLINE void add_to_carrier(int carrier, const Vec3& force, const Vec3& moment, SolidWork<3>& solids) {
-  const auto i = static_cast<std::size_t>(carrier < 0 ? -1 - carrier : carrier);
-  (carrier < 0 ? solids.fit_force : solids.force)[i] += force;
-  (carrier < 0 ? solids.fit_moment : solids.moment)[i] += moment;
-}
-
-/// Each of two that are apart may come nearer by the path of the fastest point.
-void let_sleep(Work<3>& work, std::size_t row) {
-  work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * work.solids.separation[row].distance;
-}
-
-/// Adds what a contact gives to forces, ledger and lists.
-void take_up(Work<3>& work, const SolidAnswer& answer) {
-  if (answer.was_touching != answer.touching || answer.joint_changed) work.changed_rows.push_back(answer.row);
-  work.given[EnergyTerm::contact_damping] += answer.lost_damping;
-  work.given[EnergyTerm::contact_friction] += answer.lost_friction;
-  work.given[EnergyTerm::contact_fracture] += answer.lost_fracture;
-  if (!answer.touching) return let_sleep(work, static_cast<std::size_t>(answer.row));
-  add_to_carrier(answer.carrier_a, -answer.force, answer.moment_a, work.solids);
-  add_to_carrier(answer.carrier_b, answer.force, answer.moment_b, work.solids);
-  work.general_touching.push_back({answer.row, answer.area, answer.depth, answer.centre, answer.normal_force});
 }
 
 /// What the rows of one evaluation are found from. Each writes what is its own row's alone, and `room`.
@@ -348,10 +325,8 @@ void respond_row(const Model<3>& model, const State<3>& state, Work<3>& work, in
   SolidPass{model, state, work, dt}.respond(row, row + 1, work.solids.room.front(), &answer);
 }
 
-/// Several threads answer the rows; the answers are taken up in the order of rows, so that sums and lists have the bits
-/// of one row after the other.
+/// Each thread answers its runs of the rows (see step/general_runs.hpp).
 void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work, double dt) {
-  work.general_touching.clear();
   begin_to_stand(model, work);
   work.solids.force.assign(model.mass.size(), Vec3::Zero());
   work.solids.moment.assign(model.mass.size(), Vec3::Zero());
@@ -361,21 +336,23 @@ void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work
   solids.areas.resize(work.pairs.size());
   list_law_numbers(model, solids.law);
   solids.room.resize(static_cast<std::size_t>(work.threads));
-  solids.answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * solid_row_stretch);
+  solids.answer.resize(static_cast<std::size_t>(work.threads) * solid_row_stretch);
   meet_ridges(model, state, work, dt);
+  part_general_rows(model, work);
   const SolidPass pass{model, state, work, dt};
-  const auto answer_of = [&](int slot, int i) -> SolidAnswer& {
-    return solids.answer[static_cast<std::size_t>(slot * solid_row_stretch + i)];
-  };
-  share_in_order(
-      work.threads, static_cast<int>(work.pairs.size()), solid_row_stretch,
-      [&](int first, int last, int thread, int slot) {
-        pass.respond(first, last, solids.room[static_cast<std::size_t>(thread)], &answer_of(slot, 0));
-      },
-      [&](int first, int last, int slot) {
-        for (int i = 0; i < last - first; ++i)
-          if (answer_of(slot, i).row >= 0) take_up(work, answer_of(slot, i));
-      });
+  share(work.threads, static_cast<int>(work.general_runs.size()), 1, [&](int from, int to, int thread) {
+    const auto t = static_cast<std::size_t>(thread);
+    SolidAnswer* const answers = &solids.answer[t * solid_row_stretch];
+    for (int r = from; r < to; ++r) {
+      GeneralRun<3>& run = work.general_runs[static_cast<std::size_t>(r)];
+      for (int first = run.first; first < run.last; first += solid_row_stretch) {
+        const int last = std::min(first + solid_row_stretch, run.last);
+        pass.respond(first, last, solids.room[t], answers);
+        take_up(model, work, run, first, last, answers);
+      }
+    }
+  });
+  join_general_runs(work);
 }
 
 }  // namespace trilith

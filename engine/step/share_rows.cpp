@@ -1,5 +1,6 @@
 #include "step/share_rows.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -10,6 +11,9 @@ namespace {
 
 /// Evaluations after which pairs are taken to stand for more: then the shares cost next to nothing.
 constexpr int settled_after = 8;
+
+/// Rows that are worth a run of their own.
+constexpr int least_run = 64;
 
 constexpr int nobody = -1, several = -2;
 
@@ -23,7 +27,9 @@ bool share_rows(const Model<2>& model, Work<2>& work) {
   RowShares& shares = work.row_shares;
   if (work.threads <= 1 || ++shares.evaluations <= settled_after) return false;
   if (shares.threads == work.threads) return true;
-  const std::size_t rows = work.pairs.size(), parts = static_cast<std::size_t>(work.threads);
+  const std::size_t rows = work.pairs.size();
+  const auto parts = static_cast<std::size_t>(
+      std::clamp(static_cast<int>(rows) / least_run, work.threads, runs_a_thread * work.threads));
   shares.threads = work.threads;
   shares.first.resize(parts + 1), shares.border.resize(rows);
   for (std::size_t t = 0; t <= parts; ++t) shares.first[t] = static_cast<int>(rows * t / parts);

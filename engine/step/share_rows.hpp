@@ -9,9 +9,9 @@ namespace trilith {
 /// True where the rows of faces are parted between work.threads: made where the pairs have been the same for long
 /// enough to be worth it.
 ///
-/// Comes in: the pairs, in the order of rows. Goes out: as many runs of rows as threads, each as long as the others,
-/// and which sides of rows are at a border: those of bodies that have rows in two runs. All other bodies get their
-/// forces from one run alone, whose thread can add them as it goes, in the order of rows.
+/// Comes in: the pairs, in the order of rows. Goes out: some runs of rows for each thread, all as long, and which sides
+/// of rows are at a border: those of bodies that have rows in two runs. All other bodies get their forces from one run
+/// alone, whose thread can add them as it goes, in the order of rows.
 bool share_rows(const Model<2>& model, Work<2>& work);
 
 }  // namespace trilith

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/team.hpp"
 #include "step/contact_rows.hpp"
 #include "step/local_springs.hpp"
 #include "step/mass_scaling.hpp"
@@ -80,10 +81,21 @@ std::array<int, 2> nearest_face(const Model<2>& model, const Work<2>& work, int 
   return best;
 }
 
-/// Normal and shear springs of a contact for both of its bodies. `face`: skin points of either side's face; {-1, -1}
+/// Bodies from `first` to before `last`.
+struct BodyRange {
+  int first, last;
+  [[nodiscard]] bool has(int body) const { return first <= body && body < last; }
+  /// Whether some side of a pair may be one of them: its second body comes after its first.
+  [[nodiscard]] bool may_have(const Model<2>& model, const NearPair& pair) const {
+    return model.piece_body[pair.piece_b] >= first && model.piece_body[pair.piece_a] < last;
+  }
+};
+
+/// Normal and shear springs of a contact for those of its bodies that are in `range`. `face`: skin points of either side's face; {-1, -1}
 /// where the contact is of general shape.
-void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& work, const NearPair& pair,
-                 const ContactSprings& c, const std::array<std::array<int, 2>, 2>& face, Locals& locals) {
+void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& work, const BodyRange& range,
+                 const NearPair& pair, const ContactSprings& c, const std::array<std::array<int, 2>, 2>& face,
+                 Locals& locals) {
   const Vec2 &at = c.at, &n = c.normal, t = left_of(n);
   const double length = c.length;
   const ContactTangent& law = c.law;
@@ -91,6 +103,7 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
             body[2] = {model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]};
   const int node[2] = {model.bodies[body[0]].first_node, model.bodies[body[1]].first_node};
   for (const int side : {0, 1}) {
+    if (!range.has(body[side])) continue;
     const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
     if (Local* whole = locals.whole_of(body[side])) {
       const Vec2 arm = at - locals.body[body[side]].centre;
@@ -116,26 +129,29 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
   }
 }
 
-/// Springs of all that touches now: those of two faces by the length they share, those of general shape by the length
-/// in contact; each as stiff as its law can be at the depth of now.
-void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work, Locals& locals) {
+/// Springs of all that touches bodies of `range` now: those of two faces by the length they share, those of general
+/// shape by the length in contact; each as stiff as its law can be at the depth of now. In the order of rows.
+void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work, const BodyRange& range,
+               Locals& locals) {
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
+    const NearPair& p = work.pairs[row];
+    if (!range.may_have(model, p)) continue;
     const ContactMemory& m = work.contacts.memory[row];
     if ((m.state & contact_touching) == 0 || (m.state & contact_general) != 0) continue;
-    const NearPair& p = work.pairs[row];
     const FaceOverlap<double> o = face_overlap(work, p);
     const Vec2 d(o.dx, o.dy), n(o.dy, -o.dx), origin(work.skin[p.a0].x, work.skin[p.a0].y);
     const ContactTangent law = spring_tangent(model, p.law, -std::min(o.gap_lo, o.gap_hi));
-    add_contact(model, state, work, p, {origin + 0.5 * (o.lo + o.hi) * d, n, o.shared, law},
+    add_contact(model, state, work, range, p, {origin + 0.5 * (o.lo + o.hi) * d, n, o.shared, law},
                 {{{p.a0, p.a1}, {p.b0, p.b1}}}, locals);
   }
   // Along the resultant, at the centre of pressure.
   for (const GeneralContact<2>& g : work.general_touching) {
+    const NearPair& p = work.pairs[g.row];
+    if (!range.may_have(model, p)) continue;
     const double size = g.force.norm();
     if (!(size > 0)) continue;
-    const NearPair& p = work.pairs[g.row];
     const ContactTangent law = spring_tangent(model, p.law, g.depth);
-    add_contact(model, state, work, p, {g.centre, g.force / size, g.size, law}, {{{-1, -1}, {-1, -1}}}, locals);
+    add_contact(model, state, work, range, p, {g.centre, g.force / size, g.size, law}, {{{-1, -1}, {-1, -1}}}, locals);
   }
 }
 
@@ -212,6 +228,26 @@ RateBound rigid_rates(const Work<2>& work, int body, const Locals& locals) {
           std::max(bound(locals.whole[body].c), around.damping)};
 }
 
+/// Of a body that moves.
+BodyRates rates_of(const Model<2>& model, const Work<2>& work, const Locals& locals, int b, bool as_rigid) {
+  const Body& body = model.bodies[b];
+  // Of its own stiffest face, or of what touches now, whichever is stiffer; its elements come on top of either.
+  double k = work.face_bound[b].stiffness, c = work.face_bound[b].damping;
+  // The largest of its nodes' bounds bounds the whole.
+  for (int node = body.first_node; node < body.first_node + body.nodes; ++node) {
+    if (!model.moves(node)) continue;
+    k = larger_rate(model, node, locals.node[node].k, k);
+    c = larger_rate(model, node, locals.node[node].c, c);
+  }
+  const RateBound& own = model.element_bound[b];
+  BodyRates out{own, {k, c}, {}, step_for(k + own.stiffness, c + (own.damping + model.mass_damping))};
+  if (as_rigid && is_of_elements(body)) out.rigid = rigid_rates(work, b, locals);
+  return out;
+}
+
+/// Bodies whose contacts are worth a second thread, and those that one rates at a time: some ten microseconds.
+constexpr int least_added = 256, rated_stretch = 64;
+
 }  // namespace
 
 double step_for(double stiffness, double damping) {
@@ -227,24 +263,18 @@ std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, 
     for (std::size_t b = 0; b < model.bodies.size(); ++b)
       if (is_of_elements(model.bodies[b])) locals.body[b] = whole_body(model, state, static_cast<int>(b));
   }
-  add_faces(model, state, work, locals);
+  // Each thread adds up what touches its share of the bodies.
+  const int bodies = static_cast<int>(model.bodies.size());
+  const int added = std::max(least_added, (bodies + work.threads - 1) / std::max(1, work.threads));
+  share(work.threads, bodies, added, [&](int first, int last, int /*thread*/) {
+    add_faces(model, state, work, {first, last}, locals);
+  });
   add_bearings(model, state, work, locals);
   std::vector<BodyRates> out(model.bodies.size());
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Body& body = model.bodies[b];
-    if (!model.body_moves(static_cast<int>(b))) continue;
-    // Of its own stiffest face, or of what touches now, whichever is stiffer; its elements come on top of either.
-    double k = work.face_bound[b].stiffness, c = work.face_bound[b].damping;
-    // The largest of its nodes' bounds bounds the whole.
-    for (int node = body.first_node; node < body.first_node + body.nodes; ++node) {
-      if (!model.moves(node)) continue;
-      k = larger_rate(model, node, locals.node[node].k, k);
-      c = larger_rate(model, node, locals.node[node].c, c);
-    }
-    const RateBound& own = model.element_bound[b];
-    out[b] = {own, {k, c}, {}, step_for(k + own.stiffness, c + (own.damping + model.mass_damping))};
-    if (as_rigid && is_of_elements(body)) out[b].rigid = rigid_rates(work, static_cast<int>(b), locals);
-  }
+  share(work.threads, bodies, rated_stretch, [&](int first, int last, int /*thread*/) {
+    for (int b = first; b < last; ++b)
+      if (model.body_moves(b)) out[b] = rates_of(model, work, locals, b, as_rigid);
+  });
   return out;
 }
 

@@ -3,9 +3,7 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <string_view>
-#include <vector>
 
 namespace trilith {
 
@@ -83,24 +81,15 @@ struct Energy {
   }
 };
 
-/// Work done on one node along a path [J].
+/// Work done on one node, or on several together, along a path [J].
 struct NodeWork {
   double weight = 0, load = 0, support = 0, element_damping = 0, rest = 0, mass = 0;
-  double turn_damping = 0;  ///< of elements, where what they do to a turn is added apart
-};
 
-/// The same of a node on which nothing else works: less to be kept by one thread and read by another.
-struct PlainWork {
-  double weight = 0, load = 0, element_damping = 0;
-};
-
-/// Works of all nodes where threads share them, to be added in the order of nodes.
-struct NodeWorks {
-  std::vector<PlainWork> plain;        ///< [node]
-  std::vector<std::uint8_t> is_plain;  ///< [node] `plain` has all of it
-  std::vector<NodeWork> full;          ///< [node] of the others
-
-  void resize(std::size_t nodes) { plain.resize(nodes), is_plain.resize(nodes), full.resize(nodes); }
+  NodeWork& operator+=(const NodeWork& w) {
+    weight += w.weight, load += w.load, support += w.support;
+    element_damping += w.element_damping, rest += w.rest, mass += w.mass;
+    return *this;
+  }
 };
 
 /// Adds it to the ledger's sums.
@@ -109,7 +98,6 @@ inline void add(const NodeWork& w, Energy& given) {
   given[EnergyTerm::load] += w.load;
   given[EnergyTerm::support] -= w.support;
   given[EnergyTerm::element_damping] -= w.element_damping;
-  given[EnergyTerm::element_damping] -= w.turn_damping;
   given[EnergyTerm::rest_damping] -= w.rest;
   given[EnergyTerm::mass_damping] -= w.mass;
 }

@@ -15,6 +15,7 @@
 #include "shape/overlap_3d.hpp"
 #include "shape/separation_3d.hpp"
 #include "world/event.hpp"
+#include "world/general_contacts.hpp"
 #include "world/model.hpp"
 #include "world/piece_search.hpp"
 #include "world/row_shares.hpp"
@@ -69,16 +70,6 @@ struct BodyRow {
   int fit = 0, fits = 0;
 };
 
-/// What the general contact of one row came to, for the step estimate, events and recording.
-template <int D>
-struct GeneralContact {
-  int row;
-  double size;    ///< length in contact [m], in space the area [m2]
-  double depth;   ///< greatest overlap [m]
-  Vec<D> centre;  ///< centre of pressure [m]
-  Vec<D> force;   ///< on the second body [N]
-};
-
 /// How the area of a contact in space lies, for the step estimate.
 struct ContactArea {
   Vec3 middle, normal;           ///< [m], of length 1
@@ -109,6 +100,37 @@ struct OverlapAnswer {
   CornerPush push;
   OverlapResponse response;
   ShapeLoss let_go;  ///< what faces held, where they are of general shape now [J]
+};
+
+/// What a row gives off [J].
+struct RowLoss {
+  double damping = 0, friction = 0, fracture = 0;
+};
+
+/// What is added once all rows are answered: in the plane to the force at a skin point, in space to the force on a
+/// carrier (world/carrier.hpp) and to the moment about its place.
+template <int D>
+struct LaterForce;
+template <>
+struct LaterForce<2> {
+  int skin;
+  Vec2 force;  ///< [N]
+};
+template <>
+struct LaterForce<3> {
+  int carrier;
+  Vec3 force, moment;  ///< [N], [N m]
+};
+
+/// Rows of general shape that one thread answers one after the other; see step/general_runs.hpp.
+template <int D>
+struct GeneralRun {
+  int first, last;                   ///< in Work::awake_rows; in space rows
+  int end_body;                      ///< bodies from here on are of runs that follow
+  std::vector<LaterForce<D>> later;  ///< on bodies of several runs
+  std::vector<RowLoss> losses;       ///< where there are several runs
+  std::vector<int> touching;         ///< places in Work::general_touching
+  std::vector<int> changed;          ///< see Work::changed_rows
 };
 
 /// What the contacts of faces of four rows came to beside forces, where threads take them, before it is added to
@@ -154,6 +176,12 @@ struct ImpactWork {
 /// Elements in a row, all of some bodies.
 struct ElementRange {
   int first, count;
+};
+
+/// What elements, or beams, add to the ledger.
+struct ElementEnergy {
+  double stored = 0;   ///< [J]
+  double plastic = 0;  ///< given off in this step [J]
 };
 
 /// Stiffnesses, friction and damping of a law whose pressure goes with the overlap.
@@ -244,12 +272,15 @@ struct Work {
   std::vector<Vec2> answer_force;          ///< room of `answer` N
   std::vector<std::uint8_t> is_general;    ///< [contact] room: 1: one of those or of `general`
   std::vector<int> awake_rows;             ///< those of them that are worked on
+  std::vector<int> awake_counts;           ///< room: how many of them are in each stretch of rows
+  std::vector<GeneralRun<D>> general_runs;  ///< of these, in space of all
+  std::vector<std::uint8_t> at_border;     ///< room: 1: a body has rows in several runs
   std::vector<std::uint8_t> meets;         ///< room, by row: 1: a ridge lies in the other piece
   std::vector<MetRow<D>> met;              ///< those rows, see step/met_ridges.hpp
   std::vector<OverlapAnswer> answer;       ///< of rows that threads take
   PlacedPieces placed;                     ///< the pieces of these rows
-  std::vector<GeneralContact<D>> general_touching;  ///< those of them that touch
-  std::vector<int> changed_rows;                    ///< rows that began or ceased to touch, or lost a bond
+  GeneralContacts<D> general_touching;     ///< those of them that touch
+  std::vector<int> changed_rows;           ///< rows that began or ceased to touch, or lost a bond
   std::vector<Vec<D>> skin_force;                   ///< [skin] N; in space none
   std::vector<Vec<D>> bearing_force;                ///< [bearing] on body b, in world axes N
   std::vector<Moment<D>> bearing_moment;            ///< [bearing] on body b N m
@@ -265,7 +296,7 @@ struct Work {
   std::vector<Vec<D>> element_damping;            ///< [node] of the dampings of elements N
   std::vector<Moment<D>> element_moment;          ///< [node] of beams N m; empty without them
   std::vector<Moment<D>> element_damping_moment;  ///< [node] N m
-  std::vector<std::array<double, 2>> element_energy;  ///< room: stored and given off, by element that threads take J
+  std::vector<ElementEnergy> element_energy;      ///< room, by stretch of elements
   std::vector<SpaceElementAnswer> element_answer;     ///< room, by element in space that threads take
   double element_stored = 0;                          ///< elastic energy of elements J
 
@@ -284,7 +315,7 @@ struct Work {
   std::vector<Vec<D>> added_inertia;   ///< [node] see step/mass_scaling.hpp; empty without it N. Writer: it
   double unbalanced = 0, carried = 0;  ///< largest unbalanced and largest carried force of a moving node N
 
-  NodeWorks node_work;  ///< room of advance, for what threads take
+  std::vector<NodeWork> node_work;  ///< room of advance, by stretch of nodes J
 
   // Writer: find_events
   std::vector<Event> events;             ///< of this step

@@ -19,17 +19,16 @@ namespace {
 struct LooseStone {
   Polygon corner;
   std::vector<std::uint8_t> is_face;
-  std::vector<EdgeLanes> four;
   std::vector<EdgeRow> row;
   PlacedPiece piece;
 
   LooseStone(Polygon outline, const Vec2& origin, const Vec2& velocity, double spin)
       : corner(std::move(outline)), is_face(corner.size(), 1) {
     const auto fours = static_cast<std::size_t>(edge_blocks(static_cast<int>(corner.size())));
-    four.resize(fours), row.resize(fours * lane_count);
-    place_edges(corner, four.data(), row.data());
+    row.resize(fours * lane_count);
+    place_edges(corner, row.data());
     piece = {corner, is_face, origin, velocity, spin};
-    piece.sides = {four.data(), row.data(), surface_bits(is_face)};
+    piece.sides = {row.data(), surface_bits(is_face)};
   }
 };
 
