@@ -1,4 +1,4 @@
-// What the general contact remembers between evaluations to be quick changes no bit.
+// What the general contact remembers between evaluations to be quick changes no bit, nor who answers which rows.
 #include <doctest/doctest.h>
 
 #include "shape/random_convex.hpp"
@@ -45,6 +45,7 @@ Model<2> falling_stones() {
 struct Trace {
   std::vector<std::uint64_t> digest;
   int hints = 0, corners = 0, touching = 0;
+  std::size_t runs = 0, later = 0;  ///< at most, see GeneralRun
 };
 
 /// Before each step `change(work, step)` may do to Work what it likes.
@@ -64,6 +65,8 @@ Trace follow(const Model<2>& model, Change&& change) {
       trace.corners += pair.corner_at.is_there() ? 1 : 0;
     }
     trace.touching = std::max(trace.touching, static_cast<int>(work.general_touching.size()));
+    trace.runs = std::max(trace.runs, work.general_runs.size());
+    for (const GeneralRun<2>& run : work.general_runs) trace.later = std::max(trace.later, run.later.size());
     if (step % 50 == 0) trace.digest.push_back(state_hash(state));
   }
   return trace;
@@ -96,4 +99,19 @@ TEST_CASE("which edge is remembered to keep two pieces apart, and which corner t
     std::fill(work.asleep_until.begin(), work.asleep_until.end(), -1.0);
   });
   CHECK(wrong.digest == kept.digest);
+}
+
+TEST_CASE("rows of general shape that threads answer in runs have the bits of one row after the other") {
+  const Model<2> model = falling_stones();
+  const Trace alone = follow(model, [](Work<2>&, int) {});
+  REQUIRE(alone.runs == 1);
+  CHECK(alone.later == 0);
+  for (const int threads : {2, 3, 5}) {
+    CAPTURE(threads);
+    const Trace shared = follow(model, [&](Work<2>& work, int) { work.threads = threads; });
+    CHECK(shared.digest == alone.digest);
+    CHECK(shared.touching == alone.touching);
+    REQUIRE(shared.runs > 1);
+    CHECK(shared.later > 0);  // forces on stones that two runs have to do with
+  }
 }
