@@ -13,7 +13,8 @@ TRILITH_INLINE void place_four_edges(const Vec2* corner, EdgeRow* row) {
   };
   const auto next = [](const Lanes& v) { return Lanes(__builtin_shufflevector(v, v, 1, 2, 3, 0)); };
   const Lanes first = two(0), last = two(2);
-  const Lanes x = __builtin_shufflevector(first, last, 0, 2, 4, 6), y = __builtin_shufflevector(first, last, 1, 3, 5, 7);
+  const Lanes x = __builtin_shufflevector(first, last, 0, 2, 4, 6),
+              y = __builtin_shufflevector(first, last, 1, 3, 5, 7);
   const Lanes along_x = next(x) - x, along_y = next(y) - y;
   const Lanes length = root(along_x * along_x + along_y * along_y);
   const FourByFour rows(x, y, along_y / length, -along_x / length);

@@ -237,8 +237,7 @@ void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const 
   share(work.threads, stretches, 1, [&](int first, int last, int /*thread*/) {
     for (int s = first; s < last; ++s) {
       const int from = s * stretch, to = std::min(model.nodes(), from + stretch);
-      work.node_work[static_cast<std::size_t>(s)] =
-          advance_range(model, state, work, options, span, outside, from, to);
+      work.node_work[static_cast<std::size_t>(s)] = advance_range(model, state, work, options, span, outside, from, to);
     }
   });
   for (const NodeWork& w : work.node_work) add(w, state.given);

@@ -32,8 +32,8 @@ void match_rows(const Work<2>& work, const ContactHistory& state, std::size_t fi
                 ContactHistory& now) {
   if (first == last) return;
   const auto key_at = [&](std::size_t row) { return contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b); };
-  auto old = static_cast<std::size_t>(std::lower_bound(state.key.begin(), state.key.end(), key_at(first)) -
-                                      state.key.begin());
+  auto old =
+      static_cast<std::size_t>(std::lower_bound(state.key.begin(), state.key.end(), key_at(first)) - state.key.begin());
   for (std::size_t row = first; row < last; ++row) {
     now.key[row] = key_at(row);
     while (old < state.size() && state.key[old] < now.key[row]) ++old;

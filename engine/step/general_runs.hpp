@@ -1,10 +1,10 @@
 // The rows of general shape parted between threads.
 //
-// Comes in: the rows that are worked on, in space all, in their order, sorted by their first piece. Each thread has runs of them side
-// by side, all as long, so that what it places and answers stays in its own cache. Goes out: forces at skin points,
-// lists of what touches and what changed, sums of energy, with the bits of one row after the other: a body all of whose
-// rows are in one run gets their forces as they are found, in the order of rows; those on others are kept, and added
-// run by run once all are answered. What rows give off is added in their order too.
+// Comes in: the rows that are worked on, in space all, in their order, sorted by their first piece. Each thread has
+// runs of them side by side, all as long, so that what it places and answers stays in its own cache. Goes out: forces
+// at skin points, lists of what touches and what changed, sums of energy, with the bits of one row after the other: a
+// body all of whose rows are in one run gets their forces as they are found, in the order of rows; those on others are
+// kept, and added run by run once all are answered. What rows give off is added in their order too.
 #pragma once
 
 #include "world/model.hpp"

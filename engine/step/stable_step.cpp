@@ -91,8 +91,8 @@ struct BodyRange {
   }
 };
 
-/// Normal and shear springs of a contact for those of its bodies that are in `range`. `face`: skin points of either side's face; {-1, -1}
-/// where the contact is of general shape.
+/// Normal and shear springs of a contact for those of its bodies that are in `range`. `face`: skin points of either
+/// side's face; {-1, -1} where the contact is of general shape.
 void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& work, const BodyRange& range,
                  const NearPair& pair, const ContactSprings& c, const std::array<std::array<int, 2>, 2>& face,
                  Locals& locals) {

@@ -1,4 +1,5 @@
-// What contacts of general shape came to: a table with a place for each row that may touch, and a list of those that do.
+// What contacts of general shape came to: a table with a place for each row that may touch, and a list of those that
+// do.
 //
 // Threads write to the places of their own rows, and the list alone is put together once all are answered: nothing is
 // moved.

@@ -259,46 +259,46 @@ struct Work {
   SolidWork<D> solids;  ///< in space
 
   // Writer: respond
-  Contacts<D> contacts;                    ///< [contact] trial
-  std::vector<BearingMemory<D>> bearing;   ///< [bearing] trial
-  std::vector<double> stood_for;           ///< [bearing] see BearingMemory; empty where none stands for a contact [m]
-  std::vector<int> face_rows, fresh_rows;  ///< of a batch: rows that touched or may touch now; the latter alone
-  std::vector<SortedRows> sorted_rows;     ///< room, by stretch
-  std::vector<FourFaces> four_faces;       ///< room for what threads take ...
-  std::vector<FourForces> four_forces;     ///< ... and their forces
-  RowShares row_shares;                    ///< of the rows of faces, between them
-  std::vector<RowRun> row_runs;            ///< of a batch, room
-  std::vector<int> general_now;            ///< rows that were to be faces and are of general shape now
-  std::vector<Vec2> answer_force;          ///< room of `answer` N
-  std::vector<std::uint8_t> is_general;    ///< [contact] room: 1: one of those or of `general`
-  std::vector<int> awake_rows;             ///< those of them that are worked on
-  std::vector<int> awake_counts;           ///< room: how many of them are in each stretch of rows
-  std::vector<GeneralRun<D>> general_runs;  ///< of these, in space of all
-  std::vector<std::uint8_t> at_border;     ///< room: 1: a body has rows in several runs
-  std::vector<std::uint8_t> meets;         ///< room, by row: 1: a ridge lies in the other piece
-  std::vector<MetRow<D>> met;              ///< those rows, see step/met_ridges.hpp
-  std::vector<OverlapAnswer> answer;       ///< of rows that threads take
-  PlacedPieces placed;                     ///< the pieces of these rows
-  GeneralContacts<D> general_touching;     ///< those of them that touch
-  std::vector<int> changed_rows;           ///< rows that began or ceased to touch, or lost a bond
-  std::vector<Vec<D>> skin_force;                   ///< [skin] N; in space none
-  std::vector<Vec<D>> bearing_force;                ///< [bearing] on body b, in world axes N
-  std::vector<Moment<D>> bearing_moment;            ///< [bearing] on body b N m
-  std::vector<Vec<D>> bearing_displacement;         ///< [bearing] in its axes, as its limits count it [m]
-  Energy given;                                     ///< trial: energy given off and put in up to this instant J
-  std::vector<double> bearing_energy;               ///< [bearing] elastic energy J
-  double bearing_stored = 0;                        ///< their sum J
+  Contacts<D> contacts;                      ///< [contact] trial
+  std::vector<BearingMemory<D>> bearing;     ///< [bearing] trial
+  std::vector<double> stood_for;             ///< [bearing] see BearingMemory; empty where none stands for a contact [m]
+  std::vector<int> face_rows, fresh_rows;    ///< of a batch: rows that touched or may touch now; the latter alone
+  std::vector<SortedRows> sorted_rows;       ///< room, by stretch
+  std::vector<FourFaces> four_faces;         ///< room for what threads take ...
+  std::vector<FourForces> four_forces;       ///< ... and their forces
+  RowShares row_shares;                      ///< of the rows of faces, between them
+  std::vector<RowRun> row_runs;              ///< of a batch, room
+  std::vector<int> general_now;              ///< rows that were to be faces and are of general shape now
+  std::vector<Vec2> answer_force;            ///< room of `answer` N
+  std::vector<std::uint8_t> is_general;      ///< [contact] room: 1: one of those or of `general`
+  std::vector<int> awake_rows;               ///< those of them that are worked on
+  std::vector<int> awake_counts;             ///< room: how many of them are in each stretch of rows
+  std::vector<GeneralRun<D>> general_runs;   ///< of these, in space of all
+  std::vector<std::uint8_t> at_border;       ///< room: 1: a body has rows in several runs
+  std::vector<std::uint8_t> meets;           ///< room, by row: 1: a ridge lies in the other piece
+  std::vector<MetRow<D>> met;                ///< those rows, see step/met_ridges.hpp
+  std::vector<OverlapAnswer> answer;         ///< of rows that threads take
+  PlacedPieces placed;                       ///< the pieces of these rows
+  GeneralContacts<D> general_touching;       ///< those of them that touch
+  std::vector<int> changed_rows;             ///< rows that began or ceased to touch, or lost a bond
+  std::vector<Vec<D>> skin_force;            ///< [skin] N; in space none
+  std::vector<Vec<D>> bearing_force;         ///< [bearing] on body b, in world axes N
+  std::vector<Moment<D>> bearing_moment;     ///< [bearing] on body b N m
+  std::vector<Vec<D>> bearing_displacement;  ///< [bearing] in its axes, as its limits count it [m]
+  Energy given;                              ///< trial: energy given off and put in up to this instant J
+  std::vector<double> bearing_energy;        ///< [bearing] elastic energy J
+  double bearing_stored = 0;                 ///< their sum J
 
   // Writer: resist
-  std::vector<PointMemory<D>> plastic;            ///< [plastic point] trial
-  std::vector<double> beam_memory;                ///< trial
-  std::vector<Vec<D>> element_force;              ///< [node] of elastic and plastic stress N; empty without elements
-  std::vector<Vec<D>> element_damping;            ///< [node] of the dampings of elements N
-  std::vector<Moment<D>> element_moment;          ///< [node] of beams N m; empty without them
-  std::vector<Moment<D>> element_damping_moment;  ///< [node] N m
-  std::vector<ElementEnergy> element_energy;      ///< room, by stretch of elements
-  std::vector<SpaceElementAnswer> element_answer;     ///< room, by element in space that threads take
-  double element_stored = 0;                          ///< elastic energy of elements J
+  std::vector<PointMemory<D>> plastic;             ///< [plastic point] trial
+  std::vector<double> beam_memory;                 ///< trial
+  std::vector<Vec<D>> element_force;               ///< [node] of elastic and plastic stress N; empty without elements
+  std::vector<Vec<D>> element_damping;             ///< [node] of the dampings of elements N
+  std::vector<Moment<D>> element_moment;           ///< [node] of beams N m; empty without them
+  std::vector<Moment<D>> element_damping_moment;   ///< [node] N m
+  std::vector<ElementEnergy> element_energy;       ///< room, by stretch of elements
+  std::vector<SpaceElementAnswer> element_answer;  ///< room, by element in space that threads take
+  double element_stored = 0;                       ///< elastic energy of elements J
 
   // Writer: apply_loads. All empty where Model::loaded() is false.
   std::vector<Vec<D>> load;            ///< [node] all forces from outside but weight, steady ones included N
