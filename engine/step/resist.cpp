@@ -186,14 +186,16 @@ void list_element_stretches(const Model<2>& model, Work<2>& work) {
   }
 }
 
-/// Nothing on the nodes of the bodies of a stretch yet.
+/// Nothing on the nodes of the bodies of a stretch yet; on no node, where it has all elements.
 void clear_nodes(const ElementPass& pass, const ElementRange& stretch) {
   const std::vector<Element>& all = pass.model.elements;
-  const Body& first = pass.model.bodies[all[stretch.first].body];
-  const Body& last = pass.model.bodies[all[stretch.first + stretch.count - 1].body];
-  const int nodes = last.first_node + last.nodes - first.first_node;
-  std::fill_n(pass.work.element_force.begin() + first.first_node, nodes, Vec2::Zero());
-  std::fill_n(pass.work.element_damping.begin() + first.first_node, nodes, Vec2::Zero());
+  int from = 0, to = pass.model.nodes();
+  if (static_cast<std::size_t>(stretch.count) < all.size()) {
+    const Body& last = pass.model.bodies[all[stretch.first + stretch.count - 1].body];
+    from = pass.model.bodies[all[stretch.first].body].first_node, to = last.first_node + last.nodes;
+  }
+  std::fill_n(pass.work.element_force.begin() + from, to - from, Vec2::Zero());
+  std::fill_n(pass.work.element_damping.begin() + from, to - from, Vec2::Zero());
 }
 
 /// The elements of a stretch, which may lie in several batches.
