@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "base/four_by_four.hpp"
+#include "base/lane_rows.hpp"
 #include "base/space.hpp"
 
 namespace trilith {
@@ -17,19 +17,12 @@ struct alignas(32) EdgeRow {
   double x, y, nx, ny;
 };
 
-/// Four numbers that stand on 32 bytes.
-TRILITH_INLINE Lanes load_four(const double* four) {
-  Lanes v;
-  __builtin_memcpy(&v, __builtin_assume_aligned(four, 32), sizeof v);
-  return v;
-}
-
 /// The corners that four edges begin at and their unit outward normals, a lane each.
 struct alignas(32) EdgeLanes {
   Lanes x, y, nx, ny;
 
   TRILITH_INLINE EdgeLanes(const EdgeRow& e0, const EdgeRow& e1, const EdgeRow& e2, const EdgeRow& e3) {
-    const FourByFour rows(load_four(&e0.x), load_four(&e1.x), load_four(&e2.x), load_four(&e3.x));
+    const FourByFour rows(load_lanes(&e0.x), load_lanes(&e1.x), load_lanes(&e2.x), load_lanes(&e3.x));
     x = rows.v[0], y = rows.v[1], nx = rows.v[2], ny = rows.v[3];
   }
   /// Of edges side by side.

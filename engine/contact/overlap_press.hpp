@@ -158,8 +158,8 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
     owners[i] = owns.row + s[i]->face, past_owners[i] = owns.row + edge_after(b_walks ? a : b, s[i]->face);
     sign[i] = s[i]->walker_is_b ? 1.0 : -1.0;
   }
-  const FourByFour parts(load_four(&s[0]->span.from), load_four(&s[1]->span.from), load_four(&s[2]->span.from),
-                         load_four(&s[3]->span.from));
+  const FourByFour parts(load_lanes(&s[0]->span.from), load_lanes(&s[1]->span.from), load_lanes(&s[2]->span.from),
+                         load_lanes(&s[3]->span.from));
   const Lanes from = parts.v[0], to = parts.v[1], d0 = parts.v[2], d1 = parts.v[3];
   const EdgeColumns walker{EdgeLanes(walkers), EdgeLanes(past_walkers)},
       owner{EdgeLanes(owners), EdgeLanes(past_owners)};

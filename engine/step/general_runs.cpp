@@ -15,12 +15,20 @@ namespace {
 constexpr int least_run = 32;
 /// Rows whose bodies several threads mark: some five microseconds.
 constexpr int least_marked = 2048;
+/// Of the last run: no body is of one that follows.
+constexpr int no_end = std::numeric_limits<int>::max();
 
 template <int D>
 void empty_run(int first, int last, GeneralRun<D>& run) {
   run.first = first, run.last = last;
-  run.end_body = std::numeric_limits<int>::max();
+  run.end_body = no_end;
   run.later.clear(), run.losses.clear(), run.touching.clear(), run.changed.clear();
+}
+
+/// True where one run has all rows, so that nobody else adds to anything.
+template <int D>
+bool one_has_all(const Work<D>& work) {
+  return work.general_runs.front().end_body == no_end;
 }
 
 /// Marks the bodies of a run's rows that belong to runs after it. Several threads may say so of one body.
@@ -34,21 +42,25 @@ void mark_border(const Model<D>& model, const GeneralRun<D>& run, Work<D>& work,
   }
 }
 
-/// Of so many rows, the i-th of which is of pair_at(i).
+/// part_general_rows() of so many rows, the i-th of which is of pair_at(i).
 template <int D, class PairAt>
-void part_rows(const Model<D>& model, Work<D>& work, int rows, PairAt&& pair_at) {
+int part_rows(const Model<D>& model, Work<D>& work, int rows, PairAt&& pair_at) {
   const int parts = work.threads <= 1 ? 1 : std::clamp(rows / least_run, 1, runs_a_thread * work.threads);
-  work.general_runs.resize(static_cast<std::size_t>(parts));
+  // Those that are too many now have no rows: lists that came and went would ask for their room within a step.
+  if (work.general_runs.size() < static_cast<std::size_t>(parts))
+    work.general_runs.resize(static_cast<std::size_t>(parts));
   work.general_touching.begin_anew(static_cast<std::size_t>(rows));
   const auto first_of = [&](int t) { return static_cast<int>(static_cast<std::int64_t>(rows) * t / parts); };
-  for (int t = 0; t < parts; ++t) empty_run(first_of(t), first_of(t + 1), work.general_runs[t]);
-  if (parts == 1) return;
+  for (int t = 0; t < static_cast<int>(work.general_runs.size()); ++t)
+    empty_run(first_of(std::min(t, parts)), first_of(std::min(t + 1, parts)), work.general_runs[t]);
+  if (parts == 1) return parts;
   for (int t = 0; t + 1 < parts; ++t)
     work.general_runs[t].end_body = model.piece_body[pair_at(first_of(t + 1)).piece_a];
   work.at_border.assign(model.bodies.size(), 0);
   share(rows < least_marked ? 1 : work.threads, parts, 1, [&](int first, int last, int /*thread*/) {
     for (int t = first; t < last; ++t) mark_border(model, work.general_runs[t], work, pair_at);
   });
+  return parts;
 }
 
 /// Where forces on the corners of a body go: to its skin points at once.
@@ -165,20 +177,20 @@ void join_runs(Work<D>& work) {
 
 }  // namespace
 
-void part_general_rows(const Model<2>& model, Work<2>& work) {
-  part_rows(model, work, static_cast<int>(work.awake_rows.size()),
-            [&](int i) -> const NearPair& { return work.pairs[work.awake_rows[i]]; });
+int part_general_rows(const Model<2>& model, Work<2>& work) {
+  return part_rows(model, work, static_cast<int>(work.awake_rows.size()),
+                   [&](int i) -> const NearPair& { return work.pairs[work.awake_rows[i]]; });
 }
 
-void part_general_rows(const Model<3>& model, Work<3>& work) {
-  part_rows(model, work, static_cast<int>(work.pairs.size()),
-            [&](int row) -> const NearPair& { return work.pairs[row]; });
+int part_general_rows(const Model<3>& model, Work<3>& work) {
+  return part_rows(model, work, static_cast<int>(work.pairs.size()),
+                   [&](int row) -> const NearPair& { return work.pairs[row]; });
 }
 
 void take_up(const Model<2>& model, Work<2>& work, GeneralRun<2>& run, int first, int last,
              const OverlapAnswer* answers) {
   const ForcesNow now{work.skin_force.data()};
-  if (work.general_runs.size() == 1) {
+  if (one_has_all(work)) {
     for (int i = first; i < last; ++i, ++answers) {
       if (!answers->counts) continue;
       give_off(loss_of(*answers), work.given);
@@ -198,7 +210,7 @@ void take_up(const Model<2>& model, Work<2>& work, GeneralRun<2>& run, int first
 
 void take_up(const Model<3>& model, Work<3>& work, GeneralRun<3>& run, int first, int last,
              const SolidAnswer* answers) {
-  const bool is_alone = work.general_runs.size() == 1;
+  const bool is_alone = one_has_all(work);
   const auto add = [&](int piece, int carrier, const Vec3& force, const Vec3& moment) {
     if (is_alone || work.at_border[model.piece_body[piece]] == 0)
       add_to_carrier(carrier, force, moment, work.solids);

@@ -13,9 +13,9 @@
 namespace trilith {
 
 /// Parts Work::awake_rows, in space all rows, into Work::general_runs: some for each thread, or one where more are not
-/// worth it. None touches yet.
-void part_general_rows(const Model<2>& model, Work<2>& work);
-void part_general_rows(const Model<3>& model, Work<3>& work);
+/// worth it. None touches yet. Returns how many of them have rows: the first ones.
+int part_general_rows(const Model<2>& model, Work<2>& work);
+int part_general_rows(const Model<3>& model, Work<3>& work);
 
 /// Adds what rows of a run came to, from `first` on to before `last`, one answer each.
 void take_up(const Model<2>& model, Work<2>& work, GeneralRun<2>& run, int first, int last,

@@ -174,15 +174,15 @@ KeptFour kept_at(Work<2>& work, std::size_t four) {
   return {&work.four_faces[four], &work.four_forces[four]};
 }
 
-/// `touched` of the rows come first and then the rest, both in their order: what of either belongs to each share, in
-/// the order in which they are added.
+/// `touched` of the rows come first and then the rest, both in their order: what of either belongs to each run of
+/// rows, in the order in which they are added.
 void list_runs(const RowShares& shares, std::span<const int> rows, std::size_t touched, std::vector<RowRun>& runs) {
   runs.clear();
   std::size_t four = 0;
   for (const auto& part : {rows.first(touched), rows.subspan(touched)})
     for (int t = 0; t < shares.runs(); ++t) {
-      const auto end_of = [&](int share) {
-        const auto at = std::lower_bound(part.begin(), part.end(), shares.first[static_cast<std::size_t>(share)]);
+      const auto end_of = [&](int run) {
+        const auto at = std::lower_bound(part.begin(), part.end(), shares.first[static_cast<std::size_t>(run)]);
         return static_cast<std::size_t>(part.data() - rows.data() + (at - part.begin()));
       };
       runs.push_back({end_of(t), end_of(t + 1), four});

@@ -370,13 +370,14 @@ void respond_general(const Model<2>& model, const State<2>& state, Work<2>& work
   list_rows(pass, work);
   place_none(model, work);
   meet_ridges(model, state, work, dt);
-  part_general_rows(model, work);
+  const int runs = part_general_rows(model, work);
   constexpr std::size_t forces = std::size_t{general_stretch} * 2 * max_piece_corners;
-  const std::size_t runs = work.general_runs.size();
-  work.answer.resize(runs * general_stretch), work.answer_force.resize(runs * forces);
-  share(work.threads, static_cast<int>(runs), 1, [&](int first, int last, int /*thread*/) {
-    for (auto r = static_cast<std::size_t>(first); r < static_cast<std::size_t>(last); ++r)
-      pass.respond_run(work.general_runs[r], &work.answer[r * general_stretch], &work.answer_force[r * forces]);
+  const auto rooms = static_cast<std::size_t>(std::clamp(work.threads, 1, most_threads));
+  work.answer.resize(rooms * general_stretch), work.answer_force.resize(rooms * forces);
+  share(work.threads, runs, 1, [&](int first, int last, int thread) {
+    const auto t = static_cast<std::size_t>(thread);
+    for (int r = first; r < last; ++r)
+      pass.respond_run(work.general_runs[r], &work.answer[t * general_stretch], &work.answer_force[t * forces]);
   });
   join_general_runs(work);
 }

@@ -338,9 +338,9 @@ void respond_general(const Model<3>& model, const State<3>& state, Work<3>& work
   solids.room.resize(static_cast<std::size_t>(work.threads));
   solids.answer.resize(static_cast<std::size_t>(work.threads) * solid_row_stretch);
   meet_ridges(model, state, work, dt);
-  part_general_rows(model, work);
+  const int runs = part_general_rows(model, work);
   const SolidPass pass{model, state, work, dt};
-  share(work.threads, static_cast<int>(work.general_runs.size()), 1, [&](int from, int to, int thread) {
+  share(work.threads, runs, 1, [&](int from, int to, int thread) {
     const auto t = static_cast<std::size_t>(thread);
     SolidAnswer* const answers = &solids.answer[t * solid_row_stretch];
     for (int r = from; r < to; ++r) {

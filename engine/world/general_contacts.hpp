@@ -70,7 +70,7 @@ class GeneralContacts {
   }
   /// To be written by whoever answers the row that has this place.
   [[nodiscard]] GeneralContact<D>& at(int place) { return table_[static_cast<std::size_t>(place)]; }
-  void list(int place) { listed_.push_back(place); }
+  /// Places of contacts that touch.
   void list(const std::vector<int>& places) { listed_.insert(listed_.end(), places.begin(), places.end()); }
 
  private:

@@ -122,7 +122,8 @@ struct LaterForce<3> {
   Vec3 force, moment;  ///< [N], [N m]
 };
 
-/// Rows of general shape that one thread answers one after the other; see step/general_runs.hpp.
+/// Rows of general shape that one thread answers one after the other; see step/general_runs.hpp. It may have none: its
+/// lists keep their room.
 template <int D>
 struct GeneralRun {
   int first, last;                   ///< in Work::awake_rows; in space rows
