@@ -243,32 +243,50 @@ SineCosine sine_cosine(double angle) {
   }
 }
 
-/// The same of four angles: each is reduced in both of the ways that there are for what is not far, and one is kept;
-/// sine and cosine change places and signs by their bits. What is far, or no number, is left to the other.
-[[gnu::target_clones("avx2", "default")]] FourTurns sines_cosines(const std::array<double, lane_count>& angle) {
-  Lanes of;
-  __builtin_memcpy(&of, angle.data(), sizeof of);
-  const LaneMask sign = bits_of(-Lanes{});
-  const Lanes size = magnitude(of);
-  ReducedTo<Lanes> reduced = reduce_near(of);
-  const LaneMask small = size <= Lanes{} + kLeastReduced;
-  reduced.high = select(small, of, reduced.high), reduced.low = select(small, Lanes{}, reduced.low);
-  reduced.quarters = reduced.quarters & ~small;
+namespace {
+
+/// Of four angles at once.
+struct FourTurns {
+  Lanes sine, cosine;
+};
+
+/// The same of four angles that are not far: each is reduced in both of the ways that there are for those, unless all
+/// are small, and one is kept; sine and cosine change places and signs by their bits.
+TRILITH_INLINE FourTurns turns_of(const Lanes& of) {
+  const LaneMask sign = bits_of(-Lanes{}), small = magnitude(of) <= Lanes{} + kLeastReduced;
+  ReducedTo<Lanes> reduced{of, Lanes{}, LaneMask{}};
+  if (any(flip(small))) {
+    reduced = reduce_near(of);
+    reduced.high = select(small, of, reduced.high), reduced.low = select(small, Lanes{}, reduced.low);
+    reduced.quarters = reduced.quarters & ~small;
+  }
   const Sums<Lanes> found = sums(reduced);
   const LaneMask s = (bits_of(found.sine.high + found.sine.low) & ~sign) | (bits_of(reduced.high) & sign),
                  c = bits_of(found.cosine.high + found.cosine.low);
   const LaneMask odd = (reduced.quarters & 1) != LaneMask{}, upper = (reduced.quarters & 2) != LaneMask{};
   const LaneMask sine = ((odd & c) | (~odd & s)) ^ (upper & sign),
                  cosine = ((odd & s) | (~odd & c)) ^ ((odd ^ upper) & sign);
-  FourTurns out;
-  __builtin_memcpy(out.sine.data(), &sine, sizeof sine);
-  __builtin_memcpy(out.cosine.data(), &cosine, sizeof cosine);
-  for (std::size_t i = 0; i < angle.size(); ++i) {
-    if (std::abs(angle[i]) <= kMostNear) continue;
-    const SineCosine one = sine_cosine(angle[i]);
-    out.sine[i] = one.sine, out.cosine[i] = one.cosine;
+  return {Lanes(sine), Lanes(cosine)};
+}
+
+}  // namespace
+
+/// Four at a time; what is far, or no number, is left to the one above.
+[[gnu::target_clones("avx2", "default")]] void sines_cosines(const double* angle, std::size_t count, double* sine,
+                                                             double* cosine) {
+  for (std::size_t i = 0; i < count; i += lane_count) {
+    Lanes of;
+    __builtin_memcpy(&of, angle + i, sizeof of);
+    const FourTurns four = turns_of(of);
+    __builtin_memcpy(sine + i, &four.sine, sizeof of);
+    __builtin_memcpy(cosine + i, &four.cosine, sizeof of);
+    if (!any(flip(magnitude(of) <= Lanes{} + kMostNear))) continue;
+    for (std::size_t k = i; k < i + lane_count; ++k) {
+      if (std::abs(angle[k]) <= kMostNear) continue;
+      const SineCosine one = sine_cosine(angle[k]);
+      sine[k] = one.sine, cosine[k] = one.cosine;
+    }
   }
-  return out;
 }
 
 double tan(double angle) {

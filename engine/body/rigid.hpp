@@ -30,38 +30,50 @@ TRILITH_INLINE LanePair squared_sizes(const LanePair& a, const LanePair& b) {
 class SkinReach {
  public:
   /// `drift`: beside which `step` is counted [m].
-  explicit SkinReach(const Vec2& drift) : drift_{drift.x(), drift.y()} {}
+  TRILITH_INLINE explicit SkinReach(const LanePair& drift) : drift_(drift) {}
 
-  TRILITH_INLINE void add(const LanePair& rate, const LanePair& moved) {
-    const LanePair sizes = squared_sizes(rate, moved), beside = moved - drift_, steps = beside * beside;
+  /// Where a point is and how fast it moves, (x, y, u, v), and the same of before.
+  TRILITH_INLINE void add(const Lanes& now, const Lanes& before) {
+    const Lanes moved = now - before, of = __builtin_shufflevector(moved, now, 0, 1, 6, 7), squares = of * of;
+    const Lanes sizes = squares + __builtin_shufflevector(squares, squares, 1, 0, 3, 2);
+    const LanePair way = LanePair{moved[0], moved[1]} - drift_, beside = way < LanePair{} ? -way : way;
     most2_ = sizes > most2_ ? sizes : most2_;
-    step2_ = steps > step2_ ? steps : step2_;
+    step_ = beside > step_ ? beside : step_;
   }
-  [[nodiscard]] double speed2() const { return most2_[0]; }  ///< the largest square [m2/s2]
-  [[nodiscard]] double path2() const { return most2_[1]; }   ///< likewise [m2]
+  [[nodiscard]] TRILITH_INLINE double speed2() const { return most2_[2]; }  ///< the largest square [m2/s2]
+  [[nodiscard]] TRILITH_INLINE double path2() const { return most2_[0]; }   ///< likewise [m2]
   /// The most along x and along y [m].
-  [[nodiscard]] TRILITH_INLINE LanePair step() const { return root(step2_); }
+  [[nodiscard]] TRILITH_INLINE LanePair step() const { return step_; }
 
  private:
-  LanePair drift_, most2_{}, step2_{};
+  LanePair drift_, step_{};
+  Lanes most2_{};
 };
 
+/// A skin point's (x, y, u, v) [m], [m/s], side by side at a multiple of 32.
+TRILITH_INLINE Lanes load_point(const double* x) {
+  Lanes v;
+  __builtin_memcpy(&v, __builtin_assume_aligned(x, 32), sizeof v);
+  return v;
+}
+TRILITH_INLINE void store_point(double* x, const Lanes& v) {
+  __builtin_memcpy(__builtin_assume_aligned(x, 32), &v, sizeof v);
+}
+
 /// place: skin points fixed in the body's axes to where they are and how fast they move.
-/// `turn`: of the node's rotation. `Point` has x, y [m], u, v [m/s], side by side at a multiple of 16; of before, and
-/// overwritten. `reach`: taken up.
+/// `turn`: of the node's rotation. `Point`: see load_point; of before, and overwritten. `reach`: taken up.
 template <class Point>
-void place_rigid(const NodeMotion<2>& node, const portable::SineCosine& turn, std::span<const Vec2> skin,
-                 std::span<Point> out, SkinReach& reach) {
+TRILITH_INLINE void place_rigid(const NodeMotion<2>& node, const portable::SineCosine& turn, std::span<const Vec2> skin,
+                                std::span<Point> out, SkinReach& reach) {
   const auto [s, c] = turn;
-  const LanePair to_x{c, s}, to_y{-s, c}, spin{-node.spin, node.spin};  // columns of the turn; spin x (y, x)
-  const LanePair origin{node.position.x(), node.position.y()}, velocity{node.velocity.x(), node.velocity.y()};
+  // Columns of the turn, to (x, y, y, x); then (x, y) as they are and (y, x) times the spin.
+  const Lanes to_x{c, s, s, c}, to_y{-s, c, c, -s}, spin{1, 1, -node.spin, node.spin};
+  const Lanes origin{node.position.x(), node.position.y(), node.velocity.x(), node.velocity.y()};
   for (std::size_t i = 0; i < skin.size(); ++i) {
     const double x = skin[i].x(), y = skin[i].y();
-    const LanePair arm = to_x * x + to_y * y;
-    const LanePair rate = velocity + spin * __builtin_shufflevector(arm, arm, 1, 0), place = origin + arm;
-    reach.add(rate, place - load_pair(&out[i].x));
-    store_pair(&out[i].x, place);
-    store_pair(&out[i].u, rate);
+    const Lanes now = origin + spin * (to_x * x + to_y * y);
+    reach.add(now, load_point(&out[i].x));
+    store_point(&out[i].x, now);
   }
 }
 
@@ -73,7 +85,7 @@ struct NodeLoad {
 
 /// spread: forces at skin points to the force and moment at the node; the transpose of `place`.
 template <class Point>
-NodeLoad spread_rigid(const Vec2& node, std::span<const Point> skin, std::span<const Vec2> skin_force) {
+TRILITH_INLINE NodeLoad spread_rigid(const Vec2& node, std::span<const Point> skin, std::span<const Vec2> skin_force) {
   const LanePair origin{node.x(), node.y()};
   LanePair sum{};
   double moment = 0;

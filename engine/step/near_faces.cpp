@@ -149,13 +149,13 @@ SortedRows sort_stretch(const FaceLine& line, const ContactHistory& before, cons
   int* const end = fresh + stretch_room;
   std::size_t touched = 0, rest = 0, tumbling = 0;
   std::uint32_t seen = 0;
+  static_assert(contact_touching == 1 && contact_kept == 4);
   for (std::size_t i = 0; i < count; ++i) {  // without branches: which rows touch is hard to guess
     const int row = facing[i];
-    const std::uint32_t state = before.memory[row].state;
-    const bool was = (state & (contact_touching | contact_kept)) != 0;
+    const std::uint32_t state = before.memory[row].state, was = (state | state >> 2) & 1;
     rows[touched] = fresh[rest] = row;
-    touched += was ? 1 : 0;
-    rest += was ? 0 : 1;
+    touched += was;
+    rest += was ^ 1;
     seen |= state;
   }
   if ((seen & contact_general) != 0) {  // in a wall that stands there is none

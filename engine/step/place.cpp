@@ -12,32 +12,32 @@
 namespace trilith {
 namespace {
 
+/// Puts a skin point where it is now.
+TRILITH_INLINE void place_point(const Vec2& x, const Vec2& v, SkinMotion<2>& skin, SkinReach& reach) {
+  const Lanes now{x.x(), x.y(), v.x(), v.y()};
+  reach.add(now, load_point(&skin.x));
+  store_point(&skin.x, now);
+}
+
 /// place of a body whose skin points are its nodes.
-void place_nodes(const State<2>& state, const BodyRow& body, Work<2>& work, SkinReach& reach) {
-  for (int i = 0; i < body.skins; ++i) {
-    const Vec2 &x = state.position[body.node + i], &v = state.velocity[body.node + i];
-    SkinMotion<2>& skin = work.skin[body.skin + i];
-    reach.add(load_pair(v.data()), load_pair(x.data()) - load_pair(&skin.x));
-    skin = {x.x(), x.y(), v.x(), v.y()};
-  }
+TRILITH_INLINE void place_nodes(const State<2>& state, const BodyRow& body, Work<2>& work, SkinReach& reach) {
+  for (int i = 0; i < body.skins; ++i)
+    place_point(state.position[body.node + i], state.velocity[body.node + i], work.skin[body.skin + i], reach);
 }
 
 /// place of a frame: each skin point turns with the node of its section.
-void place_sections(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work,
-                    SkinReach& reach) {
+TRILITH_INLINE void place_sections(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work,
+                                   SkinReach& reach) {
   for (int s = body.skin; s < body.skin + body.skins; ++s) {
     const int n = model.skin_node[s], t = model.skin_turn[s];
     const Vec2 arm = Turn(state.rotation[t]).apply(model.skin_place[s]);
-    const Vec2 x = state.position[n] + arm, v = state.velocity[n] + cross(state.spin[t], arm);
-    SkinMotion<2>& skin = work.skin[s];
-    reach.add(LanePair{v.x(), v.y()}, LanePair{x.x(), x.y()} - load_pair(&skin.x));
-    skin = {x.x(), x.y(), v.x(), v.y()};
+    place_point(state.position[n] + arm, state.velocity[n] + cross(state.spin[t], arm), work.skin[s], reach);
   }
 }
 
 /// place of a rigid body. `turn`: of its node's rotation.
-void place_one_node(const Model<2>& model, const State<2>& state, const BodyRow& body, const portable::SineCosine& turn,
-                    Work<2>& work, SkinReach& reach) {
+TRILITH_INLINE void place_one_node(const Model<2>& model, const State<2>& state, const BodyRow& body,
+                                   const portable::SineCosine& turn, Work<2>& work, SkinReach& reach) {
   const int n = body.node;
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
   place_rigid(NodeMotion<2>{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]}, turn,
@@ -45,8 +45,8 @@ void place_one_node(const Model<2>& model, const State<2>& state, const BodyRow&
 }
 
 /// `turn`: of the rotation of its first node, where the body is rigid.
-void place_body(const Model<2>& model, const State<2>& state, const BodyRow& body, const portable::SineCosine& turn,
-                Work<2>& work, SkinReach& reach) {
+TRILITH_INLINE void place_body(const Model<2>& model, const State<2>& state, const BodyRow& body,
+                               const portable::SineCosine& turn, Work<2>& work, SkinReach& reach) {
   switch (body.layout) {
     case SkinLayout::one_node:
       return place_one_node(model, state, body, turn, work, reach);
@@ -57,14 +57,21 @@ void place_body(const Model<2>& model, const State<2>& state, const BodyRow& bod
   }
 }
 
-/// The sines and cosines by which four bodies are turned that stand side by side in the list; beyond its end none are.
-portable::FourTurns turns_of(const State<2>& state, const Work<2>& work, int first) {
-  std::array<double, lane_count> angle{};
-  for (std::size_t i = 0; i < angle.size() && first + i < work.body.size(); ++i)
-    if (const BodyRow& body = work.body[first + i]; body.layout == SkinLayout::one_node)
-      angle[i] = state.rotation[body.node];
-  return portable::sines_cosines(angle);
-}
+/// What threads take at a time: some two microseconds.
+constexpr int body_stretch = 64;
+
+/// The sines and cosines by which the rigid ones of some bodies are turned that stand side by side in the list.
+struct BodyTurns {
+  alignas(32) std::array<double, body_stretch> sine, cosine;
+
+  BodyTurns(const State<2>& state, const BodyRow* body, std::size_t count) {
+    alignas(32) std::array<double, body_stretch> angle{};
+    for (std::size_t i = 0; i < count; ++i)
+      if (body[i].layout == SkinLayout::one_node) angle[i] = state.rotation[body[i].node];
+    const std::size_t whole = (count + lane_count - 1) / lane_count * lane_count;
+    portable::sines_cosines(angle.data(), whole, sine.data(), cosine.data());
+  }
+};
 
 /// True where some node of the body is free to move.
 bool moves(const Model<2>& model, const BodyRow& body) {
@@ -87,8 +94,23 @@ void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
   }
 }
 
-/// What threads take at a time: some two microseconds.
-constexpr int body_stretch = 64;
+/// Up to body_stretch bodies from `first` on; nothing is left of the forces on them. `drifted`: see SkinReach.
+[[gnu::target_clones("avx2", "default")]] void place_bodies(const Model<2>& model, const State<2>& state,
+                                                            const Vec2& drifted, std::size_t first, std::size_t count,
+                                                            Work<2>& work, PlacedReach<2>& to) {
+  const BodyRow* const bodies = work.body.data() + first;
+  const BodyTurns turns(state, bodies, count);
+  const LanePair drift{drifted.x(), drifted.y()};
+  for (std::size_t i = 0; i < count; ++i) {
+    const BodyRow& body = bodies[i];
+    SkinReach of(drift);
+    place_body(model, state, body, {turns.sine[i], turns.cosine[i]}, work, of);
+    // By the thread that will add to them, mostly.
+    std::fill_n(work.skin_force.begin() + body.skin, body.skins, Vec2::Zero());
+    to.add(of, [&] { return moves(model, body); });
+    to.follow(of.step(), work.search.left[first + i]);
+  }
+}
 
 PlacedReach<2> place_all(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.skin.resize(model.skin_place.size());
@@ -99,18 +121,9 @@ PlacedReach<2> place_all(const Model<2>& model, const State<2>& state, Work<2>& 
   search.together += drift;
   const PlacedReach<2> reach = place_shared(
       work, static_cast<int>(work.body.size()), body_stretch, [&](int first, int last, PlacedReach<2>& to) {
-        portable::FourTurns turns;
-        for (int b = first; b < last; ++b) {
-          const auto lane = static_cast<std::size_t>((b - first) % lane_count);
-          if (lane == 0) turns = turns_of(state, work, b);
-          const BodyRow& body = work.body[static_cast<std::size_t>(b)];
-          SkinReach of(drift);
-          place_body(model, state, body, {turns.sine[lane], turns.cosine[lane]}, work, of);
-          // By the thread that will add to them, mostly.
-          std::fill_n(work.skin_force.begin() + body.skin, body.skins, Vec2::Zero());
-          to.add(of, [&] { return moves(model, body); });
-          to.follow(of.step(), search.left[static_cast<std::size_t>(b)]);
-        }
+        for (int b = first; b < last; b += body_stretch)
+          place_bodies(model, state, drift, static_cast<std::size_t>(b),
+                       static_cast<std::size_t>(std::min(last - b, body_stretch)), work, to);
       });
   work.skin_mean.clear();
   if (state.implicit()) place_means(model, state, work);

@@ -14,7 +14,7 @@ namespace trilith {
 namespace {
 
 /// spread of a body whose skin points are its nodes, and what its elements give.
-void spread_nodes(const BodyRow& body, Work<2>& work) {
+TRILITH_INLINE void spread_nodes(const BodyRow& body, Work<2>& work) {
   for (int i = 0; i < body.nodes; ++i) {
     const int n = body.node + i;
     work.force[n] = work.skin_force[body.skin + i] + work.element_force[n] + work.element_damping[n];
@@ -38,7 +38,7 @@ void spread_sections(const Model<2>& model, const State<2>& state, const BodyRow
 }
 
 /// spread of a rigid body.
-void spread_one_node(const State<2>& state, const BodyRow& body, Work<2>& work) {
+TRILITH_INLINE void spread_one_node(const State<2>& state, const BodyRow& body, Work<2>& work) {
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
   const NodeLoad load =
       spread_rigid(state.position[body.node], std::span<const SkinMotion<2>>(work.skin).subspan(first, count),
@@ -72,7 +72,7 @@ void spread_body(const Model<3>& model, const State<3>& /*state*/, const BodyRow
   }
 }
 
-void spread_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
+TRILITH_INLINE void spread_body(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
   switch (body.layout) {
     case SkinLayout::one_node:
       return spread_one_node(state, body, work);
@@ -109,7 +109,8 @@ struct alignas(64) LargestForces {
 
 /// Adds what acts from outside on the nodes from `first` to before `last`, and finds the largest forces carried and
 /// left over. Sizes are compared squared; the root keeps their order.
-void add_outside(const Model<2>& model, const Vec2& field, int first, int last, Work<2>& work, LargestForces& largest) {
+TRILITH_INLINE void add_outside(const Model<2>& model, const Vec2& field, int first, int last, Work<2>& work,
+                                LargestForces& largest) {
   const bool loaded = !work.load.empty();
   const Vec2* load = loaded ? work.load.data() : model.load.data();
   const LanePair pull{field.x(), field.y()};
@@ -157,6 +158,30 @@ void keep_larger(const LargestForces& of, LargestForces& largest) {
   largest.carried = std::max(largest.carried, of.carried);
 }
 
+/// Sums of the bodies from `first` to before `last`, and where all their forces are there by then what acts from
+/// outside.
+template <int D>
+TRILITH_INLINE void sum_each(const Model<D>& model, const State<D>& state, const Vec<D>& field, int first, int last,
+                             Work<D>& work, LargestForces& largest) {
+  const bool at_once = model.bearings.empty();
+  LargestForces of = largest;  // of its own: no force that is written can change it
+  for (int b = first; b < last; ++b) {
+    const BodyRow body = work.body[static_cast<std::size_t>(b)];
+    spread_body(model, state, body, work);
+    if (at_once) add_outside(model, field, body.node, body.node + body.nodes, work, of);
+  }
+  largest = of;
+}
+[[gnu::target_clones("avx2", "default")]] void sum_bodies(const Model<2>& model, const State<2>& state,
+                                                          const Vec2& field, int first, int last, Work<2>& work,
+                                                          LargestForces& largest) {
+  sum_each(model, state, field, first, last, work, largest);
+}
+void sum_bodies(const Model<3>& model, const State<3>& state, const Vec3& field, int first, int last, Work<3>& work,
+                LargestForces& largest) {
+  sum_each(model, state, field, first, last, work, largest);
+}
+
 /// Bodies and nodes that threads take at a time: some microseconds.
 constexpr int summed_stretch = 128;
 
@@ -165,20 +190,15 @@ constexpr int summed_stretch = 128;
 template <int D>
 LargestForces sum_all(const Model<D>& model, const State<D>& state, Work<D>& work) {
   const Vec<D> field = model.gravity.at(state.time);
-  const bool at_once = model.bearings.empty();
   std::array<LargestForces, most_threads> by{};
   share(work.threads, static_cast<int>(work.body.size()), summed_stretch, [&](int first, int last, int thread) {
     LargestForces largest;
-    for (int b = first; b < last; ++b) {
-      const BodyRow& body = work.body[static_cast<std::size_t>(b)];
-      spread_body(model, state, body, work);
-      if (at_once) add_outside(model, field, body.node, body.node + body.nodes, work, largest);
-    }
+    sum_bodies(model, state, field, first, last, work, largest);
     keep_larger(largest, by[static_cast<std::size_t>(thread)]);
   });
   LargestForces largest;
   for (const LargestForces& one : by) keep_larger(one, largest);
-  if (at_once) return largest;
+  if (model.bearings.empty()) return largest;
   for (std::size_t i = 0; i < model.bearings.size(); ++i) spread_bearing(model, state, work, i);
   add_outside(model, field, 0, model.nodes(), work, largest);
   return largest;
