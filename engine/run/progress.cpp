@@ -104,6 +104,8 @@ std::string stage_text(const StageReport& report, double wall) {
                                 span, grouped(report.steps), step_text(report.shortest_dt, report.longest_dt));
   out += fmt::format(", {:.3g} s of wall clock", wall);
   if (wall > 0 && span > 0) out += fmt::format(" ({:.3g} x real time)", span / wall);
+  if (report.threads > 1) out += fmt::format(", {} threads", report.threads);
+  if (report.threads > 1 && report.thread_gain > 0) out += fmt::format(": {:.2g} times one", report.thread_gain);
   return out;
 }
 

@@ -45,7 +45,8 @@ std::string status_text(const Instant<D>& now, const Pace& pace, double zero = 0
 /// "0:45", "2:03:10": a duration in wall clock [s].
 std::string duration_text(double seconds);
 
-/// "shaking ended (rest) after 12.4 s in 124,310 steps of 0.1 to 0.2 ms, 8.1 s of wall clock (1.53 x real time)".
+/// "shaking ended (rest) after 12.4 s in 124,310 steps of 0.1 to 0.2 ms, 8.1 s of wall clock (1.53 x real time), 2
+/// threads: 1.6 times one".
 std::string stage_text(const StageReport& report, double wall);
 
 enum class EventShow { none, important, all };

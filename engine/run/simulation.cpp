@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -302,6 +303,27 @@ void Simulation<D>::get_stuck(const RunListener<D>& listener) {
   tell_end(listener, now);
 }
 
+/// The same number of threads from one committed instant to the next; timed where they are still to be chosen. False
+/// where no step could be found.
+template <int D>
+bool Simulation<D>::step_in_time(double dt) {
+  using Clock = std::chrono::steady_clock;
+  work_.threads = threads_.threads();
+  const Clock::time_point began = threads_.is_open() ? Clock::now() : Clock::time_point{};
+  const Energy before = state_.implicit() ? energy() : Energy{};
+  commit(model_, state_, work_, times_);
+  if (!take_step(dt, before)) return false;
+  refresh();
+  if (threads_.is_open()) threads_.took(std::chrono::duration<double>(Clock::now() - began).count());
+  return true;
+}
+
+template <int D>
+void Simulation<D>::choose_threads(const ThreadChoice& choice) {
+  if (!choice.asks_as(threads_)) threads_ = choice;
+  work_.threads = threads_.threads();
+}
+
 /// From one step border to the next, or to the end of the stage.
 template <int D>
 void Simulation<D>::pass(const RunListener<D>& listener) {
@@ -336,10 +358,7 @@ void Simulation<D>::pass(const RunListener<D>& listener) {
   state_.dt = next_.dt;
   state_.safety = next_.safety;
   evaluated_ = false;
-  const Energy before = state_.implicit() ? energy() : Energy{};
-  commit(model_, state_, work_, times_);
-  if (!take_step(now.dt, before)) return get_stuck(listener);
-  refresh();
+  if (!step_in_time(now.dt)) return get_stuck(listener);
   tell_step(listener);
   if (times_ != nullptr) ++times_->steps;
   if (!listener.at_border) return;

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "base/team.hpp"
 #include "run/causes.hpp"
 #include "run/stage.hpp"
 #include "run/stage_progress.hpp"
+#include "run/thread_choice.hpp"
 #include "step/central_difference.hpp"
 #include "step/step_times.hpp"
 #include "step/sweep.hpp"
@@ -117,9 +117,11 @@ class Simulation {
 
   /// From now on adds where the time goes to `times`, which must outlive this; nullptr: no more.
   void measure(StepTimes* times) { times_ = times; }
-  /// How many threads may share a step, 1 to most_threads; as many of them do as there is work for. The bits are those
-  /// of one.
-  void use_threads(int threads) { work_.threads = std::clamp(threads, 1, most_threads); }
+  /// How many threads share a step, 1 to most_threads; as many of them do as there is work for. The bits are those of
+  /// one.
+  void use_threads(int threads) { choose_threads(ThreadChoice::always(threads)); }
+  /// The same, where it may be left open. What was found out by timing stays as long as the same is asked for.
+  void choose_threads(const ThreadChoice& choice);
   /// Asks a running stage to end at the next step border. May be called from a signal handler or another thread.
   void stop() { stop_.store(true, std::memory_order_relaxed); }
   /// Everything that can be read is of one instant from then on: the present state, evaluated, with the forces of the
@@ -148,6 +150,7 @@ class Simulation {
   void change_integrator(bool implicit);
   void leave_implicit();
   bool take_step(double dt, const Energy& energy);
+  bool step_in_time(double dt);
   bool step_implicitly(double dt, const Energy& energy);
   void get_stuck(const RunListener<D>& listener);
   [[nodiscard]] double whole_step() const;
@@ -169,6 +172,7 @@ class Simulation {
   std::optional<StageProgress> stage_;
   std::shared_ptr<const Model<D>> kept_model_;  // a copy of model_, where none was changed since
   StepTimes* times_ = nullptr;
+  ThreadChoice threads_;
   NextStep next_;           // found by refresh()
   SweptStep swept_;         // ... and what of it is taken
   RestDamping rest_;        // of the present stage, or of the last one

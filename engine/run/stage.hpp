@@ -62,6 +62,8 @@ struct StageReport {
   std::int64_t steps = 0;
   double shortest_dt = 0, longest_dt = 0;  ///< [s]
   double speed = 0, ratio = 0;             ///< fastest skin point and unbalanced ratio at the end
+  int threads = 1;                         ///< that shared a step at the end
+  double thread_gain = 0;                  ///< how many times as fast as one these were; 0: not timed
   std::optional<ScaledMass> scaled;        ///< with StageOptions::mass_scaling
   std::string reason;                      ///< in words, where it did not end as asked: what, where, what to try
   std::string found;                       ///< where it diverged: what and where alone

@@ -27,7 +27,8 @@ void Simulation<D>::tell(Event event, const RunListener<D>& listener, const Inst
 /// That the stage has ended; before it, why it is not to be trusted, where it is not.
 template <int D>
 void Simulation<D>::tell_end(const RunListener<D>& listener, const Instant<D>& now) {
-  const StageReport& report = stage_->report;
+  StageReport& report = stage_->report;
+  report.threads = threads_.chosen(), report.thread_gain = threads_.gain();
   if (report.end == StageEnd::diverged) tell(diverged_event(now, report), listener, now);
   if (report.end == StageEnd::not_at_rest && now.stage.must_rest) tell(unsettled_event(now), listener, now);
   tell(stage_event(EventType::stage_ended, now, fmt::format("{}: {}", now.stage.name, name_of(report.end))), listener,

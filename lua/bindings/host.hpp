@@ -11,6 +11,7 @@
 #include "results/results.hpp"
 #include "run/stage.hpp"
 #include "run/study.hpp"
+#include "run/thread_choice.hpp"
 #include "step/step_times.hpp"
 #include "world/verdict.hpp"
 
@@ -112,10 +113,10 @@ struct Host {
 
   /// Folder of the script, "." where it has none.
   [[nodiscard]] std::filesystem::path folder() const;
-  /// How many threads may share a step of a model that asks for `wanted` (0: it does not): those of the command line,
-  /// else these, else of the variable TRILITH_THREADS, else as many as the machine has. Throws InputError where the
+  /// How many threads share a step of a model that asks for `wanted` (0: it does not): those of the command line, else
+  /// these, else of the variable TRILITH_THREADS, else as many of the machine's as pay. Throws InputError where the
   /// variable is no such number.
-  [[nodiscard]] int threads_for(int wanted) const;
+  [[nodiscard]] ThreadChoice threads_for(int wanted) const;
   [[nodiscard]] results::Provenance provenance(const std::vector<std::string>& motions) const;
   /// Completes all results files or, where `error` is not "", leaves them as unfinished, with that reason. Tells the
   /// observer what became of them.

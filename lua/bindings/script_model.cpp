@@ -17,18 +17,18 @@ std::filesystem::path Host::folder() const {
   return parent.empty() ? "." : parent;
 }
 
-int Host::threads_for(int wanted) const {
-  if (threads > 0) return threads;
-  if (wanted > 0) return wanted;
+ThreadChoice Host::threads_for(int wanted) const {
+  if (threads > 0) return ThreadChoice::always(threads);
+  if (wanted > 0) return ThreadChoice::always(wanted);
   const char* const said = std::getenv("TRILITH_THREADS");
-  if (said == nullptr || *said == '\0') return threads_here();
+  if (said == nullptr || *said == '\0') return ThreadChoice::up_to(threads_here());
   const std::string text = said;
   const bool whole = text.size() <= 2 && text.find_first_not_of("0123456789") == std::string::npos;
   const int count = whole ? std::stoi(text) : 0;
   if (count < 1 || count > most_threads)
     throw InputError(
         fmt::format("the variable TRILITH_THREADS is '{}', must be a whole number from 1 to {}", text, most_threads));
-  return count;
+  return ThreadChoice::always(count);
 }
 
 results::Provenance Host::provenance(const std::vector<std::string>& motions) const {

@@ -292,7 +292,7 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
     note(said);
     if (host.observer != nullptr) host.observer->note(said);
   }
-  s.use_threads(host.threads_for(threads));
+  s.choose_threads(host.threads_for(threads));
   if (host.profile.wanted) {
     s.measure(&host.profile.times);
     host.profile.laws = s.model().law_names;

@@ -322,7 +322,7 @@ void push_report(lua_State* L, const StageReport& r) {
     lua_pushnumber(L, value);
     lua_setfield(L, -2, key);
   };
-  lua_createtable(L, 0, 13);
+  lua_createtable(L, 0, 15);
   lua_pushstring(L, r.name.c_str());
   lua_setfield(L, -2, "name");
   lua_pushstring(L, name_of(r.end));
@@ -339,6 +339,9 @@ void push_report(lua_State* L, const StageReport& r) {
   number("longest_dt", r.longest_dt);
   number("speed", r.speed);
   number("ratio", r.ratio);
+  lua_pushinteger(L, r.threads);
+  lua_setfield(L, -2, "threads");
+  number("thread_gain", r.thread_gain);
   if (r.scaled) {
     lua_createtable(L, 0, 6);
     number("bodies", r.scaled->bodies);

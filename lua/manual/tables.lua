@@ -13,6 +13,8 @@ shortest_dt  number s  shortest step
 longest_dt   number s  longest step
 speed        number m/s  fastest point at the end
 ratio        number    unbalanced force over the largest carried one
+threads      integer   that shared a step at the end
+thread_gain  number    how many times as fast as one these were; 0 where that was not timed
 mass_scaling  table?  bodies, share of added mass, most of a body, before (its step, s), energy and kinetic (J)]],
     event = [[
 type        text      such as "bearing.failed"

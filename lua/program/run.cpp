@@ -82,9 +82,10 @@ void add_run(CLI::App& app, int& code) {
   verb->add_option("--case", options->only, "run this case of the script's study alone, here")
       ->type_name("NUMBER")
       ->check(CLI::Validator(is_positive, "", ""));
-  verb->add_option("--threads", options->threads,
-                   "threads that may share a step, with the same bits; as many as the machine has where neither this, "
-                   "nor the script, nor TRILITH_THREADS says")
+  verb->add_option(
+          "--threads", options->threads,
+          "threads that share a step, with the same bits; as many as the machine has and as pay, which is timed, "
+          "where neither this, nor the script, nor TRILITH_THREADS says")
       ->type_name("NUMBER")
       ->check(CLI::Range(1, most_threads));
   verb->add_flag("--profile", options->profile,

@@ -1,0 +1,83 @@
+// How many threads share a step where that is left open: those that pay, by times that are made up here.
+#include "run/thread_choice.hpp"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+
+using namespace trilith;
+
+namespace {
+
+/// Steps of a machine on which `seconds`(threads) is what one takes; returns the seconds of all.
+double go(ThreadChoice& choice, int steps, const std::function<double(int)>& seconds) {
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double took = seconds(choice.threads());
+    choice.took(took), sum += took;
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("threads that were asked for are taken whatever they bring") {
+  ThreadChoice three = ThreadChoice::always(3);
+  CHECK_FALSE(three.is_open());
+  go(three, 5000, [](int threads) {
+    CHECK(threads == 3);
+    return threads;
+  });
+  CHECK(three.chosen() == 3);
+  CHECK(three.gain() == 0);  // nobody timed them
+  CHECK_FALSE(ThreadChoice::up_to(1).is_open());
+}
+
+TEST_CASE("a second thread is kept where it pays and dropped where it does not") {
+  for (const double gain : {0.5, 0.9, 1.03, 1.1, 1.8}) {
+    CAPTURE(gain);
+    ThreadChoice choice = ThreadChoice::up_to(2);
+    CHECK(choice.threads() == 2);
+    CHECK(choice.gain() == 0);  // nobody knows
+    const auto machine = [&](int threads) { return threads == 2 ? 1 / gain : 1; };
+    go(choice, 100, machine);
+    const bool pays = gain > 1.05;
+    CHECK(choice.chosen() == (pays ? 2 : 1));
+    CHECK(choice.gain() == doctest::Approx(pays ? gain : 1));
+    // Trying costs next to nothing, however bad the other is.
+    const double best = pays ? 1 / gain : 1;
+    CHECK(go(choice, 100000, machine) < 1.005 * 100000 * best);
+  }
+}
+
+TEST_CASE("of many threads those are found beyond which there is no gain") {
+  // Of sixteen, six bring the most in steps of a power of two: 4 or 8 are as good.
+  const auto machine = [](int threads) { return 1.0 / threads + 0.02 * threads; };
+  ThreadChoice choice = ThreadChoice::up_to(16);
+  go(choice, 20000, machine);
+  CHECK((choice.chosen() == 4 || choice.chosen() == 8));
+  ThreadChoice odd = ThreadChoice::up_to(12);
+  go(odd, 20000, [](int threads) { return 1.0 / threads; });
+  CHECK(odd.chosen() == 12);
+  CHECK(odd.gain() == 0);  // nothing was timed below 8
+}
+
+TEST_CASE("threads are given up as the machine gets busy and taken again afterwards") {
+  ThreadChoice choice = ThreadChoice::up_to(2);
+  const auto quiet = [](int threads) { return threads == 2 ? 0.6 : 1; };
+  const auto busy = [](int threads) { return threads == 2 ? 2.0 : 1; };
+  go(choice, 50000, quiet);
+  CHECK(choice.chosen() == 2);
+  go(choice, 20000, busy);
+  CHECK(choice.chosen() == 1);
+  CHECK(choice.gain() == 1);
+  go(choice, 20000, quiet);
+  CHECK(choice.chosen() == 2);
+}
+
+TEST_CASE("single steps that take long decide nothing") {
+  ThreadChoice choice = ThreadChoice::up_to(2);
+  int step = 0;
+  go(choice, 20000, [&](int threads) { return (++step % 7 == 0 ? 50.0 : 1.0) * (threads == 2 ? 0.7 : 1); });
+  CHECK(choice.chosen() == 2);
+}
