@@ -79,8 +79,8 @@ TRILITH_INLINE void place_rigid(const NodeMotion<2>& node, const portable::SineC
 
 /// What forces at skin points come to at the node.
 struct NodeLoad {
-  double x = 0, y = 0;  ///< [N]
-  double moment = 0;    ///< [N m]
+  LanePair force{};   ///< [N]
+  double moment = 0;  ///< [N m]
 };
 
 /// spread: forces at skin points to the force and moment at the node; the transpose of `place`.
@@ -95,7 +95,7 @@ TRILITH_INLINE NodeLoad spread_rigid(const Vec2& node, std::span<const Point> sk
     sum += force;
     moment += turning[0] - turning[1];
   }
-  return {sum[0], sum[1], moment};
+  return {sum, moment};
 }
 
 }  // namespace trilith

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "base/lanes.hpp"
 #include "step/contact_rows.hpp"
 #include "world/model.hpp"
 
@@ -55,40 +57,61 @@ inline ContactTangent spring_tangent(const Model<2>& model, int law, double dept
   return with_kernel(law_in_use(model, law), [&](const auto& kernel) { return kernel.tangent(depth); });
 }
 
-/// The largest eigenvalue of a symmetric matrix that has none below 0, from above: Newton's steps on its characteristic
-/// polynomial from the largest row sum on, which is at least as much, never pass it but by rounding. A few are enough,
-/// as what they leave is on the safe side.
-inline double largest_eigenvalue(const Eigen::Matrix3d& m) {
-  const auto minor = [&](int i, int j) { return m(i, i) * m(j, j) - m(i, j) * m(i, j); };
-  const double sum = m.trace(), minors = minor(0, 1) + minor(1, 2) + minor(2, 0), product = m.determinant();
-  double x = m.cwiseAbs().rowwise().sum().maxCoeff();
-  for (int i = 0; i < 6; ++i) {
-    const double height = ((x - sum) * x + minors) * x - product, slope = (3 * x - 2 * sum) * x + minors;
-    if (!(height > 0 && slope > 0)) break;
-    x -= height / slope;
+/// x^3 - sum x^2 + minors x - product of a symmetric matrix, and the largest root's bound that Newton's steps begin at.
+struct CharacteristicCubic {
+  double sum, minors, product, from;
+  explicit CharacteristicCubic(const Eigen::Matrix3d& m)
+      : sum(m.trace()), product(m.determinant()), from(m.cwiseAbs().rowwise().sum().maxCoeff()) {
+    const auto minor = [&](int i, int j) { return m(i, i) * m(j, j) - m(i, j) * m(i, j); };
+    minors = minor(0, 1) + minor(1, 2) + minor(2, 0);
   }
-  return x;
+};
+
+/// The largest eigenvalues of two symmetric matrices that have none below 0, from above: Newton's steps on their
+/// characteristic polynomials from the largest row sum on, which is at least as much, never pass them but by rounding.
+/// A few are enough, as what they leave is on the safe side. Of two, as each step waits for the one before.
+inline std::array<double, 2> largest_eigenvalues(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  const CharacteristicCubic of_a(a), of_b(b);
+  const LanePair sum{of_a.sum, of_b.sum}, minors{of_a.minors, of_b.minors}, product{of_a.product, of_b.product};
+  LanePair x{of_a.from, of_b.from};
+  for (int i = 0; i < 6; ++i) {
+    const LanePair height = ((x - sum) * x + minors) * x - product, slope = (3 * x - 2 * sum) * x + minors;
+    const auto goes = (height > LanePair{}) & (slope > LanePair{});
+    if ((goes[0] | goes[1]) == 0) break;
+    x = goes ? x - height / slope : x;
+  }
+  return {x[0], x[1]};
 }
 
-/// ... of what is free, scaled by mass and inertia [1/s2], [1/s]. `is_free`: along x, along y, turning; what is held or
-/// driven does not swing.
-inline double rate_bound(const Eigen::Matrix3d& m, double mass, double inertia, const std::array<bool, 3>& is_free) {
+/// ... of stiffness and damping `of` what is free, scaled by mass and inertia. `is_free`: along x, along y, turning;
+/// what is held or driven does not swing.
+inline RateBound rate_bound(const Local& of, double mass, double inertia, const std::array<bool, 3>& is_free) {
   const std::array<double, 3> scale = {1 / std::sqrt(mass), 1 / std::sqrt(mass), 1 / std::sqrt(inertia)};
-  Eigen::Matrix3d scaled = Eigen::Matrix3d::Zero();
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c)
-      if (is_free[r] && is_free[c]) scaled(r, c) = m(r, c) * scale[r] * scale[c];
-  return largest_eigenvalue(scaled);
+  Eigen::Matrix3d k = Eigen::Matrix3d::Zero(), c = Eigen::Matrix3d::Zero();
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      if (is_free[row] && is_free[column]) {
+        k(row, column) = of.k(row, column) * scale[row] * scale[column];
+        c(row, column) = of.c(row, column) * scale[row] * scale[column];
+      }
+  const auto [stiffness, damping] = largest_eigenvalues(k, c);
+  return {stiffness, damping};
 }
 
-/// The larger of `known` and the rate bound of a node's own springs. Where their trace, which is no less than any
-/// eigenvalue, is below what is known there is nothing to be found.
-inline double larger_rate(const Model<2>& model, int node, const Eigen::Matrix3d& m, double known) {
+/// The larger of `known` and the rate bounds of a node's own springs. Where their traces, which are no less than any
+/// eigenvalue, are below what is known there is nothing to be found.
+inline RateBound larger_rates(const Model<2>& model, int node, const Local& of, const RateBound& known) {
   const double mass = model.mass[node], inertia = model.inertia[node];
-  if ((m(0, 0) + m(1, 1)) / mass + (m(2, 2) > 0 ? m(2, 2) / inertia : 0) <= known) return known;
+  const auto trace = [&](const Eigen::Matrix3d& m) {
+    return (m(0, 0) + m(1, 1)) / mass + (m(2, 2) > 0 ? m(2, 2) / inertia : 0);
+  };
+  const bool stiffer = trace(of.k) > known.stiffness, damped = trace(of.c) > known.damping;
+  if (!stiffer && !damped) return known;
   const auto& s = model.support[node];
-  return std::max(known,
-                  rate_bound(m, mass, inertia, {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free}));
+  const RateBound own =
+      rate_bound(of, mass, inertia, {s[0] == Support::free, s[1] == Support::free, s[2] == Support::free});
+  return {stiffer ? std::max(known.stiffness, own.stiffness) : known.stiffness,
+          damped ? std::max(known.damping, own.damping) : known.damping};
 }
 
 }  // namespace trilith

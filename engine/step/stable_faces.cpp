@@ -90,7 +90,7 @@ RateBound around_outline(const Model<2>& model, int body) {
       add_spring(out, t, arm, stiffest.shear * length, stiffest.beta, length, t, 1);
     }
   constexpr std::array all{true, true, true};
-  return {rate_bound(out.k, whole.mass, whole.inertia, all), rate_bound(out.c, whole.mass, whole.inertia, all)};
+  return rate_bound(out, whole.mass, whole.inertia, all);
 }
 
 }  // namespace
@@ -106,8 +106,7 @@ void bound_faces(const Model<2>& model, Work<2>& work) {
       work.face_bound[b] = {local.k(0, 0), local.c(0, 0)};
       continue;
     }
-    const int node = model.bodies[b].first_node;
-    work.face_bound[b] = {larger_rate(model, node, local.k, 0), larger_rate(model, node, local.c, 0)};
+    work.face_bound[b] = larger_rates(model, model.bodies[b].first_node, local, {});
   }
 }
 

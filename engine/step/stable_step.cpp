@@ -222,25 +222,24 @@ RateBound rigid_rates(const Work<2>& work, int body, const Locals& locals) {
   const WholeBody<2>& whole = locals.body[body];
   if (!whole.moves()) return {};
   constexpr std::array all{true, true, true};
-  const auto bound = [&](const Eigen::Matrix3d& m) { return rate_bound(m, whole.mass, whole.inertia, all); };
+  const RateBound own = rate_bound(locals.whole[body], whole.mass, whole.inertia, all);
   const RateBound& around = work.around_bound[body];
-  return {std::max(bound(locals.whole[body].k), around.stiffness),
-          std::max(bound(locals.whole[body].c), around.damping)};
+  return {std::max(own.stiffness, around.stiffness), std::max(own.damping, around.damping)};
 }
 
 /// Of a body that moves.
 BodyRates rates_of(const Model<2>& model, const Work<2>& work, const Locals& locals, int b, bool as_rigid) {
   const Body& body = model.bodies[b];
   // Of its own stiffest face, or of what touches now, whichever is stiffer; its elements come on top of either.
-  double k = work.face_bound[b].stiffness, c = work.face_bound[b].damping;
+  RateBound contacts{work.face_bound[b].stiffness, work.face_bound[b].damping};
   // The largest of its nodes' bounds bounds the whole.
-  for (int node = body.first_node; node < body.first_node + body.nodes; ++node) {
-    if (!model.moves(node)) continue;
-    k = larger_rate(model, node, locals.node[node].k, k);
-    c = larger_rate(model, node, locals.node[node].c, c);
-  }
+  for (int node = body.first_node; node < body.first_node + body.nodes; ++node)
+    if (model.moves(node)) contacts = larger_rates(model, node, locals.node[node], contacts);
   const RateBound& own = model.element_bound[b];
-  BodyRates out{own, {k, c}, {}, step_for(k + own.stiffness, c + (own.damping + model.mass_damping))};
+  BodyRates out{own,
+                contacts,
+                {},
+                step_for(contacts.stiffness + own.stiffness, contacts.damping + (own.damping + model.mass_damping))};
   if (as_rigid && is_of_elements(body)) out.rigid = rigid_rates(work, b, locals);
   return out;
 }

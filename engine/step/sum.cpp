@@ -43,7 +43,7 @@ TRILITH_INLINE void spread_one_node(const State<2>& state, const BodyRow& body, 
   const NodeLoad load =
       spread_rigid(state.position[body.node], std::span<const SkinMotion<2>>(work.skin).subspan(first, count),
                    std::span<const Vec2>(work.skin_force).subspan(first, count));
-  work.force[body.node] = {load.x, load.y};
+  store_pair(work.force[body.node].data(), load.force);
   work.moment[body.node] = load.moment;
 }
 
