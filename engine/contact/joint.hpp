@@ -1,12 +1,10 @@
 // Two solids whose faces mortar holds together: a bond over each patch of the area they shared as it set.
 //
-//        b                                 What comes in: poses and motions of both bodies, what the joint remembers,
-//        the
-//    ____________________                  law. What goes out: the forces, what is left of each patch's bond, and the
-//   |____|____|____|_  _|                  energies given off. Each patch opens, slips and turns with the two bodies
-//   and
-//        a       ->  crack from one side   loses its bond for itself (contact/joint_patch.hpp); one that has lost it
-//                                          presses and rubs where it stands.
+//        b                          What comes in: poses and motions of both bodies, what the joint remembers, law.
+//    ____________________           What goes out: the forces, what is left of each patch's bond, and the energies
+//   |____|____|____|_  _|           given off. Each patch opens, slips and turns with the two bodies and loses its
+//        a       ->  crack from     bond for itself (contact/joint_patch.hpp); one that has lost it presses and rubs
+//                    one side       where it stands.
 //
 // The joint ends, and the two go on as any other solids, once no patch holds and the faces have parted, slid by a
 // hundredth of their width or turned further than faces that lie flat may.
