@@ -81,10 +81,11 @@ int deepest_corner(const MovingPiece& piece, const Vec2& n) {
 void add_edges(const MovingPiece& owner, const MovingPiece& other, PieceOverlap& least) {
   const bool has_face = std::any_of(owner.is_face, owner.is_face + owner.corners, [](auto face) { return face != 0; });
   for (int e = 0; e < owner.corners; ++e) {
-    if (has_face && owner.is_face[e] == 0) continue;
     const Vec2 n = normal_of(owner, e), corner = other.at[deepest_corner(other, n)];
     const double depth = n.dot(owner.at[e] - corner);
-    if (depth < least.depth) least = {depth, corner + 0.5 * depth * n, n};
+    least.whole = std::min(least.whole, depth);
+    if (has_face && owner.is_face[e] == 0) continue;
+    if (depth < least.depth) least.depth = depth, least.at = corner + 0.5 * depth * n, least.normal = n;
   }
 }
 
@@ -134,7 +135,7 @@ void for_directions(const MovingPiece& a, const MovingPiece& b, Visit&& visit) {
 }  // namespace
 
 PieceOverlap overlap_of(const MovingPiece& a, const MovingPiece& b) {
-  PieceOverlap least{unbounded, Vec2::Zero(), Vec2::UnitX()};
+  PieceOverlap least{unbounded, Vec2::Zero(), Vec2::UnitX(), unbounded};
   add_edges(a, b, least);
   add_edges(b, a, least);
   return least;

@@ -22,12 +22,11 @@ MovingPiece moving_piece(const Model<2>& model, const State<2>& state, int piece
 
 /// The least by which one of two pieces would have to be moved for them to be apart.
 struct PieceOverlap {
-  double depth;  ///< [m]; not above 0 where they are apart
+  double depth;  ///< out of the surface of one of them: inner cuts of a body do not count [m]
   Vec2 at;       ///< the middle of it [m]
   Vec2 normal;   ///< the way out, a unit vector
+  double whole;  ///< of the two pieces as they are, cuts and all, no more than `depth` [m]; not above 0: they are apart
 };
-
-/// Out of the surface of one of them: inner cuts of a body do not count.
 PieceOverlap overlap_of(const MovingPiece& a, const MovingPiece& b);
 
 /// The longest time up to `longest` [s] within which the two, as they move now, for certain get no deeper into each

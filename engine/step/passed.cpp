@@ -39,6 +39,12 @@ struct Two {
   Two(const Model<2>& model, const State<2>& state, int p, int q, double later = 0)
       : a(moving_piece(model, state, p, later)), b(moving_piece(model, state, q, later)), overlap(overlap_of(a, b)) {}
 
+  /// How much deeper they may get, where `allowed` is deep enough to be told [m]. Pieces of one body that meet another
+  /// at the end of an inner cut share next to nothing there, and are far from any surface: so what they share must be
+  /// half as wide too, as it is in one of two pieces whatever lies across their cut.
+  [[nodiscard]] double room(double allowed) const {
+    return std::max(allowed - overlap.depth, 0.5 * allowed - overlap.whole);
+  }
   /// Along the faces [m].
   [[nodiscard]] double shared_length() const {
     const Vec2 along = left_of(overlap.normal);
@@ -149,7 +155,7 @@ double room_of(const Model<2>& model, const State<2>& state, const Work<2>& work
   if (pair.facing > 0 && beneath_face(model, work, pair) <= half) return half;
   if (is_beneath(model, work, p, q, half) || is_beneath(model, work, q, p, half)) return half;
   if (is_told(model, state, p, q)) return half;
-  const double left = allowed - Two(model, state, p, q).overlap.depth;
+  const double left = Two(model, state, p, q).room(allowed);
   return left == 0 ? half : left;
 }
 
@@ -226,7 +232,7 @@ void look_back(const Model<2>& model, State<2>& state, int p, int q, std::vector
   double left = state.last_dt;
   for (int looks = 0; left > 0 && looks < most_looks; ++looks) {
     const Two two(model, state, p, q, -left);
-    if (two.overlap.depth > allowed) return tell(model, state, p, q, two, told);
+    if (two.room(allowed) < 0) return tell(model, state, p, q, two, told);
     // From the step's begin on, with the velocities of its end: exactly the way that a leapfrog step has gone, turning
     // too.
     const double time = time_to_depth(two.a, two.b, left, growth);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "build/arch.hpp"
+#include "build/flying_buttress.hpp"
 #include "build/rubble.hpp"
 #include "build/running_bond.hpp"
 #include "build/stack.hpp"
@@ -57,6 +58,24 @@ MakeParts read_arch(Keys& k) {
     if (span && rise) set_span_and_rise(a, *span, *rise);
     return MadeParts{build_arch(a)};
   };
+}
+
+MakeParts read_flying_buttress(Keys& k) {
+  FlyingButtress f;
+  f.name = read_name(k, "");
+  f.voussoirs = k.count("voussoirs", f.voussoirs);
+  f.span = k.number("span", "m", f.span);
+  f.rise = k.number("rise", "m", f.rise);
+  f.radius = k.number("radius", "m", f.radius);
+  f.thickness = k.number("thickness", "m", f.thickness);
+  f.slope = k.number("slope", "rad", f.slope);
+  f.sub_edges = k.count("sub_edges", f.sub_edges);
+  f.springing = k.point("springing", f.springing);
+  f.pier_width = k.number("pier_width", "m", f.pier_width);
+  f.pier_height = k.number("pier_height", "m", f.pier_height);
+  f.wall_width = k.number("wall_width", "m", f.wall_width);
+  f.wall_height = k.number("wall_height", "m", f.wall_height);
+  return [f] { return MadeParts{build_flying_buttress(f)}; };
 }
 
 namespace {

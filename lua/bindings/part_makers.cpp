@@ -103,6 +103,7 @@ constexpr std::array read_by_hand{
     PartMaker{"stack", false, read_stack, "blocks on top of each other"},
     PartMaker{"harmonic_stack", false, read_harmonic_stack, "equal blocks that reach out over an edge"},
     PartMaker{"arch", false, read_arch, "an arch of voussoirs: semicircular, segmental or pointed"},
+    PartMaker{"flying_buttress", false, read_flying_buttress, "half an arch that leans from a pier against a wall"},
     PartMaker{"wall", false, read_wall, "a masonry wall of storeys, with openings, lintels and slabs"},
     PartMaker{"rubble", false, read_rubble, "irregular stones that fill a polygon"},
     PartMaker{"running_bond", false, read_running_bond, "a plain panel on a grid of half units, for limit loads"},

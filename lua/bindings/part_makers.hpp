@@ -31,7 +31,7 @@ struct PartMaker {
 };
 
 /// Those with a reader of their own come first, then the rows of build/list.hpp.
-inline constexpr std::size_t part_maker_count = 12 + DeclaredBuilders::size;
+inline constexpr std::size_t part_maker_count = 13 + DeclaredBuilders::size;
 std::span<const PartMaker, part_maker_count> part_makers();
 /// m:span takes more than the part; bridge_binding.cpp adds it.
 inline constexpr std::string_view span_maker = "span";

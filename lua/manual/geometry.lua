@@ -40,6 +40,20 @@ abutment_depth   number m = the thickness  of the abutments
 abutment_margin  number m = half the thickness  beyond the ring
 jitter           number m = 0  joints are moved at random by up to this
 seed             integer = 1  of the random numbers]] },
+    { "flying_buttress", "A flying buttress: half an arch that leans from a pier against the head of a wall.", keys = [[
+name         text?           names begin with it
+voussoirs    integer = 9     how many
+span         number m = 4    from the pier to the wall
+rise         number m = 2    of the intrados
+radius       number m = level at the head  of the intrados
+thickness    number m = 0.4  of the ring; with a coping upright at the wall
+slope        number rad = 0  of a straight coping that rises to the wall; 0: none
+sub_edges    integer = 1     edges for each curved side
+springing    point = {0, 0}  of the intrados, at the pier's edge
+pier_width   number m = 1.5 times the thickness  of the pier
+pier_height  number m = 0    below the springing; 0: no pier
+wall_width   number m = 0    of a wall to lean against; 0: none
+wall_height  number m = the thickness  above the intrados' head]] },
     { "wall", "A masonry wall of storeys, with openings, lintels and slabs.", keys = [[
 name            text?             names begin with it
 at              point = {0, 0}    lower left corner
