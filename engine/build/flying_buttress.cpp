@@ -24,8 +24,10 @@ void check(const FlyingButtress& f, const std::string& owner) {
   require_finite(f.springing.y(), owner + ": springing y");
   require_not_negative(f.radius, owner + ": radius", "m");
   require_not_negative(f.slope, owner + ": slope of the coping", "rad");
-  for (const double v : {f.pier_width, f.pier_height, f.wall_width, f.wall_height})
-    require_not_negative(v, owner + ": a size of pier or wall", "m");
+  require_not_negative(f.pier_width, owner + ": pier width", "m");
+  require_not_negative(f.pier_height, owner + ": pier height", "m");
+  require_not_negative(f.wall_width, owner + ": wall width", "m");
+  require_not_negative(f.wall_height, owner + ": wall height", "m");
   if (f.slope >= quarter)
     throw InputError(
         fmt::format("{}: slope of the coping is {:g} rad, must be below pi/2; give it against the "
@@ -122,7 +124,7 @@ void check(const FlyingButtress& f, const Circle& circle, const Ring& ring, cons
 
 Part make_pier(const FlyingButtress& f, const Vec2& top, const std::string& owner) {
   const double width = f.pier_width > 0 ? f.pier_width : 1.5 * f.thickness;
-  if (-top.x() > width || top.y() <= 0)
+  if (-top.x() > width)
     throw InputError(
         fmt::format("{}: pier_width is {:g} m, must be at least {:.4g} m for the joint that the ring springs "
                     "from",
