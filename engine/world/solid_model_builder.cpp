@@ -246,6 +246,9 @@ void set_support(Model<3>& model, int body, int dof, Support support) {
 void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<3>* state) {
   const Body& b = model.bodies[body];
+  if (!b.is_rigid() && dof >= Space<3>::translations)
+    throw InputError(
+        fmt::format("body '{}' deforms and has no rotation to drive; drive x, y and z, or make it rigid", b.name));
   const std::vector<Vec3>& place = state != nullptr ? state->position : model.start_position;
   const auto is_held = [&](int node) { return model.support[node][dof] != Support::free; };
   bool all = b.is_rigid();

@@ -8,14 +8,25 @@
 #include "host.hpp"
 #include "load/motion_check.hpp"
 #include "load/motion_measures.hpp"
+#include "step/node_forces.hpp"
 
 namespace trilith::script {
 namespace {
 
-/// What can follow a motion: in the plane x, y and the turn, in space x, y and z.
-std::array<const char*, 3> drive_names(int dim) {
+/// What can follow a motion, in the order of degrees of freedom.
+std::vector<const char*> drive_names(int dim) {
   if (dim == 2) return {"x", "y", "rotation"};
-  return {"x", "y", "z"};
+  return {"x", "y", "z", "turn_x", "turn_y", "turn_z"};
+}
+
+/// Whether these are turns, of which bodies that deform have none to drive.
+bool is_turn(int dim, std::size_t dof) {
+  return dof >= static_cast<std::size_t>(dim);
+}
+
+bool deforms(const ScriptModel& m, int body) {
+  if (const PlaneModel* plane = as_plane(m)) return info_of(plane->spec(body).kind).nodes != 1;
+  return static_cast<const SpaceModel&>(m).spec(body).kind() != BodyKind::rigid;
 }
 
 DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
@@ -32,15 +43,14 @@ DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
   }
   lua_pop(L, 1);
   const auto names = drive_names(m.dim());
-  const PlaneModel* plane = as_plane(m);
   bool any = false;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < names.size(); ++k) {
     const auto* motion = keys.maybe_handle<MotionValue>(names[k]);
     if (motion == nullptr) continue;
     any = true;
     order.motion[k] = motion->motion;
     for (const int body : order.bodies)
-      if (k == 2 && plane != nullptr && info_of(plane->spec(body).kind).nodes != 1)
+      if (is_turn(m.dim(), k) && deforms(m, body))
         keys.problem(fmt::format("body '{}' deforms and has no rotation to drive", m.body_name(body)));
     const std::string why = motion->steady ? "" : why_not_usable(*motion->motion);
     if (!why.empty()) keys.problem(fmt::format("'{}': {}", names[k], why));
@@ -49,25 +59,16 @@ DriveOrder read_drive(Keys& keys, const ScriptModel& m) {
   return order;
 }
 
-/// Where a body is now along the directions of drive_names.
-std::array<double, 3> place_of(const State<2>& state, int node) {
-  return {state.position[node].x(), state.position[node].y(), state.rotation[node]};
-}
-std::array<double, 3> place_of(const State<3>& state, int node) {
-  return {state.position[node].x(), state.position[node].y(), state.position[node].z()};
-}
-
 template <int D>
 void apply_drive(SimulatedModel<D>& m, const DriveOrder& order) {
   const SimulatedModel<D>* const self_model = &m;
   m.change_supports([order, self_model](Model<D>& model) {
     const State<D>& state = self_model->if_built()->state();
     for (const int body : order.bodies) {
-      const auto now = place_of(state, model.bodies[static_cast<std::size_t>(body)].first_node);
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!order.motion[k]) continue;
-        set_drive(model, body, static_cast<int>(k), order.motion[k], state.time, now[k], &state);
-      }
+      const int node = model.bodies[static_cast<std::size_t>(body)].first_node;
+      for (int k = 0; k < Space<D>::dofs; ++k)
+        if (const auto& motion = order.motion[static_cast<std::size_t>(k)])
+          set_drive(model, body, k, motion, state.time, place_along(state, node, k), &state);
     }
   });
 }
@@ -77,7 +78,7 @@ void apply_drive(SimulatedModel<D>& m, const DriveOrder& order) {
 void apply_drive(ScriptModel& m, const DriveOrder& order) {
   const auto names = drive_names(m.dim());
   for (const int body : order.bodies)
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < names.size(); ++k)
       if (order.motion[k])
         m.motions.push_back(fmt::format("{} {}: {}", m.body_name(body), names[k], order.motion[k]->description()));
   if (SpaceModel* space = as_space(m))
@@ -90,12 +91,12 @@ void tell_motions(const ScriptModel& m, const std::vector<DriveOrder>& orders, R
   if (observer == nullptr) return;
   const auto names = drive_names(m.dim());
   for (const DriveOrder& order : orders)
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < names.size(); ++k) {
       if (!order.motion[k] || order.bodies.empty()) continue;
       const double peak = std::abs(motion_peaks(*order.motion[k]).acceleration.value);
       const std::string others = order.bodies.size() == 1 ? "" : fmt::format(" and {} more", order.bodies.size() - 1);
-      const std::string size = std::string(names[k]) == "rotation" ? fmt::format("{:.3g} rad/s2", peak)
-                                                                   : fmt::format("{:.3g} g", peak / standard_gravity);
+      const std::string size =
+          is_turn(m.dim(), k) ? fmt::format("{:.3g} rad/s2", peak) : fmt::format("{:.3g} g", peak / standard_gravity);
       observer->note(fmt::format("shake: '{}'{} {}: {}: peak {}, {:.4g} s", m.body_name(order.bodies.front()), others,
                                  names[k], order.motion[k]->description(), size, order.motion[k]->end_time()));
     }
@@ -117,7 +118,7 @@ void refuse_twice(Keys& keys, const ScriptModel& m, const std::vector<DriveOrder
   std::set<std::pair<int, std::size_t>> driven;
   for (const DriveOrder& order : orders)
     for (const int body : std::set<int>(order.bodies.begin(), order.bodies.end()))
-      for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t k = 0; k < names.size(); ++k)
         if (order.motion[k] && !driven.emplace(body, k).second)
           keys.problem(fmt::format("body '{}' is given two motions along {}; keep one", m.body_name(body), names[k]));
 }

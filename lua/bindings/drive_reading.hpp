@@ -16,8 +16,8 @@ class ScriptModel;
 /// What is to follow which motion.
 struct DriveOrder {
   std::vector<int> bodies;
-  std::array<std::shared_ptr<const GroundMotion>, 3>
-      motion;  ///< in the plane along x, y and the turn, in space x, y, z
+  /// In the plane along x and y and about the centroid, in space along x, y and z and about each of them.
+  std::array<std::shared_ptr<const GroundMotion>, 6> motion;
 };
 
 /// Of the keys body, x, y and so on, or of the list `motions`. What is wrong is a problem of `keys`.

@@ -9,6 +9,7 @@ x         motion?  along x
 y         motion?  along y
 z         motion?  along z, in space
 rotation  motion?  about the centroid, in the plane
+turn_x    motion?  about the centroid, in space; and turn_y, turn_z
 motions   list?    instead: { { body = , x = , y = , rotation = }, ... }]]
 
 return {
