@@ -9,7 +9,9 @@ x         motion?  along x
 y         motion?  along y
 z         motion?  along z, in space
 rotation  motion?  about the centroid, in the plane
-turn_x    motion?  about the centroid, in space; and turn_y, turn_z
+turn_x    motion?  about the centroid along x, in space
+turn_y    motion?  ... along y
+turn_z    motion?  ... along z
 motions   list?    instead: { { body = , x = , y = , rotation = }, ... }]]
 
 return {
