@@ -13,6 +13,7 @@ turn_x    motion?  about the centroid along x, in space
 turn_y    motion?  ... along y
 turn_z    motion?  ... along z
 motions   list?    instead: { { body = , x = , y = , rotation = }, ... }]]
+local in_space = { z = true, turn_x = true, turn_y = true, turn_z = true } -- of drive
 
 return {
   name = "stages", title = "Stages: what runs, and what changes between and within them",
@@ -64,8 +65,8 @@ spectral_radius  number?             implicit, instead: generalised alpha, 0 to 
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest
 accuracy         number?             share of energies a step may miss, 0: any; implicit 1e-3; explicit: of blows, 0
 watch     flag = true     speeds and energies that nothing gave end it as diverged]] .. until_keys,
-    beside = { z = true }, gives = "report" },
-  { "model:drive", "A body follows a motion from now on.", keys = drive, beside = { z = true } },
+    beside = in_space, gives = "report" },
+  { "model:drive", "A body follows a motion from now on.", keys = drive, beside = in_space },
   { "model:fix", "Holds bodies, in some directions or all.", args = [[
 bodies      bodies  a body, set, name, group or list of these
 directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
