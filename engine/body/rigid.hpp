@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/lane_rows.hpp"
 #include "base/lanes.hpp"
 #include "base/portable.hpp"
 #include "base/rotation_3d.hpp"
@@ -50,18 +51,9 @@ class SkinReach {
   Lanes most2_{};
 };
 
-/// A skin point's (x, y, u, v) [m], [m/s], side by side at a multiple of 32.
-TRILITH_INLINE Lanes load_point(const double* x) {
-  Lanes v;
-  __builtin_memcpy(&v, __builtin_assume_aligned(x, 32), sizeof v);
-  return v;
-}
-TRILITH_INLINE void store_point(double* x, const Lanes& v) {
-  __builtin_memcpy(__builtin_assume_aligned(x, 32), &v, sizeof v);
-}
-
 /// place: skin points fixed in the body's axes to where they are and how fast they move.
-/// `turn`: of the node's rotation. `Point`: see load_point; of before, and overwritten. `reach`: taken up.
+/// `turn`: of the node's rotation. `Point` has x, y [m], u, v [m/s], side by side at a multiple of 32; of
+/// before, and overwritten. `reach`: taken up.
 template <class Point>
 TRILITH_INLINE void place_rigid(const NodeMotion<2>& node, const portable::SineCosine& turn, std::span<const Vec2> skin,
                                 std::span<Point> out, SkinReach& reach) {
@@ -72,8 +64,8 @@ TRILITH_INLINE void place_rigid(const NodeMotion<2>& node, const portable::SineC
   for (std::size_t i = 0; i < skin.size(); ++i) {
     const double x = skin[i].x(), y = skin[i].y();
     const Lanes now = origin + spin * (to_x * x + to_y * y);
-    reach.add(now, load_point(&out[i].x));
-    store_point(&out[i].x, now);
+    reach.add(now, load_lanes(&out[i].x));
+    store_lanes(&out[i].x, now);
   }
 }
 

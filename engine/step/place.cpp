@@ -15,8 +15,8 @@ namespace {
 /// Puts a skin point where it is now.
 TRILITH_INLINE void place_point(const Vec2& x, const Vec2& v, SkinMotion<2>& skin, SkinReach& reach) {
   const Lanes now{x.x(), x.y(), v.x(), v.y()};
-  reach.add(now, load_point(&skin.x));
-  store_point(&skin.x, now);
+  reach.add(now, load_lanes(&skin.x));
+  store_lanes(&skin.x, now);
 }
 
 /// place of a body whose skin points are its nodes.
