@@ -4,7 +4,7 @@
 local trilith = require "trilith"
 local p = trilith.params {
   boxes = { 5000, "boxes" }, seconds = { 2.0, "of fall" }, across = { 100, "boxes in a row" },
-  safety = { 0.5, "share of the longest stable step" },
+  safety = { 0.5, "share of the longest stable step" }, step = { 0, "length of a step; 0: as long as is stable", "s" },
 }
 
 local m = trilith.model { name = "pile", thickness = 1 }
@@ -33,6 +33,6 @@ for i = 0, p.boxes - 1 do
   m:polygon { name = "box" .. i, outline = outline, material = "stone", floating = true,
               velocity = { 2 * random() - 1, -1 } }
 end
-local report = m:run { duration = p.seconds, safety = p.safety }
+local report = m:run { duration = p.seconds, safety = p.safety, dt = p.step > 0 and p.step or nil }
 local told = "%d boxes, %d contacts, %g s: %d steps, hash %s"
 print(told:format(p.boxes, #m:contacts(), p.seconds, report.steps, m.hash))
