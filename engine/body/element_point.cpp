@@ -21,6 +21,13 @@ std::array<double, max_space_nodes> brick_functions(const Vec3& at) {
   return n;
 }
 
+std::array<double, max_space_nodes> wedge_functions(const Vec3& at) {
+  const std::array<double, 3> l{1 - at.x() - at.y(), at.x(), at.y()};
+  std::array<double, max_space_nodes> n{};
+  for (std::size_t i = 0; i < 6; ++i) n[i] = 0.5 * l[i % 3] * (1 + (i < 3 ? -1 : 1) * at.z());
+  return n;
+}
+
 std::array<double, max_space_nodes> tetrahedron_functions(ElementShape shape, const Vec3& at) {
   constexpr std::array<std::array<std::size_t, 2>, 6> edge{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
   const std::array<double, 4> l = volume_coordinates(at);
@@ -41,7 +48,8 @@ Vec3 place_at(ElementShape shape, std::span<const Vec3> nodes, const Vec3& natur
 }  // namespace
 
 std::array<double, max_space_nodes> shape_functions(ElementShape shape, const Vec3& natural) {
-  return shape == ElementShape::brick ? brick_functions(natural) : tetrahedron_functions(shape, natural);
+  if (shape == ElementShape::brick) return brick_functions(natural);
+  return shape == ElementShape::wedge ? wedge_functions(natural) : tetrahedron_functions(shape, natural);
 }
 
 /// Places are at most quadratic along each natural coordinate, so that central differences are their derivatives.
@@ -65,6 +73,8 @@ Vec3 natural_coordinates(ElementShape shape, std::span<const Vec3> nodes, const 
 
 double outside_of(ElementShape shape, const Vec3& natural) {
   if (shape == ElementShape::brick) return std::max(0.0, natural.cwiseAbs().maxCoeff() - 1);
+  if (shape == ElementShape::wedge)
+    return std::max({0.0, -natural.x(), -natural.y(), natural.x() + natural.y() - 1, std::abs(natural.z()) - 1});
   const std::array<double, 4> l = volume_coordinates(natural);
   return std::max(0.0, -*std::min_element(l.begin(), l.end()));
 }

@@ -47,7 +47,7 @@ struct QuadKind {
 struct MeshKind {
   static constexpr BodyKind kind = BodyKind::mesh;
   static constexpr std::string_view name = "mesh",
-                                    sentence = "a mesh of finite elements; in space of bricks and tetrahedra";
+                                    sentence = "a mesh of finite elements; in space of bricks, wedges and tetrahedra";
   static constexpr int nodes = 0;
   static constexpr SkinLayout skin = SkinLayout::node_each;
   static constexpr bool nodes_turn = false;

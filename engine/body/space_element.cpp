@@ -11,17 +11,32 @@
 namespace trilith {
 namespace {
 
-constexpr std::array<ElementShapeInfo, 3> shapes{{
-    {"brick", 8, 8, 8, 6, {{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}}, 4, 4},
-    {"tetrahedron", 4, 4, 1, 4, {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}}, 3, 3},
+constexpr std::array<ElementShapeInfo, 4> shapes{{
+    {"brick",
+     8,
+     8,
+     8,
+     6,
+     {{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}},
+     {4, 4, 4, 4, 4, 4},
+     {4, 4, 4, 4, 4, 4}},
+    {"tetrahedron", 4, 4, 1, 4, {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}}, {3, 3, 3, 3}, {3, 3, 3, 3}},
     {"quadratic tetrahedron",
      10,
      4,
      4,
      4,
      {{{0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 9, 7}, {1, 2, 3, 5, 8, 9}, {0, 3, 2, 7, 8, 6}}},
-     3,
-     6},
+     {3, 3, 3, 3},
+     {6, 6, 6, 6}},
+    {"wedge",
+     6,
+     6,
+     6,
+     5,
+     {{{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
+     {3, 3, 4, 4, 4},
+     {3, 3, 4, 4, 4}},
 }};
 
 /// Signs of the natural coordinates of a brick's nodes.
@@ -62,8 +77,23 @@ Gradient tetrahedron_gradient(ElementShape shape, const Vec3& at) {
   return d;
 }
 
+/// Shape functions of a wedge's triangle at (a, b), and their derivatives.
+constexpr std::array<std::array<double, 2>, 3> triangle_gradient{{{-1, -1}, {1, 0}, {0, 1}}};
+
+Gradient wedge_gradient(const Vec3& at) {
+  const std::array<double, 3> l{1 - at.x() - at.y(), at.x(), at.y()};
+  Gradient d = Gradient::Zero();
+  for (int i = 0; i < 6; ++i) {
+    const auto corner = static_cast<std::size_t>(i % 3);
+    const double side = i < 3 ? -1 : 1, half = 0.5 * (1 + side * at.z());
+    d.col(i) << half * triangle_gradient[corner][0], half * triangle_gradient[corner][1], 0.5 * side * l[corner];
+  }
+  return d;
+}
+
 Gradient natural_gradient(ElementShape shape, const Vec3& at) {
-  return shape == ElementShape::brick ? brick_gradient(at) : tetrahedron_gradient(shape, at);
+  if (shape == ElementShape::brick) return brick_gradient(at);
+  return shape == ElementShape::wedge ? wedge_gradient(at) : tetrahedron_gradient(shape, at);
 }
 
 struct GaussPoint {
@@ -71,7 +101,7 @@ struct GaussPoint {
   double weight;
 };
 
-/// Of a tetrahedron with four points: exact for quadratic fields.
+/// Of a tetrahedron with four points, and of a wedge's triangle with three: exact for quadratic fields.
 std::vector<GaussPoint> gauss_points(ElementShape shape) {
   std::vector<GaussPoint> points;
   if (shape == ElementShape::tetrahedron) return {{Vec3(0.25, 0.25, 0.25), 1.0 / 6}};
@@ -80,11 +110,18 @@ std::vector<GaussPoint> gauss_points(ElementShape shape) {
     return {{Vec3(b, b, b), w}, {Vec3(a, b, b), w}, {Vec3(b, a, b), w}, {Vec3(b, b, a), w}};
   }
   const double at = 1 / std::sqrt(3.0);
+  if (shape == ElementShape::wedge) {
+    for (const double c : {-at, at})
+      for (const auto& [a, b] : {std::pair(1.0 / 6, 1.0 / 6), std::pair(2.0 / 3, 1.0 / 6), std::pair(1.0 / 6, 2.0 / 3)})
+        points.push_back({Vec3(a, b, c), 1.0 / 6});
+    return points;
+  }
   for (const auto& c : corner_of) points.push_back({at * Vec3(c[0], c[1], c[2]), 1});
   return points;
 }
 
 Vec3 middle_of(ElementShape shape) {
+  if (shape == ElementShape::wedge) return {1.0 / 3, 1.0 / 3, 0};
   return shape == ElementShape::brick ? Vec3(Vec3::Zero()) : Vec3(0.25, 0.25, 0.25);
 }
 
@@ -105,10 +142,6 @@ void set_strain(M& b, int i, const Vec3& g) {
   b(5, c) = g.z(), b(5, c + 2) = g.x();
 }
 
-/// Nine incompatible modes, three for each displacement, and three of the change of volume alone.
-constexpr int mode_count = 12;
-using SpaceModes = Eigen::Matrix<double, 6, mode_count>;
-
 }  // namespace
 
 const ElementShapeInfo& info_of(ElementShape shape) {
@@ -123,6 +156,9 @@ std::vector<Vec3> watched_points(ElementShape shape) {
   for (const GaussPoint& g : gauss_points(shape)) points.push_back(g.at);
   if (shape == ElementShape::brick)
     for (const auto& c : corner_of) points.emplace_back(c[0], c[1], c[2]);
+  else if (shape == ElementShape::wedge)
+    for (const double c : {-1.0, 1.0})
+      for (const auto& l : triangle_gradient) points.emplace_back(std::max(0.0, l[0]), std::max(0.0, l[1]), c);
   else
     for (const auto& c : volume_gradient)  // those of l_1 to l_3 are where l_1 to l_3 are 1
       points.emplace_back(std::max(0.0, c[0]), std::max(0.0, c[1]), std::max(0.0, c[2]));
@@ -164,26 +200,70 @@ SpaceElementStrain plain_strain(ElementShape shape, std::span<const Vec3> nodes)
   return out;
 }
 
+namespace {
+
+/// What an incompatible mode along natural coordinate `k` strains at a point, before it is set for each displacement:
+/// the derivative of 1 - x_k^2 by the Jacobian of the middle.
+struct ModeScale {
+  Eigen::Matrix3d inverse;  ///< of the Jacobian in the middle
+  double determinant;       ///< ... in the middle [m3]
+
+  ModeScale(ElementShape shape, std::span<const Vec3> nodes) {
+    const Eigen::Matrix3d middle = jacobian_of(natural_gradient(shape, middle_of(shape)), nodes);
+    inverse = middle.inverse(), determinant = middle.determinant();
+  }
+};
+
 /// G in `modes`, G'CG in `inner`, G'CB in `mixed`; B - G (G'CG)^-1 (G'CB) at each point.
-SpaceElementStrain assumed_strain(ElementShape shape, std::span<const Vec3> nodes, const SpaceMatrix& elastic) {
-  SpaceElementStrain out = plain_strain(shape, nodes);
-  if (shape != ElementShape::brick) return out;
-  const Eigen::Matrix3d middle = jacobian_of(natural_gradient(shape, Vec3::Zero()), nodes), inverse = middle.inverse();
-  const std::vector<GaussPoint> points = gauss_points(shape);
-  std::array<SpaceModes, max_space_points> modes;
-  Eigen::Matrix<double, mode_count, mode_count> inner = Eigen::Matrix<double, mode_count, mode_count>::Zero();
-  Eigen::Matrix<double, mode_count, 24> mixed = Eigen::Matrix<double, mode_count, 24>::Zero();
+template <int Modes, int Nodes>
+void condense(const std::array<Eigen::Matrix<double, 6, Modes>, max_space_points>& modes, const SpaceMatrix& elastic,
+              SpaceElementStrain& out) {
+  constexpr int columns = 3 * Nodes;
+  Eigen::Matrix<double, Modes, Modes> inner = Eigen::Matrix<double, Modes, Modes>::Zero();
+  Eigen::Matrix<double, Modes, columns> mixed = Eigen::Matrix<double, Modes, columns>::Zero();
+  const auto points = static_cast<std::size_t>(out.points);
+  for (std::size_t p = 0; p < points; ++p) {
+    inner += out.volume[p] * modes[p].transpose() * elastic * modes[p];
+    mixed += out.volume[p] * modes[p].transpose() * elastic * out.matrix[p].template leftCols<columns>();
+  }
+  const Eigen::Matrix<double, Modes, columns> condensed = inner.ldlt().solve(mixed);
+  for (std::size_t p = 0; p < points; ++p) out.matrix[p].template leftCols<columns>() -= modes[p] * condensed;
+}
+
+/// Nine incompatible modes, three for each displacement, and three of the change of volume alone.
+void assume_brick(std::span<const Vec3> nodes, const SpaceMatrix& elastic, SpaceElementStrain& out) {
+  const ModeScale scale(ElementShape::brick, nodes);
+  const std::vector<GaussPoint> points = gauss_points(ElementShape::brick);
+  std::array<Eigen::Matrix<double, 6, 12>, max_space_points> modes;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const double ratio = middle.determinant() / out.volume[p];
+    const double ratio = scale.determinant / out.volume[p];
     modes[p].setZero();
-    for (int k = 0; k < 3; ++k) set_strain(modes[p], k, Vec3(-2 * points[p].at[k] * ratio * inverse.col(k)));
+    for (int k = 0; k < 3; ++k) set_strain(modes[p], k, Vec3(-2 * points[p].at[k] * ratio * scale.inverse.col(k)));
     for (int k = 0; k < 3; ++k)
       modes[p].col(9 + k).head<3>().setConstant(ratio * points[p].at[k] * points[p].at[(k + 1) % 3]);
-    inner += out.volume[p] * modes[p].transpose() * elastic * modes[p];
-    mixed += out.volume[p] * modes[p].transpose() * elastic * out.matrix[p].leftCols<24>();
   }
-  const Eigen::Matrix<double, mode_count, 24> condensed = inner.ldlt().solve(mixed);
-  for (std::size_t p = 0; p < points.size(); ++p) out.matrix[p].leftCols<24>() -= modes[p] * condensed;
+  condense<12, 8>(modes, elastic, out);
+}
+
+/// One incompatible mode for each displacement, from triangle to triangle.
+void assume_wedge(std::span<const Vec3> nodes, const SpaceMatrix& elastic, SpaceElementStrain& out) {
+  const ModeScale scale(ElementShape::wedge, nodes);
+  const std::vector<GaussPoint> points = gauss_points(ElementShape::wedge);
+  std::array<Eigen::Matrix<double, 6, 3>, max_space_points> modes;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double ratio = scale.determinant / out.volume[p];
+    modes[p].setZero();
+    set_strain(modes[p], 0, Vec3(-2 * points[p].at[2] * ratio * scale.inverse.col(2)));
+  }
+  condense<3, 6>(modes, elastic, out);
+}
+
+}  // namespace
+
+SpaceElementStrain assumed_strain(ElementShape shape, std::span<const Vec3> nodes, const SpaceMatrix& elastic) {
+  SpaceElementStrain out = plain_strain(shape, nodes);
+  if (shape == ElementShape::brick) assume_brick(nodes, elastic, out);
+  if (shape == ElementShape::wedge) assume_wedge(nodes, elastic, out);
   return out;
 }
 
@@ -219,132 +299,24 @@ ElementVolume node_shares(ElementShape shape, std::span<const Vec3> nodes) {
   for (const GaussPoint& g : points) {
     const double volume = g.weight * jacobian_of(natural_gradient(shape, g.at), nodes).determinant();
     out.volume += volume;
+    if (shape == ElementShape::wedge)
+      for (std::size_t i = 0; i < 6; ++i) {
+        const std::array<double, 3> l{1 - g.at.x() - g.at.y(), g.at.x(), g.at.y()};
+        out.share[i] += 0.5 * volume * l[i % 3] * (1 + (i < 3 ? -1 : 1) * g.at.z());
+      }
     if (shape != ElementShape::brick) continue;
     for (std::size_t i = 0; i < 8; ++i) {
       const auto& c = corner_of[i];
       out.share[i] += 0.125 * volume * (1 + g.at.x() * c[0]) * (1 + g.at.y() * c[1]) * (1 + g.at.z() * c[2]);
     }
   }
-  if (shape == ElementShape::brick)
+  if (shape == ElementShape::brick || shape == ElementShape::wedge)
     for (std::size_t i = 0; i < 8; ++i) out.share[i] /= out.volume;
   else if (shape == ElementShape::tetrahedron)
     std::fill_n(out.share.begin(), 4, 0.25);
   else
     for (std::size_t i = 0; i < 10; ++i) out.share[i] = i < 4 ? 1.0 / 36 : 4.0 / 27;
   return out;
-}
-
-namespace {
-
-/// A point of a face for integrals over it: shape functions of the face's nodes, their two derivatives, and a weight.
-struct FacePoint {
-  std::array<double, max_face_nodes> n{};
-  std::array<Vec2, max_face_nodes> d;
-  double weight = 0;
-
-  FacePoint() { d.fill(Vec2::Zero()); }
-};
-
-std::vector<FacePoint> quadrilateral_points() {
-  constexpr std::array<double, 4> x{-1, 1, 1, -1}, y{-1, -1, 1, 1};
-  const double at = std::sqrt(0.6);
-  std::vector<FacePoint> points;
-  for (const double u : {-at, 0.0, at})
-    for (const double v : {-at, 0.0, at}) {
-      FacePoint p;
-      p.weight = (u == 0 ? 8.0 / 9 : 5.0 / 9) * (v == 0 ? 8.0 / 9 : 5.0 / 9);
-      for (std::size_t i = 0; i < 4; ++i) {
-        p.n[i] = 0.25 * (1 + u * x[i]) * (1 + v * y[i]);
-        p.d[i] = {0.25 * x[i] * (1 + v * y[i]), 0.25 * y[i] * (1 + u * x[i])};
-      }
-      points.push_back(p);
-    }
-  return points;
-}
-
-/// Six points, exact for polynomials of the fourth order (Strang and Fix 1973; Dunavant 1985).
-std::vector<FacePoint> triangle_points(bool quadratic) {
-  constexpr std::array<std::array<double, 2>, 2> rule{
-      {{0.445948490915965, 0.223381589678011}, {0.091576213509771, 0.109951743655322}}};
-  constexpr std::array<std::array<double, 2>, 3> slope{{{-1, -1}, {1, 0}, {0, 1}}};
-  constexpr std::array<std::array<std::size_t, 2>, 3> side{{{0, 1}, {1, 2}, {2, 0}}};
-  std::vector<FacePoint> points;
-  for (const auto& [a, w] : rule)
-    for (std::size_t far = 0; far < 3; ++far) {
-      std::array<double, 3> l{a, a, a};
-      l[far] = 1 - 2 * a;
-      FacePoint p;
-      p.weight = 0.5 * w;
-      const auto g = [&](std::size_t i) { return Vec2(slope[i][0], slope[i][1]); };
-      for (std::size_t i = 0; i < 3; ++i) {
-        p.n[i] = quadratic ? l[i] * (2 * l[i] - 1) : l[i];
-        p.d[i] = quadratic ? Vec2((4 * l[i] - 1) * g(i)) : g(i);
-      }
-      for (std::size_t e = 0; quadratic && e < 3; ++e) {
-        const auto [i, j] = side[e];
-        p.n[3 + e] = 4 * l[i] * l[j], p.d[3 + e] = 4 * (l[i] * g(j) + l[j] * g(i));
-      }
-      points.push_back(p);
-    }
-  return points;
-}
-
-/// Nodes of a face where they are, their middle by area, and its area vector.
-struct FaceNodes {
-  std::vector<Vec3> place;
-  std::vector<FacePoint> points;
-  std::vector<double> area;  ///< [point] that it stands for
-  Vec3 vector = Vec3::Zero();
-
-  FaceNodes(ElementShape shape, std::span<const Vec3> nodes, int face) {
-    const ElementShapeInfo& info = info_of(shape);
-    for (int i = 0; i < info.face_nodes; ++i)
-      place.push_back(
-          nodes[static_cast<std::size_t>(info.face[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)])]);
-    points = shape == ElementShape::brick ? quadrilateral_points()
-                                          : triangle_points(shape == ElementShape::quadratic_tetrahedron);
-    for (const FacePoint& p : points) {
-      Vec3 along = Vec3::Zero(), across = Vec3::Zero();
-      for (std::size_t i = 0; i < place.size(); ++i) along += p.d[i].x() * place[i], across += p.d[i].y() * place[i];
-      const Vec3 v = p.weight * cross(along, across);
-      area.push_back(v.norm()), vector += v;
-    }
-  }
-  [[nodiscard]] Vec3 at(const FacePoint& p) const {
-    Vec3 x = Vec3::Zero();
-    for (std::size_t i = 0; i < place.size(); ++i) x += p.n[i] * place[i];
-    return x;
-  }
-};
-
-}  // namespace
-
-/// Least squares of (1, s) over the face: the middle is that of the area, so that mean and gradient do not mix.
-FaceFit fit_face(ElementShape shape, std::span<const Vec3> nodes, int face) {
-  const FaceNodes f(shape, nodes, face);
-  FaceFit fit;
-  fit.middle = Vec3::Zero();
-  fit.normal = f.vector.normalized();
-  for (std::size_t p = 0; p < f.points.size(); ++p) {
-    fit.area += f.area[p], fit.middle += f.area[p] * f.at(f.points[p]);
-    for (std::size_t i = 0; i < f.place.size(); ++i) fit.mean[i] += f.area[p] * f.points[p].n[i];
-  }
-  fit.middle /= fit.area;
-  for (double& m : fit.mean) m /= fit.area;
-  const Vec3 along = f.place[1] - f.place[0];
-  fit.x = Vec3(along - fit.normal.dot(along) * fit.normal).normalized();
-  fit.y = cross(fit.normal, fit.x);
-  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-  fit.gradient.fill(Vec2::Zero());
-  for (std::size_t p = 0; p < f.points.size(); ++p) {
-    const Vec3 arm = f.at(f.points[p]) - fit.middle;
-    const Vec2 s(fit.x.dot(arm), fit.y.dot(arm));
-    second += f.area[p] * s * s.transpose();
-    for (std::size_t i = 0; i < f.place.size(); ++i) fit.gradient[i] += f.area[p] * f.points[p].n[i] * s;
-  }
-  const Eigen::Matrix2d inverse = second.inverse();
-  for (Vec2& g : fit.gradient) g = inverse * g;
-  return fit;
 }
 
 /// Of M^-1/2 K M^-1/2, M lumped at the nodes.

@@ -1,15 +1,16 @@
 // Elements of deformable bodies in space in their reference shape: bricks of eight nodes, tetrahedra of four and of
-// ten.
+// ten, wedges of six.
 //
 //        7 -------- 6          brick: natural coordinates from -1 to 1, node 0 at (-1, -1, -1), 6 at (1, 1, 1)
 //       /|         /|          tetrahedron: node 3 lies to the left of the face 0, 1, 2 as seen from inside, its
 //      4 -------- 5 |          volume is above 0; of one of ten nodes 4 to 9 lie on the edges 01, 12, 02, 03, 23, 13,
 //      | 3 -------|-2          as Gmsh has them
-//      |/         |/
-//      0 -------- 1
+//      |/         |/           wedge: triangles 0, 1, 2 and 3, 4, 5 above it, in the order of the first; two natural
+//      0 -------- 1            coordinates of the triangle, the third from -1 to 1
 //
 // Strain is linear in the deformation of the nodes, in the element's own turning axes (body/corotation_3d.hpp): strain
-// = B d at each point of Gauss, 2 x 2 x 2 in a brick, one in a tetrahedron of four nodes, four in one of ten.
+// = B d at each point of Gauss, 2 x 2 x 2 in a brick, one in a tetrahedron of four nodes, four in one of ten, 3 x 2 in
+// a wedge.
 //   plain     B of the isoparametric element. A brick of it locks in bending.
 //   assumed   the brick with the incompatible modes 1 - xi^2, 1 - eta^2, 1 - zeta^2 of each displacement (Wilson et al.
 //             1973) in the form of Taylor, Beresford and Wilson (Int. J. Numer. Meth. Engng 10, 1976): with the
@@ -17,9 +18,10 @@
 //             holds. Three more are changes of volume alone, xi eta, eta zeta and zeta xi (Simo, Armero and Taylor,
 //             Comput. Methods Appl. Mech. Engng 110, 1993), without which bricks of a volume that can hardly change
 //             are stiff where bending varies. All are condensed with the elastic matrix once, as in the plane
-//             (body/solid_element.hpp).
+//             (body/solid_element.hpp). The wedge has 1 - zeta^2 of each displacement, so that its depth follows
+//             Poisson's ratio where it bends; over a triangle strain is constant, which is stiff in bending.
 //
-// Mass is lumped. Brick, and tetrahedron of four: the integrals of the shape functions. Those of a tetrahedron of ten
+// Mass is lumped. All but a tetrahedron of ten: the integrals of the shape functions. Those of a tetrahedron of ten
 // are below 0 at its corners, so its mass goes by the diagonal of the consistent matrix, scaled to the whole (Hinton,
 // Rock and Zienkiewicz, Earthq. Engng Struct. Dyn. 4, 1976): 1/36 to each corner, 4/27 to each node of an edge.
 #pragma once
@@ -36,7 +38,7 @@
 
 namespace trilith {
 
-enum class ElementShape : std::uint8_t { brick, tetrahedron, quadratic_tetrahedron };
+enum class ElementShape : std::uint8_t { brick, tetrahedron, quadratic_tetrahedron, wedge };
 
 inline constexpr int max_space_nodes = 10, max_space_points = 8, max_face_nodes = 6;
 
@@ -46,7 +48,16 @@ struct ElementShapeInfo {
   int nodes, corners, points, faces;
   /// Nodes of each face, outward: its corners, counter-clockwise as seen from outside, then the nodes of its edges.
   std::array<std::array<int, max_face_nodes>, 6> face;
-  int face_corners, face_nodes;
+  std::array<int, 6> face_corners, face_nodes;
+
+  [[nodiscard]] std::span<const int> corners_of_face(int f) const {
+    return std::span(face[static_cast<std::size_t>(f)])
+        .first(static_cast<std::size_t>(face_corners[static_cast<std::size_t>(f)]));
+  }
+  [[nodiscard]] std::span<const int> nodes_of_face(int f) const {
+    return std::span(face[static_cast<std::size_t>(f)])
+        .first(static_cast<std::size_t>(face_nodes[static_cast<std::size_t>(f)]));
+  }
 };
 const ElementShapeInfo& info_of(ElementShape shape);
 

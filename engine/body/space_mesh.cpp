@@ -39,11 +39,12 @@ void check_cells(const SpaceMesh& mesh, std::string_view owner) {
     }
 }
 
-/// Seen in a mirror: top and bottom of a brick change places, as nodes 1 and 2 of a tetrahedron do.
+/// Seen in a mirror: top and bottom of a brick or a wedge change places, as nodes 1 and 2 of a tetrahedron do.
 void turn_round(SpaceCell& cell) {
   auto& n = cell.node;
-  if (cell.shape == ElementShape::brick) {
-    for (std::size_t i = 0; i < 4; ++i) std::swap(n[i], n[i + 4]);
+  if (cell.shape == ElementShape::brick || cell.shape == ElementShape::wedge) {
+    const auto above = static_cast<std::size_t>(count_of(cell) / 2);
+    for (std::size_t i = 0; i < above; ++i) std::swap(n[i], n[i + above]);
     return;
   }
   std::swap(n[1], n[2]);
@@ -89,12 +90,14 @@ struct CellFace {
   int face;
 };
 
-std::vector<int> face_nodes(const SpaceCell& cell, int face, int count) {
+/// Nodes of the mesh at `places` of an element.
+std::vector<int> nodes_at(const SpaceCell& cell, std::span<const int> places) {
   std::vector<int> out;
-  for (int i = 0; i < count; ++i)
-    out.push_back(cell.node[static_cast<std::size_t>(
-        info_of(cell.shape).face[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)])]);
+  for (const int i : places) out.push_back(cell.node[static_cast<std::size_t>(i)]);
   return out;
+}
+std::vector<int> corners_on(const SpaceCell& cell, int face) {
+  return nodes_at(cell, info_of(cell.shape).corners_of_face(face));
 }
 
 /// Whether two loops of the same corners run the same way round.
@@ -117,7 +120,7 @@ void find_surface(CheckedSpaceMesh& out, std::string_view owner) {
   std::map<std::vector<int>, std::vector<CellFace>> faces;
   for (std::size_t e = 0; e < mesh.cell.size(); ++e)
     for (int f = 0; f < info_of(mesh.cell[e].shape).faces; ++f) {
-      std::vector<int> key = face_nodes(mesh.cell[e], f, info_of(mesh.cell[e].shape).face_corners);
+      std::vector<int> key = corners_on(mesh.cell[e], f);
       std::sort(key.begin(), key.end());
       faces[key].push_back({e, f});
     }
@@ -133,11 +136,10 @@ void find_surface(CheckedSpaceMesh& out, std::string_view owner) {
     if (who.size() > 2)
       throw InputError(
           fmt::format("{}, and {} more, have one face in common; a face parts two elements", pair, who.size() - 2));
-    if (run_alike(face_nodes(a, who[0].face, static_cast<int>(key.size())),
-                  face_nodes(b, who[1].face, static_cast<int>(key.size()))))
+    if (run_alike(corners_on(a, who[0].face), corners_on(b, who[1].face)))
       throw InputError(pair + " lie on the same side of the face they have in common");
-    std::vector<int> of_a = face_nodes(a, who[0].face, info_of(a.shape).face_nodes),
-                     of_b = face_nodes(b, who[1].face, info_of(b.shape).face_nodes);
+    std::vector<int> of_a = nodes_at(a, info_of(a.shape).nodes_of_face(who[0].face)),
+                     of_b = nodes_at(b, info_of(b.shape).nodes_of_face(who[1].face));
     std::sort(of_a.begin(), of_a.end()), std::sort(of_b.begin(), of_b.end());
     if (of_a != of_b)
       throw InputError(pair + " have other nodes on the face they have in common; mesh all with elements of one order");
@@ -282,6 +284,33 @@ SpaceMesh tetrahedra_of(const SpaceMesh& bricks) {
   return out;
 }
 
+SpaceMesh wedges_of(const SpaceMesh& bricks) {
+  constexpr std::array<std::array<std::size_t, 6>, 2> parts{{{0, 1, 2, 4, 5, 6}, {0, 2, 3, 4, 6, 7}}};
+  SpaceMesh out;
+  out.node = bricks.node;
+  for (const SpaceCell& brick : bricks.cell)
+    for (const auto& part : parts) {
+      SpaceCell& cell = out.cell.emplace_back();
+      cell.shape = ElementShape::wedge;
+      for (std::size_t i = 0; i < part.size(); ++i) cell.node[i] = brick.node[part[i]];
+    }
+  return out;
+}
+
+SpaceMesh extruded(const Mesh& flat, const Vec3& right, const Vec3& up, const Vec3& low, const Vec3& high) {
+  SpaceMesh out;
+  const auto nodes = static_cast<int>(flat.node.size());
+  for (const Vec3& level : {low, high})
+    for (const Vec2& p : flat.node) out.node.emplace_back(level + p.x() * right + p.y() * up);
+  for (const std::array<int, 4>& element : flat.element) {
+    SpaceCell& cell = out.cell.emplace_back();
+    const auto corners = static_cast<std::size_t>(corners_of(element));
+    cell.shape = corners == 3 ? ElementShape::wedge : ElementShape::brick;
+    for (std::size_t i = 0; i < corners; ++i) cell.node[i] = element[i], cell.node[i + corners] = element[i] + nodes;
+  }
+  return out;
+}
+
 SpaceMesh quadratic_of(const SpaceMesh& tetrahedra) {
   constexpr std::array<std::array<std::size_t, 2>, 6> edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
   SpaceMesh out;
@@ -300,6 +329,20 @@ SpaceMesh quadratic_of(const SpaceMesh& tetrahedra) {
     out.cell.push_back(cell);
   }
   return out;
+}
+
+SpaceMesh divided_into(ElementShape shape, const SpaceMesh& bricks) {
+  switch (shape) {
+    case ElementShape::brick:
+      return bricks;
+    case ElementShape::wedge:
+      return wedges_of(bricks);
+    case ElementShape::tetrahedron:
+      return tetrahedra_of(bricks);
+    case ElementShape::quadratic_tetrahedron:
+      break;
+  }
+  return quadratic_of(tetrahedra_of(bricks));
 }
 
 }  // namespace trilith

@@ -1,4 +1,4 @@
-// Meshes of bricks and tetrahedra: the check that makes a user's one fit for use, and grids.
+// Meshes of bricks, wedges and tetrahedra: the check that makes a user's one fit for use, and grids.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "body/space_element.hpp"
+#include "shape/mesh.hpp"
 #include "shape/polyhedron.hpp"
 
 namespace trilith {
@@ -49,6 +50,17 @@ SpaceMesh brick_grid(const std::array<Vec3, 8>& corners, const std::array<int, 3
 
 /// Each brick parted into six tetrahedra about its diagonal from node 0 to 6, so that those of a grid fit together.
 SpaceMesh tetrahedra_of(const SpaceMesh& bricks);
+
+/// Each brick parted into two wedges by the plane through its nodes 0, 2, 4 and 6.
+SpaceMesh wedges_of(const SpaceMesh& bricks);
+
+/// Bricks as they are, or parted into elements of that shape.
+SpaceMesh divided_into(ElementShape shape, const SpaceMesh& bricks);
+
+/// What a mesh of the plane sweeps over from `low` to `high` [m]: bricks of quadrilaterals, wedges of triangles, one
+/// through the depth. `right` and `up` are the plane's axes; high - low points to where its elements turn
+/// counter-clockwise about.
+SpaceMesh extruded(const Mesh& flat, const Vec3& right, const Vec3& up, const Vec3& low, const Vec3& high);
 
 /// Nodes in the middle of the edges of tetrahedra of four nodes.
 SpaceMesh quadratic_of(const SpaceMesh& tetrahedra);

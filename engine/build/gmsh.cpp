@@ -97,15 +97,16 @@ constexpr std::array<ElementType, 4> known_types{
     {{1, 2, "line"}, {2, 3, "triangle"}, {3, 4, "quadrilateral"}, {15, 1, "point"}}};
 
 /// Those of a mesh in space; of what lies on its skin the number of nodes is known, to pass them over.
-constexpr std::array<ElementType, 9> types_in_space{{{4, 4, "tetrahedron"},
-                                                     {5, 8, "hexahedron"},
-                                                     {11, 10, "tetrahedron of ten nodes"},
-                                                     {1, 2, "line"},
-                                                     {2, 3, "triangle"},
-                                                     {3, 4, "quadrilateral"},
-                                                     {8, 3, "line of three nodes"},
-                                                     {9, 6, "triangle of six nodes"},
-                                                     {15, 1, "point"}}};
+constexpr std::array<ElementType, 10> types_in_space{{{4, 4, "tetrahedron"},
+                                                      {5, 8, "hexahedron"},
+                                                      {6, 6, "prism"},
+                                                      {11, 10, "tetrahedron of ten nodes"},
+                                                      {1, 2, "line"},
+                                                      {2, 3, "triangle"},
+                                                      {3, 4, "quadrilateral"},
+                                                      {8, 3, "line of three nodes"},
+                                                      {9, 6, "triangle of six nodes"},
+                                                      {15, 1, "point"}}};
 
 struct GmshNodes {
   std::map<std::int64_t, int> index;  ///< of tag
@@ -168,18 +169,20 @@ void add_element(const ElementType& type, const std::array<int, max_space_nodes>
 
 /// ... and in space surfaces too. Nodes come in Gmsh's order, which is that of body/space_element.hpp.
 void add_element(const ElementType& type, const std::array<int, max_space_nodes>& node, SpaceMesh& mesh) {
-  if (type.type != 4 && type.type != 5 && type.type != 11) return;
-  mesh.cell.push_back({type.type == 4   ? ElementShape::tetrahedron
-                       : type.type == 5 ? ElementShape::brick
-                                        : ElementShape::quadratic_tetrahedron,
-                       node});
+  constexpr std::array<std::pair<int, ElementShape>, 4> shapes{{{4, ElementShape::tetrahedron},
+                                                                {5, ElementShape::brick},
+                                                                {6, ElementShape::wedge},
+                                                                {11, ElementShape::quadratic_tetrahedron}}};
+  for (const auto& [known, shape] : shapes)
+    if (type.type == known) mesh.cell.push_back({shape, node});
 }
 
 const ElementType& type_for(const Words& words, const Mesh& /*mesh*/, std::int64_t type) {
   return known_type(words, known_types, "triangles (2) and quadrilaterals (3) of first order in the plane", type);
 }
 const ElementType& type_for(const Words& words, const SpaceMesh& /*mesh*/, std::int64_t type) {
-  return known_type(words, types_in_space, "hexahedra of eight nodes (5) and tetrahedra of four (4) or ten nodes (11)",
+  return known_type(words, types_in_space,
+                    "hexahedra of eight nodes (5), prisms of six (6) and tetrahedra of four (4) or ten nodes (11)",
                     type);
 }
 
@@ -273,8 +276,8 @@ SpaceMesh parse_gmsh_in_space(std::string_view text, std::string_view owner) {
   SpaceMesh mesh;
   read_file(without_byte_order_mark(text), owner, nodes, mesh);
   if (mesh.cell.empty())
-    throw InputError(
-        fmt::format("{}: there is no tetrahedron or hexahedron in it; mesh the volume (Mesh 3) before saving", owner));
+    throw InputError(fmt::format(
+        "{}: there is no tetrahedron, hexahedron or prism in it; mesh the volume (Mesh 3) before saving", owner));
   for (std::size_t n = 0; n < nodes.place.size(); ++n)
     mesh.node.emplace_back(nodes.place[n].x(), nodes.place[n].y(), nodes.height[n]);
   return mesh;

@@ -137,6 +137,8 @@ template <int N>
       return resist_element<8>(model, e, state, work, out);
     case ElementShape::tetrahedron:
       return resist_element<4>(model, e, state, work, out);
+    case ElementShape::wedge:
+      return resist_element<6>(model, e, state, work, out);
     case ElementShape::quadratic_tetrahedron:
       return resist_element<10>(model, e, state, work, out);
   }

@@ -22,6 +22,8 @@ Eigen::VectorXd deformation_of(const Model<3>& model, const SpaceElement& e, con
       return deformation_of<8>(number, e, state, axes);
     case ElementShape::tetrahedron:
       return deformation_of<4>(number, e, state, axes);
+    case ElementShape::wedge:
+      return deformation_of<6>(number, e, state, axes);
     case ElementShape::quadratic_tetrahedron:
       break;
   }

@@ -9,7 +9,7 @@
 
 #include "body/fibre_beam.hpp"
 #include "body/hinge_law.hpp"
-#include "body/section.hpp"
+#include "body/section_3d.hpp"
 #include "shape/polygon.hpp"
 #include "world/model.hpp"
 
@@ -39,6 +39,7 @@ struct FrameMember {
   std::array<std::optional<Vec2>, 2> ends;  ///< where the flexible part begins and ends, which turns rigidly
                                             ///< with the joint; without it, at the joint itself [m]
   Section section;
+  std::optional<Section3> in_space;                                 ///< the same section of a member in space
   std::string material;                                             ///< "": the body's
   int divisions = 8;                                                ///< beam elements in a row
   std::array<bool, 2> pinned{};                                     ///< carries no moment there

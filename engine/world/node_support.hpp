@@ -1,14 +1,16 @@
-// Which nodes of a deformable body are held: those that stand in a box at the start.
+// Which nodes of a deformable body or a frame are held: those that stand in a box at the start.
 #pragma once
 
 #include <array>
+#include <span>
+#include <string>
 
 #include "base/space.hpp"
 #include "world/model.hpp"
 
 namespace trilith {
 
-/// Holds the nodes of a deformable body that stand in a box at the start.
+/// Holds the nodes of a deformable body or a frame that stand in a box at the start.
 template <int D>
 struct NodeSupportOf {
   Vec<D> low = Vec<D>::Zero(), high = Vec<D>::Zero();  ///< opposite corners [m]; a side may be without end
@@ -25,5 +27,9 @@ bool is_supported_at(const NodeSupportOf<D>& hold, const Vec<D>& place) {
 
 using NodeSupport = NodeSupportOf<2>;
 using SpaceNodeSupport = NodeSupportOf<3>;
+
+/// Throws InputError, with `owner` in front, for a box that holds none of the nodes [m]: it is a place in the wrong
+/// axes or unit.
+void refuse_idle_holds(std::span<const SpaceNodeSupport> holds, std::span<const Vec3> nodes, const std::string& owner);
 
 }  // namespace trilith

@@ -52,20 +52,12 @@ void check_yields(const SpaceMember& member, double young, double length, bool c
   }
 }
 
-/// Where the body holds a degree of freedom, all of its joints are held.
-SpaceFrameSpec with_supports(const SolidSpec& spec) {
-  SpaceFrameSpec frame = *spec.frame;
-  for (SpaceJoint& joint : frame.joints)
-    for (std::size_t k = 0; k < 6; ++k)
-      if (spec.support[k] != Support::free) joint.support[k] = spec.support[k];
-  return frame;
-}
-
 }  // namespace
 
 /// Its skin, where it stands, becomes the pieces of the body: for bearings that want to be near it.
 void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) const {
   check_space_frame(*spec.frame, owner);
+  refuse_idle_holds(spec.supports, node_places(*spec.frame), owner);
   if (spec.density) require_positive(*spec.density, owner + ": density", "kg/m3");
   if (spec.mass) require_positive(*spec.mass, owner + ": mass", "kg");
   if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");
@@ -93,7 +85,8 @@ void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) c
 /// Where the body's mass is given, all masses of members are scaled to it.
 SpaceFrameBody SolidModelBuilder::frame_body(const SolidSpec& spec) const {
   SpaceFrameBody out;
-  out.name = spec.name, out.frame = with_supports(spec), out.velocity = spec.velocity, out.spin = spec.spin;
+  out.name = spec.name, out.frame = *spec.frame, out.velocity = spec.velocity, out.spin = spec.spin;
+  out.support = spec.support, out.supports = spec.supports;
   double sum = 0;
   for (const SpaceMember& m : out.frame.members) {
     const Material& material = *material_called(materials_, material_of(spec, m));

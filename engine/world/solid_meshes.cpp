@@ -23,31 +23,17 @@ const Solid& solid_of(const std::vector<Material>& materials, const SolidSpec& s
 constexpr double most_grid_elements = 200'000;
 
 void require_grid(const SpaceForm& form, const std::string& owner) {
-  constexpr int tetrahedra_of_a_brick = 6;
+  constexpr int wedges_of_a_brick = 2, tetrahedra_of_a_brick = 6;
   const auto [x, y, z] = form.divisions;
-  const double elements =
-      static_cast<double>(x) * y * z * (form.element == ElementShape::brick ? 1 : tetrahedra_of_a_brick);
+  const int of_a_brick = form.element == ElementShape::brick   ? 1
+                         : form.element == ElementShape::wedge ? wedges_of_a_brick
+                                                               : tetrahedra_of_a_brick;
+  const double elements = static_cast<double>(x) * y * z * of_a_brick;
   if (elements > most_grid_elements)
     throw InputError(
         fmt::format("{}: its mesh of {} x {} x {} would have {:g} elements, at most {:g} are made; divide its "
                     "sides less",
                     owner, x, y, z, elements, most_grid_elements));
-}
-
-/// A box that holds no node is a place in the wrong axes or unit.
-void refuse_idle_holds(const SolidSpec& spec, const std::string& owner) {
-  const std::vector<Vec3>& nodes = spec.mesh->node;
-  for (std::size_t i = 0; i < spec.supports.size(); ++i) {
-    const SpaceNodeSupport& hold = spec.supports[i];
-    if (std::any_of(nodes.begin(), nodes.end(), [&](const Vec3& x) { return is_supported_at(hold, x); })) continue;
-    Vec3 low = nodes[0], high = low;
-    for (const Vec3& x : nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
-    const auto text = [](const Vec3& x) { return fmt::format("({:g}, {:g}, {:g})", x.x(), x.y(), x.z()); };
-    throw InputError(fmt::format(
-        "{}: hold {} holds no node: its box reaches from {} to {} m, the body's nodes from {} to "
-        "{} m",
-        owner, i + 1, text(hold.low.cwiseMin(hold.high)), text(hold.low.cwiseMax(hold.high)), text(low), text(high)));
-  }
 }
 
 }  // namespace
@@ -75,7 +61,7 @@ void SolidModelBuilder::check_mesh_body(SolidSpec& spec, const std::string& owne
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   spec.pieces = skin_of(checked);
   spec.mesh = std::move(checked.mesh);
-  refuse_idle_holds(spec, owner);
+  refuse_idle_holds(spec.supports, spec.mesh->node, owner);
 }
 
 SpaceMeshBody SolidModelBuilder::mesh_body(const SolidSpec& spec) const {

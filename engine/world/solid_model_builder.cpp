@@ -108,7 +108,7 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   if (spec.frame) check_frame(spec, owner);
   if (spec.frame && spec.deforms())
     throw InputError(owner + ": the members of a frame deform by themselves; leave out body");
-  if (!spec.supports.empty() && !spec.deforms())
+  if (!spec.supports.empty() && !spec.deforms() && !spec.frame)
     throw InputError(owner + ": hold is of nodes of bodies that deform; say support, or body = \"brick\"");
   if (spec.deforms()) check_mesh_body(spec, owner);
   if (spec.pieces.empty() && spec.spheres.empty()) throw InputError(owner + " has no piece; it needs at least one");

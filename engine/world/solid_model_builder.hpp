@@ -36,7 +36,7 @@ struct SolidSpec {
   std::optional<SpaceFrameSpec> frame = {};     ///< instead of both: `pieces` become its skin where it stands
   SpaceForm form = {};                          ///< rigid, or the elements that its one piece is divided into
   std::optional<SpaceMesh> mesh = {};           ///< ... or its elements; `pieces` become its skin
-  std::vector<SpaceNodeSupport> supports = {};  ///< of some nodes of a body that deforms
+  std::vector<SpaceNodeSupport> supports = {};  ///< of some nodes of a body that deforms, or of a frame
 
   [[nodiscard]] bool deforms() const { return mesh.has_value() || form.kind != BodyKind::rigid; }
   [[nodiscard]] BodyKind kind() const { return frame ? BodyKind::frame : mesh ? mesh_kind(*mesh) : form.kind; }

@@ -28,18 +28,28 @@ HalfBeam half_beam(const SpaceMember& m, double per_length, double length) {
   return {half, half / s.area * Vec3(s.second_moment[0] + s.second_moment[1], s.second_moment[0], s.second_moment[1])};
 }
 
+/// Where the body or a box says so its nodes are held, else as their joint is.
+std::array<Support, 6> support_of(const SpaceFrameBody& body, const Vec3& place, std::array<Support, 6> own) {
+  for (std::size_t k = 0; k < own.size(); ++k)
+    if (body.support[k] != Support::free) own[k] = body.support[k];
+  for (const SpaceNodeSupport& hold : body.supports)
+    for (std::size_t k = 0; k < hold.support.size(); ++k)
+      if (is_supported_at(hold, place) && hold.support[k] != Support::free) own[k] = hold.support[k];
+  return own;
+}
+
 std::vector<NodeMass> node_masses(const SpaceFrameBody& body) {
   const SpaceFrameSpec& spec = body.frame;
   std::vector<NodeMass> nodes;
-  for (const SpaceJoint& j : spec.joints)
-    nodes.push_back({j.place, j.mass, j.inertia * Eigen::Matrix3d::Identity(), j.support});
+  for (const Vec3& place : node_places(spec)) {
+    const SpaceJoint joint = nodes.size() < spec.joints.size() ? spec.joints[nodes.size()] : SpaceJoint{};
+    nodes.push_back(
+        {place, joint.mass, joint.inertia * Eigen::Matrix3d::Identity(), support_of(body, place, joint.support)});
+  }
   for (std::size_t m = 0; m < spec.members.size(); ++m) {
     const SpaceMember& member = spec.members[m];
     const Turn3 turn = turn_of(member_axes(spec, member));
-    const double length = length_of(spec, member) / member.divisions;
-    const Vec3 start = spec.joints[static_cast<std::size_t>(member.from)].place;
-    for (int i = 1; i < member.divisions; ++i) nodes.emplace_back().place = start + i * length * turn.x();
-    const HalfBeam half = half_beam(member, body.material[m].mass, length);
+    const HalfBeam half = half_beam(member, body.material[m].mass, length_of(spec, member) / member.divisions);
     Eigen::Matrix3d axes;
     axes << turn.x(), turn.y(), turn.z();
     const Eigen::Matrix3d inertia = axes * half.inertia.asDiagonal() * axes.transpose();

@@ -51,13 +51,13 @@ void append_whole_fit(Model<3>& model, const SpaceElement& element, std::span<co
 }
 
 void append_face_fit(Model<3>& model, const SpaceElement& element, std::span<const Vec3> nodes, int face) {
-  const ElementShapeInfo& info = info_of(element.shape);
+  const std::span<const int> on_face = info_of(element.shape).nodes_of_face(face);
   const FaceFit found = fit_face(element.shape, nodes, face);
   Fit fit;
-  fit.nodes = info.face_nodes, fit.is_face = true;
+  fit.nodes = static_cast<int>(on_face.size()), fit.is_face = true;
   fit.first_number = static_cast<int>(model.fit_number.size());
-  for (std::size_t i = 0; i < static_cast<std::size_t>(info.face_nodes); ++i) {
-    fit.node[i] = element.node[static_cast<std::size_t>(info.face[static_cast<std::size_t>(face)][i])];
+  for (std::size_t i = 0; i < on_face.size(); ++i) {
+    fit.node[i] = element.node[static_cast<std::size_t>(on_face[i])];
     model.fit_number.push_back(found.mean[i]);
     append(model.fit_number, Vec3(found.gradient[i].x(), found.gradient[i].y(), 0));
   }
@@ -115,8 +115,7 @@ void append_element_piece(Model<3>& model, const SpaceElement& element, std::spa
   for (int f = 0; f < info.faces; ++f) {
     append_face_fit(model, element, nodes, f);
     faces.push_back(fitted(model, model.fits.back(), model.start_position, model.start_velocity));
-    solid.shape.faces.add(
-        std::span(info.face[static_cast<std::size_t>(f)]).first(static_cast<std::size_t>(info.face_corners)));
+    solid.shape.faces.add(info.corners_of_face(f));
   }
   solid.shape.corners.assign(static_cast<std::size_t>(info.corners), Vec3::Zero());
   place_between(solid, faces, solid.shape.corners, solid.normals);

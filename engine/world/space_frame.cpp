@@ -133,6 +133,17 @@ int node_within(const SpaceFrameSpec& spec, std::size_t member, int i) {
   return node;
 }
 
+std::vector<Vec3> node_places(const SpaceFrameSpec& spec) {
+  std::vector<Vec3> places;
+  for (const SpaceJoint& joint : spec.joints) places.push_back(joint.place);
+  for (const SpaceMember& m : spec.members) {
+    const Vec3 start = spec.joints[static_cast<std::size_t>(m.from)].place;
+    const Vec3 beam = length_of(spec, m) / m.divisions * turn_of(member_axes(spec, m)).x();
+    for (int i = 1; i < m.divisions; ++i) places.emplace_back(start + i * beam);
+  }
+  return places;
+}
+
 /// From the middle of one beam to that of the next. The skin beside a pinned joint goes with the node that is next to
 /// it, as the joint's rotation is not the member's.
 std::vector<SkinStretch> skin_stretches(const SpaceFrameSpec& spec, std::size_t member) {

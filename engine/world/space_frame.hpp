@@ -18,6 +18,7 @@
 #include "body/section_3d.hpp"
 #include "shape/polyhedron.hpp"
 #include "world/model.hpp"
+#include "world/node_support.hpp"
 
 namespace trilith {
 
@@ -66,6 +67,8 @@ struct SpaceFrameBody {
   std::vector<SpaceMemberMaterial> material;  ///< [member]
   Vec3 velocity = Vec3::Zero();               ///< of its centre of mass [m/s]
   Vec3 spin = Vec3::Zero();                   ///< [rad/s]
+  std::array<Support, 6> support{};           ///< of all nodes, beside those of joints
+  std::vector<SpaceNodeSupport> supports;     ///< of some
   int surface = 0;
 };
 
@@ -92,6 +95,9 @@ std::vector<SkinStretch> skin_stretches(const SpaceFrameSpec& spec, std::size_t 
 
 /// The profile of a member over a stretch of it, where it stands.
 std::vector<Polyhedron> skin_solids(const SpaceFrameSpec& spec, std::size_t member, const SkinStretch& stretch);
+
+/// Where its nodes stand at the start: joints, then what lies within members [m].
+std::vector<Vec3> node_places(const SpaceFrameSpec& spec);
 
 /// Node `i` of those from a member's start to its end.
 int node_within(const SpaceFrameSpec& spec, std::size_t member, int i);

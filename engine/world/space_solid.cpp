@@ -5,10 +5,7 @@
 namespace trilith {
 
 SpaceMesh mesh_of(const Polyhedron& solid, const SpaceForm& form, const std::string& owner) {
-  const SpaceMesh bricks = brick_grid(brick_corners(solid, owner), form.divisions);
-  if (form.element == ElementShape::brick) return bricks;
-  const SpaceMesh tetrahedra = tetrahedra_of(bricks);
-  return form.element == ElementShape::tetrahedron ? tetrahedra : quadratic_of(tetrahedra);
+  return divided_into(form.element, brick_grid(brick_corners(solid, owner), form.divisions));
 }
 
 double volume_of(const SpaceMesh& mesh) {
@@ -39,9 +36,7 @@ std::vector<Polyhedron> skin_of(const CheckedSpaceMesh& checked) {
     solid.corners = nodes_of(checked.mesh, e);
     solid.corners.resize(static_cast<std::size_t>(info.corners));
     for (int f = 0; f < info.faces; ++f)
-      if (surface[static_cast<std::size_t>(f)] != 0)
-        solid.faces.add(
-            std::span(info.face[static_cast<std::size_t>(f)]).first(static_cast<std::size_t>(info.face_corners)));
+      if (surface[static_cast<std::size_t>(f)] != 0) solid.faces.add(info.corners_of_face(f));
   }
   return out;
 }

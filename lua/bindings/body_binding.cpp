@@ -224,14 +224,17 @@ const std::array body_properties{
                  [](lua_State* L, const BodyHandle& b) { lua_pushboolean(L, b.model().is_resting(b.index) ? 1 : 0); }},
 };
 
-/// body:point{x, y}: where a point that was there at the start is now.
+/// body:point{x, y} or body:point "joint": where what was there at the start is now.
 int body_point(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
   b.model().require_present(b.index, "point");
   if (SpaceModel* space = as_space(b.model())) return push_space_point(L, *space, b.index);
   const PlaneModel& plane = b.plane();
-  const auto at = point_at(L, 2);
-  if (!at) throw InputError(fmt::format("point: takes {{x, y}}, two finite numbers; this is {}", what_is(L, 2)));
+  std::optional<Vec2> at = point_at(L, 2);
+  if (lua_type(L, 2) == LUA_TSTRING) at = joint_start(spec(b), text_at(L, 2));
+  if (!at)
+    throw InputError(
+        fmt::format("point: takes {{x, y}}, two finite numbers, or the name of a joint; this is {}", what_is(L, 2)));
   const Simulation<2>* s = plane.if_built();
   Vec2 now = *at;
   if (s != nullptr) {
@@ -247,8 +250,9 @@ const std::array body_methods{
     Method{"reactions", guarded<push_body_reactions>,
            "reactions(): what holds or drives each of its nodes: list of {x, y, fx, fy, m}; in space with z, fz and "
            "mx, my, mz for m"},
-    Method{"point", guarded<body_point>,
-           "point{x, y}: x and y now of the point that was there at the start; in space z too, and of joints by name"},
+    Method{
+        "point", guarded<body_point>,
+        "point{x, y}: x and y now of the point that was there at the start, or of the joint of a name; in space z too"},
     Method{"hinges", guarded<push_member_hinges>, "hinges(member): plastic hinges at the ends of a member of a frame",
            2},
     Method{"fibres", guarded<push_member_fibres>, "fibres(member): strains and stresses of a member of fibres", 2},

@@ -7,7 +7,9 @@
 
 #include "base/error.hpp"
 #include "base/rotation_3d.hpp"
+#include "bearing/mirrored.hpp"
 #include "build/solid_part.hpp"
+#include "world/extruded_frame.hpp"
 
 namespace trilith::script {
 namespace {
@@ -17,26 +19,18 @@ Vec3 in_space(const Vec2& p, double y = 0) {
   return {p.x(), y, p.y()};
 }
 
-/// Nodes of the far side, then of the near one; corners run counter-clockwise as the near side is looked at.
-SpaceMesh extruded_mesh(const Mesh& flat, double half, const std::string& owner) {
-  SpaceMesh mesh;
-  const auto nodes = static_cast<int>(flat.node.size());
-  for (const double y : {half, -half})
-    for (const Vec2& p : flat.node) mesh.node.push_back(in_space(p, y));
-  for (const std::array<int, 4>& element : flat.element) {
-    if (corners_of(element) == 3)
-      throw InputError(owner +
-                       " has triangles, which have no element in space when extruded; mesh it by quadrilaterals");
-    SpaceCell& cell = mesh.cell.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) cell.node[i] = element[i], cell.node[i + 4] = element[i] + nodes;
-  }
-  return mesh;
-}
-
 bool strains_in_plane(const BodySpec& flat, const std::vector<Material>& materials) {
   for (const Material& m : materials)
     if (m.name == flat.material) return m.solid && m.solid->plane == Plane::strain;
   return false;
+}
+
+/// Boxes that hold nodes reach over all of the depth.
+void hold_nodes(const BodySpec& flat, SolidSpec& spec) {
+  for (const NodeSupport& hold : flat.supports)
+    spec.supports.push_back({in_space(hold.low, -unbounded),
+                             in_space(hold.high, unbounded),
+                             {hold.support[0], Support::free, hold.support[1]}});
 }
 
 /// Held, elements in plane stress keep their far side in its plane, and so do not turn out of it; their near side may
@@ -49,10 +43,7 @@ void hold_elements(const BodySpec& flat, bool strain, double half, bool held, So
     spec.supports.push_back(
         {Vec3(0, half, 0) - reach, Vec3(0, half, 0) + reach, {Support::free, Support::fixed, Support::free}});
   }
-  for (const NodeSupport& hold : flat.supports)
-    spec.supports.push_back({in_space(hold.low, -unbounded),
-                             in_space(hold.high, unbounded),
-                             {hold.support[0], Support::free, hold.support[1]}});
+  hold_nodes(flat, spec);
 }
 
 void hold_rigid(const BodySpec& flat, bool held, SolidSpec& spec) {
@@ -62,13 +53,14 @@ void hold_rigid(const BodySpec& flat, bool held, SolidSpec& spec) {
   spec.support = {s[0], across, s[1], across, s[2], across};
 }
 
+void hold_frame(const BodySpec& flat, bool held, SolidSpec& spec) {
+  hold_rigid(flat, held, spec);
+  hold_nodes(flat, spec);
+}
+
 /// Counter-clockwise in the plane is against the turn about y, which points away from who looks at it.
 SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held) {
   const std::string owner = fmt::format("extruded: body '{}'", flat.name);
-  if (flat.frame)
-    throw InputError(owner +
-                     " is a frame, whose sections do not say how they bend across and twist; add it to a model in "
-                     "space by m:frame");
   const double half = flat.thickness.value_or(plane.builder.thickness) / 2;
   SolidSpec spec;
   spec.name = flat.name, spec.material = flat.material, spec.groups = flat.groups;
@@ -76,8 +68,12 @@ SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held
   if (flat.weight) spec.mass = *flat.weight / standard_gravity;
   spec.velocity = in_space(flat.velocity), spec.load = in_space(flat.load), spec.spin = {0, -flat.spin, 0};
   spec.floating = flat.floating;
-  if (flat.mesh) {
-    spec.mesh = extruded_mesh(*flat.mesh, half, owner);
+  if (flat.frame) {
+    spec.frame = extruded_frame(*flat.frame, {2 * half, held}, owner);
+    hold_frame(flat, held, spec);
+  } else if (flat.mesh) {
+    // From the far side to the near one: elements run counter-clockwise as the near side is looked at.
+    spec.mesh = extruded(*flat.mesh, Vec3::UnitX(), Vec3::UnitZ(), Vec3(0, half, 0), Vec3(0, -half, 0));
     spec.form.kind = BodyKind::mesh;
     hold_elements(flat, strains_in_plane(flat, plane.materials), half, held, spec);
   } else {
@@ -87,28 +83,8 @@ SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held
   return spec;
 }
 
-/// A fresh link led one way resists as one led the other way.
-bool acts_alike_both_ways(const DirectionLaw& law) {
-  const auto force = [](const auto& l, double displacement) {
-    return l.respond(DirectionMotion{displacement, displacement, 1, 1}, DirectionMemory{}).force();
-  };
-  return std::visit(
-      [&](const auto& l) {
-        if constexpr (requires { l.respond(DirectionMotion{}, DirectionMemory{}); })
-          for (const double d : {1e-4, 1e-2, 1.0, 1e2})
-            if (!(force(l, d) == -force(l, -d))) return false;
-        return true;
-      },
-      law);
-}
-
-/// `along` is turned from x by the angle of the plane, about the axis that looks out of it.
+/// `along` is turned from x by the angle of the plane, about the axis that looks out of it; turns count the other way.
 BearingSpecOf<3> extruded_bearing(const BearingSpec& flat) {
-  if (!acts_alike_both_ways(flat.law[turning]))
-    throw InputError(
-        fmt::format("extruded: bearing '{}': its law of turning resists one way otherwise than the other, and "
-                    "turns count the other way in space; add it to the model in space by m:bearing",
-                    flat.name));
   BearingSpecOf<3> spec;
   spec.name = flat.name, spec.body_a = flat.body_a, spec.body_b = flat.body_b;
   spec.point_a = in_space(flat.point_a), spec.point_b = in_space(flat.point_b);
@@ -117,6 +93,7 @@ BearingSpecOf<3> extruded_bearing(const BearingSpec& flat) {
   for (std::size_t k = 0; k < direction.size(); ++k)
     spec.law[direction[k]] = flat.law[k], spec.limit[direction[k]] = flat.limit[k],
     spec.next_from_here[direction[k]] = flat.next_from_here[k];
+  spec.law[direction[turning]] = mirrored(flat.law[turning]);
   spec.replaces_contact = flat.replaces_contact, spec.contact_after = flat.contact_after;
   spec.becomes_bearing = flat.becomes_bearing, spec.starts_waiting = flat.starts_waiting;
   return spec;

@@ -66,6 +66,7 @@ void read_member(Keys& keys, FrameMember& member) {
   if (auto fibres = read_fibres(keys, section)) member.yields = std::move(*fibres);
   if (section != nullptr) {
     member.section = section->numbers;
+    if (section->not_in_space.empty()) member.in_space = section->in_space;
   } else if (!keys.has("section")) {
     keys.missing("section", "a section such as trilith.rectangle_section{width =, depth =}");
   }

@@ -70,8 +70,9 @@ SpaceForm read_space_form(Keys& keys, const SpaceForm& preset) {
       Keys own(keys.lua(), -1, "body");
       form = {BodyKind::mesh};
       read_divisions(own, form.divisions, "three whole numbers {nx, ny, nz}, divisions along the three sides");
-      constexpr std::array shapes{ElementShape::brick, ElementShape::tetrahedron, ElementShape::quadratic_tetrahedron};
-      form.element = shapes[own.choice("element", {"brick", "tet4", "tet10"}, 0)];
+      constexpr std::array shapes{ElementShape::brick, ElementShape::tetrahedron, ElementShape::quadratic_tetrahedron,
+                                  ElementShape::wedge};
+      form.element = shapes[own.choice("element", {"brick", "tet4", "tet10", "wedge"}, 0)];
       own.finish();
     } catch (const InputError& e) {
       keys.problem(e.what());
@@ -188,15 +189,16 @@ std::string solid_maker_names() {
   return names;
 }
 
-/// A list of four, eight or ten numbers of nodes at the top of the stack.
+/// A list of four, six, eight or ten numbers of nodes at the top of the stack.
 SpaceCell cell_at(lua_State* L, Keys& keys, lua_Integer number) {
   SpaceCell cell;
   const auto count = lua_type(L, -1) == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
-  const bool known = count == 4 || count == 8 || count == 10;
-  if (!known) keys.problem(fmt::format("element {} must be a list of four, eight or ten numbers of nodes", number));
-  cell.shape = count == 4   ? ElementShape::tetrahedron
-               : count == 8 ? ElementShape::brick
-                            : ElementShape::quadratic_tetrahedron;
+  bool known = false;
+  for (const ElementShape shape :
+       {ElementShape::tetrahedron, ElementShape::wedge, ElementShape::brick, ElementShape::quadratic_tetrahedron})
+    if (info_of(shape).nodes == count) cell.shape = shape, known = true;
+  if (!known)
+    keys.problem(fmt::format("element {} must be a list of four, six, eight or ten numbers of nodes", number));
   for (lua_Integer i = 1; known && i <= count; ++i) {
     lua_rawgeti(L, -1, i);
     const lua_Integer n = lua_tointeger(L, -1);

@@ -150,17 +150,6 @@ void push_place(lua_State* L, const Vec3& at) {
   for (int k = 0; k < 3; ++k) lua_pushnumber(L, at[k]);
 }
 
-/// The joint of that name: where it was at the start.
-Vec3 joint_start(const SolidSpec& spec, const std::string& name) {
-  std::vector<std::string> known;
-  if (spec.frame)
-    for (const SpaceJoint& joint : spec.frame->joints) {
-      if (joint.name == name) return joint.place;
-      known.push_back(joint.name);
-    }
-  throw InputError(fmt::format("point: body '{}' has no joint '{}'{}", spec.name, name, name_hint(name, known)));
-}
-
 }  // namespace
 
 /// m:beam{ name =, from =, to =, section =, orientation =, ... }

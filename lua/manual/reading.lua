@@ -14,7 +14,7 @@ name      names?  of these names]], gives = "set" },
 apart         number m = 0.0127  a joint that opened or slipped by more is apart (half an inch)
 out_of_place  number m = 0.0254  a unit that moved by more is out of place (an inch)]], gives = "table[]" },
   { "body:point", "Where the point is now that was there at the start: x and y, in space z too.",
-    args = "place  place  {x, y} at the start; in space {x, y, z} or the name of a frame's joint",
+    args = "place  place  {x, y} at the start, in space {x, y, z}; or the name of a frame's joint",
     gives = "number, number" },
   { "body:reactions", "What holds or drives each node of a body that is held or driven: { x, y, fx, fy, m }, in "
     .. "space { x, y, z, fx, fy, fz, mx, my, mz }; the force that the support has on it, its own weight and "

@@ -13,7 +13,7 @@ velocity     vector = {0, 0, 0}  at the start [m/s]
 spin         vector = {0, 0, 0}  at the start [rad/s]
 load         vector = {0, 0, 0}  steady force at the centroid [N]
 floating     flag = false     it may start with nothing that holds it up
-body         body form?       "rigid", "brick" or { mesh = {nx, ny, nz}, element = "brick", "tet4" or "tet10" }
+body         body form?       "rigid", "brick" or { mesh = {nx, ny, nz}, element = "brick", "wedge", "tet4" or "tet10" }
 hold         list?            of one that deforms: { { from = , to = , x = , y = , z = }, ... } holds nodes in boxes]],
     solids = [[
 fixed        names?           names or groups of parts that are fixed

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "base/error.hpp"
+#include "near.hpp"
 
 namespace trilith {
 namespace {
@@ -139,13 +140,27 @@ TEST_CASE("a Gmsh mesh in space gives its volumes and passes over what lies on t
   CHECK(checked.notes.size() == 1);
 }
 
+TEST_CASE("a prism of a Gmsh mesh is a wedge with its nodes in the same order") {
+  const std::string file =
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 6 1 6\n3 1 0 6\n1\n2\n3\n4\n5\n6\n"
+      "0 0 0\n1 0 0\n0 1 0\n0 0 2\n1 0 2\n0 1 2\n$EndNodes\n$Elements\n1 1 1 1\n3 1 6 1\n"
+      "1 1 2 3 4 5 6\n$EndElements\n";
+  const SpaceMesh mesh = parse_gmsh_in_space(file, "mesh");
+  REQUIRE(mesh.cell.size() == 1);
+  CHECK(mesh.cell[0].shape == ElementShape::wedge);
+  const CheckedSpaceMesh checked = check_space_mesh(mesh, "mesh");
+  CHECK(checked.notes.empty());
+  CHECK(near(node_shares(ElementShape::wedge, nodes_of(checked.mesh, 0)).volume, 1, 1e-12));
+}
+
 TEST_CASE("a Gmsh mesh in space without volumes, or with elements that are not known, says so") {
-  CHECK_THROWS_WITH_AS((void)parse_gmsh_in_space(solid_file("2 2 2 1\n2 1 2 4\n"), "mesh 'x'"),
-                       "mesh 'x': there is no tetrahedron or hexahedron in it; mesh the volume (Mesh 3) before saving",
-                       InputError);
-  CHECK_THROWS_WITH_AS((void)parse_gmsh_in_space(solid_file("3 1 6 1\n2 1 2 3 4 5 1\n"), "mesh 'x'"),
-                       "mesh 'x': line 22: elements of type 6 cannot be used; take hexahedra of eight nodes (5) and "
-                       "tetrahedra of four (4) or ten nodes (11)",
+  CHECK_THROWS_WITH_AS(
+      (void)parse_gmsh_in_space(solid_file("2 2 2 1\n2 1 2 4\n"), "mesh 'x'"),
+      "mesh 'x': there is no tetrahedron, hexahedron or prism in it; mesh the volume (Mesh 3) before saving",
+      InputError);
+  CHECK_THROWS_WITH_AS((void)parse_gmsh_in_space(solid_file("3 1 7 1\n2 1 2 3 4 5\n"), "mesh 'x'"),
+                       "mesh 'x': line 22: elements of type 7 cannot be used; take hexahedra of eight nodes (5), "
+                       "prisms of six (6) and tetrahedra of four (4) or ten nodes (11)",
                        InputError);
 }
 

@@ -172,15 +172,9 @@ do
   refused("extruded: model 'plane' is in space already", function() m:extruded():extruded() end)
   refused("extruded: unknown key 'hold'; did you mean 'held'?", function() m:extruded { hold = true } end)
   m:material { name = "steel", density = 7850, E = 2e11, nu = 0.3 }
-  m:beam { name = "beam", from = { 2, 1 }, to = { 3, 1 }, material = "steel",
-    section = trilith.rectangle_section { width = 0.1, depth = 0.1 } }
-  refused("extruded: body 'beam' is a frame, whose sections do not say how they bend across and twist; add it to a "
-    .. "model in space by m:frame", function() m:extruded() end)
-end
-do
-  local m = stack(friction, { { 1, 1 } })
-  m:bearing { name = "one way", between = { "ground", "b1" }, at = { 0, 0 },
-    turning = trilith.gap { stiffness = 1e6, opening = 0.01, side = 1 } }
-  refused("extruded: bearing 'one way': its law of turning resists one way otherwise than the other, and turns count "
-    .. "the other way in space; add it to the model in space by m:bearing", function() m:extruded() end)
+  m:frame { name = "bent", material = "steel", joints = { A = { 2, 1 }, B = { outline = { { 3, 0.9 }, { 3.2, 0.9 },
+    { 3.2, 1.1 }, { 3, 1.1 } } } }, members = { { from = "A", to = "B",
+    section = trilith.rectangle_section { width = 0.1, depth = 0.1 } } } }
+  refused("extruded: body 'bent': its joint 'B' is a rigid block, which frames in space do not have; make it a joint "
+    .. "with 'at', 'mass' and 'inertia', or add the frame to a model in space by m:frame", function() m:extruded() end)
 end

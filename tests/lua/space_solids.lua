@@ -135,7 +135,7 @@ do
   refused("element 1 of the mesh (tetrahedron) is flat", function()
     m:body { name = "b", material = "stone", mesh = { nodes = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
                                                       elements = { { 1, 2, 3, 4 } } } } end)
-  refused("must be a list of four, eight or ten numbers of nodes", function()
+  refused("must be a list of four, six, eight or ten numbers of nodes", function()
     m:body { name = "b", material = "stone", mesh = { nodes = { { 0, 0, 0 } }, elements = { { 1, 2, 3 } } } } end)
   m:block { name = "soft", size = size, material = "stone", body = "brick", at = { 0, 0, 0 } }
   refused("say with 'at' where the force that follows acts", function()

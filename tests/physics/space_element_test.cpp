@@ -46,6 +46,35 @@ TEST_CASE("patch test: distorted bricks and tetrahedra carry a linear field exac
   }
 }
 
+/// A box of bricks of which those at its low end along x are parted into wedges, inner nodes moved.
+SpaceMesh bricks_and_wedges() {
+  const SpaceMesh bricks = distorted_box(Vec3(2, 1.5, 1), {3, 3, 3}, ElementShape::brick, 0.08);
+  SpaceMesh mixed{bricks.node, {}};
+  for (std::size_t e = 0; e < bricks.cell.size(); ++e) {
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& x : nodes_of(bricks, e)) middle += x / 8;
+    const SpaceMesh one{bricks.node, {bricks.cell[e]}};
+    const SpaceMesh parted = divided_into(middle.x() < 1 ? ElementShape::wedge : ElementShape::brick, one);
+    mixed.cell.insert(mixed.cell.end(), parted.cell.begin(), parted.cell.end());
+  }
+  return mixed;
+}
+
+TEST_CASE("patch test: bricks and wedges in one mesh stretch uniformly to rounding") {
+  const double young = 1e7, poisson = 0.3, stretch = 1e-3;
+  const Model<3> model =
+      alone_in_space(elastic_in("m", 1000, young, poisson), mesh_spec("patch", "m", bricks_and_wedges()));
+  CHECK(model.space_elements.size() > 27);
+  State<3> state = initial_state(model);
+  Work<3> work;
+  for (int n = 0; n < model.nodes(); ++n)
+    state.position[n] = Vec3(1 + stretch, 1 - poisson * stretch, 1 - poisson * stretch).cwiseProduct(state.position[n]);
+  resist(model, state, work);
+  SpaceVector expected = SpaceVector::Zero();
+  expected[0] = young * stretch;
+  CHECK(stress_error(model, state, expected) < 1e-9);
+}
+
 TEST_CASE("patch test: a stretch of distorted elements is uniform to rounding") {
   const double young = 1e7, poisson = 0.3, stretch = 1e-3;
   for (const ElementShape shape : all_shapes) {
@@ -152,6 +181,17 @@ TEST_CASE("a cantilever of bricks, one through its depth, bends as beam theory h
   CHECK(near(tip_ratio(0.3, ElementForm::assumed, ElementShape::brick, {10, 1, 1}), 1, 0.01));
   CHECK(tip_ratio(0.3, ElementForm::plain, ElementShape::brick, {10, 1, 1}) < 0.75);
   CHECK(near(tip_ratio(0.3, ElementForm::assumed, ElementShape::quadratic_tetrahedron, {5, 1, 1}), 1, 0.05));
+}
+
+TEST_CASE("a cantilever of wedges is too stiff and less so the finer it is") {
+  const double coarse = tip_ratio(0.3, ElementForm::assumed, ElementShape::wedge, {10, 1, 1}),
+               fine = tip_ratio(0.3, ElementForm::assumed, ElementShape::wedge, {40, 2, 2}),
+               plain = tip_ratio(0.3, ElementForm::plain, ElementShape::wedge, {10, 1, 1});
+  MESSAGE("of beam theory: " << plain << " plain, " << coarse << ", four times as fine " << fine);
+  CHECK(plain < coarse);
+  CHECK(coarse < fine);
+  CHECK(fine < 1);
+  CHECK(fine > 0.95);
 }
 
 TEST_CASE("a cantilever of bricks does not lock as its volume cannot change") {

@@ -14,7 +14,7 @@
 namespace trilith::testing {
 
 inline constexpr std::array all_shapes{ElementShape::brick, ElementShape::tetrahedron,
-                                       ElementShape::quadratic_tetrahedron};
+                                       ElementShape::quadratic_tetrahedron, ElementShape::wedge};
 
 inline Material elastic_in(const std::string& name, double density, double young, double poisson, double damping = 0,
                            ElementForm form = ElementForm::assumed) {
@@ -51,9 +51,7 @@ inline SpaceMesh distorted_box(const Vec3& sides, const std::array<int, 3>& divi
     const Vec3 moved = by * random_in_ball(bits);
     if (inner) x += moved;
   }
-  if (shape == ElementShape::brick) return mesh;
-  const SpaceMesh tetrahedra = tetrahedra_of(mesh);
-  return shape == ElementShape::tetrahedron ? tetrahedra : quadratic_of(tetrahedra);
+  return divided_into(shape, mesh);
 }
 
 inline SolidSpec mesh_spec(const std::string& name, const std::string& material, SpaceMesh mesh) {
