@@ -19,8 +19,10 @@ struct BeamStiffness3 {
 struct Beam3 {
   int body = -1;
   std::array<int, 2> node{-1, -1};
-  std::array<UnitQuaternion, 2> axes{};  ///< from the axes of a node to those of the beam at the start
-  double length = 0;                     ///< at the start [m]
+  std::array<UnitQuaternion, 2> axes{};                   ///< from the axes of a node to those of the beam at the start
+  std::array<Vec3, 2> arm{Vec3(0, 0, 0), Vec3(0, 0, 0)};  ///< rigid: from the node to where the beam begins, in the
+                                                          ///< node's axes [m]
+  double length = 0;                                      ///< at the start [m]
   BeamStiffness3 stiffness;
   double damping = 0;                  ///< damping over elastic force, of strain rate [s]
   BeamYield yield = BeamYield::never;  ///< of fibres `stiffness` is the stiffest it can be

@@ -164,7 +164,8 @@ double stored_in(const BeamStiffness3& k, const BeamStrain3& d) {
 
 /// The largest eigenvalue of J' K J, with J the rates of the strains by the motion of both nodes at rest, scaled by
 /// 1 / sqrt(m). Columns: x, y, z, turns about x, y, z of end 0, then of end 1.
-double beam_frequency2(const BeamStiffness3& stiffness, double length, double mass, const Vec3& inertia) {
+double beam_frequency2(const BeamStiffness3& stiffness, double length, double mass, const Vec3& inertia,
+                       const std::array<Vec3, 2>& arm) {
   Eigen::Matrix<double, 6, 12> shape = Eigen::Matrix<double, 6, 12>::Zero();
   for (const int end : {0, 1}) {
     const double sign = end == 0 ? -1 : 1;
@@ -172,6 +173,16 @@ double beam_frequency2(const BeamStiffness3& stiffness, double length, double ma
     shape(0, c) = sign, shape(5, c + 3) = sign;
     for (const int row : {1, 3}) shape(row, c + 2) = sign / length, shape(row + 1, c + 1) = -sign / length;
     shape(1 + 2 * end, c + 4) = 1, shape(2 + 2 * end, c + 5) = 1;
+    const Vec3& a = arm[static_cast<std::size_t>(end)];
+    if (a != Vec3(0, 0, 0)) {
+      // A turn w takes the end by w x a.
+      for (int k = 0; k < 3; ++k) shape.col(c + 3 + k) += shape.middleCols<3>(c) * cross(Vec3::Unit(k), a);
+      const Eigen::Matrix3d tensor = inertia_at(mass, a) + Eigen::Matrix3d(inertia.asDiagonal());
+      const Eigen::Matrix3d root = tensor.llt().matrixL();
+      shape.middleCols<3>(c + 3) = (shape.middleCols<3>(c + 3) * root.transpose().inverse()).eval();
+      shape.middleCols<3>(c) /= std::sqrt(mass);
+      continue;
+    }
     for (int k = 0; k < 6; ++k) shape.col(c + k) /= std::sqrt(k < 3 ? mass : inertia[k - 3]);
   }
   Eigen::Matrix<double, 6, 6> k = Eigen::Matrix<double, 6, 6>::Zero();
@@ -183,6 +194,10 @@ double beam_frequency2(const BeamStiffness3& stiffness, double length, double ma
   }
   const Eigen::Matrix<double, 12, 12> scaled = shape.transpose() * k * shape;
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[11];
+}
+
+Eigen::Matrix3d inertia_at(double mass, const Vec3& arm) {
+  return mass * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
 }
 
 }  // namespace trilith

@@ -101,7 +101,12 @@ BeamStress3 stress_of(const BeamStiffness3& k, const BeamStrain3& d);
 double stored_in(const BeamStiffness3& k, const BeamStrain3& d);
 
 /// An upper bound of the highest frequency squared of the beam alone, free, on the mass and the inertias of its ends,
-/// of which both have as much [1/s2]. `inertia`: about x, y and z of the beam [kg m2].
-double beam_frequency2(const BeamStiffness3& stiffness, double length, double mass, const Vec3& inertia);
+/// of which both have as much [1/s2]. `inertia`: about x, y and z of the beam [kg m2]; `arm`: rigid parts from the
+/// nodes to the ends, in the beam's axes [m], for which the nodes have the inertia of `mass` so far away besides.
+double beam_frequency2(const BeamStiffness3& stiffness, double length, double mass, const Vec3& inertia,
+                       const std::array<Vec3, 2>& arm = {Vec3(0, 0, 0), Vec3(0, 0, 0)});
+
+/// Inertia about a point of a mass that is `arm` away [kg m2].
+Eigen::Matrix3d inertia_at(double mass, const Vec3& arm);
 
 }  // namespace trilith

@@ -14,16 +14,15 @@ std::array<Vec2, 2> ends_of(const State<2>& state, const Beam& beam) {
   return {end_of(state, beam, 0, arm).place, end_of(state, beam, 1, arm).place};
 }
 std::array<Vec3, 2> ends_of(const State<3>& state, const Beam3& beam) {
-  return {state.position[static_cast<std::size_t>(beam.node[0])],
-          state.position[static_cast<std::size_t>(beam.node[1])]};
+  return {end_of(state, beam, 0).place, end_of(state, beam, 1).place};
 }
 
 /// A beam on arms goes farther than its nodes where these turn.
 bool lies_on_arms(const Beam& beam) {
   return beam.arm[0] != Vec2(0, 0) || beam.arm[1] != Vec2(0, 0);
 }
-bool lies_on_arms(const Beam3& /*beam*/) {
-  return false;
+bool lies_on_arms(const Beam3& beam) {
+  return has_arm(beam, 0) || has_arm(beam, 1);
 }
 
 /// One that a hinge has taken away holds its ends together no more.

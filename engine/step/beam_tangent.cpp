@@ -121,10 +121,17 @@ struct BeamNodes3 {
     }
   }
   [[nodiscard]] BeamNow3 beam_now(const Beam3& beam) const {
-    const auto end = [&](std::size_t i) {
-      return BeamEnd3{place[i], turn_of(rotation[i] * beam.axes[i]), velocity[i], spin[i]};
-    };
+    const auto end = [&](std::size_t i) { return carried_end(beam, i, place[i], rotation[i], velocity[i], spin[i]); };
     return {end(0), end(1), beam.length};
+  }
+  /// Forces and moments on the nodes of what the beam does to its ends.
+  [[nodiscard]] Eigen::Matrix<double, 12, 1> forces(const Beam3& beam, const BeamAction3& action) const {
+    const auto carried = [&](std::size_t i) {
+      return has_arm(beam, i) ? cross(turn_of(rotation[i]).apply(beam.arm[i]), action.force) : Vec3(0, 0, 0);
+    };
+    Eigen::Matrix<double, 12, 1> out;
+    out << action.force, action.moment[0] + carried(0), -action.force, action.moment[1] - carried(1);
+    return out;
   }
 };
 
@@ -196,13 +203,6 @@ struct YieldingAnswer {
   }
 };
 
-Eigen::Matrix<double, 12, 1> forces_of(const BeamNow3& now, const BeamStress3& stress) {
-  const BeamAction3 action = now.action(stress);
-  Eigen::Matrix<double, 12, 1> out;
-  out << action.force, action.moment[0], -action.force, action.moment[1];
-  return out;
-}
-
 /// Of a beam's length, and of a turn [rad]: of differences of fourth order what they leave out and what rounding makes
 /// are both small then.
 constexpr double beam_disturbance = 1e-4;
@@ -216,7 +216,7 @@ BeamBlock3 block_by_differences(const BeamNodes3& now, const Beam3& beam, double
       BeamNodes3 moved = now;
       moved.move(unknown, way, rate);
       const BeamNow3 there = moved.beam_now(beam);
-      return forces_of(there, answer(there));
+      return moved.forces(beam, there.action(answer(there)));
     };
     out.col(unknown) = (8 * (forces_at(by) - forces_at(-by)) - (forces_at(2 * by) - forces_at(-2 * by))) / (12 * by);
   }

@@ -54,6 +54,48 @@ BeamVector3 of_nodes(const Beam3& beam, const std::vector<Vec3>& along, const st
   return out;
 }
 
+/// Where a beam in space lies: its chord, and how its ends are carried by its nodes.
+struct Lie3 {
+  Vec3 along;
+  double length;
+  bool on_arms;
+  std::array<Vec3, 2> arm;
+  BeamMatrix3 carried;  ///< motion of the ends by that of the nodes: an end goes with v + w x arm
+
+  Lie3(const State<3>& state, const Beam3& beam) : on_arms(has_arm(beam, 0) || has_arm(beam, 1)) {
+    const Vec3 chord = end_of(state, beam, 1).place - end_of(state, beam, 0).place;
+    length = chord.norm(), along = chord / length;
+    if (!on_arms) return;
+    carried.setIdentity();
+    for (const int end : {0, 1}) {
+      arm[static_cast<std::size_t>(end)] = arm_of(state, beam, static_cast<std::size_t>(end));
+      for (int k = 0; k < 3; ++k)
+        carried.block<3, 1>(6 * end, 6 * end + 3 + k) = cross(Vec3::Unit(k), arm[static_cast<std::size_t>(end)]);
+    }
+  }
+  /// Inertia that a node has of the lumped half of the beam's mass at its arm.
+  [[nodiscard]] Eigen::Matrix3d lumped_turning(double mass, int end) const {
+    return inertia_at(0.5 * mass, arm[static_cast<std::size_t>(end)]);
+  }
+};
+
+/// Of a beam on arms: an arm that turns with its node brings w x (w x arm), and what the node has of the lumped mass by
+/// its own tensor, I a + w x I w, is taken off.
+BeamVector3 forces_on_arms(const BeamInertia3& inertia, const Lie3& lie, const BeamVector3& v, const BeamVector3& a) {
+  BeamMotion3 motion{lie.along, lie.length, lie.carried * v, lie.carried * a};
+  for (const int end : {0, 1}) {
+    const Vec3 spin = v.segment<3>(6 * end + 3);
+    motion.rise.segment<3>(6 * end) += cross(spin, cross(spin, lie.arm[static_cast<std::size_t>(end)]));
+  }
+  BeamVector3 force = lie.carried.transpose() * inertia_forces(inertia, motion);
+  for (const int end : {0, 1}) {
+    const Eigen::Matrix3d turning = lie.lumped_turning(inertia.mass, end);
+    const Vec3 spin = v.segment<3>(6 * end + 3), rise = a.segment<3>(6 * end + 3);
+    force.segment<3>(6 * end + 3) -= turning * rise + cross(spin, Vec3(turning * spin));
+  }
+  return force;
+}
+
 /// The mass of a node by itself on the motion v of it; in space turns meet its tensor as it stands.
 Dofs<2> own_momentum(const Model<2>& model, const State<2>& state, int n, const Dofs<2>& v) {
   const Dofs<2> mass = mass_of(model, state, n);
@@ -148,13 +190,16 @@ void added_inertia(const Model<2>& model, const State<2>& state, bool rising, st
   }
 }
 
-/// M less the lumped half of the beam's mass on either node; its sections' turning inertia is the nodes' own.
+/// M carried to the nodes by arms, less the lumped half of the beam's mass on either node; its sections' turning
+/// inertia is the nodes' own.
 BeamMatrix3 added_mass(const Model<3>& model, const State<3>& state, const Beam3& beam) {
   const BeamInertia3& inertia = model.beam_inertias_3d[static_cast<std::size_t>(beam.inertia)];
-  const Vec3 chord =
-      state.position[static_cast<std::size_t>(beam.node[1])] - state.position[static_cast<std::size_t>(beam.node[0])];
-  BeamMatrix3 out = mass_in_space(inertia, chord.normalized());
+  const Lie3 lie(state, beam);
+  BeamMatrix3 out = mass_in_space(inertia, lie.along);
+  if (lie.on_arms) out = (lie.carried.transpose() * out * lie.carried).eval();
   for (const int i : {0, 1, 2, 6, 7, 8}) out(i, i) -= 0.5 * inertia.mass;
+  for (const int end : {0, 1})
+    if (lie.on_arms) out.block<3, 3>(6 * end + 3, 6 * end + 3) -= lie.lumped_turning(inertia.mass, end);
   return out;
 }
 
@@ -165,13 +210,12 @@ void added_inertia(const Model<3>& model, const State<3>& state, bool rising, st
   for (const Beam3& beam : model.beams_3d) {
     if (beam.inertia < 0) continue;
     const BeamInertia3& inertia = model.beam_inertias_3d[static_cast<std::size_t>(beam.inertia)];
-    const Vec3 chord =
-        state.position[static_cast<std::size_t>(beam.node[1])] - state.position[static_cast<std::size_t>(beam.node[0])];
-    const double length = chord.norm();
+    const Lie3 lie(state, beam);
+    const BeamVector3 v = of_nodes(beam, state.velocity, state.spin);
     const BeamVector3 a =
         rising ? of_nodes(beam, state.acceleration, state.spin_rate) : BeamVector3(BeamVector3::Zero());
     BeamVector3 force =
-        inertia_forces(inertia, {chord / length, length, of_nodes(beam, state.velocity, state.spin), a});
+        lie.on_arms ? forces_on_arms(inertia, lie, v, a) : inertia_forces(inertia, {lie.along, lie.length, v, a});
     for (const int i : {0, 1, 2, 6, 7, 8}) force[i] -= 0.5 * inertia.mass * a[i];
     for (int i = 0; i < 12; ++i) out[static_cast<std::size_t>(beam.node[i / 6])][i % 6] += force[i];
   }

@@ -40,9 +40,9 @@ std::vector<SectionForces3> member_forces(const Model<3>& model, const State<3>&
     const BeamNow3 now = now_of(state, beam);
     const BeamStress3 s = beam_stress(model, state, beam, now);
     const std::array shear{(s[2] + s[4]) / now.length(), -(s[1] + s[3]) / now.length()};
-    rows.push_back({along, state.position[beam.node[0]], s[0], shear, s[5], {-s[1], -s[2]}});
+    rows.push_back({along, end_of(state, beam, 0).place, s[0], shear, s[5], {-s[1], -s[2]}});
     along += beam.length;
-    rows.push_back({along, state.position[beam.node[1]], s[0], shear, s[5], {s[3], s[4]}});
+    rows.push_back({along, end_of(state, beam, 1).place, s[0], shear, s[5], {s[3], s[4]}});
   }
   return rows;
 }

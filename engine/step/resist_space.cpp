@@ -34,7 +34,8 @@ void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, d
   BandRelaxation<3> bands(model, state, work, dt);
   const auto add_band = [&](const Beam3& beam, const BeamNow3& now, const BeamStress3& stress) {
     if (beam.band >= 0)
-      add_action(beam, now.action(bands.damping(beam, stress)), 1, work.element_damping, work.element_damping_moment);
+      add_action(beam, on_nodes(state, beam, now.action(bands.damping(beam, stress))), 1, work.element_damping,
+                 work.element_damping_moment);
   };
   for (const Beam3& beam : model.beams_3d) {
     const BeamNow3 now = now_of(state, beam);
@@ -42,20 +43,21 @@ void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, d
       const BeamAnswer3 r =
           respond(model.yields_3d, beam, now.strain(), now.rate(), memory_of(model, beam, std::span(state.beam_memory)),
                   memory_of(model, beam, std::span(work.beam_memory)));
-      add_action(beam, now.action(r.stress), 1, work.element_force, work.element_moment);
+      add_action(beam, on_nodes(state, beam, now.action(r.stress)), 1, work.element_force, work.element_moment);
       if (beam.damping > 0)
-        add_action(beam, now.action(r.damping), 1, work.element_damping, work.element_damping_moment);
+        add_action(beam, on_nodes(state, beam, now.action(r.damping)), 1, work.element_damping,
+                   work.element_damping_moment);
       add_band(beam, now, r.stress);
       sums.stored += r.stored, sums.plastic += r.dissipated;
       continue;
     }
     const BeamStress3 stress = stress_of(beam.stiffness, now.strain());
-    add_action(beam, now.action(stress), 1, work.element_force, work.element_moment);
+    add_action(beam, on_nodes(state, beam, now.action(stress)), 1, work.element_force, work.element_moment);
     add_band(beam, now, stress);
     sums.stored += stored_in(beam.stiffness, now.strain());
     if (beam.damping > 0)
-      add_action(beam, now.action(linear_stress(beam.stiffness, now.rate())), beam.damping, work.element_damping,
-                 work.element_damping_moment);
+      add_action(beam, on_nodes(state, beam, now.action(linear_stress(beam.stiffness, now.rate()))), beam.damping,
+                 work.element_damping, work.element_damping_moment);
   }
 }
 

@@ -1,33 +1,27 @@
 #include "world/extruded_frame.hpp"
 
-#include <fmt/format.h>
-
-#include "base/error.hpp"
-
 namespace trilith {
 namespace {
 
-void refuse_blocks(const FrameSpec& flat, const std::string& owner) {
-  for (const FrameJoint& joint : flat.joints)
-    if (!joint.block.empty())
-      throw InputError(
-          fmt::format("{}: its joint '{}' is a rigid block, which frames in space do not have; make it a joint with "
-                      "'at', 'mass' and 'inertia', or add the frame to a model in space by m:frame",
-                      owner, joint.name));
-  for (const FrameMember& member : flat.members)
-    if (member.ends[0] || member.ends[1])
-      throw InputError(
-          fmt::format("{}: its member '{}' begins or ends beside its joint, which members in space cannot; leave out "
-                      "from_at and to_at, or add the frame to a model in space by m:frame",
-                      owner, name_of(flat, member)));
+Vec3 upright(const Vec2& p, double y = 0) {
+  return {p.x(), y, p.y()};
 }
 
-SpaceJoint extruded_joint(const FrameJoint& flat, bool held) {
+/// A block of the plane, as thick as it says or as its body is.
+Polyhedron extruded_block(const FrameJoint& flat, double thickness) {
+  const double depth = flat.thickness.value_or(thickness);
+  std::vector<Vec3> near_side;
+  for (const Vec2& p : flat.block) near_side.push_back(upright(p, -depth / 2));
+  return extrusion(near_side, Vec3(0, depth, 0));
+}
+
+SpaceJoint extruded_joint(const FrameJoint& flat, const FrameExtrusion& extrusion) {
   SpaceJoint joint;
   joint.name = flat.name, joint.mass = flat.mass, joint.inertia = flat.inertia;
-  joint.place = {flat.place.x(), 0, flat.place.y()};
+  joint.place = upright(flat.place);
+  if (!flat.block.empty()) joint.block = extruded_block(flat, extrusion.thickness), joint.density = flat.density;
   const auto& s = flat.support;
-  const auto also = [&](bool fixed) { return fixed || held ? Support::fixed : Support::free; };
+  const auto also = [&](bool fixed) { return fixed || extrusion.held ? Support::fixed : Support::free; };
   const bool stays = s[0] == Support::fixed && s[1] == Support::fixed, straight = s[2] == Support::fixed;
   joint.support = {s[0], also(stays), s[1], also(straight), s[2], also(straight)};
   return joint;
@@ -66,8 +60,12 @@ SpaceMember extruded_member(const FrameSpec& spec, const FrameMember& flat, cons
   SpaceMember member;
   member.name = flat.name, member.from = flat.from, member.to = flat.to;
   member.section = extruded_section(flat, extrusion);
-  const Vec2 along =
-      spec.joints[static_cast<std::size_t>(flat.to)].place - spec.joints[static_cast<std::size_t>(flat.from)].place;
+  const auto end = [&](std::size_t side) {
+    return flat.ends[side].value_or(spec.joints[static_cast<std::size_t>(side == 0 ? flat.from : flat.to)].place);
+  };
+  const Vec2 along = end(1) - end(0);
+  for (const std::size_t side : {0, 1})
+    if (flat.ends[side]) member.ends[side] = upright(*flat.ends[side]);
   member.orientation = Vec3(-along.y(), 0, along.x());  // its top is to the left of the way
   member.material = flat.material, member.divisions = flat.divisions;
   member.pinned = flat.pinned, member.shear = flat.shear;
@@ -80,11 +78,10 @@ SpaceMember extruded_member(const FrameSpec& spec, const FrameMember& flat, cons
 
 }  // namespace
 
-SpaceFrameSpec extruded_frame(const FrameSpec& flat, const FrameExtrusion& extrusion, const std::string& owner) {
-  refuse_blocks(flat, owner);
+SpaceFrameSpec extruded_frame(const FrameSpec& flat, const FrameExtrusion& extrusion) {
   SpaceFrameSpec out;
   out.consistent = flat.consistent;
-  for (const FrameJoint& joint : flat.joints) out.joints.push_back(extruded_joint(joint, extrusion.held));
+  for (const FrameJoint& joint : flat.joints) out.joints.push_back(extruded_joint(joint, extrusion));
   for (const FrameMember& member : flat.members) out.members.push_back(extruded_member(flat, member, extrusion));
   return out;
 }

@@ -1,8 +1,6 @@
 // A frame of the plane taken into space: x stays, the plane's y is z, its beams reach over their thickness about y = 0.
 #pragma once
 
-#include <string>
-
 #include "world/frame.hpp"
 #include "world/space_frame.hpp"
 
@@ -17,8 +15,7 @@ struct FrameExtrusion {
 /// Bending in the plane, stretch, mass and plasticity are those of the plane: the same numbers, with fibres in as many
 /// layers. Bending across and torsion are those of the section's shape; where that is not known and the frame is held,
 /// they are as stiff as bending in the plane, and a hinge is as strong across. A joint that is held along both axes is
-/// held across too, and one whose rotation is held does not turn. Throws InputError, with `owner` in front, for joints
-/// that are rigid blocks and members that begin beside their joint, which frames in space do not have.
-SpaceFrameSpec extruded_frame(const FrameSpec& flat, const FrameExtrusion& extrusion, const std::string& owner);
+/// held across too, and one whose rotation is held does not turn. A joint that is a block is one as thick as it says.
+SpaceFrameSpec extruded_frame(const FrameSpec& flat, const FrameExtrusion& extrusion);
 
 }  // namespace trilith

@@ -203,6 +203,8 @@ void add(Hash& hash, const Beam3& b) {
   if (b.yield == BeamYield::at_hinges) hash.add(std::string_view("hinges"));
   if (b.band >= 0) add(hash, b.band), add(hash, b.first_branch);
   if (b.inertia >= 0) hash.add(std::string_view("consistent"));
+  for (const Vec3& arm : b.arm)
+    if (arm != Vec3(0, 0, 0)) hash.add(std::string_view("arm")), add(hash, arm);
 }
 
 void add(Hash& hash, const GroundMotion& m) {

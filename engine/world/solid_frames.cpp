@@ -56,6 +56,7 @@ void check_yields(const SpaceMember& member, double young, double length, bool c
 
 /// Its skin, where it stands, becomes the pieces of the body: for bearings that want to be near it.
 void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) const {
+  begin_at_blocks(*spec.frame);
   check_space_frame(*spec.frame, owner);
   refuse_idle_holds(spec.supports, node_places(*spec.frame), owner);
   if (spec.density) require_positive(*spec.density, owner + ": density", "kg/m3");
@@ -77,6 +78,8 @@ void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) c
                  fmt::format("{}: member '{}'", owner, name_of(*spec.frame, m)));
   }
   spec.pieces.clear();
+  for (const SpaceJoint& joint : spec.frame->joints)
+    if (joint.has_block()) spec.pieces.push_back(joint.block);
   for (std::size_t m = 0; m < spec.frame->members.size(); ++m)
     for (const SkinStretch& stretch : skin_stretches(*spec.frame, m))
       for (const Polyhedron& solid : skin_solids(*spec.frame, m, stretch)) spec.pieces.push_back(solid);
@@ -87,6 +90,8 @@ SpaceFrameBody SolidModelBuilder::frame_body(const SolidSpec& spec) const {
   SpaceFrameBody out;
   out.name = spec.name, out.frame = *spec.frame, out.velocity = spec.velocity, out.spin = spec.spin;
   out.support = spec.support, out.supports = spec.supports;
+  const Material* const own = material_called(materials_, spec.material);
+  out.density = spec.density.value_or(own == nullptr ? 0 : own->density);
   double sum = 0;
   for (const SpaceMember& m : out.frame.members) {
     const Material& material = *material_called(materials_, material_of(spec, m));

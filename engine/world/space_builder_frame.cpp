@@ -38,6 +38,14 @@ std::array<Support, 6> support_of(const SpaceFrameBody& body, const Vec3& place,
   return own;
 }
 
+/// From node `i` of a member to where its beams begin or end there, in the axes of the world [m].
+Vec3 arm_at(const SpaceFrameSpec& spec, const SpaceMember& member, int i) {
+  if (i > 0 && i < member.divisions) return Vec3::Zero();
+  const std::size_t side = i == 0 ? 0 : 1;
+  if (!member.ends[side]) return Vec3::Zero();
+  return *member.ends[side] - spec.joints[static_cast<std::size_t>(side == 0 ? member.from : member.to)].place;
+}
+
 std::vector<NodeMass> node_masses(const SpaceFrameBody& body) {
   const SpaceFrameSpec& spec = body.frame;
   std::vector<NodeMass> nodes;
@@ -45,6 +53,10 @@ std::vector<NodeMass> node_masses(const SpaceFrameBody& body) {
     const SpaceJoint joint = nodes.size() < spec.joints.size() ? spec.joints[nodes.size()] : SpaceJoint{};
     nodes.push_back(
         {place, joint.mass, joint.inertia * Eigen::Matrix3d::Identity(), support_of(body, place, joint.support)});
+    if (!joint.has_block()) continue;
+    const SolidMoments block = solid_moments(joint.block);
+    const double density = joint.density.value_or(body.density);
+    nodes.back().mass += density * block.volume, nodes.back().inertia += density * block.inertia;
   }
   for (std::size_t m = 0; m < spec.members.size(); ++m) {
     const SpaceMember& member = spec.members[m];
@@ -56,7 +68,7 @@ std::vector<NodeMass> node_masses(const SpaceFrameBody& body) {
     for (int i = 0; i < member.divisions; ++i)
       for (const int side : {0, 1}) {
         NodeMass& node = nodes[static_cast<std::size_t>(node_within(spec, m, i + side))];
-        node.mass += half.mass, node.inertia += inertia;
+        node.mass += half.mass, node.inertia += inertia + inertia_at(half.mass, arm_at(spec, member, i + side));
       }
   }
   return nodes;
@@ -143,7 +155,9 @@ void complete(Beam3& beam, const SpaceMemberMaterial& made, const HalfBeam& half
     beam.first_branch = model.beam_memory, stiffening = branches.stiffening();
     model.beam_memory += branches.memory_size(static_cast<int>(BeamStress3{}.size()));
   }
-  const double most = beam_frequency2(beam.stiffness, beam.length, half.mass, half.inertia);
+  const double most = beam_frequency2(
+      beam.stiffness, beam.length, half.mass, half.inertia,
+      {turn_of(inverse(beam.axes[0])).apply(beam.arm[0]), turn_of(inverse(beam.axes[1])).apply(beam.arm[1])});
   RateBound& bound = model.element_bound.back();
   bound.stiffness = std::max(bound.stiffness, stiffening * most);
   bound.unbanded = std::max(bound.unbanded, most);
@@ -176,7 +190,10 @@ void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int firs
     for (const int side : {0, 1}) {
       const int node = first_node + node_within(spec, m, i + side);
       beam.node[static_cast<std::size_t>(side)] = node;
-      beam.axes[static_cast<std::size_t>(side)] = inverse(model.start_rotation[static_cast<std::size_t>(node)]) * axes;
+      const UnitQuaternion to_node = inverse(model.start_rotation[static_cast<std::size_t>(node)]);
+      beam.axes[static_cast<std::size_t>(side)] = to_node * axes;
+      const Vec3 arm = arm_at(spec, member, i + side);
+      if (arm != Vec3(0, 0, 0)) beam.arm[static_cast<std::size_t>(side)] = turn_of(to_node).apply(arm);
     }
     const std::array pinned{i == 0 && member.pinned[0], i + 1 == member.divisions && member.pinned[1]};
     beam.stiffness = beam_stiffness_in_space(made.elastic, member.section, length, pinned);
@@ -186,9 +203,11 @@ void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int firs
   }
 }
 
-/// The solids of all other members that end at a joint, there.
+/// The solids of all other members that end at a joint, there, and its block.
 std::vector<ConvexSolid> solids_beside(const SpaceFrameSpec& spec, std::size_t member, int joint) {
   std::vector<ConvexSolid> out;
+  const SpaceJoint& at = spec.joints[static_cast<std::size_t>(joint)];
+  if (at.has_block()) out.push_back(convex_solid(at.block, "a joint", 1e-8));
   for (std::size_t m = 0; m < spec.members.size(); ++m) {
     const SpaceMember& other = spec.members[m];
     if (m == member || (other.from != joint && other.to != joint)) continue;
@@ -261,6 +280,12 @@ std::vector<ConvexSolid> stretch_pieces(const SpaceFrameBody& body, std::size_t 
   return pieces;
 }
 
+/// The block of a joint in the axes of its node.
+ConvexSolid block_piece(const SpaceFrameBody& body, std::size_t joint, const UnitQuaternion& rotation) {
+  const SpaceJoint& at = body.frame.joints[joint];
+  return convex_solid(placed(placed(at.block, {}, -at.place), inverse(rotation), Vec3::Zero()), body.name, 1e-8);
+}
+
 }  // namespace
 
 int SpaceBuilder::add(const SpaceFrameBody& body) {
@@ -277,17 +302,24 @@ int SpaceBuilder::add(const SpaceFrameBody& body) {
   model_.element_bound.emplace_back();
   if (model_.piece_first.empty()) model_.piece_first.push_back(0);
   Vec3 low = Vec3::Constant(unbounded), high = -low;
+  const auto take = [&](const ConvexSolid& piece, std::size_t n) {
+    add_piece(piece, static_cast<int>(n), index);
+    const Turn3 turn = turn_of(model_.start_rotation[n]);
+    for (const Vec3& x : piece.shape.corners) {
+      const Vec3 corner = model_.start_position[n] + turn.apply(x);
+      low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+    }
+  };
+  const auto first = static_cast<std::size_t>(row.first_node);
+  for (std::size_t j = 0; j < body.frame.joints.size(); ++j)
+    if (body.frame.joints[j].has_block()) take(block_piece(body, j, model_.start_rotation[first + j]), first + j);
   for (std::size_t m = 0; m < body.frame.members.size(); ++m) {
     append_beams(body, m, index, row.first_node, model_);
     for (const SkinStretch& stretch : skin_stretches(body.frame, m)) {
-      const auto n = static_cast<std::size_t>(row.first_node + stretch.node);
-      const Vec3& place = model_.start_position[n];
-      const Turn3 turn = turn_of(model_.start_rotation[n]);
-      for (const ConvexSolid& piece : stretch_pieces(body, m, stretch, place, model_.start_rotation[n])) {
-        add_piece(piece, static_cast<int>(n), index);
-        for (const Vec3& x : piece.shape.corners)
-          low = low.cwiseMin(place + turn.apply(x)), high = high.cwiseMax(place + turn.apply(x));
-      }
+      const auto n = first + static_cast<std::size_t>(stretch.node);
+      for (const ConvexSolid& piece :
+           stretch_pieces(body, m, stretch, model_.start_position[n], model_.start_rotation[n]))
+        take(piece, n);
     }
   }
   model_.body_radius.push_back(0.5 * (high - low).norm());

@@ -13,12 +13,39 @@ namespace trilith {
 namespace {
 
 Vec3 along_of(const SpaceFrameSpec& spec, const SpaceMember& m) {
-  return spec.joints[static_cast<std::size_t>(m.to)].place - spec.joints[static_cast<std::size_t>(m.from)].place;
+  return end_of(spec, m, 1) - end_of(spec, m, 0);
+}
+
+/// A block turns about its centroid.
+void check_block(const SpaceJoint& joint, const std::string& what) {
+  check_convex(joint.block, what + ": its block");
+  const Vec3 centroid = solid_moments(joint.block).centroid;
+  if ((centroid - joint.place).norm() > 1e-9 * solid_size(joint.block.corners))
+    throw InputError(fmt::format(
+        "{}: 'at' is not the centroid of its block, ({:g}, {:g}, {:g}); leave it out, and say by from_at and to_at "
+        "where members begin",
+        what, centroid.x(), centroid.y(), centroid.z()));
+  if (joint.density) require_positive(*joint.density, what + ": density", "kg/m3");
+}
+
+/// Where the way from the block's centroid to `to` leaves it.
+Vec3 way_out(const SpaceJoint& joint, const Vec3& to) {
+  const Vec3 way = to - joint.place;
+  double least = 1;
+  const std::vector<Vec3> normals = face_normals(joint.block);
+  for (int f = 0; f < joint.block.faces.count(); ++f) {
+    const Vec3& on = joint.block.corners[static_cast<std::size_t>(joint.block.faces[f][0])];
+    const Vec3& normal = normals[static_cast<std::size_t>(f)];
+    if (const double towards = normal.dot(way); towards > 0)
+      least = std::min(least, normal.dot(on - joint.place) / towards);
+  }
+  return joint.place + least * way;
 }
 
 void check_joint(const SpaceFrameSpec& spec, const SpaceJoint& joint, const std::string& owner) {
   const std::string what = fmt::format("{}: joint '{}'", owner, joint.name);
   if (!joint.place.allFinite()) throw InputError(what + ": its place is not finite");
+  if (joint.has_block()) check_block(joint, what);
   require_not_negative(joint.mass, what + ": mass", "kg");
   require_not_negative(joint.inertia, what + ": inertia", "kg m2");
   const auto same =
@@ -45,6 +72,8 @@ void check_member(const SpaceFrameSpec& spec, const SpaceMember& m, double size,
     throw InputError(fmt::format("{}: a member ends at a joint that is not there", owner));
   const std::string what = fmt::format("{}: member '{}'", owner, name_of(spec, m));
   if (m.from == m.to) throw InputError(what + " begins and ends at the same joint; name two");
+  for (const std::size_t side : {0, 1})
+    if (!end_of(spec, m, side).allFinite()) throw InputError(what + ": where it begins or ends is not finite");
   const double length = length_of(spec, m);
   if (!(length > 1e-6 * size))
     throw InputError(fmt::format("{} is {:g} m long; its ends must lie apart", what, length));
@@ -80,6 +109,7 @@ void check_connected(const SpaceFrameSpec& spec, const std::string& owner) {
 }
 
 bool is_tip(const SpaceFrameSpec& spec, std::size_t member, int joint) {
+  if (spec.joints[static_cast<std::size_t>(joint)].has_block()) return false;
   for (std::size_t m = 0; m < spec.members.size(); ++m)
     if (m != member && (spec.members[m].from == joint || spec.members[m].to == joint)) return false;
   return true;
@@ -93,6 +123,22 @@ std::string name_of(const SpaceFrameSpec& spec, const SpaceMember& m) {
                      spec.joints[static_cast<std::size_t>(m.to)].name);
 }
 
+Vec3 end_of(const SpaceFrameSpec& spec, const SpaceMember& m, std::size_t side) {
+  return m.ends[side].value_or(spec.joints[static_cast<std::size_t>(side == 0 ? m.from : m.to)].place);
+}
+
+void begin_at_blocks(SpaceFrameSpec& spec) {
+  const auto joints = static_cast<int>(spec.joints.size());
+  for (SpaceMember& m : spec.members) {
+    if (m.from < 0 || m.from >= joints || m.to < 0 || m.to >= joints) continue;
+    const std::array joint{m.from, m.to};
+    const std::array wanted{end_of(spec, m, 0), end_of(spec, m, 1)};
+    for (const std::size_t side : {0, 1})
+      if (const SpaceJoint& at = spec.joints[static_cast<std::size_t>(joint[side])]; !m.ends[side] && at.has_block())
+        m.ends[side] = way_out(at, wanted[1 - side]);
+  }
+}
+
 double length_of(const SpaceFrameSpec& spec, const SpaceMember& m) {
   return along_of(spec, m).norm();
 }
@@ -103,6 +149,9 @@ void check_space_frame(const SpaceFrameSpec& spec, const std::string& owner) {
   for (const SpaceJoint& joint : spec.joints) check_joint(spec, joint, owner);
   std::vector<Vec3> places;
   for (const SpaceJoint& joint : spec.joints) places.push_back(joint.place);
+  for (const SpaceMember& m : spec.members)
+    for (const std::size_t side : {0, 1})
+      if (m.ends[side]) places.push_back(*m.ends[side]);
   const double size = solid_size(places);
   for (std::size_t m = 0; m < spec.members.size(); ++m) {
     check_member(spec, spec.members[m], size, owner);
@@ -137,7 +186,7 @@ std::vector<Vec3> node_places(const SpaceFrameSpec& spec) {
   std::vector<Vec3> places;
   for (const SpaceJoint& joint : spec.joints) places.push_back(joint.place);
   for (const SpaceMember& m : spec.members) {
-    const Vec3 start = spec.joints[static_cast<std::size_t>(m.from)].place;
+    const Vec3 start = end_of(spec, m, 0);
     const Vec3 beam = length_of(spec, m) / m.divisions * turn_of(member_axes(spec, m)).x();
     for (int i = 1; i < m.divisions; ++i) places.emplace_back(start + i * beam);
   }
@@ -162,7 +211,7 @@ std::vector<SkinStretch> skin_stretches(const SpaceFrameSpec& spec, std::size_t 
 std::vector<Polyhedron> skin_solids(const SpaceFrameSpec& spec, std::size_t member, const SkinStretch& stretch) {
   const SpaceMember& m = spec.members[member];
   const Turn3 axes = turn_of(member_axes(spec, m));
-  const Vec3 start = spec.joints[static_cast<std::size_t>(m.from)].place + stretch.from * axes.x();
+  const Vec3 start = end_of(spec, m, 0) + stretch.from * axes.x();
   std::vector<Polyhedron> out;
   for (const std::vector<Vec2>& part : m.section.profile) {
     std::vector<Vec3> polygon;

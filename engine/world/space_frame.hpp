@@ -24,17 +24,23 @@ namespace trilith {
 
 /// A node that members meet at, rigidly but where they are pinned.
 struct SpaceJoint {
-  std::string name;                  ///< unique in the frame
-  Vec3 place = Vec3::Zero();         ///< [m]
-  double mass = 0;                   ///< beside that of the members [kg]
-  double inertia = 0;                ///< ... about any axis [kg m2]
-  std::array<Support, 6> support{};  ///< x, y, z, and turns about them
+  std::string name;           ///< unique in the frame
+  Vec3 place = Vec3::Zero();  ///< [m]
+  double mass = 0;            ///< beside that of the members [kg]
+  double inertia = 0;         ///< ... about any axis [kg m2]
+  Polyhedron block = {};      ///< a rigid block that is the joint, convex, its centroid in `place`; or none [m]
+  std::optional<double> density = {};  ///< of the block; else of the body [kg/m3]
+  std::array<Support, 6> support{};    ///< x, y, z, and turns about them
+
+  [[nodiscard]] bool has_block() const { return !block.corners.empty(); }
 };
 
 /// A straight member.
 struct SpaceMember {
-  std::string name;        ///< for messages and readings
-  int from = -1, to = -1;  ///< indices of joints
+  std::string name;                         ///< for messages and readings
+  int from = -1, to = -1;                   ///< indices of joints
+  std::array<std::optional<Vec3>, 2> ends;  ///< where the flexible part begins and ends, which turns rigidly with the
+                                            ///< joint; without it, at the joint itself [m]
   Section3 section;
   std::optional<Vec3> orientation;     ///< to the top of the section, not along the member; else see member_axes
   std::string material;                ///< "": the body's
@@ -65,12 +71,19 @@ struct SpaceFrameBody {
   std::string name;
   SpaceFrameSpec frame;
   std::vector<SpaceMemberMaterial> material;  ///< [member]
+  double density = 0;                         ///< of blocks that say nothing else [kg/m3]
   Vec3 velocity = Vec3::Zero();               ///< of its centre of mass [m/s]
   Vec3 spin = Vec3::Zero();                   ///< [rad/s]
   std::array<Support, 6> support{};           ///< of all nodes, beside those of joints
   std::vector<SpaceNodeSupport> supports;     ///< of some
   int surface = 0;
 };
+
+/// Members that say nothing else begin where their way leaves the block of their joint.
+void begin_at_blocks(SpaceFrameSpec& spec);
+
+/// Where the flexible part of a member begins (0) or ends (1) [m].
+Vec3 end_of(const SpaceFrameSpec& spec, const SpaceMember& member, std::size_t side);
 
 /// Throws InputError, with `owner` in front, where the frame is none: no member, members without length, sections
 /// without what space asks for, an orientation along the member, joints that nothing connects.

@@ -60,7 +60,6 @@ void hold_frame(const BodySpec& flat, bool held, SolidSpec& spec) {
 
 /// Counter-clockwise in the plane is against the turn about y, which points away from who looks at it.
 SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held) {
-  const std::string owner = fmt::format("extruded: body '{}'", flat.name);
   const double half = flat.thickness.value_or(plane.builder.thickness) / 2;
   SolidSpec spec;
   spec.name = flat.name, spec.material = flat.material, spec.groups = flat.groups;
@@ -69,7 +68,7 @@ SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held
   spec.velocity = in_space(flat.velocity), spec.load = in_space(flat.load), spec.spin = {0, -flat.spin, 0};
   spec.floating = flat.floating;
   if (flat.frame) {
-    spec.frame = extruded_frame(*flat.frame, {2 * half, held}, owner);
+    spec.frame = extruded_frame(*flat.frame, {2 * half, held});
     hold_frame(flat, held, spec);
   } else if (flat.mesh) {
     // From the far side to the near one: elements run counter-clockwise as the near side is looked at.

@@ -17,8 +17,7 @@ struct PlaneExtrusion {
 /// A model whose bodies reach over their thickness about y = 0; x stays and the plane's y is z. Materials, laws and
 /// where they hold, bearings, seats, supports, loads and velocities at the start are those of `plane` as it was given,
 /// whatever stages it has run; histories, events and motions are not taken over. Elements in plane stress may grow
-/// thicker where they are held, those in plane strain may not; frames are those of world/extruded_frame.hpp. Throws
-/// InputError for what space does not have: rigid blocks in the joints of frames.
+/// thicker where they are held, those in plane strain may not; frames are those of world/extruded_frame.hpp.
 std::shared_ptr<SpaceModel> extruded_model(const PlaneModel& plane, const std::string& name,
                                            const PlaneExtrusion& extrusion);
 

@@ -2,6 +2,7 @@
 #include "space_frame_binding.hpp"
 #include "bindings.hpp"
 #include "part_reading.hpp"
+#include "shape/convex_hull.hpp"
 #include "solid_makers.hpp"
 #include "step/member_forces.hpp"
 #include "step/whole_body.hpp"
@@ -55,8 +56,18 @@ SpaceJoint space_joint_at(lua_State* L, const std::string& name) {
   if (lua_type(L, -1) != LUA_TTABLE)
     throw InputError(fmt::format("joint '{}' is {}, must be {{x, y, z}} or {{ at = {{x, y, z}}, support = \"fixed\" }}",
                                  name, what_is(L, -1)));
-  Keys keys(L, -1, fmt::format("joint '{}'", name));
-  joint.place = keys.vector("at");
+  const std::string owner = fmt::format("joint '{}'", name);
+  Keys keys(L, -1, owner);
+  if (keys.has("hull")) {
+    if (const std::vector<Vec3> points = keys.vectors("hull"); !points.empty()) {
+      joint.block = convex_hull(points, owner);
+      joint.place = solid_moments(joint.block).centroid;
+    }
+    joint.place = keys.vector("at", joint.place);
+    joint.density = keys.maybe_number("density", "kg/m3");
+  } else {
+    joint.place = keys.vector("at");
+  }
   read_solid_support(keys, "support", joint.support);
   joint.mass = keys.number("mass", "kg", 0);
   joint.inertia = keys.number("inertia", "kg m2", 0);
@@ -104,6 +115,8 @@ void read_space_members(Keys& keys, SpaceFrameSpec& frame) {
     SpaceMember member;
     member.name = own.text("name", "");
     member.from = space_joint_named(own, frame, "from"), member.to = space_joint_named(own, frame, "to");
+    if (own.has("from_at")) member.ends[0] = own.vector("from_at");
+    if (own.has("to_at")) member.ends[1] = own.vector("to_at");
     member.material = own.text("material", "");
     read_space_member(own, member);
     frame.members.push_back(std::move(member));

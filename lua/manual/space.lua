@@ -42,8 +42,8 @@ from_support  text or table?   "fixed", "free" or { x = , y = , z = , turn_x = ,
 to_support    text or table?   the same of its end]], with = "solid", gives = "body" },
   { "space:frame", "Beams that meet at joints, as one body.", keys = [[
 name     text   its name
-joints   table  { A = {x, y, z}, B = { at = {x, y, z}, support = , mass = , inertia = }, ... }
-members  list   { { from = , to = , section = , name = , orientation = , material = , hinge = , ... }, ... }
+joints   table  { A = {x, y, z}, B = { at = , support = , mass = , inertia = }, C = { hull = , density = }, ... }
+members  list   { { from = , to = , section = , orientation = , from_at = , to_at = , hinge = , ... }, ... }
 mass_matrix  text = "lumped"  or "consistent", which implicit steps and modes take; explicit ones lump]],
     with = "solid", gives = "body" },
   { "space:block", "A box in any pose.", keys = [[

@@ -171,10 +171,4 @@ do
   local m = stack(friction, { { 1, 1 } })
   refused("extruded: model 'plane' is in space already", function() m:extruded():extruded() end)
   refused("extruded: unknown key 'hold'; did you mean 'held'?", function() m:extruded { hold = true } end)
-  m:material { name = "steel", density = 7850, E = 2e11, nu = 0.3 }
-  m:frame { name = "bent", material = "steel", joints = { A = { 2, 1 }, B = { outline = { { 3, 0.9 }, { 3.2, 0.9 },
-    { 3.2, 1.1 }, { 3, 1.1 } } } }, members = { { from = "A", to = "B",
-    section = trilith.rectangle_section { width = 0.1, depth = 0.1 } } } }
-  refused("extruded: body 'bent': its joint 'B' is a rigid block, which frames in space do not have; make it a joint "
-    .. "with 'at', 'mass' and 'inertia', or add the frame to a model in space by m:frame", function() m:extruded() end)
 end

@@ -28,7 +28,7 @@ local function compare(flat, space, share)
 end
 
 -- A portal whose feet are fixed and pinned, a beam with a point mass, shaken: elastic, with hinges, of fibres, with
--- shear and consistent masses.
+-- shear, with a joint that is a block and members that end beside another.
 local rectangle = trilith.rectangle_section { width = 0.1, depth = 0.2 }
 local given = trilith.section { area = 0.02, inertia = 6e-5, depth = 0.2 } -- says nothing of bending across
 local fibres = trilith.fibre_section { shape = rectangle, law = trilith.bilinear_steel { E = 2e11, yield = 2.4e8,
@@ -36,14 +36,18 @@ local fibres = trilith.fibre_section { shape = rectangle, law = trilith.bilinear
 local cases = {
   { section = rectangle }, { section = given }, { section = rectangle, shear = true },
   { section = rectangle, hinge = trilith.end_hinge { sagging = 1e5, hardening = 1e6 } }, { section = fibres },
+  { section = rectangle, blocks = true },
 }
-for i, case in ipairs(cases) do
-  local m = model { name = "portal", thickness = 0.3 }
+for _, case in ipairs(cases) do
+  local m = model { name = "portal", thickness = 0.3 } -- of members and of the block
   local function member(from, to)
-    return { from = from, to = to, section = case.section, shear = case.shear, hinge = case.hinge, divisions = 4 }
+    return { from = from, to = to, section = case.section, shear = case.shear, hinge = case.hinge, divisions = 4,
+      to_at = case.blocks and to == "C" and { 4, 2.9 } or nil }
   end
-  m:frame { name = "portal", material = "steel", mass_matrix = i == 2 and "consistent" or nil,
-    joints = { A = { at = { 0, 0 }, support = "fixed" }, B = { 0, 3 }, C = { at = { 4, 3 }, mass = 2e4, inertia = 10 },
+  m:frame { name = "portal", material = "steel",
+    joints = { A = { at = { 0, 0 }, support = "fixed" },
+      B = case.blocks and { outline = { { -0.2, 2.8 }, { 0.2, 2.8 }, { 0.2, 3.2 }, { -0.2, 3.2 } } } or { 0, 3 },
+      C = { at = { 4, 3 }, mass = 2e4, inertia = 10 },
       D = { at = { 4, 0 }, support = { x = "fixed", y = "fixed" } } },
     members = { member("A", "B"), member("B", "C"), member("D", "C") } }
   local flat, space = both(m, function(any, up)
