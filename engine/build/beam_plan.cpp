@@ -36,10 +36,12 @@ class BeamRowPlan {
   void courses() {
     const double height = require_not_negative(row_.height, owner_ + ": height", "m");
     const double given = height == 0 ? 1 : height / plan_.course, whole = std::max(1.0, std::round(given));
-    if (std::abs(given - whole) > 1e-6)
+    if (std::abs(given - whole) > 1e-6) {
+      const double below = std::max(1.0, std::floor(given)) * plan_.course;
       throw InputError(
-          fmt::format("{}: height is {:g} m, must be a whole number of courses of {:g} m; the nearest is {:g} m",
-                      owner_, height, plan_.course, whole * plan_.course));
+          fmt::format("{}: height is {:g} m, must be a whole number of courses of {:g} m; {:g} or {:g} m would fit",
+                      owner_, height, plan_.course, below, below + plan_.course));
+    }
     end_ = storey().courses();
     if (whole > end_)
       throw InputError(fmt::format("{}: height is {:g} m, must be at most that of the storey's courses, {:g} m", owner_,
@@ -228,26 +230,26 @@ class BeamRowPlan {
 
   /// Openings and lintels in the courses of a pocket, and openings that end right under it.
   void refuse_voids(const PlannedWall& wall, const PlannedBeam& made, const std::string& beam) const {
-    for (const WallVoid& v : wall.voids[s_]) {
-      if (!overlaps(v.along, made.across, same_) || v.end < made.first || (v.lintel && v.end == made.first)) continue;
-      const std::string where = fmt::format("{} of wall '{}', from {:g} to {:g} m",
-                                            v.lintel ? "a lintel" : "an opening", wall.name, v.along.low, v.along.high);
-      if (v.end > made.first)
-        throw InputError(fmt::format(
-            "{} has its pocket on {}, which reaches into the top {} of the storey; move the "
-            "beam by spacing, count, from or to, or lower the opening",
-            beam, where,
-            made.end - made.first == 1 ? std::string("course") : fmt::format("{} courses", made.end - made.first)));
-      refuse_hollow(where, beam);
-    }
+    const std::vector<WallVoid>& voids = wall.voids[s_];
+    const auto where = [&](const WallVoid& v) {
+      return fmt::format("{} of wall '{}', from {:g} to {:g} m", v.lintel ? "a lintel" : "an opening", wall.name,
+                         v.along.low, v.along.high);
+    };
+    const int courses = made.end - made.first;
+    for (const WallVoid& v : voids)
+      if (v.end > made.first && overlaps(v.along, made.across, same_))
+        throw InputError(
+            fmt::format("{} has its pocket on {}, which reaches into the top {} of the storey; move the "
+                        "beam by spacing, count, from or to, or lower the opening",
+                        beam, where(v), courses == 1 ? "course" : fmt::format("{} courses", courses)));
+    for (const WallVoid& v : voids)
+      if (!v.lintel && v.end == made.first && overlaps(v.along, made.across, same_)) refuse_hollow(where(v), beam);
     if (made.first > 0 || s_ == 0) return;
     const PlannedStorey& below = plan_.storeys[s_ - 1];
     if (below.top > below.line.back()) return;
     for (const WallVoid& v : wall.voids[s_ - 1])
       if (!v.lintel && v.end == below.courses() && overlaps(v.along, made.across, same_))
-        refuse_hollow(fmt::format("an opening of wall '{}' in the storey below, from {:g} to {:g} m", wall.name,
-                                  v.along.low, v.along.high),
-                      beam);
+        refuse_hollow(where(v) + " in the storey below", beam);
   }
 
   [[noreturn]] void refuse_hollow(const std::string& where, const std::string& beam) const {
