@@ -83,16 +83,12 @@ class BeamRowPlan {
     const double room = room_.high - room_.low, width = require_positive(row_.width, owner_ + ": width", "m");
     const int count = beams_in(room);
     const double spacing = row_.spacing > 0 ? row_.spacing : room / count;
-    if (count > 1 && spacing < width * (1 - 1e-9) && row_.spacing > 0)
-      throw InputError(
-          fmt::format("{}: spacing is {:g} m, must be at least the width of a beam, {:g} m: it is measured "
-                      "from centre to centre",
-                      owner_, spacing, width));
     if (const double all = (count - 1) * std::max(spacing, width) + width; all > room * (1 + 1e-9))
       throw InputError(
-          fmt::format("{}: {} of {:g} m width need {:g} m, and there are {:g} m from {} = {:g} to {:g} m; "
+          fmt::format("{}: {} {} of {:g} m width {} {:g} m, and there are {:g} m from {} = {:g} to {:g} m; "
                       "give fewer, thinner or nearer ones",
-                      owner_, count, width, all, room, across(), room_.low, room_.high));
+                      owner_, count, count == 1 ? "beam" : "beams", width, count == 1 ? "needs" : "need", all, room,
+                      across(), room_.low, room_.high));
     std::vector<Stretch> lines;
     for (int i = 0; i < count; ++i) {
       const double middle = (room_.low + room_.high) / 2 + (i - (count - 1) / 2.0) * spacing;
@@ -103,6 +99,11 @@ class BeamRowPlan {
 
   [[nodiscard]] int beams_in(double room) const {
     require_not_negative(row_.spacing, owner_ + ": spacing", "m");
+    if (row_.spacing > 0 && row_.spacing < row_.width * (1 - 1e-9) && row_.count != 1)
+      throw InputError(
+          fmt::format("{}: spacing is {:g} m, must be at least the width of a beam, {:g} m: it is measured "
+                      "from centre to centre",
+                      owner_, row_.spacing, row_.width));
     if (row_.count != 0) return require_count(row_.count, 1, 10'000, owner_ + ": count");
     if (row_.spacing == 0) throw InputError(owner_ + ": give their spacing in m from centre to centre, or their count");
     const double held = std::floor(room / row_.spacing + 1e-9);

@@ -121,6 +121,13 @@ TEST_CASE("rooms have beams of their own which share pockets of the wall between
   CHECK(says(refusal_of([&] { build_building(rooms(0.17, 0.17)); }), "beam 4 from y = 0.566667 to 0.766667 m leaves"));
 }
 
+TEST_CASE("beams side by side make a floor from wall to wall") {
+  const SolidParts made = build_building(beamed_house({{.count = 14, .width = 0.2}}));
+  check_sound(made.parts);
+  CHECK(near(volume_in(made, "beams"), 2.8 * 6.4 * 0.2, 1e-12));
+  CHECK(near(volume_in(made, "units"), plan_area * 1.6 - 3 * 2.8 * 0.4 * 0.2, 1e-12));
+}
+
 TEST_CASE("storeys have beams of their own or those of the building, with a slab on them or none") {
   Building building = beamed_house({{.count = 4, .width = 0.2}});
   building.storeys = {
@@ -192,7 +199,8 @@ TEST_CASE("beams that cannot lie are refused") {
   CHECK(says(refusal_of_beams({{.spacing = 0.1, .width = 0.2}}), "spacing is 0.1 m, must be at least the width"));
   CHECK(says(refusal_of_beams({{.spacing = 3, .width = 0.2}}),
              "spacing is 3 m, more than there are from y = 0.2 to 3 m, 2.8 m; give less, or a count"));
-  CHECK(says(refusal_of_beams({{.count = 15, .width = 0.2}}), "15 of 0.2 m width need 3 m, and there are 2.8 m from"));
+  CHECK(says(refusal_of_beams({{.count = 15, .width = 0.2}}),
+             "15 beams of 0.2 m width need 3 m, and there are 2.8 m from"));
   CHECK(says(refusal_of_beams({{.count = 2, .width = 0.2, .height = 0.3}}),
              "height is 0.3 m, must be a whole number of courses of 0.2 m; 0.2 or 0.4 m would fit"));
   CHECK(says(refusal_of_beams({{.count = 2, .width = 0.2, .height = 1.8}}), "must be at most that of the storey's"));
